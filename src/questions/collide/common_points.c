@@ -100,15 +100,25 @@ static int passes_through(const int plane[3], int k, const int sign[3]) {
     return plane[k] * plane[(k + 1) % 3] < 0 && sign[0] && sign[0] == sign[1] && sign[1] == sign[2];
 }
 
+/* Where an edge is about the other one's plane. */
+typedef enum edge_place { EDGE_BESIDE, EDGE_WITHIN, EDGE_THROUGH } edge_place;
+
+static edge_place place_edge(const finder *f, pair_side side, int k) {
+    int first = f->plane[side][k], second = f->plane[side][(k + 1) % 3];
+    return first * second < 0 ? EDGE_THROUGH : first || second ? EDGE_BESIDE : EDGE_WITHIN;
+}
+
+/* The sign of the determinant is asked for where an edge passes a plane; it is 0 where one is in
+ * the other one's plane. */
 static void add_edge_corners(finder *f) {
     int sign[3][3], turned[3][3];
     for (int k = 0; k < 3 && !f->p->status; k++)
         for (int l = 0; l < 3 && !f->p->status; l++) {
-            int may = f->plane[SIDE_MOVING][k] * f->plane[SIDE_MOVING][(k + 1) % 3] <= 0 ||
-                      f->plane[SIDE_FIXED][l] * f->plane[SIDE_FIXED][(l + 1) % 3] <= 0;
-            sign[k][l] = may ? edges_sign(f, k, l) : 0;
-            turned[l][k] = sign[k][l];
-            if (may && !sign[k][l] && edges_cross(f->p, f->simplices, k, l, f->plane)) {
+            edge_place a = place_edge(f, SIDE_MOVING, k), b = place_edge(f, SIDE_FIXED, l);
+            int asked =
+                (a == EDGE_THROUGH && b != EDGE_WITHIN) || (b == EDGE_THROUGH && a != EDGE_WITHIN);
+            sign[k][l] = turned[l][k] = asked ? edges_sign(f, k, l) : 0;
+            if (a && b && !sign[k][l] && edges_cross(f->p, f->simplices, k, l, f->plane)) {
                 common_corner c = {CORNER_EDGES, {1u << k, 1u << l}, {k, l}};
                 note_corner(f, c);
             }

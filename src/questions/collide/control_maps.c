@@ -32,33 +32,31 @@ void map_forms_split(map_forms *forms, map_forms *right) {
         bernstein_form_split(&forms->form[k], &right->form[k]);
 }
 
-/* Entries, and behind them shifts and slopes. */
+/* Entries, and behind them the room. */
 static int make_map_room(control_maps *out, size_t count, int d) {
     size_t entries = count * (size_t)(d * (d + 1));
-    double *grown = realloc(out->entry, (entries + 2 * count) * sizeof *grown);
+    double *grown = realloc(out->entry, (entries + 9 * count) * sizeof *grown);
     if (!grown)
         return 0;
     out->dimension = d;
     out->entry = grown;
-    out->shift = grown + entries;
-    out->slope = out->shift + count;
+    out->room = grown + entries;
     out->count = count;
     return 1;
 }
 
 static void measure_maps(control_maps *maps) {
     int d = maps->dimension;
-    for (size_t k = 0; k < maps->count; k++) {
-        maps->shift[k] = maps->slope[k] = 0;
+    maps->shift = maps->slope = 0;
+    for (size_t k = 0; k < maps->count; k++)
         for (int i = 0; i < d; i++) {
             const double *row = maps->entry + k * (size_t)(d * (d + 1)) + i * (d + 1);
             double sum = 0;
             for (int j = 0; j < d; j++)
                 sum += fabs(row[j]);
-            maps->slope[k] = fmax(maps->slope[k], sum);
-            maps->shift[k] = fmax(maps->shift[k], fabs(row[d]));
+            maps->slope = fmax(maps->slope, sum);
+            maps->shift = fmax(maps->shift, fabs(row[d]));
         }
-    }
 }
 
 /* x / w for w > 0, within 2^-48 of its size. */

@@ -15,8 +15,9 @@ typedef struct control_maps {
     int dimension;
     size_t count;  /* 0: none are known, and the motion may carry points anywhere */
     double *entry; /* dimension * (dimension + 1) of each */
-    double *shift; /* of each the greatest size of a last entry of a row, */
-    double *slope; /* and the greatest sum of sizes of the others */
+    double *room;  /* for nine numbers of each */
+    double shift;  /* the greatest size of a last entry of a row, */
+    double slope;  /* and the greatest sum of sizes of the others */
 } control_maps;
 
 /** Bernstein coefficients of a point map on an interval: entries, then the weight, of one degree.

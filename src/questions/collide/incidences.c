@@ -11,6 +11,7 @@
 #include "base/number/isolate.h"
 #include "base/number/order.h"
 #include "base/number/rootless.h"
+#include "questions/collide/apart.h"
 
 /** A vertex against a simplex of `side`, or two edges; with the pair that it was found in. */
 typedef struct meeting_cells {
@@ -28,7 +29,8 @@ typedef struct finder {
     algebraic_list found; /* in no order */
     placing *p;
     const near_list *near;
-    const motion_stretch *at;
+    const control_maps *maps;
+    double error; /* of places in doubles */
     const dyadic_interval *interval;
 } finder;
 
@@ -92,25 +94,22 @@ static void note_time(finder *f, const algebraic *time) {
     algebraic_set(algebraic_list_append(&f->found), time);
 }
 
-/* Certainly off the plane all the time? */
-static int is_off(const finder *f, pair_side side, const meeting_cells *m) {
-    pair_side other = (pair_side)!side;
-    const corners *a = &placing_solid(f->p, side)->corners;
-    const corners *b = &placing_solid(f->p, other)->corners;
-    const control_maps *maps = side == SIDE_FIXED ? &f->at->forward : &f->at->inverse;
-    size_t d = (size_t)f->p->pair->motion->dimension, moved = simplex_of(m->simplices, other);
-    return a->at && b->at && maps->count &&
-           vertex_off_plane(a, m->key[1], maps, b->at + (moved * d + (size_t)m->k) * d, b);
+/* Are corners of the two simplices certainly apart all the time? */
+static int runs_apart(const finder *f, corner_run moving, corner_run fixed) {
+    return corners_apart(f->p->pair, f->maps, moving, fixed, f->error);
 }
 
 /* Times at which the vertex is in the simplex, or, if it stays in its plane, at which it may change
  * its cell there. */
 static void meet_vertex(finder *f, pair_side side, const meeting_cells *m) {
     int d = f->p->pair->motion->dimension;
+    near_pair s = m->simplices;
     unsigned zero;
     fmpz_poly_t q;
     algebraic_list roots;
-    if (is_off(f, side, m))
+    int moves = side == SIDE_FIXED;
+    if (runs_apart(f, (corner_run){s.moving, moves ? m->k : 0, moves ? 1 : d},
+                   (corner_run){s.fixed, moves ? 0 : m->k, moves ? d : 1}))
         return;
     fmpz_poly_init(q);
     algebraic_list_init(&roots);
@@ -152,32 +151,15 @@ static int cross_then(placing *p, const meeting_cells *m) {
     return edges_cross(p, s, m->k, m->l, plane);
 }
 
-/* A box of an edge. */
-static void bound_edge(box *out, const graze_solid *solid, const uint32_t end[2]) {
-    for (size_t i = 0; i < 3; i++) {
-        size_t a = end[0] * (size_t)3 + i, b = end[1] * (size_t)3 + i;
-        out->low[i] = fmin(solid->low[a], solid->low[b]);
-        out->high[i] = fmax(solid->high[a], solid->high[b]);
-    }
-}
-
-/* Are two edges certainly apart all the time? */
-static int edges_apart(const finder *f, const uint32_t moving[2], const uint32_t fixed[2]) {
-    box moved, standing;
-    bound_edge(&standing, f->p->pair->moving, moving);
-    control_maps_bound(&moved, &f->at->forward, &standing);
-    bound_edge(&standing, f->p->pair->fixed, fixed);
-    return !box_meets(&moved, &standing);
-}
-
 static void meet_two_edges(finder *f, const meeting_cells *m) {
     uint32_t moving[2], fixed[2];
     fmpz_poly_t q;
     algebraic_list roots;
+    if (runs_apart(f, (corner_run){m->simplices.moving, m->k, 2},
+                   (corner_run){m->simplices.fixed, m->l, 2}))
+        return;
     simplex_side(moving, f->p->pair->moving, m->simplices.moving, m->k);
     simplex_side(fixed, f->p->pair->fixed, m->simplices.fixed, m->l);
-    if (edges_apart(f, moving, fixed))
-        return;
     fmpz_poly_init(q);
     algebraic_list_init(&roots);
     placing_edges(q, f->p, moving, fixed);
@@ -208,8 +190,9 @@ static void order_times(algebraic_list *out, finder *f) {
 }
 
 graze_status incidences_find(algebraic_list *out, placing *p, const near_list *near,
-                             const motion_stretch *at, const dyadic_interval *interval) {
-    finder f = {.p = p, .near = near, .at = at, .interval = interval};
+                             const control_maps *maps, const dyadic_interval *interval) {
+    finder f = {.p = p, .near = near, .maps = maps, .interval = interval};
+    f.error = error_of_places(p->pair, maps);
     cell_list list = {0};
     algebraic_list_init(&f.found);
     for (int side = 0; side < 2 && !p->status; side++) {

@@ -13,9 +13,9 @@
  * have times where they change alone (proofs/collision.md C110).
  * @param[out] out   the times, ascending, each once
  * @param p          on the whole piece
- * @param at         the motion during the interval, for what is certain in doubles
+ * @param maps       the motion during the interval, for what is certain in doubles
  */
 graze_status incidences_find(algebraic_list *out, placing *p, const near_list *near,
-                             const motion_stretch *at, const dyadic_interval *interval);
+                             const control_maps *maps, const dyadic_interval *interval);
 
 #endif

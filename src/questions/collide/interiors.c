@@ -88,15 +88,17 @@ static int is_common(const looker *l, pair_side side, uint32_t vertex) {
 static int finds_inside(looker *l, placing *rational, pair_side side) {
     const simplices *cut = &placing_solid(l->p, side)->cut;
     unsigned char *seen = calloc(cut->component_count, 1);
+    size_t left = cut->component_count;
     int found = 0;
     if (!seen)
         l->p->status = context_fail(l->p->context, GRAZE_ESYSTEM, "out of memory for %zu parts",
                                     cut->component_count);
-    for (size_t k = 0; k < cut->count && seen && !found && !l->p->status; k++) {
+    for (size_t k = 0; left && k < cut->count && seen && !found && !l->p->status; k++) {
         uint32_t vertex = cut->item[k].vertex[0];
         if (seen[cut->item[k].component])
             continue;
         seen[cut->item[k].component] = 1;
+        left--;
         found = !is_common(l, side, vertex) && placing_in_interior(rational, side, vertex);
         if (rational->status)
             l->p->status = rational->status;

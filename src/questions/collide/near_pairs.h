@@ -1,5 +1,5 @@
-/* Pairs of simplices that may meet during an interval, by two trees of boxes and by planes between
- * them, in doubles with proved bounds (proofs/collision.md C108).
+/* Pairs of simplices that may meet during an interval, by two trees of boxes and by directions
+ * along which they are apart, in doubles with proved bounds (proofs/collision.md C108).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_COLLIDE_NEAR_PAIRS_H
@@ -18,13 +18,9 @@ typedef struct node_list {
     node_pair *item;
 } node_list;
 
-/** Where the solids are during an interval: the motion and its inverse. */
-typedef struct motion_stretch {
-    control_maps forward, inverse;
-} motion_stretch;
-
 /**
  * Cut pairs of nodes down to leaves, and leave out those that are certainly apart.
+ * @param maps    the motion during the interval
  * @param in      pairs of nodes
  * @param[out] near   pairs of leaves are appended that are about as large as their way, or all if
  *                    `at_once`
@@ -33,17 +29,12 @@ typedef struct motion_stretch {
  * @return GRAZE_ESYSTEM, GRAZE_ECANCELED
  */
 graze_status near_pairs_refine(node_list *near, node_list *coarse, graze_context *context,
-                               const solid_pair *pair, const motion_stretch *at,
+                               const solid_pair *pair, const control_maps *maps,
                                const node_list *in, int at_once);
 
 /** The simplices of pairs of leaves. */
 graze_status near_pairs_take(near_list *out, graze_context *context, const solid_pair *pair,
                              const node_list *leaves);
-
-/** Is a vertex of one solid, whose place in doubles is given, certainly off the plane of a simplex
- * of the other one all the time? `maps` carry the vertex, one of those of `of`. */
-int vertex_off_plane(const corners *plane_of, uint32_t simplex, const control_maps *maps,
-                     const double *vertex, const corners *of);
 
 graze_status node_list_add(node_list *list, graze_context *context, node_pair item);
 

@@ -10,9 +10,9 @@
 /* Halvings of a piece; beyond them pairs are asked whatever their way is. From so many pairs on a
  * vertex that is deep in the other solid is looked for. */
 enum { MOST_HALVINGS = 60, MANY_PAIRS = 24 };
-/* Before a first contact intervals with more pairs than a few are halved while that halves the
- * pairs: those that meet later are in intervals that are never looked at. */
-enum { FEW_PAIRS = 8 };
+/* Before a first contact intervals with more pairs than a few are halved while so many halvings
+ * halve the pairs: those that meet later are in intervals that are never looked at. */
+enum { FEW_PAIRS = 8, PATIENCE = 3 };
 
 typedef struct searcher {
     pair_walk *walk;
@@ -25,14 +25,14 @@ typedef struct searcher {
 typedef struct stretch_forms {
     dyadic_interval interval;
     int level;
-    size_t most; /* pairs with which a first contact lets it be halved; 0: any number */
-    map_forms forward, inverse;
+    size_t pairs; /* of leaves, when so many halvings ago they had become half of those before; */
+    int patience; /* 0: they were not counted yet */
+    map_forms motion;
 } stretch_forms;
 
 static void forms_clear(stretch_forms *s) {
     dyadic_interval_clear(&s->interval);
-    map_forms_clear(&s->forward);
-    map_forms_clear(&s->inverse);
+    map_forms_clear(&s->motion);
 }
 
 /* The interval becomes its left half. */
@@ -40,9 +40,9 @@ static void forms_split(stretch_forms *s, stretch_forms *right) {
     dyadic_interval_init(&right->interval);
     dyadic_interval_halves(&s->interval, &right->interval, &s->interval);
     right->level = ++s->level;
-    right->most = s->most;
-    map_forms_split(&s->forward, &right->forward);
-    map_forms_split(&s->inverse, &right->inverse);
+    right->pairs = s->pairs;
+    right->patience = s->patience;
+    map_forms_split(&s->motion, &right->motion);
 }
 
 /* The ends of an interval. */
@@ -112,7 +112,7 @@ static graze_status search_deep(int *done, searcher *s, stretch_forms *during,
 }
 
 /* Ask for the times at which the boundaries of pairs of leaves meet, and walk to each. */
-static graze_status ask_exactly(searcher *s, stretch_forms *during, const motion_stretch *at,
+static graze_status ask_exactly(searcher *s, stretch_forms *during, const control_maps *maps,
                                 const node_list *leaves) {
     near_list near = {0};
     algebraic_list times;
@@ -122,7 +122,7 @@ static graze_status ask_exactly(searcher *s, stretch_forms *during, const motion
     if (!status)
         status = search_deep(&done, s, during, &near, leaves);
     if (!status && !done)
-        status = incidences_find(&times, &s->whole, &near, at, &during->interval);
+        status = incidences_find(&times, &s->whole, &near, maps, &during->interval);
     for (size_t k = 0; k < times.count && !status && !s->walk->done; k++)
         status = pair_walk_to(s->walk, &s->whole, s->piece, &times.item[k], leaves);
     algebraic_list_clear(&times);
@@ -130,34 +130,37 @@ static graze_status ask_exactly(searcher *s, stretch_forms *during, const motion
     return status;
 }
 
+/* Do halvings make the pairs of leaves few? */
+static int becomes_less(stretch_forms *during, size_t pairs) {
+    during->patience--;
+    if (during->patience < 0 || pairs <= during->pairs / 2) {
+        during->pairs = pairs;
+        during->patience = PATIENCE;
+    }
+    return pairs > FEW_PAIRS && during->patience > 0;
+}
+
 /* Pairs of leaves stand first in `left`, then those that a shorter interval tells more of. */
 static graze_status search_stretch(searcher *s, stretch_forms *during, const node_list *of) {
     node_list left = {0}, coarse = {0};
     if (is_deep(s, &during->interval) == 2)
         return go_over(s, &during->interval);
-    motion_stretch at = {{0}, {0}};
-    int made = control_maps_set(&at.forward, &during->forward) &&
-               control_maps_set(&at.inverse, &during->inverse);
+    control_maps maps = {0};
     graze_status status = GRAZE_OK;
-    if (!made)
+    if (!control_maps_set(&maps, &during->motion))
         status = context_fail(s->walk->context, GRAZE_ESYSTEM, "out of memory for a motion");
     int halve = during->level < MOST_HALVINGS;
     if (!status)
         status = near_pairs_refine(&left, halve ? &coarse : NULL, s->walk->context, s->walk->pair,
-                                   &at, of, !halve);
-    int many =
-        s->walk->first && left.count > FEW_PAIRS && (!during->most || left.count <= during->most);
-    if (coarse.count == 0)
-        during->most = left.count / 2;
-    halve = halve && (coarse.count > 0 || many);
+                                   &maps, of, !halve);
+    halve = halve && (coarse.count > 0 || (s->walk->first && becomes_less(during, left.count)));
     for (size_t k = 0; k < coarse.count && !status; k++)
         status = node_list_add(&left, s->walk->context, coarse.item[k]);
     if (!status && left.count)
-        status = halve ? search_halves(s, during, &left) : ask_exactly(s, during, &at, &left);
+        status = halve ? search_halves(s, during, &left) : ask_exactly(s, during, &maps, &left);
     free(left.item);
     free(coarse.item);
-    control_maps_clear(&at.forward);
-    control_maps_clear(&at.inverse);
+    control_maps_clear(&maps);
     return status;
 }
 
@@ -169,8 +172,7 @@ static graze_status search_piece(pair_walk *walk, size_t piece) {
     const node_list all = {1, 1, &roots};
     dyadic_interval_init(&whole.interval);
     dyadic_interval_set_si(&whole.interval, 0, 1);
-    map_forms_init(&whole.forward, &m->forward, &whole.interval);
-    map_forms_init(&whole.inverse, &m->inverse, &whole.interval);
+    map_forms_init(&whole.motion, &m->forward, &whole.interval);
     placing_init(&s.whole, walk->context, walk->pair, piece);
     fmpq_init(s.deep.low);
     fmpq_init(s.deep.high);

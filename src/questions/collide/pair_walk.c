@@ -15,7 +15,7 @@
 
 /* What stands at one time: the pairs that may meet, and exact places. */
 typedef struct scene_then {
-    motion_stretch at;
+    control_maps maps;
     node_list leaves;
     near_list near;
     placing p;
@@ -34,8 +34,7 @@ void pair_walk_clear(pair_walk *walk) {
 }
 
 static void then_clear(scene_then *s) {
-    control_maps_clear(&s->at.forward);
-    control_maps_clear(&s->at.inverse);
+    control_maps_clear(&s->maps);
     free(s->leaves.item);
     free(s->near.item);
     if (s->placed)
@@ -52,7 +51,7 @@ static graze_status take_near(scene_then *out, pair_walk *walk, int made, const 
     const node_list all = {1, 1, &roots};
     graze_status status = made ? GRAZE_OK : lack_memory(walk->context);
     if (!status)
-        status = near_pairs_refine(&out->leaves, NULL, walk->context, walk->pair, &out->at,
+        status = near_pairs_refine(&out->leaves, NULL, walk->context, walk->pair, &out->maps,
                                    of ? of : &all, 1);
     return status ? status : near_pairs_take(&out->near, walk->context, walk->pair, &out->leaves);
 }
@@ -64,9 +63,7 @@ static graze_status find_near_at(scene_then *out, pair_walk *walk, size_t piece,
     const motion_piece *m = &walk->pair->motion->piece[piece];
     fmpq *map = _fmpq_vec_init(d * (d + 1));
     point_map_at(map, &m->forward, u);
-    int made = control_maps_set_one(&out->at.forward, map, d);
-    point_map_at(map, &m->inverse, u);
-    made = made && control_maps_set_one(&out->at.inverse, map, d);
+    int made = control_maps_set_one(&out->maps, map, d);
     _fmpq_vec_clear(map, d * (d + 1));
     return take_near(out, walk, made, of);
 }
@@ -93,10 +90,7 @@ static graze_status find_near_root(scene_then *out, pair_walk *walk, size_t piec
         return find_near_at(out, walk, piece, time->value, of);
     map_forms forms;
     map_forms_init(&forms, &m->forward, &time->where);
-    int made = control_maps_set(&out->at.forward, &forms);
-    map_forms_clear(&forms);
-    map_forms_init(&forms, &m->inverse, &time->where);
-    made = made && control_maps_set(&out->at.inverse, &forms);
+    int made = control_maps_set(&out->maps, &forms);
     map_forms_clear(&forms);
     return take_near(out, walk, made, of);
 }

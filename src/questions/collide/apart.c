@@ -1,0 +1,239 @@
+/* Directions are any vectors: they are chosen so that they part much, and proved is what they part.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/collide/apart.h"
+
+#include "decide/filter/normal.h"
+
+/* Sizes below which products stay in the range of doubles. */
+#define MOST_BOUND 0x1p950
+#define MOST_SLOPE 0x1p200
+
+static double along(const double *a, const double *b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross3(double out[3], const double *a, const double *b) {
+    out[0] = a[1] * b[2] - a[2] * b[1];
+    out[1] = a[2] * b[0] - a[0] * b[2];
+    out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+static double size1(const double *n) {
+    return fabs(n[0]) + fabs(n[1]) + fabs(n[2]);
+}
+
+/** From `low` to `high` along a direction. */
+typedef struct extent {
+    double low, high;
+} extent;
+
+static void take_place(extent *e, double x) {
+    e->low = smaller(e->low, x);
+    e->high = larger(e->high, x);
+}
+
+/* Is one extent beyond the other by more than both err? */
+static int extents_apart(extent a, extent b, const double n[3], double error) {
+    double bound = size1(n) * error + 0x1p-800;
+    return bound < MOST_BOUND && (a.low - b.high > bound || b.low - a.high > bound);
+}
+
+/* One to three points under some maps: three coordinates each, in E^2 the last 0. */
+typedef struct point_group {
+    size_t maps;
+    int count;
+    const double *at; /* maps * count points, those of one map side by side */
+} point_group;
+
+static const double *run_corner(const corners *of, corner_run run, int k, int d) {
+    return of->at + (run.simplex * (size_t)d + (size_t)((run.first + k) % d)) * (size_t)d;
+}
+
+static point_group stand(double room[9], const corners *of, corner_run run, int d) {
+    for (int k = 0; k < run.count; k++) {
+        const double *v = run_corner(of, run, k, d);
+        for (int i = 0; i < 3; i++)
+            room[3 * k + i] = i < d ? v[i] : 0;
+    }
+    return (point_group){1, run.count, room};
+}
+
+static point_group move(const control_maps *maps, const corners *of, corner_run run) {
+    int d = maps->dimension;
+    double *out = maps->room;
+    for (size_t m = 0; m < maps->count; m++)
+        for (int k = 0; k < run.count; k++, out += 3) {
+            const double *row = maps->entry + m * (size_t)(d * (d + 1));
+            const double *v = run_corner(of, run, k, d);
+            out[2] = 0;
+            for (int i = 0; i < d; i++, row += d + 1)
+                out[i] = row[0] * v[0] + row[1] * v[1] + (d == 3 ? row[2] * v[2] : 0) + row[d];
+        }
+    return (point_group){maps->count, run.count, maps->room};
+}
+
+double error_of_places(const solid_pair *pair, const control_maps *maps) {
+    const corners *a = &pair->moving->corners, *b = &pair->fixed->corners;
+    double far = maps->shift + maps->slope * a->reach + b->reach;
+    if (!a->at || !b->at || !maps->count || maps->slope > MOST_SLOPE || !(far < INFINITY))
+        return INFINITY;
+    return 0x1p-42 * far + b->error + 2 * maps->slope * a->error + 0x1p-640;
+}
+
+static extent group_extent(const point_group *g, const double n[3]) {
+    extent e = {INFINITY, -INFINITY};
+    const double *x = g->at;
+    for (size_t k = 0; k < g->maps * (size_t)g->count; k++, x += 3)
+        take_place(&e, along(n, x));
+    return e;
+}
+
+typedef struct divider {
+    const point_group *moved, *standing;
+    double error;
+} divider;
+
+static int divides(const divider *d, const double n[3]) {
+    return extents_apart(group_extent(d->moved, n), group_extent(d->standing, n), n, d->error);
+}
+
+/* The edges between points that a group has under a map in the middle. @return how many */
+static int edges_of(double out[3][3], const point_group *g) {
+    const double *x = g->at + g->maps / 2 * (size_t)(3 * g->count);
+    int edges = g->count == 3 ? 3 : g->count - 1;
+    for (int k = 0; k < edges; k++)
+        for (int i = 0; i < 3; i++)
+            out[k][i] = x[3 * ((k + 1) % g->count) + i] - x[3 * k + i];
+    return edges;
+}
+
+/* Within a plane across `normal`, across each edge. */
+static int divides_in_plane(const divider *d, const double normal[3], double edge[][3], int count) {
+    double n[3];
+    for (int k = 0; k < count; k++) {
+        cross3(n, normal, edge[k]);
+        if (divides(d, n))
+            return 1;
+    }
+    return 0;
+}
+
+/* By the planes of triangles, and those that hold the directions of two edges. */
+static int divides_in_space(double normal[3], const divider *d, double a[][3], int edges_a,
+                            double b[][3], int edges_b) {
+    if (edges_b == 3) {
+        cross3(normal, b[0], b[1]);
+        if (divides(d, normal))
+            return 1;
+    }
+    double n[3];
+    if (edges_a == 3) {
+        cross3(n, a[0], a[1]);
+        if (divides(d, n))
+            return 1;
+    }
+    for (int k = 0; k < edges_a; k++)
+        for (int l = 0; l < edges_b; l++) {
+            cross3(n, a[k], b[l]);
+            if (divides(d, n))
+                return 1;
+        }
+    if (edges_b < 3)
+        cross3(normal, a[0], edges_a == 3 ? a[1] : b[0]);
+    return 0;
+}
+
+int corners_apart(const solid_pair *pair, const control_maps *maps, corner_run moving,
+                  corner_run fixed, double error) {
+    double room[9], a[3][3], b[3][3], normal[3] = {0, 0, 1};
+    if (!(error < INFINITY))
+        return 0;
+    point_group moved = move(maps, &pair->moving->corners, moving);
+    point_group standing = stand(room, &pair->fixed->corners, fixed, maps->dimension);
+    divider d = {&moved, &standing, error};
+    int edges_a = edges_of(a, &moved), edges_b = edges_of(b, &standing);
+    if (maps->dimension == 3 && divides_in_space(normal, &d, a, edges_a, b, edges_b))
+        return 1;
+    return divides_in_plane(&d, normal, a, edges_a) || divides_in_plane(&d, normal, b, edges_b);
+}
+
+/* A node: its box, in E^2 of no height, and its slab. */
+typedef struct flat_box {
+    const box *box;
+    const slab *slab;
+} flat_box;
+
+/* What is in a box and a slab along n: n = share * the slab's normal + rest. */
+static extent flat_extent(const flat_box *f, const double n[3]) {
+    const double *normal = f->slab->normal;
+    double length = along(normal, normal), share = length > 0 ? along(n, normal) / length : 0;
+    double centre = 0, half = 0;
+    for (int i = 0; i < 3; i++) {
+        double rest = n[i] - share * normal[i];
+        centre += rest * (0.5 * f->box->low[i] + 0.5 * f->box->high[i]);
+        half += fabs(rest) * (0.5 * f->box->high[i] - 0.5 * f->box->low[i]);
+    }
+    if (share == 0)
+        return (extent){centre - half, centre + half};
+    double one = share * f->slab->low, other = share * f->slab->high;
+    return (extent){centre - half + smaller(one, other), centre + half + larger(one, other)};
+}
+
+/* The same of the images: n . (A x + b) = (A^T n) . x + n . b. */
+static extent moved_extent(const flat_box *f, const control_maps *maps, const double n[3]) {
+    extent all = {INFINITY, -INFINITY};
+    int d = maps->dimension;
+    for (size_t k = 0; k < maps->count; k++) {
+        const double *row = maps->entry + k * (size_t)(d * (d + 1));
+        double back[3] = {0, 0, 0}, shift = 0;
+        for (int i = 0; i < d; i++, row += d + 1) {
+            for (int j = 0; j < d; j++)
+                back[j] += n[i] * row[j];
+            shift += n[i] * row[d];
+        }
+        extent one = flat_extent(f, back);
+        take_place(&all, one.low + shift);
+        take_place(&all, one.high + shift);
+    }
+    return all;
+}
+
+/* The direction across the images of planes across n, under a map in the middle. */
+static void carry_normal(double out[3], const control_maps *maps, const double n[3]) {
+    int d = maps->dimension;
+    const double *m = maps->entry + maps->count / 2 * (size_t)(d * (d + 1));
+    if (d == 2) {
+        out[0] = m[4] * n[0] - m[3] * n[1];
+        out[1] = m[0] * n[1] - m[1] * n[0];
+        out[2] = 0;
+        return;
+    }
+    for (int i = 0; i < 3; i++) {
+        double minor[3];
+        cross3(minor, m + 4 * ((i + 1) % 3), m + 4 * ((i + 2) % 3));
+        out[i] = along(minor, n);
+    }
+}
+
+/* Slabs without bounds have no normal. */
+static int slabs_apart_along(const flat_box *moved, const flat_box *standing,
+                             const control_maps *maps, const double n[3], double error) {
+    return size1(n) > 0 &&
+           extents_apart(moved_extent(moved, maps, n), flat_extent(standing, n), n, error);
+}
+
+int slabs_apart(const solid_pair *pair, const control_maps *maps, uint32_t moving, uint32_t fixed,
+                double error) {
+    const graze_solid *a = pair->moving, *b = pair->fixed;
+    const tree_node *m = &a->boxes.node[moving], *f = &b->boxes.node[fixed];
+    double carried[3];
+    if (!(error < INFINITY))
+        return 0;
+    flat_box moved = {&m->box, &a->slabs.item[m->child ? m->slab : 0]};
+    flat_box standing = {&f->box, &b->slabs.item[f->child ? f->slab : 0]};
+    if (slabs_apart_along(&moved, &standing, maps, standing.slab->normal, error))
+        return 1;
+    carry_normal(carried, maps, moved.slab->normal);
+    return slabs_apart_along(&moved, &standing, maps, carried, error);
+}
