@@ -56,14 +56,18 @@ typedef enum graze_format {
 typedef struct graze_row_options {
     size_t size; /**< sizeof(graze_row_options) */
     graze_format format;
-    graze_columns columns; /**< pmc: no other answer: no topo, sdf, moments, nor JSON Lines */
-    int topo;   /**< 1: the position relative to the closed sweep (graze/topo.h), as last column */
+    graze_columns columns; /**< pmc: no other answer: no topo, regular, sdf, moments, nor JSON
+                              Lines */
+    int topo;   /**< 1: the position relative to the closed sweep (graze/topo.h), as last column but
+                  for regular */
     double sdf; /**< an enclosure of the signed distance of at most this width (graze/distance.h);
                    0: none */
     double motion_error; /**< with sdf: is pmc certain for every continuous motion that displaces no
                             point of the solid by more (proofs/distance.md C73)? 0: not said */
     int moments; /**< 1: the first and the last time at which the point is in the closed solid, with
                     their pieces and rows of a log (formats.md); CSV and JSON Lines */
+    int regular; /**< 1: of an unsweep, is the point in the closure of its interior
+                    (graze_trace_regular)? One column more, the last */
 } graze_row_options;
 
 /** Texts of one row, comma-joined and unchanged; each may be NULL. JSON Lines have none. */
@@ -153,7 +157,7 @@ GRAZE_API GRAZE_CHECKED graze_status graze_report_export(char **out, size_t *len
  * closed sweep and distance where the options have them.
  * @param[out] out text for graze_free
  * @param point    d canonical rationals: the point that was traced
- * @param options  topo, sdf and motion_error; NULL: neither
+ * @param options  topo, regular, sdf and motion_error; NULL: none
  * @return GRAZE_EUSE, GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_report_explain(char **out, graze_context *context,

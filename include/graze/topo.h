@@ -1,8 +1,10 @@
-/* graze/topo.h - where a point lies relative to the closed sweep.
+/* graze/topo.h - where a point lies relative to the closed sweep or the regularised unsweep.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * `in` and `out` lie in the interior and in the exterior of the closed sweep, but a point that is
- * `on` may lie in its interior all the same, where swept parts close around it (semantics.md 5).
+ * `on` may lie in its interior all the same, where swept parts close around it (semantics.md 5). By
+ * duality a point that is `on` an unsweep may be far from its interior, on a part that dangles: the
+ * regularised unsweep, the closure of the interior, does not have it (semantics.md 6).
  */
 #ifndef GRAZE_TOPO_H
 #define GRAZE_TOPO_H
@@ -13,7 +15,7 @@
 extern "C" {
 #endif
 
-/** Position relative to the closed sweep. Zero is never an answer. */
+/** Position relative to a closed set. Zero is never an answer. */
 typedef enum graze_topo {
     GRAZE_TOPO_NONE = 0,
     GRAZE_TOPO_INTERIOR = 1,
@@ -38,6 +40,9 @@ typedef struct graze_topology graze_topology;
 
 /** "interior", "boundary", "exterior" or "undecided", else "none". Static. */
 GRAZE_API const char *graze_topo_name(graze_topo topo);
+/* Of a position relative to the regularised unsweep: is the point in it? */
+/** "yes", "no" or "undecided", else "none". Static. */
+GRAZE_API const char *graze_regular_name(graze_topo topo);
 /** "word", "first_order", "closed_cones", "edges", "leading_terms", "section" or
  * "curves", else "none". Static. */
 GRAZE_API const char *graze_topo_level_name(graze_topo_level level);
@@ -54,6 +59,17 @@ GRAZE_API GRAZE_CHECKED graze_status graze_trace_topo(graze_topology **out, graz
                                                       const graze_scene *scene,
                                                       graze_rationals point,
                                                       const graze_trace *trace);
+/**
+ * Decide where a point lies relative to the regularised unsweep: `in` is interior and `out`
+ * exterior; `on` is boundary, with a witness that is `in`, or exterior, on a dangling part
+ * (topology.md C113). Decided as far as graze_trace_topo decides.
+ * @return as graze_trace_topo; GRAZE_EUSE a sweep too, of which no part dangles
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_trace_regular(graze_topology **out,
+                                                         graze_context *context,
+                                                         const graze_scene *scene,
+                                                         graze_rationals point,
+                                                         const graze_trace *trace);
 /** Free a verdict. NULL is allowed. */
 GRAZE_API void graze_topology_destroy(graze_topology *topology);
 /** The position; GRAZE_TOPO_NONE for NULL. */
@@ -63,7 +79,8 @@ GRAZE_API graze_topo_level graze_topology_level(const graze_topology *topology);
 /** Why a point is undecided, in one line; "" for another, and for NULL. Static. */
 GRAZE_API const char *graze_topology_reason(const graze_topology *topology);
 /**
- * A point that is `out`, for an `on` point of a sweep that is `boundary`.
+ * A point that is `out`, for an `on` point of a sweep that is `boundary`; in a verdict of
+ * graze_trace_regular one that is `in`, and so are the others below.
  * @param[out] out d initialised rationals; unchanged if there is no such point
  * @return 1, or 0 if there is none
  */

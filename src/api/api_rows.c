@@ -19,13 +19,15 @@ graze_status api_rows(graze_row_options *out, graze_context *context, const char
         return status;
     if (!(out->format >= GRAZE_FORMAT_CSV && out->format <= GRAZE_FORMAT_NPY))
         return api_misuse(context, function, "the format is unknown");
-    if ((out->topo != 0 && out->topo != 1) || (out->moments != 0 && out->moments != 1) ||
+    if ((out->topo != 0 && out->topo != 1) || (out->regular != 0 && out->regular != 1) ||
+        (out->moments != 0 && out->moments != 1) ||
         (out->columns != GRAZE_COLUMNS_ALL && out->columns != GRAZE_COLUMNS_PMC))
         return api_misuse(context, function, "an option has an unknown value");
-    if (out->columns == GRAZE_COLUMNS_PMC && (out->topo || out->moments || out->sdf != 0))
+    if (out->columns == GRAZE_COLUMNS_PMC &&
+        (out->topo || out->regular || out->moments || out->sdf != 0))
         return api_misuse(context, function,
-                          "topo, moments and sdf are decided by the contacts, which columns of pmc "
-                          "alone spare");
+                          "topo, regular, moments and sdf are decided by the contacts, which "
+                          "columns of pmc alone spare");
     if (out->moments && out->format > GRAZE_FORMAT_JSONL)
         return api_misuse(context, function,
                           "moments are exact times, which binary rows cannot hold");
@@ -41,19 +43,25 @@ graze_status api_rows(graze_row_options *out, graze_context *context, const char
                       "motion_error must be positive and finite beside a width sdf, or 0");
 }
 
-/* Positions and distances are those of polyhedra. */
-static graze_status check_curved(graze_context *context, const graze_scene *scene,
-                                 const graze_row_options *shown) {
-    if (!scene->solid->curved || (!shown->topo && !(shown->sdf > 0)))
+/* Positions and distances are those of polyhedra; no part of a sweep dangles. */
+static graze_status check_scene(graze_context *context, const graze_scene *scene,
+                                const graze_row_options *shown) {
+    const char *straight = shown->topo      ? "topo"
+                           : shown->regular ? "regular"
+                           : shown->sdf > 0 ? "sdf"
+                                            : NULL;
+    if (scene->solid->curved && straight)
+        return api_curved(context, straight);
+    if (!shown->regular || scene->options.operation == GRAZE_UNSWEEP)
         return GRAZE_OK;
-    return api_curved(context, shown->topo ? "topo" : "sdf");
+    return api_misuse(context, "regular", "the scene is a sweep; expected an unsweep");
 }
 
 graze_status api_row(text *out, graze_row_totals *totals, graze_context *context,
                      const graze_scene *scene, const fmpq *point, const graze_trace *trace,
                      const graze_row_texts *texts, const graze_row_options *shown) {
     row r;
-    graze_status status = check_curved(context, scene, shown);
+    graze_status status = check_scene(context, scene, shown);
     if (status)
         return status;
     status = row_answer(&r, context, scene, shown, point, trace);
@@ -67,8 +75,9 @@ graze_status api_row(text *out, graze_row_totals *totals, graze_context *context
     if (status == GRAZE_OK && out->failed)
         status = context_fail(context, GRAZE_ESYSTEM, "out of memory");
     if (status == GRAZE_OK && totals) {
-        totals->undecided +=
-            trace->undecided || (shown->topo && r.topo.position == GRAZE_TOPO_UNDECIDED);
+        totals->undecided += trace->undecided ||
+                             (shown->topo && r.topo.position == GRAZE_TOPO_UNDECIDED) ||
+                             (shown->regular && r.regular.position == GRAZE_TOPO_UNDECIDED);
         totals->wide += shown->sdf > 0 && r.space.wide;
     }
     row_clear(&r);
@@ -86,7 +95,7 @@ graze_status graze_report_header(char **out, graze_context *context, const graze
                           "out, context and scene must not be NULL");
     graze_status status = api_rows(&shown, context, "graze_report_header", options);
     if (!status)
-        status = check_curved(context, scene, &shown);
+        status = check_scene(context, scene, &shown);
     if (status)
         return status;
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
@@ -208,7 +217,7 @@ graze_status graze_report_explain(char **out, graze_context *context, const graz
                           "out, context, scene, point and trace must not be NULL");
     graze_status status = api_rows(&shown, context, "graze_report_explain", options);
     if (!status)
-        status = check_curved(context, scene, &shown);
+        status = check_scene(context, scene, &shown);
     if (status)
         return status;
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();

@@ -1,4 +1,4 @@
-/* The public functions of positions relative to the closed sweep.
+/* The public functions of positions relative to the closed sweep and the regularised unsweep.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <flint/fmpq_vec.h>
@@ -12,16 +12,22 @@ struct graze_topology {
     int dimension;
 };
 
-graze_status graze_trace_topo(graze_topology **out, graze_context *context,
-                              const graze_scene *scene, graze_rationals point,
-                              const graze_trace *trace) {
+typedef graze_status (*decider)(topo_finding *, graze_context *, const graze_scene *, const fmpq *,
+                                const graze_trace *);
+
+/* What both questions share. */
+static graze_status decide(graze_topology **out, graze_context *context, const char *function,
+                           decider question, const graze_scene *scene, graze_rationals point,
+                           const graze_trace *trace) {
     if (out)
         *out = NULL;
     if (!out || !context || !scene || !point || !trace)
-        return api_misuse(context, "graze_trace_topo",
+        return api_misuse(context, function,
                           "out, context, scene, point and trace must not be NULL");
+    if (question == topo_regular && scene->options.operation == GRAZE_SWEEP)
+        return api_misuse(context, function, "the scene is a sweep; expected an unsweep");
     if (scene->solid->curved)
-        return api_curved(context, "graze_trace_topo");
+        return api_curved(context, function);
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     graze_topology *made = malloc(sizeof *made);
     if (!made)
@@ -31,13 +37,25 @@ graze_status graze_trace_topo(graze_topology **out, graze_context *context,
     fmpq *p = _fmpq_vec_init(scene->motion->dimension);
     graze_status status = api_point(p, context, scene, point);
     if (!status)
-        status = topo_decide(&made->inner, context, scene, p, trace);
+        status = question(&made->inner, context, scene, p, trace);
     _fmpq_vec_clear(p, scene->motion->dimension);
     if (status)
         graze_topology_destroy(made);
     else
         *out = made;
     return status;
+}
+
+graze_status graze_trace_topo(graze_topology **out, graze_context *context,
+                              const graze_scene *scene, graze_rationals point,
+                              const graze_trace *trace) {
+    return decide(out, context, "graze_trace_topo", topo_decide, scene, point, trace);
+}
+
+graze_status graze_trace_regular(graze_topology **out, graze_context *context,
+                                 const graze_scene *scene, graze_rationals point,
+                                 const graze_trace *trace) {
+    return decide(out, context, "graze_trace_regular", topo_regular, scene, point, trace);
 }
 
 void graze_topology_destroy(graze_topology *topology) {

@@ -60,7 +60,7 @@ static void check_row(const graze_solid *solid, const plane_list *planes, const 
     memcpy(g.side[0].e, r->e, sizeof r->e);
     g.side_count = g.side[0].edge_way = has_side;
     g.covers_edge = !has_side;
-    assert_int_equal(cone_make(&g.cone, context, solid, planes, place[r->at]), GRAZE_OK);
+    assert_int_equal(cone_make(&g.cone, context, solid, 0, planes, place[r->at]), GRAZE_OK);
     assert_int_equal(germ_cover_body(&cover, &g, context, u, 0), GRAZE_OK);
     if (cover.edge_way != r->is_way || (r->is_way && !cover.covered))
         fail_msg("row %zu: edge_way %d, covered %d", k, cover.edge_way, cover.covered);

@@ -3,15 +3,14 @@
 
 #include "output/report/closings.h"
 
-/* What each level says of a point, by position. */
+/* What each level says of a point, by whether a witness shows that its contacts leave a gap. */
 static const char *meaning_of(const topo_finding *topo) {
-    int interior = topo->position == GRAZE_TOPO_INTERIOR;
+    int closed = topo->position != GRAZE_TOPO_BOUNDARY;
     switch (topo->level) {
     case GRAZE_LEVEL_FIRST_ORDER:
-        return interior ? "to first order the contacts cover every direction about P, each with "
-                          "those near it"
-                        : "to first order no contact covers the direction from P to the point "
-                          "below: all points near enough in it are out";
+        return closed ? "to first order the contacts cover every direction about P, each with "
+                        "those near it"
+                      : "to first order no contact covers the direction from P to the point below";
     case GRAZE_LEVEL_CLOSED_CONES:
         return "closed cones that contacts cover exactly fill all directions about P, with what is "
                "covered to first order";
@@ -19,11 +18,10 @@ static const char *meaning_of(const topo_finding *topo) {
         return "the contacts cover every direction about P to first order, with the ways that pass "
                "between parts or along an edge";
     case GRAZE_LEVEL_LEADING_TERMS:
-        return interior
-                   ? "contacts close on both sides of a plane through P and, by their leading "
-                     "terms, overlap in each of its directions"
-                   : "contacts close on both sides of a plane through P, but leave a gap in it "
-                     "that is thinner than every cone";
+        return closed ? "contacts close on both sides of a plane through P and, by their leading "
+                        "terms, overlap in each of its directions"
+                      : "contacts close on both sides of a plane through P, but leave a gap in it "
+                        "that is thinner than every cone";
     case GRAZE_LEVEL_SECTION:
         return "near P nothing depends on one direction; every part into which curves cut a small "
                "square across it was looked at";
@@ -73,9 +71,10 @@ static void put_square(text *t, const topo_finding *topo, int dimension) {
 }
 
 /* The witness, and what is known of the points between. */
-static void put_witness(text *t, const topo_finding *topo, int dimension) {
+static void put_witness(text *t, const topo_finding *topo, graze_pmc pmc, int dimension) {
+    text_format(t, "A point that is %s: (", graze_pmc_name(pmc));
     for (int k = 0; k < dimension; k++) {
-        text_put(t, k ? ", " : "A point that is out: (");
+        text_put(t, k ? ", " : "");
         text_rational(t, topo->witness + k);
     }
     switch (finding_witness(topo)) {
@@ -92,17 +91,26 @@ static void put_witness(text *t, const topo_finding *topo, int dimension) {
     }
 }
 
-void closed_explain(text *t, const topo_finding *topo, int dimension) {
+static void explain_finding(text *t, const topo_finding *topo, const char *answer, graze_pmc pmc,
+                            int dimension) {
     const char *meaning = meaning_of(topo);
-    text_put(t, "\nRelative to the closed set ");
     if (topo->position == GRAZE_TOPO_UNDECIDED) {
         put_undecided(t, topo);
         return;
     }
-    text_format(t, "it is `%s`, by level `%s`.\n", graze_topo_name(topo->position),
-                graze_topo_level_name(topo->level));
+    text_format(t, "it is `%s`, by level `%s`.\n", answer, graze_topo_level_name(topo->level));
     if (meaning)
         text_format(t, "That is, %s.\n", meaning);
     if (topo->has_witness)
-        put_witness(t, topo, dimension);
+        put_witness(t, topo, pmc, dimension);
+}
+
+void closed_explain(text *t, const topo_finding *topo, int dimension) {
+    text_put(t, "\nRelative to the closed set ");
+    explain_finding(t, topo, graze_topo_name(topo->position), GRAZE_OUT, dimension);
+}
+
+void closed_explain_regular(text *t, const topo_finding *regular, int dimension) {
+    text_put(t, "\nRegular, in the closure of the unsweep's interior: ");
+    explain_finding(t, regular, graze_regular_name(regular->position), GRAZE_IN, dimension);
 }

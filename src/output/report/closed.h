@@ -10,4 +10,7 @@
 /** Append the position of a point, what decided it, and its witness or why it is undecided. */
 void closed_explain(text *t, const topo_finding *topo, int dimension);
 
+/** The same of whether a point is in the closure of an unsweep's interior. */
+void closed_explain_regular(text *t, const topo_finding *regular, int dimension);
+
 #endif

@@ -156,15 +156,24 @@ static graze_status put_germ(const closings_maker *m, germ *g) {
     return status;
 }
 
+static int of_unsweep(const graze_scene *scene) {
+    return scene->options.operation == GRAZE_UNSWEEP;
+}
+
 static graze_status put_hint(const closings_maker *m, const fmpq *point) {
     int found = 0;
     ulong places = 0;
     fmpq near[3] = {{0, 1}, {0, 1}, {0, 1}};
+    const char *beyond = of_unsweep(m->scene) ? "in" : "out";
     graze_status status = hint_find(&found, near, &places, m->context, m->scene, point, m->topo);
     if (!status && !found)
-        text_put(m->t, "Probing about P found no point that is out. That is a hint, no verdict.\n");
+        text_format(m->t,
+                    "Probing about P found no point that is %s. That is a hint, no verdict.\n",
+                    beyond);
+    if (!status && found)
+        text_format(m->t, "The nearest point found that is %s is (", beyond);
     for (int k = 0; k < 3 && !status && found; k++) {
-        text_put(m->t, k ? ", " : "The nearest point found that is out is (");
+        text_put(m->t, k ? ", " : "");
         text_rational(m->t, near + k);
     }
     if (!status && found)
@@ -185,9 +194,9 @@ graze_status closings_explain(text *t, graze_context *context, const graze_scene
     graze_status status = topo_planes(&planes, context, scene);
     if (!status)
         status = germs_find(&germs, context, scene, planes, point);
-    text_format(t,
-                "Contacts, and the directions (dx, dy%s) from P that each covers to first order:\n",
-                m.dimension == 3 ? ", dz" : "");
+    text_format(
+        t, "Contacts, and the directions (dx, dy%s) from P that each covers%s to first order:\n",
+        m.dimension == 3 ? ", dz" : "", of_unsweep(scene) ? ", by what is outside the solid," : "");
     for (size_t k = 0; k < germs.count && !status; k++)
         status = put_germ(&m, &germs.item[k]);
     if (!status && !germs.bounded)

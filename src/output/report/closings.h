@@ -18,8 +18,8 @@ void closings_vector(text *t, const fmpz *v, int dimension);
 /** Append the time of a contact, and the cell in which it is. */
 void closings_place(text *t, const graze_scene *scene, const germ *g);
 
-/** Append a line for each contact of an `on` point of a sweep; and where the position is undecided,
- * the nearest point found that is out. */
+/** Append a line for each contact of an `on` point, of an unsweep of what is outside the solid; and
+ * where the position is undecided, the nearest point found that is beyond it. */
 graze_status closings_explain(text *t, graze_context *context, const graze_scene *scene,
                               const fmpq *point, const topo_finding *topo);
 

@@ -340,8 +340,10 @@ graze_status report_explain(char **out, graze_context *context, const row *r) {
     }
     if (r->shown->topo)
         closed_explain(&t, &r->topo, d);
-    if (sweep && r->shown->topo && r->trace->verdict.pmc == GRAZE_ON)
-        status = closings_explain(&t, context, scene, r->point, &r->topo);
+    if (r->shown->regular)
+        closed_explain_regular(&t, &r->regular, d);
+    if ((sweep ? r->shown->topo : r->shown->regular) && r->trace->verdict.pmc == GRAZE_ON)
+        status = closings_explain(&t, context, scene, r->point, sweep ? &r->topo : &r->regular);
     if (r->shown->sdf > 0)
         explain_distance(&t, scene, &r->space);
     text_put(&t, sweep ? "\n[EI] Erdim and Ilies 2008. S^t is the solid moved by M(t).\n"

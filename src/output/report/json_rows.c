@@ -4,6 +4,7 @@
 
 #include "output/report/json_rows.h"
 
+#include <stdio.h>
 #include "base/number/rational.h"
 #include "decide/verdict/verdict.h"
 #include "output/report/enclosure.h"
@@ -69,39 +70,55 @@ static void json_integers(json_writer *w, const char *key, const fmpz *v, int co
     json_close(w, ']');
 }
 
+/* A finding, whose keys begin with the name of its question. */
+typedef struct json_finding {
+    json_writer *w;
+    const char *question;
+    const topo_finding *found;
+    int dimension;
+    char key[32];
+} json_finding;
+
+static const char *key_of(json_finding *f, const char *end) {
+    snprintf(f->key, sizeof f->key, "%s_%s", f->question, end);
+    return f->key;
+}
+
 /* The path P + s^order along + s^(order + 1) lift across on which a witness lies. */
-static void json_path(json_writer *w, const topo_finding *topo) {
-    json_integers(w, "topo_direction", topo->open, 3);
-    json_integers(w, "topo_normal", topo->across, 3);
-    json_count(w, "topo_order", (unsigned long)topo->order);
-    json_rational(w, "topo_z", &topo->lift);
+static void json_path(json_finding *f) {
+    json_integers(f->w, key_of(f, "direction"), f->found->open, 3);
+    json_integers(f->w, key_of(f, "normal"), f->found->across, 3);
+    json_count(f->w, key_of(f, "order"), (unsigned long)f->found->order);
+    json_rational(f->w, key_of(f, "z"), &f->found->lift);
 }
 
 /* The witness, and the ray, the path or the square on which it lies. */
-static void json_witness(json_writer *w, const topo_finding *topo, int dimension) {
-    topo_witness kind = finding_witness(topo);
-    json_point(w, "topo_witness", topo->witness, dimension);
+static void json_witness(json_finding *f) {
+    topo_witness kind = finding_witness(f->found);
+    json_point(f->w, key_of(f, "witness"), f->found->witness, f->dimension);
     if (kind == WITNESS_PATH) {
-        json_path(w, topo);
+        json_path(f);
     } else if (kind == WITNESS_RAY) {
-        json_integers(w, "topo_direction", topo->direction, dimension);
-    } else if (dimension == 3) {
-        json_open(w, "topo_plane", '[');
+        json_integers(f->w, key_of(f, "direction"), f->found->direction, f->dimension);
+    } else if (f->dimension == 3) {
+        json_open(f->w, key_of(f, "plane"), '[');
         for (int k = 0; k < 2; k++)
-            json_integers(w, NULL, topo->along[k], dimension);
-        json_close(w, ']');
+            json_integers(f->w, NULL, f->found->along[k], f->dimension);
+        json_close(f->w, ']');
     }
-    json_rational(w, kind == WITNESS_SQUARE ? "topo_rho" : "topo_epsilon", &topo->reach);
+    json_rational(f->w, key_of(f, kind == WITNESS_SQUARE ? "rho" : "epsilon"), &f->found->reach);
 }
 
-static void json_topo(json_writer *w, const topo_finding *topo, int dimension) {
-    json_text(w, "topo", graze_topo_name(topo->position));
-    if (topo->position == GRAZE_TOPO_UNDECIDED)
-        json_text(w, "topo_reason", topo->reason);
+static void json_position(json_writer *w, const char *question, const char *answer,
+                          const topo_finding *found, int dimension) {
+    json_finding f = {w, question, found, dimension, ""};
+    json_text(w, question, answer);
+    if (found->position == GRAZE_TOPO_UNDECIDED)
+        json_text(w, key_of(&f, "reason"), found->reason);
     else
-        json_text(w, "topo_level", graze_topo_level_name(topo->level));
-    if (topo->has_witness)
-        json_witness(w, topo, dimension);
+        json_text(w, key_of(&f, "level"), graze_topo_level_name(found->level));
+    if (found->has_witness)
+        json_witness(&f);
 }
 
 static void json_bound(json_writer *w, const char *key, double bound, int up) {
@@ -145,7 +162,9 @@ void report_json(text *out, const row *r) {
     if (r->shown->moments)
         inside_json(&w, &r->inside, r->scene->motion);
     if (r->shown->topo)
-        json_topo(&w, &r->topo, d);
+        json_position(&w, "topo", graze_topo_name(r->topo.position), &r->topo, d);
+    if (r->shown->regular)
+        json_position(&w, "regular", graze_regular_name(r->regular.position), &r->regular, d);
     json_close(&w, '}');
     text_put(out, "\n");
 }

@@ -15,8 +15,11 @@ graze_status row_answer(row *out, graze_context *context, const graze_scene *sce
     graze_status status = GRAZE_OK;
     *out = (row){.scene = scene, .shown = shown, .point = point, .trace = trace};
     finding_init(&out->topo);
+    finding_init(&out->regular);
     if (shown->topo)
         status = topo_decide(&out->topo, context, scene, point, trace);
+    if (!status && shown->regular)
+        status = topo_regular(&out->regular, context, scene, point, trace);
     if (!status && shown->sdf > 0)
         status = distance_find(&out->space, context, scene, point, trace, shown->sdf);
     if (!status && (shown->format == GRAZE_FORMAT_JSONL || shown->sdf > 0))
@@ -28,4 +31,5 @@ graze_status row_answer(row *out, graze_context *context, const graze_scene *sce
 
 void row_clear(row *r) {
     finding_clear(&r->topo);
+    finding_clear(&r->regular);
 }

@@ -18,9 +18,10 @@ typedef struct row {
     const fmpq *point;
     const graze_trace *trace;
     graze_row_texts texts;
-    topo_finding topo;   /* where `shown` has topo */
-    distance space;      /* where it has sdf */
-    inside_times inside; /* where it has moments */
+    topo_finding topo;    /* where `shown` has topo */
+    topo_finding regular; /* where it has regular */
+    distance space;       /* where it has sdf */
+    inside_times inside;  /* where it has moments */
 } row;
 
 /** How much of a trace such rows need. */

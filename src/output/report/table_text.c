@@ -49,6 +49,8 @@ static void put_notes(text *t, graze_context *context, const graze_scene *scene,
         text_put(t, "# moments yes\n");
     if (shown->topo)
         text_put(t, "# topo yes\n");
+    if (shown->regular)
+        text_put(t, "# regular yes\n");
     if (shown->columns == GRAZE_COLUMNS_PMC)
         text_put(t, "# columns pmc\n");
     if (notes)
@@ -77,6 +79,8 @@ void table_columns(text *t, const graze_scene *scene, const char *columns,
         inside_columns(t, scene->motion);
     if (shown->topo)
         text_put(t, ",topo");
+    if (shown->regular)
+        text_put(t, ",regular");
 }
 
 graze_status report_header(char **out, graze_context *context, const graze_scene *scene,
@@ -136,6 +140,10 @@ static void put_further(text *out, const row *r) {
     if (r->shown->topo) {
         text_put(out, ",");
         text_put(out, graze_topo_name(r->topo.position));
+    }
+    if (r->shown->regular) {
+        text_put(out, ",");
+        text_put(out, graze_regular_name(r->regular.position));
     }
 }
 

@@ -23,6 +23,7 @@ static const char classify_help[] =
     "  --moments            columns more: first and last time at which the point is in the closed\n"
     "                       solid, with the motion's pieces and their rows of a log then\n"
     "  --topo               one column more, last: the position relative to the closed sweep\n"
+    "  --regular            one more, of an unsweep: yes in the closure of its interior, else no\n"
     "  --columns all|pmc    answers: all (default), or pmc alone, which is decided sooner\n"
     "  --coordinates exact|as-given|decimal   of the points in the table: ratios, the numbers of\n"
     "                       POINTS (default of csv without --round, --grid, --certify), decimals\n"
@@ -74,6 +75,7 @@ static const option_entry classify_table[] = {
     OPTION("motion-error", classify_options, scene.rows.motion_error, value_motion_error),
     FLAG("moments", classify_options, scene.rows.moments, value_flag),
     FLAG("topo", classify_options, scene.rows.topo, value_flag),
+    FLAG("regular", classify_options, scene.rows.regular, value_flag),
     OPTION("columns", classify_options, scene.rows.columns, value_columns),
     OPTION("coordinates", classify_options, coordinates.form, value_coordinates),
     OPTION("digits", classify_options, coordinates.digits, value_digits),
@@ -119,6 +121,7 @@ static int check_columns(const classify_options *o) {
     const char *more = o->scene.rows.sdf > 0                        ? "--sdf"
                        : o->scene.rows.moments                      ? "--moments"
                        : o->scene.rows.topo                         ? "--topo"
+                       : o->scene.rows.regular                      ? "--regular"
                        : o->certificate                             ? "--certify"
                        : o->scene.rows.format == GRAZE_FORMAT_JSONL ? "--format jsonl"
                                                                     : NULL;

@@ -19,6 +19,7 @@ static const char explain_help[] =
     "  --folds combined     Definitions 10 and 11 in their place\n"
     "  --sdf TOL            the signed distance too, as in graze classify\n"
     "  --topo               the position relative to the closed sweep too\n"
+    "  --regular            of an unsweep: is the point in the closure of its interior, too\n"
     "  --svg FILE           2D, a point that is on a sweep: draw, as .svg or .png, which "
     "directions\n"
     "                       about it each contact covers, which are left, and a\n"
@@ -83,6 +84,7 @@ static const option_entry explain_table[] = {
     OPTION("operation", explain_given, scene.scene.operation, value_operation),
     OPTION("sdf", explain_given, scene, value_sdf),
     FLAG("topo", explain_given, scene.rows.topo, value_flag),
+    FLAG("regular", explain_given, scene.rows.regular, value_flag),
     FILE_WRITTEN("svg", explain_given, picture),
     {NULL, OPTION_FLAG, NULL, 0}};
 

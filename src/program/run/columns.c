@@ -43,18 +43,18 @@ static int is_further(const columns *c, size_t column) {
     return !(column >= c->own.first && column < c->own.end) && column + c->own.last < c->count;
 }
 
-/* How many of the last columns are an enclosure, moments and a position, behind each other, among
+/* How many of the last columns are an enclosure, moments and positions, behind each other, among
  * `most`. Moments have rows where the motion has. */
 static size_t count_last(const fields *first, columns_head head, size_t most) {
     const struct {
         const char *name;
         int is_there, may_lack;
-    } last[] = {{"topo", head.topo, 0},          {"last_row", head.moments, 1},
-                {"last_piece", head.moments, 0}, {"last", head.moments, 0},
-                {"first_row", head.moments, 1},  {"first_piece", head.moments, 0},
-                {"first", head.moments, 0},      {"certain", head.certain, 0},
-                {"sdf_t", head.sdf, 0},          {"sdf_high", head.sdf, 0},
-                {"sdf_low", head.sdf, 0}};
+    } last[] = {{"regular", head.regular, 0},     {"topo", head.topo, 0},
+                {"last_row", head.moments, 1},    {"last_piece", head.moments, 0},
+                {"last", head.moments, 0},        {"first_row", head.moments, 1},
+                {"first_piece", head.moments, 0}, {"first", head.moments, 0},
+                {"certain", head.certain, 0},     {"sdf_t", head.sdf, 0},
+                {"sdf_high", head.sdf, 0},        {"sdf_low", head.sdf, 0}};
     size_t count = 0;
     for (size_t k = 0; k < sizeof last / sizeof *last && count < most; k++) {
         if (!last[k].is_there)
@@ -68,7 +68,7 @@ static size_t count_last(const fields *first, columns_head head, size_t most) {
 }
 
 /* The answers in a file that graze classify has written: they stand behind the coordinates, in this
- * order and some left out, and the position in the last column. */
+ * order and some left out, and positions in the last columns. */
 static void find_own(columns *c, const fields *first, columns_head head) {
     static const char *const of_sweep[] = {"pmc", "class", "definition", "case", "i", "t", "word"};
     static const char *const of_unsweep[] = {"pmc", "word"};

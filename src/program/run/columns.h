@@ -9,7 +9,7 @@
 /** Columns of a file that graze classify has written: its answers, which are not carried along. */
 typedef struct own_columns {
     size_t first, end; /* answers are the columns from `first` to before `end` */
-    size_t last;       /* and the last ones: of --sdf, --moments and --topo */
+    size_t last;       /* and the last ones: of --sdf, --moments, --topo and --regular */
 } own_columns;
 
 /** `count` is 0 until the first line has fixed them; nothing changes afterwards. */
@@ -27,7 +27,7 @@ typedef struct columns {
 
 /** What the `#` lines before the first line say: Graze has written the file, with which answers. */
 typedef struct columns_head {
-    int graze, topo, sdf, certain, moments, unsweep, pmc_alone;
+    int graze, topo, regular, sdf, certain, moments, unsweep, pmc_alone;
 } columns_head;
 
 /** Working memory of a thread that reads rows. The context is borrowed, the rest is freed by

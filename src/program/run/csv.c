@@ -135,6 +135,7 @@ static void read_head_line(csv *c, field text) {
     field version;
     c->head.graze |= c->in.line == 1 && field_behind(&version, text, "# graze ");
     c->head.topo |= field_is(text, "# topo yes");
+    c->head.regular |= field_is(text, "# regular yes");
     c->head.sdf |= field_behind(&version, text, "# sdf ");
     c->head.certain |= field_behind(&version, text, "# motion-error ");
     c->head.moments |= field_is(text, "# moments yes");

@@ -34,11 +34,16 @@ int load_straight(const graze_solid *solid, const char *path, const char *what) 
                     what);
 }
 
-/* Positions and distances are those of polyhedra and polygons. */
+/* Positions and distances are those of polyhedra and polygons; no part of a sweep dangles. */
 static int check_rows(const graze_solid *solid, const scene_options *o) {
-    if (!o->rows.topo && !(o->rows.sdf > 0))
-        return EXIT_DONE;
-    return load_straight(solid, o->solid, o->rows.topo ? "--topo" : "--sdf");
+    const char *straight = o->rows.topo      ? "--topo"
+                           : o->rows.regular ? "--regular"
+                           : o->rows.sdf > 0 ? "--sdf"
+                                             : NULL;
+    if (o->rows.regular && o->scene.operation == GRAZE_SWEEP)
+        return complain(EXIT_USAGE, "--regular is asked of an unsweep; expected --operation "
+                                    "unsweep beside it");
+    return straight ? load_straight(solid, o->solid, straight) : EXIT_DONE;
 }
 
 /* Say why a scene was not read, and name graze mend where it makes a legal solid: it is tried. */

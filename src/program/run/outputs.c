@@ -295,7 +295,8 @@ static int put_last_line(outputs *out, result_kind kind, const char *format, ...
 
 /* Whether rows may be undecided: their position, or all of a curved solid's. */
 static int counts_undecided(const outputs *out) {
-    return out->l->rows.topo || graze_solid_primitive_count(out->l->solid) > 0;
+    return out->l->rows.topo || out->l->rows.regular ||
+           graze_solid_primitive_count(out->l->solid) > 0;
 }
 
 /* A shard's last lines match it with the others; `complete` is the last line of all. */
@@ -352,6 +353,7 @@ static void report_whole_rows(const outputs *out, int kind) {
 }
 
 int outputs_close(outputs *out, int status) {
+    const graze_row_options *rows = &out->l->rows;
     int ended = status;
     if (status && out->recorded)
         record_write(&out->beside, &out->at, 1);
@@ -362,8 +364,13 @@ int outputs_close(outputs *out, int status) {
         }
     if (!status && out->at.undecided)
         complain(EXIT_DONE, "note: %s of %lu of %lu rows is undecided; graze explain%s says why",
-                 out->l->rows.topo ? "the position" : "pmc", out->at.undecided,
-                 out->file[RESULT_TABLE].rows, out->l->rows.topo ? " --topo" : "");
+                 rows->regular ? "regular"
+                 : rows->topo  ? "the position"
+                               : "pmc",
+                 out->at.undecided, out->file[RESULT_TABLE].rows,
+                 rows->regular ? " --regular"
+                 : rows->topo  ? " --topo"
+                               : "");
     if (!status && out->o->coordinates.digits)
         complain(EXIT_DONE,
                  "note: coordinates of more than %d digits are rounded; the answers are those of "

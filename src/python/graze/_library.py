@@ -43,7 +43,8 @@ class CRowOptions(ctypes.Structure):
     """graze_row_options."""
 
     _fields_ = [("size", c_size_t), ("format", c_int), ("columns", c_int), ("topo", c_int),
-                ("sdf", c_double), ("motion_error", c_double), ("moments", c_int)]
+                ("sdf", c_double), ("motion_error", c_double), ("moments", c_int),
+                ("regular", c_int)]
 
 
 class CVerdict(ctypes.Structure):
@@ -300,6 +301,7 @@ _FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "graze_scene_diagonal": (c_int, [POINTER(c_double), c_void_p, c_void_p]),
     "graze_scene_width": (c_int, [POINTER(c_double), c_void_p, c_void_p, c_double]),
     "graze_trace_topo": (c_int, [_OUT, c_void_p, c_void_p, c_void_p, c_void_p]),
+    "graze_trace_regular": (c_int, [_OUT, c_void_p, c_void_p, c_void_p, c_void_p]),
     "graze_topology_destroy": (None, [c_void_p]),
     "graze_topology_position": (c_int, [c_void_p]),
     "graze_topology_level": (c_int, [c_void_p]),
@@ -309,6 +311,7 @@ _FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "graze_topology_path": (c_int, [c_void_p, c_void_p, c_void_p, POINTER(c_size_t), c_void_p, c_void_p]),
     "graze_topology_square": (c_int, [c_void_p, c_void_p, c_void_p]),
     "graze_topo_name": (c_char_p, [c_int]),
+    "graze_regular_name": (c_char_p, [c_int]),
     "graze_pair_create": (c_int, [_OUT, c_void_p, c_void_p, c_void_p, c_void_p, c_void_p, POINTER(CPairOptions)]),
     "graze_pair_destroy": (None, [c_void_p]),
     "graze_pair_get_verdict": (c_int, [c_void_p]),

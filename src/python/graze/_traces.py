@@ -60,7 +60,7 @@ def _integers(values: Rationals, start: int, count: int) -> Tuple[int, ...]:
 
 
 def read_topology(topology: ctypes.c_void_p, dimension: int) -> Topology:
-    """A position relative to the closed sweep; the handle stays the caller's."""
+    """A position relative to the closed sweep, or the regularised unsweep; the handle stays the caller's."""
     call, witness, far, along = library(), Rationals(dimension), Rationals(1), Rationals(2 * dimension)
     found = call.graze_topology_witness(witness.address, topology)
     made = Topology(call.graze_topo_name(call.graze_topology_position(topology)).decode(),

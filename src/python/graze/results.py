@@ -68,12 +68,12 @@ class Enclosure(NamedTuple):
 
 
 class Topology(NamedTuple):
-    """Where a point lies relative to the closed sweep.
+    """Where a point lies relative to the closed sweep, or to the regularised unsweep.
 
     `position` is `interior`, `boundary`, `exterior` or `undecided`, `level` what decided it (`word`,
     `first_order`, `closed_cones`, `edges`, `leading_terms`, `section`, `curves`, else `none`),
     `reason` why it is undecided, else "". `witness` is a point that is `out`, for an `on` point that
-    is `boundary`. By first order it is point + epsilon * direction, and all nearer ones are `out`
+    is `boundary`; of `Scene.regularised` one that is `in`, and so are all below. By first order it is point + epsilon * direction, and all nearer ones are `out`
     too. By leading terms it is point + s**order * direction + s**(order + 1) * z * normal with
     s = `epsilon`, and all with 0 < s < epsilon are `out` too. Else it is point + x a + y b with (a, b) = `plane` and x or y of size
     `rho`, none larger, and every smaller square has such a point too.

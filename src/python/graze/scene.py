@@ -56,7 +56,7 @@ class Scene:
                  triangulate: bool = False, round: str = "none", *,
                  limits: Optional[Mapping[str, int]] = None, use_filter: bool = True,
                  topo: bool = False, columns: str = "all", sdf: Any = None,
-                 motion_error: Any = None, moments: bool = False) -> None:
+                 motion_error: Any = None, moments: bool = False, regular: bool = False) -> None:
         """Read, validate and put together; decide whether first and last position meet.
 
         Args:
@@ -77,6 +77,8 @@ class Scene:
                 motion within it.
             moments: rows and tables have the first and the last time at which the point is in the
                 closed solid, with pieces and rows of a log.
+            regular: of an unsweep: rows and tables end with whether the point is in the closure of
+                its interior. `regularised` has the witness.
             use_filter: let the certified floating-point filter go first; answers are the same.
         Raises:
             UseError: a word that is none, or a solid or motion that was rounded otherwise.
@@ -89,7 +91,8 @@ class Scene:
                            choice("overlap", overlap, OVERLAPS), choice("folds", folds, FOLDS))
         self._shown = CRowOptions(ctypes.sizeof(CRowOptions), 0,
                                   choice("columns", columns, COLUMNS), int(topo), width,
-                                  _rounded("motion_error", motion_error, math.inf), int(moments))
+                                  _rounded("motion_error", motion_error, math.inf), int(moments),
+                                  int(regular))
         if not isinstance(solid, Solid):
             solid = Solid(solid, triangulate=triangulate, round=round, limits=limits)
         if not isinstance(motion, Motion):
@@ -101,7 +104,8 @@ class Scene:
         self.solid, self.motion = solid, motion
         self.operation, self.overlap, self.folds, self.round = operation, overlap, folds, round
         self.topo, self.columns = bool(topo), columns
-        self.sdf, self.motion_error, self.moments = sdf, motion_error, bool(moments)
+        self.sdf, self.motion_error = sdf, motion_error
+        self.moments, self.regular = bool(moments), bool(regular)
         self._contexts = Contexts(chosen)
         context, pointer = self._contexts.mine(), ctypes.c_void_p()
         parts = input_handle(solid), input_handle(motion)
@@ -246,10 +250,18 @@ class Scene:
 
     def topology(self, point: Sequence[Number]) -> Topology:
         """Where one point lies relative to the closed sweep. Raises as `trace`."""
+        return self._topology(library().graze_trace_topo, point)
+
+    def regularised(self, point: Sequence[Number]) -> Topology:
+        """Where one point lies relative to the regularised unsweep, the closure of its interior: an `on`
+        point is `boundary`, or `exterior` on a part that dangles. Raises as `trace`; UseError: a sweep."""
+        return self._topology(library().graze_trace_regular, point)
+
+    def _topology(self, question: Any, point: Sequence[Number]) -> Topology:
         rationals, context, pointer = self._point(point), self._context(), ctypes.c_void_p()
         with self._trace(rationals) as trace:
-            context.run(library().graze_trace_topo, ctypes.byref(pointer), context.pointer,
-                        self._handle.pointer, rationals.address, trace)
+            context.run(question, ctypes.byref(pointer), context.pointer, self._handle.pointer,
+                        rationals.address, trace)
         with Handle(pointer, library().graze_topology_destroy) as topology:
             return read_topology(topology, self.dimension)
 
@@ -342,7 +354,7 @@ class Scene:
         rows = self.rows(points, jobs=jobs, progress=progress)
         undecided = sum(row.endswith(",undecided") for row in rows)
         return "".join([head, *(row + "\n" for row in rows),
-                        *([f"# undecided {undecided}\n"] if self.topo else []),
+                        *([f"# undecided {undecided}\n"] if self.topo or self.regular else []),
                         f"# complete {len(rows)}\n"])
 
     def _head(self, notes: str) -> str:

@@ -122,7 +122,7 @@ graze_status inward_decide(int *out, const graze_envelope *e, graze_context *con
     if (!status)
         status = topo_planes(&planes, context, e->scene);
     if (!status)
-        status = cone_make(&cone, context, e->scene->solid, planes, e->cells.vertex[vertex].x);
+        status = cone_make(&cone, context, e->scene->solid, 0, planes, e->cells.vertex[vertex].x);
     for (int k = 0; k < 2 && !status && !*out; k++) {
         graze_state state = GRAZE_STATE_O;
         status = cone_state(&state, &cone, context, direction);

@@ -39,10 +39,11 @@ static void note_distance(local_cone *cone, const fmpz_t value, const fmpz *norm
 }
 
 graze_status cone_make(local_cone *cone, graze_context *context, const graze_solid *solid,
-                       const plane_list *planes, const fmpz *at) {
+                       int outside, const plane_list *planes, const fmpz *at) {
     slong d = planes->dimension;
     memset(cone, 0, sizeof *cone);
     cone->solid = solid;
+    cone->outside = outside;
     cone->planes = planes;
     cone->dimension = (int)d;
     cone->at = _fmpz_vec_init(d + 1);
@@ -100,6 +101,8 @@ static graze_status locate_beside(graze_state *out, const local_cone *cone, graz
     if (*out == GRAZE_STATE_ABSENT)
         return context_fail(context, GRAZE_EINTERNAL,
                             "the crossings of a ray beside a contact do not add up");
+    if (cone->outside && *out != GRAZE_STATE_B)
+        *out = *out == GRAZE_STATE_I ? GRAZE_STATE_O : GRAZE_STATE_I;
     return context_poll(context);
 }
 

@@ -13,6 +13,7 @@
  * against these planes alone (proofs/claims.md C1). */
 typedef struct local_cone {
     const graze_solid *solid;
+    int outside;              /* it is that of the closure of the solid's complement */
     const plane_list *planes; /* of all facets */
     int dimension;
     fmpz *at;      /* the point: d + 1 homogeneous integers, the last one positive */
@@ -25,9 +26,10 @@ typedef struct local_cone {
     int knows_all;           /* every cell of the planes' arrangement is known */
 } local_cone;
 
-/** The cone at a point; cone_clear in any case, also of zeros. */
+/** The cone at a point; cone_clear in any case, also of zeros.
+ * @param outside 1: of the closure of the solid's complement, with I and O exchanged */
 graze_status cone_make(local_cone *cone, graze_context *context, const graze_solid *solid,
-                       const plane_list *planes, const fmpz *at);
+                       int outside, const plane_list *planes, const fmpz *at);
 void cone_clear(local_cone *cone);
 
 /** The state of the points that follow next to the point in a direction. */

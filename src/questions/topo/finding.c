@@ -8,6 +8,12 @@ const char *graze_topo_name(graze_topo topo) {
     return name_at(name, sizeof name / sizeof *name, (size_t)topo);
 }
 
+const char *graze_regular_name(graze_topo topo) {
+    return topo == GRAZE_TOPO_INTERIOR || topo == GRAZE_TOPO_BOUNDARY ? "yes"
+           : topo == GRAZE_TOPO_EXTERIOR                              ? "no"
+                                                                      : graze_topo_name(topo);
+}
+
 const char *graze_topo_level_name(graze_topo_level level) {
     static const char *const name[] = {"none",         "word",  "first_order", "curves",
                                        "closed_cones", "edges", "section",     "leading_terms"};

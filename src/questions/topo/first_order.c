@@ -26,6 +26,12 @@ typedef struct germ_maker {
     trajectory path;
 } germ_maker;
 
+/* The complement of an unsweep is swept by the complement of the solid (proofs/topology.md C113).
+ */
+static int sweeps_outside(const germ_maker *m) {
+    return m->scene->options.operation == GRAZE_UNSWEEP;
+}
+
 /* The linear part of the inverse map at a time; its positive weight is left out. */
 static void set_to_body(germ *g, const germ_maker *m, const fmpq_t u) {
     int d = m->map->dimension;
@@ -87,7 +93,7 @@ static graze_status add_germ(germ_maker *m, const fmpq_t u) {
     fmpq_set(&g->time, u);
     trajectory_at(x, &m->path, u);
     set_to_body(g, m, u);
-    status = cone_make(&g->cone, m->context, m->scene->solid, m->planes, x);
+    status = cone_make(&g->cone, m->context, m->scene->solid, sweeps_outside(m), m->planes, x);
     if (!status)
         status = add_sides(m, g, x, u);
     _fmpz_vec_clear(x, d + 1);
@@ -98,7 +104,8 @@ static graze_status add_germ(germ_maker *m, const fmpq_t u) {
 static graze_status add_root(germ_maker *m, const algebraic *time, const fmpz_poly_t minimal) {
     germ *g = NULL;
     int found = 0;
-    germ_place place = {m->context, m->scene->solid, m->planes, m->map, &m->path};
+    germ_place place = {m->context, m->scene->solid, sweeps_outside(m),
+                        m->planes,  m->map,          &m->path};
     graze_status status = germs_append(&g, m->list, m->context, m->map);
     if (!status)
         status = root_set_germ(&found, g, &place, time, minimal);

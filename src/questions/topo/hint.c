@@ -3,7 +3,7 @@
 
 #include <flint/fmpz_vec.h>
 #include <math.h>
-#include "decide/verdict/classify.h"
+#include "questions/topo/beyond.h"
 #include "questions/topo/directions.h"
 
 typedef struct hint_maker {
@@ -23,9 +23,8 @@ static void divide_2exp(fmpq_t x, slong places) {
 }
 
 /* out = the point + 2^-places (v + 2^-places w), for vectors of a length near the solid's width; is
- * it out? */
+ * it beyond? */
 static graze_status try_place(hint_maker *m, const fmpz *v, const fmpz *w, ulong places) {
-    graze_verdict verdict;
     fmpq_t step, bend;
     fmpq_init(step);
     fmpq_init(bend);
@@ -38,9 +37,7 @@ static graze_status try_place(hint_maker *m, const fmpz *v, const fmpz *w, ulong
         fmpq_add(step, step, bend);
         fmpq_add(m->out + k, m->point + k, step);
     }
-    graze_status status =
-        classify_verdict(&verdict, m->context, m->scene, (query_point){.rational = m->out});
-    m->found = !status && verdict.pmc == GRAZE_OUT;
+    graze_status status = beyond_closed(&m->found, m->context, m->scene, m->out);
     fmpq_clear(step);
     fmpq_clear(bend);
     return status;

@@ -8,7 +8,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
-#include "decide/verdict/classify.h"
+#include "questions/topo/beyond.h"
 #include "questions/topo/borders.h"
 #include "questions/topo/cover.h"
 #include "questions/topo/directions.h"
@@ -33,11 +33,10 @@ typedef struct leading_maker {
     fmpz *open;                /* one of them, another, and their product */
 } leading_maker;
 
-/* The place of a ray is the witness if its reach is found and it is out. */
+/* The place of a ray is the witness if its reach is found and it is beyond. */
 static graze_status try_witness(leading_maker *m, const fmpz *direction) {
     slong d = m->borders.dimension;
     topo_finding *out = m->out;
-    graze_verdict verdict;
     int found = 0;
     graze_status status =
         ray_find_reach(&found, &out->reach, m->context, m->scene, m->point, direction);
@@ -47,9 +46,7 @@ static graze_status try_witness(leading_maker *m, const fmpz *direction) {
         fmpq_mul_fmpz(out->witness + k, &out->reach, direction + k);
         fmpq_add(out->witness + k, m->point + k, out->witness + k);
     }
-    status =
-        classify_verdict(&verdict, m->context, m->scene, (query_point){.rational = out->witness});
-    out->has_witness = !status && verdict.pmc == GRAZE_OUT;
+    status = beyond_closed(&out->has_witness, m->context, m->scene, out->witness);
     _fmpz_vec_set(out->direction, direction, d);
     return status;
 }

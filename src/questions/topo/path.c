@@ -5,7 +5,7 @@
  */
 #include "questions/topo/path.h"
 
-#include "decide/verdict/classify.h"
+#include "questions/topo/beyond.h"
 #include "questions/topo/binary_places.h"
 
 /* A curve along the path, times a power of q. */
@@ -36,17 +36,16 @@ static void curve_on_path(fmpz_poly_t out, const fmpz_mpoly_t curve, const topo_
     fmpz_poly_clear(term);
 }
 
-/* The place of the path at 2^-places is the witness if it is out. */
+/* The place of the path at 2^-places is the witness if it is beyond. */
 static graze_status try_path(topo_finding *out, graze_context *context, const graze_scene *scene,
                              const plane_view *view, ulong places) {
-    graze_verdict verdict;
+    int beyond = 0;
     fmpq xy[2] = {{1, 1}, {0, 1}};
     fmpq_div_2exp(xy, xy, places * (ulong)out->order);
     fmpq_div_2exp(xy + 1, &out->lift, places * (ulong)(out->order + 1));
     view_point(out->witness, view, xy);
-    graze_status status =
-        classify_verdict(&verdict, context, scene, (query_point){.rational = out->witness});
-    if (!status && verdict.pmc == GRAZE_OUT) {
+    graze_status status = beyond_closed(&beyond, context, scene, out->witness);
+    if (beyond) {
         finding_set(out, GRAZE_TOPO_BOUNDARY, GRAZE_LEVEL_LEADING_TERMS);
         out->has_witness = 1;
         fmpq_one(&out->reach);

@@ -256,7 +256,8 @@ graze_status root_set_germ(int *found, germ *g, const germ_place *place, const a
     algebraic_set(&at, time);
     graze_status status = place_find(found, x, near, place, &at);
     if (!status && *found) {
-        status = cone_make(&g->cone, place->context, place->solid, place->planes, x);
+        status =
+            cone_make(&g->cone, place->context, place->solid, place->outside, place->planes, x);
         if (!status)
             status = germ_make_root(g, place->context, &at);
         if (!status)

@@ -10,7 +10,7 @@
 #include <flint/fmpz_vec.h>
 #include "base/number/isolate.h"
 #include "base/number/order.h"
-#include "decide/verdict/classify.h"
+#include "questions/topo/beyond.h"
 #include "questions/topo/near.h"
 
 typedef struct square_maker {
@@ -36,7 +36,7 @@ static void set_square(square_maker *m) {
 
 /* Trace the point of a side whose coordinate along it is `along`, from the centre. */
 static graze_status sample_at(square_maker *m, const fmpq_t along) {
-    graze_verdict verdict;
+    int beyond = 0;
     fmpq sample[2];
     for (int k = 0; k < 2; k++)
         fmpq_init(sample + k);
@@ -46,9 +46,8 @@ static graze_status sample_at(square_maker *m, const fmpq_t along) {
     for (int k = 0; k < 2; k++)
         fmpq_add(sample + k, sample + k, m->point + k);
     view_point(m->out->witness, m->view, sample);
-    graze_status status = classify_verdict(&verdict, m->context, m->scene,
-                                           (query_point){.rational = m->out->witness});
-    if (!status && verdict.pmc == GRAZE_OUT) {
+    graze_status status = beyond_closed(&beyond, m->context, m->scene, m->out->witness);
+    if (beyond) {
         finding_set(m->out, GRAZE_TOPO_BOUNDARY, m->level);
         set_square(m);
     }

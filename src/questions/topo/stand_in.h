@@ -12,6 +12,7 @@
 typedef struct germ_place {
     graze_context *context;
     const graze_solid *solid;
+    int outside; /* of its complement (cone_make) */
     const plane_list *planes;
     const point_map *map;
     const trajectory *path;

@@ -109,7 +109,7 @@ static graze_status by_slices(topo_finding *out, graze_context *context, const g
     return status ? status : slices_decide(out, context, scene, &s->planes, point);
 }
 
-/* An `on` point of a sweep. */
+/* An `on` point relative to the closed sweep; of an unsweep, to that of the solid's complement. */
 static graze_status decide_on(topo_finding *out, graze_context *context, const graze_scene *scene,
                               const fmpq *point) {
     graze_status status = topo_by_leading(out, context, scene, point);
@@ -122,17 +122,30 @@ static graze_status decide_on(topo_finding *out, graze_context *context, const g
     return topo_by_curves(out, context, scene, point);
 }
 
+/* What the word decides; 0: it is an `on` point. */
+static int decide_by_word(topo_finding *out, graze_pmc pmc) {
+    if (pmc == GRAZE_ON)
+        return 0;
+    finding_set(out, pmc == GRAZE_IN ? GRAZE_TOPO_INTERIOR : GRAZE_TOPO_EXTERIOR, GRAZE_LEVEL_WORD);
+    return 1;
+}
+
 graze_status topo_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
                          const fmpq *point, const graze_trace *trace) {
-    graze_pmc pmc = trace->verdict.pmc;
-    int unsweep = scene->options.operation == GRAZE_UNSWEEP;
-    if (pmc != GRAZE_ON || unsweep)
-        finding_set(out,
-                    pmc == GRAZE_IN    ? GRAZE_TOPO_INTERIOR
-                    : pmc == GRAZE_OUT ? GRAZE_TOPO_EXTERIOR
-                                       : GRAZE_TOPO_BOUNDARY,
-                    GRAZE_LEVEL_WORD);
-    else
+    if (decide_by_word(out, trace->verdict.pmc))
+        return GRAZE_OK;
+    if (scene->options.operation == GRAZE_SWEEP)
         return decide_on(out, context, scene, point);
+    finding_set(out, GRAZE_TOPO_BOUNDARY, GRAZE_LEVEL_WORD);
     return GRAZE_OK;
+}
+
+graze_status topo_regular(topo_finding *out, graze_context *context, const graze_scene *scene,
+                          const fmpq *point, const graze_trace *trace) {
+    if (decide_by_word(out, trace->verdict.pmc))
+        return GRAZE_OK;
+    graze_status status = decide_on(out, context, scene, point);
+    if (out->position == GRAZE_TOPO_INTERIOR)
+        out->position = GRAZE_TOPO_EXTERIOR;
+    return status;
 }
