@@ -62,7 +62,7 @@ GRAZE_API GRAZE_CHECKED graze_status graze_trace_topo(graze_topology **out, graz
 /**
  * Decide where a point lies relative to the regularised unsweep: `in` is interior and `out`
  * exterior; `on` is boundary, with a witness that is `in`, or exterior, on a dangling part
- * (topology.md C113). Decided as far as graze_trace_topo decides.
+ * (dangling.md C113). Decided as far as graze_trace_topo decides.
  * @return as graze_trace_topo; GRAZE_EUSE a sweep too, of which no part dangles
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_trace_regular(graze_topology **out,

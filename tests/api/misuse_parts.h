@@ -112,6 +112,9 @@ static void row_choices(bench *b) {
         {.size = sizeof *odd, .columns = (graze_columns)2},
         {.size = sizeof *odd, .topo = 2},
         {.size = sizeof *odd, .moments = 2},
+        {.size = sizeof *odd, .regular = 2},
+        {.size = sizeof *odd, .regular = 1, .columns = GRAZE_COLUMNS_PMC},
+        {.size = sizeof *odd, .regular = 1}, /* of a sweep */
         {.size = sizeof *odd, .moments = 1, .format = GRAZE_FORMAT_NPY},
         {.size = sizeof *odd, .moments = 1, .columns = GRAZE_COLUMNS_PMC},
         {.size = sizeof *odd, .sdf = -1},
@@ -445,7 +448,15 @@ static void positions(bench *b) {
     WRONG_OUT(graze_topology, graze_trace_topo(&out, c, NULL, b->point, b->trace));
     WRONG_OUT(graze_topology, graze_trace_topo(&out, c, b->s.scene, NULL, b->trace));
     WRONG_OUT(graze_topology, graze_trace_topo(&out, c, b->s.scene, b->point, NULL));
+    WRONG(graze_trace_regular(NULL, c, b->s.scene, b->point, b->trace));
+    WRONG_OUT(graze_topology, graze_trace_regular(&out, NULL, b->s.scene, b->point, b->trace));
+    WRONG_OUT(graze_topology, graze_trace_regular(&out, c, NULL, b->point, b->trace));
+    WRONG_OUT(graze_topology, graze_trace_regular(&out, c, b->s.scene, NULL, b->trace));
+    WRONG_OUT(graze_topology, graze_trace_regular(&out, c, b->s.scene, b->point, NULL));
+    WRONG_OUT(graze_topology,
+              graze_trace_regular(&out, c, b->s.scene, b->point, b->trace)); /* a sweep */
     HARMLESS(graze_topo_name, graze_topo_name((graze_topo)-1)[0] == 'n');
+    HARMLESS(graze_regular_name, graze_regular_name((graze_topo)-1)[0] == 'n');
     HARMLESS(graze_topo_level_name, graze_topo_level_name((graze_topo_level)-1)[0] == 'n');
     HARMLESS(graze_topology_destroy, CALLS(graze_topology_destroy(NULL)));
     HARMLESS(graze_topology_position, !graze_topology_position(NULL));

@@ -20,6 +20,8 @@ static const char thin_gap[] =
     "{\"t\": [4, 5], \"transform\": {\"translate\": [\"2*s-1\", \"(2*s-1)^2\"]}}]}";
 static const char turn_about[] = "{\"dimension\": 2, \"pieces\": [{\"t\": [0, 1], \"transform\": "
                                  "{\"turn\": {\"quarters\": 1}}}]}";
+static const char turn_less[] = "{\"dimension\": 2, \"pieces\": [{\"t\": [0, 1], \"transform\": "
+                                "{\"rotate\": {\"tan_half\": \"t/2\"}}}]}";
 
 /* Two roofs, and their way: the lower ridge, along y, draws z = x^2 about the origin, the upper
  * one, along x, z = y^2. About (0, y) what is between them is covered by neither. */
@@ -41,8 +43,11 @@ typedef struct answer {
     char reason[100];
 } answer;
 
-/* The answer for a point, whose witness is out. */
-static answer ask(scene *s, const char *x, const char *y) {
+typedef graze_status (*asked)(graze_topology **, graze_context *, const graze_scene *,
+                              graze_rationals, const graze_trace *);
+
+/* The answer for a point, whose witness is out, or of whether it is regular in. */
+static answer ask_by(asked question, scene *s, const char *x, const char *y) {
     graze_trace *trace = NULL;
     graze_topology *topology = NULL;
     graze_verdict verdict;
@@ -52,7 +57,7 @@ static answer ask(scene *s, const char *x, const char *y) {
     mpq_inits(along[0], along[1], along[2], along[3], NULL);
     assert_int_equal(mpq_set_str(p[0], x, 10) + mpq_set_str(p[1], y, 10), 0);
     assert_int_equal(graze_trace_create(&trace, s->context, s->scene, p), GRAZE_OK);
-    assert_int_equal(graze_trace_topo(&topology, s->context, s->scene, p, trace), GRAZE_OK);
+    assert_int_equal(question(&topology, s->context, s->scene, p, trace), GRAZE_OK);
     out.position = graze_topology_position(topology);
     out.level = graze_topology_level(topology);
     out.has_witness = graze_topology_witness(witness, topology);
@@ -73,17 +78,21 @@ static answer ask(scene *s, const char *x, const char *y) {
         assert_int_equal(
             graze_classify(&verdict, s->context, s->scene, witness, 1, GRAZE_COLUMNS_ALL),
             GRAZE_OK);
-        assert_int_equal(verdict.pmc, GRAZE_OUT);
+        assert_int_equal(verdict.pmc, question == graze_trace_regular ? GRAZE_IN : GRAZE_OUT);
     }
     mpz_set_ui(mpq_denref(p[0]), 0);
-    assert_int_equal(graze_trace_topo(NULL, s->context, s->scene, p, trace), GRAZE_EUSE);
+    assert_int_equal(question(NULL, s->context, s->scene, p, trace), GRAZE_EUSE);
     graze_topology_destroy(topology);
-    assert_int_equal(graze_trace_topo(&topology, s->context, s->scene, p, trace), GRAZE_EUSE);
+    assert_int_equal(question(&topology, s->context, s->scene, p, trace), GRAZE_EUSE);
     assert_null(topology);
     mpq_clears(p[0], p[1], witness[0], witness[1], far, NULL);
     mpq_clears(along[0], along[1], along[2], along[3], NULL);
     graze_trace_destroy(trace);
     return out;
+}
+
+static answer ask(scene *s, const char *x, const char *y) {
+    return ask_by(graze_trace_topo, s, x, y);
 }
 
 static void positions(void **state) {
@@ -113,7 +122,8 @@ static void positions(void **state) {
     scene_close(&s);
 }
 
-/* The corner that is turned about is `on` the unsweep, which is a quarter of the plane near it. */
+/* The corner that is turned about is `on` the unsweep. A quarter turn leaves the side y = 0 alone,
+ * which dangles; one by 2 atan(1/2) leaves what is between (1, 0) and (4, 3). */
 static void unsweep(void **state) {
     (void)state;
     scene s;
@@ -123,6 +133,22 @@ static void unsweep(void **state) {
     assert_true(a.position == GRAZE_TOPO_BOUNDARY && a.level == GRAZE_LEVEL_WORD && !a.has_witness);
     a = ask(&s, "-1", "0");
     assert_true(a.position == GRAZE_TOPO_EXTERIOR && a.level == GRAZE_LEVEL_WORD);
+    a = ask_by(graze_trace_regular, &s, "-1", "0");
+    assert_true(a.position == GRAZE_TOPO_EXTERIOR && a.level == GRAZE_LEVEL_WORD);
+    a = ask_by(graze_trace_regular, &s, "0", "0");
+    assert_true(a.position == GRAZE_TOPO_EXTERIOR && a.level > GRAZE_LEVEL_WORD && !a.has_witness);
+    scene_close(&s);
+    scene_open(&s, turn_less,
+               &(graze_options){.size = sizeof(graze_options), .operation = GRAZE_UNSWEEP});
+    a = ask_by(graze_trace_regular, &s, "0", "0");
+    assert_true(a.position == GRAZE_TOPO_BOUNDARY && a.has_witness && a.has_ray);
+    a = ask_by(graze_trace_regular, &s, "1", "1/2");
+    assert_true(a.position == GRAZE_TOPO_INTERIOR && a.level == GRAZE_LEVEL_WORD);
+    assert_string_equal(graze_regular_name(GRAZE_TOPO_INTERIOR), "yes");
+    assert_string_equal(graze_regular_name(GRAZE_TOPO_BOUNDARY), "yes");
+    assert_string_equal(graze_regular_name(GRAZE_TOPO_EXTERIOR), "no");
+    assert_string_equal(graze_regular_name(GRAZE_TOPO_UNDECIDED), "undecided");
+    assert_string_equal(graze_regular_name(GRAZE_TOPO_NONE), "none");
     scene_close(&s);
 }
 

@@ -184,6 +184,7 @@ def check_notes(b):
     for d, words in ((2, []), (3, []), (2, ["--operation", "unsweep"]), (3, ["--operation", "unsweep"])):
         points = b.file("points.csv", ",".join("xyz"[:d]) + ',"user, own"\n' + "1000," * d + "7\n")
         more = ["--sdf", "1/1000", "--motion-error", "1/100"] + (["--topo"] if d == 2 else [])
+        more += ["--regular"] if d == 2 and words else []
         table = b.programs.table(b.solid[d], b.motion[d], points, words + more)
         certificate = b.file("certificate", b.programs.certify(b.solid[d], b.motion[d], points, words))
         other = [name for name in head_of(table) if name not in CERTIFIED]

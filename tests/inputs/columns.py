@@ -48,7 +48,7 @@ def again(graze, folder, scene, options_):
     check(out == golden.read_text(), scene, options_, "the same table again", out[-300:])
     check("carried as" not in said, said)
     names = table(out)[0]
-    check(names[:d] + ["note", "a, b"] == names[:d] + [n for n in names[d:] if n not in [*ANSWERS, "topo"]], names)
+    check(names[:d] + ["note", "a, b"] == names[:d] + [n for n in names[d:] if n not in [*ANSWERS, "topo", "regular"]], names)
     return golden
 
 
@@ -114,7 +114,8 @@ def main():
     with tempfile.TemporaryDirectory(prefix="graze-columns-") as name:
         folder = pathlib.Path(name)
         for scene in (PLANE, SPACE):
-            for options_ in ([], ["--columns", "pmc"], ["--topo"], ["--operation", "unsweep"], ["--folds", "combined"]):
+            for options_ in ([], ["--columns", "pmc"], ["--topo"], ["--operation", "unsweep"],
+                             ["--operation", "unsweep", "--topo", "--regular"], ["--folds", "combined"]):
                 golden = again(graze, folder, scene, options_)
         forms(graze, folder, again(graze, folder, SPACE, []))
         clashes(graze, folder)

@@ -158,6 +158,8 @@ def make(graze, folder):
         solid, motion = ROOT / "tests/examples/solids" / body, ROOT / "tests/examples/motions" / f"{way}.json"
         yield Scene(f"topo-{way}", ["classify", *one, "--topo", "--format", "jsonl", str(solid), str(motion), "at.csv"],
                     spared=NUMBERS, files={"at.csv": b"0,0,0\n" if body.endswith("off") else b"4,1\n" if way == "seam" else b"0,0\n"})
+    yield Scene("regular", ["classify", *one, "--operation", "unsweep", "--regular", "--format", "jsonl", cube, turn, three],
+                spared=NUMBERS)
     yield Scene("classify-sdf", ["classify", *one, "--sdf", "1e-2r", u, roll, two], spared=NUMBERS)
     yield Scene("classify-sdf-3", ["classify", *one, "--sdf", "1e-2r", cube, turn, three], spared=NUMBERS)
     yield Scene("classify-decimal", ["classify", *one, "--coordinates", "decimal", "--digits", "3", u, roll, two])

@@ -35,7 +35,7 @@ ROOMS = {
     "decide/verdict": ["api/test_word", "api/test_classify", "cases/cases", "curved/undecided", "words/words", "unsweep/properties", "filter/columns"],
     "decide/lattice": ["api/test_grid", "unit/test_interior", "filter/columns", "filter/equal"],
     "questions/topo": ["unit/test_cover", "api/test_topo", "topo/edges", "topo/verdicts", "topo/sides", "topo/roofs", "topo/degrees", "unit/test_eliminate",
-                       "unit/test_places", "topo/prisms", "topo/germs", "topo/orders", "topo/witness", "unit/test_topo", "topo/straight"],
+                       "unit/test_places", "topo/dangling", "topo/prisms", "topo/germs", "topo/orders", "topo/witness", "unit/test_topo", "topo/straight"],
     "questions/contact": ["api/test_contact", "contact/hand", "contact/derivation", "contact/snap", "contact/laws", "contact/probe",
                           "envelope/hand"],
     "questions/distance": ["unit/test_gap", "unit/test_diagonal", "distance/weights", "api/test_distance", "distance/laws", "distance/golden", "distance/table",

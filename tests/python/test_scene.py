@@ -135,6 +135,27 @@ class Answers(unittest.TestCase):
         with self.assertRaises(graze.UseError):
             graze.Scene(plain.solid, plain.motion, moments=True, columns="pmc")
 
+    def test_regular(self):
+        """The cube [0, 2]^3 goes by 2 along x: its unsweep is the square x = 0; by 1: [0, 1] x [0, 2]^2."""
+        plain = common.cube_scene()
+        for way, (answer, position, level) in ((2, ("no", "exterior", "closed_cones")), (1, ("yes", "boundary", "first_order"))):
+            motion = {"dimension": 3, "pieces": [{"t": [0, 1], "transform": {"translate": [f"{way}*t", 0, 0]}}]}
+            scene = graze.Scene(plain.solid, motion, "unsweep", regular=True)
+            self.assertEqual(scene.rows([(0, 1, 1)])[0].split(",")[-1], answer)
+            found = scene.regularised((0, 1, 1))
+            self.assertEqual((found.position, found.level), (position, level))
+            self.assertEqual(found.witness is None, answer == "no")
+            if found.witness:
+                self.assertEqual(scene.trace(found.witness).verdict.pmc, Pmc.IN)
+            self.assertEqual(scene.topology((0, 1, 1))[:2], ("boundary", "word"))
+            lines = scene.table([(0, 1, 1)]).splitlines()
+            self.assertTrue(lines[-4].endswith(",word,regular") and "# regular yes" in lines, lines)
+            self.assertEqual(lines[-2], "# undecided 0")
+        with self.assertRaises(graze.UseError):
+            graze.Scene(plain.solid, plain.motion, regular=True)
+        with self.assertRaises(graze.UseError):
+            plain.regularised((0, 1, 1))
+
     def test_levels(self):
         """Points of a decade: the signed distance of the cube's sweep, in floats."""
         scene = common.cube_scene()

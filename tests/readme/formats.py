@@ -148,7 +148,7 @@ def read(*parts):
 
 
 # What names of answers are names of, by the function that gives them.
-OF = {"pmc": "pmc", "class": "class", "topo": "position", "topo_level": "level", "role": "role", "trim": "status",
+OF = {"pmc": "pmc", "class": "class", "topo": "position", "topo_level": "level", "regular": "regular", "role": "role", "trim": "status",
       "orientation": "orientation", "event_kind": "event", "decomposable": "decomposable",
       "curve_kind": "part of a curve", "chain_form": "chain", "pair_verdict": "verdict of a pair"}
 NAMING = r'/\*\* ([^/]*?), else "none"\. Static\. \*/\nGRAZE_API const char \*graze_(\w+)_name'

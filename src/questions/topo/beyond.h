@@ -7,7 +7,7 @@
 #include "decide/scene/scene.h"
 
 /** Of a sweep: is a point `out`? Of an unsweep, whose complement is the sweep of the solid's
- * complement: is it `in` (proofs/topology.md C113)?
+ * complement: is it `in` (proofs/dangling.md C113)?
  * @return as classify_verdict */
 graze_status beyond_closed(int *out, graze_context *context, const graze_scene *scene,
                            const fmpq *point);

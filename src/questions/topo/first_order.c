@@ -26,7 +26,7 @@ typedef struct germ_maker {
     trajectory path;
 } germ_maker;
 
-/* The complement of an unsweep is swept by the complement of the solid (proofs/topology.md C113).
+/* The complement of an unsweep is swept by the complement of the solid (proofs/dangling.md C113).
  */
 static int sweeps_outside(const germ_maker *m) {
     return m->scene->options.operation == GRAZE_UNSWEEP;

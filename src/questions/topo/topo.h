@@ -18,7 +18,7 @@ graze_status topo_decide(topo_finding *out, graze_context *context, const graze_
                          const fmpq *point, const graze_trace *trace);
 
 /** The position relative to the closure of an unsweep's interior: the regularised unsweep. `on`
- * points beyond it are those of dangling parts (proofs/topology.md C113). As topo_decide. */
+ * points beyond it are those of dangling parts (proofs/dangling.md C113). As topo_decide. */
 graze_status topo_regular(topo_finding *out, graze_context *context, const graze_scene *scene,
                           const fmpq *point, const graze_trace *trace);
 
