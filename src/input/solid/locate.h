@@ -8,8 +8,8 @@
 
 /**
  * The signed crossings of one ray from a point, made generic by an infinitesimal displacement
- * (proofs/claims.md C6): the winding number where the surface closes. Its parity is that of the
- * unsigned crossings.
+ * (proofs/claims.md C6): the winding number where the surface closes, its parity where it
+ * closes modulo 2 (proofs/mesh.md C114).
  * @param[out] on 1 if x lies on a simplex
  * @param x d + 1 homogeneous integers, x[d] > 0
  */

@@ -23,7 +23,8 @@ enum { LOOSE_EDGES_KEPT = 8 };
 /**
  * Edges that do not close, and among them those with an odd number of triangles. Positions count,
  * not vertex numbers, and points of edges, not their ends: where one edge lies on two others that
- * meet in its middle they close.
+ * meet in its middle they close (proofs/mesh.md C114). Whole edges that close are not counted among
+ * what passes a part of a line.
  */
 typedef struct loose_edges {
     size_t odd_count, unbalanced_count;

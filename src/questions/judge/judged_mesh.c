@@ -46,7 +46,7 @@ static mesh_rule rule_of(const loose_edges *open) {
 }
 
 /* The integral of the winding number is the sum of the signed tetrahedra that the origin makes with
- * the triangles. */
+ * the triangles (proofs/mesh.md C115). */
 static void find_volume(judged_mesh *m) {
     skin s = judged_skin(m);
     add_tetrahedra(m->volume, &s, 0, m->cut.count);

@@ -6,7 +6,8 @@
 
 #include "questions/judge/judged_mesh.h"
 
-/** Where a point is. Inside is where the winding number is not 0, or odd, by the mesh's rule. */
+/** Where a point is. Inside is where the winding number is not 0, or odd, by the mesh's rule
+ * (proofs/mesh.md C114). */
 typedef enum mesh_place {
     MESH_IN,
     MESH_ON, /* on a triangle with area, whatever the rule */
