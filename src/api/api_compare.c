@@ -6,6 +6,7 @@
 #include "api/api.h"
 #include "base/context/environment.h"
 #include "output/compare/compare.h"
+#include "output/compare/counts.h"
 #include "output/compare/report_json.h"
 #include "output/compare/report_text.h"
 

@@ -6,24 +6,12 @@
 #include "base/context/environment.h"
 #include "questions/generate/generate.h"
 
-static const struct {
-    const char *name;
-    unsigned long weight;
-} strata[GRAZE_STRATUM_COUNT] = {{"random", 4}, {"near", 4},    {"face", 16},    {"face-odd", 4},
-                                 {"edge", 15},  {"vertex", 15}, {"crossing", 4}, {"start", 9},
-                                 {"end", 9},    {"break", 7},   {"slide", 3},    {"miss", 4},
-                                 {"level", 0},  {"rounded", 0}};
-
-static int is_stratum(graze_stratum stratum) {
-    return (int)stratum >= 0 && stratum < GRAZE_STRATUM_COUNT;
-}
-
 const char *graze_stratum_name(graze_stratum stratum) {
-    return is_stratum(stratum) ? strata[stratum].name : NULL;
+    return stratum_name(stratum);
 }
 
 unsigned long graze_stratum_default_weight(graze_stratum stratum) {
-    return is_stratum(stratum) ? strata[stratum].weight : 0;
+    return stratum_weight(stratum);
 }
 
 graze_status graze_generator_create(graze_generator **out, graze_context *context,
@@ -41,7 +29,7 @@ graze_status graze_generator_create(graze_generator **out, graze_context *contex
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     unsigned long chosen[GRAZE_STRATUM_COUNT];
     for (int k = 0; k < GRAZE_STRATUM_COUNT; k++) {
-        chosen[k] = weights ? weights[k] : strata[k].weight;
+        chosen[k] = weights ? weights[k] : stratum_weight((graze_stratum)k);
         if (chosen[k] > 1000000)
             return api_misuse(context, "graze_generator_create", "a weight is more than 1000000");
     }
@@ -67,7 +55,7 @@ void graze_generator_destroy(graze_generator *generator) {
 }
 
 unsigned long graze_generator_weight(const graze_generator *generator, graze_stratum stratum) {
-    return generator && is_stratum(stratum) ? generator->weight[stratum] : 0;
+    return generator && stratum_name(stratum) ? generator->weight[stratum] : 0;
 }
 
 int graze_generator_missing_decade(int *decade, int *outward, const graze_generator *generator,

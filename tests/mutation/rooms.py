@@ -50,7 +50,7 @@ ROOMS = {
     "questions/boundary": ["boundary/sharp", "boundary/boundary", "boundary/vertices"],
     "output/report": ["unit/test_report", "api/test_reports", "envelope/joints", "cases/cases", "explain/explain", "examples/examples", "topo/table",
                       "contact/hand", "refuse/run usage certify"],
-    "output/compare": ["unit/test_compare", "compare/compare", "compare/contacts", "compare/values", "compare/advice",
+    "output/compare": ["unit/test_compare", "unit/test_mesh_rows", "compare/compare", "compare/contacts", "compare/values", "compare/advice",
                        "refuse/run compare"],
     "output/table": ["api/test_export", "unit/test_compare", "filter/columns", "draw/draw", "shards/shards", "shards/resume",
                      "refuse/run points compare shards"],

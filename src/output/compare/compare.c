@@ -6,8 +6,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "base/context/array.h"
 #include "output/compare/choose.h"
+#include "output/compare/counts.h"
 #include "output/compare/judgement.h"
 #include "output/compare/match.h"
 #include "output/compare/rounded_rows.h"
@@ -19,10 +19,6 @@ typedef struct run {
     table golden, candidate;
     match match;
 } run;
-
-static graze_status comparison_no_memory(graze_context *context) {
-    return context_fail(context, GRAZE_ESYSTEM, "out of memory");
-}
 
 static graze_status check_rounding(graze_comparison *c, run *r, const char *path) {
     column columns[JUDGED_COUNT];
@@ -100,13 +96,10 @@ static char *row_text(const graze_comparison *c, const table *t, const table_row
 
 static graze_status show(graze_comparison *c, const run *r, const table_row *golden,
                          const table_row *candidate) {
-    if (c->shown == c->options.show)
-        return GRAZE_OK;
-    if (!array_reserve(&c->disagreements, &c->shown_capacity, c->shown + 1,
-                       sizeof *c->disagreements))
-        return comparison_no_memory(r->context);
-    disagreement *d = &c->disagreements[c->shown++];
-    memset(d, 0, sizeof *d);
+    disagreement *d;
+    graze_status status = comparison_keep(&d, c, r->context);
+    if (!d)
+        return status;
     d->row = golden ? c->rows - 1 : c->rows;
     d->golden_line = golden ? golden->line : 0;
     d->candidate_line = candidate ? candidate->line : 0;
@@ -151,16 +144,7 @@ static graze_status note_depth(graze_comparison *c, const run *r, const table_ro
 static graze_status count_row(graze_comparison *c, const run *r, const table_row *golden,
                               const table_row *candidate, const judgement *j,
                               const valuation *value, int right) {
-    char what = !candidate ? 'm' : j->any_wrong ? 'w' : j->undecided ? 'u' : 'a';
-    c->rows++;
-    c->missing += what == 'm';
-    c->wrong += what == 'w';
-    c->undecided += what == 'u';
-    c->agree += what == 'a';
-    for (int k = 0; candidate && k < JUDGED_COUNT; k++)
-        c->column_wrong[k] += (unsigned long)j->wrong[k];
-    for (int k = 0; candidate && k < CONVENTIONS; k++)
-        c->wrong_as[k] += (unsigned long)j->wrong_as[k];
+    char what = comparison_count(c, j, candidate != NULL);
     graze_status status = count_groups(c, r, golden, what, value);
     if (!status && what == 'w' && !c->contacts)
         status = note_depth(c, r, golden, right);
@@ -268,24 +252,11 @@ static graze_status finish_comparison(graze_comparison *c, const run *r, match_w
     return *better == c->way ? match_finish(&r->match) : GRAZE_OK;
 }
 
-static int copy_names(graze_comparison *c, const char *golden, const char *candidate) {
-    c->golden = strdup(golden);
-    c->candidate = strdup(candidate);
-    c->solid = strdup(c->options.solid ? c->options.solid : "SOLID");
-    c->motion = strdup(c->options.motion ? c->options.motion : "MOTION");
-    return c->golden && c->candidate && c->solid && c->motion;
-}
-
 /* Compare with rows matched in one way. */
 static graze_status compare_by(graze_comparison *out, graze_context *context, const char *golden,
                                const char *candidate, const graze_compare_options *options,
                                match_way *way) {
-    if (options)
-        out->options = *options;
-    out->rounding = context->rounding;
-    fmpq_init(out->tolerance);
-    fmpq_init(out->eta);
-    if (!copy_names(out, golden, candidate))
+    if (!comparison_begin(out, context, golden, candidate, options))
         return comparison_no_memory(context);
     run *r = calloc(1, sizeof *r);
     if (!r)
@@ -305,37 +276,6 @@ static graze_status compare_by(graze_comparison *out, graze_context *context, co
     return status;
 }
 
-/* Put the enclosure of its point behind the golden answers of a disagreement. */
-static graze_status show_depth(disagreement *d, graze_context *context, const graze_scene *scene) {
-    depth_bounds found;
-    text all;
-    graze_status status = depth_enclose(&found, context, scene, d->point);
-    if (status)
-        return status;
-    text_init(&all);
-    text_format(&all, "%s sdf_low=%s sdf_high=%s", d->golden, found.low, found.high);
-    free(d->golden);
-    d->golden = NULL;
-    return text_finish(&d->golden, context, &all);
-}
-
-/* Measure the wrong rows in the scene; a limit that distances meet leaves them unmeasured. */
-static graze_status measure_wrong(graze_comparison *c, graze_context *context) {
-    const graze_scene *scene = c->options.scene;
-    graze_status status = GRAZE_OK;
-    if (!scene || c->enclosed || c->contacts)
-        return GRAZE_OK;
-    for (size_t k = 0; k < c->shown && k < MOST_MEASURED && !status; k++)
-        if (c->disagreements[k].golden && c->disagreements[k].candidate)
-            status = show_depth(&c->disagreements[k], context, scene);
-    if (!status)
-        status = depth_measure(&c->depth, context, scene);
-    if (status != GRAZE_ELIMIT)
-        return status;
-    c->depth.unmeasured = strdup(graze_context_message(context));
-    return c->depth.unmeasured ? GRAZE_OK : comparison_no_memory(context);
-}
-
 graze_status comparison_make(graze_comparison *out, graze_context *context, const char *golden,
                              const char *candidate, const graze_compare_options *options) {
     match_way way = MATCH_STREAMED;
@@ -345,29 +285,5 @@ graze_status comparison_make(graze_comparison *out, graze_context *context, cons
         memset(out, 0, sizeof *out);
         status = compare_by(out, context, golden, candidate, options, &way);
     }
-    return status ? status : measure_wrong(out, context);
-}
-
-void comparison_clear(graze_comparison *c) {
-    for (size_t k = 0; k < c->shown; k++) {
-        free(c->disagreements[k].point);
-        free(c->disagreements[k].golden);
-        free(c->disagreements[k].candidate);
-        free(c->disagreements[k].golden_row);
-        free(c->disagreements[k].candidate_row);
-    }
-    for (int g = 0; g < GROUPING_COUNT; g++)
-        tally_clear(&c->tallies[g]);
-    errors_clear(&c->values);
-    depth_clear(&c->depth);
-    fmpq_clear(c->tolerance);
-    fmpq_clear(c->eta);
-    free(c->disagreements);
-    free(c->explain_options);
-    free(c->golden_columns);
-    free(c->candidate_columns);
-    free(c->golden);
-    free(c->candidate);
-    free(c->solid);
-    free(c->motion);
+    return status ? status : comparison_measure(out, context);
 }

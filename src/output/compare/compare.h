@@ -13,6 +13,5 @@
  * comparison_clear in either case. */
 graze_status comparison_make(graze_comparison *out, graze_context *context, const char *golden,
                              const char *candidate, const graze_compare_options *options);
-void comparison_clear(graze_comparison *c);
 
 #endif

@@ -100,6 +100,8 @@ struct graze_comparison {
     unsigned long undecided_answers[3];   /* the candidate's, for such rows */
     unsigned long undecided_by_motion;    /* rows that the motion error leaves undecided */
     unsigned long open;                   /* golden rows that are undecided themselves */
+    int of_mesh; /* 1: the candidate is a mesh (mesh_rows.h), and these rows are undecided: */
+    unsigned long apart; /* points on the mesh whose golden answer is `in` or `out` */
     errors values;
     depths depth; /* of wrong rows */
     matrix confusion;

@@ -170,6 +170,13 @@ static int pmc_wrong(graze_on_as on_as, int truth, int given) {
     return truth != given;
 }
 
+void judge_pmc(judgement *j, graze_on_as on_as, int given) {
+    for (int k = 0; k < CONVENTIONS; k++)
+        j->wrong_as[k] |= pmc_wrong((graze_on_as)k, j->truth, given);
+    j->wrong[JUDGED_PMC] = pmc_wrong(on_as, j->truth, given);
+    j->any_wrong |= j->wrong[JUDGED_PMC];
+}
+
 judgement judge(const graze_comparison *c, const table *golden, const table_row *row,
                 const answer *right, const answer *given, const valuation *value) {
     judgement j = {{0}, 0, {0}, 0, 0};
@@ -184,8 +191,8 @@ judgement judge(const graze_comparison *c, const table *golden, const table_row 
     for (int k = 0; k < JUDGED_COUNT; k++)
         j.any_wrong |= j.wrong[k];
     for (int k = 0; k < CONVENTIONS; k++)
-        j.wrong_as[k] = j.any_wrong || (pmc && pmc_wrong((graze_on_as)k, j.truth, given->pmc));
-    j.wrong[JUDGED_PMC] = pmc && pmc_wrong(c->options.on_as, j.truth, given->pmc);
-    j.any_wrong |= j.wrong[JUDGED_PMC];
+        j.wrong_as[k] = j.any_wrong;
+    if (pmc)
+        judge_pmc(&j, c->options.on_as, given->pmc);
     return j;
 }

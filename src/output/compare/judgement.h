@@ -44,6 +44,9 @@ graze_status answer_read(answer *out, const table *t, const table_row *row, cons
 graze_status judged_position(const graze_comparison *c, const table *golden, const table_row *row,
                              int pmc);
 
+/** Judge an answer's pmc beside the truth, under a convention and under each. */
+void judge_pmc(judgement *j, graze_on_as on_as, int given);
+
 /** Judge a pair of rows. */
 judgement judge(const graze_comparison *c, const table *golden, const table_row *row,
                 const answer *right, const answer *given, const valuation *value);

@@ -48,6 +48,13 @@ void put_wrong_rows(text *out, const graze_comparison *c) {
     text_put(out, "\n");
 }
 
+void put_apart(text *out, const graze_comparison *c) {
+    if (c->of_mesh)
+        text_format(
+            out, "on the mesh: %lu points whose golden answer is `in` or `out`, undecided here\n",
+            c->apart);
+}
+
 void put_conventions(text *out, const graze_comparison *c) {
     if (!comparison_has_no_on(c))
         return;
@@ -121,6 +128,8 @@ void put_json_rows(json_writer *w, const graze_comparison *c) {
     char largest[CEILING_ROOM];
     if (!c->contacts)
         json_text(w, "matched-by", matched_by(c));
+    if (c->of_mesh)
+        json_count(w, "on-the-mesh", c->apart);
     if (!c->contacts && (c->way == MATCH_ORDER || c->key.by_id)) {
         ceiling_text(largest, c->drift);
         json_count(w, "rows-with-other-coordinates", c->drifted);

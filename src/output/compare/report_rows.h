@@ -18,6 +18,9 @@ void put_matched(text *out, const graze_comparison *c);
 /** The share of wrong rows and their number by column; where rows are missing there is no share. */
 void put_wrong_rows(text *out, const graze_comparison *c);
 
+/** A line on the points that lie on a mesh; of tables none. */
+void put_apart(text *out, const graze_comparison *c);
+
 /** A line on the wrong rows under every convention for `on`, if the candidate never answers it. */
 void put_conventions(text *out, const graze_comparison *c);
 

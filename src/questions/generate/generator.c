@@ -5,6 +5,26 @@
 
 #include <string.h>
 
+static const struct {
+    const char *name;
+    unsigned long weight;
+} strata[GRAZE_STRATUM_COUNT] = {{"random", 4}, {"near", 4},    {"face", 16},    {"face-odd", 4},
+                                 {"edge", 15},  {"vertex", 15}, {"crossing", 4}, {"start", 9},
+                                 {"end", 9},    {"break", 7},   {"slide", 3},    {"miss", 4},
+                                 {"level", 0},  {"rounded", 0}};
+
+static int is_stratum(graze_stratum stratum) {
+    return (int)stratum >= 0 && stratum < GRAZE_STRATUM_COUNT;
+}
+
+const char *stratum_name(graze_stratum stratum) {
+    return is_stratum(stratum) ? strata[stratum].name : NULL;
+}
+
+unsigned long stratum_weight(graze_stratum stratum) {
+    return is_stratum(stratum) ? strata[stratum].weight : 0;
+}
+
 void sample_init(sample *s) {
     memset(&s->made, 0, sizeof s->made);
     for (int i = 0; i < 3; i++)

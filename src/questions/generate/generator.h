@@ -44,6 +44,10 @@ typedef struct sample {
 void sample_init(sample *s);
 void sample_clear(sample *s);
 
+/** The name and the default weight of a stratum; NULL and 0 of none. */
+const char *stratum_name(graze_stratum stratum);
+unsigned long stratum_weight(graze_stratum stratum);
+
 /** A time for a contact of a stratum; NULL if there is none. */
 const instant *stratum_instant(const struct graze_generator *g, graze_stratum stratum,
                                random_stream *r);

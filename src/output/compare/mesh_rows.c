@@ -1,0 +1,211 @@
+/* Asks a mesh and the scene about points, in threads, and counts in the order of the points.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "output/compare/mesh_rows.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include "base/context/team.h"
+#include "decide/verdict/classify.h"
+#include "output/compare/counts.h"
+
+/* Both answers at a point. */
+typedef struct mesh_row {
+    graze_pmc golden;
+    mesh_place place;
+    long winding;
+    graze_stratum stratum;
+} mesh_row;
+
+typedef struct mesh_run {
+    graze_context *context;
+    const graze_scene *scene;
+    const judged_mesh *mesh;
+    const mesh_points *points;
+    mesh_row *row;
+} mesh_run;
+
+/* The point of a row; *s is cleared by sample_clear in either case. */
+static graze_status point_of(const fmpq **point, sample *s, graze_context *context,
+                             const mesh_points *points, size_t row) {
+    graze_status status = GRAZE_OK;
+    sample_init(s);
+    if (points->generator)
+        status = generator_sample(s, context, points->generator, row);
+    *point = points->generator ? s->point : points->point + 3 * row;
+    return status;
+}
+
+static graze_status ask_both(void *data, graze_context *context, int member, size_t index) {
+    const mesh_run *r = data;
+    mesh_row *row = &r->row[index];
+    const fmpq *point;
+    graze_verdict verdict;
+    sample s;
+    (void)member;
+    graze_status status = point_of(&point, &s, context, r->points, index);
+    if (!status)
+        status = classify_answer(&verdict, context, r->scene, (query_point){.rational = point},
+                                 TRACE_PMC);
+    if (!status) {
+        row->golden = verdict.pmc;
+        row->stratum = s.made.stratum;
+        row->place = judged_place(&row->winding, r->mesh, point);
+    }
+    sample_clear(&s);
+    return status;
+}
+
+/* An answer that is decided, as an index into pmc_words; places of meshes are such indices. */
+static int golden_of(const mesh_row *row) {
+    return (int)row->golden - (int)GRAZE_IN;
+}
+
+/* Judge a row whose golden answer is decided. */
+static judgement judge_row(const graze_comparison *c, const mesh_row *row) {
+    judgement j = {.truth = golden_of(row)};
+    int given = (int)row->place, apart = given == PMC_ON && j.truth != PMC_ON;
+    judge_pmc(&j, c->options.on_as, given);
+    if (apart)
+        j.wrong_as[GRAZE_ON_AS_ANY] = 0;
+    if (apart && c->options.on_as == GRAZE_ON_AS_ANY) {
+        j.wrong[JUDGED_PMC] = j.any_wrong = 0;
+        j.undecided = 1;
+    }
+    return j;
+}
+
+/* Coordinates with `between` between them. */
+static void put_mesh_point(text *out, const fmpq *point, const char *between) {
+    for (int i = 0; i < 3; i++) {
+        text_put(out, i ? between : "");
+        text_rational(out, point + i);
+    }
+}
+
+static void put_row_answer(text *out, const mesh_run *r, const mesh_row *row, int golden) {
+    text_format(out, "pmc=%s", pmc_words[golden ? golden_of(row) : (int)row->place]);
+    if (!golden && r->mesh->rule == MESH_RULE_WINDING)
+        text_format(out, " winding=%ld", row->winding);
+}
+
+/* A row as a table would have it, under the columns that describe names. */
+static void put_mesh_row(text *out, const mesh_run *r, size_t index, const fmpq *point,
+                         int golden) {
+    const mesh_row *row = &r->row[index];
+    text_format(out, "%zu,", index);
+    put_mesh_point(out, point, ",");
+    if (golden && r->points->generator)
+        text_format(out, ",%s", stratum_name(row->stratum));
+    text_format(out, ",%s", pmc_words[golden ? golden_of(row) : (int)row->place]);
+    if (!golden && r->mesh->rule == MESH_RULE_WINDING)
+        text_format(out, ",%ld", row->winding);
+}
+
+static graze_status keep_row(graze_comparison *c, const mesh_run *r, size_t index,
+                             const fmpq *point) {
+    disagreement *d;
+    graze_status status = comparison_keep(&d, c, r->context);
+    if (!d)
+        return status;
+    d->row = index;
+    text t[5];
+    char **to[5] = {&d->point, &d->golden, &d->candidate, &d->golden_row, &d->candidate_row};
+    for (int k = 0; k < 5; k++)
+        text_init(&t[k]);
+    put_mesh_point(&t[0], point, " ");
+    put_row_answer(&t[1], r, &r->row[index], 1);
+    put_row_answer(&t[2], r, &r->row[index], 0);
+    put_mesh_row(&t[3], r, index, point, 1);
+    put_mesh_row(&t[4], r, index, point, 0);
+    for (int k = 0; k < 5; k++)
+        if (!(*to[k] = text_take(&t[k])))
+            status = comparison_no_memory(r->context);
+    return status;
+}
+
+/* A wrong row: keep it if few are kept, and let it wait for its distance. */
+static graze_status take_wrong(graze_comparison *c, const mesh_run *r, size_t index) {
+    const fmpq *point;
+    sample s;
+    graze_status status = point_of(&point, &s, r->context, r->points, index);
+    if (!status)
+        status = keep_row(c, r, index, point);
+    if (!status && c->options.scene) {
+        text t;
+        text_init(&t);
+        put_mesh_point(&t, point, " ");
+        if (!depth_wait(&c->depth, text_take(&t), golden_of(&r->row[index])))
+            status = comparison_no_memory(r->context);
+    }
+    sample_clear(&s);
+    return status;
+}
+
+static graze_status count_mesh_row(graze_comparison *c, const mesh_run *r, size_t index) {
+    const mesh_row *row = &r->row[index];
+    judgement j = {.undecided = 1};
+    int given = (int)row->place;
+    if (row->golden == GRAZE_PMC_UNDECIDED) {
+        c->open++;
+        c->undecided_answers[given]++;
+    } else {
+        j = judge_row(c, row);
+        c->confusion.pmc[j.truth][given]++;
+        c->golden_on += j.truth == PMC_ON;
+        c->apart += (unsigned long)j.undecided;
+    }
+    c->answered_on += given == PMC_ON;
+    char what = comparison_count(c, &j, 1);
+    graze_status status = GRAZE_OK;
+    if (r->points->generator) {
+        const char *name = stratum_name(row->stratum);
+        status =
+            tally_add(&c->tallies[BY_STRATUM], r->context, (field){name, strlen(name)}, what, NULL);
+    }
+    return !status && what == 'w' ? take_wrong(c, r, index) : status;
+}
+
+/* What the report says of both sides. */
+static graze_status describe(graze_comparison *c, const mesh_run *r,
+                             const graze_compare_options *options) {
+    const char *strata = r->points->generator ? ",stratum" : "";
+    const char *winding = r->mesh->rule == MESH_RULE_WINDING ? ",winding" : "";
+    text golden, candidate;
+    if (!comparison_begin(c, r->context, "", "", options))
+        return comparison_no_memory(r->context);
+    c->options.question = GRAZE_QUESTION_OPEN;
+    c->options.has = GRAZE_HAS_COLUMNS;
+    c->options.transient = 1;
+    c->rounding = GRAZE_ROUND_NONE;
+    c->of_mesh = 1;
+    c->judged[JUDGED_PMC] = 1;
+    c->grouped[BY_STRATUM] = r->points->generator != NULL;
+    text_init(&golden);
+    text_init(&candidate);
+    text_format(&golden, "id,x,y,z%s,pmc", strata);
+    text_format(&candidate, "id,x,y,z,pmc%s", winding);
+    c->golden_columns = text_take(&golden);
+    c->candidate_columns = text_take(&candidate);
+    c->explain_options = strdup(r->points->explain_options ? r->points->explain_options : "");
+    return c->golden_columns && c->candidate_columns && c->explain_options
+               ? GRAZE_OK
+               : comparison_no_memory(r->context);
+}
+
+graze_status comparison_of_mesh(graze_comparison *out, graze_context *context,
+                                const graze_scene *scene, const judged_mesh *mesh,
+                                const mesh_points *points, int threads,
+                                const graze_compare_options *options) {
+    mesh_run r = {context, scene, mesh, points, NULL};
+    graze_status status = describe(out, &r, options);
+    if (!status && !(r.row = calloc(points->count + 1, sizeof *r.row)))
+        status = comparison_no_memory(context);
+    if (!status)
+        status = team_run(context, threads, points->count, ask_both, &r);
+    for (size_t k = 0; k < points->count && !status; k++)
+        status = count_mesh_row(out, &r, k);
+    free(r.row);
+    tally_sort(&out->tallies[BY_STRATUM]);
+    return status ? status : comparison_measure(out, context);
+}
