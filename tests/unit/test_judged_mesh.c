@@ -2,8 +2,11 @@
  * and their winding numbers, of shapes of which all is evident.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#define _DEFAULT_SOURCE /* mkstemps */
 #include "fixture.h"
+#include <unistd.h>
 #include <flint/fmpq_vec.h>
+#include "input/read/read.h"
 #include "questions/judge/winding.h"
 
 enum { MOST_VERTICES = 64, MOST_FACETS = 128 };
@@ -342,6 +345,23 @@ static void klein_bottle(void **state) {
     shape_free(s);
 }
 
+/* A file without facets is a mesh, and no solid. */
+static void empty_file(void **state) {
+    (void)state;
+    char path[] = "/tmp/graze-test-mesh-XXXXXX.off";
+    soup input;
+    judged_mesh mesh;
+    int file = mkstemps(path, 4);
+    assert_true(file >= 0 && write(file, "OFF\n1 0 0\n0 0 0\n", 16) == 16 && close(file) == 0);
+    assert_int_equal(soup_read(&input, context, path), GRAZE_EILLEGAL);
+    assert_int_equal(soup_read_any(&input, context, path), GRAZE_OK);
+    assert_int_equal(judged_mesh_make(&mesh, context, &input, 0), GRAZE_OK);
+    assert_int_equal(mesh.rule, MESH_RULE_WINDING);
+    judged_mesh_clear(&mesh);
+    soup_clear(&input);
+    unlink(path);
+}
+
 /* No facet at all: it closes, is of volume 0, and has everything outside. */
 static void empty(void **state) {
     (void)state;
@@ -494,6 +514,7 @@ int main(void) {
                                        cmocka_unit_test(bands),
                                        cmocka_unit_test(klein_bottle),
                                        cmocka_unit_test(empty),
+                                       cmocka_unit_test(empty_file),
                                        cmocka_unit_test(edges_on_edges),
                                        cmocka_unit_test(sizes),
                                        cmocka_unit_test(facets_off_planes)};

@@ -53,7 +53,7 @@ static const char *advice_of(const char *path) {
     return "";
 }
 
-graze_status soup_read(soup *s, graze_context *context, const char *path) {
+graze_status soup_read_any(soup *s, graze_context *context, const char *path) {
     const struct format *format = format_of(path);
     if (format == NULL) {
         return context_fail_in(context, GRAZE_EINPUT, path, 0,
@@ -74,12 +74,18 @@ graze_status soup_read(soup *s, graze_context *context, const char *path) {
         status = format->read(s, context, path, text, length);
     }
     free(text);
-    if (status == GRAZE_OK && s->facet_count == 0) {
-        status = context_fail_in(context, GRAZE_EILLEGAL, path, 0,
-                                 "empty interior: there are no facets; expected a closed boundary");
-    }
     if (status != GRAZE_OK) {
         soup_clear(s);
+    }
+    return status;
+}
+
+graze_status soup_read(soup *s, graze_context *context, const char *path) {
+    graze_status status = soup_read_any(s, context, path);
+    if (status == GRAZE_OK && s->facet_count == 0) {
+        soup_clear(s);
+        status = context_fail_in(context, GRAZE_EILLEGAL, path, 0,
+                                 "empty interior: there are no facets; expected a closed boundary");
     }
     return status;
 }
