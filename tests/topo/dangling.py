@@ -22,6 +22,7 @@ sys.path.insert(0, os.path.join(HERE, "..", "unsweep"))
 
 from cells import around, random_cells, solid_of, state  # noqa: E402
 from motion import build, legs, rotation, translate  # noqa: E402
+from prisms import Text  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
 from solids import Polygon, block, box_ring, prism, ring  # noqa: E402
 from witnesses import check_witness  # noqa: E402
@@ -106,6 +107,28 @@ def space_scenes():
         yield name, cube, motion, {(0, 0, 1): want, (1, 0, 1): want, (1, 0, 0): want, (2, 0, 2): want}
 
 
+def irrational(d):
+    """(name, solid, motion, wants, level), with a contact at t = 1/sqrt(2). Along x a slab 0 <= x <= 1/4 + e goes by
+    (t^2 - 1/2)^2, which is 1/4 at t = 0 and 1, and 0 between: x = 0 is left, or 0 <= x <= e. The other motion turns by
+    2 atan(t) and moves (1, 0) to (-(2 t^2 - 1)^2, 0), in a block of x <= 0. At its one contact the cosine is 1/3: near (1, 0)
+    the unsweep is dx <= 2 sqrt(2) dy to first order."""
+    more = [F(0)] * (d - 2)
+
+    def body(x0, x1):
+        return Polygon([[box_ring(x0, -5, x1, 5)]]) if d == 2 else block(x0, -5, -5, x1, 5, 5)
+
+    def moved(rows):
+        return Text({"dimension": d, "pieces": [{"t": [0, 1], "transform": rows}]})
+
+    for e, want, level in ((F(0), "no", "closed_cones"), (F(1, 8), "yes", "first_order")):
+        way = moved({"translate": ["(t^2-1/2)^2", *["0"] * (d - 1)]})
+        yield f"an irrational time and {e}", body(F(0), F(1, 4) + e), way, {(F(0), F(1), *more): want}, level
+    turn = {"rotate": {"tan_half": "t", **({} if d == 2 else {"axis": [0, 0, 1]})}}
+    shift = ["-(2*t^2-1)^2-(1-t^2)/(1+t^2)", "-2*t/(1+t^2)", "0"][:d]
+    yield "an irrational turn", body(F(-20), F(0)), moved({"compose": [turn, {"translate": shift}]}), {
+        (F(1), F(0), *more): "yes"}, "first_order"
+
+
 def probes(point):
     d, own = len(point), max(x.denominator.bit_length() for x in point)
     ways = {u[:d] for v in COMPASS for u in (v, tuple(-x for x in v)) if any(u[:d])}
@@ -121,13 +144,14 @@ def check_point(checks, graze, files, where, point, record):
         checks.holds(found and not any(a.record["pmc"] == "in" for a in found), *where, "near a `no`")
 
 
-def check_hand(checks, graze, name, solid, motion, wants):
+def check_hand(checks, graze, name, solid, motion, wants, level=None):
     points = [tuple(map(F, p)) for p in wants]
     answers = graze.classify(name, solid, motion, points, *REGULAR, table=True)
     for point, answer, want in zip(points, answers or [], wants.values()):
         where = (name, ",".join(map(str, point)), answer.word)
         checks.equal((answer.record["pmc"], answer.record["regular"]), ("on", want), *where, answer.record.get("regular_reason"))
         checks.equal(answer.row["regular"], want, *where, "table")
+        checks.equal(answer.record.get("regular_level"), level or answer.record.get("regular_level"), *where)
         check_point(checks, graze, (solid, motion), where, point, answer.record)
 
 
@@ -266,8 +290,8 @@ def main():
     checks = Checks()
     graze = Graze(args, checks)
     seen = Counter()
-    for name, solid, motion, wants in (*plane_scenes(), *space_scenes()):
-        check_hand(checks, graze, name, solid, motion, wants)
+    for scene in (*plane_scenes(), *space_scenes(), *irrational(2), *irrational(3)):
+        check_hand(checks, graze, *scene)
     for d, scenes in ((2, SCENES), (3, SPACE_SCENES)):
         met = sum(check_grid(checks, graze, args.random, seen, k, d) for k in range(scenes * args.scale))
         checks.holds(met >= scenes / 3, d, "scenes with parts that dangle:", met)
