@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Judges FCL's first contacts, by conservative advancement and by discrete tests at 1,000 times, by `graze collide`.
+"""Judges first contacts by `graze collide`: FCL's and Bullet's by conservative advancement, FCL's by discrete tests at 1,000 times.
 
-    python3 cases/candidates/fcl.py --graze build/graze [--count N] [--only FAMILY]
+    python3 cases/candidates/fcl.py --graze build/graze [--count N] [--code CODE] [--only FAMILY]
 
-Compiles fcl.cpp into a temporary folder (Debian's libfcl-dev and libyajl-dev), makes N pairs of each family and prints
-the table of the README. Without libfcl-dev it says so and ends. Every coordinate and coefficient is a double exactly.
+Compiles fcl.cpp and bullet.cpp into a temporary folder (Debian's libfcl-dev, libbullet-dev and libyajl-dev), makes N pairs of each family and prints
+the table of the README. What is not installed is left out, and it says so. Every coordinate and coefficient is a double exactly.
 SPDX-License-Identifier: CC0-1.0
 """
 import argparse
@@ -18,11 +18,15 @@ from collections import Counter
 from fractions import Fraction as F
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-FCL, EIGEN = "/usr/include/fcl/fcl.h", "/usr/include/eigen3"
+# Code -> the header that shows that it is installed, flags, libraries.
+CODES = {"fcl": ("/usr/include/fcl/fcl.h", ["-DNDEBUG", "-isystem", "/usr/include/eigen3"], ["-lfcl", "-lccd"]),
+         "bullet": ("/usr/include/bullet/btBulletCollisionCommon.h", ["-DBT_USE_DOUBLE_PRECISION", "-isystem", "/usr/include/bullet"],
+                    ["-lBulletCollision-float64", "-lLinearMath-float64"])}
 MICRON = F(round(1e-6 * 2 ** 48), 2 ** 48)
 GRANTED = 2e-4  # of the motion, early or late: ContinuousCollisionRequest's toc_err is 1e-4 of the part, or of its angle
-# Shape, method of fcl.cpp, number of parts or of times.
-METHODS = (("box", "advance", 1), ("mesh", "advance", 1), ("mesh", "advance", 64), ("box", "discrete", 1000), ("mesh", "discrete", 1000))
+# Code, shape, method, number of parts or of times.
+METHODS = (("fcl", "box", "advance", 1), ("fcl", "mesh", "advance", 1), ("fcl", "mesh", "advance", 64), ("fcl", "box", "discrete", 1000),
+           ("fcl", "mesh", "discrete", 1000), ("bullet", "box", "advance", 1), ("bullet", "hull", "advance", 1), ("bullet", "hull", "advance", 64))
 WORDS = {"missed": "missed", "false": "made up", "late": "late", "inside": "late and inside", "early": "early"}
 GARBAGE = dict(os.environ, MALLOC_PERTURB_="191")  # glibc hands out memory full of 32.5 as doubles
 TRIANGLES = "3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n"
@@ -124,15 +128,20 @@ FAMILIES = {"pass by": pass_by, "near miss of 1e-6": near_miss, "hit by 1e-6": n
 
 
 # ------------------------------------------------------------------------------------------------- judging
-def compile_fcl(folder):
-    objects = []
+def compile_codes(folder):
+    """Code -> program, of those that are installed."""
+    objects, out = [], {}
     for name in ("scene", "motion"):
         objects.append(os.path.join(folder, name + ".o"))
         subprocess.run(["cc", "-std=c11", "-D_POSIX_C_SOURCE=200809L", "-O2", "-c", "-o", objects[-1], os.path.join(HERE, name + ".c")], check=True)
-    program = os.path.join(folder, "fcl")
-    subprocess.run(["c++", "-std=c++17", "-O2", "-DNDEBUG", "-isystem", EIGEN, "-o", program, os.path.join(HERE, "fcl.cpp"), *objects,
-                    "-lfcl", "-lccd", "-lyajl", "-lm"], check=True)
-    return program
+    for code, (header, flags, libraries) in CODES.items():
+        if not os.path.exists(header):
+            print(f"SKIP {code}: lib{code}-dev is not installed")
+            continue
+        out[code] = os.path.join(folder, code)
+        subprocess.run(["c++", "-std=c++17", "-O2", *flags, "-o", out[code], os.path.join(HERE, code + ".cpp"), *objects, *libraries,
+                        "-lyajl", "-lm"], check=True)
+    return out
 
 
 def write(path, text):
@@ -169,14 +178,14 @@ class Truth:
         return letters[passed] == "I" and not any(start <= t <= end for start, end in self.contacts)
 
 
-def answers(program, paths, environment=None):
+def answers(programs, methods, paths, environment=None):
     """(hit, share of the motion) of each method."""
     moving, path, fixed = paths
     out = {}
-    for shape in ("box", "mesh"):
-        asked = [m for m in METHODS if m[0] == shape]
-        lines = [f"{method} {n} {path}" for _, method, n in asked]
-        run = subprocess.run([program, shape, moving, fixed], input="\n".join(lines) + "\n", check=True, stdout=subprocess.PIPE, text=True,
+    for code, shape in dict.fromkeys(m[:2] for m in methods):
+        asked = [m for m in methods if m[:2] == (code, shape)]
+        lines = [f"{method} {n} {path}" for *_, method, n in asked]
+        run = subprocess.run([programs[code], shape, moving, fixed], input="\n".join(lines) + "\n", check=True, stdout=subprocess.PIPE, text=True,
                              env=environment)
         found = [dict(word.split("=") for word in line.split()) for line in run.stdout.splitlines()[1:]]
         out.update((m, (one["hit"] == "1", float(one["t"]))) for m, one in zip(asked, found))
@@ -188,7 +197,7 @@ def even(t, _):
 
 
 def by_angle(t, parts):
-    """FCL turns by even angles between the poses at the ends of a part; the tangent of the half angle is t."""
+    """Both turn by even angles between the poses at the ends of a part; the tangent of the half angle is t."""
     k = math.floor(t * parts)
     a, b = math.atan(k / parts), math.atan((k + 1) / parts)
     return math.tan(a + (t * parts - k) * (b - a))
@@ -223,7 +232,7 @@ class Tally:
         return ", ".join(wrong) or "right"
 
 
-def family(options, folder, program, name, tally):
+def family(options, folder, programs, methods, name, tally):
     rng, make, meet = random.Random(options.seed), FAMILIES[name], 0
     paths = [os.path.join(folder, end) for end in ("moving.off", "motion.json", "fixed.off")]
     for _ in range(options.count):
@@ -232,12 +241,12 @@ def family(options, folder, program, name, tally):
             write(where, text)
         truth = Truth(options.graze, paths)
         meet += truth.first is not None
-        found, other = answers(program, paths), answers(program, paths, GARBAGE)
+        found, other = answers(programs, methods, paths), answers(programs, methods, paths, GARBAGE)
         for method, (hit, share) in found.items():
-            clock = by_angle if make is turning and method[1] == "advance" else even
-            tally.add(name, method, *judge(truth, hit, clock(share, method[2])))
+            clock = by_angle if make is turning and method[2] == "advance" else even
+            tally.add(name, method, *judge(truth, hit, clock(share, method[3])))
             tally.changed[method] += found[method] != other[method]
-    print_row(name, f"{meet} of {options.count}", *(tally.cell(name, m) for m in METHODS))
+    print_row(name, f"{meet} of {options.count}", *(tally.cell(name, m) for m in methods))
 
 
 def print_row(*cells):
@@ -249,22 +258,21 @@ def main():
     parser.add_argument("--graze", default="build/graze")
     parser.add_argument("--count", type=int, default=100, help="pairs of each family")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--code", default="", help="codes whose name contains this text")
     parser.add_argument("--only", default="", help="families whose name contains this text")
     options = parser.parse_args()
     options.graze = os.path.abspath(options.graze)
-    if not os.path.exists(FCL):
-        print("SKIP FCL: libfcl-dev is not installed")
-        return
     with tempfile.TemporaryDirectory() as folder:
-        program = compile_fcl(folder)
+        programs = compile_codes(folder)
+        methods = [m for m in METHODS if m[0] in programs and options.code in m[0]]
         tally = Tally()
-        print_row("family", "meet", *(f"{method} {n}, {shape}" for shape, method, n in METHODS))
-        print("|---" * (2 + len(METHODS)) + "|")
+        print_row("family", "meet", *(f"{code} {method} {n}, {shape}" for code, shape, method, n in methods))
+        print("|---" * (2 + len(methods)) + "|")
         for name in FAMILIES:
             if options.only in name:
-                family(options, folder, program, name, tally)
-        print_row("latest, of the motion", "", *(f"{tally.latest[m]:.2g}" for m in METHODS))
-        print_row("other answers where new memory is not 0", "", *(tally.changed[m] for m in METHODS))
+                family(options, folder, programs, methods, name, tally)
+        print_row("latest, of the motion", "", *(f"{tally.latest[m]:.2g}" for m in methods))
+        print_row("other answers where new memory is not 0", "", *(tally.changed[m] for m in methods))
 
 
 if __name__ == "__main__":

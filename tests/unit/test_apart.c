@@ -199,6 +199,89 @@ static void nodes(const char *path) {
     graze_solid_destroy(solid);
 }
 
+/* One node and one slab of each solid; a leaf has none. Boxes are [-1, 1] along each axis. */
+static tree_node moving_node, fixed_node;
+static slab moving_slab[2], fixed_slab[2];
+
+static void set_node(graze_solid *solid, tree_node *node, slab *two, int d, const slab *own) {
+    *node = (tree_node){.child = own != NULL, .slab = own ? 1 : 0};
+    for (int i = 0; i < d; i++) {
+        node->box.low[i] = -1;
+        node->box.high[i] = 1;
+    }
+    two[0] = (slab){{0, 0, 0}, -INFINITY, INFINITY};
+    two[1] = own ? *own : two[0];
+    solid->boxes = (tree){1, node};
+    solid->slabs.item = two;
+}
+
+/* The leaf becomes a point. */
+static void set_point(tree_node *leaf, const double p[3], int d) {
+    for (int i = 0; i < d; i++)
+        leaf->box.low[i] = leaf->box.high[i] = p[i];
+}
+
+static int are_told(void) {
+    return slabs_apart(&pair, &maps, 0, 0, error_of_places(&pair, &maps));
+}
+
+/* The plane through the origin across an axis and its image, against the image of a point in it
+ * and of one 2^-20 beside it. */
+static void moved_slab(int d, int axis) {
+    static const double map[3][3] = {{1, 2, 0}, {-1, 1, 1}, {0, 1, 2}};
+    slab own = {{0, 0, 0}, 0, 0};
+    double p[3];
+    own.normal[axis] = 1;
+    set_scene(d);
+    set_node(&moving, &moving_node, moving_slab, d, &own);
+    set_node(&fixed, &fixed_node, fixed_slab, d, NULL);
+    for (int side = -1; side <= 1; side++) {
+        for (int i = 0; i < d; i++) {
+            p[i] = 0;
+            for (int j = 0; j < d; j++) {
+                entry[i * (d + 1) + j] = map[i][j];
+                p[i] += map[i][j] * (j == axis ? side * 0x1p-20 : 0.25);
+            }
+            entry[i * (d + 1) + d] = 0;
+        }
+        memcpy(entry + d * (d + 1), entry, (size_t)(d * (d + 1)) * sizeof *entry);
+        set_point(&fixed_node, p, d);
+        assert_int_equal(are_told(), side != 0);
+    }
+}
+
+/* An oblique slab that stands against a point that goes along it, then against a slab beside it. */
+static void standing_slab(int d) {
+    const slab own = {{1, -0.5, d == 3 ? 0.25 : 0}, 0.5, 0.625};
+    const double in[3] = {0.5, 0, 0}, below[3] = {0.5 - 0x1p-20, 0, 0},
+                 above[3] = {0.625 + 0x1p-20, 0, 0}, along[3] = {0.25, 0.5, 0};
+    const double *const point[] = {below, in, above};
+    set_triangles(moving_at, fixed_at, d, 0);
+    for (int i = 0; i < d; i++)
+        entry[d * (d + 1) + i * (d + 1) + d] = along[i];
+    set_node(&moving, &moving_node, moving_slab, d, NULL);
+    set_node(&fixed, &fixed_node, fixed_slab, d, &own);
+    for (int k = 0; k < 3; k++) {
+        set_point(&moving_node, point[k], d);
+        assert_int_equal(are_told(), k != 1);
+        slab other = own;
+        other.high = own.low + (k - 1) * 0x1p-20;
+        other.low = -1;
+        set_node(&moving, &moving_node, moving_slab, d, &other);
+        assert_int_equal(are_told(), k == 0);
+        set_node(&moving, &moving_node, moving_slab, d, NULL);
+    }
+}
+
+static void slabs_by_hand(void **state) {
+    (void)state;
+    for (int d = 2; d <= 3; d++) {
+        for (int axis = 0; axis < d; axis++)
+            moved_slab(d, axis);
+        standing_slab(d);
+    }
+}
+
 static void slabs_of_nodes(void **state) {
     (void)state;
     random_start(7);
@@ -211,6 +294,7 @@ int main(void) {
         cmocka_unit_test(common_points),
         cmocka_unit_test(gaps),
         cmocka_unit_test(far_off),
+        cmocka_unit_test(slabs_by_hand),
         cmocka_unit_test_setup_teardown(slabs_of_nodes, set_up, tear_down),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
