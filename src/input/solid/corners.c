@@ -18,7 +18,7 @@ graze_status corners_make(corners *out, graze_context *context, const soup *s, c
     }
     if (!(out->reach <= CORNER_REACH))
         return GRAZE_OK;
-    out->at = malloc(cut->count * d * d * sizeof *out->at);
+    out->at = malloc((cut->count + 1) * d * d * sizeof *out->at);
     if (!out->at)
         return context_fail(context, GRAZE_ESYSTEM,
                             "out of memory for the corners of %zu simplices", cut->count);

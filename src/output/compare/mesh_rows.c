@@ -124,20 +124,22 @@ static graze_status keep_row(graze_comparison *c, const mesh_run *r, size_t inde
     return status;
 }
 
-/* A wrong row: keep it if few are kept, and let it wait for its distance. */
+/* Let a wrong row wait for its distance. 0 without memory. */
+static int wait_for_depth(graze_comparison *c, const mesh_row *row, const fmpq *point) {
+    text place;
+    text_init(&place);
+    put_mesh_point(&place, point, " ");
+    return depth_wait(&c->depth, text_take(&place), golden_of(row));
+}
+
 static graze_status take_wrong(graze_comparison *c, const mesh_run *r, size_t index) {
     const fmpq *point;
     sample s;
     graze_status status = point_of(&point, &s, r->context, r->points, index);
     if (!status)
         status = keep_row(c, r, index, point);
-    if (!status && c->options.scene) {
-        text t;
-        text_init(&t);
-        put_mesh_point(&t, point, " ");
-        if (!depth_wait(&c->depth, text_take(&t), golden_of(&r->row[index])))
-            status = comparison_no_memory(r->context);
-    }
+    if (c->options.scene && !wait_for_depth(c, &r->row[index], point))
+        status = comparison_no_memory(r->context);
     sample_clear(&s);
     return status;
 }

@@ -65,7 +65,7 @@ graze_status judged_mesh_make(judged_mesh *out, graze_context *context, const so
     skin bare = judged_skin(out);
     if (!status)
         status = skin_tree(&out->boxes, context, &bare);
-    if (!status && out->cut.count)
+    if (!status)
         status = corners_make(&out->corners, context, input, &out->cut, out->low, out->high);
     if (status)
         return status;

@@ -24,7 +24,7 @@ typedef struct judged_mesh {
     mesh_rule rule;
     fmpq_t volume;      /* the integral of the winding number; set for MESH_RULE_WINDING, else 0 */
     double *low, *high; /* bounds of the coordinates, as in a solid */
-    corners corners;    /* of the triangles, in doubles; `at` is NULL past the range, or of none */
+    corners corners;    /* of the triangles, in doubles; `at` is NULL past their range */
     tree boxes;         /* none where there are no triangles */
 } judged_mesh;
 
