@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "fixture.h"
+#include "../lib/failing.h"
 #include <flint/fmpq_vec.h>
 #include "graze.h"
 #include "output/compare/mesh_rows.h"
@@ -213,8 +214,47 @@ static void generated(void **state) {
     graze_generator_destroy(generator);
 }
 
+/* A mesh, and its comparison with wrong rows that are measured; what is left until an allocation
+ * fails counts down within. */
+static graze_status whole(const graze_generator *generator, long fail_at) {
+    static const slong corner[4] = {0, 4, 0, 2};
+    mesh_points points = {.generator = generator, .count = 20};
+    graze_compare_options options = {
+        .size = sizeof options, .on_as = GRAZE_ON_AS_ANY, .show = 2, .scene = scene};
+    box_mesh b;
+    judged_mesh again;
+    make_box(&b, corner, 6, 0);
+    graze_comparison *c = calloc(1, sizeof *c);
+    assert_non_null(c);
+    left = fail_at;
+    graze_status status = judged_mesh_make(&again, context, &b.input, 0);
+    if (!status)
+        status = comparison_of_mesh(c, context, scene, &again, &points, 1, &options);
+    int failed = left < 0 && fail_at >= 0;
+    left = -1;
+    judged_mesh_clear(&again);
+    graze_comparison_destroy(c);
+    clear_box(&b);
+    /* A filter that finds no memory may leave a point to the exact path. */
+    assert_true(status == GRAZE_OK || (failed && status == GRAZE_ESYSTEM));
+    return status;
+}
+
+/* Each allocation fails once, and all that is said is that memory ran out. */
+static void faults(void **state) {
+    (void)state;
+    graze_generator *generator;
+    assert_int_equal(graze_generator_create(&generator, context, scene, 1, NULL, 0), GRAZE_OK);
+    long said = 0;
+    assert_int_equal(whole(generator, -1), GRAZE_OK);
+    for (long k = 0; k < 400 && !SANITIZED; k++)
+        said += whole(generator, k) == GRAZE_ESYSTEM;
+    assert_true(SANITIZED || said > 100);
+    graze_generator_destroy(generator);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(five_points), cmocka_unit_test(reports),
-                                       cmocka_unit_test(generated)};
+                                       cmocka_unit_test(generated), cmocka_unit_test(faults)};
     return cmocka_run_group_tests(tests, set_up_scene, tear_down_scene);
 }
