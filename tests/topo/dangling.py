@@ -222,7 +222,7 @@ def check_grid(checks, graze, rng, seen, number, d):
         record = answer.record
         where = (f"grid {d} {number}", path, sorted(cells), ",".join(map(str, point)), answer.word)
         checks.equal((record["pmc"], record["regular"]), want, *where, record.get("regular_level"))
-        checks.equal(record["regular_level"] == "word", want[0] != "on", *where)
+        checks.equal(record.get("regular_level") == "word", want[0] != "on", *where)
         seen[d, *want, record.get("regular_level")] += 1
         shown[want] += 1
         if want[0] == "on" and shown[want] <= WITNESSES:

@@ -13,6 +13,7 @@ point are looked at with. Witnesses are `in` all along; about a `no` nothing is.
 """
 import json
 import os
+import re
 import sys
 from collections import Counter
 from fractions import Fraction as F
@@ -120,13 +121,26 @@ def check(checks, graze, seen, name, solid, motion, points, positions, looked_at
         checks.holds(b.row is None or b.row["regular"] == said, *where, "the table")
         seen[d, said, there_record.get("regular_level")] += 1
         left[said] += 1
-        if left[said] > looked_at or said == "undecided":
+        if left[said] > looked_at:
             continue
-        if said == "yes":
+        if said == "undecided":
+            check_hint(checks, graze, where, there, point)
+        elif said == "yes":
             check_witness(checks, graze, name, there, point, there_record, "regular")
         else:
             found = graze.classify(name + " near", *there, probes(point), *UNSWEEP[:2]) or []
             checks.equal({answer.record["pmc"] for answer in found} & {"in"}, set(), *where, "near a `no`")
+
+
+def check_hint(checks, graze, where, files, point):
+    """An undecided point in words, with a point that is `in` within the box's size."""
+    files = [graze.write("hint" + x.suffix, x.text()) for x in files]
+    said = graze.call("explain", *files, *map(str, point), *UNSWEEP).stdout
+    checks.holds("Regular, in the closure of the unsweep's interior: it is undecided: to first order" in said, *where, said)
+    near = re.search(r"The nearest point found that is in is \((.*)\), about 2", said)
+    if checks.holds(near, *where, said):
+        found = graze.classify(where[0] + " hint", *files, [near[1].split(", ")], *UNSWEEP[:2])
+        checks.equal(found and found[0].record["pmc"], "in", *where, near[1])
 
 
 def check_straight(checks, graze, tool, rng, seen, scale):
@@ -155,7 +169,7 @@ def main():
     else:
         checks.skip("straight legs", f"{tool} is not built")
     for key, n in sorted(seen.items(), key=str):
-        print(*key, n)
+        print(key, n)
     checks.holds(seen["more curves"] <= MORE_CURVES * args.scale, "undecided by the box's curves", seen["more curves"])
     for d, levels in ((2, ("first_order", "closed_cones", "edges", "curves")),
                       (3, ("first_order", "closed_cones", "leading_terms", "section"))):
