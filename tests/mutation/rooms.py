@@ -18,7 +18,7 @@ ROOMS = {
     "input/read": ["unit/test_readers", "unit/test_nef3", "refuse/run solid-files", "unit/test_reader_mutants", "refuse/run solid-sides",
                    "refuse/run bits files", "agree/laws"],
     "input/soup": ["unit/test_validate", "unit/test_readers", "api/test_handles", "cases/cases", "refuse/run solid-sides", "refuse/run solid-geometry"],
-    "input/validate": ["unit/test_validate", "unit/test_judged_mesh", "unit/test_overlap", "unit/test_readers", "cases/cases", "refuse/run solid-geometry",
+    "input/validate": ["unit/test_validate", "unit/test_judged_mesh", "unit/test_winding", "unit/test_overlap", "unit/test_readers", "cases/cases", "refuse/run solid-geometry",
                        "mend/mend", "real/real", "unit/test_meeting"],
     "input/solid": ["unit/test_locate", "unit/test_winding", "unit/test_forms", "unit/test_locate_cells", "unit/test_slabs", "exact cases/cases",
                     "exact agree/near", "exact examples/examples", "api/test_writing", "api/test_handles", "agree/laws"],
