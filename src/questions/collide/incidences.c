@@ -123,7 +123,7 @@ static void meet_vertex(finder *f, pair_side side, const meeting_cells *m) {
                 find_times(&roots, f, q);
         }
     for (size_t k = 0; k < roots.count && !f->p->status; k++) {
-        f->p->when = &roots.item[k];
+        placing_set_time(f->p, &roots.item[k]);
         if (placing_inside(&zero, f->p, side, m->key[1], m->key[0]))
             note_time(f, &roots.item[k]);
     }
@@ -166,7 +166,7 @@ static void meet_two_edges(finder *f, const meeting_cells *m) {
     if (!fmpz_poly_is_zero(q))
         find_times(&roots, f, q);
     for (size_t k = 0; k < roots.count && !f->p->status; k++) {
-        f->p->when = &roots.item[k];
+        placing_set_time(f->p, &roots.item[k]);
         if (cross_then(f->p, m) && !f->p->status)
             note_time(f, &roots.item[k]);
     }

@@ -250,7 +250,7 @@ static graze_status walk_into(pair_walk *walk, placing *whole, graze_state left,
                               ? place_both_at(&then, walk, time->piece, time->u.value, near)
                               : find_near_root(&then, walk, time->piece, &time->u, near);
     placing *p = then.placed ? &then.p : whole;
-    whole->when = &time->u;
+    placing_set_time(whole, &time->u);
     if (!status && left != GRAZE_STATE_O && left != GRAZE_STATE_B)
         status = look_at_contact(&state, walk, &then, p, time_is_start(time), before, u);
     if (!status)

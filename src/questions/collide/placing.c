@@ -23,6 +23,8 @@ static int is_mirrored(const point_map *map) {
 
 static void init(placing *p, graze_context *context, const solid_pair *pair) {
     *p = (placing){.pair = pair, .context = context};
+    for (int k = 0; k < KNOWN_SIGNS; k++)
+        fmpz_poly_init(&p->known.of[k]);
     p->mirrored = is_mirrored(&pair->motion->piece[0].forward);
 }
 
@@ -57,7 +59,14 @@ void placing_init_at(placing *p, graze_context *context, const solid_pair *pair,
         p->map[side] = &p->frozen[side];
 }
 
+void placing_set_time(placing *p, algebraic *when) {
+    p->when = when;
+    p->known.count = 0;
+}
+
 void placing_clear(placing *p) {
+    for (int k = 0; k < KNOWN_SIGNS; k++)
+        fmpz_poly_clear(&p->known.of[k]);
     for (int side = 0; side < 2; side++) {
         placed_vertices *v = &p->vertices[side];
         for (size_t k = 0; k < v->index.count; k++) {
@@ -184,10 +193,30 @@ static int sign_at_root(placing *p, const fmpz_poly_t q) {
     return sign;
 }
 
+/* Of a polynomial without a factor that is a number, and with a positive leading coefficient. */
+static int known_sign(placing *p, const fmpz_poly_t q) {
+    known_signs *known = &p->known;
+    size_t kept = known->count < KNOWN_SIGNS ? known->count : KNOWN_SIGNS;
+    for (size_t k = 0; k < kept; k++)
+        if (fmpz_poly_equal(&known->of[k], q))
+            return known->sign[k];
+    if (p->status)
+        return 0;
+    size_t at = known->count++ % KNOWN_SIGNS;
+    fmpz_poly_set(&known->of[at], q);
+    known->sign[at] = sign_at_root(p, q);
+    return known->sign[at];
+}
+
 int placing_sign(placing *p, const fmpz_poly_t q) {
     if (fmpz_poly_length(q) <= 1)
         return fmpz_poly_is_zero(q) ? 0 : fmpz_sgn(q->coeffs);
-    return p->status ? 0 : sign_at_root(p, q);
+    fmpz_poly_t part;
+    fmpz_poly_init(part);
+    fmpz_poly_primitive_part(part, q);
+    int sign = known_sign(p, part);
+    fmpz_poly_clear(part);
+    return fmpz_sgn(fmpz_poly_lead(q)) * sign;
 }
 
 /* The sign of a polynomial that is cleared. */

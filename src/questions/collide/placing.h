@@ -25,6 +25,15 @@ typedef struct placed_vertices {
     trajectory **at;
 } placed_vertices;
 
+/** Signs of polynomials at the time, those that were asked for last: neighbouring simplices share
+ * vertices, planes and edges. */
+enum { KNOWN_SIGNS = 64 };
+typedef struct known_signs {
+    size_t count; /* since the time was set */
+    fmpz_poly_struct of[KNOWN_SIGNS];
+    int sign[KNOWN_SIGNS];
+} known_signs;
+
 /** Answers of a placing without GRAZE_OK in `status`, the first failure, mean nothing. */
 typedef struct placing {
     const solid_pair *pair;
@@ -36,15 +45,19 @@ typedef struct placing {
     placed_vertices vertices[2];
     form_memory forms[2];
     algebraic *when;
+    known_signs known;
     int mirrored; /* the motion turns outside in */
 } placing;
 
-/** Both solids on a whole piece; `when` is to be set before signs are asked for. */
+/** Both solids on a whole piece; a time is to be set before signs are asked for. */
 void placing_init(placing *p, graze_context *context, const solid_pair *pair, size_t piece);
 /** Both solids at a rational time of a piece. */
 void placing_init_at(placing *p, graze_context *context, const solid_pair *pair, size_t piece,
                      const fmpq_t u);
 void placing_clear(placing *p);
+
+/** Signs are asked for at a time from now on: it is borrowed, and narrowed. */
+void placing_set_time(placing *p, algebraic *when);
 
 const graze_solid *placing_solid(const placing *p, pair_side side);
 
