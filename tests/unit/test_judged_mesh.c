@@ -307,6 +307,10 @@ static void bands(void **state) {
         shape *s = band(twisted);
         expect(&m, s, MESH_RULE_NONE, 12, 12 + (size_t)twisted);
         assert_int_equal(m.mesh.open.kept_count, LOOSE_EDGES_KEPT);
+        for (size_t k = 0; k < LOOSE_EDGES_KEPT; k++) { /* odd ones alone, though 0-1 is not */
+            assert_int_equal(m.mesh.open.kept[k].forward, 1);
+            assert_int_equal(m.mesh.open.kept[k].backward, 0);
+        }
         assert_int_equal(m.mesh.cut.component_count, 1);
         expect_place(&m, "0 0 1/2", MESH_UNTOLD, 0);
         expect_place(&m, "0 3 1/2", MESH_ON, 0);
@@ -339,6 +343,9 @@ static void klein_bottle(void **state) {
     expect(&m, s, MESH_RULE_PARITY, 0, N);
     assert_int_equal(m.mesh.cut.component_count, 1);
     assert_int_equal(m.mesh.cut.count + m.mesh.flat_count, 2 * N * N);
+    assert_int_equal(m.mesh.open.kept_count, N);
+    for (size_t k = 0; k < N; k++)
+        assert_int_equal(m.mesh.open.kept[k].forward, 2);
     expect_place(&m, "-1000 1 1", MESH_OUT, 0);
     expect_place(&m, "1000 1/3 1/7", MESH_OUT, 0);
     clear(&m);
@@ -381,23 +388,22 @@ static void empty(void **state) {
 /* Edges that lie on one another without being one edge. A tetrahedron one of whose facets is cut at
  * the middle of an edge that the facet beyond keeps whole closes all the same, and so it does with
  * a facet without area there instead, which is left out; without the cut's second half three edges
- * stay open, named by the parts of the edge. */
-static void edges_on_edges(void **state) {
-    (void)state;
+ * stay open, named by the parts of the edge. `way` is 1 or, for the mirror image, -1. */
+static void tetrahedron_with_a_cut_edge(slong way) {
     made m;
     shape *s = shape_new();
     for (int k = 0; k < 4; k++)
-        add_vertex(s, k == 1 ? 2 : 0, k == 2 ? 2 : 0, k == 3 ? 2 : 0);
-    add_vertex(s, 1, 0, 0); /* the middle of 0-1 */
+        add_vertex(s, k == 1 ? 2 * way : 0, k == 2 ? 2 : 0, k == 3 ? 2 : 0);
+    add_vertex(s, way, 0, 0); /* the middle of 0-1 */
     add_triangle(s, 0, 1, 3);
     add_triangle(s, 1, 2, 3);
     add_triangle(s, 2, 0, 3);
     add_triangle(s, 2, 1, 4);
     add_triangle(s, 2, 4, 0);
     expect(&m, s, MESH_RULE_WINDING, 0, 0);
-    expect_volume(&m, "4/3");
-    expect_place(&m, "1/4 1/4 1/4", MESH_IN, 1);
-    expect_place(&m, "-1 0 0", MESH_OUT, 0);
+    expect_volume(&m, way > 0 ? "4/3" : "-4/3");
+    expect_place(&m, way > 0 ? "1/4 1/4 1/4" : "-1/4 1/4 1/4", MESH_IN, way);
+    expect_place(&m, "-3 0 0", MESH_OUT, 0);
     clear(&m);
     add_triangle(s, 0, 4, 1);
     add_triangle(s, 3, 3, 3);
@@ -417,6 +423,12 @@ static void edges_on_edges(void **state) {
     }
     clear(&m);
     shape_free(s);
+}
+
+static void edges_on_edges(void **state) {
+    (void)state;
+    for (slong way = -1; way <= 1; way += 2)
+        tetrahedron_with_a_cut_edge(way);
 }
 
 /* Sizes at which doubles fail: a cube of side 2 10^400 and one of 2 10^-400, at thirds, and one
