@@ -126,7 +126,7 @@ std::vector<loose_edge> parts_left_open(const std::vector<line_end> &ends) {
 }
 
 void report_parts(loose_edges *out, std::vector<loose_edge> parts) {
-    const auto is_odd = [](const loose_edge &e) { return (e.forward + e.backward) % 2 != 0; };
+    const auto is_odd = [](const loose_edge &e) { return e.forward % 2 != e.backward % 2; };
     const auto ends = [](const loose_edge &e) { return std::minmax(e.from, e.to); };
     std::sort(parts.begin(), parts.end(),
               [&](const loose_edge &a, const loose_edge &b) { return ends(a) < ends(b); });
