@@ -40,7 +40,7 @@ static graze_status ask_both(void *data, graze_context *context, int member, siz
     const mesh_run *r = data;
     mesh_row *row = &r->row[index];
     const fmpq *point;
-    graze_verdict verdict;
+    graze_verdict verdict = {0};
     sample s;
     (void)member;
     graze_status status = point_of(&point, &s, context, r->points, index);
