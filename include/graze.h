@@ -79,6 +79,7 @@
 #include <graze/topo.h>     /* positions relative to the closed sweep */
 #include <graze/contact.h>  /* contact points of the envelope */
 #include <graze/envelope.h> /* events of the envelope */
+#include <graze/judge.h>    /* a mesh against a sweep */
 #include <graze/pair.h>     /* a moving solid against a fixed one */
 
 #endif

@@ -54,7 +54,7 @@ TOP = {"src", "include", "tests", "proofs", "cases", "Makefile", "README.md", ".
 # Parts of the public header that inner rooms include: what all need, and the part that a room makes.
 CORE = "include/graze/core.h"
 PARTS = {room: room for room in ("report", "generate", "compare", "convert", "draw", "boundary", "certify",
-                                  "topo", "contact", "distance", "envelope", "curved")}
+                                  "topo", "contact", "distance", "envelope", "curved", "judge")}
 PARTS["table"] = "report"
 PARTS["page"] = "draw"
 PARTS["collide"] = "pair"

@@ -37,6 +37,9 @@ static const char *const NAME[FLIP_SITE_COUNT] = {
     [FLIP_SURFACE_SIGN] = "surface sign",
     [FLIP_SURFACE_ROOT] = "surface root",
     [FLIP_SURFACE_BOX] = "surface box",
+    [FLIP_SPEED] = "speed",
+    [FLIP_PIERCE] = "pierce",
+    [FLIP_SEAM] = "seam",
 };
 
 static atomic_ulong calls;

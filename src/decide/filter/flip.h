@@ -34,6 +34,9 @@ typedef enum flip_site {
     FLIP_SURFACE_SIGN, /* a surface's pullback has one sign on a part of a span */
     FLIP_SURFACE_ROOT, /* it has just one root there */
     FLIP_SURFACE_BOX,  /* a span misses the boxes of surfaces */
+    FLIP_SPEED,        /* a contact of a box of points has a side that is inside */
+    FLIP_PIERCE,       /* a simplex goes through a whole box of points */
+    FLIP_SEAM,         /* simplices have no place in common near a box of points */
     FLIP_SITE_COUNT
 } flip_site;
 

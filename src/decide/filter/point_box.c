@@ -66,14 +66,15 @@ static void spread_over_group(double spread[3], const piece_group *g, int d, con
     }
 }
 
-static int spread_of(double spread[3], const cell_search *s, const span *part) {
-    const course *course = s->curve->course;
+int point_box_spread(double spread[3], const curve *memory, const point_box *points,
+                     const span *part) {
+    const course *course = memory->course;
     spread[2] = 0;
     if (part->lost)
         return 0;
     if (part->degree)
-        return spread_over_piece(spread, &course->piece[part->piece], s->points->half);
-    spread_over_group(spread, &course->group[part->group], course->dimension, s->points->half);
+        return spread_over_piece(spread, &course->piece[part->piece], points->half);
+    spread_over_group(spread, &course->group[part->group], course->dimension, points->half);
     return 1;
 }
 
@@ -89,24 +90,29 @@ static void cut_cell(cell_search *s, uint32_t node, uint32_t index, const double
     uint32_t child = s->curve->spans[index].child;
     for (uint32_t half = child; half < child + 2 && !s->meets; half++) {
         double own[3];
-        if (several && !spread_of(own, s, &s->curve->spans[half]))
+        if (several && !point_box_spread(own, s->curve, s->points, &s->curve->spans[half]))
             s->meets = 1;
         else
             descend_cell(s, node, half, several ? own : spread);
     }
 }
 
-/* A simplex against the span as thick as the cell makes it. */
-static void meet_cell(cell_search *s, uint32_t node, uint32_t index, const double *spread) {
-    const corners *corners = &s->filter->solid->corners;
-    size_t d = (size_t)s->curve->dimension, simplex = s->filter->solid->boxes.node[node].simplex;
-    span wide = s->curve->spans[index];
-    double most = larger(spread[0], larger(spread[1], spread[2]));
+span point_box_widen(const span *part, const double *spread) {
+    span wide = *part;
     for (int i = 0; i < 3; i++) {
         wide.thick[i] += spread[i];
         wide.wide[i] += spread[i];
     }
-    wide.far += most;
+    wide.far += larger(spread[0], larger(spread[1], spread[2]));
+    return wide;
+}
+
+/* A simplex against the span as thick as the cell makes it. */
+static void meet_cell(cell_search *s, uint32_t node, uint32_t index, const double *spread) {
+    const corners *corners = &s->filter->solid->corners;
+    size_t d = (size_t)s->curve->dimension, simplex = s->filter->solid->boxes.node[node].simplex;
+    span wide = point_box_widen(&s->curve->spans[index], spread);
+    double most = larger(spread[0], larger(spread[1], spread[2]));
     chord_meeting found =
         chord_meets(s->curve, &wide, corners->at + simplex * d * d, corners->error);
     if (flip(FLIP_CELL, found == CHORD_MISSES))
@@ -117,8 +123,7 @@ static void meet_cell(cell_search *s, uint32_t node, uint32_t index, const doubl
         s->meets = 1;
 }
 
-/* A span as thick as the spread meets a box where the span meets the box that much larger. */
-static box box_around(const box *b, const double *spread) {
+box box_around(const box *b, const double *spread) {
     box out = *b;
     for (int i = 0; i < 3; i++) {
         out.low[i] -= spread[i];
@@ -127,15 +132,14 @@ static box box_around(const box *b, const double *spread) {
     return out;
 }
 
-/* Whether a node's slab misses the span as thick as the spread makes it. */
-static int cell_misses_slab(const cell_search *s, const span *piece, const tree_node *node,
-                            const double *spread) {
+int point_box_misses_slab(const filter *f, const span *part, const tree_node *node,
+                          const double *spread) {
     double wide[3];
-    if (!node->child || !piece->bounded)
+    if (!node->child || !part->bounded)
         return 0;
     for (int i = 0; i < 3; i++)
-        wide[i] = piece->wide[i] + spread[i];
-    return !chord_meets_slab(piece, wide, slab_below(&s->filter->solid->slabs, node));
+        wide[i] = part->wide[i] + spread[i];
+    return !chord_meets_slab(part, wide, slab_below(&f->solid->slabs, node));
 }
 
 static void descend_cell(cell_search *s, uint32_t node, uint32_t index, const double *spread) {
@@ -144,7 +148,7 @@ static void descend_cell(cell_search *s, uint32_t node, uint32_t index, const do
         const tree_node *here = &s->filter->solid->boxes.node[node];
         box around = box_around(&here->box, spread);
         if (flip(FLIP_CELL, !span_meets(piece, &around)) ||
-            cell_misses_slab(s, piece, here, spread))
+            point_box_misses_slab(s->filter, piece, here, spread))
             return;
         int thick = here->child && span_is_thick(s->curve, piece, &around);
         if ((thick || !piece->bounded) && piece->level < CELL_BOX_LEVELS) {
@@ -173,9 +177,8 @@ int point_box_begin(curve *memory, const filter *f, const point_box *points) {
     return f->solid->corners.at && curve_set(memory, &f->course, &centre, &f->solid->corners);
 }
 
-/* A box of the places of the cell's points at a time, or of the centre's alone. */
-static int bound_places(box *out, curve *memory, const filter *f, const stay *when,
-                        const double *half) {
+int point_box_places(box *out, curve *memory, const filter *f, const stay *when,
+                     const double *half) {
     double place[4], off[4], spread[3] = {0, 0, 0};
     const span *whole = curve_piece(memory, when->piece);
     if (!whole || whole->lost)
@@ -198,7 +201,7 @@ int point_box_is_settled(curve *memory, const filter *f, const point_box *points
         size_t time = (*hint + k) % (pieces * each);
         stay when = {(uint32_t)(time / each), ((double)(time % each) + 0.5) / (double)each};
         box around;
-        if (bound_places(&around, memory, f, &when, points->half) &&
+        if (point_box_places(&around, memory, f, &when, points->half) &&
             flip(FLIP_INTERIOR, interior_state(bricks, &around) == f->proves)) {
             *hint = time;
             return 1;
@@ -209,13 +212,13 @@ int point_box_is_settled(curve *memory, const filter *f, const point_box *points
 
 int point_box_anchor(anchor *out, curve *memory, const filter *f, const stay *when) {
     out->when = *when;
-    return bound_places(&out->around, memory, f, when, NULL);
+    return point_box_places(&out->around, memory, f, when, NULL);
 }
 
 int point_box_joins(curve *memory, const filter *f, const point_box *points, const anchor *to) {
     size_t tests = JOIN_TESTS;
     box all;
-    if (!bound_places(&all, memory, f, &to->when, points->half))
+    if (!point_box_places(&all, memory, f, &to->when, points->half))
         return 0;
     for (int i = 0; i < 3; i++) {
         all.low[i] = smaller(all.low[i], to->around.low[i]);
@@ -227,7 +230,7 @@ int point_box_joins(curve *memory, const filter *f, const point_box *points, con
 int point_box_is_clear(curve *memory, const filter *f, const point_box *points) {
     cell_search s = {memory, f, points, 0};
     double spread[3];
-    if (!spread_of(spread, &s, &memory->spans[0]))
+    if (!point_box_spread(spread, memory, points, &memory->spans[0]))
         return 0;
     descend_cell(&s, 0, 0, spread);
     return !s.meets && !memory->out_of_memory;

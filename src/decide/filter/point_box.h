@@ -55,4 +55,24 @@ int point_box_joins(curve *memory, const filter *f, const point_box *points, con
  */
 int point_box_is_settled(curve *memory, const filter *f, const point_box *points, size_t *hint);
 
+/** How far the trajectory of a point of the cell can be from the centre's in a part of it; 0 if
+ * there is no bound. */
+int point_box_spread(double spread[3], const curve *memory, const point_box *points,
+                     const span *part);
+
+/** A box of the places of the cell's points at a time, or of the centre's alone where `half` is
+ * NULL; 0 if there is none. */
+int point_box_places(box *out, curve *memory, const filter *f, const stay *when,
+                     const double *half);
+
+/** A box, larger by the spread: a span as thick as that meets a box where the span meets this. */
+box box_around(const box *b, const double *spread);
+
+/** Whether a node's slab misses a span as thick as the spread makes it. */
+int point_box_misses_slab(const filter *f, const span *part, const tree_node *node,
+                          const double *spread);
+
+/** The span as thick as the spread makes it. */
+span point_box_widen(const span *part, const double *spread);
+
 #endif

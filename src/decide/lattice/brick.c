@@ -7,8 +7,7 @@
 #include <string.h>
 #include "base/number/rounding.h"
 #include "decide/filter/normal.h"
-#include "decide/filter/point_box.h"
-#include "decide/filter/time_ray.h"
+#include "decide/lattice/cell_asker.h"
 #include "decide/verdict/classify.h"
 
 /* Cells of fewer points along each axis are not tried. */
@@ -16,14 +15,11 @@ enum { LEAST_SIDE = 2 };
 
 typedef struct bricklayer {
     unsigned char *pmc;
-    graze_context *context;
-    const graze_scene *scene;
+    cell_asker ask;
     const brick *whole;
     int dimension;
     fmpq *exact[3]; /* coordinates of the brick's points along each axis, and bounds of them */
     double low[3][BRICK_SIDE_PLANE], high[3][BRICK_SIDE_PLANE];
-    curve tube;
-    size_t time; /* at which the last cell was settled */
 } bricklayer;
 
 /* The cell that holds the points. */
@@ -36,85 +32,6 @@ static void make_cell(point_box *out, const bricklayer *b, const brick *points) 
         out->half[k] =
             FILTER_SLACK * larger(high - out->centre[k], out->centre[k] - low) + FILTER_FLOOR;
     }
-}
-
-static filter_point centre_of(const point_box *points) {
-    filter_point centre;
-    memcpy(centre.at, points->centre, sizeof centre.at);
-    return centre;
-}
-
-/* Of all points of a cell that is clear: their words have one letter, that of the centre at the
- * beginning of the motion. NONE if that is not certain. */
-static graze_pmc membership_of_clear(const bricklayer *b, const point_box *points) {
-    filter_workspace *w = filter_workspace_of(b->context);
-    filter_point centre = centre_of(points);
-    if (!w)
-        return GRAZE_PMC_NONE;
-    filter_begin(w);
-    graze_state state = filter_locate(w, &b->scene->filter, 0, &centre, 0);
-    return state == GRAZE_STATE_I ? GRAZE_IN : state == GRAZE_STATE_O ? GRAZE_OUT : GRAZE_PMC_NONE;
-}
-
-/* All contacts of the centre; NULL if the filter cannot be used for it. */
-static const findings *search_centre(const bricklayer *b, const point_box *points) {
-    filter_workspace *w = filter_workspace_of(b->context);
-    filter_point centre = centre_of(points);
-    if (w)
-        filter_begin(w);
-    return w && filter_search(w, NULL, NULL, &b->scene->filter, &centre) ? &w->found : NULL;
-}
-
-/* Places that the points of a part are perhaps joined with. */
-typedef struct anchors {
-    anchor item[STAYS_MOST];
-    int count;
-} anchors;
-
-/* Those of the centre of a cell that have crossings; else nothing is changed. */
-static void find_anchors(anchors *out, bricklayer *b, const point_box *points) {
-    stay when[STAYS_MOST];
-    const findings *found = search_centre(b, points);
-    int count = found ? stays_find(when, found, b->scene->motion->piece_count,
-                                   b->scene->options.operation == GRAZE_UNSWEEP)
-                      : 0;
-    if (count)
-        out->count = 0;
-    for (int k = 0; k < count; k++)
-        out->count +=
-            point_box_anchor(&out->item[out->count], &b->tube, &b->scene->filter, &when[k]);
-}
-
-static int joins_anchors(bricklayer *b, const point_box *points, const anchors *near) {
-    for (int k = 0; k < near->count; k++)
-        if (point_box_joins(&b->tube, &b->scene->filter, points, &near->item[k]))
-            return 1;
-    return 0;
-}
-
-/* Membership of a point, given the deciding state. */
-static graze_pmc membership_proved(const bricklayer *b) {
-    return b->scene->options.operation == GRAZE_UNSWEEP ? GRAZE_OUT : GRAZE_IN;
-}
-
-/* The membership of all points of a cell; NONE if it is not known to be one (proofs/cells.md
- * C76).
- * @param[in,out] near those of a cell around it; its own where it has some
- * @param smallest its points are next: then those around it must do, since a search costs as much
- * as some points */
-static graze_pmc decide_cell(bricklayer *b, const point_box *points, anchors *near, int smallest) {
-    const filter *f = &b->scene->filter;
-    if (!point_box_begin(&b->tube, f, points))
-        return GRAZE_PMC_NONE;
-    if (near->count ? joins_anchors(b, points, near)
-                    : point_box_is_settled(&b->tube, f, points, &b->time))
-        return membership_proved(b);
-    if (point_box_is_clear(&b->tube, f, points))
-        return membership_of_clear(b, points);
-    if (smallest)
-        return GRAZE_PMC_NONE;
-    find_anchors(near, b, points);
-    return joins_anchors(b, points, near) ? membership_proved(b) : GRAZE_PMC_NONE;
 }
 
 /* The byte of a point of the brick. */
@@ -141,7 +58,7 @@ static graze_status ask_point(bricklayer *b, const size_t at[3]) {
     graze_trace trace;
     for (int k = 0; k < b->dimension; k++)
         point[k] = b->exact[k][at[k] - b->whole->first[k]];
-    graze_status status = classify_point(&trace, b->context, b->scene,
+    graze_status status = classify_point(&trace, b->ask.context, b->ask.scene,
                                          (query_point){.rational = point}, TRACE_PMC_BESIDE);
     if (status)
         return status == GRAZE_ECANCELED || status == GRAZE_ESYSTEM ? status : GRAZE_OK;
@@ -157,7 +74,8 @@ static int point_joins(bricklayer *b, const size_t at[3], const anchors *near) {
     if (!near->count)
         return 0;
     make_cell(&point, b, &alone);
-    return point_box_begin(&b->tube, &b->scene->filter, &point) && joins_anchors(b, &point, near);
+    return point_box_begin(&b->ask.tube, &b->ask.scene->filter, &point) &&
+           cell_joins(&b->ask, &point, near);
 }
 
 static graze_status ask_points(bricklayer *b, const brick *part, const anchors *near) {
@@ -166,7 +84,7 @@ static graze_status ask_points(bricklayer *b, const brick *part, const anchors *
     memcpy(at, part->first, sizeof at);
     do
         if (point_joins(b, at, near))
-            *byte_of(b, at) = (unsigned char)membership_proved(b);
+            *byte_of(b, at) = (unsigned char)cell_membership_proved(&b->ask);
         else
             status = ask_point(b, at);
     while (!status && next_place(at, part));
@@ -205,7 +123,7 @@ static graze_status decide_part(bricklayer *b, const brick *part, const anchors 
     if (most < LEAST_SIDE)
         return ask_points(b, part, &near);
     make_cell(&points, b, part);
-    graze_pmc pmc = decide_cell(b, &points, &near, most <= LEAST_SIDE);
+    graze_pmc pmc = cell_decide(&b->ask, &points, &near, most <= LEAST_SIDE);
     if (pmc != GRAZE_PMC_NONE) {
         fill_part(b, part, pmc);
         return GRAZE_OK;
@@ -235,18 +153,17 @@ static void set_coordinates(bricklayer *b, const lattice *l) {
 
 graze_status brick_decide(unsigned char pmc[BRICK_POINTS], graze_context *context,
                           const graze_scene *scene, const lattice *l, const brick *points) {
-    bricklayer b = {
-        .pmc = pmc, .context = context, .scene = scene, .whole = points, .dimension = l->dimension};
+    bricklayer b = {.pmc = pmc, .whole = points, .dimension = l->dimension};
     memset(pmc, 0, BRICK_POINTS);
     graze_status status = context_poll(context);
     if (status)
         return status;
-    curve_init(&b.tube);
+    cell_asker_init(&b.ask, context, scene);
     set_coordinates(&b, l);
     anchors none = {.count = 0};
     status = context->exact_only ? ask_points(&b, points, &none) : decide_part(&b, points, &none);
     for (int k = 0; k < l->dimension; k++)
         _fmpq_vec_clear(b.exact[k], (slong)(points->end[k] - points->first[k]));
-    curve_clear(&b.tube);
+    cell_asker_clear(&b.ask);
     return status;
 }

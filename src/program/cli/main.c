@@ -12,7 +12,7 @@ static const command *const commands[] = {
     &command_check, &command_classify, &command_merge,    &command_explain, &command_generate,
     &command_cases, &command_compare,  &command_validate, &command_motion,  &command_boundary,
     &command_draw,  &command_certify,  &command_convert,  &command_contact, &command_envelope,
-    &command_mend,  &command_solid,    &command_collide};
+    &command_mend,  &command_solid,    &command_collide,  &command_judge};
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
 static const char overview[] =

@@ -1,0 +1,130 @@
+/* graze/judge.h - how far a mesh is from the boundary of a sweep, with proof.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * W is the closed sweep, the union of all M(t) S. What is given is a mesh of triangles that is to
+ * be its boundary, of which nothing is assumed (proofs/judging.md).
+ */
+#ifndef GRAZE_JUDGE_H
+#define GRAZE_JUDGE_H
+
+#include <graze/core.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** A mesh of facets in E^3; it may be open, cross itself, have no orientation, or be empty. */
+typedef struct graze_mesh graze_mesh;
+typedef struct graze_judgement graze_judgement;
+
+/** How a mesh tells its inside. */
+typedef enum graze_mesh_rule {
+    GRAZE_MESH_NONE = 0,   /**< it does not: some edge has an odd number of triangles */
+    GRAZE_MESH_PARITY = 1, /**< by parity: all edges have an even number, but they do not cancel */
+    GRAZE_MESH_WINDING = 2 /**< where the winding number is not 0: every edge is run through as
+                              often one way as the other */
+} graze_mesh_rule;
+
+/** Facts of a mesh. Vertices at one position count as one. */
+typedef struct graze_mesh_facts {
+    size_t vertices, facets; /**< as given */
+    size_t triangles;        /**< after facets were cut; those without area are left out, */
+    size_t flat;             /**< and counted here */
+    size_t components;       /**< joined by edges */
+    size_t odd_edges;        /**< with an odd number of triangles: 0 if the mesh is closed */
+    size_t unbalanced_edges; /**< that do not cancel: 0 if it is closed and oriented */
+    graze_mesh_rule rule;
+} graze_mesh_facts;
+
+/**
+ * Read a mesh from a file of any format that solids in E^3 have; what it lacks is no error.
+ * @param flags 0 or GRAZE_SOLID_TRIANGULATE: facets that are not planar are cut into fans
+ * @return GRAZE_ESYSTEM the file cannot be read; GRAZE_EINPUT it does not follow its format;
+ * GRAZE_EILLEGAL a facet is not planar or not simple; GRAZE_ELIMIT; GRAZE_ECANCELED
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_mesh_read(graze_mesh **out, graze_context *context,
+                                                     const char *path, unsigned flags);
+/**
+ * Make a mesh of triangles from arrays, which are copied.
+ * @param vertices 3 vertex_count finite doubles, which mean exactly what they are
+ * @param triangles 3 triangle_count numbers of vertices, from 0
+ * @return GRAZE_EINPUT a number that is not finite, or of no vertex; GRAZE_EUSE; GRAZE_ELIMIT
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_mesh_create(graze_mesh **out, graze_context *context,
+                                                       const double *vertices, size_t vertex_count,
+                                                       const size_t *triangles,
+                                                       size_t triangle_count);
+/** Free a mesh; judgements that borrow it are freed before. NULL is allowed. */
+GRAZE_API void graze_mesh_destroy(graze_mesh *mesh);
+/** Facts of a mesh; zeros for NULL. */
+GRAZE_API graze_mesh_facts graze_mesh_get_facts(const graze_mesh *mesh);
+/** The volume of a mesh, the integral of its winding number. @return 0, and sets nothing, where the
+ * rule is not GRAZE_MESH_WINDING, and for NULL */
+GRAZE_API int graze_mesh_volume(mpq_t out, const graze_mesh *mesh);
+/** Coordinates of vertex `index`; unchanged past the end and for NULL.
+ * @param[out] point 3 initialised rationals */
+GRAZE_API void graze_mesh_vertex(mpq_t *point, const graze_mesh *mesh, size_t index);
+
+/** Options of a judgement (rule 6). */
+typedef struct graze_judge_options {
+    size_t size;          /**< sizeof(graze_judge_options) */
+    double within;        /**< greatest width of the distances' enclosures; positive, finite */
+    unsigned long budget; /**< cubes and points that may be asked about; 0: 10^7 */
+} graze_judge_options;
+
+/** Distance that is judged. */
+typedef enum graze_judged {
+    GRAZE_JUDGED_OUTSIDE = 0, /**< of the mesh outside the sweep: the greatest from W */
+    GRAZE_JUDGED_INSIDE = 1,  /**< of the mesh inside the sweep: the greatest from W's complement */
+    GRAZE_JUDGED_SWEEP = 2,   /**< of the boundary of W: the greatest from the mesh */
+    GRAZE_JUDGED_COUNT = 3
+} graze_judged;
+
+/** The greatest of some distances: low <= it <= high. From an empty mesh it is infinite. */
+typedef struct graze_judged_distance {
+    double low, high;
+    double at[3];   /**< a point at which it is at least `low`, to a share of the width asked for:
+                       of the mesh, or of the boundary of W; zeros where low is 0 */
+    double open[3]; /**< where it is perhaps `high` */
+    int reached;    /**< 1: high - low is at most what was asked for */
+    int stuck;      /**< 1: near `open` nothing more can be told; a seam of the sweep is perhaps
+                       there, where its copies touch and cover a neighbourhood together */
+} graze_judged_distance;
+
+/**
+ * Judge a mesh against the sweep of a polyhedron in E^3. Scene and mesh are borrowed, and outlive
+ * the judgement. Bounds are proved (proofs/judging.md C117 to C119); a smaller width or a larger
+ * budget never gives wider ones that contradict.
+ * @return GRAZE_EUSE; GRAZE_EINPUT a curved solid; GRAZE_EILLEGAL a scene in E^2, or an unsweep;
+ * GRAZE_ELIMIT numbers beyond those of graze_distances; GRAZE_ECANCELED; GRAZE_ESYSTEM
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_judge(graze_judgement **out, graze_context *context,
+                                                 const graze_scene *scene, const graze_mesh *mesh,
+                                                 const graze_judge_options *options);
+/** Free a judgement. NULL is allowed. */
+GRAZE_API void graze_judgement_destroy(graze_judgement *judgement);
+/** A distance; zeros for NULL. */
+GRAZE_API graze_judged_distance graze_judgement_distance(const graze_judgement *judgement,
+                                                         graze_judged which);
+/** The volume of W is between these, exactly. Unchanged for NULL.
+ * @param[out] low, high initialised */
+GRAZE_API void graze_judgement_volume(mpq_t low, mpq_t high, const graze_judgement *judgement);
+/** Cubes and points that were asked about; 0 for NULL. */
+GRAZE_API unsigned long graze_judgement_cost(const graze_judgement *judgement);
+
+/** Form of a report. */
+typedef enum graze_judgement_format {
+    GRAZE_JUDGEMENT_TEXT = 0,
+    GRAZE_JUDGEMENT_MARKDOWN = 1,
+    GRAZE_JUDGEMENT_JSON = 2
+} graze_judgement_format;
+
+/** Report of a judgement, text for graze_free. @return GRAZE_EUSE, GRAZE_ESYSTEM */
+GRAZE_API GRAZE_CHECKED graze_status graze_judgement_report(char **out, graze_context *context,
+                                                            const graze_judgement *judgement,
+                                                            graze_judgement_format format);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

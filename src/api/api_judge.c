@@ -1,0 +1,244 @@
+/* The public functions of meshes that are judged. SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <stdlib.h>
+#include "api/api.h"
+#include "base/context/environment.h"
+#include "base/number/rounding.h"
+#include "input/read/read.h"
+#include "output/report/judge_report.h"
+#include "questions/judge/judge.h"
+
+enum { DEFAULT_BUDGET = 10000000 };
+
+/* Take the soup over, and make a mesh of it. */
+static graze_status make_mesh(graze_mesh **out, graze_context *context, soup *input,
+                              unsigned flags) {
+    graze_mesh *made = calloc(1, sizeof *made);
+    if (!made) {
+        soup_clear(input);
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    }
+    made->input = *input;
+    graze_status status = made->input.dimension == 3
+                              ? judged_mesh_make(&made->judged, context, &made->input, flags)
+                              : context_fail(context, GRAZE_EINPUT,
+                                             "polygons in the plane; expected a mesh in space");
+    if (status)
+        graze_mesh_destroy(made);
+    else
+        *out = made;
+    return status;
+}
+
+graze_status graze_mesh_read(graze_mesh **out, graze_context *context, const char *path,
+                             unsigned flags) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !path)
+        return api_misuse(context, "graze_mesh_read", "out, context and path must not be NULL");
+    if (flags & ~GRAZE_SOLID_TRIANGULATE)
+        return api_misuse(context, "graze_mesh_read", "an unknown flag is set");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    soup input;
+    graze_status status = soup_read(&input, context, path);
+    if (status)
+        return status;
+    status = make_mesh(out, context, &input, flags);
+    return status ? context_in(context, status, path, 0) : GRAZE_OK;
+}
+
+static graze_status take_vertices(soup *s, graze_context *context, const double *vertices,
+                                  size_t count) {
+    fmpq point[3];
+    graze_status status = GRAZE_OK;
+    for (int k = 0; k < 3; k++)
+        fmpq_init(point + k);
+    for (size_t v = 0; v < count && !status; v++) {
+        for (size_t k = 0; k < 3 && !status; k++)
+            status = api_coordinate(context,
+                                    rational_from_double(point + k, context, vertices[3 * v + k]),
+                                    "vertex", v, k);
+        if (!status)
+            status = soup_add_vertex(s, context, point);
+    }
+    for (int k = 0; k < 3; k++)
+        fmpq_clear(point + k);
+    return status;
+}
+
+static graze_status take_triangles(soup *s, graze_context *context, const size_t *triangles,
+                                   size_t count) {
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < 3 * count && !status; k++) {
+        if (triangles[k] >= s->vertex_count)
+            return context_item(context,
+                                context_fail(context, GRAZE_EINPUT,
+                                             "vertex %zu of %zu; expected a number below that",
+                                             triangles[k], s->vertex_count),
+                                "triangle", k / 3, NULL);
+        if (k % 3 == 0)
+            status = soup_add_facet(s, context);
+        if (!status && k % 3 == 0)
+            status = soup_add_cycle(s, context, triangles + k, 0);
+        if (!status)
+            status = soup_add_index(s, context, triangles[k]);
+    }
+    return status;
+}
+
+graze_status graze_mesh_create(graze_mesh **out, graze_context *context, const double *vertices,
+                               size_t vertex_count, const size_t *triangles,
+                               size_t triangle_count) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || (!vertices && vertex_count) || (!triangles && triangle_count))
+        return api_misuse(context, "graze_mesh_create",
+                          "out, context, vertices and triangles must not be NULL");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    soup input;
+    soup_init(&input, 3);
+    graze_status status = take_vertices(&input, context, vertices, vertex_count);
+    if (!status)
+        status = take_triangles(&input, context, triangles, triangle_count);
+    if (!status)
+        return make_mesh(out, context, &input, 0);
+    soup_clear(&input);
+    return status;
+}
+
+void graze_mesh_destroy(graze_mesh *mesh) {
+    if (!mesh)
+        return;
+    judged_mesh_clear(&mesh->judged);
+    soup_clear(&mesh->input);
+    free(mesh);
+}
+
+graze_mesh_facts graze_mesh_get_facts(const graze_mesh *mesh) {
+    graze_mesh_facts out = {0};
+    if (!mesh)
+        return out;
+    const judged_mesh *m = &mesh->judged;
+    out.vertices = mesh->input.vertex_count;
+    out.facets = mesh->input.facet_count;
+    out.triangles = m->cut.count;
+    out.flat = m->flat_count;
+    out.components = m->cut.component_count;
+    out.odd_edges = m->open.odd_count;
+    out.unbalanced_edges = m->open.unbalanced_count;
+    out.rule = (graze_mesh_rule)m->rule;
+    return out;
+}
+
+int graze_mesh_volume(mpq_t out, const graze_mesh *mesh) {
+    if (!mesh || mesh->judged.rule != MESH_RULE_WINDING)
+        return 0;
+    api_rational_out(out, mesh->judged.volume);
+    return 1;
+}
+
+void graze_mesh_vertex(mpq_t *point, const graze_mesh *mesh, size_t index) {
+    if (!mesh || index >= mesh->input.vertex_count)
+        return;
+    for (size_t k = 0; k < 3; k++)
+        fmpq_get_mpq(point[k], mesh->input.coordinates + 3 * index + k);
+}
+
+static graze_status check_judged(graze_context *context, const graze_scene *scene,
+                                 const graze_judge_options *o) {
+    if (!(o->within > 0 && isfinite(o->within)))
+        return api_misuse(context, "graze_judge", "options.within must be positive and finite");
+    if (scene->solid->curved)
+        return api_curved(context, "graze_judge");
+    if (scene->motion->dimension != 3)
+        return context_fail(context, GRAZE_EILLEGAL,
+                            "a scene in the plane; expected one in space to judge a mesh by");
+    if (scene->options.operation == GRAZE_UNSWEEP)
+        return context_fail(context, GRAZE_EILLEGAL,
+                            "an unsweep; expected a sweep to judge a mesh by");
+    return GRAZE_OK;
+}
+
+graze_status graze_judge(graze_judgement **out, graze_context *context, const graze_scene *scene,
+                         const graze_mesh *mesh, const graze_judge_options *options) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !scene || !mesh || !options)
+        return api_misuse(context, "graze_judge",
+                          "out, context, scene, mesh and options must not be NULL");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    graze_judge_options checked;
+    graze_status status = api_options(&checked, sizeof checked, context, "graze_judge", options);
+    if (!status)
+        status = check_judged(context, scene, &checked);
+    graze_judgement *made = status ? NULL : calloc(1, sizeof *made);
+    if (!made)
+        return status ? status : context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    made->mesh = mesh;
+    status = suprema_find(&made->searched, context, scene, &mesh->judged, checked.within,
+                          checked.budget ? checked.budget : DEFAULT_BUDGET);
+    if (status)
+        graze_judgement_destroy(made);
+    else
+        *out = made;
+    return status;
+}
+
+void graze_judgement_destroy(graze_judgement *judgement) {
+    if (!judgement)
+        return;
+    suprema_clear(&judgement->searched);
+    free(judgement);
+}
+
+graze_judged_distance graze_judgement_distance(const graze_judgement *judgement,
+                                               graze_judged which) {
+    graze_judged_distance out = {0};
+    if (!judgement || (unsigned)which >= GRAZE_JUDGED_COUNT)
+        return out;
+    const supremum *s = &judgement->searched.found[which];
+    out.low = s->low;
+    out.high = s->high;
+    out.reached = s->reached;
+    out.stuck = s->stuck;
+    for (int k = 0; k < 3; k++) {
+        out.at[k] = s->at[k];
+        out.open[k] = s->open[k];
+    }
+    return out;
+}
+
+void graze_judgement_volume(mpq_t low, mpq_t high, const graze_judgement *judgement) {
+    if (!judgement)
+        return;
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    fmpq_t least, most;
+    fmpq_init(least);
+    fmpq_init(most);
+    band_volume(least, most, &judgement->searched.space);
+    api_rational_out(low, least);
+    api_rational_out(high, most);
+    fmpq_clear(least);
+    fmpq_clear(most);
+}
+
+unsigned long graze_judgement_cost(const graze_judgement *judgement) {
+    return judgement ? judgement->searched.space.decided + judgement->searched.asked : 0;
+}
+
+graze_status graze_judgement_report(char **out, graze_context *context,
+                                    const graze_judgement *judgement,
+                                    graze_judgement_format format) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !judgement)
+        return api_misuse(context, "graze_judgement_report",
+                          "out, context and judgement must not be NULL");
+    if ((unsigned)format > GRAZE_JUDGEMENT_JSON)
+        return api_misuse(context, "graze_judgement_report", "there is no such format");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    text t;
+    text_init(&t);
+    judge_report(&t, judgement, format);
+    return text_finish(out, context, &t);
+}

@@ -1,0 +1,250 @@
+/* The simplices near a part of the time, which is halved until their velocities have certain signs
+ * and those that differ have no place in common near the cell.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "decide/filter/cell_passes.h"
+
+#include "decide/filter/chord.h"
+#include "decide/filter/common_place.h"
+#include "decide/filter/flip.h"
+#include "decide/filter/normal.h"
+
+/* Parts of time are cut to this level; simplices near one of them, and nodes visited for a cell. */
+enum { PASS_LEVELS = 20, PASS_NEAR = 64, PASS_VISITS = 30000 };
+
+/* A part whose curve is shorter than this share of the points' spread is not cut. */
+static const double LEAST_LENGTH = 0.25;
+
+/* A facet goes through the cell only along a longer part. */
+static const double LEAST_PIERCING = 1;
+
+/* A part of a node's tree, kept for the halves of a part of time. */
+typedef struct near_simplex {
+    uint32_t node, simplex;
+    unsigned inside; /* bits of side_of_contact */
+} near_simplex;
+
+typedef struct near_simplices {
+    int count, overflow; /* more than there is room for */
+    near_simplex item[PASS_NEAR];
+} near_simplices;
+
+/* On which sides of the time of a contact a trajectory is certainly inside. */
+enum side_of_contact { INSIDE_BEFORE = 1, INSIDE_AFTER = 2 };
+
+typedef struct passing {
+    curve *curve;
+    const filter *filter;
+    const point_box *points;
+    int failed, pierced, visits;
+    uint32_t sloped; /* the piece, plus 1, of which these are: */
+    double
+        slope[3]; /* what the velocity of a point can differ by from the centre's, a piece long */
+} passing;
+
+/* The greatest change of the map from coefficient to coefficient, over the cell. */
+static void find_slope(passing *p, uint32_t piece) {
+    const carrier *map = &p->curve->course->piece[piece];
+    int d = map->dimension, n = map->degree;
+    if (p->sloped == piece + 1)
+        return;
+    p->sloped = piece + 1;
+    for (int i = 0; i < d; i++) {
+        double sum = 0;
+        for (int j = 0; j < d; j++) {
+            const double *x = map->entry + (i * (d + 1) + j) * (n + 1);
+            double step = 0, size = fabs(x[0]);
+            for (int k = 0; k < n; k++) {
+                step = larger(step, fabs(x[k + 1] - x[k]));
+                size = larger(size, fabs(x[k + 1]));
+            }
+            sum += (step + 0x1p-50 * size + FILTER_FLOOR) * p->points->half[j];
+        }
+        p->slope[i] = FILTER_SLACK * sum + FILTER_FLOOR;
+    }
+}
+
+/* The sides of a contact with a simplex between control coefficients first and last of a part,
+ * as bits; 0 if none is certain. */
+static unsigned sides_of_contact(passing *p, const span *part, uint32_t simplex, int first,
+                                 int last) {
+    const corners *corners = &p->filter->solid->corners;
+    const double *v = corners->at + (size_t)simplex * 9;
+    shift_bound shift = curve_shift(p->curve, part);
+    normal n;
+    double size = 0, spread = 0, share = ldexp(1, -part->level);
+    unsigned sides = INSIDE_BEFORE | INSIDE_AFTER;
+    normal_space(&n, v, corners->error);
+    find_slope(p, part->piece);
+    for (int i = 0; i < 3; i++) {
+        size += fabs(n.at[i]);
+        spread += (fabs(n.at[i]) + n.error) * p->slope[i] * share;
+    }
+    double bound =
+        FILTER_SLACK * (spread + size * (2 * shift.error + 32 * UNIT_ROUNDING * shift.size) +
+                        6 * n.error * (shift.size + shift.error)) +
+        FILTER_FLOOR;
+    const double *w = curve_coefficients(p->curve, part, 3);
+    for (int k = first; k < last && sides; k++) {
+        double speed = 0;
+        for (int i = 0; i < 3; i++) {
+            const double *x = curve_coefficients(p->curve, part, i);
+            speed += n.at[i] * (x[k + 1] - x[k] - v[i] * (w[k + 1] - w[k]));
+        }
+        sides &= speed > bound ? INSIDE_BEFORE : speed < -bound ? INSIDE_AFTER : 0u;
+    }
+    return flip(FLIP_SPEED, sides != 0) ? sides ? sides : INSIDE_AFTER : 0u;
+}
+
+static void take_near_simplex(near_simplices *list, uint32_t node, uint32_t simplex) {
+    if (list->count == PASS_NEAR)
+        list->overflow = 1;
+    else
+        list->item[list->count++] = (near_simplex){.node = node, .simplex = simplex};
+}
+
+/* Those below a node that a thick span may meet. `pierces`: a facet is known to go through. */
+static void find_near(near_simplices *out, passing *p, uint32_t node, const span *wide,
+                      int *pierces) {
+    static const double none[3] = {0, 0, 0};
+    const corners *corners = &p->filter->solid->corners;
+    while (!out->overflow && !*pierces) {
+        const tree_node *here = &p->filter->solid->boxes.node[node];
+        p->visits++;
+        if (flip(FLIP_CELL, !span_meets(wide, &here->box)) ||
+            point_box_misses_slab(p->filter, wide, here, none))
+            return;
+        if (!here->child) {
+            chord_meeting found = chord_meets(
+                p->curve, wide, corners->at + (size_t)here->simplex * 9, corners->error);
+            *pierces |= flip(FLIP_PIERCE, found == CHORD_PIERCES);
+            if (found != CHORD_MISSES)
+                take_near_simplex(out, node, here->simplex);
+            return;
+        }
+        find_near(out, p, here->child, wide, pierces);
+        node = here->child + 1;
+    }
+}
+
+/* Whether a contact with all simplices near, at places that they have in common, leaves no doubt.
+ */
+static int contacts_are_certain(const passing *p, const near_simplices *near, const span *wide) {
+    for (int k = 0; k < near->count; k++) {
+        if (!near->item[k].inside)
+            return 0;
+        for (int l = 0; l < k; l++)
+            if (!(near->item[k].inside & near->item[l].inside) &&
+                common_place_is_near(p->filter->solid, wide, near->item[k].simplex,
+                                     near->item[l].simplex))
+                return 0;
+    }
+    return 1;
+}
+
+static void pass_part(passing *p, uint32_t index, const near_simplices *around);
+
+static void pass_halves(passing *p, uint32_t index, const near_simplices *around) {
+    if (!curve_cut(p->curve, index)) {
+        p->failed = p->visits = PASS_VISITS;
+        return;
+    }
+    uint32_t child = p->curve->spans[index].child;
+    for (uint32_t half = child; half < child + 2; half++)
+        pass_part(p, half, around);
+}
+
+/* How far the curve runs in a part, in its longest coordinate. */
+static double length_of_part(const span *part) {
+    return largest3(part->along) + part->bend;
+}
+
+/* A part of one piece, near which some simplices are. */
+static void pass_near(passing *p, uint32_t index, near_simplices *near, const span *wide,
+                      const double *spread) {
+    const span *part = &p->curve->spans[index];
+    double most = larger(spread[0], larger(spread[1], spread[2]));
+    for (int k = 0; k < near->count && !near->overflow && !p->failed; k++)
+        near->item[k].inside = sides_of_contact(p, part, near->item[k].simplex, 0, part->degree);
+    if (!p->failed && !near->overflow && contacts_are_certain(p, near, wide))
+        return;
+    double least = p->failed ? LEAST_PIERCING : LEAST_LENGTH;
+    if (part->level < PASS_LEVELS && length_of_part(part) > least * most) {
+        pass_halves(p, index, near->overflow ? NULL : near);
+        return;
+    }
+    p->failed = 1;
+    if (part->level < PASS_LEVELS && length_of_part(part) > LEAST_PIERCING * most)
+        pass_halves(p, index, near->overflow ? NULL : near);
+}
+
+/* `around`: the simplices near a longer part, or NULL. */
+static void pass_part(passing *p, uint32_t index, const near_simplices *around) {
+    const span *part = &p->curve->spans[index];
+    double spread[3];
+    near_simplices near = {.count = 0};
+    int pierces = 0;
+    if (p->pierced || p->visits >= PASS_VISITS)
+        return;
+    if (part->lost || (part->degree && !point_box_spread(spread, p->curve, p->points, part))) {
+        p->failed = 1;
+        return;
+    }
+    if (!part->bounded || !point_box_spread(spread, p->curve, p->points, part)) {
+        if (part->level < PASS_LEVELS)
+            pass_halves(p, index, around);
+        else
+            p->failed = 1;
+        return;
+    }
+    span wide = point_box_widen(part, spread);
+    for (int k = 0; around && k < around->count; k++)
+        find_near(&near, p, around->item[k].node, &wide, &pierces);
+    if (!around)
+        find_near(&near, p, 0, &wide, &pierces);
+    if (pierces && part->degree)
+        p->pierced = 1;
+    else if (near.count && !part->degree)
+        pass_halves(p, index, near.overflow || pierces ? NULL : &near);
+    else if (near.count)
+        pass_near(p, index, &near, &wide, spread);
+}
+
+/* Contacts at an end of a piece: inside before it by the piece before, or after it by the next. */
+static int joint_is_certain(passing *p, size_t joint) {
+    size_t pieces = p->curve->course->piece_count;
+    stay when = joint ? (stay){(uint32_t)(joint - 1), 1} : (stay){0, 0};
+    near_simplices near = {.count = 0};
+    int pierces = 0;
+    box around;
+    span wide;
+    if (!point_box_places(&around, p->curve, p->filter, &when, p->points->half))
+        return 0;
+    span_of_box(&wide, p->curve, &around);
+    find_near(&near, p, 0, &wide, &pierces);
+    if (near.overflow || pierces)
+        return 0;
+    for (int k = 0; k < near.count; k++) {
+        near_simplex *n = &near.item[k];
+        const span *before = joint ? curve_piece(p->curve, joint - 1) : NULL;
+        if (before && before->degree)
+            n->inside |=
+                sides_of_contact(p, before, n->simplex, before->degree - 1, before->degree) &
+                INSIDE_BEFORE;
+        const span *after = joint < pieces ? curve_piece(p->curve, joint) : NULL;
+        if (after && after->degree)
+            n->inside |= sides_of_contact(p, after, n->simplex, 0, 1) & INSIDE_AFTER;
+    }
+    return contacts_are_certain(p, &near, &wide);
+}
+
+cell_passage cell_passes(curve *memory, const filter *f, const point_box *points) {
+    passing p = {.curve = memory, .filter = f, .points = points};
+    pass_part(&p, 0, NULL);
+    if (p.pierced)
+        return CELL_PIERCED;
+    for (size_t k = 0; k <= memory->course->piece_count && !p.failed; k++)
+        p.failed |= !joint_is_certain(&p, k);
+    return p.failed || p.visits >= PASS_VISITS || memory->out_of_memory ? CELL_DOUBTFUL
+                                                                        : CELL_PASSES;
+}

@@ -1,0 +1,19 @@
+/* Whether all trajectories of a box of points go through the boundary, and none only touches it.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_FILTER_CELL_PASSES_H
+#define GRAZE_FILTER_CELL_PASSES_H
+
+#include "decide/filter/point_box.h"
+
+/** What is certain of a cell of a sweep in E^3 (proofs/judging.md C116). */
+typedef enum cell_passage {
+    CELL_DOUBTFUL, /* nothing */
+    CELL_PASSES,   /* no point of it is `on`, so all of them have one membership */
+    CELL_PIERCED   /* all of them are `in`: a facet goes through the whole cell */
+} cell_passage;
+
+/** @param memory set to the cell (point_box_begin) */
+cell_passage cell_passes(curve *memory, const filter *f, const point_box *points);
+
+#endif

@@ -1,0 +1,16 @@
+/* Whether places that two simplices of the boundary share can be on a thick chord.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_FILTER_COMMON_PLACE_H
+#define GRAZE_FILTER_COMMON_PLACE_H
+
+#include "decide/filter/curve.h"
+#include "input/solid/solid.h"
+
+/**
+ * @param wide a bounded span; its set counts, made as thick as the cell (point_box_widen)
+ * @return 0 if certainly no place of the set is on both closed triangles (proofs/judging.md C116)
+ */
+int common_place_is_near(const graze_solid *solid, const span *wide, uint32_t a, uint32_t b);
+
+#endif

@@ -1,0 +1,83 @@
+/* All contacts of a cell's points missed together, or all of its points joined with a place.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "decide/lattice/cell_asker.h"
+
+#include <string.h>
+#include "decide/filter/time_ray.h"
+
+void cell_asker_init(cell_asker *out, graze_context *context, const graze_scene *scene) {
+    *out = (cell_asker){.context = context, .scene = scene};
+    curve_init(&out->tube);
+}
+
+void cell_asker_clear(cell_asker *a) {
+    curve_clear(&a->tube);
+}
+
+static filter_point centre_of(const point_box *points) {
+    filter_point centre;
+    memcpy(centre.at, points->centre, sizeof centre.at);
+    return centre;
+}
+
+/* Of all points of a cell that is clear: their words have one letter, that of the centre at the
+ * beginning of the motion. NONE if that is not certain. */
+static graze_pmc membership_of_clear(const cell_asker *a, const point_box *points) {
+    filter_workspace *w = filter_workspace_of(a->context);
+    filter_point centre = centre_of(points);
+    if (!w)
+        return GRAZE_PMC_NONE;
+    filter_begin(w);
+    graze_state state = filter_locate(w, &a->scene->filter, 0, &centre, 0);
+    return state == GRAZE_STATE_I ? GRAZE_IN : state == GRAZE_STATE_O ? GRAZE_OUT : GRAZE_PMC_NONE;
+}
+
+/* All contacts of the centre; NULL if the filter cannot be used for it. */
+static const findings *search_centre(const cell_asker *a, const point_box *points) {
+    filter_workspace *w = filter_workspace_of(a->context);
+    filter_point centre = centre_of(points);
+    if (w)
+        filter_begin(w);
+    return w && filter_search(w, NULL, NULL, &a->scene->filter, &centre) ? &w->found : NULL;
+}
+
+/* Those of the centre of a cell that have crossings; else nothing is changed. */
+static void find_anchors(anchors *out, cell_asker *a, const point_box *points) {
+    stay when[STAYS_MOST];
+    const findings *found = search_centre(a, points);
+    int count = found ? stays_find(when, found, a->scene->motion->piece_count,
+                                   a->scene->options.operation == GRAZE_UNSWEEP)
+                      : 0;
+    if (count)
+        out->count = 0;
+    for (int k = 0; k < count; k++)
+        out->count +=
+            point_box_anchor(&out->item[out->count], &a->tube, &a->scene->filter, &when[k]);
+}
+
+int cell_joins(cell_asker *a, const point_box *points, const anchors *near) {
+    for (int k = 0; k < near->count; k++)
+        if (point_box_joins(&a->tube, &a->scene->filter, points, &near->item[k]))
+            return 1;
+    return 0;
+}
+
+graze_pmc cell_membership_proved(const cell_asker *a) {
+    return a->scene->options.operation == GRAZE_UNSWEEP ? GRAZE_OUT : GRAZE_IN;
+}
+
+graze_pmc cell_decide(cell_asker *a, const point_box *points, anchors *near, int smallest) {
+    const filter *f = &a->scene->filter;
+    if (!point_box_begin(&a->tube, f, points))
+        return GRAZE_PMC_NONE;
+    if (near->count ? cell_joins(a, points, near)
+                    : point_box_is_settled(&a->tube, f, points, &a->time))
+        return cell_membership_proved(a);
+    if (point_box_is_clear(&a->tube, f, points))
+        return membership_of_clear(a, points);
+    if (smallest)
+        return GRAZE_PMC_NONE;
+    find_anchors(near, a, points);
+    return cell_joins(a, points, near) ? cell_membership_proved(a) : GRAZE_PMC_NONE;
+}

@@ -1,0 +1,244 @@
+/* Text, Markdown and JSON of a judgement. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "output/report/judge_report.h"
+
+#include <math.h>
+#include "base/number/rounding.h"
+#include "output/report/enclosure.h"
+#include "output/report/json_values.h"
+
+static const char *const titles[GRAZE_JUDGED_COUNT] = {"mesh outside the sweep, from the sweep",
+                                                       "mesh inside the sweep, from the outside",
+                                                       "boundary of the sweep, from the mesh"};
+
+static const char *const keys[GRAZE_JUDGED_COUNT] = {"mesh_to_sweep_outside",
+                                                     "mesh_to_sweep_inside", "sweep_to_mesh"};
+
+typedef struct bounds {
+    char low[BOUND_ROOM], high[BOUND_ROOM];
+} bounds;
+
+static void set_bounds(bounds *out, double low, double high) {
+    report_bound(out->low, low, 0);
+    report_bound(out->high, high, 1);
+}
+
+static void bounds_of_rationals(bounds *out, const fmpq_t low, const fmpq_t high) {
+    double least, most, unused;
+    rational_bounds(&least, &unused, low);
+    rational_bounds(&unused, &most, high);
+    set_bounds(out, least, most);
+}
+
+static void volume_of_sweep(bounds *out, const graze_judgement *j) {
+    fmpq_t low, high;
+    fmpq_init(low);
+    fmpq_init(high);
+    band_volume(low, high, &j->searched.space);
+    bounds_of_rationals(out, low, high);
+    fmpq_clear(low);
+    fmpq_clear(high);
+}
+
+static int is_reached(const graze_judgement *j) {
+    int reached = 1;
+    for (int k = 0; k < SUPREMUM_COUNT; k++)
+        reached &= j->searched.found[k].reached;
+    return reached;
+}
+
+/* What an edge lacks: as many triangles one way as the other. */
+static void put_edges(text *t, const judged_mesh *m) {
+    for (size_t k = 0; k < m->open.kept_count; k++)
+        text_format(t, "%s%u-%u (%zu and %zu)", k ? ", " : ": ", m->open.kept[k].from,
+                    m->open.kept[k].to, m->open.kept[k].forward, m->open.kept[k].backward);
+    size_t all = m->rule == MESH_RULE_NONE ? m->open.odd_count : m->open.unbalanced_count;
+    text_put(t, all > m->open.kept_count ? ", ...\n" : "\n");
+}
+
+static void put_mesh(text *t, const graze_judgement *j, const char *bullet) {
+    const judged_mesh *m = &j->mesh->judged;
+    text_format(t, "%smesh: %zu triangles, %zu component%s", bullet, m->cut.count,
+                m->cut.component_count, m->cut.component_count == 1 ? "" : "s");
+    if (m->flat_count)
+        text_format(t, ", %zu more without area", m->flat_count);
+    text_put(t, m->cut.count == 0              ? ", empty\n"
+                : m->rule == MESH_RULE_WINDING ? ", closed and oriented\n"
+                : m->rule == MESH_RULE_PARITY  ? ", closed, not oriented; inside by parity, no "
+                                                 "volume\n"
+                                               : ", open: it has no inside and no volume\n");
+    if (m->rule == MESH_RULE_WINDING)
+        return;
+    text_format(t, "%sedges, by vertices, with the number of triangles each way", bullet);
+    put_edges(t, m);
+}
+
+static void put_spot(text *t, const double *at) {
+    text_format(t, "(%.9g, %.9g, %.9g)", at[0], at[1], at[2]);
+}
+
+static void put_greatest(text *t, const graze_judgement *j, graze_judged which) {
+    const supremum *s = &j->searched.found[which];
+    bounds b;
+    set_bounds(&b, s->low, s->high);
+    if (isinf(s->low)) {
+        text_put(t, "infinite: the mesh is empty");
+        return;
+    }
+    text_format(t, "[%s, %s]", b.low, b.high);
+    if (s->low > 0) {
+        text_put(t, " at ");
+        put_spot(t, s->at);
+    }
+    if (s->reached)
+        return;
+    text_put(t, s->stuck ? "; open near " : "; the budget is spent, open near ");
+    put_spot(t, s->open);
+    if (s->stuck)
+        text_put(t, ", perhaps a seam of the sweep");
+}
+
+static void put_volumes(text *t, const graze_judgement *j, const char *bullet) {
+    bounds b;
+    volume_of_sweep(&b, j);
+    text_format(t, "%svolume of the sweep: [%s, %s]\n", bullet, b.low, b.high);
+    if (j->mesh->judged.rule != MESH_RULE_WINDING)
+        return;
+    bounds_of_rationals(&b, j->mesh->judged.volume, j->mesh->judged.volume);
+    text_format(t, "%svolume of the mesh: [%s, %s]\n", bullet, b.low, b.high);
+}
+
+static void put_reached(text *t, const graze_judgement *j, const char *bullet) {
+    char within[BOUND_ROOM];
+    report_width(within, j->searched.within, 1);
+    text_format(t, "%swidth %s %s; %zu cubes and points asked\n", bullet, within,
+                is_reached(j) ? "reached" : "not reached",
+                j->searched.space.decided + j->searched.asked);
+}
+
+static void put_text(text *t, const graze_judgement *j) {
+    put_mesh(t, j, "");
+    text_put(t, "greatest distances:\n");
+    for (int k = 0; k < GRAZE_JUDGED_COUNT; k++) {
+        text_format(t, "  %s: ", titles[k]);
+        put_greatest(t, j, (graze_judged)k);
+        text_put(t, "\n");
+    }
+    put_volumes(t, j, "");
+    put_reached(t, j, "");
+}
+
+static void put_markdown(text *t, const graze_judgement *j) {
+    put_mesh(t, j, "- ");
+    put_volumes(t, j, "- ");
+    put_reached(t, j, "- ");
+    text_put(t, "\n| greatest distance of the | enclosure |\n|---|---|\n");
+    for (int k = 0; k < GRAZE_JUDGED_COUNT; k++) {
+        text_format(t, "| %s | ", titles[k]);
+        put_greatest(t, j, (graze_judged)k);
+        text_put(t, " |\n");
+    }
+}
+
+static void json_bool(json_writer *w, const char *key, int value) {
+    json_number(w, key, value ? "true" : "false");
+}
+
+static void json_place(json_writer *w, const char *key, const double *at) {
+    char digits[BOUND_ROOM];
+    json_open(w, key, '[');
+    for (int k = 0; k < 3; k++) {
+        snprintf(digits, sizeof digits, "%.17g", at[k]);
+        json_number(w, NULL, digits);
+    }
+    json_close(w, ']');
+}
+
+static void json_greatest(json_writer *w, const graze_judgement *j, graze_judged which) {
+    const supremum *s = &j->searched.found[which];
+    bounds b;
+    if (isinf(s->low)) {
+        json_text(w, keys[which], NULL);
+        return;
+    }
+    set_bounds(&b, s->low, s->high);
+    json_open(w, keys[which], '{');
+    json_number(w, "low", b.low);
+    json_number(w, "high", b.high);
+    if (s->low > 0)
+        json_place(w, "at", s->at);
+    else
+        json_text(w, "at", NULL);
+    json_bool(w, "reached", s->reached);
+    if (!s->reached) {
+        json_place(w, "open", s->open);
+        json_bool(w, "stuck", s->stuck);
+    }
+    json_close(w, '}');
+}
+
+static void json_mesh(json_writer *w, const graze_judgement *j) {
+    const judged_mesh *m = &j->mesh->judged;
+    json_open(w, "mesh", '{');
+    json_count(w, "facets", j->mesh->input.facet_count);
+    json_count(w, "triangles", m->cut.count);
+    json_count(w, "flat", m->flat_count);
+    json_bool(w, "closed", m->rule != MESH_RULE_NONE);
+    json_bool(w, "oriented", m->rule == MESH_RULE_WINDING);
+    json_count(w, "components", m->cut.component_count);
+    json_text(w, "rule", mesh_rule_name(m->rule));
+    json_count(w, "odd-edges", m->open.odd_count);
+    json_count(w, "unbalanced-edges", m->open.unbalanced_count);
+    json_open(w, "edges", '[');
+    for (size_t k = 0; k < m->open.kept_count; k++) {
+        json_open(w, NULL, '[');
+        json_count(w, NULL, m->open.kept[k].from);
+        json_count(w, NULL, m->open.kept[k].to);
+        json_close(w, ']');
+    }
+    json_close(w, ']');
+    json_close(w, '}');
+}
+
+static void json_volume(json_writer *w, const graze_judgement *j) {
+    bounds b;
+    json_open(w, "volume", '{');
+    volume_of_sweep(&b, j);
+    json_open(w, "sweep", '{');
+    json_number(w, "low", b.low);
+    json_number(w, "high", b.high);
+    json_close(w, '}');
+    if (j->mesh->judged.rule == MESH_RULE_WINDING)
+        json_rational(w, "mesh", j->mesh->judged.volume);
+    else
+        json_text(w, "mesh", NULL);
+    json_close(w, '}');
+}
+
+static void put_json(text *t, const graze_judgement *j) {
+    json_writer w = {.out = t};
+    char within[BOUND_ROOM];
+    report_width(within, j->searched.within, 1);
+    json_open(&w, NULL, '{');
+    json_mesh(&w, j);
+    json_open(&w, "distance", '{');
+    for (int k = 0; k < GRAZE_JUDGED_COUNT; k++)
+        json_greatest(&w, j, (graze_judged)k);
+    json_close(&w, '}');
+    json_volume(&w, j);
+    json_open(&w, "budget", '{');
+    json_number(&w, "within", within);
+    json_bool(&w, "reached", is_reached(j));
+    json_count(&w, "cells", j->searched.space.decided + j->searched.asked);
+    json_close(&w, '}');
+    json_close(&w, '}');
+    text_put(t, "\n");
+}
+
+void judge_report(text *out, const graze_judgement *judgement, graze_judgement_format format) {
+    if (format == GRAZE_JUDGEMENT_JSON)
+        put_json(out, judgement);
+    else if (format == GRAZE_JUDGEMENT_MARKDOWN)
+        put_markdown(out, judgement);
+    else
+        put_text(out, judgement);
+}

@@ -1,0 +1,276 @@
+/* Cubes are asked for as cells, by what joins them with a place of the solid, what misses them, and
+ * what goes through them. SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/judge/band.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include "base/context/array.h"
+#include "base/number/rounding.h"
+#include "decide/filter/cell_passes.h"
+#include "decide/scene/box.h"
+#include "decide/verdict/classify.h"
+
+/* Distances between doubles err by less than this share of themselves. */
+static const double ROUND_UP = 1 + 0x1p-48, ROUND_DOWN = 1 - 0x1p-48;
+
+/* The root's half side has few bits, and its centre few more, so that cubes below are exact. */
+enum { ROOT_BITS = 8 };
+
+double cube_radius(const cube *c) {
+    return c->half * 0x1.bb67ae8584cabp+0; /* the root of 3, and a little more */
+}
+
+static void choose_root(cube *root, const double *low, const double *high) {
+    double half = 0;
+    int exponent;
+    for (int k = 0; k < 3; k++)
+        half = fmax(half, 0.5 * (high[k] - low[k]));
+    (void)frexp(half * (1 + 0x1p-6), &exponent);
+    double unit = ldexp(1, exponent - ROOT_BITS);
+    root->half = (ceil(half * (1 + 0x1p-6) / unit) + 1) * unit;
+    for (int k = 0; k < 3; k++)
+        root->centre[k] = rint((0.5 * low[k] + 0.5 * high[k]) / unit) * unit;
+}
+
+graze_status band_init(band *b, graze_context *context, const graze_scene *scene) {
+    fmpq box_low[3], box_high[3];
+    double low[3], high[3], unused;
+    *b = (band){.count = 1};
+    cell_asker_init(&b->ask, context, scene);
+    graze_status status =
+        array_grow(context, &b->item, &b->capacity, 1, sizeof *b->item, "cubes of space");
+    if (status)
+        return status;
+    for (int k = 0; k < 3; k++) {
+        fmpq_init(box_low + k);
+        fmpq_init(box_high + k);
+    }
+    status = scene_box(box_low, box_high, context, scene);
+    for (int k = 0; k < 3; k++) {
+        rational_bounds(&low[k], &unused, box_low + k);
+        rational_bounds(&unused, &high[k], box_high + k);
+        fmpq_clear(box_low + k);
+        fmpq_clear(box_high + k);
+    }
+    b->item[0] = (cube){.kind = CUBE_BAND};
+    b->left[0] = 1;
+    if (!status)
+        choose_root(&b->item[0], low, high);
+    const cube *root = &b->item[0];
+    for (int k = 0; k < 3 && !status; k++)
+        if (!(fabs(root->centre[k]) + root->half <= CARRIER_REACH &&
+              fabs(root->centre[k]) <= 0x1p30 * root->half))
+            status = context_fail(context, GRAZE_ELIMIT,
+                                  "the sweep is 2^30 times as far from the origin as it is large, "
+                                  "or beyond 2^200: doubles do not cut it into cubes");
+    return status;
+}
+
+void band_clear(band *b) {
+    free(b->item);
+    cell_asker_clear(&b->ask);
+}
+
+/* The centre of a cube, asked exactly. */
+static graze_status ask_centre(graze_pmc *pmc, band *b, const cube *c) {
+    graze_verdict verdict;
+    graze_status status = classify_answer(&verdict, b->ask.context, b->ask.scene,
+                                          (query_point){.value = c->centre}, TRACE_PMC_BESIDE);
+    if (!status)
+        *pmc = verdict.pmc;
+    return status;
+}
+
+static graze_status decide_cube(band *b, cube *c) {
+    const filter *f = &b->ask.scene->filter;
+    point_box points = {.half = {c->half, c->half, c->half}};
+    anchors near = {.count = 0};
+    for (int k = 0; k < 3; k++)
+        points.centre[k] = c->centre[k];
+    b->decided++;
+    graze_pmc pmc = cell_decide(&b->ask, &points, &near, 0);
+    if (pmc == GRAZE_PMC_NONE && point_box_begin(&b->ask.tube, f, &points)) {
+        cell_passage found = cell_passes(&b->ask.tube, f, &points);
+        graze_status status = found == CELL_PASSES ? ask_centre(&pmc, b, c) : GRAZE_OK;
+        if (status)
+            return status;
+        if (found == CELL_PIERCED)
+            pmc = GRAZE_IN;
+    }
+    c->kind = pmc == GRAZE_IN ? CUBE_IN : pmc == GRAZE_OUT ? CUBE_OUT : CUBE_BAND;
+    return GRAZE_OK;
+}
+
+/* What is below the cubes around one that was cut. */
+static void tell_parents(band *b, uint32_t index) {
+    for (;;) {
+        unsigned char below = 0;
+        for (int k = 0; k < 8; k++)
+            below |= b->item[b->item[index].child + (uint32_t)k].kind;
+        int same = below == b->item[index].kind;
+        b->item[index].kind = below;
+        if (same || index == 0)
+            return;
+        index = b->item[index].parent;
+    }
+}
+
+void band_settle(band *b, uint32_t index) {
+    cube *c = &b->item[index];
+    c->kind = CUBE_IN;
+    b->left[c->level]--;
+    b->in[c->level]++;
+    if (index)
+        tell_parents(b, c->parent);
+}
+
+/* Whether the halves are exact. */
+static int can_cut(const cube *c) {
+    double quarter = 0.5 * c->half;
+    for (int k = 0; k < 3; k++)
+        if (c->centre[k] + quarter - c->centre[k] != quarter ||
+            c->centre[k] - quarter - c->centre[k] != -quarter)
+            return 0;
+    return c->level < CUBE_LEVELS;
+}
+
+graze_status band_cut(int *done, band *b, uint32_t index) {
+    *done = 0;
+    if (!can_cut(&b->item[index]) || b->count + 8 >= UINT32_MAX)
+        return GRAZE_OK;
+    graze_status status = context_poll(b->ask.context);
+    if (!status)
+        status = array_grow(b->ask.context, &b->item, &b->capacity, b->count + 8, sizeof *b->item,
+                            "cubes of space");
+    if (status)
+        return status;
+    cube whole = b->item[index];
+    uint32_t child = (uint32_t)b->count;
+    for (uint32_t k = 0; k < 8; k++) {
+        cube *c = &b->item[child + k];
+        *c = (cube){.half = 0.5 * whole.half, .parent = index, .level = whole.level + 1};
+        for (int i = 0; i < 3; i++)
+            c->centre[i] = whole.centre[i] + (k >> i & 1 ? c->half : -c->half);
+        status = decide_cube(b, c);
+        if (status)
+            return status;
+    }
+    b->count += 8;
+    b->item[index].child = child;
+    b->left[whole.level]--;
+    for (uint32_t k = 0; k < 8; k++) {
+        b->in[whole.level + 1] += b->item[child + k].kind == CUBE_IN;
+        b->left[whole.level + 1] += b->item[child + k].kind == CUBE_BAND;
+    }
+    tell_parents(b, index);
+    *done = 1;
+    return GRAZE_OK;
+}
+
+/* Corners are exact. */
+static int holds_point(const cube *c, const double *point) {
+    for (int i = 0; i < 3; i++)
+        if (!(point[i] >= c->centre[i] - c->half && point[i] <= c->centre[i] + c->half))
+            return 0;
+    return 1;
+}
+
+graze_pmc band_membership(const band *b, const double *point) {
+    const cube *c = &b->item[0];
+    if (!holds_point(c, point))
+        return GRAZE_OUT;
+    while (c->child) {
+        uint32_t part = 0;
+        for (int i = 0; i < 3; i++)
+            part |= (uint32_t)(point[i] > c->centre[i]) << i;
+        c = &b->item[c->child + part];
+    }
+    return c->kind == CUBE_IN ? GRAZE_IN : c->kind == CUBE_OUT ? GRAZE_OUT : GRAZE_PMC_NONE;
+}
+
+/* The squared distance of a point to a cube, but for rounding. */
+static double square_to_cube(const cube *c, const double *point) {
+    double sum = 0;
+    for (int i = 0; i < 3; i++) {
+        double off = fabs(point[i] - c->centre[i]) - c->half;
+        if (off > 0)
+            sum += off * off;
+    }
+    return sum;
+}
+
+typedef struct nearest_cube {
+    const band *b;
+    const double *point;
+    int kinds;
+    double least, square;
+    uint32_t found;
+} nearest_cube;
+
+static void search_cubes(nearest_cube *s, uint32_t index) {
+    const cube *c = &s->b->item[index];
+    double square = square_to_cube(c, s->point);
+    if (!(c->kind & s->kinds) || !(square < s->square) || c->half < s->least)
+        return;
+    if (!c->child) {
+        s->square = square;
+        s->found = index;
+        return;
+    }
+    /* The part that the point is in, or nearest to, first. */
+    uint32_t first = 0;
+    for (int i = 0; i < 3; i++)
+        first |= (uint32_t)(s->point[i] > c->centre[i]) << i;
+    uint32_t child = c->child;
+    for (uint32_t k = 0; k < 8; k++)
+        search_cubes(s, child + (first ^ k));
+}
+
+uint32_t band_nearest(double *low, double *high, const band *b, const double *point, int kinds,
+                      double least) {
+    nearest_cube s = {b, point, kinds, least, INFINITY, UINT32_MAX};
+    const cube *root = &b->item[0];
+    if (kinds & CUBE_OUT) {
+        double off = INFINITY;
+        for (int i = 0; i < 3; i++)
+            off = fmin(off, root->half - fabs(point[i] - root->centre[i]));
+        s.square = off > 0 ? off * off : 0;
+    }
+    search_cubes(&s, 0);
+    *low = s.square == INFINITY ? 0 : sqrt(s.square) * ROUND_DOWN;
+    *high = sqrt(s.square) * ROUND_UP;
+    /* Differences err by u of the coordinates. */
+    double blur = 0x1p-50 * (root->half + fabs(root->centre[0]) + fabs(root->centre[1]) +
+                             fabs(root->centre[2]));
+    *low = fmax(*low - blur, 0);
+    *high += blur;
+    return s.found;
+}
+
+/* Add count times the volume of a cube of the level. */
+static void add_volume(fmpq_t sum, const fmpq_t side, size_t count, int level) {
+    fmpq_t term;
+    fmpz_t number;
+    fmpq_init(term);
+    fmpz_init_set_ui(number, count);
+    fmpq_pow_si(term, side, 3);
+    fmpq_mul_fmpz(term, term, number);
+    fmpq_div_2exp(term, term, 3 * (ulong)level);
+    fmpq_add(sum, sum, term);
+    fmpz_clear(number);
+    fmpq_clear(term);
+}
+
+void band_volume(fmpq_t low, fmpq_t high, const band *b) {
+    fmpq_t side;
+    fmpq_init(side);
+    (void)rational_from_double(side, NULL, 2 * b->item[0].half);
+    fmpq_zero(low);
+    for (int level = 0; level <= CUBE_LEVELS; level++)
+        add_volume(low, side, b->in[level], level);
+    fmpq_set(high, low);
+    for (int level = 0; level <= CUBE_LEVELS; level++)
+        add_volume(high, side, b->left[level], level);
+    fmpq_clear(side);
+}

@@ -1,0 +1,23 @@
+/* The distance from a place to a mesh, in doubles with proved bounds.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_JUDGE_MESH_GAP_H
+#define GRAZE_JUDGE_MESH_GAP_H
+
+#include "questions/judge/judged_mesh.h"
+
+/** low <= distance <= high. */
+typedef struct mesh_gap {
+    double low, high;
+    uint32_t simplex; /* a triangle at most `high` away; UINT32_MAX: the mesh has none */
+} mesh_gap;
+
+/** The distance from a point of doubles to the nearest triangle (proofs/judging.md C118); infinite
+ * from an empty mesh. */
+mesh_gap mesh_gap_of(const judged_mesh *mesh, const double *point);
+
+/** An upper bound of the distances from all points of a cube to one triangle. */
+double mesh_gap_of_cube(const judged_mesh *mesh, uint32_t simplex, const double *centre,
+                        double half);
+
+#endif

@@ -1,0 +1,66 @@
+/* What the searches for greatest distances have in common: how they ask, and what is open.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_JUDGE_OPEN_SEARCH_H
+#define GRAZE_JUDGE_OPEN_SEARCH_H
+
+#include "questions/judge/band.h"
+#include "questions/judge/mesh_gap.h"
+#include "questions/judge/mesh_part.h"
+#include "questions/judge/priority.h"
+
+/** A greatest distance is in [low, high]. */
+typedef struct supremum {
+    double low, high;
+    double at[3];   /* a point that is at least `low` away, within rounding; set if `low` > 0 */
+    double open[3]; /* a point near which the distance is perhaps `high` */
+    int reached;    /* high - low is at most what was asked for */
+    int stuck;      /* no cut makes it less: near `open` the boundary is perhaps a seam */
+} supremum;
+
+/** A part of the mesh and what is known at its point. */
+typedef struct asked_part {
+    mesh_part part;
+    struct known_point {
+        graze_pmc pmc;
+        double low, high; /* the signed distance (C66) is between them; 0 where it was not asked */
+    } known;
+    double outside, inside; /* bounds of the distances in the part */
+    int is_cut;
+} asked_part;
+
+typedef struct known_point known_point;
+
+/** The distances, by graze_judged. */
+enum { SUPREMUM_OUTSIDE, SUPREMUM_INSIDE, SUPREMUM_SWEEP, SUPREMUM_COUNT };
+
+/** One sequence of steps, which the budget alone ends: so a larger one tells no less. */
+typedef struct suprema {
+    graze_context *context;
+    const graze_scene *scene;
+    const judged_mesh *mesh;
+    double within;
+    size_t budget, asked; /* cubes and points that may be asked, and the points that were */
+    band space;
+    priority cubes; /* those of the band in which the boundary may be far from the mesh */
+    size_t part_count, part_capacity;
+    asked_part *part;
+    priority outer, inner; /* parts that may be far outside, and inside */
+    supremum found[SUPREMUM_COUNT];
+} suprema;
+
+/** When a point's distance is asked for, to a share of the width that is wanted. */
+typedef enum ask_distance { ASK_NO_DISTANCE, ASK_OUT, ASK_IN } ask_distance;
+
+/** The membership; and with `distance` that of an `out` (`in`) point. */
+graze_status suprema_ask(known_point *out, suprema *s, const double *point, ask_distance distance);
+
+/** Try to settle a cube of the band of which the centre is inside: by the ball about it that is in
+ * one position of the solid (C66 (c)).
+ * @param[out] done whether that is so */
+graze_status suprema_settle(int *done, suprema *s, uint32_t cube);
+int suprema_is_over(const suprema *s);
+/** Set `high` and what follows from it, by the first that waits at `open`. */
+void supremum_finish(supremum *found, const suprema *s, const priority *wait, const double *open);
+
+#endif

@@ -1,0 +1,174 @@
+/* The greatest distances of the mesh to the sweep and to its complement: parts of the mesh, the one
+ * first that can hold the greatest. SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Both distances change by no more than the way from a point to the next, so that of a part's point
+ * bounds them in the part.
+ */
+#include "questions/judge/search_mesh.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/context/array.h"
+#include "decide/filter/normal.h"
+
+/* Cubes of less than this share of the width that is wanted are stuck; and so are parts. */
+static const double LARGE_SHARE = 0.5, STUCK_SHARE = 0x1p-9;
+
+/* Cubes of less than this share are tried one by one. */
+static const double SETTLED_SHARE = 0.5;
+
+static void raise_low(supremum *of, double low, const double *at) {
+    if (low > of->low) {
+        of->low = low;
+        memcpy(of->at, at, sizeof of->at);
+    }
+}
+
+/* Where a part's point is so far inside that all of the part is, nothing of it is outside. */
+static double outside_bound(const suprema *s, const asked_part *a) {
+    double low = 0, unused;
+    if (a->known.pmc == GRAZE_OUT)
+        return a->known.high + a->part.radius;
+    if (a->known.pmc == GRAZE_IN)
+        band_nearest(&low, &unused, &s->space, a->part.x, CUBE_OUT | CUBE_BAND, 0);
+    return larger(a->part.radius - low, 0);
+}
+
+/* The distance from a part's point to the complement of the sweep: to what is certainly outside at
+ * most, to what is not certainly inside at least. */
+static double inside_bound(suprema *s, const asked_part *a) {
+    double low, high, unused;
+    if (a->known.pmc == GRAZE_OUT)
+        return larger(a->part.radius - a->known.low, 0);
+    band_nearest(&unused, &high, &s->space, a->part.x, CUBE_OUT, 0);
+    if (a->known.pmc == GRAZE_IN) {
+        band_nearest(&low, &unused, &s->space, a->part.x, CUBE_OUT | CUBE_BAND, 0);
+        raise_low(&s->found[SUPREMUM_INSIDE], low - a->part.error, a->part.x);
+    }
+    return high + a->part.radius;
+}
+
+/* Take a part up: ask its point, unless that of the part it is from is the same. */
+static graze_status take_mesh_part(suprema *s, const mesh_part *part, const asked_part *from) {
+    graze_status status = array_grow(s->context, &s->part, &s->part_capacity, s->part_count + 1,
+                                     sizeof *s->part, "parts of a mesh");
+    asked_part added = {.part = *part};
+    if (status)
+        return status;
+    if (from && memcmp(from->part.x, part->x, sizeof part->x) == 0)
+        added.known = from->known;
+    else
+        status = suprema_ask(&added.known, s, part->x, ASK_OUT);
+    uint32_t number = (uint32_t)s->part_count;
+    if (status)
+        return status;
+    added.outside = smaller(outside_bound(s, &added), from ? from->outside : INFINITY);
+    added.inside = smaller(inside_bound(s, &added), from ? from->inside : INFINITY);
+    s->part[s->part_count++] = added;
+    if (added.known.pmc == GRAZE_OUT)
+        raise_low(&s->found[SUPREMUM_OUTSIDE], added.known.low - part->error, part->x);
+    status = priority_add(&s->outer, s->context, added.outside, number);
+    return status ? status : priority_add(&s->inner, s->context, added.inside, number);
+}
+
+static graze_status cut_part(suprema *s, uint32_t number) {
+    mesh_part halves[2];
+    asked_part whole = s->part[number];
+    graze_status status = GRAZE_OK;
+    s->part[number].is_cut = 1;
+    mesh_part_cut(halves, s->mesh, &whole.part);
+    for (int k = 0; k < 2 && !status; k++)
+        status = take_mesh_part(s, &halves[k], &whole);
+    return status;
+}
+
+static int is_stuck(const suprema *s, const mesh_part *part) {
+    return part->radius <= STUCK_SHARE * s->within || s->part_count + 2 >= UINT32_MAX;
+}
+
+static graze_status look_outside(suprema *s) {
+    waiting_part first = priority_take(&s->outer);
+    const asked_part *a = &s->part[first.number];
+    if (!is_stuck(s, &a->part))
+        return cut_part(s, first.number);
+    s->found[SUPREMUM_OUTSIDE].stuck = 1;
+    return priority_add(&s->outer, s->context, first.bound, first.number);
+}
+
+/* Cut the cube of the band nearest to a part's point, of those that are largest but for some powers
+ * of two: so all around it shrinks alike. */
+static graze_status cut_nearest(suprema *s, const asked_part *a, double most) {
+    double low, high, share = LARGE_SHARE;
+    uint32_t index = UINT32_MAX;
+    int done = 0;
+    for (; share >= STUCK_SHARE && index == UINT32_MAX; share *= 0.25) {
+        index = band_nearest(&low, &high, &s->space, a->part.x, CUBE_BAND, share * s->within);
+        if (index != UINT32_MAX && low > most)
+            index = UINT32_MAX;
+    }
+    graze_status status = GRAZE_OK;
+    if (index != UINT32_MAX && cube_radius(&s->space.item[index]) <= SETTLED_SHARE * s->within)
+        status = suprema_settle(&done, s, index);
+    if (!status && !done && index != UINT32_MAX)
+        status = band_cut(&done, &s->space, index);
+    if (!status && !done)
+        s->found[SUPREMUM_INSIDE].stuck = 1;
+    return status;
+}
+
+/* How much of a part's bound is the space around its point. */
+static double open_space(const suprema *s, const asked_part *a, double bound) {
+    double low = 0, unused;
+    if (a->known.pmc == GRAZE_OUT)
+        return 0;
+    band_nearest(&low, &unused, &s->space, a->part.x, CUBE_OUT | CUBE_BAND, 0);
+    return bound - a->part.radius - low;
+}
+
+/* The part may be cut, or the space around it, whichever leaves more open. */
+static graze_status look_inside(suprema *s) {
+    uint32_t number = priority_take(&s->inner).number;
+    asked_part a = s->part[number];
+    double bound = smaller(inside_bound(s, &a), a.inside);
+    graze_status status = GRAZE_OK;
+    if (bound >= a.inside && !is_stuck(s, &a.part) && open_space(s, &a, bound) < a.part.radius)
+        return cut_part(s, number);
+    if (bound >= a.inside)
+        status = cut_nearest(s, &a, bound - a.part.radius);
+    bound = smaller(inside_bound(s, &a), bound);
+    s->part[number].inside = bound;
+    return status ? status : priority_add(&s->inner, s->context, bound, number);
+}
+
+/* Parts that were cut for the other search have left their place to others. */
+static void finish_mesh(suprema *s) {
+    priority *waits[2] = {&s->outer, &s->inner};
+    supremum *found[2] = {&s->found[SUPREMUM_OUTSIDE], &s->found[SUPREMUM_INSIDE]};
+    for (int k = 0; k < 2; k++) {
+        while (waits[k]->count && s->part[waits[k]->item[0].number].is_cut)
+            (void)priority_take(waits[k]);
+        const double *open = waits[k]->count ? s->part[waits[k]->item[0].number].part.x : NULL;
+        supremum_finish(found[k], s, waits[k], open);
+    }
+}
+
+graze_status search_mesh_begin(suprema *s) {
+    mesh_part whole;
+    mesh_part_of_node(&whole, s->mesh, 0);
+    graze_status status = take_mesh_part(s, &whole, NULL);
+    finish_mesh(s);
+    return status;
+}
+
+graze_status search_outside_step(suprema *s) {
+    graze_status status = look_outside(s);
+    finish_mesh(s);
+    return status;
+}
+
+graze_status search_inside_step(suprema *s) {
+    graze_status status = look_inside(s);
+    finish_mesh(s);
+    return status;
+}

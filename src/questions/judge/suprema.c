@@ -1,0 +1,81 @@
+/* The searches by turns, that of which most is open next, in one band.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/judge/suprema.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include "decide/filter/time_ray.h"
+#include "questions/judge/search_mesh.h"
+#include "questions/judge/search_sweep.h"
+
+/* From an empty mesh all is infinitely far. */
+static void set_empty(suprema *s) {
+    for (int k = 0; k < SUPREMUM_COUNT; k++)
+        s->found[k].reached = 1;
+    s->found[SUPREMUM_SWEEP].low = s->found[SUPREMUM_SWEEP].high = INFINITY;
+}
+
+/* The distance of which most is open; its number, or SUPREMUM_COUNT where none can be searched on.
+ */
+static int most_open(const suprema *s) {
+    int most = SUPREMUM_COUNT;
+    double open = 0;
+    for (int k = 0; k < SUPREMUM_COUNT; k++) {
+        const supremum *f = &s->found[k];
+        if (f->reached || f->stuck || f->high - f->low <= open)
+            continue;
+        open = f->high - f->low;
+        most = k;
+    }
+    return most;
+}
+
+/* Cut what is left of the band until no cube is larger than the width that is wanted, for the sake
+ * of the volume. */
+static graze_status thin_band(suprema *s) {
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < s->space.count && !status && !suprema_is_over(s); k++) {
+        const cube *c = &s->space.item[k];
+        int done;
+        if (c->kind == CUBE_BAND && !c->child && cube_radius(c) > s->within)
+            status = band_cut(&done, &s->space, (uint32_t)k);
+    }
+    return status;
+}
+
+static graze_status search_all(suprema *s) {
+    static graze_status (*const step[SUPREMUM_COUNT])(suprema *) = {
+        search_outside_step, search_inside_step, search_sweep_step};
+    graze_status status = search_sweep_begin(s);
+    if (!status)
+        status = search_mesh_begin(s);
+    for (int next = most_open(s); !status && next < SUPREMUM_COUNT && !suprema_is_over(s);
+         next = most_open(s))
+        status = step[next](s);
+    return status ? status : thin_band(s);
+}
+
+graze_status suprema_find(suprema *out, graze_context *context, const graze_scene *scene,
+                          const judged_mesh *mesh, double within, size_t budget) {
+    *out = (suprema){
+        .context = context, .scene = scene, .mesh = mesh, .within = within, .budget = budget};
+    graze_status begun = band_init(&out->space, context, scene);
+    graze_status status = begun ? begun : filter_lay_bricks(&scene->filter, context);
+    if (status || mesh->cut.count) {
+        if (!status && !mesh->corners.at)
+            status = context_fail(context, GRAZE_ELIMIT,
+                                  "a coordinate of the mesh is beyond 2^200; expected less");
+        return status ? status : search_all(out);
+    }
+    set_empty(out);
+    return GRAZE_OK;
+}
+
+void suprema_clear(suprema *s) {
+    band_clear(&s->space);
+    priority_clear(&s->cubes);
+    priority_clear(&s->outer);
+    priority_clear(&s->inner);
+    free(s->part);
+}

@@ -1,0 +1,55 @@
+"""Runs of `graze judge`, meshes made by hand, and what every report must obey.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import json
+import os
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "agree", "lib"))
+
+from program import Checks, Graze, options  # noqa: E402,F401  (suites take them from here)
+from solids import Mesh, block  # noqa: E402,F401
+
+KEYS = ("mesh_to_sweep_outside", "mesh_to_sweep_inside", "sweep_to_mesh")
+ROUNDING = 1e-9  # of true distances, which are doubles here
+
+
+class Judge:
+    """Runs of the command; solids, motions and meshes are objects with text(), or paths."""
+
+    def __init__(self, args, checks):
+        self.graze, self.checks = Graze(args, checks), checks
+
+    def ask(self, name, solid, motion, mesh, *flags):
+        """The report, or None after a failed check."""
+        tag = name.replace(" ", "_").replace("/", "_")
+        files = [thing if isinstance(thing, str) else self.graze.write(tag + what + end, thing.text())
+                 for thing, what, end in ((solid, "_solid", ".off"), (motion, "", ".json"), (mesh, "_mesh", ".off"))]
+        out = self.graze.call("judge", *files, "--format", "json", *flags)
+        if out.returncode:
+            self.checks.fail(name, *flags, f"exit {out.returncode}: {out.stderr.strip()[:300]}")
+            return None
+        return json.loads(out.stdout)
+
+    def holds(self, name, report, truth, volume=None, within=None):
+        """Each true distance (None: not known) is in its enclosure, which has the width asked for."""
+        for key, true in zip(KEYS, truth):
+            found = report["distance"][key]
+            low, high = found["low"], found["high"]
+            if true is not None:
+                self.checks.holds(low <= true + ROUNDING and true - ROUNDING <= high, name, key, true, found)
+            if within is not None:
+                self.checks.holds(found["reached"] and high - low <= within, name, key, within, found)
+        if volume is not None:
+            v = report["volume"]["sweep"]
+            self.checks.holds(v["low"] <= volume + ROUNDING and volume - ROUNDING <= v["high"], name, volume, v)
+
+
+def triangles(mesh):
+    """The facets of a convex mesh as triangles."""
+    return Mesh(mesh.vertices, [[f[0], f[k], f[k + 1]] for f in mesh.facets for k in range(1, len(f) - 1)])
+
+
+def without(mesh, *facets):
+    return Mesh(mesh.vertices, [f for k, f in enumerate(mesh.facets) if k not in facets])
