@@ -1,0 +1,233 @@
+# suite
+"""Meshes whose distances from the sweep are known in closed form: every enclosure holds them.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+
+*Boxes.* [0, 2]^3 along x by 8 sweeps W = [0, 10] x [0, 2]^2. E(x), the way from x in W to the outside, is the least of its distances to the
+six faces; D(x), from x outside W, is the distance to the box. A turned scene has the same distances.
+*Turning box.* [-3, 3] x [-4, 4] x [0, 1] by half a turn about z sweeps the cylinder of radius 5: every point of the
+disk is in the rectangle's copy that has its direction as diagonal. A prism over a regular n-gon inscribed (circumscribed) is off by 5 - 5 cos(pi/n)
+(5/cos(pi/n) - 5) at most: in the middles of its sides (at its upright edges). Between z = 0 and z = 1 floor and roof are no further than 1/2; from
+the cylinder to the sides around it is 5 - 5 cos(pi/n) too.
+*Hulls.* A convex solid moved straight by b sweeps the hull of its corners v and v + b. From a mesh that is that hull times q > 1 about an inner
+point, D is greatest at a corner, as it is convex.
+"""
+import math
+import itertools
+from fractions import Fraction as F
+
+from judged import Checks, Judge, Mesh, block, options, triangles, without
+
+from motion import build, translate  # noqa: E402
+from solids import cross, joined, minus  # noqa: E402
+
+WITHIN = "1/4"
+CUBE = block(0, 0, 0, 2, 2, 2)
+ALONG = build([(0, 1, translate([[0, 8], [0], [0]]))])
+W = block(0, 0, 0, 10, 2, 2)
+ROOT = math.sqrt
+
+
+
+def dented():
+    """W with a pyramid pressed into x = 10: over the middle square of side 1, 1/4 deep."""
+    box = without(W, 5)
+    n = len(box.vertices)
+    inner = [(10, y, z) for y, z in ((F(1, 2), F(1, 2)), (F(3, 2), F(1, 2)), (F(3, 2), F(3, 2)), (F(1, 2), F(3, 2)))]
+    outer = [1, 3, 7, 5]
+    ring = [f for k in range(4) for m in [(k + 1) % 4] for f in ([outer[k], outer[m], n + m], [outer[k], n + m, n + k])]
+    return Mesh(box.vertices + inner + [(F(39, 4), 1, 1)], box.facets + ring + [[n + k, n + (k + 1) % 4, n + 4] for k in range(4)])
+
+
+def flipped():
+    mesh = triangles(W)
+    return Mesh(mesh.vertices, [f[::-1] if k in (3, 8) else f for k, f in enumerate(mesh.facets)])
+
+
+# name, mesh, greatest D over the mesh, greatest E over it, greatest distance of the boundary of W from it
+BOXES = [
+    ("itself", W, 0, 0, 0),
+    ("short", block(0, 0, 0, 9, 2, 2), 0, 1, 1),          # the middle of x = 9; the corners of x = 10
+    ("long", block(0, 0, 0, 11, 2, 2), 1, 0, 1),          # x = 11; the middle of x = 10
+    ("large", block(-1, -1, -1, 11, 3, 3), ROOT(3), 0, 1),  # corners; everywhere
+    ("small", block(1, F(1, 2), F(1, 2), 9, F(3, 2), F(3, 2)), 0, 1, ROOT(1.5)),  # the middle of x = 1; corners
+    ("shifted", block(0, 0, 1, 10, 2, 3), 1, 1, 1),       # z = 3; the middle of z = 1; the face z = 0
+    ("open", without(W, 5), 0, 0, 1),                     # x = 10 is missing: its middle
+    ("a hole", without(triangles(W), 10), 0, 0, 2 - ROOT(2)),  # the inscribed circle of a half of x = 10
+    ("a shell outside", joined(W, block(12, 1, 1, F(49, 4), F(5, 4), F(5, 4))), F(9, 4), 0, 0),
+    ("a shell inside", joined(W, block(5, F(7, 8), F(7, 8), F(21, 4), F(9, 8), F(9, 8))), 0, 1, 0),
+    ("a dent", dented(), 0, F(1, 4), ROOT(0.05)),         # its tip; from the middle of x = 10 to its sides, 1/8 / sqrt(5/16)
+    ("flipped", flipped(), 0, 0, 0),
+    ("inward", W.mapped(lambda p: p, True), 0, 0, 0),
+    ("one triangle", Mesh([(5, 1, 1), (6, 1, 1), (5, F(3, 2), 1)], [[0, 1, 2]]), 0, 1, None),
+]
+
+
+# 40 + 1/64 with a shell; the pyramid has 1/12
+VOLUMES = {"itself": "40", "short": "36", "long": "44", "large": "192", "small": "8", "shifted": "40",
+           "a shell outside": "2561/64", "a shell inside": "2561/64", "a dent": "479/12", "inward": "-40"}
+
+
+def scenes_of_boxes(judge, checks):
+    for name, mesh, outside, inside, sweep in BOXES:
+        report = judge.ask(name, CUBE, ALONG, mesh, "--within", WITHIN)
+        if report:
+            judge.holds(name, report, (outside, inside, sweep), 40, F(WITHIN))
+            known = report["mesh"]["closed"]
+            checks.equal(known, name not in ("open", "a hole", "one triangle"), name, "closed")
+            rule = "none" if not known else "parity" if name == "flipped" else "winding"
+            checks.equal(report["mesh"]["rule"], rule, name, "rule")
+            volume = VOLUMES.get(name)
+            checks.equal(report["volume"]["mesh"], volume if rule == "winding" else None, name, "volume")
+    fine = judge.ask("a dent, finer", CUBE, ALONG, dented(), "--within", "1/12")
+    if fine:
+        judge.holds("a dent, finer", fine, (0, F(1, 4), ROOT(0.05)), 40, 1 / 12)
+        checks.holds(fine["distance"]["mesh_to_sweep_inside"]["low"] > 0.16, "the dent is found", fine["distance"])
+    for name, mesh, outside, inside, sweep in BOXES[:5]:
+        move = rigid()
+        moved = build([(0, 1, translate([[0, 8 * c] for c in direction()]))])
+        report = judge.ask(name + " turned", CUBE.mapped(move), moved, mesh.mapped(move), "--within", WITHIN)
+        if report:
+            judge.holds(name + " turned", report, (outside, inside, sweep), 40, F(WITHIN))
+
+
+def direction():
+    return F(2, 3), F(1, 3), F(2, 3)
+
+
+def rigid():
+    """A turn whose matrix has the columns (2, 1, 2)/3, (-2, 2, 1)/3, (-1, -2, 2)/3, and a shift."""
+    rows = ((2, -2, -1), (1, 2, -2), (2, 1, 2))
+    return lambda p: tuple(sum(F(a, 3) * x for a, x in zip(row, p)) + F(s) for row, s in zip(rows, ("1/7", -3, 5)))
+
+
+def ngon(n, radius):
+    return [(radius * math.cos(2 * math.pi * k / n), radius * math.sin(2 * math.pi * k / n)) for k in range(n)]
+
+
+def prism_mesh(n, radius):
+    ring = ngon(n, radius)
+    return Mesh([(F(x), F(y), z) for z in (0, 1) for x, y in ring],
+                [[0, k + 1, k] for k in range(1, n - 1)] + [[n, n + k, n + k + 1] for k in range(1, n - 1)]
+                + [f for k in range(n) for m in [(k + 1) % n] for f in ([k, m, m + n], [k, m + n, k + n])])
+
+
+def turning_box(judge):
+    solid = block(-3, -4, 0, 3, 4, 1)
+    motion = '{"dimension": 3, "pieces": [{"t": ["0", "1"], "transform": {"turn": {"quarters": 2, "axis": ["0", "0", "1"]}}}]}'
+    path = judge.graze.write("half_turn.json", motion)
+    for n in (6, 16):
+        sagitta = 5 - 5 * math.cos(math.pi / n)
+        beyond = 5 / math.cos(math.pi / n) - 5
+        inner = judge.ask(f"inscribed {n}", solid, path, prism_mesh(n, 5), "--within", "1/4")
+        outer = judge.ask(f"circumscribed {n}", solid, path, prism_mesh(n, 5 / math.cos(math.pi / n)), "--within", "1/4")
+        if inner:
+            judge.holds(f"inscribed {n}", inner, (0, min(sagitta, 0.5), sagitta), 25 * math.pi, 1 / 4)
+        if outer:
+            judge.holds(f"circumscribed {n}", outer, (beyond, 0, min(sagitta, 0.5)), 25 * math.pi, 1 / 4)
+
+
+def hull(points):
+    """The convex hull of points of which no four are in one plane, as triangles; by all triples."""
+    faces = []
+    for i, j, k in itertools.combinations(range(len(points)), 3):
+        n = cross(minus(points[j], points[i]), minus(points[k], points[i]))
+        sides = {(lambda s: (s > 0) - (s < 0))(sum(a * b for a, b in zip(n, minus(p, points[i]))))
+                 for m, p in enumerate(points) if m not in (i, j, k)}
+        if len(sides) == 1:
+            faces.append([i, j, k] if sides == {-1} else [i, k, j])
+    used = sorted({v for f in faces for v in f})
+    place = {v: m for m, v in enumerate(used)}
+    return Mesh([points[v] for v in used], [[place[v] for v in f] for f in faces])
+
+
+def volume_of(mesh):
+    total = F(0)
+    for a, b, c in mesh.facets:
+        p, q, r = (mesh.vertices[k] for k in (a, b, c))
+        total += sum(x * y for x, y in zip(p, cross(q, r)))
+    return total / 6
+
+
+def to_triangle(p, a, b, c):
+    """The distance from a point to a triangle, in doubles: the least over its plane and sides."""
+    def dot(u, v):
+        return sum(x * y for x, y in zip(u, v))
+
+    def to_segment(u, v):
+        e, w = minus(v, u), minus(p, u)
+        s = min(1.0, max(0.0, dot(e, w) / dot(e, e)))
+        return ROOT(sum((x - s * y) ** 2 for x, y in zip(w, e)))
+
+    best = min(to_segment(a, b), to_segment(b, c), to_segment(c, a))
+    n = cross(minus(b, a), minus(c, a))
+    if all(dot(cross(minus(v, u), minus(p, u)), n) >= 0 for u, v in ((a, b), (b, c), (c, a))):
+        best = min(best, abs(dot(n, minus(p, a))) / ROOT(dot(n, n)))
+    return best
+
+
+def scenes_of_hulls(judge, rng, count):
+    for k in range(count):
+        points = [tuple(F(rng.randint(-64, 64), 16) for _ in range(3)) for _ in range(8)]
+        b = [F(rng.randint(-64, 64), 8) + F(1, 3) for _ in range(3)]
+        solid = hull(points)
+        swept = hull_of_pairs(solid, b)
+        motion = build([(0, 1, translate([[0, x] for x in b]))])
+        middle = tuple(sum(p[i] for p in swept.vertices) / len(swept.vertices) for i in range(3))
+        report = judge.ask(f"hull {k}", solid, motion, swept, "--within", "1e-1r")
+        if report:
+            judge.holds(f"hull {k}", report, (0, 0, 0), float(volume_of(swept)), report["budget"]["within"])
+        q = F(rng.randint(9, 12), 8)
+        large = swept.mapped(lambda p, q=q: tuple(m + q * (x - m) for x, m in zip(p, middle)))
+        faces = [[[float(x) for x in swept.vertices[v]] for v in f] for f in swept.facets]
+        far = max(min(to_triangle([float(x) for x in p], *f) for f in faces) for p in large.vertices)
+        report = judge.ask(f"hull {k} larger", solid, motion, large, "--within", "1e-1r")
+        if report:
+            judge.holds(f"hull {k} larger", report, (far, 0, None), float(volume_of(swept)), report["budget"]["within"])
+
+
+def hull_of_pairs(solid, b):
+    """The hull of v and v + b: faces of the solid on their side, and a parallelogram, as two triangles, at each edge between both sides."""
+    ahead = {}
+    for f in solid.facets:
+        p, q, r = (solid.vertices[v] for v in f)
+        ahead[tuple(f)] = sum(x * y for x, y in zip(cross(minus(q, p), minus(r, p)), b)) > 0
+    n = len(solid.vertices)
+    faces = [[v + n * side for v in f] for f, side in ((f, ahead[tuple(f)]) for f in solid.facets)]
+    sides = {(u, v): ahead[tuple(f)] for f in solid.facets for u, v in zip(f, f[1:] + f[:1])}
+    for (u, v), front in sides.items():
+        if not front and sides[(v, u)]:
+            faces += [[v, u, u + n], [v, u + n, v + n]]
+    return Mesh(solid.vertices + [tuple(x + s for x, s in zip(p, b)) for p in solid.vertices], faces)
+
+
+def budgets(judge, checks):
+    """A larger budget gives enclosures within those of a smaller one; all hold the truth."""
+    name, mesh, *truth = BOXES[1]
+    before = None
+    for budget in (1, 30, 300, 3000, 30000):
+        report = judge.ask(f"budget {budget}", CUBE, ALONG, mesh, "--within", WITHIN, "--budget", str(budget))
+        if not report:
+            continue
+        judge.holds(f"budget {budget}", report, truth, 40)
+        checks.holds(budget > 300 or not report["budget"]["reached"], "budget", budget)
+        now = [report["distance"][k] for k in ("mesh_to_sweep_outside", "mesh_to_sweep_inside", "sweep_to_mesh")]
+        now.append(report["volume"]["sweep"])
+        for old, new in zip(before or now, now):
+            checks.holds(old["low"] <= new["low"] and new["high"] <= old["high"], "budget", budget, old, new)
+        before = now
+
+
+def main():
+    args = options("closed forms of distances between a mesh and a sweep")
+    checks = Checks()
+    judge = Judge(args, checks)
+    scenes_of_boxes(judge, checks)
+    turning_box(judge)
+    scenes_of_hulls(judge, args.random, 4 * args.scale)
+    budgets(judge, checks)
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main()
