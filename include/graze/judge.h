@@ -7,7 +7,7 @@
 #ifndef GRAZE_JUDGE_H
 #define GRAZE_JUDGE_H
 
-#include <graze/core.h>
+#include <graze/compare.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -119,10 +119,39 @@ typedef enum graze_judgement_format {
     GRAZE_JUDGEMENT_JSON = 2
 } graze_judgement_format;
 
-/** Report of a judgement, text for graze_free. @return GRAZE_EUSE, GRAZE_ESYSTEM */
+/** Report of a judgement, text for graze_free.
+ * @param points of graze_compare_mesh, or NULL
+ * @return GRAZE_EUSE, GRAZE_ESYSTEM */
 GRAZE_API GRAZE_CHECKED graze_status graze_judgement_report(char **out, graze_context *context,
                                                             const graze_judgement *judgement,
+                                                            const graze_comparison *points,
                                                             graze_judgement_format format);
+
+/** Points at which a mesh is judged as a classifier (rule 6). Pointers are borrowed. */
+typedef struct graze_mesh_points {
+    size_t size;             /**< sizeof(graze_mesh_points) */
+    size_t count;            /**< how many points */
+    unsigned long long seed; /**< of those that are generated, of all strata (graze/generate.h) */
+    graze_rationals points;  /**< 3 count canonical rationals; NULL: points are generated */
+    graze_on_as on_as; /**< as what the mesh's answer `on` is judged, that it gives on itself */
+    size_t show;       /**< disagreements to keep */
+    int threads;       /**< up to 1024; 0 is 1: the caller's own */
+    const char *solid, *motion; /**< file names for the commands that explain them, or NULL */
+} graze_mesh_points;
+
+/**
+ * Compare what a mesh says of points with the exact answers: in where its winding number is not 0
+ * (by parity, where that is its rule, odd), `on` where a triangle holds the point, else out. The
+ * comparison is freed by graze_comparison_destroy.
+ * @param scene in E^3; a sweep or an unsweep
+ * @return GRAZE_EUSE; GRAZE_EINPUT the mesh's rule is GRAZE_MESH_NONE; GRAZE_EILLEGAL a scene in
+ * E^2; GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM, GRAZE_EINTERNAL
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_compare_mesh(graze_comparison **out,
+                                                        graze_context *context,
+                                                        const graze_scene *scene,
+                                                        const graze_mesh *mesh,
+                                                        const graze_mesh_points *points);
 
 #ifdef __cplusplus
 }

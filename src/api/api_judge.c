@@ -1,11 +1,14 @@
 /* The public functions of meshes that are judged. SPDX-License-Identifier: GPL-3.0-or-later */
+#include <flint/fmpq_vec.h>
 #include <math.h>
 #include <stdlib.h>
 #include "api/api.h"
 #include "base/context/environment.h"
+#include "base/context/team.h"
 #include "base/number/rounding.h"
 #include "input/read/read.h"
-#include "output/report/judge_report.h"
+#include "output/compare/judge_report.h"
+#include "output/compare/mesh_rows.h"
 #include "questions/judge/judge.h"
 
 enum { DEFAULT_BUDGET = 10000000 };
@@ -228,7 +231,7 @@ unsigned long graze_judgement_cost(const graze_judgement *judgement) {
 
 graze_status graze_judgement_report(char **out, graze_context *context,
                                     const graze_judgement *judgement,
-                                    graze_judgement_format format) {
+                                    const graze_comparison *points, graze_judgement_format format) {
     if (out)
         *out = NULL;
     if (!out || !context || !judgement)
@@ -239,6 +242,85 @@ graze_status graze_judgement_report(char **out, graze_context *context,
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     text t;
     text_init(&t);
-    judge_report(&t, judgement, format);
-    return text_finish(out, context, &t);
+    graze_status status = judge_report(&t, context, judgement, points, format);
+    if (!status)
+        return text_finish(out, context, &t);
+    text_clear(&t);
+    return status;
+}
+
+static graze_status check_mesh_points(graze_context *context, const graze_scene *scene,
+                                      const graze_mesh *mesh, const graze_mesh_points *p) {
+    if ((unsigned)p->on_as > GRAZE_ON_AS_OUT || p->threads < 0 || p->threads > TEAM_MOST)
+        return api_misuse(context, "graze_compare_mesh", "an option has an unknown value");
+    if (scene->motion->dimension != 3)
+        return context_fail(context, GRAZE_EILLEGAL,
+                            "a scene in the plane; expected one in space to judge a mesh by");
+    if (mesh->judged.rule == MESH_RULE_NONE)
+        return context_fail(context, GRAZE_EINPUT,
+                            "the mesh has no inside: edges with an odd number of triangles; "
+                            "expected a closed one");
+    return GRAZE_OK;
+}
+
+/* Points of the caller's, taken over. */
+static graze_status take_mesh_points(fmpq **out, graze_context *context, const graze_scene *scene,
+                                     const graze_mesh_points *p) {
+    *out = _fmpq_vec_init((slong)(3 * p->count));
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < p->count && !status; k++)
+        status = context_item(context, api_point(*out + 3 * k, context, scene, p->points + 3 * k),
+                              "point", k, NULL);
+    return status;
+}
+
+/* Compare at the caller's points, or at generated ones. */
+static graze_status compare_at(graze_comparison *c, graze_context *context,
+                               const graze_scene *scene, const graze_mesh *mesh,
+                               const graze_mesh_points *p) {
+    graze_compare_options options = {.size = sizeof options,
+                                     .on_as = p->on_as,
+                                     .show = p->show,
+                                     .solid = p->solid,
+                                     .motion = p->motion,
+                                     .scene = scene->solid->curved ? NULL : scene};
+    mesh_points asked = {.count = p->count};
+    graze_generator *generator = NULL;
+    fmpq *given = NULL;
+    graze_status status =
+        p->points ? take_mesh_points(&given, context, scene, p)
+                  : graze_generator_create(&generator, context, scene, p->seed, NULL, 0);
+    asked.generator = generator;
+    asked.point = given;
+    if (!status)
+        status = comparison_of_mesh(c, context, scene, &mesh->judged, &asked,
+                                    p->threads ? p->threads : 1, &options);
+    if (given)
+        _fmpq_vec_clear(given, (slong)(3 * p->count));
+    graze_generator_destroy(generator);
+    return status;
+}
+
+graze_status graze_compare_mesh(graze_comparison **out, graze_context *context,
+                                const graze_scene *scene, const graze_mesh *mesh,
+                                const graze_mesh_points *points) {
+    if (out)
+        *out = NULL;
+    if (!out || !context || !scene || !mesh || !points)
+        return api_misuse(context, "graze_compare_mesh",
+                          "out, context, scene, mesh and points must not be NULL");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    graze_mesh_points taken;
+    graze_status status = api_options(&taken, sizeof taken, context, "graze_compare_mesh", points);
+    if (!status)
+        status = check_mesh_points(context, scene, mesh, &taken);
+    graze_comparison *made = status ? NULL : calloc(1, sizeof *made);
+    if (!made)
+        return status ? status : context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    status = compare_at(made, context, scene, mesh, &taken);
+    if (status)
+        graze_comparison_destroy(made);
+    else
+        *out = made;
+    return status;
 }

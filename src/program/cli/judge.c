@@ -3,6 +3,7 @@
 #include <float.h>
 #include <string.h>
 #include "program/cli/commands.h"
+#include "program/cli/marks.h"
 #include "program/cli/values.h"
 #include "program/run/load.h"
 #include "program/run/output.h"
@@ -22,17 +23,30 @@ static const char judge_help[] =
     "  --budget N         ask about at most N cubes of space and points (default 10^7); the "
     "bounds\n"
     "                     are those that are known then\n"
+    "  --points FILE      compare what MESH says of these points with the exact answers (- is\n"
+    "                     standard input); by default of 1000 generated ones, of all strata,\n"
+    "  --count N          of N\n"
+    "  --seed K           their seed (1)\n"
+    "  --no-points        of none; a mesh that is not closed is asked about none either\n"
+    "  --on-as on|any|in|out   as what the answer of points on MESH is judged (any)\n"
+    "  --jobs N           threads for the points (1)\n"
     "  --fail-above X     exit status 1 if a distance is certainly greater than X\n"
     "  --format text|markdown|json\n"
     "  --triangulate, --round, --limit NAME=V   as in graze classify\n"
     "\n"
     "Example: graze judge tool.off motion.json swept.obj --within 1e-3r\n";
 
+/* Points that are generated, and disagreements that are shown. */
+enum { DEFAULT_POINTS = 1000, POINTS_SHOWN = 5 };
+
 typedef struct judge_given {
     scene_options scene; /* rows.sdf is the width */
     unsigned long budget;
-    const char *fail_above;
-    int format;
+    const char *fail_above, *points;
+    unsigned long count;
+    seed_value seed;
+    int on_as; /* a graze_on_as, and 1 */
+    int no_points, jobs, format;
 } judge_given;
 
 static int value_form(void *to, const char *name, const char *value) {
@@ -40,9 +54,22 @@ static int value_form(void *to, const char *name, const char *value) {
     return value_choice(to, name, value, words, 3);
 }
 
+static int value_on_as_given(void *to, const char *name, const char *value) {
+    graze_on_as on_as = GRAZE_ON_AS_ANY;
+    int status = value_on_as(&on_as, name, value);
+    *(int *)to = (int)on_as + 1;
+    return status;
+}
+
 static const option_entry judge_table[] = {
     OPTION("within", judge_given, scene, value_sdf),
     OPTION("budget", judge_given, budget, value_count),
+    FILE_READ("points", judge_given, points),
+    OPTION("count", judge_given, count, value_count),
+    OPTION("seed", judge_given, seed, value_seed),
+    FLAG("no-points", judge_given, no_points, value_flag),
+    OPTION("on-as", judge_given, on_as, value_on_as_given),
+    OPTION("jobs", judge_given, jobs, value_jobs),
     OPTION("fail-above", judge_given, fail_above, value_width),
     OPTION("format", judge_given, format, value_form),
     FLAG("triangulate", judge_given, scene.solid_flags, value_triangulate),
@@ -51,11 +78,11 @@ static const option_entry judge_table[] = {
     {NULL, OPTION_FLAG, NULL, 0}};
 
 static int print_judgement(graze_context *context, const graze_judgement *judgement,
-                           const judge_given *o) {
+                           const graze_comparison *points, const judge_given *o) {
     char *report = NULL;
-    int code = complain_of(
-        graze_judgement_report(&report, context, judgement, (graze_judgement_format)o->format),
-        context);
+    int code = complain_of(graze_judgement_report(&report, context, judgement, points,
+                                                  (graze_judgement_format)o->format),
+                           context);
     if (!code)
         code = output_text(NULL, report);
     graze_free(report);
@@ -78,9 +105,35 @@ static int is_too_far(graze_context *context, const graze_judgement *judgement, 
     return far;
 }
 
+/* What the mesh says of points; nothing where it is not closed. */
+static int compare_points(graze_comparison **out, const loaded *l, const judge_given *o,
+                          const graze_mesh *mesh) {
+    marks given = {.dimension = 3};
+    graze_mesh_points asked = {.size = sizeof asked,
+                               .count = o->count ? o->count : DEFAULT_POINTS,
+                               .seed = o->seed.given ? o->seed.seed : 1,
+                               .on_as = o->on_as ? (graze_on_as)(o->on_as - 1) : GRAZE_ON_AS_ANY,
+                               .show = POINTS_SHOWN,
+                               .threads = o->jobs,
+                               .solid = o->scene.solid,
+                               .motion = o->scene.motion};
+    if (o->no_points || graze_mesh_get_facts(mesh).rule == GRAZE_MESH_NONE)
+        return EXIT_DONE;
+    int code = o->points ? marks_read(&given, o->points, l->context) : EXIT_DONE;
+    if (o->points) {
+        asked.points = (graze_rationals)given.value;
+        asked.count = given.count;
+    }
+    if (!code)
+        code = complain_of(graze_compare_mesh(out, l->context, l->scene, mesh, &asked), l->context);
+    marks_clear(&given);
+    return code;
+}
+
 static int judge_mesh(const loaded *l, const judge_given *o, const char *path) {
     graze_mesh *mesh = NULL;
     graze_judgement *judgement = NULL;
+    graze_comparison *points = NULL;
     graze_judge_options options = {
         .size = sizeof options, .within = l->rows.sdf, .budget = o->budget};
     int code =
@@ -89,9 +142,12 @@ static int judge_mesh(const loaded *l, const judge_given *o, const char *path) {
         code =
             complain_of(graze_judge(&judgement, l->context, l->scene, mesh, &options), l->context);
     if (!code)
-        code = print_judgement(l->context, judgement, o);
+        code = compare_points(&points, l, o, mesh);
+    if (!code)
+        code = print_judgement(l->context, judgement, points, o);
     if (!code && o->fail_above && is_too_far(l->context, judgement, o->fail_above))
         code = EXIT_NO;
+    graze_comparison_destroy(points);
     graze_judgement_destroy(judgement);
     graze_mesh_destroy(mesh);
     return code;

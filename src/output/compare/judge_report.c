@@ -1,8 +1,12 @@
 /* Text, Markdown and JSON of a judgement. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/report/judge_report.h"
+#include "output/compare/judge_report.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include "base/number/rounding.h"
+#include "output/compare/report_json.h"
+#include "output/compare/report_text.h"
 #include "output/report/enclosure.h"
 #include "output/report/json_values.h"
 
@@ -214,12 +218,13 @@ static void json_volume(json_writer *w, const graze_judgement *j) {
     json_close(w, '}');
 }
 
-static void put_json(text *t, const graze_judgement *j) {
+static void put_json(text *t, const graze_judgement *j, const char *confusion) {
     json_writer w = {.out = t};
     char within[BOUND_ROOM];
     report_width(within, j->searched.within, 1);
     json_open(&w, NULL, '{');
     json_mesh(&w, j);
+    json_number(&w, "confusion", confusion ? confusion : "null");
     json_open(&w, "distance", '{');
     for (int k = 0; k < GRAZE_JUDGED_COUNT; k++)
         json_greatest(&w, j, (graze_judged)k);
@@ -234,11 +239,23 @@ static void put_json(text *t, const graze_judgement *j) {
     text_put(t, "\n");
 }
 
-void judge_report(text *out, const graze_judgement *judgement, graze_judgement_format format) {
-    if (format == GRAZE_JUDGEMENT_JSON)
-        put_json(out, judgement);
-    else if (format == GRAZE_JUDGEMENT_MARKDOWN)
-        put_markdown(out, judgement);
-    else
-        put_text(out, judgement);
+graze_status judge_report(text *out, graze_context *context, const graze_judgement *judgement,
+                          const graze_comparison *points, graze_judgement_format format) {
+    int json = format == GRAZE_JUDGEMENT_JSON;
+    char *confusion = NULL;
+    graze_status status = !points ? GRAZE_OK
+                          : json  ? comparison_json(&confusion, context, points)
+                                  : comparison_text(&confusion, context, points);
+    if (json) {
+        put_json(out, judgement, confusion);
+    } else {
+        if (format == GRAZE_JUDGEMENT_MARKDOWN)
+            put_markdown(out, judgement);
+        else
+            put_text(out, judgement);
+        if (confusion)
+            text_format(out, "\n%s", confusion);
+    }
+    free(confusion);
+    return status;
 }
