@@ -8,6 +8,7 @@
 #define GRAZE_JUDGE_H
 
 #include <graze/compare.h>
+#include <graze/distance.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -64,6 +65,10 @@ GRAZE_API int graze_mesh_volume(mpq_t out, const graze_mesh *mesh);
 /** Coordinates of vertex `index`; unchanged past the end and for NULL.
  * @param[out] point 3 initialised rationals */
 GRAZE_API void graze_mesh_vertex(mpq_t *point, const graze_mesh *mesh, size_t index);
+
+/** The vertices of triangle `index`, by the input's numbers; unchanged past the end and for NULL.
+ */
+GRAZE_API void graze_mesh_triangle(size_t vertex[3], const graze_mesh *mesh, size_t index);
 
 /** Options of a judgement (rule 6). */
 typedef struct graze_judge_options {
@@ -126,6 +131,19 @@ GRAZE_API GRAZE_CHECKED graze_status graze_judgement_report(char **out, graze_co
                                                             const graze_judgement *judgement,
                                                             const graze_comparison *points,
                                                             graze_judgement_format format);
+
+/**
+ * Enclose the signed distances of all vertices of a mesh (graze_distances), in threads.
+ * @param[out] out  an enclosure for each vertex, in its order
+ * @param tolerance greatest width wanted, positive and finite
+ * @param threads   up to 1024; 0 is 1: the caller's own
+ * @return as graze_distances; GRAZE_EILLEGAL a scene in E^2
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_mesh_distances(graze_enclosure *out,
+                                                          graze_context *context,
+                                                          const graze_scene *scene,
+                                                          const graze_mesh *mesh, double tolerance,
+                                                          int threads);
 
 /** Points at which a mesh is judged as a classifier (rule 6). Pointers are borrowed. */
 typedef struct graze_mesh_points {

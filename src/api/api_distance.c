@@ -2,6 +2,7 @@
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include <string.h>
+#include "api/api_distance.h"
 #include "api/api.h"
 #include "base/context/environment.h"
 #include "base/number/rounding.h"
@@ -27,8 +28,8 @@ static graze_status time_in_double(double *out, graze_context *context, const gr
     return status;
 }
 
-static graze_status enclose_point(graze_enclosure *out, graze_context *context,
-                                  const graze_scene *scene, const fmpq *point, double tolerance) {
+graze_status api_enclose(graze_enclosure *out, graze_context *context, const graze_scene *scene,
+                         const fmpq *point, double tolerance) {
     graze_trace trace;
     distance found;
     graze_status status =
@@ -76,7 +77,7 @@ static graze_status enclose_points(graze_enclosure *out, graze_context *context,
         for (size_t k = 0; doubles && k < d && !status; k++)
             status = rational_from_double(point + k, context, doubles[p * d + k]);
         if (!status)
-            status = enclose_point(out + p, context, scene, point, tolerance);
+            status = api_enclose(out + p, context, scene, point, tolerance);
         if (status)
             status = context_item(context, status, "point", p, NULL);
     }

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "api/api.h"
+#include "api/api_distance.h"
 #include "base/context/environment.h"
 #include "base/context/team.h"
 #include "base/number/rounding.h"
@@ -145,6 +146,49 @@ void graze_mesh_vertex(mpq_t *point, const graze_mesh *mesh, size_t index) {
         return;
     for (size_t k = 0; k < 3; k++)
         fmpq_get_mpq(point[k], mesh->input.coordinates + 3 * index + k);
+}
+
+void graze_mesh_triangle(size_t vertex[3], const graze_mesh *mesh, size_t index) {
+    if (!mesh || index >= mesh->judged.cut.count)
+        return;
+    for (int k = 0; k < 3; k++)
+        vertex[k] = mesh->judged.cut.item[index].vertex[k];
+}
+
+/* A run over the vertices. */
+typedef struct vertex_run {
+    graze_enclosure *out;
+    const graze_scene *scene;
+    const fmpq *coordinates;
+    double tolerance;
+} vertex_run;
+
+static graze_status enclose_vertex(void *data, graze_context *context, int member, size_t index) {
+    const vertex_run *r = data;
+    (void)member;
+    return context_item(
+        context,
+        api_enclose(r->out + index, context, r->scene, r->coordinates + 3 * index, r->tolerance),
+        "vertex", index, NULL);
+}
+
+graze_status graze_mesh_distances(graze_enclosure *out, graze_context *context,
+                                  const graze_scene *scene, const graze_mesh *mesh,
+                                  double tolerance, int threads) {
+    static const char name[] = "graze_mesh_distances";
+    if (!out || !context || !scene || !mesh)
+        return api_misuse(context, name, "out, context, scene and mesh must not be NULL");
+    if (!(tolerance > 0 && isfinite(tolerance)) || threads < 0 || threads > TEAM_MOST)
+        return api_misuse(context, name,
+                          "tolerance must be positive and finite, threads at most 1024");
+    if (scene->solid->curved)
+        return api_curved(context, name);
+    if (scene->motion->dimension != 3)
+        return context_fail(context, GRAZE_EILLEGAL,
+                            "a scene in the plane; expected one in space to judge a mesh by");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    vertex_run r = {out, scene, mesh->input.coordinates, tolerance};
+    return team_run(context, threads ? threads : 1, mesh->input.vertex_count, enclose_vertex, &r);
 }
 
 static graze_status check_judged(graze_context *context, const graze_scene *scene,

@@ -1,12 +1,14 @@
 /* graze judge: how far a mesh is from the boundary of a sweep.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <float.h>
+#include <stdlib.h>
 #include <string.h>
 #include "program/cli/commands.h"
 #include "program/cli/marks.h"
 #include "program/cli/values.h"
 #include "program/run/load.h"
 #include "program/run/output.h"
+#include "program/run/vertex_table.h"
 
 static const char judge_help[] =
     "graze judge SOLID MOTION MESH: how far is a mesh from the boundary of the sweep?\n"
@@ -23,13 +25,16 @@ static const char judge_help[] =
     "  --budget N         ask about at most N cubes of space and points (default 10^7); the "
     "bounds\n"
     "                     are those that are known then\n"
+    "  --vertices FILE    .csv: a row for each vertex of MESH with its signed distance, enclosed "
+    "to\n"
+    "                     W, and pmc; .vtk: the mesh with these as data of its points\n"
     "  --points FILE      compare what MESH says of these points with the exact answers (- is\n"
     "                     standard input); by default of 1000 generated ones, of all strata,\n"
     "  --count N          of N\n"
     "  --seed K           their seed (1)\n"
     "  --no-points        of none; a mesh that is not closed is asked about none either\n"
     "  --on-as on|any|in|out   as what the answer of points on MESH is judged (any)\n"
-    "  --jobs N           threads for the points (1)\n"
+    "  --jobs N           threads for vertices and points (1)\n"
     "  --fail-above X     exit status 1 if a distance is certainly greater than X\n"
     "  --format text|markdown|json\n"
     "  --triangulate, --round, --limit NAME=V   as in graze classify\n"
@@ -42,7 +47,7 @@ enum { DEFAULT_POINTS = 1000, POINTS_SHOWN = 5 };
 typedef struct judge_given {
     scene_options scene; /* rows.sdf is the width */
     unsigned long budget;
-    const char *fail_above, *points;
+    const char *fail_above, *points, *vertices;
     unsigned long count;
     seed_value seed;
     int on_as; /* a graze_on_as, and 1 */
@@ -65,6 +70,7 @@ static const option_entry judge_table[] = {
     OPTION("within", judge_given, scene, value_sdf),
     OPTION("budget", judge_given, budget, value_count),
     FILE_READ("points", judge_given, points),
+    FILE_WRITTEN("vertices", judge_given, vertices),
     OPTION("count", judge_given, count, value_count),
     OPTION("seed", judge_given, seed, value_seed),
     FLAG("no-points", judge_given, no_points, value_flag),
@@ -130,6 +136,20 @@ static int compare_points(graze_comparison **out, const loaded *l, const judge_g
     return code;
 }
 
+/* The distances of all vertices, as a file. */
+static int write_vertices(const loaded *l, const judge_given *o, const graze_mesh *mesh) {
+    size_t count = graze_mesh_get_facts(mesh).vertices;
+    graze_enclosure *found = calloc(count + 1, sizeof *found);
+    int code = found ? complain_of(graze_mesh_distances(found, l->context, l->scene, mesh,
+                                                        l->rows.sdf, o->jobs),
+                                   l->context)
+                     : complain(EXIT_IO, "out of memory for %zu vertices", count);
+    if (!code)
+        code = vertex_table_write(o->vertices, l->context, mesh, found);
+    free(found);
+    return code;
+}
+
 static int judge_mesh(const loaded *l, const judge_given *o, const char *path) {
     graze_mesh *mesh = NULL;
     graze_judgement *judgement = NULL;
@@ -141,6 +161,8 @@ static int judge_mesh(const loaded *l, const judge_given *o, const char *path) {
     if (!code)
         code =
             complain_of(graze_judge(&judgement, l->context, l->scene, mesh, &options), l->context);
+    if (!code && o->vertices)
+        code = write_vertices(l, o, mesh);
     if (!code)
         code = compare_points(&points, l, o, mesh);
     if (!code)
@@ -161,6 +183,8 @@ static int run_judge(void *options, const operands *given) {
                         "judge takes SOLID, MOTION and MESH, %d operands given; see graze judge "
                         "--help",
                         given->count);
+    if (o->vertices && vertex_table_check(o->vertices))
+        return EXIT_USAGE;
     o->scene.solid = given->item[0];
     o->scene.motion = given->item[1];
     if (!(o->scene.rows.sdf > 0)) {
