@@ -67,8 +67,8 @@ GRAZE_API int graze_mesh_volume(mpq_t out, const graze_mesh *mesh);
 GRAZE_API void graze_mesh_vertex(mpq_t *point, const graze_mesh *mesh, size_t index);
 
 /** The vertices of triangle `index`, by the input's numbers; unchanged past the end and for NULL.
- */
-GRAZE_API void graze_mesh_triangle(size_t vertex[3], const graze_mesh *mesh, size_t index);
+ * @param[out] vertex 3 of them */
+GRAZE_API void graze_mesh_triangle(size_t *vertex, const graze_mesh *mesh, size_t index);
 
 /** Options of a judgement (rule 6). */
 typedef struct graze_judge_options {

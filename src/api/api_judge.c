@@ -44,7 +44,7 @@ graze_status graze_mesh_read(graze_mesh **out, graze_context *context, const cha
         return api_misuse(context, "graze_mesh_read", "an unknown flag is set");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     soup input;
-    graze_status status = soup_read(&input, context, path);
+    graze_status status = soup_read_any(&input, context, path);
     if (status)
         return status;
     status = make_mesh(out, context, &input, flags);
@@ -148,7 +148,7 @@ void graze_mesh_vertex(mpq_t *point, const graze_mesh *mesh, size_t index) {
         fmpq_get_mpq(point[k], mesh->input.coordinates + 3 * index + k);
 }
 
-void graze_mesh_triangle(size_t vertex[3], const graze_mesh *mesh, size_t index) {
+void graze_mesh_triangle(size_t *vertex, const graze_mesh *mesh, size_t index) {
     if (!mesh || index >= mesh->judged.cut.count)
         return;
     for (int k = 0; k < 3; k++)

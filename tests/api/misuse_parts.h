@@ -345,6 +345,61 @@ static void pairs(bench *b) {
     graze_pair_destroy(p);
 }
 
+static void meshes(bench *b) {
+    static const double corner[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0}, lost[3] = {NAN, 0, 0};
+    static const size_t triangle[3] = {0, 1, 2}, beyond[3] = {0, 1, 3};
+    graze_context *c = b->s.context;
+    const graze_scene *s = b->s.scene;
+    graze_mesh *mesh = NULL;
+    graze_enclosure found[3];
+    graze_judge_options o = {.size = sizeof o, .within = 1}, none = {.size = sizeof none};
+    graze_mesh_points p = {.size = sizeof p, .on_as = (graze_on_as)4};
+    WRONG(graze_mesh_read(NULL, c, "m.off", 0));
+    WRONG_OUT(graze_mesh, graze_mesh_read(&out, NULL, "m.off", 0));
+    WRONG_OUT(graze_mesh, graze_mesh_read(&out, c, NULL, 0));
+    WRONG_OUT(graze_mesh, graze_mesh_read(&out, c, "m.off", 2));
+    WRONG(graze_mesh_create(NULL, c, corner, 3, triangle, 1));
+    WRONG_OUT(graze_mesh, graze_mesh_create(&out, NULL, corner, 3, triangle, 1));
+    WRONG_OUT(graze_mesh, graze_mesh_create(&out, c, NULL, 3, triangle, 1));
+    WRONG_OUT(graze_mesh, graze_mesh_create(&out, c, corner, 3, NULL, 1));
+    assert_int_equal(graze_mesh_create(&mesh, c, lost, 1, NULL, 0), GRAZE_EINPUT);
+    assert_null(mesh);
+    assert_int_equal(graze_mesh_create(&mesh, c, corner, 3, beyond, 1), GRAZE_EINPUT);
+    assert_null(mesh);
+    assert_int_equal(graze_mesh_create(&mesh, c, corner, 3, triangle, 1), GRAZE_OK);
+    WRONG(graze_judge(NULL, c, s, mesh, &o));
+    WRONG_OUT(graze_judgement, graze_judge(&out, NULL, s, mesh, &o));
+    WRONG_OUT(graze_judgement, graze_judge(&out, c, NULL, mesh, &o));
+    WRONG_OUT(graze_judgement, graze_judge(&out, c, s, NULL, &o));
+    WRONG_OUT(graze_judgement, graze_judge(&out, c, s, mesh, NULL));
+    WRONG_OUT(graze_judgement, graze_judge(&out, c, s, mesh, &none));
+    WRONG(graze_judgement_report(NULL, c, NULL, NULL, GRAZE_JUDGEMENT_TEXT));
+    WRONG_OUT(char, graze_judgement_report(&out, c, NULL, NULL, GRAZE_JUDGEMENT_TEXT));
+    WRONG(graze_mesh_distances(NULL, c, s, mesh, 1, 1));
+    WRONG(graze_mesh_distances(found, NULL, s, mesh, 1, 1));
+    WRONG(graze_mesh_distances(found, c, NULL, mesh, 1, 1));
+    WRONG(graze_mesh_distances(found, c, s, NULL, 1, 1));
+    WRONG(graze_mesh_distances(found, c, s, mesh, 0, 1));
+    WRONG(graze_mesh_distances(found, c, s, mesh, 1, -1));
+    WRONG(graze_compare_mesh(NULL, c, s, mesh, &p));
+    WRONG_OUT(graze_comparison, graze_compare_mesh(&out, NULL, s, mesh, &p));
+    WRONG_OUT(graze_comparison, graze_compare_mesh(&out, c, NULL, mesh, &p));
+    WRONG_OUT(graze_comparison, graze_compare_mesh(&out, c, s, NULL, &p));
+    WRONG_OUT(graze_comparison, graze_compare_mesh(&out, c, s, mesh, NULL));
+    WRONG_OUT(graze_comparison, graze_compare_mesh(&out, c, s, mesh, &p));
+    HARMLESS(graze_mesh_destroy, CALLS(graze_mesh_destroy(NULL)));
+    HARMLESS(graze_mesh_get_facts, graze_mesh_get_facts(NULL).triangles == 0);
+    HARMLESS(graze_mesh_volume, graze_mesh_volume(NULL, NULL) == 0);
+    HARMLESS(graze_mesh_vertex, CALLS(graze_mesh_vertex(NULL, NULL, 0)));
+    HARMLESS(graze_mesh_triangle, CALLS(graze_mesh_triangle(NULL, NULL, 0)));
+    HARMLESS(graze_judgement_destroy, CALLS(graze_judgement_destroy(NULL)));
+    HARMLESS(graze_judgement_distance,
+             graze_judgement_distance(NULL, GRAZE_JUDGED_SWEEP).high == 0);
+    HARMLESS(graze_judgement_volume, CALLS(graze_judgement_volume(NULL, NULL, NULL)));
+    HARMLESS(graze_judgement_cost, graze_judgement_cost(NULL) == 0);
+    graze_mesh_destroy(mesh);
+}
+
 static void envelopes(bench *b) {
     graze_context *c = b->s.context;
     graze_envelope *e = NULL;

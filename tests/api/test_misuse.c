@@ -284,6 +284,7 @@ static void all(void **state) {
     grids(&b);
     envelopes(&b);
     pairs(&b);
+    meshes(&b);
     contact_points(&b);
     none_is_left_out(&b);
     graze_comparison_destroy(b.comparison);

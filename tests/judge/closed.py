@@ -119,12 +119,12 @@ def turning_box(judge):
     for n in (6, 16):
         sagitta = 5 - 5 * math.cos(math.pi / n)
         beyond = 5 / math.cos(math.pi / n) - 5
-        inner = judge.ask(f"inscribed {n}", solid, path, prism_mesh(n, 5), "--within", "1/4")
-        outer = judge.ask(f"circumscribed {n}", solid, path, prism_mesh(n, 5 / math.cos(math.pi / n)), "--within", "1/4")
+        inner = judge.ask(f"inscribed {n}", solid, path, prism_mesh(n, 5), "--within", "1/2")
+        outer = judge.ask(f"circumscribed {n}", solid, path, prism_mesh(n, 5 / math.cos(math.pi / n)), "--within", "1/2")
         if inner:
-            judge.holds(f"inscribed {n}", inner, (0, min(sagitta, 0.5), sagitta), 25 * math.pi, 1 / 4)
+            judge.holds(f"inscribed {n}", inner, (0, min(sagitta, 0.5), sagitta), 25 * math.pi, 1 / 2)
         if outer:
-            judge.holds(f"circumscribed {n}", outer, (beyond, 0, min(sagitta, 0.5)), 25 * math.pi, 1 / 4)
+            judge.holds(f"circumscribed {n}", outer, (beyond, 0, min(sagitta, 0.5)), 25 * math.pi, 1 / 2)
 
 
 def hull(points):
@@ -218,6 +218,34 @@ def budgets(judge, checks):
         before = now
 
 
+def fail_above(judge, checks):
+    """Exit status 1 where a distance is certainly more; the report is made all the same."""
+    name, mesh = BOXES[2][:2]
+    files = [judge.graze.write(n, t.text()) for n, t in (("s.off", CUBE), ("m.json", ALONG), ("long.off", mesh))]
+    for limit, status in (("1/2", 1), ("2", 0), ("0", 1)):
+        out = judge.graze.call("judge", *files, "--within", WITHIN, "--fail-above", limit, "--no-points")
+        checks.equal(out.returncode, status, name, "--fail-above", limit)
+        checks.holds(out.stdout.startswith("mesh: 12 triangles"), name, out.stdout[:80])
+
+
+def vertices(judge, checks):
+    """The vertices of the long box: those of x = 11 are 1 away, the others on the boundary."""
+    name, mesh = BOXES[2][:2]
+    files = [judge.graze.write(n, t.text()) for n, t in (("s.off", CUBE), ("m.json", ALONG), ("long.off", mesh))]
+    table = judge.graze.write("v.csv", "")
+    out = judge.graze.call("judge", *files, "--within", "1e-6", "--budget", "1", "--no-points", "--vertices", table)
+    checks.equal(out.returncode, 0, name, "--vertices", out.stderr)
+    with open(table, encoding="utf-8") as file:
+        head, *rows = file.read().splitlines()
+    checks.equal(head, "x,y,z,pmc,sdf_low,sdf_high", name, "head")
+    checks.equal(len(rows), len(mesh.vertices), name, "rows")
+    for row, point in zip(rows, mesh.vertices):
+        x, y, z, pmc, low, high = row.split(",")
+        true, answer = (1, "out") if point[0] == 11 else (0, "on")
+        checks.equal(((F(x), F(y), F(z)), pmc), (point, answer), name, row)
+        checks.holds(F(low) <= true <= F(high) and F(high) - F(low) <= F("2e-6"), name, row)
+
+
 def main():
     args = options("closed forms of distances between a mesh and a sweep")
     checks = Checks()
@@ -226,6 +254,8 @@ def main():
     turning_box(judge)
     scenes_of_hulls(judge, args.random, 4 * args.scale)
     budgets(judge, checks)
+    fail_above(judge, checks)
+    vertices(judge, checks)
     checks.finish()
 
 

@@ -26,7 +26,7 @@ class Judge:
         tag = name.replace(" ", "_").replace("/", "_")
         files = [thing if isinstance(thing, str) else self.graze.write(tag + what + end, thing.text())
                  for thing, what, end in ((solid, "_solid", ".off"), (motion, "", ".json"), (mesh, "_mesh", ".off"))]
-        out = self.graze.call("judge", *files, "--format", "json", *flags)
+        out = self.graze.call("judge", *files, "--format", "json", "--no-points", *flags)
         if out.returncode:
             self.checks.fail(name, *flags, f"exit {out.returncode}: {out.stderr.strip()[:300]}")
             return None

@@ -62,6 +62,8 @@ ROWS = [
     Row("envelope S.wkt M.json --at 1/2 -n 2", SCENE,
         {"--events": "o", "--curve": "o", "--patches": "o", "--joints": "o", "--points": "o"}),
     Row("collide S.wkt M.json S.wkt", SCENE, {}, reads=["--motion-of-fixed"], ends=1),
+    Row("judge B.off B.json B.off --within 1 --count 1", ["B.off", "B.json"], {"--vertices": "o.csv"},
+        reads=["--points"]),
     Row("motion poses Q.csv", ["Q.csv"], {"--output": "o", "--report": "o"}),
     Row("motion dyadic M.json", ["M.json"], {"--output": "o", "--report": "o"}),
     Row("motion joints slide:1,0,0", [], {"--output": "o", "--report": "o"}),
@@ -85,9 +87,10 @@ class Bench:
         self.inputs = folder / "inputs"
         self.candidate = f"'{graze}' classify {{solid}} {{motion}} {{points}} --output {{out}}"
         self.inputs.mkdir()
-        for name, old in (("S.wkt", "square.wkt"), ("M.json", "move2.json"), ("S.off", "cube.off")):
+        for name, old in (("S.wkt", "square.wkt"), ("M.json", "move2.json"), ("S.off", "cube.off"), ("B.off", "cube.off"),
+                          ("B.json", "move3.json")):
             shutil.copy(COMMON / old, self.inputs / name)
-        for name, text in (("P.csv", CSV), ("C.csv", SITES), ("Q.csv", "t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,1,0,0,1,0,0,0\n")):
+        for name, text in (("P.csv", CSV), ("B.csv", "1,1,1\n"), ("C.csv", SITES), ("Q.csv", "t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,1,0,0,1,0,0,0\n")):
             (self.inputs / name).write_text(text)
         for words in ("check S.wkt M.json --receipt R", "classify S.wkt M.json P.csv -o T.csv", "classify S.wkt M.json P.csv -o T2.csv",
                       "classify S.wkt M.json P.csv --shard 1/2 -o 1.csv", "classify S.wkt M.json P.csv --shard 2/2 -o 2.csv"):
@@ -132,7 +135,7 @@ def changed(before, after):
 
 def given(bench, row):
     """Words of a run of that row."""
-    values = {"--receipt": "R", "--solid": "S.wkt", "--motion": "M.json", "--points": "P.csv", "--motion-of-fixed": "M.json"}
+    values = {"--receipt": "R", "--solid": "S.wkt", "--motion": "M.json", "--points": "B.csv" if "B.off" in row.read else "P.csv", "--motion-of-fixed": "M.json"}
     words = list(row.words) + [bench.candidate] * (row.words[-1] == "--candidate")
     return words + [word for option in row.reads for word in (option, values[option])]
 

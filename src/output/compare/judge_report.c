@@ -61,8 +61,9 @@ static void put_edges(text *t, const judged_mesh *m) {
 
 static void put_mesh(text *t, const graze_judgement *j, const char *bullet) {
     const judged_mesh *m = &j->mesh->judged;
-    text_format(t, "%smesh: %zu triangles, %zu component%s", bullet, m->cut.count,
-                m->cut.component_count, m->cut.component_count == 1 ? "" : "s");
+    text_format(t, "%smesh: %zu triangle%s, %zu component%s", bullet, m->cut.count,
+                m->cut.count == 1 ? "" : "s", m->cut.component_count,
+                m->cut.component_count == 1 ? "" : "s");
     if (m->flat_count)
         text_format(t, ", %zu more without area", m->flat_count);
     text_put(t, m->cut.count == 0              ? ", empty\n"

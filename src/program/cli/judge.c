@@ -112,8 +112,8 @@ static int is_too_far(graze_context *context, const graze_judgement *judgement, 
 }
 
 /* What the mesh says of points; nothing where it is not closed. */
-static int compare_points(graze_comparison **out, const loaded *l, const judge_given *o,
-                          const graze_mesh *mesh) {
+static int ask_mesh_points(graze_comparison **out, const loaded *l, const judge_given *o,
+                      const graze_mesh *mesh) {
     marks given = {.dimension = 3};
     graze_mesh_points asked = {.size = sizeof asked,
                                .count = o->count ? o->count : DEFAULT_POINTS,
@@ -164,7 +164,7 @@ static int judge_mesh(const loaded *l, const judge_given *o, const char *path) {
     if (!code && o->vertices)
         code = write_vertices(l, o, mesh);
     if (!code)
-        code = compare_points(&points, l, o, mesh);
+        code = ask_mesh_points(&points, l, o, mesh);
     if (!code)
         code = print_judgement(l->context, judgement, points, o);
     if (!code && o->fail_above && is_too_far(l->context, judgement, o->fail_above))

@@ -36,6 +36,7 @@ static const char overview[] =
     "  graze contact SOLID MOTION CONTACTS  boundary points at given times, and the envelope\n"
     "  graze envelope SOLID MOTION          when the contact with the envelope changes\n"
     "  graze collide MOVING MOTION FIXED    do two solids meet, when first, with which cells\n"
+    "  graze judge SOLID MOTION MESH        how far a mesh is from the boundary of the sweep\n"
     "  graze cases                          the golden cases and what they show\n"
     "  graze COMMAND --help                 options and an example, as graze help COMMAND\n"
     "  graze --version                      versions of graze and its libraries\n"

@@ -1,8 +1,9 @@
 /* Writes the signed distances of a mesh's vertices. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "program/run/vertex_table.h"
 
+#include <math.h>
+#include <stdio.h>
 #include <string.h>
-#include "output/report/enclosure.h"
 #include "output/table/vtk.h"
 #include "program/run/output.h"
 #include "program/run/status.h"
@@ -26,11 +27,12 @@ int vertex_table_check(const char *path) {
                : complain(EXIT_USAGE, "--vertices %s: expected a name in .csv or .vtk", path);
 }
 
-static void put_bound(double bound, int up, const char *behind) {
-    char digits[BOUND_ROOM];
-    report_bound(digits, bound, up);
+/* A bound, one double further out: 17 digits move it by less than that back. */
+static void put_outward(double bound, double out_there, const char *behind) {
+    char digits[40];
+    snprintf(digits, sizeof digits, "%.17g%s", bound == 0 ? 0 : nextafter(bound, out_there),
+             behind);
     output_put(&out, digits);
-    output_put(&out, behind);
 }
 
 static void put_vertex_rows(const graze_mesh *mesh, const graze_enclosure *found, size_t count) {
@@ -45,8 +47,8 @@ static void put_vertex_rows(const graze_mesh *mesh, const graze_enclosure *found
         }
         output_put(&out, graze_pmc_name(found[v].pmc));
         output_put(&out, ",");
-        put_bound(found[v].low, 0, ",");
-        put_bound(found[v].high, 1, "\n");
+        put_outward(found[v].low, -HUGE_VAL, ",");
+        put_outward(found[v].high, HUGE_VAL, "\n");
     }
     mpq_clears(point[0], point[1], point[2], NULL);
 }
