@@ -27,6 +27,7 @@ from .envelopes import Envelope, Event
 from .errors import (CanceledError, GrazeError, IllegalError, InputError, InternalError,
                      LibraryError, LimitError, MachineError, UseError)
 from .inputs import Motion, Solid
+from .judgements import Greatest, Judgement
 from .patches import CurvePart, Patch, PatchJoint
 from .pictures import Page, Picture, class_colours
 from .results import (CLASS_NAMES, ENCLOSURE_DTYPE, PMC_NAMES, VERDICT_DTYPE, Cell, Class, Contact,
@@ -39,9 +40,9 @@ from .times import AlgebraicNumber, Time, decimal
 __all__ = [
     "AlgebraicNumber", "Boundary", "CLASS_NAMES", "CanceledError", "Cell", "CellPair", "Class", "Collision",
     "Comparison",
-    "Contact", "CurvePart", "ENCLOSURE_DTYPE", "Enclosure", "Envelope", "Event", "GrazeError", "IllegalError",
+    "Contact", "CurvePart", "ENCLOSURE_DTYPE", "Enclosure", "Envelope", "Event", "GrazeError", "Greatest", "IllegalError",
     "InputError", "InternalError",
-    "Joint", "LibraryError", "LimitError", "MachineError", "Motion", "PMC_NAMES", "Page", "Patch",
+    "Joint", "Judgement", "LibraryError", "LimitError", "MachineError", "Motion", "PMC_NAMES", "Page", "Patch",
     "PairContact", "PatchJoint", "Picture",
     "Pmc", "Sample", "Scene", "Site", "SiteFacet", "Solid", "Time", "Topology", "Trace",
     "UseError", "VERDICT_DTYPE", "Verdict", "__version__", "class_colours", "class_names", "collide", "columns",

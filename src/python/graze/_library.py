@@ -124,6 +124,26 @@ class CPairOptions(ctypes.Structure):
     _fields_ = [("size", c_size_t), ("question", c_int), ("first", c_int)]
 
 
+class CJudgeOptions(ctypes.Structure):
+    """graze_judge_options."""
+
+    _fields_ = [("size", c_size_t), ("within", c_double), ("budget", c_ulong)]
+
+
+class CMeshPoints(ctypes.Structure):
+    """graze_mesh_points."""
+
+    _fields_ = [("size", c_size_t), ("count", c_size_t), ("seed", c_ulonglong), ("points", c_void_p), ("on_as", c_int),
+                ("show", c_size_t), ("threads", c_int), ("solid", c_char_p), ("motion", c_char_p)]
+
+
+class CMeshFacts(ctypes.Structure):
+    """graze_mesh_facts."""
+
+    _fields_ = [("vertices", c_size_t), ("facets", c_size_t), ("triangles", c_size_t), ("flat", c_size_t),
+                ("components", c_size_t), ("odd_edges", c_size_t), ("unbalanced_edges", c_size_t), ("rule", c_int)]
+
+
 class CCellPair(ctypes.Structure):
     """graze_cell_pair."""
 
@@ -321,6 +341,14 @@ _FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "graze_pair_overlap_time": (c_void_p, [c_void_p]),
     "graze_pair_verdict_name": (c_char_p, [c_int]),
     "graze_cell_pair_name": (c_char_p, [POINTER(CCellPair)]),
+    "graze_mesh_read": (c_int, [_OUT, c_void_p, c_char_p, c_uint]),
+    "graze_mesh_create": (c_int, [_OUT, c_void_p, c_void_p, c_size_t, c_void_p, c_size_t]),
+    "graze_mesh_destroy": (None, [c_void_p]),
+    "graze_mesh_get_facts": (CMeshFacts, [c_void_p]),
+    "graze_compare_mesh": (c_int, [_OUT, c_void_p, c_void_p, c_void_p, POINTER(CMeshPoints)]),
+    "graze_judge": (c_int, [_OUT, c_void_p, c_void_p, c_void_p, POINTER(CJudgeOptions)]),
+    "graze_judgement_destroy": (None, [c_void_p]),
+    "graze_judgement_report": (c_int, [_OUT, c_void_p, c_void_p, c_void_p, c_int]),
     "graze_envelope_create": (c_int, [_OUT, c_void_p, c_void_p]),
     "graze_envelope_destroy": (None, [c_void_p]),
     "graze_envelope_get": (CEnvelopeFacts, [c_void_p]),

@@ -14,6 +14,7 @@ from . import _parallel
 from ._context import Context, Contexts, choice, settings
 from ._library import (CEnclosure, COptions, CRowOptions, CVerdict, Handle, library,
                        take_text)
+from ._meshes import arrays_of
 from ._numbers import Points, Rationals, numpy, read_points
 from ._progress import Progress
 from ._samples import samples
@@ -22,6 +23,7 @@ from .boundaries import BUDGET, CONTACTS, DEPTH, Boundary, boundary
 from .envelopes import Envelope, read_envelope
 from .errors import GrazeError, UseError
 from .inputs import Motion, Solid, input_handle, input_settings
+from .judgements import Judgement, judge
 from .pictures import Page, Picture, cones, draw, page, picture
 from .results import (ENCLOSURE_DTYPE, VERDICT_DTYPE, Cell, Enclosure, Pmc, Sample, Topology,
                       Trace, Verdict)
@@ -402,6 +404,37 @@ class Scene:
         corners = (self._point(box[0]), self._point(box[1])) if box else None
         return boundary(self._context(), self._handle, self.dimension, depth, coarse, budget,
                         contacts, seed, sharp, jobs, corners)
+
+    def judge(self, vertices: Any, faces: Any = None, within: Any = "1e-2r", budget: Optional[int] = None, *,
+              points: int = 1000, seed: int = 1, jobs: Optional[int] = 1) -> Judgement:
+        """How far a mesh is from the boundary of the sweep, each way, by proved bounds (`graze judge`).
+
+        The signed distances of the vertices themselves are `distance(vertices, tolerance)`.
+
+        Args:
+            vertices, faces: rows of 3 floats and of 3 vertices; or a file's name and None; or an object of
+                trimesh or meshio. The mesh may be open, cross itself or have no orientation.
+            within: greatest width of the bounds; text like "1e-3r" is that share of the diagonal.
+            budget: cubes and points that may be asked about; None is 10^7.
+            points: how many generated points a closed mesh is asked about, with `seed`, by `jobs` threads.
+        Raises:
+            UseError: no rows of 3; InputError: a file or face that is none, a curved solid; IllegalError: a
+            scene in the plane, or an unsweep; LimitError, CanceledError.
+        """
+        if faces is None:
+            arrays = arrays_of(vertices)
+            vertices, faces = arrays if arrays else (os.fsencode(vertices), None)
+        return judge(self._context(), self._handle, vertices, faces, self._judged_width(within), budget, points,
+                     seed, jobs)
+
+    def _judged_width(self, within: Any) -> float:
+        width, relative = _width(within)
+        if not relative:
+            return width
+        out = ctypes.c_double()
+        context = self._context()
+        context.run(library().graze_scene_width, ctypes.byref(out), context.pointer, self._handle.pointer, width)
+        return out.value
 
     def draw(self, points: Any = None, *, names: Optional[Sequence[str]] = None, title: str = "",
              grid: int = 0, times: int = 0,

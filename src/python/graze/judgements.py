@@ -1,0 +1,147 @@
+"""How far a mesh is from the boundary of a sweep (graze/judge.h).
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+from __future__ import annotations
+
+import array
+import ctypes
+import json
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any, Dict, Optional, Tuple
+
+from ._context import Context
+from ._library import CJudgeOptions, CMeshPoints, Handle, library, take_text
+from ._numbers import numpy
+from ._parallel import threads
+from .errors import UseError
+
+_REPORT_TEXT, _REPORT_JSON = 0, 2
+_ON_AS_ANY = 1
+
+
+@dataclass(frozen=True)
+class Greatest:
+    """The greatest of some distances is in [low, high]: bounds that are proved. `at` is a point at which
+    it is at least `low`, None where that is 0; `open` one near which it is perhaps `high`, None if the
+    width was reached. `stuck`: nothing more can be told there, perhaps as a seam of the sweep is there."""
+
+    low: float
+    high: float
+    at: Optional[Tuple[float, ...]]
+    reached: bool
+    open: Optional[Tuple[float, ...]]
+    stuck: bool
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """A mesh against the boundary of a sweep.
+
+    Attributes:
+        outside: how far the mesh is from the sweep, where it is outside.
+        inside: how far it is from the outside, where it is inside the sweep.
+        sweep: how far the boundary of the sweep is from the mesh; None for an empty mesh.
+        volume: bounds of the sweep's volume.
+        mesh_volume: that of the mesh, exact; None unless it is closed and oriented.
+        closed, oriented: whether every edge has an even number of triangles, and as many either way.
+        reached: whether all distances have the width that was asked for.
+        report: all of it, as of `graze judge --format json`.
+        text: the report for a person.
+    """
+
+    outside: Greatest
+    inside: Greatest
+    sweep: Optional[Greatest]
+    volume: Tuple[float, float]
+    mesh_volume: Optional[Fraction]
+    closed: bool
+    oriented: bool
+    reached: bool
+    report: Dict[str, Any]
+    text: str
+
+    def __str__(self) -> str:
+        return self.text
+
+
+def _greatest(found: Optional[Dict[str, Any]]) -> Optional[Greatest]:
+    if found is None:
+        return None
+    at, near = found["at"], found.get("open")
+    return Greatest(found["low"], found["high"], tuple(at) if at else None, found["reached"],
+                    tuple(near) if near else None, found.get("stuck", False))
+
+
+def _array(name: str, rows: Any, kind: str) -> Any:
+    """Rows of three numbers as an array of the standard library; arrays of numpy are copied fast."""
+    if numpy is not None and isinstance(rows, numpy.ndarray):
+        made = numpy.ascontiguousarray(rows, dtype=numpy.float64 if kind == "d" else numpy.uint64)
+        if made.ndim != 2 or made.shape[1] != 3 or (kind == "Q" and (rows < 0).any()):
+            raise UseError(f"{name}: expected rows of 3 numbers{'' if kind == 'd' else ' from 0 up'}")
+        return array.array(kind, made.tobytes())
+    out: Any = array.array(kind)
+    for k, row in enumerate(rows):
+        try:
+            numbers = [float(x) if kind == "d" else int(x) for x in row]
+            if len(numbers) != 3:
+                raise ValueError
+            out.extend(numbers)
+        except (TypeError, ValueError, OverflowError) as wrong:
+            raise UseError(f"{name} {k} is {row!r}; expected 3 numbers") from wrong
+    return out
+
+
+def _mesh(context: Context, vertices: Any, faces: Any) -> Handle:
+    places, corners, pointer = _array("vertex", vertices, "d"), _array("face", faces, "Q"), ctypes.c_void_p()
+    context.run(library().graze_mesh_create, ctypes.byref(pointer), context.pointer, places.buffer_info()[0],
+                len(places) // 3, corners.buffer_info()[0], len(corners) // 3)
+    return Handle(pointer, library().graze_mesh_destroy)
+
+
+def _read(context: Context, path: Any) -> Handle:
+    pointer = ctypes.c_void_p()
+    context.run(library().graze_mesh_read, ctypes.byref(pointer), context.pointer, path, 0)
+    return Handle(pointer, library().graze_mesh_destroy)
+
+
+def _compared(context: Context, scene: Handle, mesh: Handle, points: int, seed: int,
+              jobs: Optional[int]) -> Optional[Handle]:
+    """What the mesh says of generated points; None of no points, or where it is not closed."""
+    if not points or not library().graze_mesh_get_facts(mesh.pointer).rule:
+        return None
+    asked = CMeshPoints(size=ctypes.sizeof(CMeshPoints), count=points, seed=seed, on_as=_ON_AS_ANY, threads=threads(jobs))
+    pointer = ctypes.c_void_p()
+    context.run(library().graze_compare_mesh, ctypes.byref(pointer), context.pointer, scene.pointer, mesh.pointer,
+                ctypes.byref(asked))
+    return Handle(pointer, library().graze_comparison_destroy)
+
+
+def _report(context: Context, judged: ctypes.c_void_p, compared: Optional[Handle], form: int) -> str:
+    out = ctypes.c_void_p()
+    context.run(library().graze_judgement_report, ctypes.byref(out), context.pointer, judged,
+                compared.pointer if compared else None, form)
+    return take_text(out)
+
+
+def judge(context: Context, scene: Handle, vertices: Any, faces: Any, within: float, budget: Optional[int],
+          points: int, seed: int, jobs: Optional[int]) -> Judgement:
+    """Judge a mesh: arrays, or a file's name where `faces` is None."""
+    mesh = _mesh(context, vertices, faces) if faces is not None else _read(context, vertices)
+    options = CJudgeOptions(size=ctypes.sizeof(CJudgeOptions), within=within, budget=budget or 0)
+    pointer = ctypes.c_void_p()
+    with mesh:
+        context.run(library().graze_judge, ctypes.byref(pointer), context.pointer, scene.pointer, mesh.pointer,
+                    ctypes.byref(options))
+        with Handle(pointer, library().graze_judgement_destroy, scene, mesh) as judged:
+            compared = _compared(context, scene, mesh, points, seed, jobs)
+            report = json.loads(_report(context, judged, compared, _REPORT_JSON))
+            text = _report(context, judged, compared, _REPORT_TEXT)
+    found, volume = report["distance"], report["volume"]
+    outside, inside = _greatest(found["mesh_to_sweep_outside"]), _greatest(found["mesh_to_sweep_inside"])
+    assert outside is not None and inside is not None
+    return Judgement(outside, inside, _greatest(found["sweep_to_mesh"]),
+                     (volume["sweep"]["low"], volume["sweep"]["high"]),
+                     None if volume["mesh"] is None else Fraction(volume["mesh"]),
+                     report["mesh"]["closed"], report["mesh"]["oriented"], report["budget"]["reached"], report, text)

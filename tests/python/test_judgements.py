@@ -1,0 +1,95 @@
+"""Meshes against the sweep of a cube, a box: distances and volumes derived here.
+
+The cube [0, 2]^3 moved by 8 along x sweeps [0, 10] x [0, 2]^2. A box that ends at x = 9 has the middle of that face 1
+inside, and the corners of x = 10 are 1 from it; one that ends at 11 has that face 1 outside.
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import os
+import tempfile
+import unittest
+from fractions import Fraction
+
+import common
+import graze
+
+FACES = [(0, 2, 3), (0, 3, 1), (4, 5, 7), (4, 7, 6), (0, 1, 5), (0, 5, 4), (2, 6, 7), (2, 7, 3), (0, 4, 6), (0, 6, 2),
+         (1, 3, 7), (1, 7, 5)]
+MOTION = {"dimension": 3, "pieces": [{"t": ["0", "1"], "transform": {"translate": ["8*t", "0", "0"]}}]}
+
+
+def corners(end):
+    return [(x, y, z) for z in (0, 2) for y in (0, 2) for x in (0, end)]
+
+
+class Judgements(unittest.TestCase):
+    def setUp(self):
+        self.scene = graze.Scene(graze.Solid((corners(2), FACES)), MOTION)
+
+    def holds(self, found, true):
+        self.assertTrue(found.reached)
+        self.assertLessEqual(found.low, true)
+        self.assertLessEqual(true, found.high)
+        self.assertLessEqual(found.high - found.low, 0.5)
+
+    def test_short(self):
+        found = self.scene.judge(corners(9), FACES, within=0.5)
+        self.holds(found.outside, 0)
+        self.holds(found.inside, 1)
+        self.holds(found.sweep, 1)
+        self.assertAlmostEqual(found.inside.at[0], 9)
+        self.assertIsNone(found.outside.at)
+        self.assertLessEqual(found.volume[0], 40)
+        self.assertLessEqual(40, found.volume[1])
+        self.assertEqual(found.mesh_volume, Fraction(36))
+        self.assertTrue(found.closed and found.oriented and found.reached)
+        self.assertEqual(found.report["confusion"]["rows"], 1000)
+        self.assertEqual(str(found), found.text)
+
+    def test_open(self):
+        found = self.scene.judge(corners(11), FACES[:-1], within="0.1r", points=7)
+        self.holds(found.outside, 1)
+        self.assertFalse(found.closed or found.oriented)
+        self.assertIsNone(found.mesh_volume)
+        self.assertIsNone(found.report["confusion"])
+
+    def test_budget(self):
+        found = self.scene.judge(corners(9), FACES, within=1e-3, budget=50, points=0)
+        self.assertFalse(found.reached)
+        self.assertLessEqual(found.inside.low, 1)
+        self.assertLessEqual(1, found.inside.high)
+        self.assertIsNotNone(found.inside.open)
+
+    def test_empty(self):
+        found = self.scene.judge([], [])
+        self.assertIsNone(found.sweep)
+        self.assertEqual((found.outside.high, found.inside.high), (0, 0))
+
+    def test_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "mesh.off")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write("OFF\n8 12 0\n" + "".join("%d %d %d\n" % p for p in corners(11)) +
+                           "".join("3 %d %d %d\n" % f for f in FACES))
+            self.holds(self.scene.judge(path, within=0.5, points=0).outside, 1)
+            self.assertRaises(graze.MachineError, self.scene.judge, os.path.join(folder, "none.off"))
+
+    def test_numpy(self):
+        if common.numpy is None:
+            self.skipTest("numpy is not installed")
+        places, faces = common.numpy.array(corners(11), float), common.numpy.array(FACES)
+        self.holds(self.scene.judge(places, faces, within=0.5, points=0).outside, 1)
+        self.assertRaises(graze.UseError, self.scene.judge, places[:, :2], faces)
+        self.assertRaises(graze.UseError, self.scene.judge, places, -faces)
+
+    def test_refused(self):
+        self.assertRaises(graze.UseError, self.scene.judge, [(0, 0)], FACES)
+        self.assertRaises(graze.UseError, self.scene.judge, corners(9), [(0, 1)])
+        self.assertRaises(graze.InputError, self.scene.judge, corners(9), [(0, 1, 8)])
+        self.assertRaises(graze.InputError, self.scene.judge, [(float("nan"), 0, 0)], [])
+        self.assertRaises(graze.UseError, self.scene.judge, corners(9), FACES, within=0)
+        plane = graze.Scene(common.SQUARE, common.moved("t", "0"))
+        self.assertRaises(graze.IllegalError, plane.judge, corners(9), FACES)
+
+
+if __name__ == "__main__":
+    unittest.main()
