@@ -93,7 +93,9 @@ static unsigned sides_of_contact(passing *p, const span *part, uint32_t simplex,
         }
         sides &= speed > bound ? INSIDE_BEFORE : speed < -bound ? INSIDE_AFTER : 0u;
     }
-    return flip(FLIP_SPEED, sides != 0) ? sides ? sides : INSIDE_AFTER : 0u;
+    if (!sides)
+        return 0;
+    return flip(FLIP_SPEED, sides == INSIDE_AFTER) ? INSIDE_AFTER : INSIDE_BEFORE;
 }
 
 static void take_near_simplex(near_simplices *list, uint32_t node, uint32_t simplex) {

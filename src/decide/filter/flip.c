@@ -67,7 +67,7 @@ static void read_environment(void) {
 int flip(flip_site site, int decision) {
     static pthread_once_t once = PTHREAD_ONCE_INIT;
     pthread_once(&once, read_environment);
-    if ((long)site != chosen || (decision && site != FLIP_DIRECTION))
+    if ((long)site != chosen || (decision && site != FLIP_DIRECTION && site != FLIP_SPEED))
         return decision;
     return atomic_fetch_add(&calls, 1) % FLIP_PERIOD == FLIP_PERIOD / 2 - 1 ? !decision : decision;
 }

@@ -34,15 +34,16 @@ typedef enum flip_site {
     FLIP_SURFACE_SIGN, /* a surface's pullback has one sign on a part of a span */
     FLIP_SURFACE_ROOT, /* it has just one root there */
     FLIP_SURFACE_BOX,  /* a span misses the boxes of surfaces */
-    FLIP_SPEED,        /* a contact of a box of points has a side that is inside */
+    FLIP_SPEED,        /* a box of points enters by a simplex */
     FLIP_PIERCE,       /* a simplex goes through a whole box of points */
     FLIP_SEAM,         /* simplices have no place in common near a box of points */
     FLIP_SITE_COUNT
 } flip_site;
 
 #ifdef GRAZE_FLIP_SITES
-/** The decision; but of the calls that would say no (FLIP_DIRECTION: of all) at the site that
- * GRAZE_FLIP_SITE names, one in 10^4 says yes (its contrary): a certainty that is none. */
+/** The decision; but of the calls that would say no (FLIP_DIRECTION, FLIP_SPEED: of all) at the
+ * site that GRAZE_FLIP_SITE names, one in 10^4 says yes (its contrary): a certainty that is none.
+ */
 int flip(flip_site site, int decision);
 #else
 static inline int flip(flip_site site, int decision) {
