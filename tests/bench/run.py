@@ -17,6 +17,7 @@ import collisions
 import contacts
 import curved
 import distances
+import judging
 import positions
 import scenes
 import turns
@@ -324,6 +325,7 @@ class Bench:
         self.grid("L-shape", scenes.L_SHAPE)
         certificates.run(self.table, self.graze, self.folder, 60 if self.options.quick else 300)
         contacts.run(self.table, self.graze, self.folder, 500 if self.options.quick else 2000)
+        judging.run(self.table, self.graze, self.folder, self.options.quick)
         positions.run(self.table, self.graze, self.folder, 20 if self.options.quick else 100)
         self.table.end(self.options.json)
 
