@@ -51,7 +51,7 @@ show_beside() {
 # Beside the suites that run in the plain build alone (run.py): more inputs to code that others run, processes that are stopped and
 # begun again.
 unsanitized=(/laws check/mutants draw/dense contact/probe contact/snap topo/degrees topo/witness topo/sides shards/ended shards/mpi
-    shards/contacts shards/certificates refuse/progress refuse/onto collide/polycubes collide/minkowski)
+    shards/contacts shards/certificates refuse/progress refuse/onto collide/polycubes collide/minkowski topo/duals)
 under_sanitizers() { # folder, flags
     make -s B="$1" CC=clang CXX=clang++ OPT="-O1 $2 -fno-omit-frame-pointer" CFLAGS=-g1 CXXFLAGS=-g1 "$1/graze" programs &&
         ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 TSAN_OPTIONS=halt_on_error=1 \
