@@ -98,6 +98,10 @@ static graze_status decide_cube(band *b, cube *c) {
         if (found == CELL_PIERCED)
             pmc = GRAZE_IN;
     }
+    /* What is certain must not hang on memory. */
+    if (b->ask.tube.out_of_memory || !filter_workspace_of(b->ask.context) ||
+        filter_workspace_of(b->ask.context)->curve.out_of_memory)
+        return context_fail(b->ask.context, GRAZE_ESYSTEM, "out of memory for cubes of space");
     c->kind = pmc == GRAZE_IN ? CUBE_IN : pmc == GRAZE_OUT ? CUBE_OUT : CUBE_BAND;
     return GRAZE_OK;
 }
