@@ -12,13 +12,15 @@ the cylinder to the sides around it is 5 - 5 cos(pi/n) too.
 *Hulls.* A convex solid moved straight by b sweeps the hull of its corners v and v + b. From a mesh that is that hull times q > 1 about an inner
 point, D is greatest at a corner, as it is convex.
 """
-import math
 import itertools
+import math
+import os
 from fractions import Fraction as F
 
-from judged import Checks, Judge, Mesh, block, options, triangles, without
+from judged import KEYS, Checks, Judge, Mesh, block, options, triangles, without
 
 from motion import build, translate  # noqa: E402
+from harness import ROOT as HOME  # noqa: E402
 from solids import cross, joined, minus  # noqa: E402
 
 WITHIN = "1/4"
@@ -246,6 +248,95 @@ def vertices(judge, checks):
         checks.holds(F(low) <= true <= F(high) and F(high) - F(low) <= F("2e-6"), name, row)
 
 
+def seam(judge, checks):
+    """[0, 2]^3 up by 8 along y, over by 2 along x and back down sweeps [0, 4] x [0, 10] x [0, 2]; the points of x = 2, y < 8, which both
+    legs touch, are in its interior and in no copy's: of them nothing can be told but that the boundary is perhaps there."""
+    motion = build([(0, 1, translate([[0], [0, 8], [0]])), (1, 2, translate([[-2, 2], [8], [0]])),
+                    (2, 3, translate([[2], [24, -8], [0]]))])
+    whole = judge.ask("seam", CUBE, motion, block(0, 0, 0, 4, 10, 2), "--within", "1/2")
+    if whole:
+        judge.holds("seam", whole, (0, 0, 0), 80)
+        found = whole["distance"]["sweep_to_mesh"]
+        checks.holds(found["stuck"] and not found["reached"] and not whole["budget"]["reached"], "seam", found)
+        checks.holds(abs(found["open"][0] - 2) < 1 / 16 and found["open"][1] < 8, "seam", "open", found)
+    # The middle of its face x = 3 is 1 from x = 4 and z = 0; the lower bound stops at the seam, 1 away too.
+    inner = judge.ask("seam, inner", CUBE, motion, block(3, 1, F(1, 2), F(7, 2), 9, F(3, 2)), "--within", "1/2")
+    if inner:
+        judge.holds("seam, inner", inner, (0, 1, None), 80)
+    # All of its face x = 2 but a part above y = 8 is in the seam.
+    along = judge.ask("seam, along", CUBE, motion, block(2, 1, F(1, 2), F(5, 2), 7, F(3, 2)), "--within", "1/4")
+    if along:
+        judge.holds("seam, along", along, (0, 1, None), 80)
+        checks.holds(along["distance"]["mesh_to_sweep_inside"]["stuck"], "seam, along", along["distance"])
+
+
+def laws(judge, checks):
+    """Of no closed form: bounds for two widths have a number in common, and hold what single vertices say."""
+    for name in ("bracket",):
+        folder = os.path.join(HOME, "cases", name)
+        files = [os.path.join(folder, "solid.off"), os.path.join(folder, "motion.json")]
+        mesh = os.path.join(HOME, "cases", "bracket", "solid.off")
+        table = judge.graze.write("v.csv", "")
+        reports = [judge.ask(name, *files, mesh, "--within", w, *more)
+                   for w, more in (("1e-1r", ["--vertices", table]), ("5e-2r", []))]
+        if None in reports:
+            continue
+        for key in KEYS:
+            a, b = (r["distance"][key] for r in reports)
+            checks.holds(max(a["low"], b["low"]) <= min(a["high"], b["high"]), name, key, a, b)
+        a, b = (r["volume"]["sweep"] for r in reports)
+        checks.holds(max(a["low"], b["low"]) <= min(a["high"], b["high"]), name, "volume", a, b)
+        with open(table, encoding="utf-8") as file:
+            sdf = [[float(x) for x in row.split(",")[4:]] for row in file.read().splitlines()[1:]]
+        high = reports[1]["distance"]["mesh_to_sweep_outside"]["high"]
+        checks.holds(max(low for low, _ in sdf) <= high, name, "vertices outside", high)
+        high = reports[1]["distance"]["mesh_to_sweep_inside"]["high"]
+        checks.holds(max(-s for _, s in sdf) <= high, name, "vertices inside", high)
+
+
+def texts(judge, checks):
+    """What the report says in words, of what a mesh lacks too."""
+    files = [judge.graze.write(n, t.text()) for n, t in (("s.off", CUBE), ("m.json", ALONG))]
+    far = Mesh([(20, 0, 0), (21, 0, 0), (20, 1, 0), (22, 0, 0), (21, 1, 0), (20, 2, 0), (19, 5, 5), (18, 5, 5), (17, 6, 5), (3, 3, 3)],
+               [[0, 1, 2], [1, 3, 4], [2, 4, 5], [6, 7, 8], [0, 1, 3]])
+    seen = {}
+    for name, mesh, flags in (("empty", Mesh([], []), []), ("flipped", flipped(), ["--format", "markdown"]), ("far", far, []),
+                              ("short", BOXES[1][1], ["--budget", "40", "--count", "5"])):
+        out = judge.graze.call("judge", *files, judge.graze.write(name + ".off", mesh.text()), "--within", "1", *flags)
+        checks.equal(out.returncode, 0, name, out.stderr)
+        seen[name] = out.stdout
+    for name, texts_of in {"empty": ["mesh: 0 triangles, 0 components, empty", "from the mesh: infinite: the mesh is empty"],
+                           "flipped": ["- mesh: 12 triangles, 1 component, closed, not oriented; inside by parity, no volume",
+                                       "- edges, by vertices, with the number of triangles each way: ",
+                                       "| greatest distance of the | enclosure |", "- width 1 reached; "],
+                           "far": ["mesh: 4 triangles, 4 components, 1 more without area, open", ", ...\n"],
+                           "short": ["mesh: 12 triangles, 1 component, closed and oriented", "; the budget is spent, open near (",
+                                     "volume of the mesh: [36, 36]", "width 1 not reached; ", "| golden pmc"]}.items():
+        for text in texts_of:
+            checks.holds(text in seen[name], name, text, seen[name])
+
+
+def vtk(judge, checks):
+    """The mesh with the same numbers as data of its points."""
+    files = [judge.graze.write(n, t.text()) for n, t in (("s.off", CUBE), ("m.json", ALONG), ("long.off", BOXES[2][1]))]
+    path = judge.graze.write("v.vtk", "")
+    out = judge.graze.call("judge", *files, "--within", "1e-6", "--budget", "1", "--no-points", "--vertices", path)
+    checks.equal(out.returncode, 0, "vtk", out.stderr)
+    with open(path, encoding="ascii") as file:
+        lines = file.read().splitlines()
+    at = lines.index("POINTS 8 double")
+    points = [tuple(F(x) for x in line.split()) for line in lines[at + 1:at + 9]]
+    checks.equal(points, BOXES[2][1].vertices, "vtk", "points")
+    at = lines.index("CELLS 12 48")
+    checks.equal(sorted(set(line.split()[0] for line in lines[at + 1:at + 13])), ["3"], "vtk", "cells")
+    for name, true in (("sdf_low", 1), ("sdf_high", 1)):
+        at = next(k for k, line in enumerate(lines) if line.startswith("SCALARS " + name))
+        for line, point in zip(lines[at + 2:at + 10], points):
+            checks.holds(abs(float(line) - (true if point[0] == 11 else 0)) <= 1e-6, "vtk", name, line, point)
+    at = next(k for k, line in enumerate(lines) if line.startswith("SCALARS pmc"))
+    checks.equal([int(line) for line in lines[at + 2:at + 10]], [3 if p[0] == 11 else 2 for p in points], "vtk", "pmc")
+
+
 def main():
     args = options("closed forms of distances between a mesh and a sweep")
     checks = Checks()
@@ -257,6 +348,11 @@ def main():
     budgets(judge, checks)
     fail_above(judge, checks)
     vertices(judge, checks)
+    vtk(judge, checks)
+    texts(judge, checks)
+    if not args.sanitizers:
+        laws(judge, checks)
+    seam(judge, checks)
     checks.finish()
 
 

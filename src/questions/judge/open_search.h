@@ -26,7 +26,7 @@ typedef struct asked_part {
         double low, high; /* the signed distance (C66) is between them; 0 where it was not asked */
     } known;
     double outside, inside; /* bounds of the distances in the part */
-    int is_cut;
+    int is_cut, is_probed;
 } asked_part;
 
 typedef struct known_point known_point;
@@ -59,6 +59,15 @@ graze_status suprema_ask(known_point *out, suprema *s, const double *point, ask_
  * one position of the solid (C66 (c)).
  * @param[out] done whether that is so */
 graze_status suprema_settle(int *done, suprema *s, uint32_t cube);
+/**
+ * Cut a cube of the band, and of those below it the one nearest to a place again, until it shows
+ * what is there: a point around one is outside, or none is left of the band.
+ * @param[out] stuck neither, down to a small share of the width: perhaps a seam */
+graze_status suprema_probe(int *stuck, suprema *s, uint32_t cube, const double *toward);
+
+/** Cubes of at most this share of the width that is wanted are probed; larger ones are cut. */
+#define PROBED_SHARE 0.125
+
 int suprema_is_over(const suprema *s);
 /** Set `high` and what follows from it, by the first that waits at `open`. */
 void supremum_finish(supremum *found, const suprema *s, const priority *wait, const double *open);

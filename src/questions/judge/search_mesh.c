@@ -12,11 +12,9 @@
 #include "base/context/array.h"
 #include "decide/filter/normal.h"
 
-/* Cubes of less than this share of the width that is wanted are stuck; and so are parts. */
-static const double LARGE_SHARE = 0.5, STUCK_SHARE = 0x1p-9;
-
-/* Cubes of less than this share are tried one by one. */
-static const double SETTLED_SHARE = 0.5;
+/* Half sides of cubes that are cut, as shares of the width. Parts of less than the last are stuck.
+ */
+static const double LARGE_SHARE = 0.5, SMALL_SHARE = 0x1p-8, STUCK_PART = 0x1p-9;
 
 static void raise_low(supremum *of, double low, const double *at) {
     if (low > of->low) {
@@ -84,7 +82,7 @@ static graze_status cut_part(suprema *s, uint32_t number) {
 }
 
 static int is_stuck(const suprema *s, const mesh_part *part) {
-    return part->radius <= STUCK_SHARE * s->within || s->part_count + 2 >= UINT32_MAX;
+    return part->radius <= STUCK_PART * s->within || s->part_count + 2 >= UINT32_MAX;
 }
 
 static graze_status look_outside(suprema *s) {
@@ -96,24 +94,37 @@ static graze_status look_outside(suprema *s) {
     return priority_add(&s->outer, s->context, first.bound, first.number);
 }
 
-/* Cut the cube of the band nearest to a part's point, of those that are largest but for some powers
- * of two: so all around it shrinks alike. */
-static graze_status cut_nearest(suprema *s, const asked_part *a, double most) {
-    double low, high, share = LARGE_SHARE;
-    uint32_t index = UINT32_MAX;
-    int done = 0;
-    for (; share >= STUCK_SHARE && index == UINT32_MAX; share *= 0.25) {
-        index = band_nearest(&low, &high, &s->space, a->part.x, CUBE_BAND, share * s->within);
-        if (index != UINT32_MAX && low > most)
-            index = UINT32_MAX;
+/* The cube of the band nearest to a part's point, no further than `most`, of those that are largest
+ * but for some powers of two: so all around it shrinks alike. */
+static uint32_t nearest_large(const suprema *s, const asked_part *a, double most) {
+    double low, high;
+    for (double share = LARGE_SHARE; share >= SMALL_SHARE; share *= 0.5) {
+        uint32_t index =
+            band_nearest(&low, &high, &s->space, a->part.x, CUBE_BAND, share * s->within);
+        if (index != UINT32_MAX && low <= most)
+            return index;
     }
+    return UINT32_MAX;
+}
+
+/* Cut it; once cubes are small, see first whether the nearest of all is perhaps in a seam. */
+static graze_status cut_nearest(suprema *s, uint32_t number, double most) {
+    asked_part *a = &s->part[number];
+    int *stuck = &s->found[SUPREMUM_INSIDE].stuck, done = 0;
+    uint32_t index = nearest_large(s, a, most);
     graze_status status = GRAZE_OK;
-    if (index != UINT32_MAX && cube_radius(&s->space.item[index]) <= SETTLED_SHARE * s->within)
+    if (index != UINT32_MAX && !a->is_probed &&
+        cube_radius(&s->space.item[index]) <= PROBED_SHARE * s->within) {
+        double low, high;
+        uint32_t nearest = band_nearest(&low, &high, &s->space, a->part.x, CUBE_BAND, 0);
+        a->is_probed = 1;
+        return suprema_probe(stuck, s, nearest, a->part.x);
+    }
+    if (index != UINT32_MAX && cube_radius(&s->space.item[index]) <= PROBED_SHARE * s->within)
         status = suprema_settle(&done, s, index);
     if (!status && !done && index != UINT32_MAX)
         status = band_cut(&done, &s->space, index);
-    if (!status && !done)
-        s->found[SUPREMUM_INSIDE].stuck = 1;
+    *stuck |= !status && !done;
     return status;
 }
 
@@ -135,7 +146,7 @@ static graze_status look_inside(suprema *s) {
     if (bound >= a.inside && !is_stuck(s, &a.part) && open_space(s, &a, bound) < a.part.radius)
         return cut_part(s, number);
     if (bound >= a.inside)
-        status = cut_nearest(s, &a, bound - a.part.radius);
+        status = cut_nearest(s, number, bound - a.part.radius);
     bound = smaller(inside_bound(s, &a), bound);
     s->part[number].inside = bound;
     return status ? status : priority_add(&s->inner, s->context, bound, number);

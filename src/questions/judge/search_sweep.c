@@ -8,8 +8,8 @@
 #include "decide/filter/normal.h"
 
 /* Points that bracket the boundary are sought around cubes of at most this share of the width that
- * is wanted, and brought together to this share of it. Smaller cubes are stuck. */
-static const double BRACKET_CUBE = 0.75, BRACKET_LENGTH = 0.0625, STUCK_CUBE = 0x1p-8;
+ * is wanted, and brought together to this share of it. */
+static const double BRACKET_CUBE = 0.75, BRACKET_LENGTH = 0.0625;
 
 /* Corners are sought this much beyond those of the cube. */
 static const double BEYOND = 1.5;
@@ -111,14 +111,18 @@ static graze_status look_at_cube(suprema *s) {
         status = sample_cube(&done, s, first.number);
     if (status || done)
         return status;
-    if (first.bound - s->found[SUPREMUM_SWEEP].low > s->within && radius > STUCK_CUBE * s->within) {
-        status = band_cut(&done, &s->space, first.number);
-        if (!status && done)
-            return add_below(s, s->space.item[first.number].child, first.bound);
+    if (first.bound - s->found[SUPREMUM_SWEEP].low > s->within) {
+        const cube c = s->space.item[first.number];
+        int *stuck = &s->found[SUPREMUM_SWEEP].stuck;
+        if (radius <= PROBED_SHARE * s->within)
+            status = suprema_probe(stuck, s, first.number, c.centre);
+        else
+            status = band_cut(&done, &s->space, first.number);
+        *stuck |= radius > PROBED_SHARE * s->within && !done;
         if (status)
             return status;
-        s->found[SUPREMUM_SWEEP].stuck = 1;
     }
+    /* Where it was cut, others take its place. */
     return priority_add(&s->cubes, s->context, first.bound, first.number);
 }
 
