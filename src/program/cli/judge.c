@@ -113,7 +113,7 @@ static int is_too_far(graze_context *context, const graze_judgement *judgement, 
 
 /* What the mesh says of points; nothing where it is not closed. */
 static int ask_mesh_points(graze_comparison **out, const loaded *l, const judge_given *o,
-                      const graze_mesh *mesh) {
+                           const graze_mesh *mesh) {
     marks given = {.dimension = 3};
     graze_mesh_points asked = {.size = sizeof asked,
                                .count = o->count ? o->count : DEFAULT_POINTS,
