@@ -130,12 +130,12 @@ graze_mesh_facts graze_mesh_get_facts(const graze_mesh *mesh) {
     out.components = m->cut.component_count;
     out.odd_edges = m->open.odd_count;
     out.unbalanced_edges = m->open.unbalanced_count;
-    out.rule = (graze_mesh_rule)m->rule;
+    out.rule = m->rule;
     return out;
 }
 
 int graze_mesh_volume(mpq_t out, const graze_mesh *mesh) {
-    if (!mesh || mesh->judged.rule != MESH_RULE_WINDING)
+    if (!mesh || mesh->judged.rule != GRAZE_MESH_WINDING)
         return 0;
     api_rational_out(out, mesh->judged.volume);
     return 1;
@@ -300,7 +300,7 @@ static graze_status check_mesh_points(graze_context *context, const graze_scene 
     if (scene->motion->dimension != 3)
         return context_fail(context, GRAZE_EILLEGAL,
                             "a scene in the plane; expected one in space to judge a mesh by");
-    if (mesh->judged.rule == MESH_RULE_NONE)
+    if (mesh->judged.rule == GRAZE_MESH_NONE)
         return context_fail(context, GRAZE_EINPUT,
                             "the mesh has no inside: edges with an odd number of triangles; "
                             "expected a closed one");

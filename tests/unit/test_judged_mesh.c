@@ -102,7 +102,7 @@ static void clear(made *m) {
 }
 
 /* Make a mesh and check its rule, and how many edges are odd and open. */
-static void expect(made *m, const shape *s, mesh_rule rule, size_t odd, size_t unbalanced) {
+static void expect(made *m, const shape *s, graze_mesh_rule rule, size_t odd, size_t unbalanced) {
     make(m, s, 0);
     assert_int_equal(m->status, GRAZE_OK);
     assert_int_equal(m->mesh.rule, rule);
@@ -125,7 +125,7 @@ static void cubes(void **state) {
         made m;
         shape *s = shape_new();
         add_cube(s, -1, 2, quads);
-        expect(&m, s, MESH_RULE_WINDING, 0, 0);
+        expect(&m, s, GRAZE_MESH_WINDING, 0, 0);
         assert_int_equal(m.mesh.cut.count, 12);
         assert_int_equal(m.mesh.cut.component_count, 1);
         expect_volume(&m, "8");
@@ -144,7 +144,7 @@ static void cubes(void **state) {
             apart->size[f] = 3;
             apart->facets = f + 1;
         }
-    expect(&m, apart, MESH_RULE_WINDING, 0, 0);
+    expect(&m, apart, GRAZE_MESH_WINDING, 0, 0);
     assert_int_equal(m.mesh.cut.component_count, 1);
     expect_volume(&m, "8");
     clear(&m);
@@ -161,7 +161,7 @@ static void cubes_with_faults(void **state) {
     add_cube(s, -1, 2, 0);
     add_vertex(s, 9, 9, 9);
     turn_facet(s, 11);
-    expect(&m, s, MESH_RULE_PARITY, 0, 3);
+    expect(&m, s, GRAZE_MESH_PARITY, 0, 3);
     assert_int_equal(m.mesh.open.kept_count, 3);
     for (size_t k = 0; k < 3; k++) {
         assert_int_equal(m.mesh.open.kept[k].forward, 2);
@@ -169,7 +169,7 @@ static void cubes_with_faults(void **state) {
     }
     clear(&m);
     s->facets--; /* the last is vertices 4, 7, 6 of the cube */
-    expect(&m, s, MESH_RULE_NONE, 3, 3);
+    expect(&m, s, GRAZE_MESH_NONE, 3, 3);
     assert_int_equal(m.mesh.open.kept_count, 3);
     const uint32_t want[3][2] = {{4, 6}, {7, 4}, {6, 7}}; /* as the neighbours run */
     for (size_t k = 0; k < 3; k++) {
@@ -214,7 +214,7 @@ static void places_by_a_cube(void **state) {
     made m;
     shape *s = shape_new();
     add_cube(s, -1, 2, 0);
-    expect(&m, s, MESH_RULE_WINDING, 0, 0);
+    expect(&m, s, GRAZE_MESH_WINDING, 0, 0);
     for (size_t k = 0; k < sizeof on / sizeof *on; k++)
         expect_place(&m, on[k], MESH_ON, 0);
     for (size_t k = 0; k < sizeof in / sizeof *in; k++)
@@ -224,14 +224,14 @@ static void places_by_a_cube(void **state) {
     clear(&m);
     for (size_t f = 0; f < s->facets; f++)
         turn_facet(s, f);
-    expect(&m, s, MESH_RULE_WINDING, 0, 0);
+    expect(&m, s, GRAZE_MESH_WINDING, 0, 0);
     expect_volume(&m, "-8");
     expect_place(&m, "0 0 0", MESH_IN, -1);
     expect_place(&m, "-2 0 0", MESH_OUT, 0);
     clear(&m);
     turn_facet(s, 0);
     turn_facet(s, 7); /* four edges that no other turned one has, and two diagonals */
-    expect(&m, s, MESH_RULE_PARITY, 0, 6);
+    expect(&m, s, GRAZE_MESH_PARITY, 0, 6);
     assert_true(fmpq_is_zero(m.mesh.volume));
     expect_place(&m, "0 0 0", MESH_IN, 0);
     expect_place(&m, "-2 0 0", MESH_OUT, 0);
@@ -249,7 +249,7 @@ static void several_cubes(void **state) {
     shape *s = shape_new();
     add_cube(s, 0, 2, 0);
     add_cube(s, 0, 2, 0);
-    expect(&m, s, MESH_RULE_WINDING, 0, 0);
+    expect(&m, s, GRAZE_MESH_WINDING, 0, 0);
     assert_int_equal(m.mesh.cut.component_count, 1);
     expect_volume(&m, "16");
     expect_place(&m, "1 1 1", MESH_IN, 2);
@@ -258,7 +258,7 @@ static void several_cubes(void **state) {
     s->vertices = s->facets = 0;
     add_cube(s, 0, 2, 0);
     add_cube(s, 1, 2, 1);
-    expect(&m, s, MESH_RULE_WINDING, 0, 0);
+    expect(&m, s, GRAZE_MESH_WINDING, 0, 0);
     assert_int_equal(m.mesh.cut.component_count, 2);
     expect_volume(&m, "16");
     expect_place(&m, "3/2 3/2 3/2", MESH_IN, 2);
@@ -272,7 +272,7 @@ static void several_cubes(void **state) {
     add_cube(s, 1, 1, 0);
     for (size_t f = 12; f < 24; f++)
         turn_facet(s, f);
-    expect(&m, s, MESH_RULE_WINDING, 0, 0);
+    expect(&m, s, GRAZE_MESH_WINDING, 0, 0);
     expect_volume(&m, "63");
     expect_place(&m, "3/2 3/2 3/2", MESH_OUT, 0);
     expect_place(&m, "3 3 3", MESH_IN, 1);
@@ -305,7 +305,7 @@ static void bands(void **state) {
     for (int twisted = 0; twisted < 2; twisted++) {
         made m;
         shape *s = band(twisted);
-        expect(&m, s, MESH_RULE_NONE, 12, 12 + (size_t)twisted);
+        expect(&m, s, GRAZE_MESH_NONE, 12, 12 + (size_t)twisted);
         assert_int_equal(m.mesh.open.kept_count, LOOSE_EDGES_KEPT);
         for (size_t k = 0; k < LOOSE_EDGES_KEPT; k++) { /* odd ones alone, though 0-1 is not */
             assert_int_equal(m.mesh.open.kept[k].forward, 1);
@@ -340,7 +340,7 @@ static void klein_bottle(void **state) {
             add_triangle(s, a, b, c);
             add_triangle(s, a, c, d);
         }
-    expect(&m, s, MESH_RULE_PARITY, 0, N);
+    expect(&m, s, GRAZE_MESH_PARITY, 0, N);
     assert_int_equal(m.mesh.cut.component_count, 1);
     assert_int_equal(m.mesh.cut.count + m.mesh.flat_count, 2 * N * N);
     assert_int_equal(m.mesh.open.kept_count, N);
@@ -363,7 +363,7 @@ static void empty_file(void **state) {
     assert_int_equal(soup_read(&input, context, path), GRAZE_EILLEGAL);
     assert_int_equal(soup_read_any(&input, context, path), GRAZE_OK);
     assert_int_equal(judged_mesh_make(&mesh, context, &input, 0), GRAZE_OK);
-    assert_int_equal(mesh.rule, MESH_RULE_WINDING);
+    assert_int_equal(mesh.rule, GRAZE_MESH_WINDING);
     judged_mesh_clear(&mesh);
     soup_clear(&input);
     unlink(path);
@@ -374,12 +374,12 @@ static void empty(void **state) {
     (void)state;
     made m;
     shape *s = shape_new();
-    expect(&m, s, MESH_RULE_WINDING, 0, 0);
+    expect(&m, s, GRAZE_MESH_WINDING, 0, 0);
     expect_volume(&m, "0");
     expect_place(&m, "0 0 0", MESH_OUT, 0);
     clear(&m);
     add_vertex(s, 0, 0, 0);
-    expect(&m, s, MESH_RULE_WINDING, 0, 0);
+    expect(&m, s, GRAZE_MESH_WINDING, 0, 0);
     expect_place(&m, "0 0 0", MESH_OUT, 0);
     clear(&m);
     shape_free(s);
@@ -400,19 +400,19 @@ static void tetrahedron_with_a_cut_edge(slong way) {
     add_triangle(s, 2, 0, 3);
     add_triangle(s, 2, 1, 4);
     add_triangle(s, 2, 4, 0);
-    expect(&m, s, MESH_RULE_WINDING, 0, 0);
+    expect(&m, s, GRAZE_MESH_WINDING, 0, 0);
     expect_volume(&m, way > 0 ? "4/3" : "-4/3");
     expect_place(&m, way > 0 ? "1/4 1/4 1/4" : "-1/4 1/4 1/4", MESH_IN, way);
     expect_place(&m, "-3 0 0", MESH_OUT, 0);
     clear(&m);
     add_triangle(s, 0, 4, 1);
     add_triangle(s, 3, 3, 3);
-    expect(&m, s, MESH_RULE_WINDING, 0, 0);
+    expect(&m, s, GRAZE_MESH_WINDING, 0, 0);
     assert_int_equal(m.mesh.flat_count, 2);
     assert_int_equal(m.mesh.cut.count, 5);
     clear(&m);
     s->facets = 4;
-    expect(&m, s, MESH_RULE_NONE, 3, 3);
+    expect(&m, s, GRAZE_MESH_NONE, 3, 3);
     const uint32_t want[3][2] = {{2, 0}, {0, 4}, {4, 2}};
     for (size_t k = 0; k < 3; k++) {
         const loose_edge *e = &m.mesh.open.kept[k];
@@ -453,7 +453,7 @@ static void sizes(void **state) {
                 fmpq_mul(&s->at[v][i], &s->at[v][i], by);
                 fmpq_add(&s->at[v][i], &s->at[v][i], to);
             }
-        expect(&m, s, MESH_RULE_WINDING, 0, 0);
+        expect(&m, s, GRAZE_MESH_WINDING, 0, 0);
         fmpq_pow_si(volume, by, 3);
         fmpq_mul_ui(volume, volume, 8);
         assert_true(fmpq_equal(volume, m.mesh.volume));
@@ -493,7 +493,7 @@ static void facets_off_planes(void **state) {
     clear(&m);
     make(&m, s, GRAZE_SOLID_TRIANGULATE);
     assert_int_equal(m.status, GRAZE_OK);
-    assert_int_equal(m.mesh.rule, MESH_RULE_WINDING);
+    assert_int_equal(m.mesh.rule, GRAZE_MESH_WINDING);
     /* Each of the three fans has its diagonal 1-7, 2-7 or 4-7: through the moved vertex. The
      * pyramids of vertex 0 over the two triangles of such a face have the volumes |1 0 0; 1 1 0; 2
      * 2 2| / 6 = 1/3 each, and the other three faces hold vertex 0. */

@@ -139,7 +139,7 @@ static void reports(void **state) {
     box_mesh b;
     char *report;
     make_box(&b, corner, 6, 2); /* two opposite facets turned round: parity */
-    assert_int_equal(b.mesh.rule, MESH_RULE_PARITY);
+    assert_int_equal(b.mesh.rule, GRAZE_MESH_PARITY);
     graze_comparison *c = compare_mesh(&b, &points, 1, &options);
     assert_int_equal(graze_comparison_report(&report, context, c, GRAZE_COMPARISON_TEXT), GRAZE_OK);
     assert_non_null(strstr(report, "on the mesh: 1 points whose golden answer is `in` or `out`"));

@@ -142,7 +142,7 @@ static mesh_place expected_place(long *sum, const sample_mesh *s, const slong *x
             general = is_flat(a, b, c) || add_tetrahedron(sum, o, a, b, c, x);
         }
     }
-    int inside = s->mesh.rule == MESH_RULE_WINDING ? *sum != 0 : *sum % 2 != 0;
+    int inside = s->mesh.rule == GRAZE_MESH_WINDING ? *sum != 0 : *sum % 2 != 0;
     return inside ? MESH_IN : MESH_OUT;
 }
 
@@ -159,7 +159,7 @@ static mesh_place check_point(const sample_mesh *s) {
         fmpq_set_si(place[i], x[i], 2);
     }
     mesh_place want = expected_place(&sum, s, x), got = judged_place(&found, &s->mesh, *place);
-    int counted = s->mesh.rule == MESH_RULE_WINDING && want != MESH_ON;
+    int counted = s->mesh.rule == GRAZE_MESH_WINDING && want != MESH_ON;
     if (got != want || found != (counted ? sum : 0))
         print_message("at %ld %ld %ld halves: place %d, not %d; winding number %ld, not %ld\n",
                       (long)x[0], (long)x[1], (long)x[2], (int)got, (int)want, found, sum);
@@ -170,11 +170,11 @@ static mesh_place check_point(const sample_mesh *s) {
     return got;
 }
 
-static void random_meshes(mesh_rule rule) {
+static void random_meshes(graze_mesh_rule rule) {
     size_t met[3] = {0, 0, 0};
     for (int round = 0; round < ROUNDS; round++) {
         sample_mesh s;
-        make_sample(&s, rule == MESH_RULE_PARITY);
+        make_sample(&s, rule == GRAZE_MESH_PARITY);
         /* Edges cancel by chance where vertices do, on lines that several edges share. */
         assert_true(s.mesh.rule >= rule);
         for (int n = 0; n < POINTS; n++)
@@ -189,13 +189,13 @@ static void random_meshes(mesh_rule rule) {
 static void tori(void **state) {
     (void)state;
     random_start(20260728);
-    random_meshes(MESH_RULE_WINDING);
+    random_meshes(GRAZE_MESH_WINDING);
 }
 
 static void klein_bottles(void **state) {
     (void)state;
     random_start(20260729);
-    random_meshes(MESH_RULE_PARITY);
+    random_meshes(GRAZE_MESH_PARITY);
 }
 
 int main(void) {

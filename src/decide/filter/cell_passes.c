@@ -18,7 +18,7 @@ static const double LEAST_LENGTH = 0.25;
 /* A facet goes through the cell only along a longer part. */
 static const double LEAST_PIERCING = 1;
 
-/* A part of a node's tree, kept for the halves of a part of time. */
+/* A leaf near a part of time, and on which sides of its contacts trajectories are inside. */
 typedef struct near_simplex {
     uint32_t node, simplex;
     unsigned inside; /* bits of side_of_contact */
@@ -148,7 +148,7 @@ static void pass_part(passing *p, uint32_t index, const near_simplices *around);
 
 static void pass_halves(passing *p, uint32_t index, const near_simplices *around) {
     if (!curve_cut(p->curve, index)) {
-        p->failed = p->visits = PASS_VISITS;
+        p->failed = 1;
         return;
     }
     uint32_t child = p->curve->spans[index].child;
@@ -176,8 +176,6 @@ static void pass_near(passing *p, uint32_t index, near_simplices *near, const sp
         return;
     }
     p->failed = 1;
-    if (part->level < PASS_LEVELS && length_of_part(part) > LEAST_PIERCING * most)
-        pass_halves(p, index, near->overflow ? NULL : near);
 }
 
 /* `around`: the simplices near a longer part, or NULL. */

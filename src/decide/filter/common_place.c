@@ -70,27 +70,22 @@ static int are_apart_along(const double *m, const span *wide, const double *a, c
            larger(first, last) + bound < smaller(0, length);
 }
 
-static void cross(double *out, const double *a, const double *b) {
-    for (int i = 0; i < 3; i++)
-        out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-}
-
 /* The directions that separate a box moved along a chord from a segment, if any does. */
 static int misses_segment(const span *wide, const double *a, const double *b) {
     double edge[3], m[3];
     for (int i = 0; i < 3; i++)
         edge[i] = b[i] - a[i];
-    cross(m, wide->along, edge);
+    cross3(m, wide->along, edge);
     if (are_apart_along(m, wide, a, b))
         return 1;
     for (int i = 0; i < 3; i++) {
         double axis[3] = {i == 0, i == 1, i == 2};
         if (are_apart_along(axis, wide, a, b))
             return 1;
-        cross(m, axis, edge);
+        cross3(m, axis, edge);
         if (are_apart_along(m, wide, a, b))
             return 1;
-        cross(m, axis, wide->along);
+        cross3(m, axis, wide->along);
         if (are_apart_along(m, wide, a, b))
             return 1;
     }

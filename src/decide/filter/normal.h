@@ -27,6 +27,23 @@ static inline double smaller(double a, double b) {
     return a < b ? a : b;
 }
 
+static inline double dot3(const double *a, const double *b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static inline void cross3(double *out, const double *a, const double *b) {
+    out[0] = a[1] * b[2] - a[2] * b[1];
+    out[1] = a[2] * b[0] - a[0] * b[2];
+    out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+/** The distance of two points, rounded up by more than the square and its root are rounded; not
+ * what their differences are. */
+static inline double distance_above(const double *a, const double *b) {
+    double off[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+    return sqrt(dot3(off, off)) * (1 + 0x1p-48);
+}
+
 static inline double largest3(const double *x) {
     return larger(fabs(x[0]), larger(fabs(x[1]), fabs(x[2])));
 }
@@ -47,9 +64,7 @@ static inline void normal_space(normal *out, const double *v, double corner_erro
         a[i] = v[3 + i] - v[i];
         b[i] = v[6 + i] - v[i];
     }
-    out->at[0] = a[1] * b[2] - a[2] * b[1];
-    out->at[1] = a[2] * b[0] - a[0] * b[2];
-    out->at[2] = a[0] * b[1] - a[1] * b[0];
+    cross3(out->at, a, b);
     double la = largest3(a), lb = largest3(b);
     out->error = FILTER_SLACK * (9 * UNIT_ROUNDING * la * lb + 4 * corner_error * (la + lb) +
                                  8 * corner_error * corner_error) +

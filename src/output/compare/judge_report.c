@@ -45,7 +45,7 @@ static void volume_of_sweep(bounds *out, const graze_judgement *j) {
 
 static int is_reached(const graze_judgement *j) {
     int reached = 1;
-    for (int k = 0; k < SUPREMUM_COUNT; k++)
+    for (int k = 0; k < GRAZE_JUDGED_COUNT; k++)
         reached &= j->searched.found[k].reached;
     return reached;
 }
@@ -55,7 +55,7 @@ static void put_edges(text *t, const judged_mesh *m) {
     for (size_t k = 0; k < m->open.kept_count; k++)
         text_format(t, "%s%u-%u (%zu and %zu)", k ? ", " : ": ", m->open.kept[k].from,
                     m->open.kept[k].to, m->open.kept[k].forward, m->open.kept[k].backward);
-    size_t all = m->rule == MESH_RULE_NONE ? m->open.odd_count : m->open.unbalanced_count;
+    size_t all = m->rule == GRAZE_MESH_NONE ? m->open.odd_count : m->open.unbalanced_count;
     text_put(t, all > m->open.kept_count ? ", ...\n" : "\n");
 }
 
@@ -66,12 +66,12 @@ static void put_mesh(text *t, const graze_judgement *j, const char *bullet) {
                 m->cut.component_count == 1 ? "" : "s");
     if (m->flat_count)
         text_format(t, ", %zu more without area", m->flat_count);
-    text_put(t, m->cut.count == 0              ? ", empty\n"
-                : m->rule == MESH_RULE_WINDING ? ", closed and oriented\n"
-                : m->rule == MESH_RULE_PARITY  ? ", closed, not oriented; inside by parity, no "
-                                                 "volume\n"
-                                               : ", open: it has no inside and no volume\n");
-    if (m->rule == MESH_RULE_WINDING)
+    text_put(t, m->cut.count == 0               ? ", empty\n"
+                : m->rule == GRAZE_MESH_WINDING ? ", closed and oriented\n"
+                : m->rule == GRAZE_MESH_PARITY  ? ", closed, not oriented; inside by parity, no "
+                                                  "volume\n"
+                                                : ", open: it has no inside and no volume\n");
+    if (m->rule == GRAZE_MESH_WINDING)
         return;
     text_format(t, "%sedges, by vertices, with the number of triangles each way", bullet);
     put_edges(t, m);
@@ -106,7 +106,7 @@ static void put_volumes(text *t, const graze_judgement *j, const char *bullet) {
     bounds b;
     volume_of_sweep(&b, j);
     text_format(t, "%svolume of the sweep: [%s, %s]\n", bullet, b.low, b.high);
-    if (j->mesh->judged.rule != MESH_RULE_WINDING)
+    if (j->mesh->judged.rule != GRAZE_MESH_WINDING)
         return;
     bounds_of_rationals(&b, j->mesh->judged.volume, j->mesh->judged.volume);
     text_format(t, "%svolume of the mesh: [%s, %s]\n", bullet, b.low, b.high);
@@ -187,8 +187,8 @@ static void json_mesh(json_writer *w, const graze_judgement *j) {
     json_count(w, "facets", j->mesh->input.facet_count);
     json_count(w, "triangles", m->cut.count);
     json_count(w, "flat", m->flat_count);
-    json_bool(w, "closed", m->rule != MESH_RULE_NONE);
-    json_bool(w, "oriented", m->rule == MESH_RULE_WINDING);
+    json_bool(w, "closed", m->rule != GRAZE_MESH_NONE);
+    json_bool(w, "oriented", m->rule == GRAZE_MESH_WINDING);
     json_count(w, "components", m->cut.component_count);
     json_text(w, "rule", mesh_rule_name(m->rule));
     json_count(w, "odd-edges", m->open.odd_count);
@@ -212,7 +212,7 @@ static void json_volume(json_writer *w, const graze_judgement *j) {
     json_number(w, "low", b.low);
     json_number(w, "high", b.high);
     json_close(w, '}');
-    if (j->mesh->judged.rule == MESH_RULE_WINDING)
+    if (j->mesh->judged.rule == GRAZE_MESH_WINDING)
         json_rational(w, "mesh", j->mesh->judged.volume);
     else
         json_text(w, "mesh", NULL);

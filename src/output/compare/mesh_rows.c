@@ -85,7 +85,7 @@ static void put_mesh_point(text *out, const fmpq *point, const char *between) {
 
 static void put_row_answer(text *out, const mesh_run *r, const mesh_row *row, int golden) {
     text_format(out, "pmc=%s", pmc_words[golden ? golden_of(row) : (int)row->place]);
-    if (!golden && r->mesh->rule == MESH_RULE_WINDING)
+    if (!golden && r->mesh->rule == GRAZE_MESH_WINDING)
         text_format(out, " winding=%ld", row->winding);
 }
 
@@ -98,7 +98,7 @@ static void put_mesh_row(text *out, const mesh_run *r, size_t index, const fmpq 
     if (golden && r->points->generator)
         text_format(out, ",%s", stratum_name(row->stratum));
     text_format(out, ",%s", pmc_words[golden ? golden_of(row) : (int)row->place]);
-    if (!golden && r->mesh->rule == MESH_RULE_WINDING)
+    if (!golden && r->mesh->rule == GRAZE_MESH_WINDING)
         text_format(out, ",%ld", row->winding);
 }
 
@@ -172,7 +172,7 @@ static graze_status count_mesh_row(graze_comparison *c, const mesh_run *r, size_
 static graze_status describe(graze_comparison *c, const mesh_run *r,
                              const graze_compare_options *options) {
     const char *strata = r->points->generator ? ",stratum" : "";
-    const char *winding = r->mesh->rule == MESH_RULE_WINDING ? ",winding" : "";
+    const char *winding = r->mesh->rule == GRAZE_MESH_WINDING ? ",winding" : "";
     text golden, candidate;
     if (!comparison_begin(c, r->context, "", "", options))
         return comparison_no_memory(r->context);

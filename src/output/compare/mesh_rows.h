@@ -26,7 +26,7 @@ typedef struct mesh_points {
  *
  * @param[out] out zeroed by the caller, and cleared by comparison_clear in either case
  * @param scene in space; shared by threads
- * @param mesh not of MESH_RULE_NONE
+ * @param mesh not of GRAZE_MESH_NONE
  * @param options on_as, show, solid, motion and scene (to measure wrong points in; NULL: none)
  * alone
  * @param threads at most TEAM_MOST

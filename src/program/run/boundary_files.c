@@ -17,30 +17,21 @@
 
 static output out;
 
-static void put_boundary_bytes(void *to, const char *bytes, size_t length) {
-    output_bytes(to, bytes, length);
-}
-
-static const vtk lines = {{put_boundary_bytes, &out}, 0};
-
-static int ends_in(const char *path, const char *extension) {
-    size_t length = strlen(path), tail = strlen(extension);
-    return length > tail && strcmp(path + length - tail, extension) == 0;
-}
+static const vtk lines = {{output_sink, &out}, 0};
 
 int boundary_check_names(const char *surface, const char *cells, const char *points) {
-    if (surface && !ends_in(surface, ".ply") && !ends_in(surface, ".vtk") &&
-        !ends_in(surface, ".stl"))
+    if (surface && !path_has_extension(surface, ".ply") && !path_has_extension(surface, ".vtk") &&
+        !path_has_extension(surface, ".stl"))
         return complain(EXIT_USAGE, "--surface %s: expected a name in .ply, .vtk or .stl", surface);
-    if (cells && !ends_in(cells, ".vtk"))
+    if (cells && !path_has_extension(cells, ".vtk"))
         return complain(EXIT_USAGE, "--cells %s: expected a name in .vtk", cells);
-    if (points && !ends_in(points, ".csv") && !ends_in(points, ".vtk"))
+    if (points && !path_has_extension(points, ".csv") && !path_has_extension(points, ".vtk"))
         return complain(EXIT_USAGE, "--points %s: expected a name in .csv or .vtk", points);
     return EXIT_DONE;
 }
 
 int boundary_check_surface(const char *surface, int dimension) {
-    if (dimension == 2 && ends_in(surface, ".stl"))
+    if (dimension == 2 && path_has_extension(surface, ".stl"))
         return complain(EXIT_USAGE,
                         "--surface %s: STL has triangles in space; expected a name in .ply or .vtk",
                         surface);
@@ -181,9 +172,9 @@ int boundary_write_surface(const char *path, const graze_boundary *b, graze_cont
     int status = output_open(&out, path);
     if (status)
         return status;
-    if (ends_in(path, ".stl"))
+    if (path_has_extension(path, ".stl"))
         return close_whole(put_stl(b, context, &s));
-    if (!ends_in(path, ".vtk"))
+    if (!path_has_extension(path, ".vtk"))
         return close_whole(put_ply(b, context, dimension, &s));
     status = put_vtk_points(b, context, dimension, OF_VERTICES, s.vertices);
     vtk_cells_begin(&lines, s.faces, (size_t)dimension);
@@ -250,7 +241,7 @@ int boundary_write_points(const char *path, const graze_boundary *b, graze_conte
     int status = output_open(&out, path);
     if (status)
         return status;
-    if (ends_in(path, ".csv")) {
+    if (path_has_extension(path, ".csv")) {
         output_put(&out, "# graze " GRAZE_VERSION " boundary\n# " MISSES "\n");
         put_exact_points(b, dimension, s.points);
         return output_close(&out);

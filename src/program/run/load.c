@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "program/run/interrupt.h"
+#include "program/run/output.h"
 #include "program/run/waiting.h"
 
 static int signal_came(void *data) {
@@ -88,16 +89,11 @@ int loaded_read(loaded *out, const scene_options *o, int illegal, const unsigned
     return status == GRAZE_EILLEGAL ? illegal : code;
 }
 
-static int has_ending(const char *path, const char *ending) {
-    size_t n = strlen(path), m = strlen(ending);
-    return n > m && strcmp(path + n - m, ending) == 0;
-}
-
 int load_certifiable(const char *solid) {
-    if (has_ending(solid, ".off") || has_ending(solid, ".wkt"))
+    if (path_has_extension(solid, ".off") || path_has_extension(solid, ".wkt"))
         return EXIT_DONE;
     return complain(EXIT_INPUT, "%s: graze-check does not read it; expected .off or .wkt%s", solid,
-                    has_ending(solid, ".csg.json") || has_ending(solid, ".csg")
+                    path_has_extension(solid, ".csg.json") || path_has_extension(solid, ".csg")
                         ? ""
                         : ", which graze convert makes of it");
 }

@@ -123,6 +123,10 @@ void output_put(output *out, const char *text) {
     output_bytes(out, text, strlen(text));
 }
 
+void output_sink(void *out, const char *text, size_t length) {
+    output_bytes(out, text, length);
+}
+
 void output_number(output *out, const mpq_t value) {
     char *text = mpq_get_str(NULL, 10, value);
     output_put(out, text);
@@ -168,4 +172,9 @@ void output_guard_standard(void) {
         if (fcntl(fd, F_GETFD) < 0 && errno == EBADF)
             if (open("/dev/null", wrong_way[fd]) < 0)
                 return;
+}
+
+int path_has_extension(const char *path, const char *extension) {
+    size_t length = strlen(path), tail = strlen(extension);
+    return length > tail && strcmp(path + length - tail, extension) == 0;
 }

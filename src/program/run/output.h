@@ -31,6 +31,8 @@ int output_lock(output *out);
 void output_from(output *out, long long byte);
 void output_put(output *out, const char *text);
 void output_bytes(output *out, const char *text, size_t length);
+/** The same as a function of a sink (output/table/sink.h) whose data is the output. */
+void output_sink(void *out, const char *text, size_t length);
 /** An integer, or a ratio in lowest terms. */
 void output_number(output *out, const mpq_t value);
 void output_flush(output *out);
@@ -43,6 +45,9 @@ int output_close(output *out);
 /** Write a text to `path`, or to standard output where it is NULL. Returns an exit status and says
  * what is wrong. */
 int output_text(const char *path, const char *text);
+
+/** Has the path this extension, such as ".vtk", and a name before it? */
+int path_has_extension(const char *path, const char *extension);
 
 /** Make sure that file descriptors 0, 1 and 2 are in use, so that no file opened later takes the
  * place of a closed one; reading or writing one that was closed fails. */

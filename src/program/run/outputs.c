@@ -320,15 +320,10 @@ static int put_last_lines(outputs *out, result_kind kind, unsigned long rows_of_
     return status;
 }
 
-static void put_export_bytes(void *to, const char *bytes, size_t length) {
-    output_bytes(to, bytes, length);
-}
-
 /* Write the table in the form asked for. */
 static int export_table(outputs *out) {
     output *to = &out->file[RESULT_TABLE].out;
-    graze_status status =
-        typed_write(&out->typed, out->l->rows.format, (sink){put_export_bytes, to});
+    graze_status status = typed_write(&out->typed, out->l->rows.format, (sink){output_sink, to});
     if (status)
         output_drop(to);
     return complain_of(status, out->l->context);

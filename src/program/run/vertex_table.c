@@ -10,19 +10,10 @@
 
 static output out;
 
-static void put_vertex_bytes(void *to, const char *bytes, size_t length) {
-    output_bytes(to, bytes, length);
-}
-
-static const vtk lines = {{put_vertex_bytes, &out}, 0};
-
-static int has_suffix(const char *path, const char *suffix) {
-    size_t length = strlen(path), tail = strlen(suffix);
-    return length > tail && strcmp(path + length - tail, suffix) == 0;
-}
+static const vtk lines = {{output_sink, &out}, 0};
 
 int vertex_table_check(const char *path) {
-    return has_suffix(path, ".csv") || has_suffix(path, ".vtk")
+    return path_has_extension(path, ".csv") || path_has_extension(path, ".vtk")
                ? EXIT_DONE
                : complain(EXIT_USAGE, "--vertices %s: expected a name in .csv or .vtk", path);
 }
@@ -101,7 +92,7 @@ int vertex_table_write(const char *path, graze_context *context, const graze_mes
     int status = output_open(&out, path);
     if (status)
         return status;
-    if (has_suffix(path, ".vtk"))
+    if (path_has_extension(path, ".vtk"))
         status = put_vertex_vtk(mesh, context, found, &facts);
     else
         put_vertex_rows(mesh, found, facts.vertices);

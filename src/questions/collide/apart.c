@@ -9,16 +9,6 @@
 #define MOST_BOUND 0x1p950
 #define MOST_SLOPE 0x1p200
 
-static double along(const double *a, const double *b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross3(double out[3], const double *a, const double *b) {
-    out[0] = a[1] * b[2] - a[2] * b[1];
-    out[1] = a[2] * b[0] - a[0] * b[2];
-    out[2] = a[0] * b[1] - a[1] * b[0];
-}
-
 static double size1(const double *n) {
     return fabs(n[0]) + fabs(n[1]) + fabs(n[2]);
 }
@@ -85,7 +75,7 @@ static extent group_extent(const point_group *g, const double n[3]) {
     extent e = {INFINITY, -INFINITY};
     const double *x = g->at;
     for (size_t k = 0; k < g->maps * (size_t)g->count; k++, x += 3)
-        take_place(&e, along(n, x));
+        take_place(&e, dot3(n, x));
     return e;
 }
 
@@ -167,7 +157,7 @@ typedef struct flat_box {
 /* What is in a box and a slab along n: n = share * the slab's normal + rest. */
 static extent flat_extent(const flat_box *f, const double n[3]) {
     const double *normal = f->slab->normal;
-    double length = along(normal, normal), share = length > 0 ? along(n, normal) / length : 0;
+    double length = dot3(normal, normal), share = length > 0 ? dot3(n, normal) / length : 0;
     double centre = 0, half = 0;
     for (int i = 0; i < 3; i++) {
         double rest = n[i] - share * normal[i];
@@ -212,7 +202,7 @@ static void carry_normal(double out[3], const control_maps *maps, const double n
     for (int i = 0; i < 3; i++) {
         double minor[3];
         cross3(minor, m + 4 * ((i + 1) % 3), m + 4 * ((i + 2) % 3));
-        out[i] = along(minor, n);
+        out[i] = dot3(minor, n);
     }
 }
 

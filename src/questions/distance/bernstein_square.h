@@ -2,7 +2,7 @@
 #ifndef GRAZE_DISTANCE_BERNSTEIN_SQUARE_H
 #define GRAZE_DISTANCE_BERNSTEIN_SQUARE_H
 
-#include "decide/filter/carrier.h"
+#include "decide/filter/normal.h"
 
 /** Degrees up to here have their products taken. */
 enum { SQUARED = 20, SQUARE_ROOM = 2 * SQUARED + 5 };
@@ -14,10 +14,6 @@ enum { SQUARED = 20, SQUARE_ROOM = 2 * SQUARED + 5 };
 /** Down and up by more than the roundings of a short chain of operations. */
 #define ROUNDED_DOWN (1 - 0x1p-48)
 #define ROUNDED_UP (1 + 0x1p-48)
-
-static inline double dot3(const double *a, const double *b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 /** The 2n + 1 coefficients of the square of a polynomial, of |.|^2 of a vector function, and of a
  * scalar product; n <= SQUARED + 1. */

@@ -50,14 +50,12 @@ static int shares_of_face(double *share, double *normal, double y[3][3]) {
         a[i] = y[1][i] - y[0][i];
         b[i] = y[2][i] - y[0][i];
     }
-    normal[0] = a[1] * b[2] - a[2] * b[1];
-    normal[1] = a[2] * b[0] - a[0] * b[2];
-    normal[2] = a[0] * b[1] - a[1] * b[0];
+    cross3(normal, a, b);
     double square = dot3(normal, normal);
     for (int k = 0; k < 3; k++) {
         const double *p = y[(k + 1) % 3], *q = y[(k + 2) % 3];
-        double cross[3] = {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2],
-                           p[0] * q[1] - p[1] * q[0]};
+        double cross[3];
+        cross3(cross, p, q);
         share[k] = dot3(cross, normal) / square;
     }
     return share[0] > 0 && share[1] > 0 && share[2] > 0;

@@ -120,11 +120,11 @@ static void tell_parents(band *b, uint32_t index) {
     }
 }
 
-void band_settle(band *b, uint32_t index) {
+void band_settle(band *b, uint32_t index, unsigned char kind) {
     cube *c = &b->item[index];
-    c->kind = CUBE_IN;
+    c->kind = kind;
     b->left[c->level]--;
-    b->in[c->level]++;
+    b->in[c->level] += kind == CUBE_IN;
     if (index)
         tell_parents(b, c->parent);
 }

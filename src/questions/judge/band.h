@@ -38,8 +38,8 @@ void band_clear(band *b);
  * @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM */
 graze_status band_cut(int *done, band *b, uint32_t index);
 
-/** Say that all points of a cube of the band are inside, as was found otherwise. */
-void band_settle(band *b, uint32_t index);
+/** Say what is certain of a cube of the band, as was found otherwise. */
+void band_settle(band *b, uint32_t index, unsigned char kind);
 
 /** Half the diagonal of a cube, rounded up. */
 double cube_radius(const cube *c);

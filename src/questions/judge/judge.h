@@ -18,6 +18,6 @@ struct graze_judgement {
 };
 
 /** "none", "parity" or "winding". Static. */
-const char *mesh_rule_name(mesh_rule rule);
+const char *mesh_rule_name(graze_mesh_rule rule);
 
 #endif

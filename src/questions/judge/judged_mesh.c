@@ -39,10 +39,10 @@ static void add_tetrahedra(fmpq_t sum, const skin *s, size_t first, size_t count
     fmpq_clear(half);
 }
 
-static mesh_rule rule_of(const loose_edges *open) {
-    return open->odd_count          ? MESH_RULE_NONE
-           : open->unbalanced_count ? MESH_RULE_PARITY
-                                    : MESH_RULE_WINDING;
+static graze_mesh_rule rule_of(const loose_edges *open) {
+    return open->odd_count          ? GRAZE_MESH_NONE
+           : open->unbalanced_count ? GRAZE_MESH_PARITY
+                                    : GRAZE_MESH_WINDING;
 }
 
 /* The integral of the winding number is the sum of the signed tetrahedra that the origin makes with
@@ -70,7 +70,7 @@ graze_status judged_mesh_make(judged_mesh *out, graze_context *context, const so
     if (status)
         return status;
     out->rule = rule_of(&out->open);
-    if (out->rule == MESH_RULE_WINDING)
+    if (out->rule == GRAZE_MESH_WINDING)
         find_volume(out);
     return context_poll(context);
 }

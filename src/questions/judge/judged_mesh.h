@@ -4,16 +4,10 @@
 #ifndef GRAZE_JUDGE_JUDGED_MESH_H
 #define GRAZE_JUDGE_JUDGED_MESH_H
 
+#include "graze/judge.h"
 #include "input/solid/corners.h"
 #include "input/solid/skin.h"
 #include "input/validate/loose.h"
-
-/** How a mesh tells its inside. */
-typedef enum mesh_rule {
-    MESH_RULE_NONE,   /* some edge has an odd number of triangles: no inside, no volume */
-    MESH_RULE_PARITY, /* every edge has an even number of them, but they do not cancel */
-    MESH_RULE_WINDING /* every edge is run through as often one way as the other */
-} mesh_rule;
 
 /** Immutable once made. Positions count, not vertex numbers: equal vertices are one. */
 typedef struct judged_mesh {
@@ -21,8 +15,8 @@ typedef struct judged_mesh {
     simplices cut;     /* triangles; those without area are left out, and counted */
     size_t flat_count;
     loose_edges open; /* the edges that forbid the next better rule */
-    mesh_rule rule;
-    fmpq_t volume;      /* the integral of the winding number; set for MESH_RULE_WINDING, else 0 */
+    graze_mesh_rule rule;
+    fmpq_t volume;      /* the integral of the winding number; set for GRAZE_MESH_WINDING, else 0 */
     double *low, *high; /* bounds of the coordinates, as in a solid */
     corners corners;    /* of the triangles, in doubles; `at` is NULL past their range */
     tree boxes;         /* none where there are no triangles */

@@ -5,7 +5,6 @@
 
 #include <math.h>
 #include "decide/filter/normal.h"
-#include "questions/distance/bernstein_square.h"
 #include "questions/distance/foot.h"
 
 typedef struct gap_search {
@@ -38,18 +37,11 @@ static double gap_across(const double *m, const double *point, const double *cor
     return length > 0 ? least / length : 0;
 }
 
-static double distance_between(const double *a, const double *b) {
-    double off[3];
-    for (int i = 0; i < 3; i++)
-        off[i] = a[i] - b[i];
-    return sqrt(dot3(off, off));
-}
-
 static void gap_to_triangle(gap_search *s, uint32_t simplex) {
     const double *corner = s->mesh->corners.at + (size_t)simplex * 9;
     foot at;
     foot_find(&at, &s->from, corner);
-    double high = distance_between(s->from.c, at.q) + s->slop;
+    double high = distance_above(s->from.c, at.q) + s->slop;
     double low = larger(gap_across(at.m, s->from.c, corner) - s->slop, 0);
     s->found.low = smaller(s->found.low, low);
     if (high < s->found.high) {

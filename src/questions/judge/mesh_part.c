@@ -10,11 +10,6 @@
 /* More than three coordinates' errors make of a distance, and than rounding adds to it. */
 static const double WIDER = 1.75;
 
-static double length_between(const double *a, const double *b) {
-    double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
-    return sqrt(x * x + y * y + z * z) * (1 + 0x1p-48);
-}
-
 /* What errs in a difference of two coordinates of the mesh. */
 static double rounding_of(const judged_mesh *mesh) {
     return WIDER * 4 * UNIT_ROUNDING * mesh->corners.reach;
@@ -28,7 +23,7 @@ static void finish_triangle(mesh_part *p, const judged_mesh *mesh) {
     p->error += rounding_of(mesh);
     p->radius = 0;
     for (int k = 0; k < 3; k++)
-        p->radius = larger(p->radius, length_between(p->x, v + 3 * k));
+        p->radius = larger(p->radius, distance_above(p->x, v + 3 * k));
     p->radius += p->error + rounding_of(mesh);
 }
 
@@ -56,7 +51,7 @@ static const double *corner_near_middle(const judged_mesh *mesh, uint32_t node) 
     }
     const double *corner = mesh->corners.at + (size_t)all[node].simplex * 9, *best = corner;
     for (int k = 1; k < 3; k++)
-        if (length_between(corner + 3 * k, middle) < length_between(best, middle))
+        if (distance_above(corner + 3 * k, middle) < distance_above(best, middle))
             best = corner + 3 * k;
     return best;
 }
@@ -73,14 +68,14 @@ void mesh_part_of_node(mesh_part *out, const judged_mesh *mesh, uint32_t node) {
         far[i] = b->high[i] - out->x[i] > out->x[i] - b->low[i] ? b->high[i] : b->low[i];
     out->node = node;
     out->error = WIDER * mesh->corners.error;
-    out->radius = length_between(out->x, far) + rounding_of(mesh);
+    out->radius = distance_above(out->x, far) + rounding_of(mesh);
 }
 
 static void cut_triangle(mesh_part out[2], const judged_mesh *mesh, const mesh_part *whole) {
     int longest = 0;
     double length[3];
     for (int k = 0; k < 3; k++) {
-        length[k] = length_between(whole->corner + 3 * k, whole->corner + 3 * ((k + 1) % 3));
+        length[k] = distance_above(whole->corner + 3 * k, whole->corner + 3 * ((k + 1) % 3));
         if (length[k] > length[longest])
             longest = k;
     }

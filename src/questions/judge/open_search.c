@@ -1,7 +1,10 @@
 /* Points by their cube, the trace and the distance. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "questions/judge/open_search.h"
 
+#include <math.h>
+#include <string.h>
 #include "base/number/rounding.h"
+#include "decide/filter/normal.h"
 #include "decide/verdict/classify.h"
 #include "questions/distance/distance.h"
 
@@ -11,7 +14,7 @@ static const double POINT_SHARE = 0.0625;
 /* Cubes of at most this share of it are probed no further. */
 static const double STUCK_SHARE = 0x1p-9;
 
-/* Points around a cube are this much further out than its corners. */
+/* Points around a cube are so much further out than its corners. */
 static const double AROUND = 1.5;
 
 int suprema_is_over(const suprema *s) {
@@ -57,7 +60,26 @@ graze_status suprema_settle(int *done, suprema *s, uint32_t cube_index) {
     graze_status status = suprema_ask(&known, s, c->centre, ASK_IN);
     *done = !status && known.pmc == GRAZE_IN && -known.high > cube_radius(c);
     if (*done)
-        band_settle(&s->space, cube_index);
+        band_settle(&s->space, cube_index, CUBE_IN);
+    return status;
+}
+
+graze_status suprema_sample(cube_sample *out, suprema *s, uint32_t index) {
+    const cube c = s->space.item[index];
+    graze_status status = GRAZE_OK;
+    *out = (cube_sample){.has_in = 0};
+    for (int k = 0; k < 9 && !status && !(out->has_in && out->has_out); k++) {
+        double point[3];
+        known_point known;
+        for (int i = 0; i < 3; i++)
+            point[i] = c.centre[i] + (k ? (k - 1) >> i & 1 ? AROUND : -AROUND : 0) * c.half;
+        status = suprema_ask(&known, s, point, ASK_NO_DISTANCE);
+        if (status)
+            return status;
+        int outside = known.pmc == GRAZE_OUT;
+        memcpy(outside ? out->out : out->in, point, sizeof point);
+        *(outside ? &out->has_out : &out->has_in) = 1;
+    }
     return status;
 }
 
@@ -65,52 +87,39 @@ graze_status suprema_settle(int *done, suprema *s, uint32_t cube_index) {
  * none. */
 static uint32_t next_probe(const suprema *s, uint32_t child, const double *toward) {
     uint32_t nearest = UINT32_MAX;
-    double least = 0;
+    double least = INFINITY;
     for (uint32_t k = child; k < child + 8; k++) {
         const cube *c = &s->space.item[k];
-        double x = c->centre[0] - toward[0], y = c->centre[1] - toward[1];
-        double z = c->centre[2] - toward[2], square = x * x + y * y + z * z;
-        if (c->kind != CUBE_BAND || (nearest != UINT32_MAX && square >= least))
-            continue;
-        nearest = k;
-        least = square;
+        double way = distance_above(c->centre, toward);
+        if (c->kind == CUBE_BAND && way < least) {
+            nearest = k;
+            least = way;
+        }
     }
     return nearest;
 }
 
-/* Whether a point around a cube is outside. */
-static graze_status ask_around(int *outside, suprema *s, uint32_t index) {
-    const cube c = s->space.item[index];
-    graze_status status = GRAZE_OK;
-    *outside = 0;
-    for (int k = 0; k < 8 && !status && !*outside; k++) {
-        double point[3];
-        known_point known;
-        for (int i = 0; i < 3; i++)
-            point[i] = c.centre[i] + (k >> i & 1 ? AROUND : -AROUND) * c.half;
-        status = suprema_ask(&known, s, point, ASK_NO_DISTANCE);
-        *outside = !status && known.pmc == GRAZE_OUT;
-    }
-    return status;
-}
-
 graze_status suprema_probe(int *stuck, suprema *s, uint32_t index, const double *toward) {
-    graze_status status = GRAZE_OK;
     *stuck = 0;
-    while (!status && index != UINT32_MAX && !*stuck) {
+    for (;;) {
+        cube_sample around;
         int done = 0;
-        status = ask_around(&done, s, index);
-        if (!status && !done)
-            status = suprema_settle(&done, s, index);
-        if (status || done)
-            return status;
+        graze_status status = GRAZE_OK;
         if (cube_radius(&s->space.item[index]) > STUCK_SHARE * s->within)
             status = band_cut(&done, &s->space, index);
         *stuck = !status && !done;
-        if (!status && done)
-            index = next_probe(s, s->space.item[index].child, toward);
+        if (status || *stuck)
+            return status;
+        index = next_probe(s, s->space.item[index].child, toward);
+        if (index == UINT32_MAX)
+            return GRAZE_OK;
+        status = suprema_sample(&around, s, index);
+        if (status || around.has_out)
+            return status;
+        status = suprema_settle(&done, s, index);
+        if (status || done)
+            return status;
     }
-    return status;
 }
 
 void supremum_finish(supremum *found, const suprema *s, const priority *wait, const double *open) {

@@ -31,9 +31,6 @@ typedef struct asked_part {
 
 typedef struct known_point known_point;
 
-/** The distances, by graze_judged. */
-enum { SUPREMUM_OUTSIDE, SUPREMUM_INSIDE, SUPREMUM_SWEEP, SUPREMUM_COUNT };
-
 /** One sequence of steps, which the budget alone ends: so a larger one tells no less. */
 typedef struct suprema {
     graze_context *context;
@@ -46,7 +43,7 @@ typedef struct suprema {
     size_t part_count, part_capacity;
     asked_part *part;
     priority outer, inner; /* parts that may be far outside, and inside */
-    supremum found[SUPREMUM_COUNT];
+    supremum found[GRAZE_JUDGED_COUNT];
 } suprema;
 
 /** When a point's distance is asked for, to a share of the width that is wanted. */
@@ -59,6 +56,15 @@ graze_status suprema_ask(known_point *out, suprema *s, const double *point, ask_
  * one position of the solid (C66 (c)).
  * @param[out] done whether that is so */
 graze_status suprema_settle(int *done, suprema *s, uint32_t cube);
+/** A point of W and one outside, of a cube's centre and the eight places around it. */
+typedef struct cube_sample {
+    int has_in, has_out;
+    double in[3], out[3];
+} cube_sample;
+
+/** Ask around a cube, until both are found. */
+graze_status suprema_sample(cube_sample *out, suprema *s, uint32_t cube);
+
 /**
  * Cut a cube of the band, and of those below it the one nearest to a place again, until it shows
  * what is there: a point around one is outside, or none is left of the band.

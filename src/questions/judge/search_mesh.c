@@ -42,7 +42,7 @@ static double inside_bound(suprema *s, const asked_part *a) {
     band_nearest(&unused, &high, &s->space, a->part.x, CUBE_OUT, 0);
     if (a->known.pmc == GRAZE_IN) {
         band_nearest(&low, &unused, &s->space, a->part.x, CUBE_OUT | CUBE_BAND, 0);
-        raise_low(&s->found[SUPREMUM_INSIDE], low - a->part.error, a->part.x);
+        raise_low(&s->found[GRAZE_JUDGED_INSIDE], low - a->part.error, a->part.x);
     }
     return high + a->part.radius;
 }
@@ -65,7 +65,7 @@ static graze_status take_mesh_part(suprema *s, const mesh_part *part, const aske
     added.inside = smaller(inside_bound(s, &added), from ? from->inside : INFINITY);
     s->part[s->part_count++] = added;
     if (added.known.pmc == GRAZE_OUT)
-        raise_low(&s->found[SUPREMUM_OUTSIDE], added.known.low - part->error, part->x);
+        raise_low(&s->found[GRAZE_JUDGED_OUTSIDE], added.known.low - part->error, part->x);
     status = priority_add(&s->outer, s->context, added.outside, number);
     return status ? status : priority_add(&s->inner, s->context, added.inside, number);
 }
@@ -90,7 +90,7 @@ static graze_status look_outside(suprema *s) {
     const asked_part *a = &s->part[first.number];
     if (!is_stuck(s, &a->part))
         return cut_part(s, first.number);
-    s->found[SUPREMUM_OUTSIDE].stuck = 1;
+    s->found[GRAZE_JUDGED_OUTSIDE].stuck = 1;
     return priority_add(&s->outer, s->context, first.bound, first.number);
 }
 
@@ -110,7 +110,7 @@ static uint32_t nearest_large(const suprema *s, const asked_part *a, double most
 /* Cut it; once cubes are small, see first whether the nearest of all is perhaps in a seam. */
 static graze_status cut_nearest(suprema *s, uint32_t number, double most) {
     asked_part *a = &s->part[number];
-    int *stuck = &s->found[SUPREMUM_INSIDE].stuck, done = 0;
+    int *stuck = &s->found[GRAZE_JUDGED_INSIDE].stuck, done = 0;
     uint32_t index = nearest_large(s, a, most);
     graze_status status = GRAZE_OK;
     if (index != UINT32_MAX && !a->is_probed &&
@@ -155,7 +155,7 @@ static graze_status look_inside(suprema *s) {
 /* Parts that were cut for the other search have left their place to others. */
 static void finish_mesh(suprema *s) {
     priority *waits[2] = {&s->outer, &s->inner};
-    supremum *found[2] = {&s->found[SUPREMUM_OUTSIDE], &s->found[SUPREMUM_INSIDE]};
+    supremum *found[2] = {&s->found[GRAZE_JUDGED_OUTSIDE], &s->found[GRAZE_JUDGED_INSIDE]};
     for (int k = 0; k < 2; k++) {
         while (waits[k]->count && s->part[waits[k]->item[0].number].is_cut)
             (void)priority_take(waits[k]);

@@ -3,16 +3,12 @@
  */
 #include "questions/judge/search_sweep.h"
 
-#include <math.h>
 #include <string.h>
 #include "decide/filter/normal.h"
 
 /* Points that bracket the boundary are sought around cubes of at most this share of the width that
- * is wanted, and brought together to this share of it. */
-static const double BRACKET_CUBE = 0.75, BRACKET_LENGTH = 0.0625;
-
-/* Corners are sought this much beyond those of the cube. */
-static const double BEYOND = 1.5;
+ * is wanted, or of what is open, and brought together to this share of the width or the cube. */
+static const double BRACKET_CUBE = 0.75, OPEN_CUBE = 0.0625, BRACKET_LENGTH = 0.0625;
 
 /* No place of the boundary in the cube is further from the mesh. */
 static double cube_bound(const suprema *s, const cube *c) {
@@ -30,66 +26,60 @@ static graze_status add_cube(suprema *s, uint32_t index, double most) {
 /* A place of the boundary is at most `off` from the point: how far it is from the mesh at least. */
 static void take_low(suprema *s, const double *point, double off) {
     double low = mesh_gap_of(s->mesh, point).low - off;
-    if (low > s->found[SUPREMUM_SWEEP].low) {
-        s->found[SUPREMUM_SWEEP].low = low;
-        memcpy(s->found[SUPREMUM_SWEEP].at, point, sizeof s->found[SUPREMUM_SWEEP].at);
+    if (low > s->found[GRAZE_JUDGED_SWEEP].low) {
+        s->found[GRAZE_JUDGED_SWEEP].low = low;
+        memcpy(s->found[GRAZE_JUDGED_SWEEP].at, point, sizeof s->found[GRAZE_JUDGED_SWEEP].at);
     }
 }
 
-static double length_of_way(const double *a, const double *b) {
-    double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
-    return sqrt(x * x + y * y + z * z) * (1 + 0x1p-48);
-}
-
 /* Between a point in the sweep and one outside it is a place of the boundary. */
-static graze_status take_bracket(suprema *s, const double *in, const double *out) {
+static graze_status take_bracket(suprema *s, const cube_sample *ends, double length) {
     double a[3], b[3], middle[3];
     graze_status status = GRAZE_OK;
-    memcpy(a, in, sizeof a);
-    memcpy(b, out, sizeof b);
-    while (!status && length_of_way(a, b) > BRACKET_LENGTH * s->within) {
+    memcpy(a, ends->in, sizeof a);
+    memcpy(b, ends->out, sizeof b);
+    while (!status && distance_above(a, b) > length) {
         known_point known;
         for (int i = 0; i < 3; i++)
             middle[i] = 0.5 * (a[i] + b[i]);
+        if (memcmp(middle, a, sizeof a) == 0 || memcmp(middle, b, sizeof b) == 0)
+            break; /* doubles hold none between */
         status = suprema_ask(&known, s, middle, ASK_NO_DISTANCE);
         if (!status)
             memcpy(known.pmc == GRAZE_OUT ? b : a, middle, sizeof a);
     }
     if (!status)
-        take_low(s, b, length_of_way(a, b));
+        take_low(s, b, distance_above(a, b));
     return status;
 }
 
-/* Points of and around a cube: some in and some out are a bracket; where all are out, the place of
- * the sweep that is nearest to the centre is of its boundary; where all are in, the cube is perhaps
- * all inside.
- * @param[out] settled it is */
-static graze_status sample_cube(int *settled, suprema *s, uint32_t index) {
-    cube copy = s->space.item[index], *c = &copy;
-    double in[3] = {0}, out[3] = {0}, point[3];
-    int has_in = 0, has_out = 0;
-    graze_status status = GRAZE_OK;
-    for (int k = 0; k < 9 && !status && !(has_in && has_out); k++) {
-        known_point known;
-        for (int i = 0; i < 3; i++)
-            point[i] = c->centre[i] + (k ? (k - 1) >> i & 1 ? BEYOND : -BEYOND : 0) * c->half;
-        status = suprema_ask(&known, s, point, ASK_NO_DISTANCE);
-        if (status)
-            return status;
-        memcpy(known.pmc == GRAZE_OUT ? out : in, point, sizeof point);
-        *(known.pmc == GRAZE_OUT ? &has_out : &has_in) = 1;
-    }
-    if (has_in && has_out)
-        return take_bracket(s, in, out);
-    if (has_in)
-        return suprema_settle(settled, s, index);
-    if (has_out) {
-        known_point known;
-        status = suprema_ask(&known, s, c->centre, ASK_OUT);
-        if (!status)
-            take_low(s, c->centre, known.high);
-    }
+/* Where all is out, the place of the sweep that is nearest to the centre is of its boundary; if it
+ * is far, the cube holds none. */
+static graze_status take_nearest(int *done, suprema *s, uint32_t index) {
+    const cube c = s->space.item[index];
+    known_point known;
+    graze_status status = suprema_ask(&known, s, c.centre, ASK_OUT);
+    *done = !status && known.low > cube_radius(&c);
+    if (*done)
+        band_settle(&s->space, index, CUBE_OUT);
+    if (!status)
+        take_low(s, c.centre, known.high);
     return status;
+}
+
+/* What points of a small cube and around it tell.
+ * @param[out] done   the cube is settled
+ * @param[out] hidden all of them are in */
+static graze_status ask_around_cube(int *done, int *hidden, suprema *s, uint32_t index) {
+    cube_sample around;
+    double radius = cube_radius(&s->space.item[index]);
+    graze_status status = suprema_sample(&around, s, index);
+    *hidden = !around.has_out;
+    if (status)
+        return status;
+    if (around.has_in && around.has_out)
+        return take_bracket(s, &around, BRACKET_LENGTH * larger(s->within, radius));
+    return around.has_in ? suprema_settle(done, s, index) : take_nearest(done, s, index);
 }
 
 /* The eight cubes of one that was cut. */
@@ -101,29 +91,27 @@ static graze_status add_below(suprema *s, uint32_t child, double most) {
     return status;
 }
 
-/* Take up the cube with the greatest bound. */
+/* Take up the cube with the greatest bound; where it was cut, others take its place. */
 static graze_status look_at_cube(suprema *s) {
     waiting_part first = priority_take(&s->cubes);
-    double radius = cube_radius(&s->space.item[first.number]);
-    int done = 0;
+    const cube c = s->space.item[first.number];
+    supremum *found = &s->found[GRAZE_JUDGED_SWEEP];
+    int done = 0, hidden = 0;
     graze_status status = GRAZE_OK;
-    if (radius <= BRACKET_CUBE * s->within)
-        status = sample_cube(&done, s, first.number);
+    if (cube_radius(&c) <= BRACKET_CUBE * s->within ||
+        cube_radius(&c) <= OPEN_CUBE * (first.bound - found->low))
+        status = ask_around_cube(&done, &hidden, s, first.number);
     if (status || done)
         return status;
-    if (first.bound - s->found[SUPREMUM_SWEEP].low > s->within) {
-        const cube c = s->space.item[first.number];
-        int *stuck = &s->found[SUPREMUM_SWEEP].stuck;
-        if (radius <= PROBED_SHARE * s->within)
-            status = suprema_probe(stuck, s, first.number, c.centre);
-        else
+    if (first.bound - found->low > s->within) {
+        if (hidden && cube_radius(&c) <= PROBED_SHARE * s->within) {
+            status = suprema_probe(&found->stuck, s, first.number, c.centre);
+        } else {
             status = band_cut(&done, &s->space, first.number);
-        *stuck |= radius > PROBED_SHARE * s->within && !done;
-        if (status)
-            return status;
+            found->stuck = !done;
+        }
     }
-    /* Where it was cut, others take its place. */
-    return priority_add(&s->cubes, s->context, first.bound, first.number);
+    return status ? status : priority_add(&s->cubes, s->context, first.bound, first.number);
 }
 
 /* Those of the other searches may have cut the first cube, or settled it: others take its place. */
@@ -138,7 +126,8 @@ static graze_status finish_sweep(suprema *s) {
         if (first->child)
             status = add_below(s, first->child, bound);
     }
-    supremum_finish(&s->found[SUPREMUM_SWEEP], s, &s->cubes, s->cubes.count ? first->centre : NULL);
+    supremum_finish(&s->found[GRAZE_JUDGED_SWEEP], s, &s->cubes,
+                    s->cubes.count ? first->centre : NULL);
     return status;
 }
 
@@ -149,7 +138,7 @@ graze_status search_sweep_begin(suprema *s) {
 
 graze_status search_sweep_step(suprema *s) {
     graze_status status = finish_sweep(s);
-    if (!status && s->cubes.count && !s->found[SUPREMUM_SWEEP].reached)
+    if (!status && s->cubes.count && !s->found[GRAZE_JUDGED_SWEEP].reached)
         status = look_at_cube(s);
     return status ? status : finish_sweep(s);
 }

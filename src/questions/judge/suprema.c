@@ -11,17 +11,18 @@
 
 /* From an empty mesh all is infinitely far. */
 static void set_empty(suprema *s) {
-    for (int k = 0; k < SUPREMUM_COUNT; k++)
+    for (int k = 0; k < GRAZE_JUDGED_COUNT; k++)
         s->found[k].reached = 1;
-    s->found[SUPREMUM_SWEEP].low = s->found[SUPREMUM_SWEEP].high = INFINITY;
+    s->found[GRAZE_JUDGED_SWEEP].low = s->found[GRAZE_JUDGED_SWEEP].high = INFINITY;
 }
 
-/* The distance of which most is open; its number, or SUPREMUM_COUNT where none can be searched on.
+/* The distance of which most is open; its number, or GRAZE_JUDGED_COUNT where none can be searched
+ * on.
  */
 static int most_open(const suprema *s) {
-    int most = SUPREMUM_COUNT;
+    int most = GRAZE_JUDGED_COUNT;
     double open = 0;
-    for (int k = 0; k < SUPREMUM_COUNT; k++) {
+    for (int k = 0; k < GRAZE_JUDGED_COUNT; k++) {
         const supremum *f = &s->found[k];
         if (f->reached || f->stuck || f->high - f->low <= open)
             continue;
@@ -45,12 +46,12 @@ static graze_status thin_band(suprema *s) {
 }
 
 static graze_status search_all(suprema *s) {
-    static graze_status (*const step[SUPREMUM_COUNT])(suprema *) = {
+    static graze_status (*const step[GRAZE_JUDGED_COUNT])(suprema *) = {
         search_outside_step, search_inside_step, search_sweep_step};
     graze_status status = search_sweep_begin(s);
     if (!status)
         status = search_mesh_begin(s);
-    for (int next = most_open(s); !status && next < SUPREMUM_COUNT && !suprema_is_over(s);
+    for (int next = most_open(s); !status && next < GRAZE_JUDGED_COUNT && !suprema_is_over(s);
          next = most_open(s))
         status = step[next](s);
     return status ? status : thin_band(s);

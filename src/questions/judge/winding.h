@@ -12,12 +12,12 @@ typedef enum mesh_place {
     MESH_IN,
     MESH_ON, /* on a triangle with area, whatever the rule */
     MESH_OUT,
-    MESH_UNTOLD /* MESH_RULE_NONE: off the mesh, and the mesh has no inside */
+    MESH_UNTOLD /* GRAZE_MESH_NONE: off the mesh, and the mesh has no inside */
 } mesh_place;
 
 /**
  * Locate a point exactly. Threads may share the mesh.
- * @param[out] winding the winding number for MESH_RULE_WINDING at points off the mesh, else 0
+ * @param[out] winding the winding number for GRAZE_MESH_WINDING at points off the mesh, else 0
  * @param point 3 canonical rationals
  */
 mesh_place judged_place(long *winding, const judged_mesh *m, const fmpq *point);
