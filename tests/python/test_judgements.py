@@ -89,7 +89,3 @@ class Judgements(unittest.TestCase):
         self.assertRaises(graze.UseError, self.scene.judge, corners(9), FACES, within=0)
         plane = graze.Scene(common.SQUARE, common.moved("t", "0"))
         self.assertRaises(graze.IllegalError, plane.judge, corners(9), FACES)
-
-
-if __name__ == "__main__":
-    unittest.main()
