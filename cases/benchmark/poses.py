@@ -17,11 +17,15 @@ def times(pieces, count):
     return [start + (end - start) * F(k, count - 1) for k in range(count)]
 
 
-def matrix(pieces, t):
-    """The three rows of M(t), exactly."""
-    _, _, rows, weight = next(piece for piece in pieces if t <= piece[1])
-    w = value(weight, t)
-    return [[value(a, t) / w for a in row] for row in rows]
+def matrices(pieces, at):
+    """(t, the three rows of M(t), exactly) of increasing times."""
+    k = 0
+    for t in at:
+        while t > pieces[k][1]:
+            k += 1
+        _, _, rows, weight = pieces[k]
+        w = value(weight, t)
+        yield t, [[value(a, t) / w for a in row] for row in rows]
 
 
 def decimal(x):
@@ -51,8 +55,7 @@ def table(pieces, vertices, count):
     The error is affine in the point, so its norm is greatest in a corner of the solid's box.
     """
     corners, lines, most = box_corners(vertices), [HEAD], F(0)
-    for t in times(pieces, count):
-        exact = matrix(pieces, t)
+    for t, exact in matrices(pieces, times(pieces, count)):
         near = [[float(a) for a in row] for row in exact]
         lines.append(",".join([decimal(t), *(repr(a) for row in near for a in row), "0.0", "0.0", "0.0", "1.0"]))
         error = [[F(b) - a for a, b in zip(row, other)] for row, other in zip(exact, near)]

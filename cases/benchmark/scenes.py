@@ -2,7 +2,8 @@
 """The fifty scenes of the benchmark: writes a folder each, or lists them.
 
     python3 cases/benchmark/scenes.py --graze build/graze OUT [NAME...]
-    python3 cases/benchmark/scenes.py --graze build/graze --list [NAME...]
+    python3 cases/benchmark/scenes.py --list
+    python3 cases/benchmark/scenes.py --graze build/graze --table
 
 A folder has solid.off, motion.json, scene.json, poses-101.csv and poses-1001.csv, as README.md describes them. All
 is exact arithmetic, so that every machine makes the same bytes; Graze makes the motions of the two logs.
@@ -447,10 +448,13 @@ def degree(pieces):
     return max(len(a) - 1 for _, _, rows, weight in pieces for a in (weight, *(a for row in rows for a in row)))
 
 
-def print_scene(graze, name):
-    family, words, make, _ = SCENES[name]
-    mesh, pieces = make(graze)
-    print(name, family, len(mesh[1]), len(pieces), degree(pieces), words, sep="\t", flush=True)
+def print_table(graze):
+    """The scenes in Markdown."""
+    print("| scene | family | triangles | pieces | degree | straight | what it is |\n|---|---|--:|--:|--:|---|---|")
+    for name, (family, words, make, _) in SCENES.items():
+        mesh, pieces = make(graze)
+        cells = (name, family, len(mesh[1]), len(pieces), degree(pieces), "yes" if is_straight(pieces) else "", words)
+        print("| " + " | ".join(map(str, cells)) + " |", flush=True)
 
 
 def chosen(names):
@@ -463,19 +467,24 @@ def chosen(names):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("--graze", default="build/graze")
-    parser.add_argument("--list", action="store_true", help="name, family, triangles, pieces, degree and words of each, a line each; write nothing")
+    parser.add_argument("--list", action="store_true", help="name, family and words of each, between tabs, and write nothing")
+    parser.add_argument("--table", action="store_true", help="all that in Markdown, and triangles, pieces of the motion, its degree, and whether it is straight")
     parser.add_argument("out", nargs="?")
     parser.add_argument("names", nargs="*")
     options = parser.parse_args()
-    if not options.list and not options.out:
-        parser.error("expected a folder to write to, or --list")
+    if options.list:
+        for name, (family, words, *_) in SCENES.items():
+            print(name, family, words, sep="\t")
+        return
+    if not options.table and not options.out:
+        parser.error("expected a folder to write to, --list or --table")
     with tempfile.TemporaryDirectory() as folder:
         graze = Graze(os.path.abspath(options.graze), folder)
-        for name in chosen(options.names if not options.list else [options.out, *options.names] if options.out else []):
-            if options.list:
-                print_scene(graze, name)
-            else:
-                write_scene(graze, options.out, name)
+        if options.table:
+            print_table(graze)
+            return
+        for name in chosen(options.names):
+            write_scene(graze, options.out, name)
 
 
 if __name__ == "__main__":
