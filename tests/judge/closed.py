@@ -6,7 +6,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 *Boxes.* [0, 2]^3 along x by 8 sweeps W = [0, 10] x [0, 2]^2. E(x), the way from x in W to the outside, is the least of its distances to the
 six faces; D(x), from x outside W, is the distance to the box. A turned scene has the same distances.
 *Turning box.* [-3, 3] x [-4, 4] x [0, 1] by half a turn about z sweeps the cylinder of radius 5: every point of the
-disk is in the rectangle's copy that has its direction as diagonal. A prism over a regular n-gon inscribed (circumscribed) is off by 5 - 5 cos(pi/n)
+disk is in the rectangle's copy that has its direction as diagonal; so does a longer turn, in one piece whose weight 1 + (4t - 2)^2 = 5 - 16t + 16t^2 has a
+negative Bernstein coefficient, 5, -3, 5. A prism over a regular n-gon inscribed (circumscribed) is off by 5 - 5 cos(pi/n)
 (5/cos(pi/n) - 5) at most: in the middles of its sides (at its upright edges). Between z = 0 and z = 1 floor and roof are no further than 1/2; from
 the cylinder to the sides around it is 5 - 5 cos(pi/n) too.
 *Hulls.* A convex solid moved straight by b sweeps the hull of its corners v and v + b. From a mesh that is that hull times q > 1 about an inner
@@ -127,6 +128,11 @@ def turning_box(judge):
             judge.holds(f"inscribed {n}", inner, (0, min(sagitta, 0.5), sagitta), 25 * math.pi, 1 / 2)
         if outer:
             judge.holds(f"circumscribed {n}", outer, (beyond, 0, min(sagitta, 0.5)), 25 * math.pi, 1 / 2)
+    path = judge.graze.write("long_turn.json", motion.replace('{"turn": {"quarters": 2, ', '{"rotate": {"tan_half": "4*t - 2", '))
+    sagitta = 5 - 5 * math.cos(math.pi / 6)
+    report = judge.ask("a longer turn", solid, path, prism_mesh(6, 5), "--within", "1/2")
+    if report:
+        judge.holds("a longer turn", report, (0, 0.5, sagitta), 25 * math.pi, 1 / 2)
 
 
 def hull(points):

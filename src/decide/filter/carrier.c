@@ -8,6 +8,9 @@
 #include <stdlib.h>
 #include "base/number/bernstein.h"
 
+/* A part shorter by so many halvings whose weight is still small keeps its piece without bound. */
+enum { HALF_LEVELS = 10 };
+
 static slong degree_of(const point_map *map) {
     slong degree = fmpz_poly_degree(map->weight);
     for (int k = 0; k < map->dimension * (map->dimension + 1); k++)
@@ -69,16 +72,45 @@ int carrier_make_on(carrier *out, const point_map *map, const dyadic_interval *p
     return 1;
 }
 
+static int has_small_weight(const carrier *c) {
+    for (int k = 0; k <= c->degree; k++)
+        if (!(c->weight[k] > CARRIER_LEAST_WEIGHT))
+            return 1;
+    return 0;
+}
+
+static int make_with_halves(carrier *out, const point_map *map, const dyadic_interval *part,
+                            int levels) {
+    if (!carrier_make_on(out, map, part))
+        return 0;
+    if (!levels || !out->usable || !has_small_weight(out))
+        return 1;
+    dyadic_interval halves[2];
+    out->half = calloc(2, sizeof *out->half);
+    dyadic_interval_init(&halves[0]);
+    dyadic_interval_init(&halves[1]);
+    dyadic_interval_halves(&halves[0], &halves[1], part);
+    int made = out->half != NULL;
+    for (int k = 0; k < 2 && made; k++)
+        made = make_with_halves(&out->half[k], map, &halves[k], levels - 1);
+    dyadic_interval_clear(&halves[0]);
+    dyadic_interval_clear(&halves[1]);
+    return made;
+}
+
 int carrier_make(carrier *out, const point_map *map) {
     dyadic_interval unit;
     dyadic_interval_init(&unit);
     dyadic_interval_set_si(&unit, 0, 1);
-    int made = carrier_make_on(out, map, &unit);
+    int made = make_with_halves(out, map, &unit, HALF_LEVELS);
     dyadic_interval_clear(&unit);
     return made;
 }
 
 void carrier_clear(carrier *c) {
+    for (int k = 0; k < 2 && c->half; k++)
+        carrier_clear(&c->half[k]);
+    free(c->half);
     free(c->entry);
     *c = (carrier){.usable = 0};
 }

@@ -26,11 +26,16 @@ typedef struct carrier {
     int dimension, degree; /* degree >= 1 */
     double *entry;         /* coefficient k of entry (i, j) at (i (d + 1) + j)(degree + 1) + k */
     double *weight;        /* degree + 1 coefficients; behind the entries, freed with them */
+    struct carrier *half;  /* its two halves, where a weight is too small to divide by, and so on
+                              down to some level; else NULL; freed with it */
 } carrier;
 
-/** Convert a map; 0 without memory, else 1. */
+/** Weights up to it are too small to divide by. */
+#define CARRIER_LEAST_WEIGHT 0x1p-40
+
+/** Convert a map, with halves; 0 without memory, else 1. */
 int carrier_make(carrier *out, const point_map *map);
-/** The same on a dyadic part of [0, 1], whose parameter runs from 0 to 1 again. */
+/** On a dyadic part of [0, 1], whose parameter runs from 0 to 1 again, without halves. */
 int carrier_make_on(carrier *out, const point_map *map, const dyadic_interval *part);
 void carrier_clear(carrier *c);
 

@@ -7,16 +7,14 @@
 #include <stdlib.h>
 #include "decide/filter/normal.h"
 
-/* Weights below it, and entries beyond CARRIER_REACH, leave a group without bound. */
-static const double LEAST_WEIGHT = 0x1p-40;
-
 static int entries_of(const course *c) {
     return c->dimension * (c->dimension + 1);
 }
 
-/* Matrix k of a piece's control polygon: its maps are means of these. 0 if there is none. */
+/* Matrix k of a piece's control polygon: its maps are means of these. 0 if there is none: its weight
+ * is too small, or an entry beyond CARRIER_REACH. */
 static int control_matrix(double *out, const carrier *piece, int entries, int k) {
-    if (!piece->usable || !(piece->weight[k] > LEAST_WEIGHT))
+    if (!piece->usable || !(piece->weight[k] > CARRIER_LEAST_WEIGHT))
         return 0;
     for (int e = 0; e < entries; e++) {
         out[e] = piece->entry[e * (piece->degree + 1) + k] / piece->weight[k];

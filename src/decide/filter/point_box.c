@@ -22,9 +22,6 @@ enum { CELL_TIMES = 16 };
  * points' spread. */
 static const double LEAST_BEND = 0.25;
 
-/* Weights below it leave a piece without bound. */
-static const double CELL_LEAST_WEIGHT = 0x1p-40;
-
 /* Entries of a carrier below it have become 0. */
 static const double LOST_ENTRY = 0x1p-1000;
 
@@ -39,13 +36,24 @@ typedef struct cell_search {
  * there is no bound. */
 static int spread_over_piece(double spread[3], const carrier *map, const double *half) {
     int d = map->dimension, n = map->degree;
+    double second[3];
+    if (!map->usable)
+        return 0;
+    if (map->half) {
+        if (!spread_over_piece(spread, &map->half[0], half) ||
+            !spread_over_piece(second, &map->half[1], half))
+            return 0;
+        for (int i = 0; i < d; i++)
+            spread[i] = larger(spread[i], second[i]);
+        return 1;
+    }
     for (int i = 0; i < d; i++) {
         double most = 0;
         for (int k = 0; k <= n; k++) {
             double sum = 0;
             for (int j = 0; j < d; j++)
                 sum += (fabs(map->entry[(i * (d + 1) + j) * (n + 1) + k]) + LOST_ENTRY) * half[j];
-            if (!(map->weight[k] > CELL_LEAST_WEIGHT))
+            if (!(map->weight[k] > CARRIER_LEAST_WEIGHT))
                 return 0;
             most = larger(most, sum / map->weight[k]);
         }
