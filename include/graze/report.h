@@ -68,6 +68,8 @@ typedef struct graze_row_options {
                     their pieces and rows of a log (formats.md); CSV and JSON Lines */
     int regular; /**< 1: of an unsweep, is the point in the closure of its interior
                     (graze_trace_regular)? One column more, the last */
+    int boundary; /**< 1: with sdf, a lower bound of the distance from the boundary: all points that
+                     are nearer have the same pmc (proofs/judging.md C120) */
 } graze_row_options;
 
 /** Texts of one row, comma-joined and unchanged; each may be NULL. JSON Lines have none. */

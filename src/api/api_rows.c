@@ -20,7 +20,7 @@ graze_status api_rows(graze_row_options *out, graze_context *context, const char
     if (!(out->format >= GRAZE_FORMAT_CSV && out->format <= GRAZE_FORMAT_NPY))
         return api_misuse(context, function, "the format is unknown");
     if ((out->topo != 0 && out->topo != 1) || (out->regular != 0 && out->regular != 1) ||
-        (out->moments != 0 && out->moments != 1) ||
+        (out->moments != 0 && out->moments != 1) || (out->boundary != 0 && out->boundary != 1) ||
         (out->columns != GRAZE_COLUMNS_ALL && out->columns != GRAZE_COLUMNS_PMC))
         return api_misuse(context, function, "an option has an unknown value");
     if (out->columns == GRAZE_COLUMNS_PMC &&
@@ -36,6 +36,8 @@ graze_status api_rows(graze_row_options *out, graze_context *context, const char
                           "JSON Lines have all answers; expected another format for pmc alone");
     if (!(out->sdf >= 0 && isfinite(out->sdf)))
         return api_misuse(context, function, "sdf must be a positive finite width, or 0");
+    if (out->boundary && !(out->sdf > 0))
+        return api_misuse(context, function, "boundary goes with a width sdf");
     int near = out->motion_error == 0 || (out->motion_error > 0 && out->sdf > 0);
     if (near && isfinite(out->motion_error))
         return GRAZE_OK;

@@ -120,6 +120,8 @@ static void row_choices(bench *b) {
         {.size = sizeof *odd, .sdf = -1},
         {.size = sizeof *odd, .sdf = INFINITY},
         {.size = sizeof *odd, .motion_error = 1},
+        {.size = sizeof *odd, .boundary = 1},
+        {.size = sizeof *odd, .sdf = 1, .boundary = 2},
         {.size = sizeof *odd, .sdf = 1, .motion_error = -1},
         {.size = sizeof *odd, .columns = GRAZE_COLUMNS_PMC, .topo = 1},
         {.size = sizeof *odd, .columns = GRAZE_COLUMNS_PMC, .sdf = 1},

@@ -73,9 +73,8 @@ class Judgements(unittest.TestCase):
             self.holds(self.scene.judge(path, within=0.5, points=0).outside, 1)
             self.assertRaises(graze.MachineError, self.scene.judge, os.path.join(folder, "none.off"))
 
+    @unittest.skipIf(common.numpy is None, "numpy")
     def test_numpy(self):
-        if common.numpy is None:
-            self.skipTest("numpy is not installed")
         places, faces = common.numpy.array(corners(11), float), common.numpy.array(FACES)
         self.holds(self.scene.judge(places, faces, within=0.5, points=0).outside, 1)
         self.assertRaises(graze.UseError, self.scene.judge, places[:, :2], faces)

@@ -111,6 +111,9 @@ class Answers(unittest.TestCase):
         self.assertTrue(lines[-5].endswith(",word,sdf_low,sdf_high,sdf_t,certain"), lines)
         self.assertEqual([line.split(",") for line in lines[-4:-1]], rows)
         self.assertIn("# motion-error 0.75", lines)
+        near = graze.Scene(plain.solid, plain.motion, sdf="1e-6r", boundary_distance=True)
+        for row, far in zip(near.rows(points), (F(1, 2), 1, 0)):
+            self.assertTrue(far * F(9, 10) <= F(row.split(",")[-1]) <= far, row)
         fine = graze.Scene(plain.solid, plain.motion, sdf="1e-9")
         self.assertIn("# sdf 1e-09", fine.table(points).splitlines())
         found = fine.distance(points, math.nextafter(1e-9, 0))
@@ -118,7 +121,7 @@ class Answers(unittest.TestCase):
             low, high = (one["low"], one["high"]) if hasattr(found, "dtype") else (one.low, one.high)
             self.assertEqual([float(x) for x in row.split(",")[-3:-1]], [low, high])
         for wrong in ({"sdf": 0}, {"sdf": "-1"}, {"sdf": float("nan")}, {"sdf": "1e400"}, {"sdf": "r"},
-                      {"motion_error": 1}, {"sdf": 1, "motion_error": 0}, {"sdf": 1, "columns": "pmc"}):
+                      {"boundary_distance": True}, {"motion_error": 1}, {"sdf": 1, "motion_error": 0}, {"sdf": 1, "columns": "pmc"}):
             with self.assertRaises(graze.UseError, msg=wrong):
                 graze.Scene(plain.solid, plain.motion, **wrong)
 

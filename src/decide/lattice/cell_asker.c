@@ -4,7 +4,9 @@
 #include "decide/lattice/cell_asker.h"
 
 #include <string.h>
+#include "decide/filter/cell_passes.h"
 #include "decide/filter/time_ray.h"
+#include "decide/verdict/classify.h"
 
 void cell_asker_init(cell_asker *out, graze_context *context, const graze_scene *scene) {
     *out = (cell_asker){.context = context, .scene = scene};
@@ -80,4 +82,32 @@ graze_pmc cell_decide(cell_asker *a, const point_box *points, anchors *near, int
         return GRAZE_PMC_NONE;
     find_anchors(near, a, points);
     return cell_joins(a, points, near) ? cell_membership_proved(a) : GRAZE_PMC_NONE;
+}
+
+/* What goes through a cell that nothing else decides. */
+static graze_status decide_passage(graze_pmc *pmc, cell_asker *a, const point_box *points) {
+    const filter *f = &a->scene->filter;
+    if (a->scene->options.operation != GRAZE_SWEEP || a->scene->motion->dimension != 3 ||
+        !point_box_begin(&a->tube, f, points))
+        return GRAZE_OK;
+    cell_passage found = cell_passes(&a->tube, f, points);
+    if (found == CELL_PIERCED)
+        *pmc = GRAZE_IN;
+    if (found != CELL_PASSES)
+        return GRAZE_OK;
+    graze_verdict verdict;
+    graze_status status = classify_answer(&verdict, a->context, a->scene,
+                                          (query_point){.value = points->centre}, TRACE_PMC_BESIDE);
+    if (!status)
+        *pmc = verdict.pmc;
+    return status;
+}
+
+graze_status cell_certain(graze_pmc *out, cell_asker *a, const point_box *points, anchors *near) {
+    *out = cell_decide(a, points, near, 0);
+    graze_status status = *out == GRAZE_PMC_NONE ? decide_passage(out, a, points) : GRAZE_OK;
+    const filter_workspace *w = filter_workspace_of(a->context);
+    if (!status && (a->tube.out_of_memory || !w || w->curve.out_of_memory))
+        return context_fail(a->context, GRAZE_ESYSTEM, "out of memory for cells of space");
+    return status;
 }

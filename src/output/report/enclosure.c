@@ -63,15 +63,12 @@ const char *report_certainty(const distance *found, double motion_error) {
     return distance_is_certain(found, motion_error) ? "yes" : "undecided";
 }
 
-void report_distance(text *out, const graze_scene *scene, const distance *found,
-                     double motion_error) {
+void report_distance(text *out, const graze_scene *scene, const distance *found) {
     char low[BOUND_ROOM], high[BOUND_ROOM];
     report_bound(low, found->low, 0);
     report_bound(high, found->high, 1);
     text_format(out, ",%s,%s,", low, high);
     report_distance_time(out, scene, found);
-    if (motion_error > 0)
-        text_format(out, ",%s", report_certainty(found, motion_error));
 }
 
 void explain_distance(text *out, const graze_scene *scene, const distance *found) {

@@ -24,9 +24,8 @@ void report_distance_time(text *out, const graze_scene *scene, const distance *f
 /** Does the answer stay with every motion within the error? "yes", or "undecided". Static. */
 const char *report_certainty(const distance *found, double motion_error);
 
-/** A comma and the columns: three, and with a motion error whether the answer is certain. */
-void report_distance(text *out, const graze_scene *scene, const distance *found,
-                     double motion_error);
+/** Three columns, a comma before each. */
+void report_distance(text *out, const graze_scene *scene, const distance *found);
 
 /** A paragraph for a person. */
 void explain_distance(text *out, const graze_scene *scene, const distance *found);

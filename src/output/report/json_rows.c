@@ -157,6 +157,8 @@ void report_json(text *out, const row *r) {
         json_undecided(&w, r->scene, trace->undecided);
     if (r->shown->sdf > 0)
         json_distance(&w, r->scene, &r->space);
+    if (r->shown->boundary)
+        json_bound(&w, "boundary_low", r->boundary, 0);
     if (r->shown->motion_error > 0)
         json_text(&w, "certain", report_certainty(&r->space, r->shown->motion_error));
     if (r->shown->moments)

@@ -1,6 +1,7 @@
 /* Answers points for rows. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/report/table_row.h"
 
+#include "questions/distance/clearance.h"
 #include "questions/topo/topo.h"
 
 trace_detail row_detail(const graze_row_options *shown) {
@@ -22,6 +23,9 @@ graze_status row_answer(row *out, graze_context *context, const graze_scene *sce
         status = topo_regular(&out->regular, context, scene, point, trace);
     if (!status && shown->sdf > 0)
         status = distance_find(&out->space, context, scene, point, trace, shown->sdf);
+    if (!status && shown->boundary)
+        status = distance_to_boundary(&out->boundary, context, scene, point, trace->verdict.pmc,
+                                      &out->space);
     if (!status && (shown->format == GRAZE_FORMAT_JSONL || shown->sdf > 0))
         status = trace_canonicalise(trace, context);
     if (!status && shown->moments)

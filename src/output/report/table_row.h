@@ -21,6 +21,7 @@ typedef struct row {
     topo_finding topo;    /* where `shown` has topo */
     topo_finding regular; /* where it has regular */
     distance space;       /* where it has sdf */
+    double boundary;      /* where it has boundary */
     inside_times inside;  /* where it has moments */
 } row;
 

@@ -44,6 +44,8 @@ static void put_notes(text *t, graze_context *context, const graze_scene *scene,
                 options->folds == GRAZE_FOLDS_COMBINED ? "combined" : "separate");
     text_format(t, "# round %s\n", graze_rounding_name(context->rounding));
     put_width(t, "sdf", shown->sdf, 1);
+    if (shown->boundary)
+        text_put(t, "# boundary-distance yes\n");
     put_width(t, "motion-error", shown->motion_error, 0);
     if (shown->moments)
         text_put(t, "# moments yes\n");
@@ -73,6 +75,8 @@ void table_columns(text *t, const graze_scene *scene, const char *columns,
     }
     if (shown->sdf > 0)
         text_put(t, ",sdf_low,sdf_high,sdf_t");
+    if (shown->boundary)
+        text_put(t, ",boundary_low");
     if (shown->motion_error > 0)
         text_put(t, ",certain");
     if (shown->moments)
@@ -127,6 +131,12 @@ static void put_verdict(text *t, const graze_verdict *v) {
     text_put(t, ",");
 }
 
+static void put_boundary(text *t, double low) {
+    char decimal[BOUND_ROOM];
+    report_bound(decimal, low, 0);
+    text_format(t, ",%s", decimal);
+}
+
 /* What stands behind the answers, each column with a comma before it. */
 static void put_further(text *out, const row *r) {
     if (r->texts.rest) {
@@ -134,7 +144,11 @@ static void put_further(text *out, const row *r) {
         text_put(out, r->texts.rest);
     }
     if (r->shown->sdf > 0)
-        report_distance(out, r->scene, &r->space, r->shown->motion_error);
+        report_distance(out, r->scene, &r->space);
+    if (r->shown->boundary)
+        put_boundary(out, r->boundary);
+    if (r->shown->motion_error > 0)
+        text_format(out, ",%s", report_certainty(&r->space, r->shown->motion_error));
     if (r->shown->moments)
         inside_csv(out, &r->inside, r->scene->motion);
     if (r->shown->topo) {

@@ -19,6 +19,8 @@ static const char classify_help[] =
     "  --folds separate|combined     Definitions 6 and 7 (default), or 10 and 11\n"
     "  --sdf TOL            three columns more: the signed distance to the sweep, enclosed to\n"
     "                       TOL, with 1e-6r to 1e-6 of the diagonal; a time that shows it\n"
+    "  --boundary-distance  with --sdf, a column boundary_low: all points nearer than it have the\n"
+    "                       same pmc; it is at most the distance to the sweep's boundary\n"
     "  --motion-error ETA   with --sdf, a column certain: no motion within ETA changes in or out\n"
     "  --moments            columns more: first and last time at which the point is in the closed\n"
     "                       solid, with the motion's pieces and their rows of a log then\n"
@@ -71,6 +73,7 @@ static const option_entry classify_table[] = {
     OPTION("overlap", classify_options, scene.scene.overlap, value_overlap),
     OPTION("folds", classify_options, scene.scene.folds, value_folds),
     OPTION("sdf", classify_options, scene, value_sdf),
+    FLAG("boundary-distance", classify_options, scene.rows.boundary, value_flag),
     OPTION("motion-error", classify_options, scene.rows.motion_error, value_motion_error),
     FLAG("moments", classify_options, scene.rows.moments, value_flag),
     FLAG("topo", classify_options, scene.rows.topo, value_flag),
@@ -173,8 +176,11 @@ int classify_take(classify_options *o, const operands *given) {
         status = check_coordinates(o);
     if (status)
         return status;
-    if (o->scene.rows.motion_error > 0 && !(o->scene.rows.sdf > 0))
-        return complain(EXIT_USAGE, "--motion-error needs distances; expected --sdf beside it");
+    const char *distances = o->scene.rows.motion_error > 0 ? "--motion-error"
+                            : o->scene.rows.boundary       ? "--boundary-distance"
+                                                           : NULL;
+    if (distances && !(o->scene.rows.sdf > 0))
+        return complain(EXIT_USAGE, "%s needs distances; expected --sdf beside it", distances);
     if (o->scene.rows.moments && o->scene.rows.format > GRAZE_FORMAT_JSONL)
         return complain(EXIT_USAGE, "--moments has exact times; expected --format csv or jsonl");
     if (o->times && !o->certificate)

@@ -53,8 +53,9 @@ static size_t count_last(const fields *first, columns_head head, size_t most) {
                 {"last_row", head.moments, 1},    {"last_piece", head.moments, 0},
                 {"last", head.moments, 0},        {"first_row", head.moments, 1},
                 {"first_piece", head.moments, 0}, {"first", head.moments, 0},
-                {"certain", head.certain, 0},     {"sdf_t", head.sdf, 0},
-                {"sdf_high", head.sdf, 0},        {"sdf_low", head.sdf, 0}};
+                {"certain", head.certain, 0},     {"boundary_low", head.boundary, 0},
+                {"sdf_t", head.sdf, 0},           {"sdf_high", head.sdf, 0},
+                {"sdf_low", head.sdf, 0}};
     size_t count = 0;
     for (size_t k = 0; k < sizeof last / sizeof *last && count < most; k++) {
         if (!last[k].is_there)

@@ -27,7 +27,7 @@ typedef struct columns {
 
 /** What the `#` lines before the first line say: Graze has written the file, with which answers. */
 typedef struct columns_head {
-    int graze, topo, regular, sdf, certain, moments, unsweep, pmc_alone;
+    int graze, topo, regular, sdf, boundary, certain, moments, unsweep, pmc_alone;
 } columns_head;
 
 /** Working memory of a thread that reads rows. The context is borrowed, the rest is freed by

@@ -137,6 +137,7 @@ static void read_head_line(csv *c, field text) {
     c->head.topo |= field_is(text, "# topo yes");
     c->head.regular |= field_is(text, "# regular yes");
     c->head.sdf |= field_behind(&version, text, "# sdf ");
+    c->head.boundary |= field_is(text, "# boundary-distance yes");
     c->head.certain |= field_behind(&version, text, "# motion-error ");
     c->head.moments |= field_is(text, "# moments yes");
     c->head.unsweep |= field_is(text, "# operation unsweep");

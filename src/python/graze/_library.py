@@ -44,7 +44,7 @@ class CRowOptions(ctypes.Structure):
 
     _fields_ = [("size", c_size_t), ("format", c_int), ("columns", c_int), ("topo", c_int),
                 ("sdf", c_double), ("motion_error", c_double), ("moments", c_int),
-                ("regular", c_int)]
+                ("regular", c_int), ("boundary", c_int)]
 
 
 class CVerdict(ctypes.Structure):

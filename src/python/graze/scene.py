@@ -58,7 +58,8 @@ class Scene:
                  triangulate: bool = False, round: str = "none", *,
                  limits: Optional[Mapping[str, int]] = None, use_filter: bool = True,
                  topo: bool = False, columns: str = "all", sdf: Any = None,
-                 motion_error: Any = None, moments: bool = False, regular: bool = False) -> None:
+                 motion_error: Any = None, moments: bool = False, regular: bool = False,
+                 boundary_distance: bool = False) -> None:
         """Read, validate and put together; decide whether first and last position meet.
 
         Args:
@@ -77,6 +78,8 @@ class Scene:
                 text such as `1e-6r`, relative to `diagonal`. `distance` gives arrays.
             motion_error: with sdf, a number: rows and tables say whether pmc is certain for every
                 motion within it.
+            boundary_distance: with sdf: rows and tables have a proved lower bound of the distance
+                to the boundary: all points that are nearer have the same pmc.
             moments: rows and tables have the first and the last time at which the point is in the
                 closed solid, with pieces and rows of a log.
             regular: of an unsweep: rows and tables end with whether the point is in the closure of
@@ -94,7 +97,7 @@ class Scene:
         self._shown = CRowOptions(ctypes.sizeof(CRowOptions), 0,
                                   choice("columns", columns, COLUMNS), int(topo), width,
                                   _rounded("motion_error", motion_error, math.inf), int(moments),
-                                  int(regular))
+                                  int(regular), int(boundary_distance))
         if not isinstance(solid, Solid):
             solid = Solid(solid, triangulate=triangulate, round=round, limits=limits)
         if not isinstance(motion, Motion):
@@ -108,6 +111,7 @@ class Scene:
         self.topo, self.columns = bool(topo), columns
         self.sdf, self.motion_error = sdf, motion_error
         self.moments, self.regular = bool(moments), bool(regular)
+        self.boundary_distance = bool(boundary_distance)
         self._contexts = Contexts(chosen)
         context, pointer = self._contexts.mine(), ctypes.c_void_p()
         parts = input_handle(solid), input_handle(motion)

@@ -7,9 +7,7 @@
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/number/rounding.h"
-#include "decide/filter/cell_passes.h"
 #include "decide/scene/box.h"
-#include "decide/verdict/classify.h"
 
 /* Distances between doubles err by less than this share of themselves. */
 static const double ROUND_UP = 1 + 0x1p-48, ROUND_DOWN = 1 - 0x1p-48;
@@ -72,38 +70,17 @@ void band_clear(band *b) {
     cell_asker_clear(&b->ask);
 }
 
-/* The centre of a cube, asked exactly. */
-static graze_status ask_centre(graze_pmc *pmc, band *b, const cube *c) {
-    graze_verdict verdict;
-    graze_status status = classify_answer(&verdict, b->ask.context, b->ask.scene,
-                                          (query_point){.value = c->centre}, TRACE_PMC_BESIDE);
-    if (!status)
-        *pmc = verdict.pmc;
-    return status;
-}
-
 static graze_status decide_cube(band *b, cube *c) {
-    const filter *f = &b->ask.scene->filter;
     point_box points = {.half = {c->half, c->half, c->half}};
     anchors near = {.count = 0};
+    graze_pmc pmc;
     for (int k = 0; k < 3; k++)
         points.centre[k] = c->centre[k];
     b->decided++;
-    graze_pmc pmc = cell_decide(&b->ask, &points, &near, 0);
-    if (pmc == GRAZE_PMC_NONE && point_box_begin(&b->ask.tube, f, &points)) {
-        cell_passage found = cell_passes(&b->ask.tube, f, &points);
-        graze_status status = found == CELL_PASSES ? ask_centre(&pmc, b, c) : GRAZE_OK;
-        if (status)
-            return status;
-        if (found == CELL_PIERCED)
-            pmc = GRAZE_IN;
-    }
-    /* What is certain must not hang on memory. */
-    if (b->ask.tube.out_of_memory || !filter_workspace_of(b->ask.context) ||
-        filter_workspace_of(b->ask.context)->curve.out_of_memory)
-        return context_fail(b->ask.context, GRAZE_ESYSTEM, "out of memory for cubes of space");
-    c->kind = pmc == GRAZE_IN ? CUBE_IN : pmc == GRAZE_OUT ? CUBE_OUT : CUBE_BAND;
-    return GRAZE_OK;
+    graze_status status = cell_certain(&pmc, &b->ask, &points, &near);
+    if (!status)
+        c->kind = pmc == GRAZE_IN ? CUBE_IN : pmc == GRAZE_OUT ? CUBE_OUT : CUBE_BAND;
+    return status;
 }
 
 /* What is below the cubes around one that was cut. */
