@@ -95,6 +95,11 @@ def moves_only(piece):
     return not any(c for i in range(3) for j in range(3) for c in minus(rows[i][j], weight if i == j else ZERO))
 
 
+def is_straight(pieces):
+    """Is each piece a translation along a line segment?"""
+    return all(moves_only(p) and p[3] == ONE and all(not any(row[3][2:]) for row in p[2]) for p in pieces)
+
+
 def motion_text(pieces):
     """The motion file."""
     lines = []

@@ -417,11 +417,6 @@ def write(path, text):
         file.write(text)
 
 
-def is_straight(pieces):
-    """Is each piece a translation along a line segment?"""
-    return all(moves_only(p) and p[3] == ONE and all(not any(row[3][2:]) for row in p[2]) for p in pieces)
-
-
 def diagonal(vertices):
     """Of the box of the vertices, as the double below."""
     corners = poses.box_corners(vertices)

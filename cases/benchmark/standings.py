@@ -1,7 +1,8 @@
 """The table of scores by family, and its sums.
 
 A score is what score.py prints; `code`, `setting` and `seconds` are added by whoever ran the code, and the candidate's
-file name stands for a code that is not named.
+file name stands for a code that is not named. A line with `failure`, a reason, has no score: a row says of how many
+scenes its figures are.
 SPDX-License-Identifier: CC0-1.0
 """
 from tables import FAMILIES, BadInput
@@ -25,11 +26,13 @@ def pooled(scores, level):
     return None if None in rates else sum(rates) / 2
 
 
-def row(code, setting, scores):
+def row(code, setting, lines):
+    scores = [line for line in lines if "failure" not in line]
     on = [sum(score["on"][answer] for score in scores) for answer in ("in", "on", "out")]
     none = sum(score["missing"] + score["unreadable"] for score in scores)
     seconds = [score["seconds"] for score in scores if score.get("seconds") is not None]
-    return (code, setting, len(scores), *(percent(pooled(scores, level)) for level in LEVELS), ", ".join(map(str, on)), none,
+    scenes = len(scores) if len(scores) == len(lines) else f"{len(scores)} of {len(lines)}"
+    return (code, setting, scenes, *(percent(pooled(scores, level)) for level in LEVELS), ", ".join(map(str, on)), none,
             f"{sum(seconds):.0f}" if seconds else "")
 
 
@@ -43,7 +46,8 @@ def grouped(scores):
 
 def table(scores):
     """Markdown: a table for each family that occurs, and one for all."""
-    if not all(isinstance(score, dict) and {"levels", "on", "family", "candidate"} <= score.keys() for score in scores):
+    parts = {"levels", "on", "family", "candidate"}
+    if not all(isinstance(score, dict) and ("failure" in score or parts <= score.keys()) for score in scores):
         raise BadInput("a line is no score; expected what score.py prints")
     lines = []
     for family in (*FAMILIES, "all"):
@@ -52,3 +56,13 @@ def table(scores):
             lines += ["", f"**{family}**", "", "| " + " | ".join(HEAD) + " |", "|---|---|" + "--:|" * (len(HEAD) - 2)]
             lines += ["| " + " | ".join(map(str, row(*key, group))) + " |" for key, group in groups.items()]
     return "\n".join(lines[1:]) + "\n"
+
+
+def failures(lines):
+    """Markdown: scenes without a score, by code, setting and reason; nothing where there are none."""
+    found = {}
+    for line in lines:
+        if "failure" in line:
+            found.setdefault((line["code"], line["setting"], line["failure"]), []).append(line["scene"])
+    rows = [f"| {code} | {setting} | {reason} | {', '.join(scenes)} |" for (code, setting, reason), scenes in found.items()]
+    return "\n".join(["", "**without a score**", "", "| code | setting | reason | scenes |", "|---|---|---|---|", *rows]) + "\n" if rows else ""

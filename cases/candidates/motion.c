@@ -171,14 +171,18 @@ static void transform(double m[3][4], yajl_val v, int d, double t, double s) {
 }
 
 /* Cramer's rule; the plane is taken as z = 0 of space. */
-static void invert(double out[3][4], const double m[3][4], int d) {
-    double a[3][3] = {{0}}, b[3] = {0}, det = 0;
+void scene_inverse(double out[3][4], const scene *s, int piece, double t) {
+    const double from = s->piece[piece].from, to = s->piece[piece].to;
+    const int d = s->dimension;
+    double m[3][4] = {{0}}, a[3][3] = {{0}}, b[3] = {0};
+    transform(m, s->piece[piece].transform, d, t, (t - from) / (to - from));
     a[2][2] = 1;
     for (int i = 0; i < d; i++) {
         b[i] = m[i][d];
         for (int j = 0; j < d; j++)
             a[i][j] = m[i][j];
     }
+    double det = 0;
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
             int p = (j + 1) % 3, q = (j + 2) % 3, u = (i + 1) % 3, w = (i + 2) % 3;
@@ -194,33 +198,13 @@ static void invert(double out[3][4], const double m[3][4], int d) {
     }
 }
 
-void scene_inverse(double out[3][4], const scene *s, int piece, double t) {
-    const double from = s->piece[piece].from, to = s->piece[piece].to;
-    double m[3][4] = {{0}};
-    transform(m, s->piece[piece].transform, s->dimension, t, (t - from) / (to - from));
-    invert(out, (const double(*)[4])m, s->dimension);
-}
-
 void scene_pull_back(double c[3], const double inverse[3][4], const double p[3]) {
     for (int i = 0; i < 3; i++)
         c[i] = inverse[i][0] * p[0] + inverse[i][1] * p[1] + inverse[i][2] * p[2] + inverse[i][3];
 }
 
-static void sample_poses(inverse *all, const scene *s, int count) {
-    if (s->poses != count + 1) {
-        fprintf(stderr, "%d poses, expected %d\n", s->poses, count + 1);
-        exit(2);
-    }
-    for (int k = 0; k <= count && all; k++)
-        invert(all[k], (const double(*)[4])s->pose[k], 3);
-}
-
 inverse *scene_sample(const scene *s, int count) {
     inverse *all = calloc((size_t)count + 1, sizeof *all);
-    if (s->poses > 0) {
-        sample_poses(all, s, count);
-        return all;
-    }
     double from = s->piece[0].from, to = s->piece[s->pieces - 1].to;
     int piece = 0;
     for (int k = 0; k <= count && all; k++) {

@@ -56,15 +56,18 @@ struct box {
     }
 };
 
-static openvdb::FloatGrid::Ptr sweep(const scene &s, double voxel, const Vec3d &middle) {
+/* A band of two voxels on either side is enough for the mesh: three, the default, give the same. */
+static openvdb::FloatGrid::Ptr sweep(const scene &s, const pose *poses, int count, double voxel,
+                                     const Vec3d &middle) {
     auto grid = openvdb::math::Transform::createLinearTransform(voxel);
     std::vector<Vec3I> triangles = triangles_of(s);
     std::vector<Vec3s> points(size_t(s.vertices));
     openvdb::FloatGrid::Ptr all;
-    for (int k = 0; k < s.poses; k++) {
+    for (int k = 0; k < count; k++) {
         for (int v = 0; v < s.vertices; v++)
-            points[size_t(v)] = Vec3s(moved(s.pose[k], s.vertex[v]) - middle);
-        auto one = openvdb::tools::meshToLevelSet<openvdb::FloatGrid>(*grid, points, triangles);
+            points[size_t(v)] = Vec3s(moved(poses[k], s.vertex[v]) - middle);
+        auto one =
+            openvdb::tools::meshToLevelSet<openvdb::FloatGrid>(*grid, points, triangles, 2.0F);
         if (all)
             openvdb::tools::csgUnion(*all, *one);
         else
@@ -99,18 +102,19 @@ int main(int argc, char **argv) {
         refuse("expected POSES N SOLID OUT, N at least 1");
     scene s;
     scene_read_solid(&s, argv[3]);
-    scene_read_poses(&s, argv[1]);
+    int count;
+    pose *poses = scene_read_poses(argv[1], &count);
     box rest, first;
-    for (int v = 0; v < s.vertices && s.poses > 0; v++) {
+    for (int v = 0; v < s.vertices && count > 0; v++) {
         rest.take(Vec3d(s.vertex[v]));
-        first.take(moved(s.pose[0], s.vertex[v]));
+        first.take(moved(poses[0], s.vertex[v]));
     }
-    if (s.vertices == 0 || s.poses == 0)
+    if (s.vertices == 0 || count == 0)
         refuse("expected vertices and poses");
     Vec3d middle = (first.low + first.high) / 2;
     try {
         openvdb::initialize();
-        auto all = sweep(s, (rest.high - rest.low).length() / n, middle);
+        auto all = sweep(s, poses, count, (rest.high - rest.low).length() / n, middle);
         return write(*all, middle, argv[4]) ? 0 : 1;
     } catch (const std::exception &error) {
         refuse(error.what());

@@ -122,16 +122,7 @@ static void make_plane(const scene *s, facet *f) {
     }
 }
 
-static int has_ending(const char *path, const char *ending) {
-    const char *dot = strrchr(path, '.');
-    return dot && strcmp(dot, ending) == 0;
-}
-
 void scene_read_motion(scene *s, const char *path) {
-    if (has_ending(path, ".csv")) {
-        scene_read_poses(s, path);
-        return;
-    }
     const char *pieces[] = {"pieces", NULL}, *times[] = {"t", NULL}, *map[] = {"transform", NULL};
     char problem[256], *text = whole_file(path);
     yajl_val root = yajl_tree_parse(text, problem, sizeof problem);
@@ -157,8 +148,9 @@ void scene_read_motion(scene *s, const char *path) {
 }
 
 void scene_read_solid(scene *out, const char *path) {
+    const char *dot = strrchr(path, '.');
     memset(out, 0, sizeof *out);
-    out->dimension = has_ending(path, ".wkt") ? 2 : 3;
+    out->dimension = dot && strcmp(dot, ".wkt") == 0 ? 2 : 3;
     if (out->dimension == 2)
         read_wkt(out, path);
     else
@@ -321,30 +313,37 @@ void points_echo(const points *in, FILE *out) {
         fprintf(out, "%s,", in->text[k]);
 }
 
-void scene_read_poses(scene *s, const char *path) {
-    char *fields[MOST_FIELDS];
-    int where[12], last = 0;
-    points in = {.file = fopen(path, "r")};
-    if (!in.file || !next_line(&in))
-        die(path, "cannot be read");
-    int count = cut(in.line, fields, MOST_FIELDS);
+/* Where the column of each entry of a pose is among these fields. */
+static void find_entries(int where[12], char **fields, int count, const char *path) {
     for (int k = 0; k < 12; k++) {
         const char name[] = {'m', (char)('0' + k / 4), (char)('0' + k % 4), '\0'};
         for (where[k] = 0; where[k] < count && strcmp(fields[where[k]], name) != 0;)
             where[k]++;
-        last = where[k] > last ? where[k] : last;
+        if (where[k] == count)
+            die(path, "the header must name m00 to m23");
     }
-    if (last == count)
-        die(path, "the header must name m00 to m23");
-    for (s->poses = 0; next_line(&in); s->poses++) {
-        if (cut(in.line, fields, MOST_FIELDS) <= last)
-            die(path, "a row is too short");
-        s->pose = realloc(s->pose, (size_t)(s->poses + 1) * sizeof *s->pose);
-        for (int k = 0; k < 12; k++)
-            s->pose[s->poses][k / 4][k % 4] = strtod(fields[where[k]], NULL);
+}
+
+pose *scene_read_poses(const char *path, int *count) {
+    char *fields[MOST_FIELDS];
+    int where[12];
+    points in = {.file = fopen(path, "r")};
+    pose *all = NULL;
+    if (!in.file || !next_line(&in))
+        die(path, "cannot be read");
+    find_entries(where, fields, cut(in.line, fields, MOST_FIELDS), path);
+    for (*count = 0; next_line(&in); ++*count) {
+        int there = cut(in.line, fields, MOST_FIELDS);
+        all = realloc(all, (size_t)(*count + 1) * sizeof *all);
+        for (int k = 0; k < 12; k++) {
+            if (where[k] >= there)
+                die(path, "a row is too short");
+            all[*count][k / 4][k % 4] = strtod(fields[where[k]], NULL);
+        }
     }
     fclose(in.file);
     free(in.line);
+    return all;
 }
 
 FILE *open_for_writing(const char *path) {

@@ -3,7 +3,7 @@
  *
  * Solids: OFF with triangles or planar polygons; WKT POLYGON and MULTIPOLYGON. Motions: `pieces` of
  * `translate`, `matrix` (d rows), `rotate` (unit axis), `turn` and `compose`, whose entries are
- * sums, products, quotients and whole powers of numbers, t and s. Or a .csv of poses.
+ * sums, products, quotients and whole powers of numbers, t and s.
  */
 #ifndef CANDIDATES_SCENE_H
 #define CANDIDATES_SCENE_H
@@ -21,16 +21,12 @@ typedef struct piece {
     yajl_val transform;
 } piece;
 
-typedef double inverse[3][4];
-typedef double pose[3][4];
-
 typedef struct scene {
     int dimension;
-    int vertices, facets, pieces, poses;
+    int vertices, facets, pieces;
     double (*vertex)[3];
     facet *facet;
     piece *piece;
-    pose *pose; /* in place of pieces where the motion is a table of poses */
 } scene;
 
 /** All end the program with a message on what they cannot read. */
@@ -38,12 +34,10 @@ void scene_read(scene *out, const char *solid, const char *motion);
 void scene_read_solid(scene *out, const char *path);
 /** Of a scene whose solid is read; another motion takes the place of the one before. */
 void scene_read_motion(scene *s, const char *path);
-/** The motion as a table of M(t) in space, .csv, with columns m00 to m23 among others. */
-void scene_read_poses(scene *s, const char *path);
 /** The inverse of M(t), d rows of d + 1 entries, in the piece of that number. */
 void scene_inverse(double out[3][4], const scene *s, int piece, double t);
-/** Inverses at count + 1 times spread evenly over the motion; the caller frees them. A table of
- * poses must have so many. */
+typedef double inverse[3][4];
+/** Inverses at count + 1 times spread evenly over the motion; the caller frees them. */
 inverse *scene_sample(const scene *s, int count);
 /** c = M(t)^-1 p. */
 void scene_pull_back(double c[3], const double inverse[3][4], const double p[3]);
@@ -51,6 +45,11 @@ void scene_pull_back(double c[3], const double inverse[3][4], const double p[3])
 int scene_inside(const scene *s, const double c[3]);
 /** The distance from c to a facet. */
 double scene_distance(const scene *s, const facet *f, const double c[3]);
+
+/** The poses of a table with columns m00 to m23 among others, M(t) row by row; the caller frees
+ * them. */
+typedef double pose[3][4];
+pose *scene_read_poses(const char *path, int *count);
 
 /** A table of points read row by row: x, y (and z) among the columns of its header. */
 typedef struct points {
