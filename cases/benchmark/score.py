@@ -35,7 +35,7 @@ class Scene:
         self.folder, self.facts = folder, read_scene(folder)
         path = os.path.join(folder, "golden.csv")
         names, rows = read_table(path)
-        lacking = [name for name in ("id", "x", "y", "z", "pmc", "sdf_low", "sdf_high") if name not in names]
+        lacking = [name for name in ("id", "x", "y", "z", "pmc", "sdf_low", "sdf_high", "boundary_low") if name not in names]
         if lacking:
             raise BadInput(f"{path}: no column {lacking[0]}; expected a table of golden.py")
         self.rows = [Golden(path, row) for row in rows]
@@ -59,8 +59,7 @@ class Golden:
     def __init__(self, path, row):
         self.id, self.pmc = row["id"], row["pmc"]
         self.point = tuple(number(row[axis]) for axis in "xyz")
-        bounds = [number(row[name]) for name in ("sdf_low", "sdf_high")]
-        bounds.append(number(row["boundary_low"]) if "boundary_low" in row else max(0, bounds[0], -bounds[1]))
+        bounds = [number(row[name]) for name in ("sdf_low", "sdf_high", "boundary_low")]
         if self.pmc not in ANSWERS or None in (*bounds, *self.point, number(self.id)) or bounds[2] < 0:
             raise BadInput(f"{path}: id {self.id}: expected numbers and an answer of {', '.join(ANSWERS)}")
         self.low, self.high, self.boundary = map(F, bounds)
@@ -234,7 +233,7 @@ def main():
     parser.add_argument("--format", choices=["json"], default="json", help="of the output: a line a candidate")
     parser.add_argument("--table", action="store_true", help="Markdown of scores in files: all arguments are such")
     parser.add_argument("paths", metavar="SCENE CANDIDATE", nargs="+")
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
     if options.table:
         print(table(read_scores(options.paths)), end="")
         return 0
