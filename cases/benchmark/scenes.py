@@ -19,7 +19,7 @@ import tempfile
 from fractions import Fraction as F
 
 import poses
-from motions import (ONE, ZERO, about, add, affine, along, legs, motion_of, motion_text, moves_only, poly, product, quarters, scaled, shifted,
+from motions import (ONE, ZERO, about, add, affine, along, is_straight, legs, motion_of, motion_text, poly, product, quarters, scaled, shifted,
                      spline, straight, times, turned, turning)
 from solids import (Noise, ball, blocks, box, circle, disk, inside_out, lathe, moved, off, pattern, prism, rounded, sized, star, teeth, terrain,
                     together, torus)
@@ -434,8 +434,8 @@ def write_scene(graze, out, name):
     tables = {count: poses.table(pieces, mesh[0], count) for count in POSES}
     for count, (text, _) in tables.items():
         write(os.path.join(folder, f"poses-{count}.csv"), text)
-    facts = {"name": name, "family": family, "count": LOG_POINTS if log else POINTS, "seed": list(SCENES).index(name) + 1, "straight": is_straight(pieces),
-             "diagonal": diagonal(mesh[0]), "poses": {str(count): {"deviation": bound} for count, (_, bound) in tables.items()}}
+    facts = {"name": name, "family": family, "count": LOG_POINTS if log else POINTS, "seed": list(SCENES).index(name) + 1,
+             "straight": is_straight(pieces), "diagonal": diagonal(mesh[0]), "poses": {str(count): {"deviation": bound} for count, (_, bound) in tables.items()}}
     write(os.path.join(folder, "scene.json"), json.dumps(facts, indent=1) + "\n")
 
 
