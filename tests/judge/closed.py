@@ -72,7 +72,7 @@ VOLUMES = {"itself": "40", "short": "36", "long": "44", "large": "192", "small":
 
 
 def scenes_of_boxes(judge, checks, sanitizers):
-    for name, mesh, outside, inside, sweep in BOXES:
+    for name, mesh, outside, inside, sweep in BOXES[::3 if sanitizers else 1]:
         report = judge.ask(name, CUBE, ALONG, mesh, "--within", WITHIN)
         if report:
             judge.holds(name, report, (outside, inside, sweep), 40, F(WITHIN))
@@ -358,7 +358,7 @@ def main():
     texts(judge, checks)
     if not args.sanitizers:
         laws(judge, checks)
-    seam(judge, checks)
+        seam(judge, checks)
     checks.finish()
 
 
