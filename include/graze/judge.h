@@ -145,6 +145,20 @@ GRAZE_API GRAZE_CHECKED graze_status graze_mesh_distances(graze_enclosure *out,
                                                           const graze_mesh *mesh, double tolerance,
                                                           int threads);
 
+/**
+ * What a mesh says of points, in threads: in where its winding number is not 0 (by parity, where
+ * that is its rule, odd), `on` where a triangle holds the point, else out.
+ * @param[out] out an answer for each point
+ * @param points   3n canonical rationals; may be NULL if n is 0
+ * @param threads  up to 1024; 0 is 1: the caller's own
+ * @return GRAZE_EUSE; GRAZE_EINPUT the mesh's rule is GRAZE_MESH_NONE; GRAZE_ELIMIT,
+ * GRAZE_ECANCELED, GRAZE_ESYSTEM
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_mesh_answers(graze_pmc *out, graze_context *context,
+                                                        const graze_mesh *mesh,
+                                                        graze_rationals points, size_t n,
+                                                        int threads);
+
 /** Points at which a mesh is judged as a classifier (rule 6). Pointers are borrowed. */
 typedef struct graze_mesh_points {
     size_t size;             /**< sizeof(graze_mesh_points) */

@@ -191,6 +191,51 @@ graze_status graze_mesh_distances(graze_enclosure *out, graze_context *context,
     return team_run(context, threads ? threads : 1, mesh->input.vertex_count, enclose_vertex, &r);
 }
 
+static graze_status check_has_inside(graze_context *context, const graze_mesh *mesh) {
+    if (mesh->judged.rule != GRAZE_MESH_NONE)
+        return GRAZE_OK;
+    return context_fail(context, GRAZE_EINPUT,
+                        "the mesh has no inside: edges with an odd number of triangles; expected a "
+                        "closed one");
+}
+
+/* A run over points. */
+typedef struct answer_run {
+    graze_pmc *out;
+    const judged_mesh *mesh;
+    graze_rationals points;
+} answer_run;
+
+static graze_status answer_point(void *data, graze_context *context, int member, size_t index) {
+    const answer_run *r = data;
+    fmpq *point = _fmpq_vec_init(3);
+    long winding;
+    (void)member;
+    graze_status status = context_poll(context);
+    for (int k = 0; k < 3 && !status; k++)
+        status = api_coordinate(context,
+                                api_rational(point + k, context, r->points[3 * index + (size_t)k]),
+                                "point", index, (size_t)k);
+    if (!status)
+        r->out[index] = (graze_pmc)(GRAZE_IN + judged_place(&winding, r->mesh, point));
+    _fmpq_vec_clear(point, 3);
+    return status;
+}
+
+graze_status graze_mesh_answers(graze_pmc *out, graze_context *context, const graze_mesh *mesh,
+                                graze_rationals points, size_t n, int threads) {
+    static const char name[] = "graze_mesh_answers";
+    if (!context || !mesh || (n && (!out || !points)))
+        return api_misuse(context, name,
+                          "context and mesh, and with n > 0 also out and points, must not be NULL");
+    if (threads < 0 || threads > TEAM_MOST)
+        return api_misuse(context, name, "threads must be at most 1024");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    graze_status status = check_has_inside(context, mesh);
+    answer_run r = {out, &mesh->judged, points};
+    return status ? status : team_run(context, threads ? threads : 1, n, answer_point, &r);
+}
+
 static graze_status check_judged(graze_context *context, const graze_scene *scene,
                                  const graze_judge_options *o) {
     if (!(o->within > 0 && isfinite(o->within)))
@@ -300,11 +345,7 @@ static graze_status check_mesh_points(graze_context *context, const graze_scene 
     if (scene->motion->dimension != 3)
         return context_fail(context, GRAZE_EILLEGAL,
                             "a scene in the plane; expected one in space to judge a mesh by");
-    if (mesh->judged.rule == GRAZE_MESH_NONE)
-        return context_fail(context, GRAZE_EINPUT,
-                            "the mesh has no inside: edges with an odd number of triangles; "
-                            "expected a closed one");
-    return GRAZE_OK;
+    return check_has_inside(context, mesh);
 }
 
 /* Points of the caller's, taken over. */

@@ -353,6 +353,7 @@ static void meshes(bench *b) {
     graze_context *c = b->s.context;
     const graze_scene *s = b->s.scene;
     graze_mesh *mesh = NULL;
+    graze_pmc said;
     graze_enclosure found[3];
     graze_judge_options o = {.size = sizeof o, .within = 1}, none = {.size = sizeof none};
     graze_mesh_points p = {.size = sizeof p, .on_as = (graze_on_as)4};
@@ -383,6 +384,12 @@ static void meshes(bench *b) {
     WRONG(graze_mesh_distances(found, c, s, NULL, 1, 1));
     WRONG(graze_mesh_distances(found, c, s, mesh, 0, 1));
     WRONG(graze_mesh_distances(found, c, s, mesh, 1, -1));
+    WRONG(graze_mesh_answers(NULL, c, mesh, b->point, 1, 1));
+    WRONG(graze_mesh_answers(&said, NULL, mesh, b->point, 1, 1));
+    WRONG(graze_mesh_answers(&said, c, NULL, b->point, 1, 1));
+    WRONG(graze_mesh_answers(&said, c, mesh, NULL, 1, 1));
+    WRONG(graze_mesh_answers(&said, c, mesh, b->point, 1, -1));
+    assert_int_equal(graze_mesh_answers(NULL, c, mesh, NULL, 0, 1), GRAZE_EINPUT); /* a triangle */
     WRONG(graze_compare_mesh(NULL, c, s, mesh, &p));
     WRONG_OUT(graze_comparison, graze_compare_mesh(&out, NULL, s, mesh, &p));
     WRONG_OUT(graze_comparison, graze_compare_mesh(&out, c, NULL, mesh, &p));

@@ -121,6 +121,10 @@ static void test_points(void **state) {
     graze_comparison_counts n = graze_comparison_count(c);
     assert_true(n.rows == 3 && n.agree == 2 && n.wrong == 1);
     graze_comparison_destroy(c);
+    mpq_set_ui(point[3], 9, 1); /* on the end of the box */
+    graze_pmc said[3];
+    assert_int_equal(graze_mesh_answers(said, j.context, j.mesh, p.points, 3, 2), GRAZE_OK);
+    assert_true(said[0] == GRAZE_IN && said[1] == GRAZE_ON && said[2] == GRAZE_OUT);
     for (int k = 0; k < 9; k++)
         mpq_clear(point[k]);
     end(&j);

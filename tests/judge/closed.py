@@ -254,6 +254,17 @@ def vertices(judge, checks):
         checks.holds(F(low) <= true <= F(high) and F(high) - F(low) <= F("2e-6"), name, row)
 
 
+def answers(judge, checks):
+    """The short box, which ends at x = 9."""
+    files = [judge.graze.write(n, t.text()) for n, t in (("s.off", CUBE), ("m.json", ALONG), ("short.off", BOXES[1][1]))]
+    points = judge.graze.write("asked.csv", "id,x,y,z\na,5,1,1\nb,9,1/3,1\nc,9.5,1,1\n")
+    table = judge.graze.write("said.csv", "")
+    out = judge.graze.call("judge", *files, "--within", "1", "--budget", "1", "--points", points, "--answers", table)
+    checks.equal(out.returncode, 0, "--answers", out.stderr)
+    with open(table, encoding="utf-8") as file:
+        checks.equal(file.read(), "x,y,z,pmc\n5,1,1,in\n9,1/3,1,on\n19/2,1,1,out\n", "--answers")
+
+
 def seam(judge, checks):
     """[0, 2]^3 up by 8 along y, over by 2 along x and back down sweeps [0, 4] x [0, 10] x [0, 2]; the points of x = 2, y < 8, which both
     legs touch, are in its interior and in no copy's: of them nothing can be told but that the boundary is perhaps there."""
@@ -354,6 +365,7 @@ def main():
     budgets(judge, checks)
     fail_above(judge, checks)
     vertices(judge, checks)
+    answers(judge, checks)
     vtk(judge, checks)
     texts(judge, checks)
     if not args.sanitizers:

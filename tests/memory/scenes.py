@@ -185,7 +185,8 @@ def make(graze, folder):
     yield Scene("collide-turn", ["collide", cube, turn, cube, "--first"], 1)
     yield Scene("collide-2", ["collide", u, roll, u], 1)
     yield Scene("judge", ["judge", cube, turn, cube, "--within", "1r", "--count", "3", "--vertices", "v.csv"], tables=("v.csv",))
-    yield Scene("judge-json", ["judge", cube, turn, cube, "--budget", "40", "--points", three, "--format", "json"])
+    yield Scene("judge-json", ["judge", cube, turn, cube, "--budget", "40", "--points", three, "--answers", "a.csv", "--format", "json"],
+                tables=("a.csv",))
     yield Scene("unsweep", ["classify", *one, "--operation", "unsweep", u, roll, two])
     yield Scene("merge", ["merge", "2.csv", "0.csv", "1.csv", "--output", "table"], files=parts, tables=("table",))
     yield Scene("certify", ["certify", *one, cube, turn, three, "-o", "made"], tables=("made",))

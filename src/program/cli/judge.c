@@ -30,6 +30,7 @@ static const char judge_help[] =
     "                     W, and pmc; .vtk: the mesh with these as data of its points\n"
     "  --points FILE      compare what MESH says of these points with the exact answers (- is\n"
     "                     standard input); by default of 1000 generated ones, of all strata,\n"
+    "  --answers FILE     with --points, a table of what MESH says of them: x, y, z, pmc\n"
     "  --count N          of N\n"
     "  --seed K           their seed (1)\n"
     "  --no-points        of none; a mesh that is not closed is asked about none either\n"
@@ -47,7 +48,7 @@ enum { DEFAULT_POINTS = 1000, POINTS_SHOWN = 5 };
 typedef struct judge_given {
     scene_options scene; /* rows.sdf is the width */
     unsigned long budget;
-    const char *fail_above, *points, *vertices;
+    const char *fail_above, *points, *vertices, *answers;
     unsigned long count;
     seed_value seed;
     int on_as; /* a graze_on_as, and 1 */
@@ -70,6 +71,7 @@ static const option_entry judge_table[] = {
     OPTION("within", judge_given, scene, value_sdf),
     OPTION("budget", judge_given, budget, value_count),
     FILE_READ("points", judge_given, points),
+    FILE_WRITTEN("answers", judge_given, answers),
     FILE_WRITTEN("vertices", judge_given, vertices),
     OPTION("count", judge_given, count, value_count),
     OPTION("seed", judge_given, seed, value_seed),
@@ -111,10 +113,24 @@ static int is_too_far(graze_context *context, const graze_judgement *judgement, 
     return far;
 }
 
-/* What the mesh says of points; nothing where it is not closed. */
+/* What the mesh says of the points that are given, as a file. */
+static int write_mesh_answers(const loaded *l, const judge_given *o, const graze_mesh *mesh,
+                         const marks *given) {
+    graze_pmc *found = calloc(given->count + 1, sizeof *found);
+    graze_rationals points = (graze_rationals)given->value;
+    int code = found ? complain_of(graze_mesh_answers(found, l->context, mesh, points, given->count,
+                                                      o->jobs),
+                                   l->context)
+                     : complain(EXIT_IO, "out of memory for %zu points", given->count);
+    if (!code)
+        code = answer_table_write(o->answers, points, found, given->count);
+    free(found);
+    return code;
+}
+
+/* What the mesh says of points beside the exact answers; nothing where it is not closed. */
 static int ask_mesh_points(graze_comparison **out, const loaded *l, const judge_given *o,
-                           const graze_mesh *mesh) {
-    marks given = {.dimension = 3};
+                           const graze_mesh *mesh, const marks *given) {
     graze_mesh_points asked = {.size = sizeof asked,
                                .count = o->count ? o->count : DEFAULT_POINTS,
                                .seed = o->seed.given ? o->seed.seed : 1,
@@ -125,15 +141,11 @@ static int ask_mesh_points(graze_comparison **out, const loaded *l, const judge_
                                .motion = o->scene.motion};
     if (o->no_points || graze_mesh_get_facts(mesh).rule == GRAZE_MESH_NONE)
         return EXIT_DONE;
-    int code = o->points ? marks_read(&given, o->points, l->context) : EXIT_DONE;
     if (o->points) {
-        asked.points = (graze_rationals)given.value;
-        asked.count = given.count;
+        asked.points = (graze_rationals)given->value;
+        asked.count = given->count;
     }
-    if (!code)
-        code = complain_of(graze_compare_mesh(out, l->context, l->scene, mesh, &asked), l->context);
-    marks_clear(&given);
-    return code;
+    return complain_of(graze_compare_mesh(out, l->context, l->scene, mesh, &asked), l->context);
 }
 
 /* The distances of all vertices, as a file. */
@@ -154,17 +166,22 @@ static int judge_mesh(const loaded *l, const judge_given *o, const char *path) {
     graze_mesh *mesh = NULL;
     graze_judgement *judgement = NULL;
     graze_comparison *points = NULL;
+    marks given = {.dimension = 3};
     graze_judge_options options = {
         .size = sizeof options, .within = l->rows.sdf, .budget = o->budget};
     int code =
         complain_of(graze_mesh_read(&mesh, l->context, path, o->scene.solid_flags), l->context);
+    if (!code && o->points)
+        code = marks_read(&given, o->points, l->context);
+    if (!code && o->answers)
+        code = write_mesh_answers(l, o, mesh, &given);
     if (!code)
         code =
             complain_of(graze_judge(&judgement, l->context, l->scene, mesh, &options), l->context);
     if (!code && o->vertices)
         code = write_vertices(l, o, mesh);
     if (!code)
-        code = ask_mesh_points(&points, l, o, mesh);
+        code = ask_mesh_points(&points, l, o, mesh, &given);
     if (!code)
         code = print_judgement(l->context, judgement, points, o);
     if (!code && o->fail_above && is_too_far(l->context, judgement, o->fail_above))
@@ -172,6 +189,7 @@ static int judge_mesh(const loaded *l, const judge_given *o, const char *path) {
     graze_comparison_destroy(points);
     graze_judgement_destroy(judgement);
     graze_mesh_destroy(mesh);
+    marks_clear(&given);
     return code;
 }
 
@@ -183,6 +201,8 @@ static int run_judge(void *options, const operands *given) {
                         "judge takes SOLID, MOTION and MESH, %d operands given; see graze judge "
                         "--help",
                         given->count);
+    if (o->answers && !o->points)
+        return complain(EXIT_USAGE, "--answers needs points; expected --points beside it");
     if (o->vertices && vertex_table_check(o->vertices))
         return EXIT_USAGE;
     o->scene.solid = given->item[0];

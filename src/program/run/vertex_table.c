@@ -1,4 +1,6 @@
-/* Writes the signed distances of a mesh's vertices. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Writes the signed distances of vertices of meshes, and their answers.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
 #include "program/run/vertex_table.h"
 
 #include <math.h>
@@ -26,16 +28,20 @@ static void put_outward(double bound, double out_there, const char *behind) {
     output_put(&out, digits);
 }
 
+static void put_row_point(graze_rationals point) {
+    for (int k = 0; k < 3; k++) {
+        output_number(&out, point[k]);
+        output_put(&out, ",");
+    }
+}
+
 static void put_vertex_rows(const graze_mesh *mesh, const graze_enclosure *found, size_t count) {
     mpq_t point[3];
     mpq_inits(point[0], point[1], point[2], NULL);
     output_put(&out, "x,y,z,pmc,sdf_low,sdf_high\n");
     for (size_t v = 0; v < count; v++) {
         graze_mesh_vertex(point, mesh, v);
-        for (int k = 0; k < 3; k++) {
-            output_number(&out, point[k]);
-            output_put(&out, ",");
-        }
+        put_row_point((graze_rationals)point);
         output_put(&out, graze_pmc_name(found[v].pmc));
         output_put(&out, ",");
         put_outward(found[v].low, -HUGE_VAL, ",");
@@ -100,4 +106,18 @@ int vertex_table_write(const char *path, graze_context *context, const graze_mes
         output_drop(&out);
     int closed = output_close(&out);
     return status ? status : closed;
+}
+
+int answer_table_write(const char *path, graze_rationals points, const graze_pmc *found,
+                       size_t count) {
+    int status = output_open(&out, path);
+    if (status)
+        return status;
+    output_put(&out, "x,y,z,pmc\n");
+    for (size_t k = 0; k < count; k++) {
+        put_row_point(points + 3 * k);
+        output_put(&out, graze_pmc_name(found[k]));
+        output_put(&out, "\n");
+    }
+    return output_close(&out);
 }

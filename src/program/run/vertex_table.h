@@ -1,4 +1,4 @@
-/* The signed distances of a mesh's vertices as a file.
+/* The signed distances of a mesh's vertices, and its answers, as files.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_RUN_VERTEX_TABLE_H
@@ -16,5 +16,11 @@ int vertex_table_check(const char *path);
  */
 int vertex_table_write(const char *path, graze_context *context, const graze_mesh *mesh,
                        const graze_enclosure *found);
+
+/** Write a row for each point: x, y, z and the mesh's pmc. Returns an exit status and says what is
+ * wrong.
+ * @param points 3 count rationals */
+int answer_table_write(const char *path, graze_rationals points, const graze_pmc *found,
+                       size_t count);
 
 #endif
