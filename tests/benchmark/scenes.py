@@ -47,6 +47,10 @@ DERIVED = {
     "sector-almost-closed": (6 * (F(21, 4) - F(21, 64)), "", [(4, (0, 0, 0))]),
     "wedge-rational": (0, "", [(1, (-4, 4, 2)), (2, (-8, 8, 4))]),
     "needle-dart": (0, "", [(F(1, 2) + F(1, 2 ** 11), (1, -4, 3)), (1, (2, 0, 1))]),
+    # An octahedron of radius 2: 4/3 of its cube.
+    "octahedron-kinks": (64, "", [(1, (4, 0, 0)), (2, (8, 0, 0)), (3, (4, 0, 0))]),
+    # A quarter turn about x = 14.
+    "wrench-turn": (0, "", [(1, (14, -14, 0))]),
     "star-tumbling": (0, "", []),
     "gripper-log": (0, "", []),
     "torus-huge": (0, "", []),
