@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs codes over scenes of the benchmark, scores what they say, and prints the table of results.
 
-    python3 cases/benchmark/codes.py --graze build/graze OUT [--codes NAME,...] [--rows N] [NAME...]
+    python3 cases/benchmark/codes.py --graze build/graze OUT [--codes NAME[:K],...] [--rows N] [NAME...]
 
 OUT is what golden.py made; all scenes there, or those that are named. Programs are compiled into OUT/programs. A code
 that is not installed is skipped, and it says so; one that fails on a scene is in the table with its reason. OUT/results.jsonl
@@ -15,115 +15,25 @@ import itertools
 import json
 import os
 import resource
-import shutil
 import signal
 import subprocess
 import sys
 import tempfile
 import threading
+import time
 
-from standings import failures, table
-from tables import STATUS_BAD_INPUT, BadInput, read_scene, read_table, read_text
+from catalogue import CODES, chosen
+from standings import distances, failures, table
+from tables import STATUS_BAD_INPUT, BadInput, read_scene, read_text
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-ROOT = os.path.dirname(os.path.dirname(HERE))
-CANDIDATES = os.path.join("cases", "candidates")
 SCORE = os.path.join(HERE, "score.py")
 MEMORY = 8 << 30  # bytes of address space of a run
 PATIENCE = 6      # times the limit of CPU seconds that a run may last by the clock
-ROUNDING = 1e-9   # of a rigid motion's poses
 SCENE = ("solid.off", "motion.json", "points.csv")
-OURS = ["{program}", "{parameter}", "{solid}", "{motion}", "{points}", "{out}"]
-
-
-class Code:
-    """How a code is had and asked.
-
-    settings: (words for the table, what stands for {parameter}, which poses it reads or None). installed: a path, or a
-    program, that is there where it is; package: Debian's, whose version is told. sources are compiled if there are any.
-    """
-
-    def __init__(self, name, settings, command, sources=(), flags=(), libraries=(), **more):
-        self.name, self.settings, self.command = name, settings, command
-        self.sources = [os.path.join(ROOT, source) for source in sources]
-        self.flags, self.libraries = list(flags), list(libraries)
-        self.package, self.installed = more.get("package"), more.get("installed")
-        self.ending, self.lacks = more.get("ending", ".csv"), more.get("lacks", lambda folder, scene: None)
-
-    def there(self):
-        return not self.installed or os.path.exists(self.installed) or bool(shutil.which(self.installed))
-
-    def version(self, graze):
-        if self.package:
-            return output(["dpkg-query", "-W", "-f", "${Version}", self.package])
-        return output([graze, "--version"]).strip()
-
-    def compile(self, folder):
-        """The program, compiled unless it is newer than its sources."""
-        program = os.path.join(folder, self.name)
-        sources = [s for s in self.sources if s.endswith((".c", ".cpp"))]
-        if not sources or os.path.exists(program) and all(os.path.getmtime(s) < os.path.getmtime(program) for s in self.sources):
-            return program
-        objects = [compile_c(source, folder) if source.endswith(".c") else source for source in sources]
-        run_or_raise(["c++", "-std=c++17", *self.flags, "-o", program + ".part", *objects, *self.libraries])
-        os.replace(program + ".part", program)
-        return program
-
-
-def candidate(*names):
-    return [os.path.join(CANDIDATES, name) for name in names]
-
-
-def not_rigid(folder, _):
-    """Why distances in the solid's own space say nothing."""
-    for row in read_table(os.path.join(folder, "poses-101.csv"))[1]:
-        m = [[float(row[f"m{i}{j}"]) for j in range(3)] for i in range(3)]
-        if any(abs(sum(m[i][k] * m[j][k] for k in range(3)) - (i == j)) > ROUNDING for i in range(3) for j in range(3)):
-            return "the motion is not rigid"
-    return None
-
-
-def not_straight(_, scene):
-    return None if scene.get("straight") else "the motion is not straight"
-
-
-PLAIN = candidate("scene.c", "motion.c", "scene.h")
-CODES = [
-    Code("sampled", [("101 times", "100", None), ("1001 times", "1000", None)], OURS, candidate("sampled.c") + PLAIN, ["-O2"], ["-lyajl", "-lm"]),
-    Code("sampled_sdf", [("101 times", "101", None), ("1001 times", "1001", None)], OURS, candidate("sampled_sdf.c") + PLAIN, ["-O2"],
-         ["-lyajl", "-lm"], lacks=not_rigid),
-    Code("ei_double", [("ε = 1e-6", "1e-6", None), ("ε = 1e-9", "1e-9", None)], OURS, candidate("ei_double.c") + PLAIN, ["-O2"], ["-lyajl", "-lm"]),
-    Code("openvdb", [("101 poses, 1/64", "64", "101"), ("1001 poses, 1/128", "128", "1001")],
-         ["{program}", "{poses}", "{parameter}", "{solid}", "{out}"], candidate("openvdb.cpp") + PLAIN, ["-O2", "-DNDEBUG"],
-         ["-lopenvdb", "-ltbb", "-lyajl", "-lm"], package="libopenvdb-dev", installed="/usr/include/openvdb/openvdb.h", ending=".off"),
-    Code("openscad", [("101 poses", "", "101"), ("1001 poses", "", "1001")],
-         [sys.executable, os.path.join(ROOT, *candidate("openscad.py")), "{poses}", "{solid}", "{out}"], candidate("openscad.py"),
-         package="openscad", installed="openscad", ending=".off"),
-    Code("minkowski", [("exact", "", None)],
-         [sys.executable, os.path.join(ROOT, *candidate("minkowski.py")), "{program}", "{solid}", "{motion}", "{points}", "{out}"],
-         ["tests/agree/minkowski.cpp", "tests/agree/legs.h", "tests/agree/shells.h", *candidate("minkowski.py")], ["-O1", "-frounding-math"],
-         ["-lmpfr", "-lgmp"], package="libcgal-dev", installed="/usr/include/CGAL/Nef_polyhedron_3.h", lacks=not_straight),
-    Code("graze", [("exact, itself", "", None)], ["{graze}", "classify", "{solid}", "{motion}", "{points}", "--quiet", "--output", "{out}"]),
-]
 
 
 # ------------------------------------------------------------------------------------------------ running
-def output(command):
-    return subprocess.run(command, check=False, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True).stdout
-
-
-def run_or_raise(command):
-    done = subprocess.run(command, check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-    if done.returncode:
-        raise BadInput(f"{' '.join(command)}: status {done.returncode}: {done.stdout.strip()}")
-
-
-def compile_c(source, folder):
-    made = os.path.join(folder, os.path.basename(source) + ".o")
-    run_or_raise(["cc", "-std=c11", "-D_POSIX_C_SOURCE=200809L", "-O2", "-c", "-o", made, source])
-    return made
-
-
 def digest(paths, *words):
     """One hash of files and words."""
     found = hashlib.sha256(json.dumps(words).encode())
@@ -147,6 +57,7 @@ def run_limited(command, limit, folder):
     with open(said, "wb") as file:
         child = subprocess.Popen(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=file, stderr=file, start_new_session=True, preexec_fn=bound)
         late = threading.Timer(PATIENCE * limit, os.killpg, (child.pid, signal.SIGKILL))
+        start = time.monotonic()
         late.start()
         try:
             _, status, usage = os.wait4(child.pid, 0)
@@ -158,14 +69,14 @@ def run_limited(command, limit, folder):
     seconds, status = usage.ru_utime + usage.ru_stime, os.waitstatus_to_exitcode(status)
     child.returncode = status
     if status:
-        raise Failure(reason(status, seconds >= limit - 1, limit, said))
+        late = status in (-signal.SIGXCPU, 128 + signal.SIGXCPU) or seconds >= limit or time.monotonic() - start >= PATIENCE * limit
+        raise Failure(f"more than {limit} s" if late else reason(status, said))
     return seconds
 
 
-def reason(status, spent, limit, said):
+def reason(status, said):
+    """Words for the end of a program; a script says 128 more than the signal that ended its child."""
     number = -status if status < 0 else status - 128
-    if number == signal.SIGXCPU or number == signal.SIGKILL or spent:
-        return f"more than {limit} s"
     if number in signal.valid_signals():
         return f"ended by {signal.Signals(number).name}"
     with open(said, encoding="utf-8", errors="replace") as file:
@@ -234,8 +145,8 @@ class Runner:
             found = json.loads(read_text(kept))
             if found["key"] == key:
                 return found["line"]
-        head = {"code": code.name, "setting": setting[0], "version": version, "command": code.command[-len(OURS):], "scene": name,
-                "family": scene["family"]}
+        head = {"code": code.name, "setting": setting[0], "version": version, "command": code.told(), "scene": name,
+                "family": scene["family"], "diagonal": scene["diagonal"]}
         try:
             found = head | self.answer(code, setting, program, folder, scene)
         except Failure as failure:
@@ -253,7 +164,7 @@ class Runner:
                 print(f"SKIP {code.name}: {code.installed} is not there", file=sys.stderr)
                 continue
             program, version = code.compile(self.programs), code.version(self.options.graze)
-            for setting, name in itertools.product(code.settings, names):
+            for setting, name in itertools.product(code.asked or code.settings, names):
                 lines.append(self.line(code, setting, program, version, name))
                 tell(f"{code.name}, {setting[0]}, {name}: {lines[-1].get('failure', 'scored')}")
         return lines
@@ -267,30 +178,27 @@ def tell(text):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("--graze", default="build/graze")
-    parser.add_argument("--codes", help="some of them, with commas between")
+    parser.add_argument("--codes", help="some of them, with commas between; NAME:K is the setting K of it alone")
     parser.add_argument("--limit", type=int, default=120, help="CPU seconds of a code on a scene (120)")
     parser.add_argument("--rows", type=int, help="the first golden rows of a scene alone")
     parser.add_argument("--budget", type=int, default=10 ** 5, help="of `graze judge` for meshes (100000)")
     parser.add_argument("--list", action="store_true")
     parser.add_argument("out", metavar="OUT", nargs="?")
     parser.add_argument("names", metavar="NAME", nargs="*")
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
     if options.list:
-        print("".join(f"{code.name}\t{setting[0]}\n" for code in CODES for setting in code.settings), end="")
+        print("".join(f"{code.name}:{k}\t{setting[0]}\n" for code in CODES for k, setting in enumerate(code.settings, 1)), end="")
         return
     if not options.out or options.limit < 1 or options.rows is not None and options.rows < 1:
         parser.error("expected OUT; --limit and --rows from 1 up")
     options.graze, options.out = os.path.abspath(options.graze), os.path.abspath(options.out)
-    wanted = options.codes.split(",") if options.codes else [code.name for code in CODES]
-    unknown = set(wanted) - {code.name for code in CODES}
-    if unknown:
-        raise BadInput(f"--codes: {min(unknown)}; expected some of --list")
+    codes = chosen(options.codes) if options.codes else CODES
     names = options.names or sorted(name for name in os.listdir(options.out) if os.path.exists(os.path.join(options.out, name, "golden.csv")))
     with tempfile.TemporaryDirectory() as folder:
-        lines = Runner(options, folder).run([code for code in CODES if code.name in wanted], names)
+        lines = Runner(options, folder).run(codes, names)
     with open(os.path.join(options.out, "results.jsonl"), "w", encoding="utf-8") as file:
         file.writelines(json.dumps(line, ensure_ascii=False) + "\n" for line in lines)
-    print(table(lines) + failures(lines), end="")
+    print(table(lines) + distances(lines) + failures(lines), end="")
 
 
 if __name__ == "__main__":

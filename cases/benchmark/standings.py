@@ -66,3 +66,28 @@ def failures(lines):
             found.setdefault((line["code"], line["setting"], line["failure"]), []).append(line["scene"])
     rows = [f"| {code} | {setting} | {reason} | {', '.join(scenes)} |" for (code, setting, reason), scenes in found.items()]
     return "\n".join(["", "**without a score**", "", "| code | setting | reason | scenes |", "|---|---|---|---|", *rows]) + "\n" if rows else ""
+
+
+def spread(values):
+    """The middle one and the greatest."""
+    values = sorted(values)
+    return f"{values[len(values) // 2]:.2g}, {values[-1]:.2g}" if values else "–"
+
+
+def distances(lines):
+    """Markdown: how far signed distances and meshes are off, over the diagonal, in the scenes together; nothing where there are none of either.
+
+    `diagonal` is added by whoever ran the code.
+    """
+    rows = []
+    for (code, setting), group in grouped([line for line in lines if line.get("sdf") or line.get("judge")]).items():
+        sdf = [(line["sdf"]["all"], line["diagonal"]) for line in group if line["sdf"]]
+        judged = [(line["judge"]["distance"], line["diagonal"]) for line in group if line["judge"] and line["judge"]["distance"]]
+        over, points = (sum(part[name] for part, _ in sdf) for name in ("over", "points"))
+        lows = [spread([part[name]["low"] / diagonal for part, diagonal in judged if part[name] and part[name]["low"] is not None])
+                for name in ("mesh_to_sweep_outside", "mesh_to_sweep_inside", "sweep_to_mesh")]
+        rows.append((code, setting, len(group), percent(over / points) if points else "–",
+                     spread([part["greatest_miss"] / diagonal for part, diagonal in sdf]), *lows))
+    head = ("code", "setting", "scenes", "too far", "greatest error", "mesh outside the sweep", "mesh inside", "boundary from the mesh")
+    text = ["", "**distances**", "", "| " + " | ".join(head) + " |", "|---|---|" + "--:|" * (len(head) - 2)]
+    return "\n".join(text + ["| " + " | ".join(map(str, row)) + " |" for row in rows]) + "\n" if rows else ""

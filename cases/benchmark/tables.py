@@ -6,6 +6,7 @@ import csv
 import json
 import math
 import os
+from fractions import Fraction as F
 
 STATUS_BAD_INPUT = 3
 FAMILIES = ("parts", "motions", "degenerate", "large", "adversarial")
@@ -40,10 +41,10 @@ def read_table(path):
 
 
 def number(text):
-    """A finite number as the nearest double, or None."""
+    """A finite number, or a ratio of whole ones, as the nearest double, or None."""
     try:
-        found = math.nan if "_" in text else float(text)
-    except (TypeError, ValueError):
+        found = math.nan if "_" in text else float(F(text) if "/" in text else text)
+    except (TypeError, ValueError, ZeroDivisionError, OverflowError):
         return None
     return found if math.isfinite(found) else None
 

@@ -1,0 +1,68 @@
+#!/usr/bin/env python3
+"""Draws how often codes err, against the distance of a point to the boundary of the sweep.
+
+    python3 cases/benchmark/picture.py RESULTS PICTURE.svg
+
+RESULTS is results.jsonl of codes.py. A line a code and setting, over all scenes that it answered: the share of wrong
+answers among the `in` and `out` points of each power of ten of their proved distance, in parts of the diagonal of the
+solid's box. Points nearer than 10^-12 are at the left end; a power of ten with fewer than LEAST points has no mark.
+Needs Debian's python3-matplotlib; the same results give the same bytes with one version of it.
+SPDX-License-Identifier: CC0-1.0
+"""
+import json
+import sys
+
+import matplotlib
+
+matplotlib.use("svg")
+matplotlib.rcParams.update({"svg.hashsalt": "graze", "svg.fonttype": "none", "font.size": 9})
+
+import matplotlib.pyplot as plt  # noqa: E402
+
+LEAST = 20
+NEAREST = 1e-13  # where points below 10^-12 are drawn
+FLOOR = 1e-5     # where no error is drawn
+
+
+def shares(lines):
+    """(distance, share of wrong answers) of the powers of ten, over all scenes."""
+    parts = {}
+    for line in lines:
+        for decade in line["decades"]:
+            part = parts.setdefault(decade["from"] or NEAREST, [0, 0])
+            part[0] += decade["wrong"]
+            part[1] += decade["points"]
+    return [(at, wrong / points) for at, (wrong, points) in sorted(parts.items()) if points >= LEAST]
+
+
+def draw(groups, path):
+    figure, axes = plt.subplots(figsize=(8, 4.5))
+    marks = "os^v"
+    colours = {name: f"C{k}" for k, name in enumerate(dict.fromkeys(code for code, _ in groups))}
+    seen = dict.fromkeys(colours, 0)
+    for (code, setting), lines in groups.items():
+        points = shares(lines)
+        axes.plot([x for x, _ in points], [max(y, FLOOR) for _, y in points], color=colours[code], marker=marks[seen[code]], markersize=4,
+                  linestyle=("-", "--", ":", "-.")[seen[code]], linewidth=1.2, label=f"{code}, {setting} ({len(lines)} scenes)")
+        seen[code] += 1
+    axes.set(xscale="log", yscale="log", xlabel="proved distance to the boundary of the sweep, of the diagonal: from 10^k to 10^(k+1)",
+             ylabel="wrong answers (at the foot: none)", ylim=(FLOOR * 0.8, 1))
+    axes.grid(alpha=0.3)
+    axes.legend(fontsize=7)
+    figure.tight_layout()
+    figure.savefig(path, format="svg", metadata={"Date": None, "Creator": None})
+
+
+def main():
+    if len(sys.argv) != 3:
+        sys.exit("usage: picture.py RESULTS PICTURE.svg")
+    groups = {}
+    with open(sys.argv[1], encoding="utf-8") as file:
+        for line in map(json.loads, file):
+            if "failure" not in line:
+                groups.setdefault((line["code"], line["setting"]), []).append(line)
+    draw(groups, sys.argv[2])
+
+
+if __name__ == "__main__":
+    main()
