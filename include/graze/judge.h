@@ -159,6 +159,19 @@ GRAZE_API GRAZE_CHECKED graze_status graze_mesh_answers(graze_pmc *out, graze_co
                                                         graze_rationals points, size_t n,
                                                         int threads);
 
+/**
+ * Write a page of HTML (graze/draw.h): the scene, the mesh in the colours of its vertices'
+ * distances, and the places of the greatest ones as points, which say what they are and why:
+ * `outside`, `inside` and `sweep`, and where a search has stuck its place, `seam?` behind the name.
+ * @param file  a name in .html
+ * @param found enclosures of all vertices (graze_mesh_distances)
+ * @param title UTF-8, at most 512 bytes, or NULL
+ * @return GRAZE_EUSE; GRAZE_ELIMIT a coordinate is beyond pictures; GRAZE_ECANCELED; GRAZE_ESYSTEM
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_judgement_draw(
+    graze_context *context, const graze_scene *scene, const graze_judgement *judgement,
+    const char *file, const graze_enclosure *found, const char *title);
+
 /** Points at which a mesh is judged as a classifier (rule 6). Pointers are borrowed. */
 typedef struct graze_mesh_points {
     size_t size;             /**< sizeof(graze_mesh_points) */

@@ -384,6 +384,8 @@ static void meshes(bench *b) {
     WRONG(graze_mesh_distances(found, c, s, NULL, 1, 1));
     WRONG(graze_mesh_distances(found, c, s, mesh, 0, 1));
     WRONG(graze_mesh_distances(found, c, s, mesh, 1, -1));
+    WRONG(graze_judgement_draw(NULL, s, NULL, "p.html", found, NULL));
+    WRONG(graze_judgement_draw(c, s, NULL, "p.html", found, NULL));
     WRONG(graze_mesh_answers(NULL, c, mesh, b->point, 1, 1));
     WRONG(graze_mesh_answers(&said, NULL, mesh, b->point, 1, 1));
     WRONG(graze_mesh_answers(&said, c, NULL, b->point, 1, 1));

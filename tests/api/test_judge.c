@@ -69,6 +69,23 @@ static void holds(const graze_judgement *j, graze_judged which, double truth) {
     assert_true(d.low <= truth && truth <= d.high && d.high - d.low <= 0.5 && d.reached);
 }
 
+/* A page is refused before anything is written. */
+static void refuse_page(const judged *j, const graze_judgement *found, const graze_enclosure *at) {
+    char title[600];
+    memset(title, 'a', sizeof title - 1);
+    title[sizeof title - 1] = '\0';
+    assert_int_equal(graze_judgement_draw(j->context, NULL, found, "p.html", at, NULL), GRAZE_EUSE);
+    assert_int_equal(graze_judgement_draw(j->context, j->scene, found, NULL, at, NULL), GRAZE_EUSE);
+    assert_int_equal(graze_judgement_draw(j->context, j->scene, found, "p.svg", at, NULL),
+                     GRAZE_EUSE);
+    assert_int_equal(graze_judgement_draw(j->context, j->scene, found, "p.html", NULL, NULL),
+                     GRAZE_EUSE);
+    assert_int_equal(graze_judgement_draw(j->context, j->scene, found, "p.html", at, title),
+                     GRAZE_EUSE);
+    assert_int_equal(graze_judgement_draw(j->context, j->scene, found, "no/p.html", at, "a"),
+                     GRAZE_ESYSTEM);
+}
+
 static void test_box(void **state) {
     (void)state;
     judged j;
@@ -97,6 +114,7 @@ static void test_box(void **state) {
     assert_int_equal(graze_mesh_distances(at, j.context, j.scene, j.mesh, 1e-3, 2), GRAZE_OK);
     for (int k = 0; k < 8; k++)
         assert_true(at[k].pmc == GRAZE_ON && at[k].low == 0 && at[k].high == 0);
+    refuse_page(&j, found, at);
     graze_judgement_destroy(found);
     mpq_clears(low, high, point[0], point[1], point[2], NULL);
     end(&j);

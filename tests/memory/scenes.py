@@ -184,7 +184,8 @@ def make(graze, folder):
     yield Scene("collide", ["collide", cube, turn, cube, "--motion-of-fixed", turn, "--format", "json"], 1)
     yield Scene("collide-turn", ["collide", cube, turn, cube, "--first"], 1)
     yield Scene("collide-2", ["collide", u, roll, u], 1)
-    yield Scene("judge", ["judge", cube, turn, cube, "--within", "1r", "--count", "3", "--vertices", "v.csv"], tables=("v.csv",))
+    yield Scene("judge", ["judge", cube, turn, cube, "--within", "1r", "--count", "3", "--vertices", "v.csv", "--page", "p.html"],
+                tables=("v.csv", "p.html"))
     yield Scene("judge-json", ["judge", cube, turn, cube, "--budget", "40", "--points", three, "--answers", "a.csv", "--format", "json"],
                 tables=("a.csv",))
     yield Scene("unsweep", ["classify", *one, "--operation", "unsweep", u, roll, two])

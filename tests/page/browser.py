@@ -416,6 +416,22 @@ def test_size(browser, graze, folder):
     check(frames[0] < 20000, "milliseconds of the fastest frame: a page that hangs; speed is no test's matter", frames)
 
 
+def test_judge(browser, graze, folder):
+    """A mesh in the colours of distances stands where the surface would, and hides by its box."""
+    cube = os.path.join(ROOT, "tests", "refuse", "common", "cube.off")
+    motion, page = os.path.join(folder, "judge.json"), os.path.join(folder, "judge.html")
+    with open(motion, "w", encoding="utf-8") as file:
+        file.write('{"dimension": 3, "pieces": [{"t": ["0", "1"], "transform": {"translate": ["8*t", "0", "0"]}}]}')
+    run(graze, "judge", cube, motion, cube, "--within", "1/2", "--no-points", "--page", page)
+    opened(browser, page)
+    check(browser.value("!document.getElementById('distances').hidden"), "no scale")
+    check(browser.value("document.getElementById('sweep-name').textContent") == "mesh", "the box is not named")
+    check(browser.value("graze.sweep.children.length") == 1, "things in place of the sweep")
+    before = pixels(browser, "space")
+    browser.value("document.getElementById('show-sweep').click()")
+    check(pixels(browser, "space") != before, "the mesh is not seen")
+
+
 def main():
     args = options(__doc__, PICTURES)
     browser = Chromium()
@@ -436,6 +452,8 @@ def main():
             shoot("filters")
             test_compare(browser, args.graze, folder)
             shoot("compare")
+            test_judge(browser, args.graze, folder)
+            shoot("judge")
             test_notebook(browser, args.graze, folder)
             shoot("notebook")
             test_size(browser, args.graze, folder)

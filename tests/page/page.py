@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # suite
-"""Pages of `graze draw -o scene.html` and `graze compare --page`, by their data.
+"""Pages of `graze draw -o scene.html` and `graze compare --page` and `graze judge --page`, by their data.
 
 Words, classes, counts, times and cells of a page are those of `graze classify --format jsonl`; the maps of its
 motion take points to the boundary of the solid at the times of contact; the surface is that of `graze boundary --sharp`.
@@ -322,6 +322,31 @@ def test_compare(graze, folder):
     check(data["operation"] == "unsweep" and len(data["points"]["lines"]) == len(rows), data["operation"])
 
 
+def test_judge(graze, folder):
+    """The cube [0, 2]^3 along x by 8, and a box that ends at x = 11: its end is 1 outside, as is x = 10 from it."""
+    motion, mesh, page = (os.path.join(folder, name) for name in ("along.json", "long.off", "judge.html"))
+    with open(motion, "w", encoding="utf-8") as file:
+        file.write('{"dimension": 3, "pieces": [{"t": ["0", "1"], "transform": {"translate": ["8*t", "0", "0"]}}]}')
+    corners = [(x, y, z) for z in (0, 2) for y in (0, 2) for x in (0, 11)]
+    faces = [(0, 2, 3), (0, 3, 1), (4, 5, 7), (4, 7, 6), (0, 1, 5), (0, 5, 4), (2, 6, 7), (2, 7, 3), (0, 4, 6), (0, 6, 2), (1, 3, 7), (1, 7, 5)]
+    with open(mesh, "w", encoding="utf-8") as file:
+        file.write("OFF\n8 12 0\n" + "".join("%d %d %d\n" % p for p in corners) + "".join("3 %d %d %d\n" % f for f in faces))
+    run(graze, "judge", CUBE, motion, mesh, "--within", "1/4", "--no-points", "--page", page)
+    _, data = read_page(page)
+    box = data["box"]
+    check(box[0] <= 0 and box[3] >= 11, "the mesh is in the box", box)
+    centre = [(a + b) / 2 for a, b in zip(box[:3], box[3:])]
+    places = numbers(data["mesh"]["vertices"], "f", 4)
+    for k, p in enumerate(corners):
+        check(all(abs(x + c - y) < 1e-5 for x, c, y in zip(places[3 * k:], centre, p)), "vertex", k, places[3 * k:3 * k + 3], p)
+    check(numbers(data["mesh"]["faces"], "I", 4) == tuple(v for f in faces for v in f), "faces", data["mesh"]["faces"])
+    for p, far in zip(corners, numbers(data["mesh"]["distances"], "d", 8)):
+        check(abs(far - (p[0] == 11)) <= 1 / 256, "distance", p, far)
+    check(data["points"]["names"] == ["outside", "sweep"], data["points"]["names"])
+    at = [[F(x) for x in line.split("|")[0].split()] for line in data["points"]["lines"]]
+    check(at[0][0] == 11 and abs(at[1][0] - 10) < F(1, 8) and all(0 <= x <= 2 for p in at for x in p[1:]), "places", data["points"]["lines"])
+
+
 def main():
     graze = options(__doc__).graze
     with tempfile.TemporaryDirectory() as folder:
@@ -330,6 +355,7 @@ def main():
         test_motion(graze, folder)
         test_curved(graze, folder)
         test_compare(graze, folder)
+        test_judge(graze, folder)
     checks.finish()
 
 

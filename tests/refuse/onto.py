@@ -62,7 +62,7 @@ ROWS = [
     Row("envelope S.wkt M.json --at 1/2 -n 2", SCENE,
         {"--events": "o", "--curve": "o", "--patches": "o", "--joints": "o", "--points": "o"}),
     Row("collide S.wkt M.json S.wkt", SCENE, {}, reads=["--motion-of-fixed"], ends=1),
-    Row("judge B.off B.json B.off --within 1 --count 1", ["B.off", "B.json"], {"--vertices": "o.csv", "--answers": "o.csv"},
+    Row("judge B.off B.json B.off --within 1 --count 1", ["B.off", "B.json"], {"--vertices": "o.csv", "--answers": "o.csv", "--page": "o.html"},
         reads=["--points"]),
     Row("motion poses Q.csv", ["Q.csv"], {"--output": "o", "--report": "o"}),
     Row("motion dyadic M.json", ["M.json"], {"--output": "o", "--report": "o"}),

@@ -6,6 +6,16 @@
 
 #include <flint/fmpq.h>
 #include <stddef.h>
+#include <stdint.h>
+
+/** A mesh in the colours of distances. All is borrowed. */
+typedef struct draw_mesh {
+    const fmpq *vertices; /* three each */
+    size_t vertex_count;
+    const uint32_t *corners; /* three vertices each */
+    size_t triangle_count;
+    const double *distance; /* one a vertex, negative inside the sweep */
+} draw_mesh;
 
 /** Contents of a picture: the numbers of graze_draw_options, checked and with their defaults.
  */
@@ -26,6 +36,7 @@ typedef struct draw_request {
     const char *const *strata;  /* one a point, or NULL; entries may be NULL */
     const char *const *answers; /* the same: a candidate's, where it is wrong */
     unsigned surface;           /* level of the sweep's surface; 0: none */
+    const draw_mesh *mesh;      /* shown in place of the surface; NULL: none */
 } draw_request;
 
 #endif

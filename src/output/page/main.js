@@ -54,6 +54,7 @@ function paint() {
   fillSolid(moving, "moving", d === 3 ? 1 : 0.55);
   fillSolid(standingSolid, "solid", d === 3 ? 0.5 : 1);
   if (scene.surface) sweep.add(sweepObject());
+  if (scene.mesh) sweep.add(meshObject());
   cells.add(cellsObject(Math.min(4096, space.renderer.capabilities.maxTextureSize)));
   for (let k = 0; k < scene.times; k++) {
     const ghost = new THREE.Group();
@@ -216,7 +217,7 @@ function onKey(event) {
 
 /** The toggles of what is shown: name of the box, group, shown at first. */
 function fillToggles() {
-  const toggles = [["solid", moving, true], ["sweep", sweep, true], ["cells", cells, d === 2], ["positions", positions, d === 2 ? false : !scene.surface]];
+  const toggles = [["solid", moving, !scene.mesh], ["sweep", sweep, true], ["cells", cells, d === 2], ["positions", positions, d === 2 ? false : !scene.surface && !scene.mesh]];
   for (const [name, group, first] of toggles) {
     const box = $("show-" + name), update = () => {
       group.visible = box.checked;
@@ -226,7 +227,7 @@ function fillToggles() {
     box.addEventListener("change", update);
     update();
   }
-  $("show-sweep").parentElement.hidden = !scene.surface;
+  $("show-sweep").parentElement.hidden = !scene.surface && !scene.mesh;
 }
 
 function fillTexts() {
@@ -235,9 +236,11 @@ function fillTexts() {
   $("title").textContent = document.title;
   $("remark").textContent = "classified exactly" + (surface
     ? ` · boundary of the ${name} sampled at level ${surface.level}, details smaller than a cell may be missing` : "") + (scene.primitives ? " · S is drawn as triangles made for the eye" : "") + (zero ? ` · t0 = ${decimal(zero, 17).text}` : "") + ` · graze ${scene.version}`;
-  $("world-title").textContent = unsweep ? "M(t)⁻¹S and the unsweep" : "S at time t and the sweep";
+  $("distances").hidden = !scene.mesh;
+  for (const [id, sign] of [["mesh-inside", "−"], ["mesh-outside", ""]]) $(id).textContent = sign + meshMost.toPrecision(3);
+  $("world-title").textContent = scene.mesh ? "S at time t and the mesh" : unsweep ? "M(t)⁻¹S and the unsweep" : "S at time t and the sweep";
   $("body-title").textContent = (unsweep ? "M(t)P" : "M(t)⁻¹P, the inverted trajectory of the point,") + " through the standing S";
-  $("sweep-name").textContent = d === 2 ? `boundary of the ${name}` : name;
+  $("sweep-name").textContent = scene.mesh ? "mesh" : d === 2 ? `boundary of the ${name}` : name;
   $("cells-name").textContent = d === 2 ? "classes" : `classes in ${scene.cells.plane}`;
   document.body.dataset.points = pointCount ? "some" : "none";
   const [low, high] = worldBounds;

@@ -97,6 +97,8 @@ static graze_status put_scene(text *out, graze_context *context, const graze_sce
     text_put(out, ",\n\"surface\":");
     if (!status)
         status = page_surface(out, context, scene, request, centre);
+    text_put(out, ",\n\"mesh\":");
+    page_mesh(out, request, centre);
     text_put(out, ",\n\"cells\":");
     if (!status)
         status = page_cells(out, context, scene, request);

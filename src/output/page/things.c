@@ -175,3 +175,28 @@ graze_status page_surface(text *out, graze_context *context, const graze_scene *
     boundary_clear(&b);
     return status;
 }
+
+void page_mesh(text *out, const draw_request *request, const double *centre) {
+    const draw_mesh *m = request->mesh;
+    encoder e;
+    if (!m) {
+        text_put(out, "null");
+        return;
+    }
+    text_put(out, "{\"vertices\":");
+    encode_begin(&e, out);
+    for (size_t k = 0; k < 3 * m->vertex_count; k++)
+        encode_float(&e, (float)(fmpq_get_d(m->vertices + k) - centre[k % 3]));
+    encode_end(&e);
+    text_put(out, ",\"faces\":");
+    encode_begin(&e, out);
+    for (size_t k = 0; k < 3 * m->triangle_count; k++)
+        encode_count(&e, m->corners[k]);
+    encode_end(&e);
+    text_put(out, ",\"distances\":");
+    encode_begin(&e, out);
+    for (size_t k = 0; k < m->vertex_count; k++)
+        encode_double(&e, m->distance[k]);
+    encode_end(&e);
+    text_put(out, "}");
+}

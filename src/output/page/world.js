@@ -83,6 +83,10 @@ function moveTo(group, t) {
   group.matrixWorldNeedsUpdate = true;
 }
 
+/** Distances of the vertices of a mesh that is judged, the greatest of them, colours inside, at the boundary, outside. */
+const meshDistances = scene.mesh ? doubles(scene.mesh.distances) : [], MESH_TINTS = ["#0072b2", "#f0f0f0", "#d55e00"];
+const meshMost = meshDistances.reduce((most, x) => Math.max(most, Math.abs(x)), 0);
+
 /** The boundary of the sweep. */
 function sweepObject() {
   const faces = counts(scene.surface.faces), array = centred(floats(scene.surface.vertices), [0, 0, 0]);
@@ -90,6 +94,19 @@ function sweepObject() {
   if (d === 2) return new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({color: tint("ink")}));
   return new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({color: tint("sweep"), side: THREE.DoubleSide, flatShading: true,
     transparent: true, opacity: 0.5, depthWrite: false}));
+}
+
+/** The colour of a signed distance: that of the inside, none at the boundary, that of the outside. */
+function distanceColour(share) {
+  return colour(MESH_TINTS[1]).lerp(colour(MESH_TINTS[share < 0 ? 0 : 2]), Math.sqrt(Math.abs(share)));
+}
+
+/** The mesh that is judged, each vertex in the colour of its distance. */
+function meshObject() {
+  const geometry = shell(floats(scene.mesh.vertices), counts(scene.mesh.faces));
+  const tints = [...meshDistances].flatMap((x) => distanceColour(meshMost ? x / meshMost : 0).toArray());
+  geometry.setAttribute("color", new THREE.Float32BufferAttribute(tints, 3));
+  return new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({vertexColors: true, side: THREE.DoubleSide, flatShading: true}));
 }
 
 /** Pixels of the cells, a pixel a part; what lies outside the set is clear. */

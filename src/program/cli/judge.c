@@ -28,6 +28,9 @@ static const char judge_help[] =
     "  --vertices FILE    .csv: a row for each vertex of MESH with its signed distance, enclosed "
     "to\n"
     "                     W, and pmc; .vtk: the mesh with these as data of its points\n"
+    "  --page FILE        a page, .html: the mesh in the colours of its vertices' distances, and "
+    "the\n"
+    "                     places of the greatest ones\n"
     "  --points FILE      compare what MESH says of these points with the exact answers (- is\n"
     "                     standard input); by default of 1000 generated ones, of all strata,\n"
     "  --answers FILE     with --points, a table of what MESH says of them: x, y, z, pmc\n"
@@ -45,10 +48,13 @@ static const char judge_help[] =
 /* Points that are generated, and disagreements that are shown. */
 enum { DEFAULT_POINTS = 1000, POINTS_SHOWN = 5 };
 
+/* Colours are of distances known to this part of the width. */
+static const double PAGE_SHARE = 64;
+
 typedef struct judge_given {
     scene_options scene; /* rows.sdf is the width */
     unsigned long budget;
-    const char *fail_above, *points, *vertices, *answers;
+    const char *fail_above, *points, *vertices, *answers, *page;
     unsigned long count;
     seed_value seed;
     int on_as; /* a graze_on_as, and 1 */
@@ -73,6 +79,7 @@ static const option_entry judge_table[] = {
     FILE_READ("points", judge_given, points),
     FILE_WRITTEN("answers", judge_given, answers),
     FILE_WRITTEN("vertices", judge_given, vertices),
+    FILE_WRITTEN("page", judge_given, page),
     OPTION("count", judge_given, count, value_count),
     OPTION("seed", judge_given, seed, value_seed),
     FLAG("no-points", judge_given, no_points, value_flag),
@@ -115,7 +122,7 @@ static int is_too_far(graze_context *context, const graze_judgement *judgement, 
 
 /* What the mesh says of the points that are given, as a file. */
 static int write_mesh_answers(const loaded *l, const judge_given *o, const graze_mesh *mesh,
-                         const marks *given) {
+                              const marks *given) {
     graze_pmc *found = calloc(given->count + 1, sizeof *found);
     graze_rationals points = (graze_rationals)given->value;
     int code = found ? complain_of(graze_mesh_answers(found, l->context, mesh, points, given->count,
@@ -148,16 +155,22 @@ static int ask_mesh_points(graze_comparison **out, const loaded *l, const judge_
     return complain_of(graze_compare_mesh(out, l->context, l->scene, mesh, &asked), l->context);
 }
 
-/* The distances of all vertices, as a file. */
-static int write_vertices(const loaded *l, const judge_given *o, const graze_mesh *mesh) {
+/* The distances of all vertices, as a table and in a page. */
+static int write_vertices(const loaded *l, const judge_given *o, const graze_mesh *mesh,
+                          const graze_judgement *judgement) {
     size_t count = graze_mesh_get_facts(mesh).vertices;
     graze_enclosure *found = calloc(count + 1, sizeof *found);
-    int code = found ? complain_of(graze_mesh_distances(found, l->context, l->scene, mesh,
-                                                        l->rows.sdf, o->jobs),
-                                   l->context)
-                     : complain(EXIT_IO, "out of memory for %zu vertices", count);
-    if (!code)
+    double width = o->page ? l->rows.sdf / PAGE_SHARE : l->rows.sdf;
+    int code =
+        found ? complain_of(graze_mesh_distances(found, l->context, l->scene, mesh, width, o->jobs),
+                            l->context)
+              : complain(EXIT_IO, "out of memory for %zu vertices", count);
+    if (!code && o->vertices)
         code = vertex_table_write(o->vertices, l->context, mesh, found);
+    if (!code && o->page)
+        code =
+            complain_of(graze_judgement_draw(l->context, l->scene, judgement, o->page, found, NULL),
+                        l->context);
     free(found);
     return code;
 }
@@ -178,8 +191,8 @@ static int judge_mesh(const loaded *l, const judge_given *o, const char *path) {
     if (!code)
         code =
             complain_of(graze_judge(&judgement, l->context, l->scene, mesh, &options), l->context);
-    if (!code && o->vertices)
-        code = write_vertices(l, o, mesh);
+    if (!code && (o->vertices || o->page))
+        code = write_vertices(l, o, mesh, judgement);
     if (!code)
         code = ask_mesh_points(&points, l, o, mesh, &given);
     if (!code)
@@ -201,6 +214,8 @@ static int run_judge(void *options, const operands *given) {
                         "judge takes SOLID, MOTION and MESH, %d operands given; see graze judge "
                         "--help",
                         given->count);
+    if (o->page && !path_has_extension(o->page, ".html"))
+        return complain(EXIT_USAGE, "--page %s: expected a name in .html", o->page);
     if (o->answers && !o->points)
         return complain(EXIT_USAGE, "--answers needs points; expected --points beside it");
     if (o->vertices && vertex_table_check(o->vertices))

@@ -1,0 +1,116 @@
+/* The public function of the page of a mesh that is judged.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <flint/fmpq_vec.h>
+#include <stdlib.h>
+#include <string.h>
+#include "api/api.h"
+#include "base/context/environment.h"
+#include "base/number/rounding.h"
+#include "decide/scene/box.h"
+#include "output/draw/picture_kind.h"
+#include "output/page/page.h"
+#include "questions/judge/judge.h"
+
+/* Places of the greatest distances, and where a search has stuck. */
+enum { MOST_PLACES = 2 * GRAZE_JUDGED_COUNT };
+
+typedef struct judge_page {
+    draw_mesh mesh;
+    double *distance;
+    uint32_t *corners;
+    fmpq *box, *places; /* low and high, 3 each; 3 a place */
+    const char *name[MOST_PLACES];
+    size_t place_count;
+} judge_page;
+
+/* Numbers of the corners, and the middles of the enclosures. */
+static graze_status take_mesh(judge_page *p, graze_context *context, const graze_mesh *mesh,
+                              const graze_enclosure *found) {
+    const simplices *cut = &mesh->judged.cut;
+    size_t vertices = mesh->input.vertex_count;
+    p->distance = calloc(vertices + 1, sizeof *p->distance);
+    p->corners = calloc(3 * cut->count + 1, sizeof *p->corners);
+    if (!p->distance || !p->corners)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a page");
+    for (size_t v = 0; v < vertices; v++)
+        p->distance[v] = 0.5 * found[v].low + 0.5 * found[v].high;
+    for (size_t k = 0; k < 3 * cut->count; k++)
+        p->corners[k] = cut->item[k / 3].vertex[k % 3];
+    p->mesh = (draw_mesh){mesh->input.coordinates, vertices, p->corners, cut->count, p->distance};
+    return GRAZE_OK;
+}
+
+/* The scene's box and the mesh. */
+static graze_status box_with_mesh(judge_page *p, graze_context *context, const graze_scene *scene) {
+    graze_status status = scene_box(p->box, p->box + 3, context, scene);
+    for (size_t k = 0; k < 3 * p->mesh.vertex_count && !status; k++) {
+        const fmpq *x = p->mesh.vertices + k;
+        if (fmpq_cmp(x, p->box + k % 3) < 0)
+            fmpq_set(p->box + k % 3, x);
+        if (fmpq_cmp(x, p->box + 3 + k % 3) > 0)
+            fmpq_set(p->box + 3 + k % 3, x);
+    }
+    return status;
+}
+
+static graze_status mark_place(judge_page *p, graze_context *context, const double *at,
+                               const char *name) {
+    graze_status status = GRAZE_OK;
+    for (size_t i = 0; i < 3 && !status; i++)
+        status = rational_from_double(p->places + 3 * p->place_count + i, context, at[i]);
+    p->name[p->place_count++] = name;
+    return status;
+}
+
+static graze_status take_places(judge_page *p, graze_context *context,
+                                const graze_judgement *judgement) {
+    static const char *const names[] = {"outside", "inside", "sweep"};
+    static const char *const open[] = {"outside seam?", "inside seam?", "sweep seam?"};
+    graze_status status = GRAZE_OK;
+    for (int k = 0; k < GRAZE_JUDGED_COUNT && !status; k++) {
+        graze_judged_distance d = graze_judgement_distance(judgement, (graze_judged)k);
+        if (d.low > 0)
+            status = mark_place(p, context, d.at, names[k]);
+        if (!status && d.stuck)
+            status = mark_place(p, context, d.open, open[k]);
+    }
+    return status;
+}
+
+graze_status graze_judgement_draw(graze_context *context, const graze_scene *scene,
+                                  const graze_judgement *judgement, const char *file,
+                                  const graze_enclosure *found, const char *title) {
+    static const char name[] = "graze_judgement_draw";
+    if (!context || !scene || !judgement || !file || !found)
+        return api_misuse(context, name,
+                          "context, scene, judgement, file and found must not be NULL");
+    if (!file_has_extension(file, "html"))
+        return api_misuse(context, name, "the file is no page; expected a name in .html");
+    if (title && strlen(title) > 512)
+        return api_misuse(context, name, "title must have at most 512 bytes");
+    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    judge_page p = {.box = _fmpq_vec_init(6), .places = _fmpq_vec_init(3 * MOST_PLACES)};
+    graze_status status = take_mesh(&p, context, judgement->mesh, found);
+    if (!status)
+        status = box_with_mesh(&p, context, scene);
+    if (!status)
+        status = take_places(&p, context, judgement);
+    draw_request request = {.title = title,
+                            .times = 5,
+                            .low = p.box,
+                            .high = p.box + 3,
+                            .plane_axis = 2,
+                            .view = {2, -3, 2},
+                            .points = p.places,
+                            .point_count = p.place_count,
+                            .names = p.name,
+                            .mesh = &p.mesh};
+    if (!status)
+        status = page_write(context, scene, file, &request);
+    _fmpq_vec_clear(p.box, 6);
+    _fmpq_vec_clear(p.places, 3 * MOST_PLACES);
+    free(p.distance);
+    free(p.corners);
+    return status;
+}
