@@ -124,22 +124,26 @@ def read_answers(scene, path):
     return found
 
 
-def ask_mesh(scene, path, options):
-    """What a mesh says of the golden points, and `graze judge`'s facts, distances and volumes."""
+def judge(scene, path, options, *more):
+    """What `graze judge` prints of a mesh."""
     files = [os.path.join(scene.folder, name) for name in ("solid.off", "motion.json")]
-    with tempfile.TemporaryDirectory() as folder:
-        table_path = os.path.join(folder, "answers.csv")
-        command = [options.graze, "judge", *files, path, "--points", os.path.join(scene.folder, "points.csv"), "--answers", table_path,
-                   "--within", options.within, "--budget", str(options.budget), "--format", "json"]
-        done = subprocess.run(command, check=False, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        if done.returncode:
-            raise BadInput(f"{path}: graze judge, status {done.returncode}: {done.stderr.strip()}")
-        report = json.loads(done.stdout)
-        if report["mesh"]["rule"] == "none":
-            found = Answers(scene)
-            found.complain("the mesh is not closed, so that nothing is inside")
-        else:
-            found = read_answers(scene, table_path)
+    done = subprocess.run([options.graze, "judge", *files, path, "--format", "json", *more], check=False, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    if done.returncode:
+        raise BadInput(f"{path}: graze judge, status {done.returncode}: {done.stderr.strip()}")
+    return json.loads(done.stdout)
+
+
+def ask_mesh(scene, path, options):
+    """What a mesh says of the golden points, and its facts, distances and volumes."""
+    report = judge(scene, path, options, "--no-points", "--within", options.within, "--budget", str(options.budget))
+    if report["mesh"]["rule"] == "none":
+        found = Answers(scene)
+        found.complain("the mesh is not closed, so that nothing is inside")
+    else:
+        with tempfile.TemporaryDirectory() as folder:
+            answers = os.path.join(folder, "answers.csv")
+            judge(scene, path, options, "--points", os.path.join(scene.folder, "points.csv"), "--answers", answers, "--budget", "1")
+            found = read_answers(scene, answers)
     return found, {key: report[key] for key in ("mesh", "distance", "volume", "budget")}
 
 
@@ -229,7 +233,7 @@ def main():
     parser.add_argument("--graze", default="build/graze", help="asks meshes")
     parser.add_argument("--poses", help="the candidate reads poses-POSES.csv: what their deviation covers is not scored")
     parser.add_argument("--within", default="1e-2r", help="of a mesh: width of the distances' bounds")
-    parser.add_argument("--budget", type=int, default=10 ** 6, help="of a mesh: cubes and points that are asked about")
+    parser.add_argument("--budget", type=int, default=10 ** 5, help="of a mesh: cubes and points that are asked about (10^5)")
     parser.add_argument("--format", choices=["json"], default="json", help="of the output: a line a candidate")
     parser.add_argument("--table", action="store_true", help="Markdown of scores in files: all arguments are such")
     parser.add_argument("paths", metavar="SCENE CANDIDATE", nargs="+")

@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
-"""Scores of the benchmark: cases/benchmark/score.py on golden tables made by hand.
+"""Scores of the benchmark: cases/benchmark/score.py on golden tables made by hand, and on meshes of a box.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 
 *Levels.* The diagonal is 1024, so that the thresholds 0, 2^-40, 1e-6 and 1e-3 of it are 0, 2^-30, 0.001024 and 1.024. ROWS has with each bound
 of the distance how many of them it reaches; one wrong answer must be counted at these and no others.
+*Meshes.* [0, 2]^3 along x by 8 sweeps [0, 10] x [0, 2]^2. Which points a box holds is read off their coordinates.
 """
+import csv
 import json
 import os
 import sys
@@ -16,6 +18,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 from harness import ROOT, Checks, options, run  # noqa: E402
 
 SCORE = os.path.join(ROOT, "cases", "benchmark", "score.py")
+WITHIN = "0.25"  # width of the distances of meshes
 LEVELS = ("0", "2^-40", "1e-6", "1e-3")
 # pmc, boundary_low, and how many of LEVELS it reaches
 ROWS = [("in", "0", 1), ("in", repr(2.0 ** -31), 1), ("in", repr(2.0 ** -30), 2), ("in", "0.0010239", 2), ("in", "0.0010241", 3),
@@ -248,12 +251,80 @@ def check_table(scores, checks):
         checks.equal((done.returncode, bool(done.stderr)), (3, True), "not a score", text)
 
 
+def box_text(length, drop=0, turn=False):
+    """[0, length] x [0, 2]^2 as OFF, without its last facets; turned inside out if wished."""
+    facets = [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (2, 3, 7, 6), (0, 4, 7, 3), (1, 2, 6, 5)][:6 - drop]
+    corners = [(x, y, z) for z in (0, 2) for x, y in ((0, 0), (length, 0), (length, 2), (0, 2))]
+    lines = ["OFF", f"8 {len(facets)} 0", *(" ".join(map(str, c)) for c in corners), *("4 " + " ".join(map(str, f[::-1] if turn else f)) for f in facets)]
+    return "\n".join(lines) + "\n"
+
+
+def inside_box(row, length):
+    x, y, z = (float(row[axis]) for axis in "xyz")
+    if not (0 <= x <= length and 0 <= y <= 2 and 0 <= z <= 2):
+        return "out"
+    return "on" if x in (0, length) or y in (0, 2) or z in (0, 2) else "in"
+
+
+def make_box(scores, checks):
+    """The scene whose sweep is a box, by Graze, and its golden rows; their answers are read off the coordinates."""
+    names = ("solid.off", "motion.json", "points.csv", "golden.csv")
+    os.mkdir(os.path.join(scores.folder, "box"))
+    solid, motion, points, golden = (os.path.join(scores.folder, "box", name) for name in names)
+    scores.write("box/solid.off", box_text(2))
+    scores.write("box/motion.json", '{"dimension": 3, "pieces": [{"t": ["0", "1"], "transform": {"translate": ["8*t", "0", "0"]}}]}')
+    scores.write("box/scene.json", json.dumps(SCENE | {"name": "box", "count": 300, "diagonal": 12 ** 0.5}))
+    for words in (("generate", solid, motion, "-n", "300", "--seed", "5", "--plain", "--representable", "binary64", "--coordinates", "decimal", "--output", points),
+                  ("classify", solid, motion, points, "--sdf", "1e-6r", "--topo", "--boundary-distance", "--output", golden)):
+        checks.equal(run([scores.graze, *words]).returncode, 0, *words)
+    with open(golden, encoding="ascii") as file:
+        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    checks.equal([row["pmc"] for row in rows], [inside_box(row, 10) for row in rows], "the box")
+    return os.path.dirname(golden), rows
+
+
+def wrong_by_level(rows, said):
+    """Points and wrong ones at each level, if the rows get these answers."""
+    found = {"in": ([], []), "out": ([], [])}
+    for part in (0, 2.0 ** -40, 1e-6, 1e-3):
+        for pmc in found:
+            chosen = [answer for row, answer in zip(rows, said) if row["pmc"] == pmc and float(row["boundary_low"]) >= part * 12 ** 0.5]
+            found[pmc][0].append(len(chosen))
+            found[pmc][1].append(len(chosen) - chosen.count(pmc))
+    return ({pmc: parts[k] for pmc, parts in found.items()} for k in (0, 1))
+
+
+def check_meshes(scores, checks):
+    """The sweep itself, also inside out; cut off at x = 9, which leaves out all beyond; open."""
+    folder, rows = make_box(scores, checks)
+    texts = {"exact.off": box_text(10), "turned.off": box_text(10, turn=True), "short.OFF": box_text(9), "open.off": box_text(10, drop=1)}
+    done = scores.call(folder, *(scores.write(name, text) for name, text in texts.items()), "--within", WITHIN)
+    checks.equal((done.returncode, done.stdout.count("\n")), (0, 4), done.stderr)
+    exact, turned, short, without = map(json.loads, done.stdout.splitlines())
+    for name, found, said in (("exact", exact, [row["pmc"] for row in rows]), ("turned", turned, [row["pmc"] for row in rows]),
+                              ("short", short, [inside_box(row, 9) for row in rows]), ("open", without, [None] * len(rows))):
+        points, wrong = wrong_by_level(rows, said)
+        scores.counts(name, found, wrong, points)
+        on = [answer for row, answer in zip(rows, said) if row["pmc"] == "on"]
+        checks.equal(found["on"], {"points": len(on), "none": on.count(None)} | {a: on.count(a) for a in ("in", "on", "out")}, name, "on")
+        checks.equal(found["missing"], said.count(None), name, "missing")
+    checks.holds(short["levels"]["1e-3"]["in"]["wrong"] > 3 and short["on"]["out"] > 3, "some points are cut off", short)
+    checks.equal((without["problems"][0], without["judge"]["mesh"]["rule"]), ("the mesh is not closed, so that nothing is inside", "none"), "open")
+    # The face x = 9 is 1 from the outside, in its middle; the corners of x = 10 are 1 from the mesh.
+    for key, true in (("mesh_to_sweep_outside", 0), ("mesh_to_sweep_inside", 1), ("sweep_to_mesh", 1)):
+        at = short["judge"]["distance"][key]
+        checks.holds(at["low"] <= true <= at["high"] and at["high"] - at["low"] <= float(WITHIN), key, at)
+        checks.equal(exact["judge"]["distance"][key]["low"], 0, "exact", key)
+    done = scores.call(folder, scores.write("none.stl", "solid\n"))
+    checks.holds(done.returncode == 3 and "none.stl: graze judge, status" in done.stderr, "no mesh", done)
+
+
 def main():
     args, checks = options(__doc__), Checks()
     with tempfile.TemporaryDirectory() as folder:
         scores = Scores(checks, folder, args.graze)
         for check in (check_levels, check_one_wrong, check_decades, check_deviation, check_rows, check_matching, check_distances,
-                      check_bad_input, check_table):
+                      check_bad_input, check_table, check_meshes):
             check(scores, checks)
     checks.finish()
 
