@@ -36,7 +36,7 @@ def shares(lines):
 
 
 def draw(groups, path):
-    figure, axes = plt.subplots(figsize=(8, 4.5))
+    figure, axes = plt.subplots(figsize=(9, 4.2))
     marks = "os^v"
     colours = {name: f"C{k}" for k, name in enumerate(dict.fromkeys(code for code, _ in groups))}
     seen = dict.fromkeys(colours, 0)
@@ -45,10 +45,10 @@ def draw(groups, path):
         axes.plot([x for x, _ in points], [max(y, FLOOR) for _, y in points], color=colours[code], marker=marks[seen[code]], markersize=4,
                   linestyle=("-", "--", ":", "-.")[seen[code]], linewidth=1.2, label=f"{code}, {setting} ({len(lines)} scenes)")
         seen[code] += 1
-    axes.set(xscale="log", yscale="log", xlabel="proved distance to the boundary of the sweep, of the diagonal: from 10^k to 10^(k+1)",
+    axes.set(xscale="log", yscale="log", xlabel="proved distance to the boundary of the sweep, of the diagonal: a mark for 10^k to 10^(k+1)",
              ylabel="wrong answers (at the foot: none)", ylim=(FLOOR * 0.8, 1))
     axes.grid(alpha=0.3)
-    axes.legend(fontsize=7)
+    axes.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1.01, 1), frameon=False)
     figure.tight_layout()
     figure.savefig(path, format="svg", metadata={"Date": None, "Creator": None})
 

@@ -35,6 +35,12 @@ def place(piece, t):
     return [value(row[3], t) for row in piece[2]]
 
 
+def legs_of(pieces):
+    """The ends of each piece; a rest between two others adds nothing, and CGAL takes no segment without a length."""
+    legs = [place(piece, piece[0]) + place(piece, piece[1]) for piece in pieces]
+    return [leg for leg in legs if leg[:3] != leg[3:]] or legs[:1]
+
+
 def main():
     if len(sys.argv) != 6:
         sys.exit("usage: minkowski.py PROGRAM SOLID MOTION POINTS OUT")
@@ -43,9 +49,10 @@ def main():
     if not is_straight(pieces):
         print("the motion is not straight", file=sys.stderr)
         sys.exit(2)
+    legs = legs_of(pieces)
     rows = list(csv.DictReader(line for line in read(points).splitlines() if not line.startswith("#")))
-    lines = [shells_text(Mesh(*read_off(read(solid)))), str(len(pieces))]
-    lines += [" ".join(map(str, place(p, p[0]) + place(p, p[1]))) for p in pieces]
+    lines = [shells_text(Mesh(*read_off(read(solid)))), str(len(legs))]
+    lines += [" ".join(map(str, leg)) for leg in legs]
     lines += [str(len(rows)), *(" ".join(str(F(row[axis])) for axis in "xyz") for row in rows)]
     done = subprocess.run([program], input="\n".join(lines) + "\n", check=False, stdout=subprocess.PIPE, text=True)
     if done.returncode:

@@ -45,7 +45,8 @@ def main():
         path = os.path.join(folder, "union.scad")
         with open(path, "w", encoding="ascii") as file:
             file.write(script(poses, solid))
-        sys.exit(subprocess.run(["openscad", "--quiet", "-o", out, path], check=False).returncode)
+        status = subprocess.run(["openscad", "--quiet", "-o", out, path], check=False).returncode
+    sys.exit(status if status >= 0 else 128 - status)
 
 
 if __name__ == "__main__":

@@ -15,7 +15,7 @@ import tempfile
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
-from harness import ROOT, Checks, options, run  # noqa: E402
+from harness import ONLY, ROOT, Checks, options, run  # noqa: E402
 
 BENCHMARK = os.path.join(ROOT, "cases", "benchmark")
 sys.path.insert(0, BENCHMARK)
@@ -186,7 +186,7 @@ def command_line(checks):
 
 
 def main():
-    args = options(__doc__)
+    args = options(__doc__, ONLY)
     checks = Checks()
     command_line(checks)
     with tempfile.TemporaryDirectory() as folder:
@@ -205,7 +205,8 @@ def main():
         os.makedirs(os.path.join(folder, "programs"), exist_ok=True)
         if os.path.exists(oracle):
             shutil.copy(oracle, os.path.join(folder, "programs", "minkowski"))
-        real(bench, ("sampled", "sampled_sdf", "ei_double", "graze", "openscad", "openvdb") + (("minkowski",) if os.path.exists(oracle) else ()))
+        names = ["sampled", "sampled_sdf", "ei_double", "graze", "openscad", "openvdb"] + ["minkowski"] * os.path.exists(oracle)
+        real(bench, [name for name in names if args.only in name])
     checks.finish()
 
 
