@@ -263,6 +263,10 @@ def answers(judge, checks):
     checks.equal(out.returncode, 0, "--answers", out.stderr)
     with open(table, encoding="utf-8") as file:
         checks.equal(file.read(), "x,y,z,pmc\n5,1,1,in\n9,1/3,1,on\n19/2,1,1,out\n", "--answers")
+    files[2] = judge.graze.write("open.off", without(W, 5).text())
+    out = judge.graze.call("judge", *files, "--within", "1", "--budget", "1", "--points", points, "--answers", table + ".none")
+    checks.equal((out.returncode, os.path.exists(table + ".none")), (0, False), "--answers of an open mesh")
+    checks.holds("note: the mesh is not closed and has no answers;" in out.stderr, "--answers of an open mesh", out.stderr)
 
 
 def seam(judge, checks):

@@ -123,6 +123,10 @@ static int is_too_far(graze_context *context, const graze_judgement *judgement, 
 /* What the mesh says of the points that are given, as a file. */
 static int write_mesh_answers(const loaded *l, const judge_given *o, const graze_mesh *mesh,
                               const marks *given) {
+    if (graze_mesh_get_facts(mesh).rule == GRAZE_MESH_NONE)
+        return complain(EXIT_DONE,
+                        "note: the mesh is not closed and has no answers; %s is not written",
+                        o->answers);
     graze_pmc *found = calloc(given->count + 1, sizeof *found);
     graze_rationals points = (graze_rationals)given->value;
     int code = found ? complain_of(graze_mesh_answers(found, l->context, mesh, points, given->count,
