@@ -161,7 +161,7 @@ class Runner:
         lines = []
         for code in codes:
             if not code.there():
-                print(f"SKIP {code.name}: {code.installed} is not there", file=sys.stderr)
+                print(f"{code.name} is left out: {code.installed} is not there", file=sys.stderr)
                 continue
             program, version = code.compile(self.programs), code.version(self.options.graze)
             for setting, name in itertools.product(code.asked or code.settings, names):
