@@ -5,11 +5,13 @@
 
 RESULTS is results.jsonl of codes.py. A line a code and setting, over all scenes that it answered: the share of wrong
 answers among the `in` and `out` points of each power of ten of their proved distance, in parts of the diagonal of the
-solid's box. Points nearer than 10^-12 are at the left end; a power of ten with fewer than LEAST points has no mark.
+solid's box. Points nearer than 10^-12 are at the left end; a power of ten with fewer than LEAST points has no mark,
+and the line a gap.
 Needs Debian's python3-matplotlib; the same results give the same bytes with one version of it.
 SPDX-License-Identifier: CC0-1.0
 """
 import json
+import math
 import sys
 
 import matplotlib
@@ -32,7 +34,7 @@ def shares(lines):
             part = parts.setdefault(decade["from"] or NEAREST, [0, 0])
             part[0] += decade["wrong"]
             part[1] += decade["points"]
-    return [(at, wrong / points) for at, (wrong, points) in sorted(parts.items()) if points >= LEAST]
+    return [(at, wrong / points if points >= LEAST else math.nan) for at, (wrong, points) in sorted(parts.items())]
 
 
 def draw(groups, path):
@@ -42,7 +44,7 @@ def draw(groups, path):
     seen = dict.fromkeys(colours, 0)
     for (code, setting), lines in groups.items():
         points = shares(lines)
-        axes.plot([x for x, _ in points], [max(y, FLOOR) for _, y in points], color=colours[code], marker=marks[seen[code]], markersize=4,
+        axes.plot([x for x, _ in points], [y if math.isnan(y) else max(y, FLOOR) for _, y in points], color=colours[code], marker=marks[seen[code]], markersize=4,
                   linestyle=("-", "--", ":", "-.")[seen[code]], linewidth=1.2, label=f"{code}, {setting} ({len(lines)} scenes)")
         seen[code] += 1
     axes.set(xscale="log", yscale="log", xlabel="proved distance to the boundary of the sweep, of the diagonal: a mark for 10^k to 10^(k+1)",
