@@ -76,7 +76,7 @@ help:
 	@echo "make pictures   draws figures of the paper from the cases, into build/pictures/"
 	@echo "make proofs     check the proofs in proofs/coq by machine, the C functions against them"
 	@echo "make bench      speed beside CGAL's, in one run (BENCH_FLAGS=--quick: small counts)"
-	@echo "make benchmark  golden rows of 50 scenes into build/benchmark/, against the recorded hashes (half an hour)"
+	@echo "make benchmark  golden rows of 50 scenes into build/benchmark/, against the recorded hashes (a quarter of an hour)"
 	@echo "make install    under PREFIX=/usr/local, below DESTDIR= if given; make uninstall takes it away"
 	@echo "make deb        a Debian package, build/graze_VERSION_ARCHITECTURE.deb"
 	@echo "make format     clang-format on all sources"
