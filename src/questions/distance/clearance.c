@@ -43,7 +43,7 @@ static double radius_of(const cube_search *s, double half) {
 
 /* Whether all points of the cube of a size have the point's membership. */
 static int has_one_pmc(cube_search *s, double half) {
-    graze_pmc found;
+    graze_pmc found = GRAZE_PMC_NONE;
     if (s->status || !(radius_of(s, half) > 0))
         return 0;
     for (int k = 0; k < s->ask.scene->motion->dimension; k++)
