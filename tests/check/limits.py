@@ -183,13 +183,13 @@ def check_notes(b):
     seen = set()
     for d, words in ((2, []), (3, []), (2, ["--operation", "unsweep"]), (3, ["--operation", "unsweep"])):
         points = b.file("points.csv", ",".join("xyz"[:d]) + ',"user, own"\n' + "1000," * d + "7\n")
-        more = ["--sdf", "1/1000", "--motion-error", "1/100"] + (["--topo"] if d == 2 else [])
+        more = ["--sdf", "1/1000", "--boundary-distance", "--motion-error", "1/100"] + (["--topo"] if d == 2 else [])
         more += ["--regular"] if d == 2 and words else []
         table = b.programs.table(b.solid[d], b.motion[d], points, words + more)
         certificate = b.file("certificate", b.programs.certify(b.solid[d], b.motion[d], points, words))
         other = [name for name in head_of(table) if name not in CERTIFIED]
         seen |= set(head_of(table)) - {'"user', ' own"'}
-        b.tally.holds({"sdf_low", "sdf_high", "sdf_t", "certain"} <= set(other), "not certified", d, words, other)
+        b.tally.holds({"sdf_low", "sdf_high", "sdf_t", "boundary_low", "certain"} <= set(other), "not certified", d, words, other)
         row = table.splitlines()[-2 if d == 3 else -3].split(",")
         for k, name in enumerate(head_of(table)):
             forged = table.replace(",".join(row), ",".join(row[:k] + ["17"] + row[k + 1:]))

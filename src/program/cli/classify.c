@@ -19,8 +19,8 @@ static const char classify_help[] =
     "  --folds separate|combined     Definitions 6 and 7 (default), or 10 and 11\n"
     "  --sdf TOL            three columns more: the signed distance to the sweep, enclosed to\n"
     "                       TOL, with 1e-6r to 1e-6 of the diagonal; a time that shows it\n"
-    "  --boundary-distance  with --sdf, a column boundary_low: all points nearer than it have the\n"
-    "                       same pmc; it is at most the distance to the sweep's boundary\n"
+    "  --boundary-distance  with --sdf, a column boundary_low: all points nearer than it have this "
+    "pmc\n"
     "  --motion-error ETA   with --sdf, a column certain: no motion within ETA changes in or out\n"
     "  --moments            columns more: first and last time at which the point is in the closed\n"
     "                       solid, with the motion's pieces and their rows of a log then\n"
@@ -44,9 +44,9 @@ static const char classify_help[] =
     "  --shard i/n          rows i, i + n, i + 2n, ... only; graze merge makes one table of them\n"
     "  --receipt FILE       spare the validation of a solid that graze check --receipt has done\n"
     "  --quiet              no progress on the terminal, and no notes\n"
-    "  --limit NAME=V       digits 10000, degree 200, pieces 10000, depth 100, grid 10^10,\n"
-    "                       line 10^7, cells 10^8, bytes 4*10^9, bits 100000, work 10^8,\n"
-    "                       curve 20\n"
+    "  --limit NAME=V       digits 10000, degree 200, pieces 10000, depth 100, grid 10^10, line "
+    "10^7,\n"
+    "                       cells 10^8, bytes 4*10^9, bits 100000, work 10^8, curve 20\n"
     "\n"
     "Example: graze classify cube.off move.json points.csv > table.csv\n";
 
