@@ -160,8 +160,8 @@ def make(graze, folder):
                     spared=NUMBERS, files={"at.csv": b"0,0,0\n" if body.endswith("off") else b"4,1\n" if way == "seam" else b"0,0\n"})
     yield Scene("regular", ["classify", *one, "--operation", "unsweep", "--regular", "--format", "jsonl", cube, turn, three],
                 spared=NUMBERS)
-    yield Scene("classify-sdf", ["classify", *one, "--sdf", "1e-2r", u, roll, two], spared=NUMBERS)
-    yield Scene("classify-sdf-3", ["classify", *one, "--sdf", "1e-2r", cube, turn, three], spared=NUMBERS)
+    yield Scene("classify-sdf", ["classify", *one, "--sdf", "1e-2r", "--boundary-distance", u, roll, two], spared=NUMBERS)
+    yield Scene("classify-sdf-3", ["classify", *one, "--sdf", "1e-2r", "--boundary-distance", cube, turn, three], spared=NUMBERS)
     yield Scene("classify-decimal", ["classify", *one, "--coordinates", "decimal", "--digits", "3", u, roll, two])
     yield Scene("classify-npy-points", ["classify", *one, "--coordinates", "decimal", u, roll, "points"],
                 files={"points": ARRAY})
@@ -184,8 +184,9 @@ def make(graze, folder):
     yield Scene("collide", ["collide", cube, turn, cube, "--motion-of-fixed", turn, "--format", "json"], 1)
     yield Scene("collide-turn", ["collide", cube, turn, cube, "--first"], 1)
     yield Scene("collide-2", ["collide", u, roll, u], 1)
-    yield Scene("judge", ["judge", cube, turn, cube, "--within", "1r", "--count", "3", "--vertices", "v.csv", "--page", "p.html"],
-                tables=("v.csv", "p.html"))
+    yield Scene("judge", ["judge", cube, turn, cube, "--within", "1r", "--count", "3", "--vertices", "v.csv"], tables=("v.csv",))
+    yield Scene("judge-page", ["judge", cube, turn, cube, "--within", "1r", "--budget", "1", "--no-points", "--page", "p.html"],
+                tables=("p.html",), spared=NUMBERS)
     yield Scene("judge-json", ["judge", cube, turn, cube, "--budget", "40", "--points", three, "--answers", "a.csv", "--format", "json"],
                 tables=("a.csv",))
     yield Scene("unsweep", ["classify", *one, "--operation", "unsweep", u, roll, two])
