@@ -184,7 +184,8 @@ def make(graze, folder):
     yield Scene("collide", ["collide", cube, turn, cube, "--motion-of-fixed", turn, "--format", "json"], 1)
     yield Scene("collide-turn", ["collide", cube, turn, cube, "--first"], 1)
     yield Scene("collide-2", ["collide", u, roll, u], 1)
-    yield Scene("judge", ["judge", cube, turn, cube, "--within", "1r", "--count", "3", "--vertices", "v.csv"], tables=("v.csv",))
+    yield Scene("judge", ["judge", cube, turn, cube, "--within", "1r", "--count", "3", "--vertices", "v.csv"], tables=("v.csv",),
+                spared=NUMBERS)
     yield Scene("judge-page", ["judge", cube, turn, cube, "--within", "1r", "--budget", "1", "--no-points", "--page", "p.html"],
                 tables=("p.html",), spared=NUMBERS)
     yield Scene("judge-json", ["judge", cube, turn, cube, "--budget", "40", "--points", three, "--answers", "a.csv", "--format", "json"],
