@@ -189,7 +189,7 @@ def make(graze, folder):
     yield Scene("judge-page", ["judge", cube, turn, cube, "--within", "1r", "--budget", "1", "--no-points", "--page", "p.html"],
                 tables=("p.html",), spared=NUMBERS)
     yield Scene("judge-json", ["judge", cube, turn, cube, "--budget", "40", "--points", three, "--answers", "a.csv", "--format", "json"],
-                tables=("a.csv",))
+                tables=("a.csv",), spared=NUMBERS)
     yield Scene("unsweep", ["classify", *one, "--operation", "unsweep", u, roll, two])
     yield Scene("merge", ["merge", "2.csv", "0.csv", "1.csv", "--output", "table"], files=parts, tables=("table",))
     yield Scene("certify", ["certify", *one, cube, turn, three, "-o", "made"], tables=("made",))
