@@ -135,15 +135,15 @@ def judge(scene, path, options, *more):
 
 def ask_mesh(scene, path, options):
     """What a mesh says of the golden points, and its facts, distances and volumes."""
-    report = judge(scene, path, options, "--no-points", "--within", options.within, "--budget", str(options.budget))
-    if report["mesh"]["rule"] == "none":
-        found = Answers(scene)
-        found.complain("the mesh is not closed, so that nothing is inside")
-    else:
-        with tempfile.TemporaryDirectory() as folder:
-            answers = os.path.join(folder, "answers.csv")
-            judge(scene, path, options, "--points", os.path.join(scene.folder, "points.csv"), "--answers", answers, "--budget", "1")
+    with tempfile.TemporaryDirectory() as folder:
+        answers = os.path.join(folder, "answers.csv")
+        report = judge(scene, path, options, "--points", os.path.join(scene.folder, "points.csv"), "--answers", answers,
+                       "--within", options.within, "--budget", str(options.budget))
+        if report["mesh"]["rule"] != "none":
             found = read_answers(scene, answers)
+        else:
+            found = Answers(scene)
+            found.complain("the mesh is not closed, so that nothing is inside")
     return found, {key: report[key] for key in ("mesh", "distance", "volume", "budget")}
 
 
