@@ -27,10 +27,10 @@ CAREFUL = [
 ]
 DECISIONS = [
     ("nothing", None, "", ""),
-    ("inside is outside", "input/solid/locate.c", "return r.winding == 1 ? GRAZE_STATE_I : r.winding == 0 ? GRAZE_STATE_O",
-     "return r.winding == 1 ? GRAZE_STATE_O : r.winding == 0 ? GRAZE_STATE_I"),
-    ("all is outside", "input/solid/locate.c", "return r.winding == 1 ? GRAZE_STATE_I", "return r.winding == 1 ? GRAZE_STATE_O"),
-    ("all is inside", "input/solid/locate.c", "r.winding == 0 ? GRAZE_STATE_O", "r.winding == 0 ? GRAZE_STATE_I"),
+    ("inside is outside", "input/solid/locate.c", "return winding == 1 ? GRAZE_STATE_I : winding == 0 ? GRAZE_STATE_O",
+     "return winding == 1 ? GRAZE_STATE_O : winding == 0 ? GRAZE_STATE_I"),
+    ("all is outside", "input/solid/locate.c", "return winding == 1 ? GRAZE_STATE_I", "return winding == 1 ? GRAZE_STATE_O"),
+    ("all is inside", "input/solid/locate.c", "winding == 0 ? GRAZE_STATE_O", "winding == 0 ? GRAZE_STATE_I"),
     ("edges are on no facet", "decide/trace/touch.c", "if (finder_failed(f) || sign < 0)", "if (finder_failed(f) || sign <= 0)"),
     ("a plane is a facet", "decide/trace/touch.c", "if (finder_failed(f) || sign < 0)", "if (finder_failed(f))"),
     ("every second touch is lost", "decide/trace/touch.c", "if (!may_meet(&first[k], root) ||", "if (k % 2 == 0 || !may_meet(&first[k], root) ||"),
