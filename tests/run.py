@@ -29,7 +29,7 @@ PLAIN_ALONE = [
     "structure/", "install/", "readme/", "cases/recompute", "curved/schema", "motioncmd/schema",
     "agree/", "words/", "unsweep/properties", "curved/germs", "curved/polyhedra", "check/contacts",
     "topo/germs", "topo/straight", "topo/orders", "topo/prisms",
-    "filter/equal", "filter/columns", "filter/contraction", "envelope/derivation", "contact/derivation", "benchmark/",
+    "filter/equal", "filter/columns", "filter/contraction", "envelope/derivation", "contact/derivation", "benchmark/", "judge/sums",
 ]
 # | `folder/file` | ... | least number of checks, or `by hand` | time |
 ROW = re.compile(r"^\| `([\w./-]+)` \|.*\| (\d+|by hand) \| *(\d*)[^|]*\|$", re.M)

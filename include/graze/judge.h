@@ -90,6 +90,8 @@ typedef struct graze_judged_distance {
     double low, high;
     double at[3];   /**< a point at which it is at least `low`, to a share of the width asked for:
                        of the mesh, or of the boundary of W; zeros where low is 0 */
+    double time;    /**< double nearest to a time at which the solid is as near to `at`, or `at` as
+                       deep in it, as ever, to that share; 0 where low is 0 */
     double open[3]; /**< where it is perhaps `high` */
     int reached;    /**< 1: high - low is at most what was asked for */
     int stuck;      /**< 1: near `open` nothing more can be told; a seam of the sweep is perhaps

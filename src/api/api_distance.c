@@ -11,23 +11,6 @@
 #include "questions/distance/diagonal.h"
 #include "questions/distance/distance.h"
 
-/* The time in the motion's parameter, as a double. */
-static graze_status time_in_double(double *out, graze_context *context, const graze_scene *scene,
-                                   const distance *found) {
-    graze_status status = GRAZE_OK;
-    fmpq_t time;
-    fmpq_init(time);
-    if (found->at) {
-        status = distance_contact_time(time, context, found->at);
-    } else {
-        distance_time(time, found, scene->motion);
-    }
-    if (!status)
-        status = rational_nearest(out, context, time);
-    fmpq_clear(time);
-    return status;
-}
-
 graze_status api_enclose(graze_enclosure *out, graze_context *context, const graze_scene *scene,
                          const fmpq *point, double tolerance) {
     graze_trace trace;
@@ -39,7 +22,7 @@ graze_status api_enclose(graze_enclosure *out, graze_context *context, const gra
     status = distance_find(&found, context, scene, point, &trace, tolerance);
     graze_enclosure made = {found.low, found.high, 0, trace.verdict.pmc, found.wide};
     if (!status)
-        status = time_in_double(&made.time, context, scene, &found);
+        status = distance_time_near(&made.time, context, &found, scene->motion);
     if (!status)
         *out = made;
     trace_clear(&trace);

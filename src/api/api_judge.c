@@ -291,6 +291,7 @@ graze_judged_distance graze_judgement_distance(const graze_judgement *judgement,
     const supremum *s = &judgement->searched.found[which];
     out.low = s->low;
     out.high = s->high;
+    out.time = s->time;
     out.reached = s->reached;
     out.stuck = s->stuck;
     for (int k = 0; k < 3; k++) {

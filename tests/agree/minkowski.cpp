@@ -6,9 +6,13 @@
  * Standard output: one line a point, two words. First, the position in the open sweep: `in` if it
  * is in the sum of the interior of the solid with a leg, `on` if only in the sum of the closed
  * solid, `out` if in neither. Second, the position in the closed sweep as a point set: interior,
- * boundary, exterior.
+ * boundary, exterior. An argument is a file that gets the boundary of the closed sweep, in
+ * triangles with exact coordinates, as OFF.
  */
 #include "legs.h"
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/convert_nef_polyhedron_to_polygon_mesh.h>
+#include <fstream>
 #include <iostream>
 
 namespace {
@@ -37,7 +41,28 @@ Place place(const Nef &set, const Point &point, bool *member) {
     return Place::boundary;
 }
 
-void run(std::istream &in, std::ostream &out) {
+void write_boundary(const Nef &set, const char *path) {
+    CGAL::Surface_mesh<Point> mesh;
+    std::ofstream out(path);
+    CGAL::convert_nef_polyhedron_to_polygon_mesh(set, mesh, true);
+    out << "OFF\n" << mesh.number_of_vertices() << ' ' << mesh.number_of_faces() << " 0\n";
+    for (auto vertex : mesh.vertices()) {
+        const Point &p = mesh.point(vertex);
+        out << CGAL::exact(p.x()) << ' ' << CGAL::exact(p.y()) << ' ' << CGAL::exact(p.z()) << '\n';
+    }
+    for (auto face : mesh.faces()) {
+        out << '3';
+        for (auto vertex : mesh.vertices_around_face(mesh.halfedge(face))) {
+            out << ' ' << static_cast<unsigned>(vertex);
+        }
+        out << '\n';
+    }
+    if (!out.flush()) {
+        throw std::runtime_error(std::string("cannot write ") + path);
+    }
+}
+
+void run(std::istream &in, std::ostream &out, const char *boundary) {
     Nef solid = read_solid(in), closed(Nef::EMPTY);
     std::vector<Nef> open;
     for (size_t k = next_count(in); k > 0; k--) {
@@ -47,6 +72,9 @@ void run(std::istream &in, std::ostream &out) {
         open.push_back(sum(solid.interior(), leg));
     }
     closed = closed.regularization();
+    if (boundary) {
+        write_boundary(closed, boundary);
+    }
     for (size_t k = next_count(in); k > 0; k--) {
         Point point = next_point(in);
         bool member = false, entered = false;
@@ -69,9 +97,9 @@ void run(std::istream &in, std::ostream &out) {
 
 } // namespace
 
-int main() {
+int main(int count, char **word) {
     try {
-        run(std::cin, std::cout);
+        run(std::cin, std::cout, count > 1 ? word[1] : nullptr);
     } catch (const std::exception &error) {
         std::cerr << "minkowski: " << error.what() << "\n";
         return 1;

@@ -18,7 +18,7 @@ import math
 import os
 from fractions import Fraction as F
 
-from judged import KEYS, Checks, Judge, Mesh, block, options, triangles, without
+from judged import KEYS, ROUNDING, Checks, Judge, Mesh, block, options, to_triangle, triangles, volume_of, without
 
 from motion import build, translate  # noqa: E402
 from harness import ROOT as HOME  # noqa: E402
@@ -77,6 +77,7 @@ def scenes_of_boxes(judge, checks, sanitizers):
         report = judge.ask(name, CUBE, ALONG, mesh, "--within", WITHIN)
         if report:
             judge.holds(name, report, (outside, inside, sweep), 40, F(WITHIN))
+            times(checks, name, report)
             known = report["mesh"]["closed"]
             checks.equal(known, name not in ("open", "a hole", "one triangle"), name, "closed")
             rule = "none" if not known else "parity" if name == "flipped" else "winding"
@@ -93,6 +94,22 @@ def scenes_of_boxes(judge, checks, sanitizers):
         report = judge.ask(name + " turned", CUBE.mapped(move), moved, mesh.mapped(move), "--within", WITHIN)
         if report:
             judge.holds(name + " turned", report, (outside, inside, sweep), 40, F(WITHIN))
+
+
+def times(checks, name, report):
+    """At `t` the cube is as near to the place as ever, to a 16th of the width: when its middle 8 t + 1 is nearest to it along x."""
+    for key in KEYS:
+        found = report["distance"][key]
+        checks.equal(found["t"] is None, found["low"] == 0, name, key, found)
+        if found["t"] is not None:
+            at, best = found["at"], min(1.0, max(0.0, (found["at"][0] - 1) / 8))
+            checks.holds(0 <= found["t"] <= 1 and to_cube(at, found["t"]) <= to_cube(at, best) + float(F(WITHIN)) / 16 + ROUNDING, name, key, found)
+
+
+def to_cube(p, t):
+    """The signed distance to [8 t, 8 t + 2] x [0, 2]^2."""
+    past = [abs(x - m) - 1 for x, m in zip(p, (8 * t + 1, 1, 1))]
+    return ROOT(sum(max(x, 0) ** 2 for x in past)) or max(past)
 
 
 def direction():
@@ -148,31 +165,6 @@ def hull(points):
     used = sorted({v for f in faces for v in f})
     place = {v: m for m, v in enumerate(used)}
     return Mesh([points[v] for v in used], [[place[v] for v in f] for f in faces])
-
-
-def volume_of(mesh):
-    total = F(0)
-    for a, b, c in mesh.facets:
-        p, q, r = (mesh.vertices[k] for k in (a, b, c))
-        total += sum(x * y for x, y in zip(p, cross(q, r)))
-    return total / 6
-
-
-def to_triangle(p, a, b, c):
-    """The distance from a point to a triangle, in doubles: the least over its plane and sides."""
-    def dot(u, v):
-        return sum(x * y for x, y in zip(u, v))
-
-    def to_segment(u, v):
-        e, w = minus(v, u), minus(p, u)
-        s = min(1.0, max(0.0, dot(e, w) / dot(e, e)))
-        return ROOT(sum((x - s * y) ** 2 for x, y in zip(w, e)))
-
-    best = min(to_segment(a, b), to_segment(b, c), to_segment(c, a))
-    n = cross(minus(b, a), minus(c, a))
-    if all(dot(cross(minus(v, u), minus(p, u)), n) >= 0 for u, v in ((a, b), (b, c), (c, a))):
-        best = min(best, abs(dot(n, minus(p, a))) / ROOT(dot(n, n)))
-    return best
 
 
 def scenes_of_hulls(judge, rng, count):

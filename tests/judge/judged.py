@@ -3,13 +3,15 @@
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import json
+import math
 import os
 import sys
+from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "agree", "lib"))
 
 from program import Checks, Graze, options  # noqa: E402,F401  (suites take them from here)
-from solids import Mesh, block  # noqa: E402,F401
+from solids import Mesh, block, cross, minus  # noqa: E402,F401
 
 KEYS = ("mesh_to_sweep_outside", "mesh_to_sweep_inside", "sweep_to_mesh")
 ROUNDING = 1e-9  # of true distances, which are doubles here
@@ -53,3 +55,28 @@ def triangles(mesh):
 
 def without(mesh, *facets):
     return Mesh(mesh.vertices, [f for k, f in enumerate(mesh.facets) if k not in facets])
+
+
+def volume_of(mesh):
+    total = F(0)
+    for a, b, c in mesh.facets:
+        p, q, r = (mesh.vertices[k] for k in (a, b, c))
+        total += sum(x * y for x, y in zip(p, cross(q, r)))
+    return total / 6
+
+
+def to_triangle(p, a, b, c):
+    """The distance from a point to a triangle, in doubles: the least over its plane and sides."""
+    def dot(u, v):
+        return sum(x * y for x, y in zip(u, v))
+
+    def to_segment(u, v):
+        e, w = minus(v, u), minus(p, u)
+        s = min(1.0, max(0.0, dot(e, w) / dot(e, e)))
+        return math.sqrt(sum((x - s * y) ** 2 for x, y in zip(w, e)))
+
+    best = min(to_segment(a, b), to_segment(b, c), to_segment(c, a))
+    n = cross(minus(b, a), minus(c, a))
+    if all(dot(cross(minus(v, u), minus(p, u)), n) >= 0 for u, v in ((a, b), (b, c), (c, a))):
+        best = min(best, abs(dot(n, minus(p, a))) / math.sqrt(dot(n, n)))
+    return best

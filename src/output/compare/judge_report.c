@@ -93,6 +93,7 @@ static void put_greatest(text *t, const graze_judgement *j, graze_judged which) 
     if (s->low > 0) {
         text_put(t, " at ");
         put_spot(t, s->at);
+        text_format(t, ", t = %.9g", s->time);
     }
     if (s->reached)
         return;
@@ -148,13 +149,16 @@ static void json_bool(json_writer *w, const char *key, int value) {
     json_number(w, key, value ? "true" : "false");
 }
 
-static void json_place(json_writer *w, const char *key, const double *at) {
+static void json_double(json_writer *w, const char *key, double value) {
     char digits[BOUND_ROOM];
+    snprintf(digits, sizeof digits, "%.17g", value);
+    json_number(w, key, digits);
+}
+
+static void json_place(json_writer *w, const char *key, const double *at) {
     json_open(w, key, '[');
-    for (int k = 0; k < 3; k++) {
-        snprintf(digits, sizeof digits, "%.17g", at[k]);
-        json_number(w, NULL, digits);
-    }
+    for (int k = 0; k < 3; k++)
+        json_double(w, NULL, at[k]);
     json_close(w, ']');
 }
 
@@ -169,10 +173,13 @@ static void json_greatest(json_writer *w, const graze_judgement *j, graze_judged
     json_open(w, keys[which], '{');
     json_number(w, "low", b.low);
     json_number(w, "high", b.high);
-    if (s->low > 0)
+    if (s->low > 0) {
         json_place(w, "at", s->at);
-    else
+        json_double(w, "t", s->time);
+    } else {
         json_text(w, "at", NULL);
+        json_text(w, "t", NULL);
+    }
     json_bool(w, "reached", s->reached);
     if (!s->reached) {
         json_place(w, "open", s->open);

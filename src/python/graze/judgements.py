@@ -24,12 +24,14 @@ _ON_AS_ANY = 1
 @dataclass(frozen=True)
 class Greatest:
     """The greatest of some distances is in [low, high]: bounds that are proved. `at` is a point at which
-    it is at least `low`, None where that is 0; `open` one near which it is perhaps `high`, None if the
+    it is at least `low`, and `t` a time at which the solid is nearest to it, or it deepest in the solid;
+    both None where `low` is 0; `open` is a point near which it is perhaps `high`, None if the
     width was reached. `stuck`: nothing more can be told there, perhaps as a seam of the sweep is there."""
 
     low: float
     high: float
     at: Optional[Tuple[float, ...]]
+    t: Optional[float]
     reached: bool
     open: Optional[Tuple[float, ...]]
     stuck: bool
@@ -70,7 +72,7 @@ def _greatest(found: Optional[Dict[str, Any]]) -> Optional[Greatest]:
     if found is None:
         return None
     at, near = found["at"], found.get("open")
-    return Greatest(found["low"], found["high"], tuple(at) if at else None, found["reached"],
+    return Greatest(found["low"], found["high"], tuple(at) if at else None, found["t"], found["reached"],
                     tuple(near) if near else None, found.get("stuck", False))
 
 

@@ -210,3 +210,18 @@ void distance_time(fmpq_t out, const distance *found, const graze_motion *motion
     fmpq_clear(v);
     to_motion(out, &motion->piece[found->piece]);
 }
+
+graze_status distance_time_near(double *out, graze_context *context, const distance *found,
+                                const graze_motion *motion) {
+    graze_status status = GRAZE_OK;
+    fmpq_t time;
+    fmpq_init(time);
+    if (found->at)
+        status = distance_contact_time(time, context, found->at);
+    else
+        distance_time(time, found, motion);
+    if (!status)
+        status = rational_nearest(out, context, time);
+    fmpq_clear(time);
+    return status;
+}

@@ -35,4 +35,9 @@ void distance_time(fmpq_t out, const distance *found, const graze_motion *motion
  * piece's length of it. */
 graze_status distance_contact_time(fmpq_t out, graze_context *context, const graze_time *time);
 
+/** The double nearest to the time of a distance, of an `on` point too, in the motion's parameter.
+ */
+graze_status distance_time_near(double *out, graze_context *context, const distance *found,
+                                const graze_motion *motion);
+
 #endif

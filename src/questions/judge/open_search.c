@@ -21,10 +21,24 @@ int suprema_is_over(const suprema *s) {
     return s->space.decided + s->asked >= s->budget;
 }
 
+/* The signed distance of a point whose trace is known. */
+static graze_status enclose_point(struct distance *out, suprema *s, const double *point,
+                                  const graze_trace *trace) {
+    fmpq exact[3];
+    for (int k = 0; k < 3; k++) {
+        fmpq_init(exact + k);
+        (void)rational_from_double(exact + k, NULL, point[k]);
+    }
+    graze_status status =
+        distance_find(out, s->context, s->scene, exact, trace, POINT_SHARE * s->within);
+    for (int k = 0; k < 3; k++)
+        fmpq_clear(exact + k);
+    return status;
+}
+
 graze_status suprema_ask(known_point *out, suprema *s, const double *point, ask_distance distance) {
     graze_trace trace;
     struct distance found;
-    fmpq exact[3];
     *out = (known_point){.pmc = band_membership(&s->space, point)};
     graze_pmc wanted = distance == ASK_OUT  ? GRAZE_OUT
                        : distance == ASK_IN ? GRAZE_IN
@@ -38,18 +52,25 @@ graze_status suprema_ask(known_point *out, suprema *s, const double *point, ask_
     if (status)
         return status;
     out->pmc = trace.verdict.pmc;
-    for (int k = 0; k < 3; k++) {
-        fmpq_init(exact + k);
-        (void)rational_from_double(exact + k, NULL, point[k]);
-    }
     if (out->pmc == wanted) {
-        status =
-            distance_find(&found, s->context, s->scene, exact, &trace, POINT_SHARE * s->within);
+        status = enclose_point(&found, s, point, &trace);
         out->low = found.low;
         out->high = found.high;
     }
-    for (int k = 0; k < 3; k++)
-        fmpq_clear(exact + k);
+    trace_clear(&trace);
+    return status;
+}
+
+graze_status suprema_time(double *out, suprema *s, const double *point) {
+    graze_trace trace;
+    struct distance found;
+    graze_status status =
+        classify_point(&trace, s->context, s->scene, (query_point){.value = point}, TRACE_CONTACTS);
+    if (status)
+        return status;
+    status = enclose_point(&found, s, point, &trace);
+    if (!status)
+        status = distance_time_near(out, s->context, &found, s->scene->motion);
     trace_clear(&trace);
     return status;
 }

@@ -13,6 +13,7 @@
 typedef struct supremum {
     double low, high;
     double at[3];   /* a point that is at least `low` away, within rounding; set if `low` > 0 */
+    double time;    /* when the solid is nearest to that point, or it is deepest in it */
     double open[3]; /* a point near which the distance is perhaps `high` */
     int reached;    /* high - low is at most what was asked for */
     int stuck;      /* no cut makes it less: near `open` the boundary is perhaps a seam */
@@ -51,6 +52,9 @@ typedef enum ask_distance { ASK_NO_DISTANCE, ASK_OUT, ASK_IN } ask_distance;
 
 /** The membership; and with `distance` that of an `out` (`in`) point. */
 graze_status suprema_ask(known_point *out, suprema *s, const double *point, ask_distance distance);
+
+/** When the solid is nearest to a point, or the point deepest in it, to a share of the width. */
+graze_status suprema_time(double *out, suprema *s, const double *point);
 
 /** Try to settle a cube of the band of which the centre is inside: by the ball about it that is in
  * one position of the solid (C66 (c)).

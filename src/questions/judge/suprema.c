@@ -57,6 +57,14 @@ static graze_status search_all(suprema *s) {
     return status ? status : thin_band(s);
 }
 
+static graze_status tell_times(suprema *s) {
+    graze_status status = GRAZE_OK;
+    for (int k = 0; k < GRAZE_JUDGED_COUNT && !status; k++)
+        if (s->found[k].low > 0)
+            status = suprema_time(&s->found[k].time, s, s->found[k].at);
+    return status;
+}
+
 graze_status suprema_find(suprema *out, graze_context *context, const graze_scene *scene,
                           const judged_mesh *mesh, double within, size_t budget) {
     *out = (suprema){
@@ -67,7 +75,9 @@ graze_status suprema_find(suprema *out, graze_context *context, const graze_scen
         if (!status && !mesh->corners.at)
             status = context_fail(context, GRAZE_ELIMIT,
                                   "a coordinate of the mesh is beyond 2^200; expected less");
-        return status ? status : search_all(out);
+        if (!status)
+            status = search_all(out);
+        return status ? status : tell_times(out);
     }
     set_empty(out);
     return GRAZE_OK;
