@@ -238,8 +238,10 @@ graze_status graze_mesh_answers(graze_pmc *out, graze_context *context, const gr
 
 static graze_status check_judged(graze_context *context, const graze_scene *scene,
                                  const graze_judge_options *o) {
-    if (!(o->within > 0 && isfinite(o->within)))
-        return api_misuse(context, "graze_judge", "options.within must be positive and finite");
+    if (!(o->within > 0 && isfinite(o->within)) || o->threads < 0 || o->threads > TEAM_MOST)
+        return api_misuse(
+            context, "graze_judge",
+            "options.within must be positive and finite, options.threads at most 1024");
     if (scene->solid->curved)
         return api_curved(context, "graze_judge");
     if (scene->motion->dimension != 3)
@@ -268,7 +270,8 @@ graze_status graze_judge(graze_judgement **out, graze_context *context, const gr
         return status ? status : context_fail(context, GRAZE_ESYSTEM, "out of memory");
     made->mesh = mesh;
     status = suprema_find(&made->searched, context, scene, &mesh->judged, checked.within,
-                          checked.budget ? checked.budget : DEFAULT_BUDGET);
+                          checked.budget ? checked.budget : DEFAULT_BUDGET,
+                          checked.threads ? checked.threads : 1);
     if (status)
         graze_judgement_destroy(made);
     else

@@ -355,7 +355,8 @@ static void meshes(bench *b) {
     graze_mesh *mesh = NULL;
     graze_pmc said;
     graze_enclosure found[3];
-    graze_judge_options o = {.size = sizeof o, .within = 1}, none = {.size = sizeof none};
+    graze_judge_options o = {.size = sizeof o, .within = 1}, none = {.size = sizeof none},
+                        crowd = {.size = sizeof crowd, .within = 1, .threads = 1025};
     graze_mesh_points p = {.size = sizeof p, .on_as = (graze_on_as)4};
     WRONG(graze_mesh_read(NULL, c, "m.off", 0));
     WRONG_OUT(graze_mesh, graze_mesh_read(&out, NULL, "m.off", 0));
@@ -376,6 +377,7 @@ static void meshes(bench *b) {
     WRONG_OUT(graze_judgement, graze_judge(&out, c, s, NULL, &o));
     WRONG_OUT(graze_judgement, graze_judge(&out, c, s, mesh, NULL));
     WRONG_OUT(graze_judgement, graze_judge(&out, c, s, mesh, &none));
+    WRONG_OUT(graze_judgement, graze_judge(&out, c, s, mesh, &crowd));
     WRONG(graze_judgement_report(NULL, c, NULL, NULL, GRAZE_JUDGEMENT_TEXT));
     WRONG_OUT(char, graze_judgement_report(&out, c, NULL, NULL, GRAZE_JUDGEMENT_TEXT));
     WRONG(graze_mesh_distances(NULL, c, s, mesh, 1, 1));

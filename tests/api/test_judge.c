@@ -189,7 +189,7 @@ static void test_bracket(void **state) {
     (void)state;
     judged j = {0};
     graze_judgement *found = NULL;
-    graze_judge_options o = {.size = sizeof o, .within = 0.25};
+    graze_judge_options o = {.size = sizeof o, .within = 0.25, .threads = 3};
     graze_enclosure at[80];
     assert_int_equal(graze_context_create(&j.context), GRAZE_OK);
     assert_int_equal(graze_solid_read(&j.solid, j.context, "cases/bracket/solid.off", 0), GRAZE_OK);

@@ -219,6 +219,19 @@ def budgets(judge, checks):
         before = now
 
 
+def jobs(judge, checks):
+    """Threads change nothing but the time: to the width, and where the budget ends among the cubes that are cut for the volume."""
+    files = [os.path.join(HOME, "cases", "bracket", name) for name in ("solid.off", "motion.json", "solid.off")]
+    searched, volumes = [], set()
+    for budget in ("14500", "15500", "1000000"):
+        reports = [judge.ask(f"jobs {n}", *files, "--within", "5e-2r", "--budget", budget, "--jobs", n) for n in ("1", "3")]
+        checks.equal(reports[0], reports[1], "--jobs", budget)
+        if reports[0]:
+            searched.append(reports[0]["distance"])
+            volumes.add(reports[0]["volume"]["sweep"]["low"])
+    checks.equal((searched[1:], len(volumes)), (searched[:1] * 2, 3), "the budget ends among cubes of the volume")
+
+
 def fail_above(judge, checks):
     """Exit status 1 where a distance is certainly more; the report is made all the same."""
     name, mesh = BOXES[2][:2]
@@ -366,6 +379,7 @@ def main():
     vtk(judge, checks)
     texts(judge, checks)
     if not args.sanitizers:
+        jobs(judge, checks)
         laws(judge, checks)
         seam(judge, checks)
     checks.finish()

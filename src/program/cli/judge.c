@@ -38,7 +38,7 @@ static const char judge_help[] =
     "  --seed K           their seed (1)\n"
     "  --no-points        of none; a mesh that is not closed is asked about none either\n"
     "  --on-as on|any|in|out   as what the answer of points on MESH is judged (any)\n"
-    "  --jobs N           threads for vertices and points (1)\n"
+    "  --jobs N           threads for vertices, points and the volume (1)\n"
     "  --fail-above X     exit status 1 if a distance is certainly greater than X\n"
     "  --format text|markdown|json\n"
     "  --triangulate, --round, --limit NAME=V   as in graze classify\n"
@@ -185,7 +185,7 @@ static int judge_mesh(const loaded *l, const judge_given *o, const char *path) {
     graze_comparison *points = NULL;
     marks given = {.dimension = 3};
     graze_judge_options options = {
-        .size = sizeof options, .within = l->rows.sdf, .budget = o->budget};
+        .size = sizeof options, .within = l->rows.sdf, .budget = o->budget, .threads = o->jobs};
     int code =
         complain_of(graze_mesh_read(&mesh, l->context, path, o->scene.solid_flags), l->context);
     if (!code && o->points)

@@ -127,7 +127,7 @@ class CPairOptions(ctypes.Structure):
 class CJudgeOptions(ctypes.Structure):
     """graze_judge_options."""
 
-    _fields_ = [("size", c_size_t), ("within", c_double), ("budget", c_ulong)]
+    _fields_ = [("size", c_size_t), ("within", c_double), ("budget", c_ulong), ("threads", c_int)]
 
 
 class CMeshPoints(ctypes.Structure):

@@ -131,7 +131,7 @@ def judge(context: Context, scene: Handle, vertices: Any, faces: Any, within: fl
           points: int, seed: int, jobs: Optional[int]) -> Judgement:
     """Judge a mesh: arrays, or a file's name where `faces` is None."""
     mesh = _mesh(context, vertices, faces) if faces is not None else _read(context, vertices)
-    options = CJudgeOptions(size=ctypes.sizeof(CJudgeOptions), within=within, budget=budget or 0)
+    options = CJudgeOptions(size=ctypes.sizeof(CJudgeOptions), within=within, budget=budget or 0, threads=threads(jobs))
     pointer = ctypes.c_void_p()
     with mesh:
         context.run(library().graze_judge, ctypes.byref(pointer), context.pointer, scene.pointer, mesh.pointer,

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/team.h"
 #include "base/number/rounding.h"
 #include "decide/scene/box.h"
 
@@ -70,14 +71,13 @@ void band_clear(band *b) {
     cell_asker_clear(&b->ask);
 }
 
-static graze_status decide_cube(band *b, cube *c) {
+static graze_status decide_cube(cell_asker *ask, cube *c) {
     point_box points = {.half = {c->half, c->half, c->half}};
     anchors near = {.count = 0};
     graze_pmc pmc;
     for (int k = 0; k < 3; k++)
         points.centre[k] = c->centre[k];
-    b->decided++;
-    graze_status status = cell_certain(&pmc, &b->ask, &points, &near);
+    graze_status status = cell_certain(&pmc, ask, &points, &near);
     if (!status)
         c->kind = pmc == GRAZE_IN ? CUBE_IN : pmc == GRAZE_OUT ? CUBE_OUT : CUBE_BAND;
     return status;
@@ -116,37 +116,100 @@ static int can_cut(const cube *c) {
     return c->level < CUBE_LEVELS;
 }
 
+/* The eight cubes of one, after all others; they are not counted yet. */
+static void place_children(band *b, uint32_t index) {
+    const cube *whole = &b->item[index];
+    uint32_t child = (uint32_t)b->count;
+    for (uint32_t k = 0; k < 8; k++) {
+        cube *c = &b->item[child + k];
+        *c = (cube){.half = 0.5 * whole->half, .parent = index, .level = whole->level + 1};
+        for (int i = 0; i < 3; i++)
+            c->centre[i] = whole->centre[i] + (k >> i & 1 ? c->half : -c->half);
+    }
+    b->count += 8;
+}
+
+static graze_status decide_children(cell_asker *ask, cube *child) {
+    graze_status status = context_poll(ask->context);
+    for (int k = 0; k < 8 && !status; k++)
+        status = decide_cube(ask, &child[k]);
+    return status;
+}
+
+static void count_children(band *b, uint32_t child) {
+    uint32_t index = b->item[child].parent;
+    int level = b->item[index].level;
+    b->decided += 8;
+    b->item[index].child = child;
+    b->left[level]--;
+    for (uint32_t k = 0; k < 8; k++) {
+        b->in[level + 1] += b->item[child + k].kind == CUBE_IN;
+        b->left[level + 1] += b->item[child + k].kind == CUBE_BAND;
+    }
+    tell_parents(b, index);
+}
+
+static graze_status reserve_cubes(band *b, size_t more) {
+    return array_grow(b->ask.context, &b->item, &b->capacity, b->count + more, sizeof *b->item,
+                      "cubes of space");
+}
+
 graze_status band_cut(int *done, band *b, uint32_t index) {
     *done = 0;
     if (!can_cut(&b->item[index]) || b->count + 8 >= UINT32_MAX)
         return GRAZE_OK;
-    graze_status status = context_poll(b->ask.context);
-    if (!status)
-        status = array_grow(b->ask.context, &b->item, &b->capacity, b->count + 8, sizeof *b->item,
-                            "cubes of space");
+    uint32_t child = (uint32_t)b->count;
+    graze_status status = reserve_cubes(b, 8);
     if (status)
         return status;
-    cube whole = b->item[index];
-    uint32_t child = (uint32_t)b->count;
-    for (uint32_t k = 0; k < 8; k++) {
-        cube *c = &b->item[child + k];
-        *c = (cube){.half = 0.5 * whole.half, .parent = index, .level = whole.level + 1};
-        for (int i = 0; i < 3; i++)
-            c->centre[i] = whole.centre[i] + (k >> i & 1 ? c->half : -c->half);
-        status = decide_cube(b, c);
-        if (status)
-            return status;
-    }
-    b->count += 8;
-    b->item[index].child = child;
-    b->left[whole.level]--;
-    for (uint32_t k = 0; k < 8; k++) {
-        b->in[whole.level + 1] += b->item[child + k].kind == CUBE_IN;
-        b->left[whole.level + 1] += b->item[child + k].kind == CUBE_BAND;
-    }
-    tell_parents(b, index);
+    place_children(b, index);
+    status = decide_children(&b->ask, &b->item[child]);
+    if (status)
+        return status;
+    count_children(b, child);
     *done = 1;
     return GRAZE_OK;
+}
+
+/* Cubes that are cut by a team. */
+typedef struct cut_run {
+    const cell_asker *like;
+    cube *child; /* eight for each */
+} cut_run;
+
+/* What helped with the cube before would tell differently in another order. */
+static graze_status cut_one(void *data, graze_context *context, int member, size_t index) {
+    const cut_run *r = data;
+    cell_asker ask;
+    (void)member;
+    cell_asker_init(&ask, context, r->like->scene);
+    ask.time = r->like->time;
+    graze_status status = decide_children(&ask, r->child + 8 * index);
+    cell_asker_clear(&ask);
+    return status;
+}
+
+graze_status band_cut_large(size_t *next, band *b, double radius, size_t most, int threads) {
+    uint32_t first = (uint32_t)b->count;
+    size_t end = b->count, cuts = 0;
+    graze_status status = GRAZE_OK;
+    for (; *next < end && cuts < most && !status; ++*next) {
+        const cube *c = &b->item[*next];
+        if (c->kind != CUBE_BAND || c->child || !(cube_radius(c) > radius) || !can_cut(c) ||
+            b->count + 8 >= UINT32_MAX)
+            continue;
+        status = reserve_cubes(b, 8);
+        if (!status)
+            place_children(b, (uint32_t)*next);
+        cuts++;
+    }
+    if (status || !cuts)
+        return status;
+    cut_run r = {&b->ask, &b->item[first]};
+    status = team_run(b->ask.context, threads, cuts, cut_one, &r);
+    for (uint32_t k = 0; k < cuts && !status; k++)
+        count_children(b, first + 8 * k);
+    return status;
 }
 
 /* Corners are exact. */

@@ -38,6 +38,12 @@ void band_clear(band *b);
  * @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM */
 graze_status band_cut(int *done, band *b, uint32_t index);
 
+/** Cut those cubes of the band from the number `next` on, of them that there are, that have more
+ * than a radius, at most so many; in threads, which change nothing but the time.
+ * @param[in,out] next where to go on
+ * @return as band_cut */
+graze_status band_cut_large(size_t *next, band *b, double radius, size_t most, int threads);
+
 /** Say what is certain of a cube of the band, as was found otherwise. */
 void band_settle(band *b, uint32_t index, unsigned char kind);
 

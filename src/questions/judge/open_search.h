@@ -39,6 +39,7 @@ typedef struct suprema {
     const judged_mesh *mesh;
     double within;
     size_t budget, asked; /* cubes and points that may be asked, and the points that were */
+    int threads;
     band space;
     priority cubes; /* those of the band in which the boundary may be far from the mesh */
     size_t part_count, part_capacity;

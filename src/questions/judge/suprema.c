@@ -9,6 +9,9 @@
 #include "questions/judge/search_mesh.h"
 #include "questions/judge/search_sweep.h"
 
+/* Cubes that are cut together, at most. */
+enum { TOGETHER = 4096 };
+
 /* From an empty mesh all is infinitely far. */
 static void set_empty(suprema *s) {
     for (int k = 0; k < GRAZE_JUDGED_COUNT; k++)
@@ -36,11 +39,10 @@ static int most_open(const suprema *s) {
  * of the volume. */
 static graze_status thin_band(suprema *s) {
     graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < s->space.count && !status && !suprema_is_over(s); k++) {
-        const cube *c = &s->space.item[k];
-        int done;
-        if (c->kind == CUBE_BAND && !c->child && cube_radius(c) > s->within)
-            status = band_cut(&done, &s->space, (uint32_t)k);
+    for (size_t next = 0; next < s->space.count && !status && !suprema_is_over(s);) {
+        size_t left = (s->budget - s->space.decided - s->asked + 7) / 8;
+        status = band_cut_large(&next, &s->space, s->within, left < TOGETHER ? left : TOGETHER,
+                                s->threads);
     }
     return status;
 }
@@ -66,9 +68,13 @@ static graze_status tell_times(suprema *s) {
 }
 
 graze_status suprema_find(suprema *out, graze_context *context, const graze_scene *scene,
-                          const judged_mesh *mesh, double within, size_t budget) {
-    *out = (suprema){
-        .context = context, .scene = scene, .mesh = mesh, .within = within, .budget = budget};
+                          const judged_mesh *mesh, double within, size_t budget, int threads) {
+    *out = (suprema){.context = context,
+                     .scene = scene,
+                     .mesh = mesh,
+                     .within = within,
+                     .budget = budget,
+                     .threads = threads};
     graze_status begun = band_init(&out->space, context, scene);
     graze_status status = begun ? begun : filter_lay_bricks(&scene->filter, context);
     if (status || mesh->cut.count) {
