@@ -14,13 +14,6 @@ import json
 import math
 import sys
 
-import matplotlib
-
-matplotlib.use("svg")
-matplotlib.rcParams.update({"svg.hashsalt": "graze", "svg.fonttype": "none", "font.size": 9})
-
-import matplotlib.pyplot as plt  # noqa: E402
-
 LEAST = 20
 NEAREST = 1e-13  # where points below 10^-12 are drawn
 FLOOR = 1e-5     # where no error is drawn
@@ -38,6 +31,10 @@ def shares(lines):
 
 
 def draw(groups, path):
+    import matplotlib  # here, so that what is drawn can be computed without it
+    matplotlib.use("svg")
+    matplotlib.rcParams.update({"svg.hashsalt": "graze", "svg.fonttype": "none", "font.size": 9})
+    import matplotlib.pyplot as plt
     figure, axes = plt.subplots(figsize=(9, 4.2))
     marks = "os^v"
     colours = {name: f"C{k}" for k, name in enumerate(dict.fromkeys(code for code, _ in groups))}
@@ -55,15 +52,20 @@ def draw(groups, path):
     figure.savefig(path, format="svg", metadata={"Date": None, "Creator": None})
 
 
-def main():
-    if len(sys.argv) != 3:
-        sys.exit("usage: picture.py RESULTS PICTURE.svg")
+def by_code(path):
+    """(code, setting) -> the lines with a score."""
     groups = {}
-    with open(sys.argv[1], encoding="utf-8") as file:
+    with open(path, encoding="utf-8") as file:
         for line in map(json.loads, file):
             if "failure" not in line:
                 groups.setdefault((line["code"], line["setting"]), []).append(line)
-    draw(groups, sys.argv[2])
+    return groups
+
+
+def main():
+    if len(sys.argv) != 3:
+        sys.exit("usage: picture.py RESULTS PICTURE.svg")
+    draw(by_code(sys.argv[1]), sys.argv[2])
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@ program of the shell answers right, wrongly, not at all, too late, or ends in ev
 """
 import argparse
 import json
+import math
 import os
 import shutil
 import sys
@@ -22,6 +23,7 @@ sys.path.insert(0, BENCHMARK)
 
 import catalogue  # noqa: E402
 import codes  # noqa: E402
+import picture  # noqa: E402
 from standings import failures, table  # noqa: E402
 
 PROGRAM = os.path.join(BENCHMARK, "codes.py")
@@ -174,6 +176,24 @@ def real(bench, names):
                 bench.checks.equal(line["on"]["on"], 1, code.name, "on")
 
 
+def pictured(checks, folder):
+    """The marks of a line: over scenes, wrong ones of each power of ten; a gap below 20 points; what is nearest at the left end."""
+    def line(setting, *decades):
+        return {"code": "a", "setting": setting, "decades": [dict(zip(("from", "points", "wrong"), d)) for d in decades]}
+
+    path = os.path.join(folder, "picture.jsonl")
+    lines = [line("x", (0, 30, 3), (1e-3, 10, 10)), {"code": "a", "setting": "x", "failure": "late"}, line("y", (1e-2, 20, 0)),
+             line("x", (1e-3, 30, 0), (1e-2, 19, 1))]
+    write(path, "".join(json.dumps(x) + "\n" for x in lines))
+    groups = picture.by_code(path)
+    checks.equal({key: len(found) for key, found in groups.items()}, {("a", "x"): 2, ("a", "y"): 1}, "picture", "lines")
+    marks = picture.shares(groups["a", "x"])
+    checks.equal([at for at, _ in marks], [picture.NEAREST, 1e-3, 1e-2], "picture", "powers of ten")
+    checks.equal([share for _, share in marks[:2]], [0.1, 0.25], "picture", "shares")
+    checks.holds(math.isnan(marks[2][1]), "picture", "a gap", marks)
+    checks.equal(picture.shares(groups["a", "y"]), [(1e-2, 0)], "picture", "no error")
+
+
 def command_line(checks):
     for arguments, status, said in ((["--list"], 0, "openvdb:1\t101 poses"), ([], 2, "expected OUT"), (["--limit", "0", "x"], 2, "from 1 up"),
                                     (["x", "--codes", "none"], 3, "--codes: none; expected some of --list"),
@@ -196,6 +216,7 @@ def main():
         for name, rows in (("turned", TURNED), ("grown", ((1.5, 0), (0, 1)))):
             write(os.path.join(make_scene(folder, name), "poses-101.csv"), poses_text(101, rows))
         bench = Bench(checks, args.graze, folder)
+        pictured(checks, folder)
         scored(bench)
         shortened(bench)
         failing(bench)
