@@ -217,7 +217,7 @@ static void test_cancel(void **state) {
     graze_motion_destroy(j.motion);
     assert_int_equal(graze_motion_from_json(&j.motion, j.context, LEGS, strlen(LEGS)), GRAZE_OK);
     j.scene = make_scene(&j, GRAZE_SWEEP);
-    for (int calls = 1; calls < 20000; calls += 1 + calls / 6) {
+    for (int calls = 1; calls < 20000; calls += 1 + calls / 2) {
         int left = calls;
         graze_judgement *found = NULL;
         graze_judge_options o = {.size = sizeof o, .within = 0.5};
