@@ -3,7 +3,7 @@
 downwards only and without a circle, each source that others call has one header, a function's name stands once, the
 commands stand on the public header, two rooms and two small tools alone, only one room touches CGAL, FLINT's functions are called behind their own
 headers, the top level holds nothing that is not named, the paths that comments and pages name are there, and so are
-the lines that tests/mutants.txt explains.
+the lines that tests/mutants.txt explains and that tests/check/forged.py turns round.
 
 A call through a pointer is an arrow from the file that names the function (calls.py), so a callback that a higher
 room hands to a lower one points down.
@@ -21,9 +21,11 @@ import flint
 import paths
 import sources
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "mutation"))
+TESTS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
+sys.path[:0] = [os.path.join(TESTS, "mutation"), os.path.join(TESTS, "check")]
 
 import changes  # noqa: E402
+import forged  # noqa: E402
 import rooms  # noqa: E402
 
 # Wings from the bottom to the top, and in each its rooms, floor by floor; those of one floor know nothing of one another.
@@ -252,6 +254,8 @@ def check_mutants():
         check(key not in strangers, f"{changes.RECORD} explains {key}, which is no mutant")
     for room in rooms.ROOMS:
         check(rooms.files(room), f"tests/mutation/rooms.py: {room} has no sources")
+    for path, old, _ in forged.CAREFUL + [change[1:] for change in forged.DECISIONS]:
+        check(path is None or old in sources.read(os.path.join("src", path)), f"tests/check/forged.py changes what does not stand in {path}: {old}")
 
 
 def main():
