@@ -89,10 +89,11 @@ typedef enum graze_judged {
 /** The greatest of some distances: low <= it <= high. From an empty mesh it is infinite. */
 typedef struct graze_judged_distance {
     double low, high;
-    double at[3];   /**< a point at which it is at least `low`, to a share of the width asked for:
-                       of the mesh, or of the boundary of W; zeros where low is 0 */
+    double at[3];   /**< a point of the mesh, within rounding, at which it is at least `low`; of the
+                       third a point near the boundary of W, from which the nearest place of that
+                       is at least `low` away from the mesh; zeros where low is 0 */
     double time;    /**< double nearest to a time at which the solid is as near to `at`, or `at` as
-                       deep in it, as ever, to that share; 0 where low is 0 */
+                       deep in it, as ever, to a 16th of the width; 0 where low is 0 */
     double open[3]; /**< where it is perhaps `high` */
     int reached;    /**< 1: high - low is at most what was asked for */
     int stuck;      /**< 1: near `open` nothing more can be told; a seam of the sweep is perhaps

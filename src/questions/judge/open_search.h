@@ -12,8 +12,9 @@
 /** A greatest distance is in [low, high]. */
 typedef struct supremum {
     double low, high;
-    double at[3];   /* a point that is at least `low` away, within rounding; set if `low` > 0 */
-    double time;    /* when the solid is nearest to that point, or it is deepest in it */
+    double at[3]; /* of the mesh a point that is at least `low` away, within rounding; a point from
+                     which the nearest place of the boundary is; set if `low` > 0 */
+    double time;  /* when the solid is nearest to that point, or it is deepest in it */
     double open[3]; /* a point near which the distance is perhaps `high` */
     int reached;    /* high - low is at most what was asked for */
     int stuck;      /* no cut makes it less: near `open` the boundary is perhaps a seam */
