@@ -74,7 +74,7 @@ GRAZE_API void graze_mesh_triangle(size_t *vertex, const graze_mesh *mesh, size_
 typedef struct graze_judge_options {
     size_t size;          /**< sizeof(graze_judge_options) */
     double within;        /**< greatest width of the distances' enclosures; positive, finite */
-    unsigned long budget; /**< cubes and points that may be asked about; 0: 10^7 */
+    unsigned long budget; /**< cubes and points that may be asked about, and a few more; 0: 10^7 */
     int threads; /**< up to 1024, for the volume: they change nothing but the time; 0 is 1 */
 } graze_judge_options;
 
@@ -97,7 +97,8 @@ typedef struct graze_judged_distance {
     double open[3]; /**< where it is perhaps `high` */
     int reached;    /**< 1: high - low is at most what was asked for */
     int stuck;      /**< 1: near `open` nothing more can be told; a seam of the sweep is perhaps
-                       there, where its copies touch and cover a neighbourhood together */
+                       there, where its copies touch and cover a neighbourhood together, or it is
+                       so far away that doubles tell no more */
 } graze_judged_distance;
 
 /**
@@ -179,7 +180,7 @@ GRAZE_API GRAZE_CHECKED graze_status graze_judgement_draw(
 /** Points at which a mesh is judged as a classifier (rule 6). Pointers are borrowed. */
 typedef struct graze_mesh_points {
     size_t size;             /**< sizeof(graze_mesh_points) */
-    size_t count;            /**< how many points */
+    size_t count;            /**< how many points; up to 10^9 */
     unsigned long long seed; /**< of those that are generated, of all strata (graze/generate.h) */
     graze_rationals points;  /**< 3 count canonical rationals; NULL: points are generated */
     graze_on_as on_as; /**< as what the mesh's answer `on` is judged, that it gives on itself */

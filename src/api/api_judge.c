@@ -14,6 +14,9 @@
 
 enum { DEFAULT_BUDGET = 10000000 };
 
+/* Points that a mesh is asked about, at most. */
+static const size_t MOST_POINTS = 1000000000;
+
 /* Take the soup over, and make a mesh of it. */
 static graze_status make_mesh(graze_mesh **out, graze_context *context, soup *input,
                               unsigned flags) {
@@ -346,6 +349,9 @@ static graze_status check_mesh_points(graze_context *context, const graze_scene 
                                       const graze_mesh *mesh, const graze_mesh_points *p) {
     if ((unsigned)p->on_as > GRAZE_ON_AS_OUT || p->threads < 0 || p->threads > TEAM_MOST)
         return api_misuse(context, "graze_compare_mesh", "an option has an unknown value");
+    if (p->count > MOST_POINTS)
+        return context_fail(context, GRAZE_ELIMIT, "%zu points; expected at most %zu", p->count,
+                            MOST_POINTS);
     if (scene->motion->dimension != 3)
         return context_fail(context, GRAZE_EILLEGAL,
                             "a scene in the plane; expected one in space to judge a mesh by");

@@ -139,6 +139,9 @@ static void test_points(void **state) {
     graze_comparison_counts n = graze_comparison_count(c);
     assert_true(n.rows == 3 && n.agree == 2 && n.wrong == 1);
     graze_comparison_destroy(c);
+    p.count = SIZE_MAX;
+    assert_int_equal(graze_compare_mesh(&c, j.context, j.scene, j.mesh, &p), GRAZE_ELIMIT);
+    assert_null(c);
     mpq_set_ui(point[3], 9, 1); /* on the end of the box */
     graze_pmc said[3];
     assert_int_equal(graze_mesh_answers(said, j.context, j.mesh, p.points, 3, 2), GRAZE_OK);

@@ -223,7 +223,7 @@ def jobs(judge, checks):
     """Threads change nothing but the time: to the width, and where the budget ends among the cubes that are cut for the volume."""
     files = [os.path.join(HOME, "cases", "bracket", name) for name in ("solid.off", "motion.json", "solid.off")]
     searched, volumes = [], set()
-    for budget in ("14500", "15500", "1000000"):
+    for budget in ("15200", "16400", "1000000"):
         reports = [judge.ask(f"jobs {n}", *files, "--within", "5e-2r", "--budget", budget, "--jobs", n) for n in ("1", "3")]
         checks.equal(reports[0], reports[1], "--jobs", budget)
         if reports[0]:
@@ -295,6 +295,42 @@ def seam(judge, checks):
     if along:
         judge.holds("seam, along", along, (0, 1, None), 80)
         checks.holds(along["distance"]["mesh_to_sweep_inside"]["stuck"], "seam, along", along["distance"])
+
+
+def far_off(judge, checks):
+    """Corners so far away that doubles cannot tell their distances to the width: that search alone ends, and soon. Of the triangle (1, 1, 1),
+    (10^15, 1, 1), (1, 3, 1) the last but one is 10^15 - 10 from x = 10; the middle of z = 1 is 1 from the outside; near (0, 0, 2) W is 1 away
+    from the plane z = 1. A vertex of no facet, however far, does not count."""
+    lone = Mesh([(1, 1, 1), (F(10) ** 15, 1, 1), (1, 3, 1)], [[0, 1, 2]])
+    report = judge.ask("far", CUBE, ALONG, lone, "--within", "1/10", "--budget", "100000")
+    if report:
+        judge.holds("far", report, (10 ** 15 - 10, 1, None), 40)
+        found = report["distance"]["mesh_to_sweep_outside"]
+        checks.holds(found["stuck"] and found["high"] - found["low"] < 1e3, "far", found)
+        checks.holds(report["budget"]["cells"] < 100000 and report["volume"]["sweep"]["high"] < 50, "far", "the others go on", report["budget"])
+    for name, vertices in (("unused", [(F(10) ** 400, 0, 0)]), ("used", [])):
+        mesh = Mesh([(0, 0, 0), (0, 0, 2), (0, 2, 2), *vertices], [[0, 1, 2]])
+        report = judge.ask(name, CUBE, ALONG, mesh, "--within", "1/4")
+        if report:
+            judge.holds(name, report, (0, 0, None), 40, F(1, 4))
+
+
+def in_a_seam(judge, checks):
+    """A triangle in the seam y = 2 of [0, 4]^3: the budget ends the search there, of which each look at a cube costs as much as all before."""
+    halves = joined(block(0, 0, 0, 4, 1, 4), block(0, 2, 0, 4, 3, 4))
+    motion = build([(0, 1, translate([[0], [0, 1], [0]]))])
+    report = judge.ask("in a seam", halves, motion, Mesh([(1, 2, 2), (3, 2, 2), (2, 2, 3)], [[0, 1, 2]]), "--within", "1/10", "--budget", "40000")
+    if report:
+        judge.holds("in a seam", report, (0, None, None), 64)
+        checks.holds(report["budget"]["cells"] < 40000 and not report["budget"]["reached"], "in a seam", report["budget"])
+
+
+def empty(judge, checks):
+    """No facet: the volume of the sweep is that of all."""
+    report = judge.ask("empty", CUBE, ALONG, Mesh([(0, 0, 0)], []), "--within", "1/2")
+    if report:
+        v = report["volume"]["sweep"]
+        checks.holds(35 < v["low"] <= 40 <= v["high"] < 70, "empty", v)
 
 
 def laws(judge, checks):
@@ -382,6 +418,9 @@ def main():
         jobs(judge, checks)
         laws(judge, checks)
         seam(judge, checks)
+        in_a_seam(judge, checks)
+    far_off(judge, checks)
+    empty(judge, checks)
     checks.finish()
 
 

@@ -53,6 +53,23 @@ class Judgements(unittest.TestCase):
         self.assertIsNone(found.mesh_volume)
         self.assertIsNone(found.report["confusion"])
 
+    def test_misuse(self):
+        for arguments, word in (({"budget": -1}, "budget"), ({"budget": 2 ** 64}, "budget"), ({"points": -1}, "points"), ({"points": 2 ** 40}, "points"),
+                                ({"seed": -1}, "seed"), ({"seed": 2 ** 64}, "seed"), ({"seed": 0.5}, "seed")):
+            with self.assertRaisesRegex(graze.UseError, word + " is .*; expected an integer"):
+                self.scene.judge(corners(9), FACES, within=0.5, **arguments)
+        with self.assertRaisesRegex(graze.UseError, "face 0 is"):
+            self.scene.judge(corners(9), [[0.5, 1, 2]])
+        with self.assertRaisesRegex(graze.UseError, "without faces"):
+            self.scene.judge(corners(9))
+
+    @unittest.skipIf(common.numpy is None, "numpy")
+    def test_misuse_of_arrays(self):
+        with self.assertRaisesRegex(graze.UseError, "vertex: an array of complex128; expected one of real numbers"):
+            self.scene.judge(common.numpy.array(corners(9)) * 1j, FACES)
+        with self.assertRaisesRegex(graze.UseError, "face: an array of float64; expected one of integers"):
+            self.scene.judge(corners(9), common.numpy.array(FACES) * 1.0)
+
     def test_budget(self):
         found = self.scene.judge(corners(9), FACES, within=1e-3, budget=50, points=0)
         self.assertFalse(found.reached)

@@ -6,16 +6,25 @@
 #include <math.h>
 #include <stdlib.h>
 
+/* What bounds the coordinates of the simplices' corners; other vertices do not count. */
+static void find_reach(corners *out, size_t d, const simplices *cut, const double *low,
+                       const double *high) {
+    for (size_t k = 0; k < cut->count; k++)
+        for (size_t c = 0; c < d; c++)
+            for (size_t i = 0; i < d; i++) {
+                size_t at = cut->item[k].vertex[c] * d + i;
+                out->error = fmax(out->error, high[at] - low[at]);
+                out->axis_reach[i] = fmax(out->axis_reach[i], fmax(fabs(low[at]), fabs(high[at])));
+            }
+    for (size_t i = 0; i < d; i++)
+        out->reach = fmax(out->reach, out->axis_reach[i]);
+}
+
 graze_status corners_make(corners *out, graze_context *context, const soup *s, const simplices *cut,
                           const double *low, const double *high) {
     size_t d = (size_t)s->dimension;
     *out = (corners){.at = NULL};
-    for (size_t k = 0; k < s->vertex_count * d; k++) {
-        out->error = fmax(out->error, high[k] - low[k]);
-        double *reach = &out->axis_reach[k % d];
-        *reach = fmax(*reach, fmax(fabs(low[k]), fabs(high[k])));
-        out->reach = fmax(out->reach, *reach);
-    }
+    find_reach(out, d, cut, low, high);
     if (!(out->reach <= CORNER_REACH))
         return GRAZE_OK;
     out->at = malloc((cut->count + 1) * d * d * sizeof *out->at);

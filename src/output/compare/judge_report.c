@@ -100,7 +100,8 @@ static void put_greatest(text *t, const graze_judgement *j, graze_judged which) 
     text_put(t, s->stuck ? "; open near " : "; the budget is spent, open near ");
     put_spot(t, s->open);
     if (s->stuck)
-        text_put(t, ", perhaps a seam of the sweep");
+        text_put(t, which == GRAZE_JUDGED_OUTSIDE ? ", where doubles tell no more"
+                                                  : ", perhaps a seam of the sweep");
 }
 
 static void put_volumes(text *t, const graze_judgement *j, const char *bullet) {

@@ -7,6 +7,7 @@ from __future__ import annotations
 import array
 import ctypes
 import json
+import operator
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Dict, Optional, Tuple
@@ -77,9 +78,23 @@ def _greatest(found: Optional[Dict[str, Any]]) -> Optional[Greatest]:
                     tuple(near) if near else None, found.get("stuck", False))
 
 
+def _whole(name: str, value: Any, least: int, most: int) -> int:
+    """An integer within bounds; ctypes would take others modulo 2^64."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        number = least - 1
+    if not least <= number <= most:
+        raise UseError(f"{name} is {value!r}; expected an integer from {least} to {most}")
+    return number
+
+
 def _array(name: str, rows: Any, kind: str) -> Any:
     """Rows of three numbers as an array of the standard library; arrays of numpy are copied fast."""
     if numpy is not None and isinstance(rows, numpy.ndarray):
+        if rows.dtype.kind not in ("fiu" if kind == "d" else "iu") or numpy.ma.is_masked(rows):
+            raise UseError(f"{name}: an array of {rows.dtype}{' with a mask' * numpy.ma.is_masked(rows)}; "
+                           f"expected one of {'real numbers' if kind == 'd' else 'integers'}")
         made = numpy.ascontiguousarray(rows, dtype=numpy.float64 if kind == "d" else numpy.uint64)
         if made.ndim != 2 or made.shape[1] != 3 or (kind == "Q" and (rows < 0).any()):
             raise UseError(f"{name}: expected rows of 3 numbers{'' if kind == 'd' else ' from 0 up'}")
@@ -87,7 +102,7 @@ def _array(name: str, rows: Any, kind: str) -> Any:
     out: Any = array.array(kind)
     for k, row in enumerate(rows):
         try:
-            numbers = [float(x) if kind == "d" else int(x) for x in row]
+            numbers = [float(x) if kind == "d" else operator.index(x) for x in row]
             if len(numbers) != 3:
                 raise ValueError
             out.extend(numbers)
@@ -131,8 +146,10 @@ def _report(context: Context, judged: ctypes.c_void_p, compared: Optional[Handle
 def judge(context: Context, scene: Handle, vertices: Any, faces: Any, within: float, budget: Optional[int],
           points: int, seed: int, jobs: Optional[int]) -> Judgement:
     """Judge a mesh: arrays, or a file's name where `faces` is None."""
+    budget = 0 if budget is None else _whole("budget", budget, 1, 2 ** 64 - 1)
+    points, seed = _whole("points", points, 0, 10 ** 9), _whole("seed", seed, 0, 2 ** 64 - 1)
     mesh = _mesh(context, vertices, faces) if faces is not None else _read(context, vertices)
-    options = CJudgeOptions(size=ctypes.sizeof(CJudgeOptions), within=within, budget=budget or 0, threads=threads(jobs))
+    options = CJudgeOptions(size=ctypes.sizeof(CJudgeOptions), within=within, budget=budget, threads=threads(jobs))
     pointer = ctypes.c_void_p()
     with mesh:
         context.run(library().graze_judge, ctypes.byref(pointer), context.pointer, scene.pointer, mesh.pointer,

@@ -427,6 +427,8 @@ class Scene:
         """
         if faces is None:
             arrays = arrays_of(vertices)
+            if not arrays and not isinstance(vertices, (str, bytes, os.PathLike)):
+                raise UseError("without faces; expected a file's name or a mesh of trimesh or meshio")
             vertices, faces = arrays if arrays else (os.fsencode(vertices), None)
         return judge(self._context(), self._handle, vertices, faces, self._judged_width(within), budget, points,
                      seed, jobs)

@@ -245,7 +245,7 @@ static double square_to_cube(const cube *c, const double *point) {
 }
 
 typedef struct nearest_cube {
-    const band *b;
+    band *b;
     const double *point;
     int kinds;
     double least, square;
@@ -255,6 +255,7 @@ typedef struct nearest_cube {
 static void search_cubes(nearest_cube *s, uint32_t index) {
     const cube *c = &s->b->item[index];
     double square = square_to_cube(c, s->point);
+    s->b->seen++;
     if (!(c->kind & s->kinds) || !(square < s->square) || c->half < s->least)
         return;
     if (!c->child) {
@@ -271,7 +272,7 @@ static void search_cubes(nearest_cube *s, uint32_t index) {
         search_cubes(s, child + (first ^ k));
 }
 
-uint32_t band_nearest(double *low, double *high, const band *b, const double *point, int kinds,
+uint32_t band_nearest(double *low, double *high, band *b, const double *point, int kinds,
                       double least) {
     nearest_cube s = {b, point, kinds, least, INFINITY, UINT32_MAX};
     const cube *root = &b->item[0];

@@ -26,6 +26,7 @@ typedef struct band {
     size_t count, capacity;
     cube *item;
     size_t decided;                                    /* cubes asked about */
+    size_t seen;                                       /* cubes looked at for the nearest one */
     size_t in[CUBE_LEVELS + 1], left[CUBE_LEVELS + 1]; /* uncut cubes by level: inside; band */
 } band;
 
@@ -60,7 +61,7 @@ graze_pmc band_membership(const band *b, const double *point);
  * @return its number; UINT32_MAX where it is the outside of the root, or none: then high is
  * infinite
  */
-uint32_t band_nearest(double *low, double *high, const band *b, const double *point, int kinds,
+uint32_t band_nearest(double *low, double *high, band *b, const double *point, int kinds,
                       double least);
 
 /** The volume of the sweep is between these, exactly. */

@@ -11,26 +11,37 @@
 /* Distances of points are asked to this share of the width that is wanted. */
 static const double POINT_SHARE = 0.0625;
 
+/* But no finer than this share of the coordinates: doubles tell no more. */
+static const double FINEST_SHARE = 0x1p-42;
+
 /* Cubes of at most this share of it are probed no further. */
 static const double STUCK_SHARE = 0x1p-9;
+
+/* Looking at so many cubes takes as long as asking about one. */
+enum { SEEN_CUBES = 2048 };
 
 /* Points around a cube are so much further out than its corners. */
 static const double AROUND = 1.5;
 
+size_t suprema_spent(const suprema *s) {
+    return s->space.decided + s->asked + s->space.seen / SEEN_CUBES;
+}
+
 int suprema_is_over(const suprema *s) {
-    return s->space.decided + s->asked >= s->budget;
+    return suprema_spent(s) >= s->budget;
 }
 
 /* The signed distance of a point whose trace is known. */
 static graze_status enclose_point(struct distance *out, suprema *s, const double *point,
                                   const graze_trace *trace) {
     fmpq exact[3];
+    double tolerance = POINT_SHARE * s->within;
     for (int k = 0; k < 3; k++) {
         fmpq_init(exact + k);
         (void)rational_from_double(exact + k, NULL, point[k]);
+        tolerance = larger(tolerance, FINEST_SHARE * fabs(point[k]));
     }
-    graze_status status =
-        distance_find(out, s->context, s->scene, exact, trace, POINT_SHARE * s->within);
+    graze_status status = distance_find(out, s->context, s->scene, exact, trace, tolerance);
     for (int k = 0; k < 3; k++)
         fmpq_clear(exact + k);
     return status;

@@ -80,6 +80,8 @@ graze_status suprema_probe(int *stuck, suprema *s, uint32_t cube, const double *
 /** Cubes of at most this share of the width that is wanted are probed; larger ones are cut. */
 #define PROBED_SHARE 0.125
 
+/** What of the budget is spent. */
+size_t suprema_spent(const suprema *s);
 int suprema_is_over(const suprema *s);
 /** Set `high` and what follows from it, by the first that waits at `open`. */
 void supremum_finish(supremum *found, const suprema *s, const priority *wait, const double *open);

@@ -16,6 +16,9 @@
  */
 static const double LARGE_SHARE = 0.5, SMALL_SHARE = 0x1p-8, STUCK_PART = 0x1p-9;
 
+/* Of those so small beside the error of their point most is rounding: they are stuck too. */
+static const double ROUNDED_PART = 8;
+
 static void raise_low(supremum *of, double low, const double *at) {
     if (low > of->low) {
         of->low = low;
@@ -24,7 +27,7 @@ static void raise_low(supremum *of, double low, const double *at) {
 }
 
 /* Where a part's point is so far inside that all of the part is, nothing of it is outside. */
-static double outside_bound(const suprema *s, const asked_part *a) {
+static double outside_bound(suprema *s, const asked_part *a) {
     double low = 0, unused;
     if (a->known.pmc == GRAZE_OUT)
         return a->known.high + a->part.radius;
@@ -82,7 +85,8 @@ static graze_status cut_part(suprema *s, uint32_t number) {
 }
 
 static int is_stuck(const suprema *s, const mesh_part *part) {
-    return part->radius <= STUCK_PART * s->within || s->part_count + 2 >= UINT32_MAX;
+    return part->radius <= STUCK_PART * s->within || part->radius <= ROUNDED_PART * part->error ||
+           s->part_count + 2 >= UINT32_MAX;
 }
 
 static graze_status look_outside(suprema *s) {
@@ -96,7 +100,7 @@ static graze_status look_outside(suprema *s) {
 
 /* The cube of the band nearest to a part's point, no further than `most`, of those that are largest
  * but for some powers of two: so all around it shrinks alike. */
-static uint32_t nearest_large(const suprema *s, const asked_part *a, double most) {
+static uint32_t nearest_large(suprema *s, const asked_part *a, double most) {
     double low, high;
     for (double share = LARGE_SHARE; share >= SMALL_SHARE; share *= 0.5) {
         uint32_t index =
@@ -129,7 +133,7 @@ static graze_status cut_nearest(suprema *s, uint32_t number, double most) {
 }
 
 /* How much of a part's bound is the space around its point. */
-static double open_space(const suprema *s, const asked_part *a, double bound) {
+static double open_space(suprema *s, const asked_part *a, double bound) {
     double low = 0, unused;
     if (a->known.pmc == GRAZE_OUT)
         return 0;

@@ -12,13 +12,6 @@
 /* Cubes that are cut together, at most. */
 enum { TOGETHER = 4096 };
 
-/* From an empty mesh all is infinitely far. */
-static void set_empty(suprema *s) {
-    for (int k = 0; k < GRAZE_JUDGED_COUNT; k++)
-        s->found[k].reached = 1;
-    s->found[GRAZE_JUDGED_SWEEP].low = s->found[GRAZE_JUDGED_SWEEP].high = INFINITY;
-}
-
 /* The distance of which most is open; its number, or GRAZE_JUDGED_COUNT where none can be searched
  * on.
  */
@@ -40,11 +33,19 @@ static int most_open(const suprema *s) {
 static graze_status thin_band(suprema *s) {
     graze_status status = GRAZE_OK;
     for (size_t next = 0; next < s->space.count && !status && !suprema_is_over(s);) {
-        size_t left = (s->budget - s->space.decided - s->asked + 7) / 8;
+        size_t left = (s->budget - suprema_spent(s) + 7) / 8;
         status = band_cut_large(&next, &s->space, s->within, left < TOGETHER ? left : TOGETHER,
                                 s->threads);
     }
     return status;
+}
+
+/* From an empty mesh all is infinitely far. */
+static graze_status judge_empty(suprema *s) {
+    for (int k = 0; k < GRAZE_JUDGED_COUNT; k++)
+        s->found[k].reached = 1;
+    s->found[GRAZE_JUDGED_SWEEP].low = s->found[GRAZE_JUDGED_SWEEP].high = INFINITY;
+    return thin_band(s);
 }
 
 static graze_status search_all(suprema *s) {
@@ -75,18 +76,18 @@ graze_status suprema_find(suprema *out, graze_context *context, const graze_scen
                      .within = within,
                      .budget = budget,
                      .threads = threads};
-    graze_status begun = band_init(&out->space, context, scene);
-    graze_status status = begun ? begun : filter_lay_bricks(&scene->filter, context);
-    if (status || mesh->cut.count) {
-        if (!status && !mesh->corners.at)
-            status = context_fail(context, GRAZE_ELIMIT,
-                                  "a coordinate of the mesh is beyond 2^200; expected less");
-        if (!status)
-            status = search_all(out);
-        return status ? status : tell_times(out);
-    }
-    set_empty(out);
-    return GRAZE_OK;
+    graze_status status = band_init(&out->space, context, scene);
+    if (!status)
+        status = filter_lay_bricks(&scene->filter, context);
+    if (!status && mesh->cut.count && !mesh->corners.at)
+        status = context_fail(context, GRAZE_ELIMIT,
+                              "a coordinate of the mesh is beyond 2^200; expected less");
+    if (status)
+        return status;
+    if (!mesh->cut.count)
+        return judge_empty(out);
+    status = search_all(out);
+    return status ? status : tell_times(out);
 }
 
 void suprema_clear(suprema *s) {
