@@ -67,6 +67,9 @@ class Judgements(unittest.TestCase):
     def test_misuse_of_arrays(self):
         with self.assertRaisesRegex(graze.UseError, "vertex: an array of complex128; expected one of real numbers"):
             self.scene.judge(common.numpy.array(corners(9)) * 1j, FACES)
+        hidden = common.numpy.ma.masked_equal(common.numpy.array(corners(9)), 9)
+        with self.assertRaisesRegex(graze.InputError, "mask"):
+            self.scene.judge(hidden, FACES)
         with self.assertRaisesRegex(graze.UseError, "face: an array of float64; expected one of integers"):
             self.scene.judge(corners(9), common.numpy.array(FACES) * 1.0)
 

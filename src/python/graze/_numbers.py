@@ -12,6 +12,7 @@ import ctypes
 import decimal
 import math
 import numbers
+import operator
 from fractions import Fraction
 from typing import Any, Iterable, List, Tuple
 
@@ -235,3 +236,14 @@ def _from_array(given: Any, dimension: int, context: Context, what: str) -> Poin
 def _not_finite(what: str, k: int, dimension: int, value: Any) -> InputError:
     return InputError(f"{what} {k // dimension}, coordinate {k % dimension}: {value} is not a "
                       "finite number, or too large for the rounding")
+
+
+def whole(name: str, value: Any, least: int, most: int) -> int:
+    """An integer within bounds; ctypes would take others modulo 2^64."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        number = least - 1
+    if not least <= number <= most:
+        raise UseError(f"{name} is {value!r}; expected an integer from {least} to {most}")
+    return number

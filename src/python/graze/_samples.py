@@ -10,7 +10,7 @@ from typing import Any, Iterator, List, Mapping, Optional, Set
 
 from ._context import Context
 from ._library import CSample, Handle, library
-from ._numbers import Rationals
+from ._numbers import Rationals, whole
 from ._traces import cell_of
 from .errors import UseError
 from .results import Pmc, Sample
@@ -38,11 +38,11 @@ def samples(context: Context, scene: Handle, dimension: int, rows: range, seed: 
             raise UseError(f"there is no stratum {key!r}; expected one of {', '.join(names)}")
     chosen = None
     if weights is not None:
-        given = [_within(weights.get(name, 0), 64) for name in names]
+        given = [whole(f"weight of {name}", weights.get(name, 0), 0, 2 ** 64 - 1) for name in names]
         chosen = (ctypes.c_ulong * len(names))(*given)
     pointer = ctypes.c_void_p()
     context.run(library().graze_generator_create, ctypes.byref(pointer), context.pointer,
-                scene.pointer, _within(seed, 64), chosen, _REPRESENTABLE if representable else 0)
+                scene.pointer, whole("seed", seed, 0, 2 ** 64 - 1), chosen, _REPRESENTABLE if representable else 0)
     generator = Handle(pointer, library().graze_generator_destroy, scene)
     return itertools.islice(_distinct(_each(context, generator, dimension, names)), rows.start, rows.stop)
 
@@ -73,12 +73,6 @@ def _distinct(made: Iterator[Sample]) -> Iterator[Sample]:
         wanted = None if stratum in spent else stratum
         if idle == most_repeated:
             return
-
-
-def _within(value: Any, bits: int) -> int:
-    if not 0 <= value < 1 << bits:
-        raise UseError(f"{value} is out of range; expected 0 to 2^{bits} - 1")
-    return int(value)
 
 
 def _each(context: Context, generator: Handle, dimension: int,

@@ -13,8 +13,9 @@ from fractions import Fraction
 from typing import Any, Dict, Optional, Tuple
 
 from ._context import Context
+from ._frames import refuse_masked
 from ._library import CJudgeOptions, CMeshPoints, Handle, library, take_text
-from ._numbers import numpy
+from ._numbers import numpy, whole
 from ._parallel import threads
 from .errors import UseError
 
@@ -78,22 +79,12 @@ def _greatest(found: Optional[Dict[str, Any]]) -> Optional[Greatest]:
                     tuple(near) if near else None, found.get("stuck", False))
 
 
-def _whole(name: str, value: Any, least: int, most: int) -> int:
-    """An integer within bounds; ctypes would take others modulo 2^64."""
-    try:
-        number = operator.index(value)
-    except TypeError:
-        number = least - 1
-    if not least <= number <= most:
-        raise UseError(f"{name} is {value!r}; expected an integer from {least} to {most}")
-    return number
-
-
 def _array(name: str, rows: Any, kind: str) -> Any:
     """Rows of three numbers as an array of the standard library; arrays of numpy are copied fast."""
     if numpy is not None and isinstance(rows, numpy.ndarray):
-        if rows.dtype.kind not in ("fiu" if kind == "d" else "iu") or numpy.ma.is_masked(rows):
-            raise UseError(f"{name}: an array of {rows.dtype}{' with a mask' * numpy.ma.is_masked(rows)}; "
+        refuse_masked(rows, name, 3)
+        if rows.dtype.kind not in ("fiu" if kind == "d" else "iu"):
+            raise UseError(f"{name}: an array of {rows.dtype}; "
                            f"expected one of {'real numbers' if kind == 'd' else 'integers'}")
         made = numpy.ascontiguousarray(rows, dtype=numpy.float64 if kind == "d" else numpy.uint64)
         if made.ndim != 2 or made.shape[1] != 3 or (kind == "Q" and (rows < 0).any()):
@@ -146,8 +137,8 @@ def _report(context: Context, judged: ctypes.c_void_p, compared: Optional[Handle
 def judge(context: Context, scene: Handle, vertices: Any, faces: Any, within: float, budget: Optional[int],
           points: int, seed: int, jobs: Optional[int]) -> Judgement:
     """Judge a mesh: arrays, or a file's name where `faces` is None."""
-    budget = 0 if budget is None else _whole("budget", budget, 1, 2 ** 64 - 1)
-    points, seed = _whole("points", points, 0, 10 ** 9), _whole("seed", seed, 0, 2 ** 64 - 1)
+    budget = 0 if budget is None else whole("budget", budget, 1, 2 ** 64 - 1)
+    points, seed = whole("points", points, 0, 10 ** 9), whole("seed", seed, 0, 2 ** 64 - 1)
     mesh = _mesh(context, vertices, faces) if faces is not None else _read(context, vertices)
     options = CJudgeOptions(size=ctypes.sizeof(CJudgeOptions), within=within, budget=budget, threads=threads(jobs))
     pointer = ctypes.c_void_p()

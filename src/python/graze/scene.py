@@ -420,7 +420,8 @@ class Scene:
                 trimesh or meshio. The mesh may be open, cross itself or have no orientation.
             within: greatest width of the bounds; text like "1e-3r" is that share of the diagonal.
             budget: cubes and points that may be asked about; None is 10^7.
-            points: how many generated points a closed mesh is asked about, with `seed`, by `jobs` threads.
+            points: how many generated points a closed mesh is asked about, with `seed`.
+            jobs: threads for the points and the volume.
         Raises:
             UseError: no rows of 3; InputError: a file or face that is none, a curved solid; IllegalError: a
             scene in the plane, or an unsweep; LimitError, CanceledError.
