@@ -17,7 +17,7 @@ from fractions import Fraction as F
 CASES = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 TESTS = os.path.join(os.path.dirname(CASES), "tests")
 # Both agree/lib and benchmark have solids.py: here it is that of agree/lib.
-sys.path[:0] = [os.path.join(TESTS, "agree", "lib"), os.path.join(TESTS, "cases"), os.path.join(CASES, "benchmark")]
+sys.path[:0] = [*(os.path.join(TESTS, *part) for part in (("agree", "lib"), ("cases",), ("lib",))), os.path.join(CASES, "benchmark")]
 
 from motions import is_straight, motion_of, value  # noqa: E402
 from shells import shells_text  # noqa: E402

@@ -13,11 +13,12 @@ second tracer says what the answer is.
 """
 import os
 import sys
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 from agreement import Tally, compare  # noqa: E402
+from exact import Fraction as F  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
 from motion import build, compose, fadd, fmul, rotation, translate  # noqa: E402
 from solids import Mesh, Polygon, box_ring, meshes, minus, polygons, ring  # noqa: E402

@@ -10,15 +10,16 @@ prism. No law trusts the program: all compare one run of it with another one alo
 """
 import os
 import sys
-from fractions import Fraction as F
 from functools import cmp_to_key
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 import refine  # noqa: E402
 from agreement import Tally  # noqa: E402
 from algebra import compare as compare_roots  # noqa: E402
 from algebra import scale, sub, substitute  # noqa: E402
+from exact import Fraction as F  # noqa: E402
 from program import Checks, Graze, exchanged, merged, options, run  # noqa: E402
 from motion import Motion, Piece, build, compose, constant, conjugated, cut, legs  # noqa: E402
 from motion import far, mobius, product, reversed_in_time, rotation, scaling, squared  # noqa: E402

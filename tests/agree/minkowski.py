@@ -11,10 +11,11 @@ point is `on`.
 import os
 import sys
 from collections import Counter
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
+from exact import Fraction as F  # noqa: E402
 from program import Checks, Graze, options, run  # noqa: E402
 from motion import legs  # noqa: E402
 from points import mixed  # noqa: E402

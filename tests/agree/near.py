@@ -11,11 +11,12 @@ corners and pinches the words follow from the picture named beside each case.
 """
 import os
 import sys
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 from algebra import Root, add, between, compare, integral, roots, sign_at  # noqa: E402
+from exact import Fraction as F  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
 from motion import build, compose, legs, rotation, translate  # noqa: E402
 from solids import Polygon, block, box_ring, joined  # noqa: E402

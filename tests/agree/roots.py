@@ -20,11 +20,12 @@ import resource
 import shutil
 import sys
 import tempfile
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
-from program import Checks, options, run  # noqa: E402
+from exact import Fraction as F  # noqa: E402
+from harness import Checks, bounded, options, run  # noqa: E402
 
 SECONDS = 200
 
@@ -82,7 +83,7 @@ def spread(rng):
         yield f"random {k}", "*".join(f"(2^41*t-2^40-{r})" for r in roots) + f"-1/{rng.randrange(2, 1 << 60)}"
 
 
-def classify(graze, f, memory, wkt="POLYGON((0 0, 2 0, 2 2, 0 2, 0 0))", point="0,1", rise=0):
+def classify(graze, f, wkt="POLYGON((0 0, 2 0, 2 2, 0 2, 0 0))", point="0,1", rise=0):
     """The run with the one point."""
     with tempfile.TemporaryDirectory(prefix="graze-roots-") as folder:
         def path(name, text):
@@ -93,12 +94,12 @@ def classify(graze, f, memory, wkt="POLYGON((0 0, 2 0, 2 2, 0 2, 0 0))", point="
             [graze, "classify", "--format", "jsonl", path("s.wkt", wkt),
              path("m.json", json.dumps({"dimension": 2, "pieces": [
                  {"t": [0, 1], "transform": {"translate": [f, f"({f})*{rise}"]}}]})), path("p.csv", point + "\n")],
-            SECONDS, memory)
+            SECONDS)
 
 
-def times_of(graze, f, memory):
+def times_of(graze, f):
     """The times of the contacts, as gp reads them; or None and what went wrong."""
-    done = classify(graze, f, memory)
+    done = classify(graze, f)
     if done.returncode:
         return None, done.stderr
     times = []
@@ -117,7 +118,7 @@ def passes(checks, args, n, x, word, edges, rise=0):
     and 2 pi j - b. Degree 199 takes 2 s of CPU; sought for each contact anew, its times took 40 s.
     A square that rises by T / 3 too is always beside the point: the contacts are the same."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    done = classify(args.graze, chebyshev(n), args.memory, "POLYGON((0 0, 1 0, 1 1, 0 1, 0 0))", f"{x},1/2", rise)
+    done = classify(args.graze, chebyshev(n), "POLYGON((0 0, 1 0, 1 1, 0 1, 0 0))", f"{x},1/2", rise)
     used = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
     if not checks.equal(done.returncode, 0, "passes", n, x, done.stderr):
         return
@@ -154,11 +155,11 @@ def main():
         checks.finish()
     script, names = GP, []
     for name, f in list(clusters()) + list(spread(args.random)):
-        times, why = times_of(args.graze, f, args.memory)
+        times, why = times_of(args.graze, f)
         if checks.holds(times is not None, name, f, why):
             names.append(name)
             script += f"check({f},{times});\n"
-    done = run(["gp", "-q", "-f", "-s", "1G"], SECONDS, input=script)
+    done = run(bounded(["gp", "-q", "-f", "-s", "1G"]), SECONDS, input=script)
     told = [line for line in done.stdout.splitlines() if line.startswith(("SEEN", "FAIL"))]
     checks.equal(len([line for line in told if line.startswith("SEEN")]), len(names),
                  "gp", done.stderr[-300:], told)

@@ -18,7 +18,6 @@ import os
 import re
 import sys
 import tempfile
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
@@ -29,6 +28,7 @@ sys.path.insert(0, BENCHMARK)
 
 import poses  # noqa: E402
 import scenes  # noqa: E402
+from exact import Fraction as F, to_double  # noqa: E402
 from motions import ZERO, along, poly  # noqa: E402
 
 PROGRAM = os.path.join(BENCHMARK, "scenes.py")
@@ -119,7 +119,7 @@ def check_solid(name, text, six_volumes):
     n, m, _ = map(int, lines[1].split())
     tokens = [line.split() for line in lines[2:2 + n]]
     vertices = [tuple(map(F, token)) for token in tokens]
-    checks.holds(all(F(float(c)) == F(c) for token in tokens for c in token), name, "a coordinate is no binary64")
+    checks.holds(all(F(to_double(c)) == F(c) for token in tokens for c in token), name, "a coordinate is no binary64")
     faces = [list(map(int, line.split()[1:])) for line in lines[2 + n:2 + n + m]]
     sides = collections.Counter()
     volume = F(0)
@@ -142,7 +142,7 @@ def check_poses(name, motion, vertices, count, text, bound, is_box):
     for k, row in enumerate(rows[1:]):
         t = start + (end - start) * F(k, count - 1)
         exact = exact_rows(motion, t)
-        near = [list(map(float, row[1 + 4 * i:5 + 4 * i])) for i in range(4)]
+        near = [list(map(to_double, row[1 + 4 * i:5 + 4 * i])) for i in range(4)]
         right = F(row[0]) == t and near[3] == [0, 0, 0, 1] and all(nearest(b, a) for p, q in zip(exact, near) for a, b in zip(p, q))
         if not right:
             checks.fail(name, f"pose {k}", row)
@@ -150,12 +150,12 @@ def check_poses(name, motion, vertices, count, text, bound, is_box):
         error = [row for row in error if any(row)]
         most = max(most, *(sum((sum((e * c for e, c in zip(r, v)), r[3])) ** 2 for r in error) for v in some))
     bound = F(bound)
-    checks.holds(0 < most <= bound ** 2, name, f"{count} poses: a vertex is off by {float(most) ** 0.5}, the bound is {float(bound)}")
+    checks.holds(0 < most <= bound ** 2, name, f"{count} poses: a vertex is off by {to_double(most) ** 0.5}, the bound is {to_double(bound)}")
     if is_box:
-        checks.holds((bound * (1 - F(1, 2 ** 50))) ** 2 < most, name, f"{count} poses: the bound {float(bound)} is not that of the vertices")
+        checks.holds((bound * (1 - F(1, 2 ** 50))) ** 2 < most, name, f"{count} poses: the bound {to_double(bound)} is not that of the vertices")
     else:
         # A corner of the box is an affine combination of it: in the box, at most the diagonal further than any vertex, thus a small multiple.
-        checks.holds(bound ** 2 <= 100 * most, name, f"{count} poses: the bound {float(bound)} is far above {float(most) ** 0.5}")
+        checks.holds(bound ** 2 <= 100 * most, name, f"{count} poses: the bound {to_double(bound)} is far above {to_double(most) ** 0.5}")
 
 
 def check_scene(graze, out, name):

@@ -24,7 +24,7 @@ import threading
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 import harness  # noqa: E402
-from harness import Checks, options  # noqa: E402
+from harness import Checks, bounded, options  # noqa: E402
 
 MEMORY = 2000000 << 10
 SECONDS, SECONDS_WITHOUT = 60, 20
@@ -270,7 +270,7 @@ def release(path):
         pass
 
 
-def run(graze, bomb, more, seconds, memory):
+def run(graze, bomb, more, seconds, limited):
     """Exit status and standard error."""
     over = threading.Event()
     with tempfile.TemporaryDirectory(prefix="graze-bombs-") as folder:
@@ -281,7 +281,8 @@ def run(graze, bomb, more, seconds, memory):
             if "{" + name + "}" in bomb.command:
                 put(paths[name], content, over)
 
-        done = harness.run([graze, *words, *more], seconds, memory, stdout=subprocess.DEVNULL)
+        command = [graze, *words, *more]
+        done = harness.run(bounded(command, MEMORY) if limited else command, seconds, stdout=subprocess.DEVNULL)
         over.set()
         for name, content in files.items():
             if isinstance(content, Endless):
@@ -358,7 +359,6 @@ def check_options(graze):
 
 def main():
     args = options(__doc__, ("--without", {"action": "store_true"}), ("name", {"nargs": "*"}))
-    memory = 0 if args.sanitizers else MEMORY
     chosen = [bomb for bomb in BOMBS if not args.name or bomb.name in args.name]
     if not args.name:
         check_tables(args.graze)
@@ -369,11 +369,11 @@ def main():
             check(limit in listed and limit in have, f"the limit {limit}: expected a row in --help and a bomb here")
     for bomb in chosen:
         if not args.without:
-            status, text = run(args.graze, bomb, [], SECONDS, memory)
+            status, text = run(args.graze, bomb, [], SECONDS, not args.sanitizers)
             check(status == bomb.ends and (status == 0 or bomb.says in text),
                   f"{bomb.name}: status {status}, expected {bomb.ends} and `{bomb.says}`; {text[:300]}")
         elif bomb.without:
-            status, text = run(args.graze, bomb, bomb.without.split(), SECONDS_WITHOUT, memory)
+            status, text = run(args.graze, bomb, bomb.without.split(), SECONDS_WITHOUT, not args.sanitizers)
             check(status not in (0, 1, 2, 3, LIMIT_MET), f"{bomb.name}: harmless without its limit: {status}; {text[:300]}")
     checks.finish()
 

@@ -11,11 +11,11 @@ import os
 import re
 import sys
 import tempfile
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 import harness  # noqa: E402
+from exact import Fraction as F, to_double  # noqa: E402
 from files import read_faces, read_ply, read_points, read_vtk  # noqa: E402
 from harness import Checks, options  # noqa: E402
 from second import Convex, box_set, cells_of  # noqa: E402
@@ -109,10 +109,10 @@ def test_surface(run, truth, size, euler):
           "Euler's number", len(run.vertices), edges, len(run.faces))
     half = sum(x * x for x in size) / 4
     far = max(truth.distance_squared(v) for v in run.vertices)
-    check(far <= half, "a vertex is far from the boundary", float(far), float(half))
+    check(far <= half, "a vertex is far from the boundary", to_double(far), to_double(half))
     volume = enclosed(run)
-    wrong = F(truth.area) * F(str(float(half) ** 0.5 + 1e-9))
-    check(abs(volume - truth.volume) <= wrong * F(3, 2), "volume", float(volume), truth.volume)
+    wrong = F(truth.area) * F(str(to_double(half) ** 0.5 + 1e-9))
+    check(abs(volume - truth.volume) <= wrong * F(3, 2), "volume", to_double(volume), truth.volume)
 
 
 def enclosed(run):
@@ -204,10 +204,10 @@ def test_nearest(graze, folder):
     done = harness.run([*command, "-1/3,-1/7,10/3,22/7"])
     check(done.returncode == 0, "a box of thirds", done.stderr)
     points, _, _ = read_faces(path, 2)
-    read = {tuple(map(float, p)) for p in points}
-    near = {tuple(x.numerator / x.denominator for x in p) for p in run.points}  # a quotient of integers is the nearest
+    read = {tuple(map(to_double, p)) for p in points}
+    near = {tuple(map(to_double, p)) for p in run.points}
     check(read == near, "the nearest doubles", sorted(read - near)[:3])
-    check(any(F(x) != y for p in run.points for x, y in zip(map(float, p), p)), "no coordinate needs rounding")
+    check(any(F(x) != y for p in run.points for x, y in zip(map(to_double, p), p)), "no coordinate needs rounding")
     done = harness.run([*command, "-1e400,-1,1e400,1"])
     check(done.returncode == 3 and "past the range of binary64" in done.stderr, done.returncode, done.stderr)
     check(os.path.getsize(path) == 0, "the file is left empty")

@@ -2,7 +2,7 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
-from fractions import Fraction as F
+from exact import Fraction as F
 
 
 def read_points(path):

@@ -4,7 +4,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 import itertools
 import math
-from fractions import Fraction as F
+
+from exact import Fraction as F
 
 
 class Convex:

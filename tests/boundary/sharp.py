@@ -14,12 +14,12 @@ import os
 import re
 import sys
 import tempfile
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 import harness  # noqa: E402
 from boundary import enclosed  # noqa: E402
+from exact import Fraction as F, to_double  # noqa: E402
 from files import read_ply  # noqa: E402
 from harness import Checks, options  # noqa: E402
 from vertices import CUBE, SCENES, SLIDE, SQUARE, motion, test_manifold  # noqa: E402
@@ -69,7 +69,7 @@ def covered(run, planes, near):
 
 
 def length(run, edges):
-    return sum(float(sum((x - y)**2 for x, y in zip(run.vertices[a], run.vertices[b])))**0.5 for a, b in edges)
+    return sum(to_double(sum((x - y)**2 for x, y in zip(run.vertices[a], run.vertices[b])))**0.5 for a, b in edges)
 
 
 def test_box(graze, folder, depth):
@@ -81,13 +81,13 @@ def test_box(graze, folder, depth):
     for face in run.faces:
         sides = [{k for k, h in enumerate(heights(STRAIGHT_PLANES, run.vertices[v])) if h == 0} for v in face]
         if not set.intersection(*sides):
-            return check(False, "a face is in no side of the box", [tuple(map(float, run.vertices[v])) for v in face])
-    check(enclosed(run) == 24, "volume", float(enclosed(run)))
+            return check(False, "a face is in no side of the box", [tuple(map(to_double, run.vertices[v])) for v in face])
+    check(enclosed(run) == 24, "volume", to_double(enclosed(run)))
     edges = covered(run, STRAIGHT_PLANES, 0)
     long = sum(length(run, e) for e in edges.values())
     check(len(edges) == 12 and abs(long - 4 * (6 + 2 + 2)) < 1e-9, "edges", len(edges), long)
     plain = Run(graze, folder, CUBE, 3, SLIDE, "--depth", depth)
-    check(plain.features == 0 and enclosed(plain) < 24, "cut off without --sharp", float(enclosed(plain)))
+    check(plain.features == 0 and enclosed(plain) < 24, "cut off without --sharp", to_double(enclosed(plain)))
     return True
 
 
@@ -103,12 +103,12 @@ def test_turned(graze, folder, depth, share, part):
     test_manifold(run)
     near = NEAR * max(box[3 + k] - box[k] for k in range(3)) / 2**int(depth)
     for v in run.vertices:
-        check(abs(max(heights(TURNED_PLANES, v))) <= near, "a vertex is off the boundary", tuple(map(float, v)))
+        check(abs(max(heights(TURNED_PLANES, v))) <= near, "a vertex is off the boundary", tuple(map(to_double, v)))
     for v in run.vertices[-run.features:]:
         check(sum(abs(h) <= near for h in heights(TURNED_PLANES, v)) >= 2, "a feature is on no edge", v)
     edges = covered(run, TURNED_PLANES, near)
     long = sum(length(run, e) for e in edges.values()) / (8 * 2 + 4 * 6)
-    lost, lost_before = (24 - float(enclosed(r)) for r in (run, plain))
+    lost, lost_before = (24 - to_double(enclosed(r)) for r in (run, plain))
     print(f"depth {depth}: {long:.3f} of the edges, {lost:.5f} of the volume lost, {lost_before:.5f} without --sharp")
     check(long >= share, "share of the edges", long)
     check(0 <= lost + 1e-4 and lost <= part * lost_before, "volume", lost, lost_before)
@@ -128,10 +128,10 @@ def test_diagonal(graze, folder):
     test_manifold(run)
     near = NEAR * 7 / 2**4  # the default box is 6 + 6/8 long, and a plane's normal at most 5
     for v in run.vertices:
-        check(abs(max(heights(planes, v))) <= 5 * near, "a vertex is off the boundary", tuple(map(float, v)))
+        check(abs(max(heights(planes, v))) <= 5 * near, "a vertex is off the boundary", tuple(map(to_double, v)))
     for v in run.vertices[-run.features:]:
-        check(sum(abs(h) <= 5 * near for h in heights(planes, v)) >= 2, "a feature is on no edge", tuple(map(float, v)))
-    lost, before = (36 - float(enclosed(r)) for r in (run, plain))
+        check(sum(abs(h) <= 5 * near for h in heights(planes, v)) >= 2, "a feature is on no edge", tuple(map(to_double, v)))
+    lost, before = (36 - to_double(enclosed(r)) for r in (run, plain))
     print(f"diagonal: {run.features} features, {lost:.5f} of the volume lost, {before:.5f} without --sharp")
     check(run.features > 100 and -1e-4 <= lost <= .5 * before, "volume", lost, before)
 

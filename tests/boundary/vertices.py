@@ -13,11 +13,11 @@ import os
 import re
 import sys
 import tempfile
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 import harness  # noqa: E402
+from exact import Fraction as F, to_double  # noqa: E402
 from files import read_ply, read_points  # noqa: E402
 from harness import Checks, options  # noqa: E402
 from second import box_set  # noqa: E402
@@ -75,8 +75,8 @@ class Surface:
         ends = []
         for up in (0, 1):
             ends.append(tuple(F(round(x)) if abs(x - round(x)) < BLUR else F(x // 1 + up) for x in at))
-        shares = {round(float(x - low), 7) for x, low, high in zip(at, *ends) if low != high}
-        check(len(shares) == 1, self.name, "a vertex is on no edge", tuple(map(float, at)))
+        shares = {round(to_double(x - low), 7) for x, low, high in zip(at, *ends) if low != high}
+        check(len(shares) == 1, self.name, "a vertex is on no edge", tuple(map(to_double, at)))
         return ends
 
     def place(self, lattice):
@@ -109,7 +109,7 @@ def test_sides(graze, folder, surface):
     check(len(answers) == len(asked) > 0, surface.name, "rows", len(answers), len(asked))
     for k, vertex in enumerate(surface.vertices):
         pair = answers[2 * k:2 * k + 2]
-        check((pair[0] == "out") != (pair[1] == "out"), surface.name, "no boundary at", tuple(map(float, vertex)), pair)
+        check((pair[0] == "out") != (pair[1] == "out"), surface.name, "no boundary at", tuple(map(to_double, vertex)), pair)
 
 
 def test_manifold(surface):
@@ -160,7 +160,7 @@ def test_flat(graze, folder):
     # With lattice planes in the faces, too, nothing is farther from them than 2^-20 of a cell.
     aligned = Surface(graze, folder, SCENES[1])
     far = max(truth.distance_squared(v) for v in aligned.vertices)
-    check(far <= (NEAR * max(aligned.cell))**2, "a vertex is off the box", float(far))
+    check(far <= (NEAR * max(aligned.cell))**2, "a vertex is off the box", to_double(far))
 
 
 def read_stl(path):
@@ -192,7 +192,7 @@ def test_stl(graze, folder):
         check(facets == [tuple(surface.vertices[k] for k in face) for face in surface.faces], scene[0], "triangles")
         check(len(normals) == len(facets), scene[0], "normals", len(normals))
         for facet, normal in zip(facets, normals):
-            sides = [[float(b - a) for a, b in zip(facet[0], facet[k])] for k in (1, 2)]
+            sides = [[to_double(b - a) for a, b in zip(facet[0], facet[k])] for k in (1, 2)]
             across = [sum(x * n for x, n in zip(side, normal)) for side in sides]
             check(abs(sum(n * n for n in normal) - 1) < 1e-6 and max(map(abs, across)) < 1e-6, scene[0], normal)
         done = harness.run([graze, "check", path, surface.motion], 300)

@@ -9,11 +9,12 @@ import json
 import os
 import re
 import sys
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "agree", "lib"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 from algebra import add, common, mul, scale  # noqa: E402
+from exact import Fraction as F  # noqa: E402
 from motion import Piece, divided  # noqa: E402
 
 

@@ -10,8 +10,8 @@ none (which is no proof, and needs none: words are derived by hand). Along a sli
 bracketed by bisection.
 """
 import itertools
-from fractions import Fraction as F
 
+from exact import Fraction as F
 from algebra import add, between, integral, mul, power, roots, scale, sort_roots
 from algebra import Root
 

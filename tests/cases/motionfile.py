@@ -7,7 +7,8 @@ where its turns begin a new quarter. gp does the algebra.
 """
 import json
 import re
-from fractions import Fraction as F
+
+from exact import Fraction as F
 
 TOKEN = re.compile(r"\s*(?:((?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|([ts])|([-+*/^()]))")
 

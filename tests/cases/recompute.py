@@ -12,7 +12,6 @@ import os
 import shutil
 import sys
 import tempfile
-from fractions import Fraction as F
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "lib"))
@@ -20,7 +19,8 @@ sys.path.insert(0, os.path.join(HERE, "..", "lib"))
 import casefile  # noqa: E402
 import curvedfile  # noqa: E402
 import curvedtrace  # noqa: E402
-from harness import ONLY, Checks, options, run  # noqa: E402
+from exact import Fraction as F  # noqa: E402
+from harness import ONLY, Checks, bounded, options, run  # noqa: E402
 from motionfile import motion_of  # noqa: E402
 from solidfile import facets_of, gp_facet  # noqa: E402
 from times import same_root, same_time  # noqa: E402
@@ -142,7 +142,7 @@ def main():
     with tempfile.NamedTemporaryFile("w", suffix=".gp") as file:
         file.write(text)
         file.flush()
-        done = run(["gp", "-q", "-f", "-D", "parisizemax=2G", file.name], 600)
+        done = run(bounded(["gp", "-q", "-f", "-D", "parisizemax=2G", file.name]), 600)
     answers = answers_of(done.stdout + done.stderr)
     checks.equal(done.returncode, 0, "gp's exit status")
     for case in cases:

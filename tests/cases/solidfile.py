@@ -7,7 +7,8 @@ plane, the two kept coordinates do not see it edge-on. A facet in the plane is a
 none. Cases are legal solids, so nothing is checked here but the reading.
 """
 import re
-from fractions import Fraction as F
+
+from exact import Fraction as F
 
 
 def number(token):

@@ -7,7 +7,8 @@ r. Polynomials are lists of Fractions, the constant term first. Everything is de
 and Sturm chains over Q.
 """
 import re
-from fractions import Fraction as F
+
+from exact import Fraction as F
 
 
 def trim(p):

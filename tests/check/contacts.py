@@ -13,9 +13,9 @@ import copy
 import json
 import os
 import tempfile
-from fractions import Fraction
 
 from lib_certificate import Certificate, Programs, REFUTED, VERIFIED, answer_options, run, write
+from exact import Fraction
 import casefile
 from harness import ONLY, Checks, options
 from times import given_time, roots_between, same_time, times_polynomial

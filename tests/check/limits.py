@@ -8,12 +8,10 @@ One certificate, of a point far from a cube (square) that moves, with the hashes
 """
 import os
 import re
-import resource
-import subprocess
 import tempfile
-from fractions import Fraction
 
 from lib_certificate import Certificate, ENVIRONMENT, NOT_CHECKED, Programs, REFUTED, VERIFIED, run, sha256, write
+from exact import Fraction
 from meshes import CUBE, MOVE, SQUARE, both, off, scaled, tetrahedron
 import harness
 from harness import ONLY, Checks, options
@@ -142,9 +140,8 @@ def check_caps(b):
     b.ends((REFUTED,), "an empty line", change=lambda t: t.replace("O 1\n", "O 1\n\n"))
     b.ends((REFUTED,), "an interval before the first row", change=lambda t: t.replace("row", "O 1\nrow", 1))
     path = b.file("certificate", b.text[3].replace("complete", " " * (1 << 23) + "complete"))
-    done = subprocess.run([b.programs.check_program, b.solid[3], b.motion[3], path], env=ENVIRONMENT, stderr=subprocess.PIPE,
-                          preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (12 << 20, 12 << 20)))
-    b.tally.holds(b.sanitizers or (done.returncode == NOT_CHECKED and b"out of memory" in done.stderr), "no memory", done)
+    done = harness.run(harness.bounded([b.programs.check_program, b.solid[3], b.motion[3], path], 12 << 20), env=ENVIRONMENT)
+    b.tally.holds(b.sanitizers or (done.returncode == NOT_CHECKED and "out of memory" in done.stderr), "no memory", done)
 
 
 def check_sizes(b):

@@ -16,10 +16,10 @@ import copy
 import itertools
 import os
 import tempfile
-from fractions import Fraction
 
 from lib_certificate import (Certificate, NOT_CHECKED, Programs, REFUTED, VERIFIED, answer_options,
                              write)
+from exact import Fraction
 import casefile
 from harness import ONLY, Checks, options
 

@@ -10,9 +10,9 @@ from the one point asked about, with the hashes of its own files.
 import os
 import subprocess
 import tempfile
-from fractions import Fraction
 
 from lib_certificate import Certificate, ENVIRONMENT, NOT_CHECKED, Programs, REFUTED, VERIFIED, run, sha256, write
+from exact import Fraction
 from meshes import CUBE, MOVE, SQUARE, both, off, prism, scaled, tetrahedron, turned, without
 from harness import ONLY, Checks, options
 

@@ -12,10 +12,10 @@ polynomials of small coefficients at roots of others, which have no values betwe
 found by clipping.
 """
 from collections import Counter
-from fractions import Fraction as F
 from math import comb
 
 from meeting import meeting_cells
+from exact import Fraction as F, to_double
 from pairs import Checks, Collide, Trace, agrees, cell_pairs, first_agrees, larger, options
 from placed import placed
 
@@ -73,7 +73,7 @@ def width(one, at, other, to):
 
 
 def floats(points):
-    return [tuple(map(float, p)) for p in points]
+    return [tuple(map(to_double, p)) for p in points]
 
 
 def rough_place(piece, points, t):
@@ -92,7 +92,7 @@ def horner(poly, t):
 def letter(one, other, motion, root):
     """In doubles where they are sure, else exactly."""
     t = near(root, 60)
-    common = width(one, rough_place(motion.piece_at(t), one.rough, float(t)), other, other.rough)
+    common = width(one, rough_place(motion.piece_at(t), one.rough, to_double(t)), other, other.rough)
     if abs(common) < SURE:
         root.settle()
         common = width(one, [motion.map(p, near(root, 400)) for p in one.vertices], other, other.vertices)

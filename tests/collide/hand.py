@@ -10,9 +10,9 @@ x + 2 y + 4 z, its facets z0, z1, y0, y1, x0, x1; `box_ring` goes round from the
 """
 import os
 from collections import Counter
-from fractions import Fraction as F
 
 from meeting import meeting_cells
+from exact import Fraction as F, to_double
 from pairs import Checks, Collide, cell_pairs, first_agrees, kind_of, options, time_is
 
 from algebra import Root  # noqa: E402
@@ -318,9 +318,9 @@ def check_contact(checks, contact, want, sides, name, scene_parts):
     moving, motion, fixed, frame = scene_parts
     for key, t in (("from", low), ("to", high)):
         t = t if isinstance(t, Root) else Root(value=F(t))
-        checks.holds(time_is(contact[key], t), name, key, contact[key], float(t))
+        checks.holds(time_is(contact[key], t), name, key, contact[key], to_double(t))
     checks.equal(contact["kind"], kind_of(*sides), name, "kind")
-    checks.holds(abs(float(contact["near"]) - float(low)) < 1e-6, name, "near", contact["near"])
+    checks.holds(abs(float(contact["near"]) - to_double(low)) < 1e-6, name, "near", contact["near"])
     checks.equal(Counter(x["type"] for x in contact["cells"]), Counter(counts), name, "types")
     if len(want) > 3:
         checks.equal(cell_pairs(contact), want[3], name, "cells")

@@ -9,9 +9,9 @@ pairs against prisms, points against boxes around them, `--inside` against compl
 program: all compare one run of it with another one along a different path.
 """
 import os
-from fractions import Fraction as F
 
 from pairs import Checks, Collide, exchanged_cells, larger, options, together, trace_of
+from exact import Fraction as F, to_double
 from placed import Solid, placed
 
 import refine  # noqa: E402
@@ -181,7 +181,7 @@ def law_parts(law):
     if law.checks.equal(got.word(), whole.word(), law.name, "parts"):
         for one, other in zip(got.contacts(), whole.contacts()):
             law.checks.holds(not compare(one[0], other[0]) and not compare(one[1], other[1]), law.name, "parts",
-                             float(one[0]), float(other[0]))
+                             to_double(one[0]), to_double(other[0]))
 
 
 def law_frames(law):

@@ -8,10 +8,11 @@ convex polygon; relatively open ones meet if and only if the mean of its corners
 """
 import os
 import sys
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "agree", "lib"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
+from exact import Fraction as F  # noqa: E402
 from refine import ears, turns  # noqa: E402
 from solids import cross, minus  # noqa: E402
 

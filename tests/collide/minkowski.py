@@ -12,13 +12,14 @@ times by chance. `--scale 50` asks 2,000 straight pairs.
 import os
 import sys
 from collections import Counter
-from fractions import Fraction as F
 
 from pairs import Checks, Collide, first_agrees, options, trace_of
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "agree", "lib"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 from algebra import Root, between  # noqa: E402
+from exact import Fraction as F  # noqa: E402
 from motion import build, compose, legs, rotation, scaling, translate  # noqa: E402
 from program import run  # noqa: E402
 from shells import shells_text  # noqa: E402

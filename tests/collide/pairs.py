@@ -13,6 +13,7 @@ import sys
 from itertools import chain, zip_longest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "agree", "lib"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 from algebra import Root, compare, sort_roots  # noqa: E402
 from program import Checks, Graze, merged, options  # noqa: E402,F401  (suites take them from here)

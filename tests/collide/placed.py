@@ -8,11 +8,12 @@ point of an edge and of that edge, and lies beyond the plane that supports the m
 """
 import os
 import sys
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "agree", "lib"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 from algebra import derivative, value  # noqa: E402
+from exact import Fraction as F  # noqa: E402
 from motion import build, legs, rotation, translate  # noqa: E402
 from points import degenerate  # noqa: E402
 from scenes import plane_motions, space_motions  # noqa: E402

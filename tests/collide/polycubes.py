@@ -16,7 +16,6 @@ import math
 import os
 import sys
 from collections import Counter
-from fractions import Fraction as F
 
 from pairs import Checks, Collide, Trace, agrees, cell_pairs, first_agrees, options
 
@@ -24,6 +23,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 
 from algebra import Root, between, compare, integral, roots  # noqa: E402
 from cells import block, solid_of  # noqa: E402
+from exact import Fraction as F  # noqa: E402
 from motion import build, legs, translate  # noqa: E402
 
 PAIRS = 250

@@ -11,11 +11,11 @@ import os
 import shlex
 import sys
 import tempfile
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 import harness  # noqa: E402
+from exact import Fraction as F, to_double  # noqa: E402
 from harness import Checks, options  # noqa: E402
 
 CUBE = os.path.join(harness.ROOT, "tests", "refuse", "common", "cube.off")
@@ -55,7 +55,7 @@ def rounded(graze, folder):
     rows = rows_of(golden)
     exact = sum(F(row["x"]).denominator == 1 for row in rows)
     for digits in ("%.17g", "%r"):
-        text = "".join(",".join(digits % float(F(row[a])) for a in "xyz") + f",{row['pmc']},{row['id']}\n" for row in rows)
+        text = "".join(",".join(digits % to_double(F(row[a])) for a in "xyz") + f",{row['pmc']},{row['id']}\n" for row in rows)
         by_order = write(folder, "all.csv", "x,y,z,pmc,mark\n" + text)
         told = json.loads(run(graze, "compare", golden, by_order, "--format", "json")[1])
         check(told["agree"] == 100 and told["matched-by"] == "order" and told["rows-with-other-coordinates"] == 100 - exact, told)
@@ -72,7 +72,7 @@ def rounded(graze, folder):
         status, out, _ = run(graze, "compare", golden, write(folder, "id.csv", "x,y,z,pmc,id\n" + text))
         check(status == 0 and "hint" not in out, digits, out[:600])
     # Ten digits: rounding both to doubles does not help, and the report says so.
-    text = "".join(",".join("%.10g" % float(F(row[a])) for a in "xyz") + f",{row['pmc']}\n" for row in rows[:99])
+    text = "".join(",".join("%.10g" % to_double(F(row[a])) for a in "xyz") + f",{row['pmc']}\n" for row in rows[:99])
     out = run(graze, "compare", golden, write(folder, "mine.csv", "x,y,z,pmc\n" + text), "--round", "binary64")[1]
     check("hint: many rows are missing and as many extra, rounded too" in out and "17 digits" in out, out[:600])
     # A few rows that are lost are no hint of rounding, nor are rows that only one table has.

@@ -12,11 +12,11 @@ import random
 import shlex
 import sys
 import tempfile
-from fractions import Fraction
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 import harness  # noqa: E402
+from exact import Fraction, to_double  # noqa: E402
 from harness import Checks, options  # noqa: E402
 
 CASES = os.path.join(harness.ROOT, "cases", "candidates")
@@ -222,14 +222,14 @@ def rounded(runs, golden, folder):
     given = copies(thirds.rows)
     for row in given:
         for name in golden.key:
-            row[name] = repr(float(Fraction(row[name])))
+            row[name] = repr(to_double(Fraction(row[name])))
     runs.write(golden.key + ["role", "trimmed"], given[::-1])
     status, said = runs.report(thirds)
     check(status == 3 and "no row is one of" in said, "not rounded", status, said)
     status, told = runs.report(thirds, "--round", "binary64")
     check(status == 0 and told["agree"] == len(rows), "rounded", told)
     rows.append(list(rows[0]))
-    rows[-1][column] = repr(float(Fraction(rows[0][column])))
+    rows[-1][column] = repr(to_double(Fraction(rows[0][column])))
     rows[-1][golden.names.index("role")] = "hidden"
     with open(other, "w", encoding="utf-8") as file:
         file.write("\n".join([body[0], *(",".join(r) for r in rows), f"# complete {len(rows)}"]) + "\n")

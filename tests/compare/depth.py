@@ -13,11 +13,11 @@ import re
 import shlex
 import sys
 import tempfile
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 import harness  # noqa: E402
+from exact import Fraction as F, to_double  # noqa: E402
 from harness import Checks, options  # noqa: E402
 
 CUBE = os.path.join(harness.ROOT, "tests", "refuse", "common", "cube.off")
@@ -35,7 +35,7 @@ def motion(folder, way):
 
 def distance(point):
     """s of the cube [0, 2]^3 that moves by 8 along x."""
-    x, y, z = (float(F(c)) for c in point)
+    x, y, z = (to_double(F(c)) for c in point)
     out = [max(-c, c - high, 0) for c, high in ((x, 10), (y, 2), (z, 2))]
     inside = min(min(x, 10 - x, 1), y, 2 - y, z, 2 - z)
     return math.hypot(*out) if any(out) else -inside

@@ -12,12 +12,12 @@ import os
 import random
 import sys
 import tempfile
-from fractions import Fraction as F
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "lib"))
 
 import harness  # noqa: E402
+from exact import Fraction as F  # noqa: E402
 from harness import Checks, options  # noqa: E402
 
 CUBE = os.path.join(HERE, "..", "refuse", "common", "cube.off")  # [0, 2]^3

@@ -13,11 +13,11 @@ import json
 import os
 import sys
 from collections import Counter
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import oracle  # noqa: E402
+from exact import Fraction as F, to_double  # noqa: E402
 from program import Checks, Graze, cell_set, options  # noqa: E402
 from scenes import plane_scenes, space_scenes  # noqa: E402
 from solids import Polygon, cross, minus  # noqa: E402
@@ -153,9 +153,9 @@ def check_site(checks, tally, record, row, solid, motion, sides, t, y, *where):
     for name, inside in (("near", False), ("near_in", True)):
         want = oracle.nearest(oracle.intervals(word, contacts, motion, inside), t)
         if want is None or record[name] is None:
-            checks.equal(record[name], None if want is None else float(want), *where, name)
+            checks.equal(record[name], None if want is None else to_double(want), *where, name)
             continue
-        checks.holds(time_is(record[name], want), *where, name, record[name], float(want))
+        checks.holds(time_is(record[name], want), *where, name, record[name], to_double(want))
         check_canonical(checks, record[name], *where, name)
         checks.equal(row[name], text_of(record[name]), *where, name)
     want = oracle.role(solid, sides, motion, t, y)

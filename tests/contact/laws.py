@@ -11,12 +11,12 @@ ingress, left and right.
 import csv
 import os
 import sys
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import oracle  # noqa: E402
 from derivation import sites  # noqa: E402
+from exact import Fraction as F  # noqa: E402
 from motion import Motion, Piece, constant, cut, mobius, product, reversed_in_time  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
 from refine import triangulated  # noqa: E402

@@ -9,12 +9,13 @@ cell of an arrangement of planes, is a point at that direction covered next to t
 import itertools
 import os
 import sys
-from fractions import Fraction as F
 from math import gcd
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "agree", "lib"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 from algebra import Root, compare, trim  # noqa: E402
+from exact import Fraction as F  # noqa: E402
 from motion import fadd, fmul  # noqa: E402
 from solids import Polygon, cross, edge, minus, oriented  # noqa: E402
 from tracer import NOW, Edge, Facet, dot, facets_of, fixed, parity, trace  # noqa: E402

@@ -7,17 +7,17 @@ SPDX-License-Identifier: GPL-3.0-or-later
 From some distance on egress, ingress and trimmed points have no `out` point beside them; simple contacts in a facet, on a
 convex edge or on a convex vertex have some at every distance. Directions are few, so that at distances where the sweep is
 not yet like its cone they may miss what is out: simple contacts are probed from 2^-30 on. With --scale 80 some 20,000
-sites are probed (tests/long.sh).
+sites are probed (`make test-long`).
 """
 import os
 import sys
 from collections import Counter
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import oracle  # noqa: E402
 from derivation import sites  # noqa: E402
+from exact import Fraction as F  # noqa: E402
 from laws import Runs  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
 from scenes import plane_scenes, space_scenes  # noqa: E402

@@ -14,11 +14,11 @@ import itertools
 import os
 import sys
 from collections import Counter
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import oracle  # noqa: E402
+from exact import Fraction as F  # noqa: E402
 from hand import ALONG, BACK, BLOCK, L_PRISM, ON, RIGHT, SQUARE, moves, off, shift  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
 from scenes import plane_scenes, space_scenes  # noqa: E402

@@ -11,12 +11,12 @@ import re
 import subprocess
 import sys
 import tempfile
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
 
 from scenes import (Checks, Curved, Motion, ball, box, capsule, common, cone, cylinder, halfspace, minus, options,  # noqa: E402
                     polynomial, torus, union)
+from exact import Fraction as F  # noqa: E402
 
 QUARTER = [[0, -1, 0, 5], [1, 0, 0, 0], [0, 0, 1, 0]]           # a quarter turn about z, then 5 along x
 TILTED = [["3/5", "-4/5", 0, 0], ["4/5", "3/5", 0, 0], [0, 0, 1, 0]]

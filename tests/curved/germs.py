@@ -15,11 +15,11 @@ import itertools
 import math
 import os
 import sys
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
 
 from scenes import Checks, Curved, Graze, Motion, minus, options  # noqa: E402
+from exact import Fraction as F  # noqa: E402
 
 GERMS = 600
 PLACES = 240                         # points are rounded to 2^-PLACES,

@@ -11,12 +11,12 @@ it. Rows that are undecided are left out, and counted: they must be few.
 import os
 import re
 import sys
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
 
 import words  # noqa: E402
 from scenes import Checks, Curved, Graze, Motion, common, halfspace, minus, options, texts, union  # noqa: E402
+from exact import Fraction as F  # noqa: E402
 
 SWAP = str.maketrans("IO", "OI")
 

@@ -16,11 +16,11 @@ import stat
 import sys
 import tempfile
 from collections import Counter
-from fractions import Fraction as F
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(HERE, "lib"), *(os.path.join(HERE, "..", folder) for folder in ("cases", "lib", "generate"))]
 
+from exact import Fraction as F, to_double  # noqa: E402
 from scenes import Curved, Motion, ball, box, capsule, cone, cylinder, minus, polynomial, torus, union  # noqa: E402  (before agree/lib has another)
 import jets  # noqa: E402
 from curvedfile import Solid  # noqa: E402
@@ -317,7 +317,7 @@ def check_doubles(suite, scene, seed):
     """Among doubles, and beside them: each coordinate is one."""
     for more in (("--representable", "binary64"), ("--strata", "rounded")):
         table, _ = check_rows(suite, scene, suite.generate(scene, SHARE, seed, *more).stdout, *more)
-        suite.checks.holds(all(F(float(x)) == x for row in table.rows for x in table.point(row)), scene.name, *more)
+        suite.checks.holds(all(F(to_double(x)) == x for row in table.rows for x in table.point(row)), scene.name, *more)
     rounded = Table(suite.generate(scene, 40, seed, "--strata", "rounded").stdout).rows
     suite.checks.equal({row["side"] for row in rounded} >= {"in", "out"}, True, scene.name, "sides")
 

@@ -10,11 +10,11 @@ import glob
 import os
 import re
 import sys
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
 
 from scenes import Checks, Curved, Graze, common, halfspace, options, union  # noqa: E402
+from exact import Fraction as F  # noqa: E402
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 LARGEST = 24  # facets

@@ -9,11 +9,11 @@ points lie exactly at that distance from one segment or corner, and of these two
 """
 import os
 import sys
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
 
 from scenes import Checks, Curved, Graze, Motion, ball, options  # noqa: E402
+from exact import Fraction as F  # noqa: E402
 
 SCENES, POINTS = 20, 150
 # Rational orthonormal frames, by rows.

@@ -13,12 +13,12 @@ import os
 import re
 import sys
 import tempfile
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
 
 from scenes import (Checks, Curved, Graze, along, ball, box, common, cone, cylinder, minus, options, torus,  # noqa: E402
                     times_of, union)
+from exact import Fraction as F, to_double  # noqa: E402
 from harness import run  # noqa: E402
 
 ORIGIN = {2: (0, 0), 3: (0, 0, 0)}
@@ -181,7 +181,7 @@ class Bench:
         path = os.path.join(self.folder, "s.csg")
         with open(path, "w", encoding="utf-8") as file:
             file.write(text)
-        return run([self.args.graze, "convert", path, *options], memory=self.args.memory)
+        return run([self.args.graze, "convert", path, *options])
 
 
 def check_smooth(bench):
@@ -241,11 +241,11 @@ def check_near(bench):
         checks.equal(gram(got), [[F(scale) ** 2 * (i == j) for j in range(3)] for i in range(3)], rows)
         change = [[a - b for a, b in zip(*pair)] for pair in zip(got, given)]
         most = max(abs(x) for row in change for x in row)
-        checks.holds(0 < most <= F(tolerance) * scale, rows, "within the tolerance", float(most))
+        checks.holds(0 < most <= F(tolerance) * scale, rows, "within the tolerance", to_double(most))
         shifts = [sum((3 * sum(s * x for s, x in zip(signs, row))) ** 2 for row in change)
                   for signs in ((a, b, c) for a in (-1, 1) for b in (-1, 1) for c in (-1, 1))]
         bound = F(told[2])
-        checks.holds(max(shifts) <= bound ** 2 <= (9 * 3 * most * F(11, 10)) ** 2, rows, "displacement", float(max(shifts)) ** 0.5, told[2])
+        checks.holds(max(shifts) <= bound ** 2 <= (9 * 3 * most * F(11, 10)) ** 2, rows, "displacement", to_double(max(shifts)) ** 0.5, told[2])
 
 
 def check_near_chain(bench):

@@ -15,12 +15,12 @@ import csv
 import math
 import os
 import sys
-from fractions import Fraction as F
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path[:0] = [os.path.join(HERE, "lib"), os.path.join(HERE, "..", "cases")]
+sys.path[:0] = [os.path.join(HERE, "lib"), os.path.join(HERE, "..", "cases"), os.path.join(HERE, "..", "lib")]
 
 import casefile  # noqa: E402
+from exact import Fraction as F, simple  # noqa: E402
 from scenes import Checks, Graze, options  # noqa: E402
 
 SIDES = (12, 48, 192, 768)
@@ -32,7 +32,7 @@ ORDER = {"out": 0, "on": 1, "in": 2}
 
 def corners(n):
     """Rational points of the unit circle, about evenly, none of them one at which a designed point meets it."""
-    halves = [F(math.tan((k + F(1, 3)) * math.pi / n - math.pi / 2 + 1e-4)).limit_denominator(10 ** 6) for k in range(n)]
+    halves = [simple(F(math.tan((k + 1 / 3) * math.pi / n - math.pi / 2 + 1e-4)), 10 ** 6) for k in range(n)]
     return [((1 - h * h) / (1 + h * h), 2 * h / (1 + h * h)) for h in halves]
 
 

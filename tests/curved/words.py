@@ -10,12 +10,12 @@ coefficients of its minimal polynomial from the constant on. The reason of a wor
 """
 import os
 import sys
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
 
 from scenes import (Checks, Curved, Graze, Motion, along, ball, box, capsule, common, cone, cylinder, halfspace,  # noqa: E402
                     minus, options, polynomial, times_of, torus, union)
+from exact import Fraction as F  # noqa: E402
 
 ORIGIN = {2: (0, 0), 3: (0, 0, 0)}
 # Solids that several scenes share.

@@ -15,12 +15,12 @@ import csv
 import json
 import os
 import sys
-from fractions import Fraction as F
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 for folder in ("lib", os.path.join("agree", "lib")):
     sys.path.insert(0, os.path.join(HERE, "..", folder))
 
+from exact import Fraction as F, to_double  # noqa: E402
 from motion import build, translate  # noqa: E402
 from points import mixed  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
@@ -62,7 +62,7 @@ def worked(graze, checks):
         rows = ask(graze, checks, name, solid, motion, [p for p, *_ in points], *ASK, "--operation", operation)
         for row, (p, pmc, far, least) in zip(rows, points):
             low = F(row["boundary_low"])
-            checks.holds(row["pmc"] == pmc and least <= low <= far, name, p, row["pmc"], float(low), f"expected {float(least)} to {float(far)}")
+            checks.holds(row["pmc"] == pmc and least <= low <= far, name, p, row["pmc"], to_double(low), f"expected {to_double(least)} to {to_double(far)}")
 
 
 def neighbours(p, low, rng):

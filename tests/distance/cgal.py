@@ -13,12 +13,12 @@ import csv
 import math
 import os
 import sys
-from fractions import Fraction as F
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 for folder in ("lib", os.path.join("agree", "lib"), "agree"):
     sys.path.insert(0, os.path.join(HERE, "..", folder))
 
+from exact import Fraction as F, to_double  # noqa: E402
 from minkowski import scenes  # noqa: E402
 from motion import legs  # noqa: E402
 from points import mixed  # noqa: E402
@@ -66,10 +66,10 @@ def check_sum(checks, where, found, place, square):
     pmc, low, high = found
     if pmc == "out":
         checks.equal(place, "exterior", *where)
-        checks.holds(low * low <= square <= high * high, *where, f"[{float(low)}, {float(high)}]", float(square) ** .5)
+        checks.holds(low * low <= square <= high * high, *where, f"[{to_double(low)}, {to_double(high)}]", to_double(square) ** .5)
     elif pmc == "in":
         checks.equal(place, "interior", *where)
-        checks.holds(high * high <= square, *where, f"{float(-high)} deep", float(square) ** .5)
+        checks.holds(high * high <= square, *where, f"{to_double(-high)} deep", to_double(square) ** .5)
     else:
         checks.holds(place != "exterior" and low == high == 0, *where, place)
 
@@ -105,7 +105,7 @@ class Turn:
         """M(t)^-1 as 12 numbers."""
         c, s = (1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)
         rows = ((c, s, 0), (-s, c, 0), (0, 0, 1))
-        return [x for row in rows for x in (*row, -t * sum(a * float(b) for a, b in zip(row, self.shift)))]
+        return [x for row in rows for x in (*row, -t * sum(a * to_double(b) for a, b in zip(row, self.shift)))]
 
     def at(self, t, y):
         """M(t) y."""
@@ -115,8 +115,8 @@ class Turn:
 
     def speed(self, p):
         """|c'| is at most this: the angle's speed is at most 2, c = R^-1(P - tv)."""
-        v = math.hypot(*map(float, self.shift))
-        return 2 * (math.hypot(*map(float, p)) + v) + v
+        v = math.hypot(*map(to_double, self.shift))
+        return 2 * (math.hypot(*map(to_double, p)) + v) + v
 
 
 def sampled(checks, graze, tool, args):
@@ -126,12 +126,12 @@ def sampled(checks, graze, tool, args):
         points = [turn.at(F(args.random.randint(0, 8), 8), y) for y in near]
         found = enclosures(checks, graze, name, solid, turn, points)
         poses = rows_of(turn.back(k / (TIMES - 1)) for k in range(TIMES))
-        answers = ask(tool, solid, "poses", str(TIMES), poses, str(len(points)), rows_of(map(float, p) for p in points))
+        answers = ask(tool, solid, "poses", str(TIMES), poses, str(len(points)), rows_of(map(to_double, p) for p in points))
         checks.equal(len(answers), len(points), name, "answers")
-        for p, (pmc, low, high), answer in zip(points, found, map(float, answers)):
+        for p, (pmc, low, high), answer in zip(points, found, map(to_double, answers)):
             where = (name, ",".join(map(str, p)), pmc)
-            checks.holds(answer >= low - ROUNDING, *where, f"sampled {answer} below {float(low)}")
-            checks.holds(answer <= high + turn.speed(p) / (TIMES - 1) / 2 + ROUNDING, *where, f"{answer} far above {float(high)}")
+            checks.holds(answer >= to_double(low) - ROUNDING, *where, f"sampled {answer} below {to_double(low)}")
+            checks.holds(answer <= to_double(high) + turn.speed(p) / (TIMES - 1) / 2 + ROUNDING, *where, f"{answer} far above {to_double(high)}")
         checks.holds(len({pmc for pmc, _, _ in found}) > 1, name, "answers of more than one kind")
 
 

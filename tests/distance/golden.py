@@ -11,14 +11,14 @@ asked for, and have its sign.
 import csv
 import os
 import sys
-from fractions import Fraction as F
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 for folder in (("..", "lib"), ("..", "cases")):
     sys.path.insert(0, os.path.join(HERE, *folder))
 
 import casefile  # noqa: E402
-from exact import form_bounds  # noqa: E402
+from exact import Fraction as F, to_double  # noqa: E402
+from formbounds import form_bounds  # noqa: E402
 from harness import ONLY, Checks, options, run  # noqa: E402
 
 TOLERANCES = ("1e-1", "1e-3", "1e-6r", "1e-9", "1e-12")
@@ -42,7 +42,7 @@ def check_row(checks, where, form, row, tolerance):
     below, above = form_bounds(form)
     low, high = F(row["sdf_low"]), F(row["sdf_high"])
     checks.holds(low <= above and below <= high, *where, f"s = {form}", f"[{row['sdf_low']}, {row['sdf_high']}]")
-    checks.holds(high - low <= tolerance, *where, "width", float(high - low))
+    checks.holds(high - low <= tolerance, *where, "width", to_double(high - low))
     sign = "on" if below == above == 0 else "in" if above < 0 else "out" if below > 0 else "?"
     checks.equal(row["pmc"], sign, *where, "sign of the closed form")
 

@@ -14,13 +14,13 @@ doubles or the work for a point end it.
 import csv
 import os
 import sys
-from fractions import Fraction as F
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 for folder in ("lib", os.path.join("agree", "lib")):
     sys.path.insert(0, os.path.join(HERE, "..", folder))
 
 import refine  # noqa: E402
+from exact import Fraction as F, to_double  # noqa: E402
 from motion import build, compose, conjugated, cut, mobius, reversed_in_time, rotation, squared, translate  # noqa: E402
 from points import mixed  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
@@ -62,7 +62,7 @@ class Law:
     def same(self, law, found, base=None):
         for p, (pmc, low, high, _), (want, least, most, _) in zip(self.points, found, base or self.base):
             self.checks.holds(pmc == want and low <= most and least <= high, self.name, law, *self.flags, ",".join(map(str, p)),
-                              f"{pmc} [{float(low)}, {float(high)}], {want} [{float(least)}, {float(most)}]")
+                              f"{pmc} [{to_double(low)}, {to_double(high)}], {want} [{to_double(least)}, {to_double(most)}]")
 
 
 def affine(m):
@@ -101,11 +101,11 @@ def law_scaled(law):
         found = law.ask(name, *world, TOLERANCE * k)
         for p, (pmc, low, high, t), (want, least, most, time) in zip(law.points, found, law.base):
             where = (law.name, name, *law.flags, ",".join(map(str, p)))
-            law.checks.holds(low / k <= most and least <= high / k, *where, float(low / k), float(high / k))
+            law.checks.holds(low / k <= most and least <= high / k, *where, to_double(low / k), to_double(high / k))
             if pmc == ("in" if law.flags else "out"):  # others begin at contacts' times, enclosed in another way
                 off = max(abs(low / k - least), abs(high / k - most))
                 law.checks.equal((pmc, t), (want, time), *where)
-                law.checks.holds(off <= ROUNDED * max(abs(least), abs(most)), *where, float(off))
+                law.checks.holds(off <= ROUNDED * max(abs(least), abs(most)), *where, to_double(off))
 
 
 def law_lines(law):
@@ -117,7 +117,7 @@ def law_lines(law):
         found = law.ask("line", law.solid, law.motion, line)
         for p, (_, low, high, _), (_, least, most, _) in zip(line, found, found[1:]):
             apart = max(low - most, least - high, 0)
-            law.checks.holds(apart * apart <= step, law.name, "line", *law.flags, ",".join(map(str, p)), float(apart), float(step) ** .5)
+            law.checks.holds(apart * apart <= step, law.name, "line", *law.flags, ",".join(map(str, p)), to_double(apart), to_double(step) ** .5)
 
 
 def law_parts(law):
@@ -139,8 +139,8 @@ def law_nested(law):
     for tolerance in CHAIN:
         found = law.ask(name, *world, tolerance * F(2) ** exponent)
         for p, (pmc, low, high, _), (want, least, most, _) in zip(law.points, found, before or found):
-            law.checks.holds(pmc == want and least <= low and high <= most, law.name, name, *law.flags, float(tolerance),
-                             ",".join(map(str, p)), f"{pmc} [{float(low)}, {float(high)}] in [{float(least)}, {float(most)}]")
+            law.checks.holds(pmc == want and least <= low and high <= most, law.name, name, *law.flags, to_double(tolerance),
+                             ",".join(map(str, p)), f"{pmc} [{to_double(low)}, {to_double(high)}] in [{to_double(least)}, {to_double(most)}]")
         before = found
 
 
@@ -150,7 +150,7 @@ def thin_slabs():
     ways = {"turns and slides": compose(rotation([0, 1], **level), translate([[0, 3], [0, 0, 1], [0]])),
             "turns and rises": compose(rotation([0, 1], **level), translate([[0, 3], [0, 0, 1], [F(-1, 2), 1]])),
             "pitches": compose(rotation([0, 1], axis=[1, 2, 2], length=3), translate([[0, 1], [0], [0, 1]]))}
-    return [(f"slab {float(h):g} {name}", block(0, 0, 0, 2, 2, h), build([(0, 1, way)]))
+    return [(f"slab {to_double(h):g} {name}", block(0, 0, 0, 2, 2, h), build([(0, 1, way)]))
             for h in THICKNESSES for name, way in ways.items()]
 
 

@@ -17,11 +17,12 @@ import random
 import re
 import struct
 import sys
-from fractions import Fraction as F
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "agree", "lib"))
+sys.path.insert(0, os.path.join(HERE, "..", "lib"))
 
+from exact import Fraction as F, to_double  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
 
 CUBE = os.path.join(HERE, "..", "refuse", "common", "cube.off")  # [0, 2]^3
@@ -77,7 +78,7 @@ def to_triangle(corners, p):
 
 def signed(pose, p):
     """The signed distance to the cube in a pose, in floats: all facets' outer sides decide the sign."""
-    at = [tuple(float(dot(row, x) + row[3]) for row in pose) for x in CORNERS]
+    at = [tuple(to_double(dot(row, x) + row[3]) for row in pose) for x in CORNERS]
     value = min(to_triangle([at[k] for k in t], p) for t in TRIANGLES)
     middle = [sum(x[k] for x in at) / 8 for k in range(3)]
     for a, b, c in TRIANGLES:
@@ -103,11 +104,11 @@ def check_samples(checks, graze, name, text, pose, tolerance):
     checks.holds(len({r["pmc"] for r in rows}) > 1, f"{name}: answers of more than one kind")
     for p, row in zip(points, rows):
         low, high, at = F(row["sdf_low"]), F(row["sdf_high"]), F(row["sdf_t"])
-        q = [float(x) for x in p]
+        q = [to_double(x) for x in p]
         least = min(signed(pose(F(k, 60)), q) for k in range(61))
         checks.holds(0 <= high - low <= F(tolerance), f"{name} {p}: width")
-        checks.holds(least >= low - F(1, 10 ** 12), f"{name} {p}: sample {least} below {float(low)}")
-        checks.holds(signed(pose(at), q) <= high + F(1, 10 ** 12), f"{name} {p}: at {at} above {float(high)}")
+        checks.holds(least >= low - F(1, 10 ** 12), f"{name} {p}: sample {least} below {to_double(low)}")
+        checks.holds(signed(pose(at), q) <= high + F(1, 10 ** 12), f"{name} {p}: at {at} above {to_double(high)}")
         checks.equal(row["pmc"], "in" if high <= 0 and low < 0 else "out", f"{name} {p}: sign")
 
 
@@ -175,14 +176,14 @@ def check_parts(checks, graze, points, scene, whole):
 
 def below(n, d):
     """The largest double that is at most n/d."""
-    nearest = n / d
-    return nearest if F(nearest) <= F(n, d) else math.nextafter(nearest, 0)
+    near = int(n) / int(d)
+    return near if F(near) <= F(n, d) else math.nextafter(near, 0)
 
 
 def above(n, d):
     """The least double that is at least n/d."""
-    nearest = n / d
-    return nearest if F(nearest) >= F(n, d) else math.nextafter(nearest, math.inf)
+    near = int(n) / int(d)
+    return near if F(near) >= F(n, d) else math.nextafter(near, math.inf)
 
 
 def check_heads(checks, graze, points, scene):
@@ -196,7 +197,7 @@ def check_heads(checks, graze, points, scene):
         checks.equal(above(error.numerator, error.denominator), above(n, d), f"{n}/{d} read again", head)
         digits = head["sdf"].split("e")[0].replace(".", "").strip("0")
         for fewer in range(1, len(digits)):  # no number of fewer digits is in [double, next double)
-            unit = F(10) ** (math.floor(math.log10(width)) - fewer + 1)
+            unit = F(10) ** (math.floor(math.log10(to_double(width))) - fewer + 1)
             least = math.ceil(F(below(n, d)) / unit) * unit
             checks.holds(least >= F(math.nextafter(below(n, d), math.inf)), f"{n}/{d}: {head['sdf']} is not shortest")
         if "/" not in f"{F(n, d)}" or n == 1 and d in (10 ** 9, 10 ** 18, 10 ** 300):

@@ -12,11 +12,11 @@ import json
 import os
 import sys
 import tempfile
-from fractions import Fraction as F
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(HERE, "..", "lib")]
 
+from exact import Fraction as F, to_double  # noqa: E402
 from harness import Checks, options, run  # noqa: E402
 
 checks = Checks()
@@ -75,7 +75,7 @@ def check_path(graze, folder, d, rigid, last, *flags):
         if name == "mirrored" and last > 10 ** 13:
             continue  # doubles end where the denominator is smallest, unless that is at the beginning
         for one, (pmc, low, high) in zip(base, rows(graze, folder, d, motion, *flags)):
-            where = (name, d, rigid, last, *flags, one, pmc, float(low), float(high))
+            where = (name, d, rigid, last, *flags, one, pmc, to_double(low), to_double(high))
             checks.holds(pmc == one[0] and low <= one[2] and one[1] <= high, *where)
             checks.holds(high - low <= TOLERANCE, *where)
 

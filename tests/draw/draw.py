@@ -20,11 +20,11 @@ import sys
 import tempfile
 import xml.etree.ElementTree as ElementTree
 import zlib
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 import harness  # noqa: E402
+from exact import Fraction as F, to_double  # noqa: E402
 from harness import ROOT, Checks, options  # noqa: E402
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -327,10 +327,6 @@ def check_pictures(graze, folder):
 
 # ------------------------------------------------------------------------------ binary tables
 
-def nearest(number):
-    return float(F(number))
-
-
 CODES = {"pmc": ["", "in", "on", "out"],
          "class": ["", "regular", "fold", "fold_boundary", "boundary", "exterior"]}
 
@@ -398,7 +394,7 @@ def check_columns(name, rows, columns, texts):
         if column in CODES or column in ("definition", "case", "i", "t"):
             want = [code(column, v) for v in values]
         elif column != "word" and all(re.fullmatch(r"[-+]?[\d./]+(e-?\d+)?", v) for v in values):
-            want = [nearest(v) for v in values]
+            want = [to_double(v) for v in values]
         else:
             want = texts(values)
         check(columns.get(column) == want, name, "column", column, columns.get(column, [])[:5], want[:5])
@@ -418,10 +414,10 @@ def check_vtk(graze, solid, motion, name, options, text=None):
         for r, point in enumerate(points):
             place = (r % size[0], r // size[0] % size[1], r // size[0] // size[1])
             got = [o + s * k for o, s, k in zip(origin, step, place)]
-            check(all(abs(g - p) < 1e-9 for g, p in zip(got, point)), name, "row", r, got, point)
+            check(all(abs(g - to_double(p)) < 1e-9 for g, p in zip(got, point)), name, "row", r, got, point)
     else:
         check(vtk.words["DATASET"] == ["UNSTRUCTURED_GRID"], name, vtk.words)
-        check(vtk.points == [float(v) for p in points for v in p], name, "points")
+        check(vtk.points == [to_double(v) for p in points for v in p], name, "points")
         check(vtk.types == [1] * len(rows), name, "types")
         check(vtk.cells == [v for r in range(len(rows)) for v in (1, r)], name, "cells")
     check_columns(name, rows, vtk.columns, first_occurrence)
@@ -448,7 +444,7 @@ def check_npy(graze, solid, motion, name, options, text=None):
         got[n] = [code(n, v) for v in got[n]] if n in got else None
     for axis in "xyz":
         if axis in rows[0]:
-            check(got[axis] == [nearest(row[axis]) for row in rows], name, "column", axis)
+            check(got[axis] == [to_double(row[axis]) for row in rows], name, "column", axis)
     check(list(columns) == list(rows[0]), name, "names", list(columns))
     check_columns(name, rows, got, list)
 

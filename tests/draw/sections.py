@@ -13,11 +13,11 @@ import os
 import sys
 import tempfile
 import xml.etree.ElementTree as ElementTree
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 from draw import COLOURS, Cells, group, run, table  # noqa: E402
+from exact import Fraction as F, to_double  # noqa: E402
 from harness import ROOT, Checks, options  # noqa: E402
 
 CUBE = os.path.join(ROOT, "tests", "refuse", "common", "cube.off")
@@ -41,7 +41,7 @@ def test_frame(cells, normal, place):
     """Origin and directions of u and v."""
     origin, u, v = cells.section
     check(dot(normal, origin) == place and dot(normal, u) == dot(normal, v) == dot(u, v) == 0, normal, "off the plane")
-    check(all(abs(dot(w, w) - 1) < F(1, 2**49) for w in (u, v)), normal, "length", float(dot(u, u)), float(dot(v, v)))
+    check(all(abs(dot(w, w) - 1) < F(1, 2**49) for w in (u, v)), normal, "length", to_double(dot(u, u)), to_double(dot(v, v)))
     check(dot(origin, u) == dot(origin, v) == 0, normal, "the origin is not the nearest point")
     check(u[2] == 0, normal, "u is not horizontal", u)
     turn = [u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3] for k in range(3)]
@@ -78,8 +78,8 @@ def test_box(graze, motion, path):
     span = [cells.side * n for n in cells.count]
     # In the plane x = y the box has the rectangle of width 4 sqrt 2 and height 2.
     length = 2**.5 * 4
-    for got, want in zip(map(float, span), (length, 2)):
-        check(want <= got <= want + 2 * float(cells.side) + want / 1000, "size of the rectangle", got, want)
+    for got, want in zip(map(to_double, span), (length, 2)):
+        check(want <= got <= want + 2 * to_double(cells.side) + want / 1000, "size of the rectangle", got, want)
     for corner in ((0, 0, 0), (4, 4, 0), (0, 0, 2), (4, 4, 2)):
         at = [dot(corner, w) / dot(w, w) for w in cells.section[1:]]
         check(all(low <= x <= low + s for x, low, s in zip(at, cells.low, span)), "corner", corner, at)

@@ -12,11 +12,11 @@ the parts of it that are contacts. The contacts of a convex solid at a time with
 import os
 import sys
 from collections import Counter
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "contact"))
 
 import oracle  # noqa: E402
+from exact import Fraction as F  # noqa: E402
 from hand import moves, prism_of, shift  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
 from reading import named, sign, table  # noqa: E402

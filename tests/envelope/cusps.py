@@ -14,12 +14,13 @@ import os
 import re
 import shutil
 import sys
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "contact"))
 
 import oracle  # noqa: E402,F401  (it finds the library of tests/agree)
-from program import Checks, Graze, options, run  # noqa: E402
+from exact import Fraction as F, to_double  # noqa: E402
+from harness import bounded, run  # noqa: E402
+from program import Checks, Graze, options  # noqa: E402
 from reading import When, table  # noqa: E402
 
 GP = """
@@ -122,7 +123,7 @@ def main():
             for facet, cell, line, tag in calls(f"{name}{d}", motion, d):
                 script += line
                 wanted[tag] = [When(r["time"]) for r in rows if (r["facet"], r["cell"]) == (facet, cell)]
-    done = run(["gp", "-q", "-f", "-s", "1G"], 60, input=script)
+    done = run(bounded(["gp", "-q", "-f", "-s", "1G"]), 60, input=script)
     told = dict(re.findall(r"^CUSPS (\S+) \[(.*)\]$", done.stdout, re.M))
     checks.equal(set(told), set(wanted), "gp", done.stderr[-300:], done.stdout[-300:])
     total = 0
@@ -132,7 +133,7 @@ def main():
         checks.equal(len(found), len(times), tag, text, [t.text for t in times])
         for x, when in zip(found, times):
             near = F(1, 10 ** 30)
-            checks.holds(when.compare(x - near) > 0 > when.compare(x + near), tag, float(x), when.text)
+            checks.holds(when.compare(x - near) > 0 > when.compare(x + near), tag, to_double(x), when.text)
             total += 1
     checks.holds(total > 4, "there are cusps", total)
     checks.finish()

@@ -11,11 +11,11 @@ in which that end moves along the edge. Each has the sign that the last event be
 import os
 import sys
 from collections import Counter, defaultdict
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "contact"))
 
 import oracle  # noqa: E402
+from exact import Fraction as F  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
 from reading import When, between, named, sign, summary, table  # noqa: E402
 from scenes import plane_scenes, space_scenes  # noqa: E402

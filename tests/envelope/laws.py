@@ -11,12 +11,12 @@ import importlib.util
 import os
 import sys
 from collections import Counter
-from fractions import Fraction as F
 
 CONTACT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "contact")
 sys.path.insert(0, CONTACT)
 
 import oracle  # noqa: E402,F401  (it finds the library of tests/agree)
+from exact import Fraction as F  # noqa: E402
 from motion import Motion, Piece, cut, mobius, reversed_in_time  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
 from reading import summary, table  # noqa: E402

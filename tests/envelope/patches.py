@@ -10,9 +10,9 @@ such is in between. Patches and joints are told apart by kind, cell, ends and in
 """
 import csv
 from collections import Counter
-from fractions import Fraction as F
 
 from laws import backwards, laws, oracle  # noqa: F401  (it finds tests/contact and tests/agree)
+from exact import Fraction as F
 from motion import cut, reversed_in_time
 from program import Checks, Graze, options
 from reading import When, between, table

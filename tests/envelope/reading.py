@@ -3,7 +3,8 @@
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import csv
-from fractions import Fraction as F
+
+from exact import Fraction as F
 
 
 def sign(x):

@@ -21,11 +21,11 @@ and the orientation is sgn(-g_a) sgn(theta). At a = 0 the slopes of the dish ove
 import os
 import sys
 from collections import Counter
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "contact"))
 
 from hand import moves, off, shift  # noqa: E402
+from exact import Fraction as F  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
 from reading import named, sign, table  # noqa: E402
 

@@ -12,11 +12,11 @@ motion is cut, among others at the events, and if the body's axes are exchanged.
 import os
 import sys
 from collections import Counter
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "contact"))
 
 import oracle  # noqa: E402
+from exact import Fraction as F  # noqa: E402
 from motion import build, compose, cut, quaternion, rotation, scaling, translate  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
 from reading import When, between, table  # noqa: E402

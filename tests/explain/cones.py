@@ -14,11 +14,11 @@ import re
 import sys
 import tempfile
 import xml.etree.ElementTree as ElementTree
-from fractions import Fraction
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "lib"))
 
+from exact import Fraction, to_double  # noqa: E402
 from harness import Checks, options, run  # noqa: E402
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -123,13 +123,13 @@ def draw(checks, graze, folder, name):
     with open(points, "w", encoding="utf-8") as f:
         f.write(",".join(point) + "\n")
     record = json.loads(run([graze, "classify", solid, motion, points, "--topo", "--format", "jsonl"]).stdout)
-    return (*read(svg), record, [float(x) for x in point])
+    return (*read(svg), record, [to_double(x) for x in point])
 
 
 def check_witness(checks, name, witness, record, point):
     checks.equal(witness is not None, "topo_witness" in record, name, "an arrow")
     if witness:
-        way = [float(Fraction(x)) - p for x, p in zip(record["topo_witness"], point)]
+        way = [to_double(Fraction(x)) - p for x, p in zip(record["topo_witness"], point)]
         checks.holds(near(witness[0], angle(way)), name, "the arrow", witness, way)
         checks.equal(witness[1], record["topo_level"] != "first_order", name, "dashed")
 

@@ -40,8 +40,8 @@ def rounded(x, digits=12):
     """(decimal, 1 if it is the number itself): positional from 10^-5 on and up to as many places as there are digits."""
     with decimal.localcontext() as context:
         context.prec = digits
-        near = decimal.Decimal(x.numerator) / decimal.Decimal(x.denominator)
-    exact, figures = jets.F(near) == x, "".join(map(str, near.as_tuple().digits))
+        near = decimal.Decimal(int(x.numerator)) / decimal.Decimal(int(x.denominator))
+    exact, figures = jets.F(str(near)) == x, "".join(map(str, near.as_tuple().digits))
     if x == 0:
         return "0", True
     e = len(figures) + near.as_tuple().exponent

@@ -8,8 +8,8 @@ coincidence stays one, while coordinates become subnormal, longer than a double,
 sixty decades in one solid, or far from the origin. Invariant: T is invertible.
 """
 import random
-from fractions import Fraction as F
 
+from exact import Fraction as F
 import jets
 import parts
 from motion import build, compose, conjugated, keyframes, legs, matrix, quaternion, rotation

@@ -52,7 +52,7 @@ class Columns:
         self.rows = self.inside = 0
 
     def run(self, *words):
-        done = run([self.args.graze, *words], SECONDS, self.graze.memory, text=False)
+        done = run([self.args.graze, *words], SECONDS, text=False)
         return done.returncode, done.stdout.decode("latin-1"), done.stderr.decode("latin-1")
 
     def good(self, *words):
@@ -186,7 +186,7 @@ class Columns:
         self.checks.equal(self.run("compare", golden, wrong)[0], 1, "a wrong pmc")
         self.merge_refuses(words, parts, folder)
         for form in ("npy", "vtk"):
-            done = run([self.args.graze, *words, "--format", form], SECONDS, self.graze.memory, text=False)
+            done = run([self.args.graze, *words, "--format", form], SECONDS, text=False)
             self.checks.equal(done.returncode, 0, form)
             if form == "npy":
                 self.records(done.stdout, whole)

@@ -18,13 +18,13 @@ import os
 import random
 import re
 import sys
-from fractions import Fraction as F
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(HERE, "..", *part.split("/")) for part in ("generate", "agree/lib", "lib")]
 
 from adversaries import Scene, places, plane_adversaries, plane_solids  # noqa: E402
 from adversaries import space_adversaries, space_solids, terrain  # noqa: E402
+from exact import Fraction as F  # noqa: E402
 from program import Checks, Graze, options, run  # noqa: E402
 from queries import Maker, written  # noqa: E402
 

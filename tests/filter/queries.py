@@ -7,7 +7,7 @@ its trajectory is at y at the time t. Points are made in the scene's ordinary si
 its place, which keeps every coincidence. Beside them: the rows of `graze generate`. Each point has
 a kind, which goes with it through the program in a column of its own.
 """
-from fractions import Fraction as F
+from exact import Fraction as F, to_double
 
 from points import degenerate, random_time
 
@@ -94,7 +94,7 @@ class Maker:
         return ["--grid", ",".join([str(size)] * self.scene.d), "--box", box], size ** self.scene.d
 
     def doubles(self, count):
-        return [tuple(F(self.rng.uniform(float(a) - 1, float(b) + 1))
+        return [tuple(F(self.rng.uniform(to_double(a) - 1, to_double(b) + 1))
                       for a, b in zip(self.low, self.high)) for _ in range(count)]
 
     def rounded(self, points):
@@ -102,7 +102,7 @@ class Maker:
         out = []
         for p in points:
             try:
-                out.append(tuple(F(float(x)) for x in p))
+                out.append(tuple(F(to_double(x)) for x in p))
             except OverflowError:
                 out.append(p)
         return out
@@ -129,7 +129,7 @@ def token(x):
     """A number as it is written; text stays as it is."""
     if isinstance(x, str):
         return x
-    plain = repr(float(x)) if -1e15 < x < 1e15 else ""
+    plain = repr(to_double(x)) if -1e15 < x < 1e15 else ""
     return plain if plain and F(plain) == x else str(x)
 
 

@@ -36,7 +36,7 @@ class Sides:
 
     def run(self, path, *args):
         """(status, output, message) in bytes."""
-        done = run([path, *args], SECONDS, self.graze.memory, text=False)
+        done = run([path, *args], SECONDS, text=False)
         return done.returncode, done.stdout, done.stderr
 
     def both(self, command, *args):

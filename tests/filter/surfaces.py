@@ -11,13 +11,13 @@ negative coefficients, many pieces, many balls. The exact path is the second met
 import os
 import random
 import sys
-from fractions import Fraction as F
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(HERE, "..", *part.split("/")) for part in ("curved", "curved/lib", "cases", "generate", "agree/lib", "lib")]
 
 import casefile  # noqa: E402
 import words  # noqa: E402
+from exact import Fraction as F  # noqa: E402
 from queries import written  # noqa: E402
 from scenes import Checks, Curved, Graze, Motion, along, ball, box, common, cone, cylinder, halfspace, minus, options  # noqa: E402
 from scenes import polynomial, torus, union  # noqa: E402

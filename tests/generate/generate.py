@@ -16,13 +16,13 @@ import re
 import sys
 import tempfile
 from collections import Counter
-from fractions import Fraction as F
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(HERE, "..", folder) for folder in ("cases", "lib")]
 
 import casefile  # noqa: E402
 import jets  # noqa: E402
+from exact import Fraction as F, to_double  # noqa: E402
 from harness import ONLY, Checks, options, run  # noqa: E402
 from places import Solid, dot  # noqa: E402
 from times import given_time, value  # noqa: E402
@@ -136,7 +136,7 @@ def check_row(suite, scene, table, row, representable):
     point, stratum = table.point(row), row["stratum"]
     suite.met[stratum] += 1
     if representable:
-        checks.holds(all(F(float(x)) == x for x in point), "a double must hold it", *where)
+        checks.holds(all(F(to_double(x)) == x for x in point), "a double must hold it", *where)
     if stratum == "random":
         checks.equal([row[k] for k in ("order", "cell", "time", "k", "side")], [""] * 5, *where)
         parts = [(x - a) / (b - a) for x, a, b in zip(point, table.low, table.high)]
@@ -177,14 +177,14 @@ def check_row(suite, scene, table, row, representable):
 def check_rounded(suite, scene, row, t, point, where):
     """Doubles next to a contact of a stratum: M(t)^-1 P is by rounding alone off the planes of the cell's facets."""
     checks, exact = suite.checks, row["stratum"].removeprefix("rounded-")
-    checks.holds(all(F(float(x)) == x for x in point) and exact in STRATA[2:11], "doubles beside a contact", *where)
+    checks.holds(all(F(to_double(x)) == x for x in point) and exact in STRATA[2:11], "doubles beside a contact", *where)
     checks.holds(row["k"] == "" and row["side"] in ("in", "on", "out"), "side", *where)
     check_kind(checks, scene, exact, row["cell"], t, row, where)
     c, _ = scene.trajectory(point, t)
     for facet in scene.solid.facets_at(row["cell"]):
         off = abs(sum(n * x.terms[0] for n, x in zip(facet.normal, c)) - facet.offset)
         size = sum(map(abs, facet.normal)) * (1 + max(map(abs, point)) + max(abs(x.terms[0]) for x in c))
-        checks.holds(off <= size / 2 ** 46, "within rounding of the cell", float(off), *where)
+        checks.holds(off <= size / 2 ** 46, "within rounding of the cell", to_double(off), *where)
 
 
 def check_kind(checks, scene, stratum, cell, t, row, where):

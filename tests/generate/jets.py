@@ -9,7 +9,8 @@ slide. The germ at a break point is that of the piece that begins there.
 import json
 import math
 import re
-from fractions import Fraction as F
+
+from exact import Fraction as F
 
 TERMS = 8
 

@@ -12,11 +12,11 @@ import json
 import os
 import sys
 import tempfile
-from fractions import Fraction as F
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(HERE, "..", "lib")]
 
+from exact import Fraction as F, to_double  # noqa: E402
 from harness import ROOT, Checks, options, run  # noqa: E402
 
 checks = Checks()
@@ -66,7 +66,7 @@ def check_box(graze, name, scene, top, last):
     checks.equal({row["decade"] for row in rows}, expected_decades(top, last), name, "decades")
     for row in rows:
         square = signed_square(box, deepest, [F(row[a]) for a in "xyz"[:len(box)]])
-        checks.holds(in_decade(square, row["decade"]), name, row, float(square))
+        checks.holds(in_decade(square, row["decade"]), name, row, to_double(square))
         checks.equal(row["side"], "out" if square > 0 else "in", name, row)
         checks.holds(row["stratum"] == "level" and row["k"] == "" and row["order"] and row["cell"], name, row)
     checks.equal(generate(graze, scene), text, name, "the same seed")
@@ -74,7 +74,7 @@ def check_box(graze, name, scene, top, last):
     checks.equal({row["decade"] for row in some}, expected_decades(top, last), name, "binary64")
     for row in some:
         place = [F(row[a]) for a in "xyz"[:len(box)]]
-        checks.holds(all(F(float(x)) == x for x in place), name, row)
+        checks.holds(all(F(to_double(x)) == x for x in place), name, row)
         checks.holds(in_decade(signed_square(box, deepest, place), row["decade"]), name, row)
 
 

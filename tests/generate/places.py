@@ -6,7 +6,8 @@ Cells are named as in a table of points: `face 3`, `edge 0-4`, `vertex 2`, by th
 A facet (in the plane: an edge) has a plane normal . y = offset with an outward normal.
 """
 import re
-from fractions import Fraction as F
+
+from exact import Fraction as F
 
 
 def dot(a, b):

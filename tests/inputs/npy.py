@@ -9,10 +9,10 @@ import pathlib
 import struct
 import sys
 import tempfile
-from fractions import Fraction
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
+from exact import Fraction  # noqa: E402
 from harness import Checks, options, run  # noqa: E402
 
 COMMON = pathlib.Path(__file__).resolve().parents[1] / "refuse" / "common"

@@ -16,9 +16,9 @@ point, D is greatest at a corner, as it is convex.
 import itertools
 import math
 import os
-from fractions import Fraction as F
 
 from judged import KEYS, ROUNDING, Checks, Judge, Mesh, block, options, to_triangle, triangles, volume_of, without
+from exact import Fraction as F, to_double
 
 from motion import build, translate  # noqa: E402
 from harness import ROOT as HOME  # noqa: E402
@@ -103,7 +103,7 @@ def times(checks, name, report):
         checks.equal(found["t"] is None, found["low"] == 0, name, key, found)
         if found["t"] is not None:
             at, best = found["at"], min(1.0, max(0.0, (found["at"][0] - 1) / 8))
-            checks.holds(0 <= found["t"] <= 1 and to_cube(at, found["t"]) <= to_cube(at, best) + float(F(WITHIN)) / 16 + ROUNDING, name, key, found)
+            checks.holds(0 <= found["t"] <= 1 and to_cube(at, found["t"]) <= to_cube(at, best) + to_double(F(WITHIN)) / 16 + ROUNDING, name, key, found)
 
 
 def to_cube(p, t):
@@ -177,14 +177,14 @@ def scenes_of_hulls(judge, rng, count):
         middle = tuple(sum(p[i] for p in swept.vertices) / len(swept.vertices) for i in range(3))
         report = judge.ask(f"hull {k}", solid, motion, swept, "--within", "1e-1r")
         if report:
-            judge.holds(f"hull {k}", report, (0, 0, 0), float(volume_of(swept)), report["budget"]["within"])
+            judge.holds(f"hull {k}", report, (0, 0, 0), to_double(volume_of(swept)), report["budget"]["within"])
         q = F(rng.randint(9, 12), 8)
         large = swept.mapped(lambda p, q=q: tuple(m + q * (x - m) for x, m in zip(p, middle)))
-        faces = [[[float(x) for x in swept.vertices[v]] for v in f] for f in swept.facets]
-        far = max(min(to_triangle([float(x) for x in p], *f) for f in faces) for p in large.vertices)
+        faces = [[[to_double(x) for x in swept.vertices[v]] for v in f] for f in swept.facets]
+        far = max(min(to_triangle([to_double(x) for x in p], *f) for f in faces) for p in large.vertices)
         report = judge.ask(f"hull {k} larger", solid, motion, large, "--within", "1e-1r")
         if report:
-            judge.holds(f"hull {k} larger", report, (far, 0, None), float(volume_of(swept)), report["budget"]["within"])
+            judge.holds(f"hull {k} larger", report, (far, 0, None), to_double(volume_of(swept)), report["budget"]["within"])
 
 
 def hull_of_pairs(solid, b):

@@ -6,10 +6,11 @@ import json
 import math
 import os
 import sys
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "agree", "lib"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
+from exact import Fraction as F, to_double  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402,F401  (suites take them from here)
 from solids import Mesh, block, cross, minus  # noqa: E402,F401
 
@@ -40,11 +41,12 @@ class Judge:
             found = report["distance"][key]
             low, high = found["low"], found["high"]
             if true is not None:
+                true = to_double(true)
                 self.checks.holds(low <= true + ROUNDING and true - ROUNDING <= high, name, key, true, found)
             if within is not None:
                 self.checks.holds(found["reached"] and high - low <= within, name, key, within, found)
         if volume is not None:
-            v = report["volume"]["sweep"]
+            v, volume = report["volume"]["sweep"], to_double(volume)
             self.checks.holds(v["low"] <= volume + ROUNDING and volume - ROUNDING <= v["high"], name, volume, v)
 
 

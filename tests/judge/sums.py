@@ -8,12 +8,12 @@ distance to the sum is greatest at a corner, as it is convex.
 """
 import os
 import sys
-from fractions import Fraction as F
 
 from judged import Checks, Judge, Mesh, block, options, to_triangle, volume_of
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "cases"))
 
+from exact import Fraction as F, to_double  # noqa: E402
 from motion import legs  # noqa: E402
 from program import run  # noqa: E402
 from shells import shells_text  # noqa: E402
@@ -31,8 +31,8 @@ def ball(level, radius):
 
     def middle(a, b):
         m = [x + y for x, y in zip(a, b)]
-        length = float(sum(x * x for x in m)) ** 0.5
-        return tuple(F(round(float(x) / length * 2 ** 10), 2 ** 10) for x in m)
+        length = to_double(sum(x * x for x in m)) ** 0.5
+        return tuple(F(round(to_double(x) / length * 2 ** 10), 2 ** 10) for x in m)
 
     for _ in range(level):
         faces = [t for a, b, c in faces for ab, bc, ca in [(middle(a, b), middle(b, c), middle(c, a))]
@@ -95,16 +95,16 @@ def main():
         volume = volume_of(swept)
         report = judge.ask(name, solid, motion, swept, "--within", WITHIN)
         if report:
-            judge.holds(name, report, (0, 0, 0), float(volume), report["budget"]["within"])
+            judge.holds(name, report, (0, 0, 0), to_double(volume), report["budget"]["within"])
             checks.equal(F(report["volume"]["mesh"]), volume, name, "volume")
         if is_convex(swept):
             middle = tuple(sum(p[i] for p in swept.vertices) / len(swept.vertices) for i in range(3))
             large = swept.mapped(lambda p, m=middle: tuple(c + F(5, 4) * (x - c) for x, c in zip(p, m)))
-            faces = [[[float(x) for x in swept.vertices[v]] for v in f] for f in swept.facets]
-            far = max(min(to_triangle([float(x) for x in p], *f) for f in faces) for p in large.vertices)
+            faces = [[[to_double(x) for x in swept.vertices[v]] for v in f] for f in swept.facets]
+            far = max(min(to_triangle([to_double(x) for x in p], *f) for f in faces) for p in large.vertices)
             report = judge.ask(name + " larger", solid, motion, large, "--within", WITHIN)
             if report:
-                judge.holds(name + " larger", report, (far, 0, None), float(volume), report["budget"]["within"])
+                judge.holds(name + " larger", report, (far, 0, None), to_double(volume), report["budget"]["within"])
     checks.finish()
 
 

@@ -14,10 +14,10 @@ import os
 import re
 import sys
 import tempfile
-from fractions import Fraction
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
+from exact import Fraction  # noqa: E402
 from harness import Checks, options, run, without_leaks  # noqa: E402
 
 checks = Checks()

@@ -2,8 +2,10 @@
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import math
 import re
-from fractions import Fraction as F
+
+from exact import Fraction as F
 
 
 def value(text, t, s):
@@ -52,12 +54,10 @@ def about(linear, center):
 
 def root(square):
     """The root of a rational square."""
-    def whole(n):
-        r = int(n ** 0.5) if n < 2**50 else 1 << (n.bit_length() + 1) // 2
-        for _ in range(400):
-            r = (r + n // r) // 2 if r else r
-        return next(k for k in (r - 1, r, r + 1, r + 2) if k * k == n)
-    return F(whole(square.numerator), whole(square.denominator))
+    found = F(math.isqrt(square.numerator), math.isqrt(square.denominator))
+    if found * found != square:
+        raise ValueError(f"{square} is no square")
+    return found
 
 
 def turned(half, axis, center, d):

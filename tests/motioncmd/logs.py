@@ -12,11 +12,11 @@ import re
 import sys
 import tempfile
 from decimal import Decimal
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 from evaluate import rotation_of  # noqa: E402
+from exact import Fraction as F  # noqa: E402
 from harness import Checks, options  # noqa: E402
 from poses import POSES, WANT, frames, made, table  # noqa: E402
 from truth import cos_sin, dec  # noqa: E402

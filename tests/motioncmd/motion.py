@@ -9,15 +9,14 @@ tolerance. SPDX-License-Identifier: GPL-3.0-or-later
 """
 import json
 import os
-import resource
 import sys
 import tempfile
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 import harness  # noqa: E402
 from evaluate import Motion, apply, multiply, rotation_of  # noqa: E402
+from exact import Fraction as F, to_double  # noqa: E402
 from harness import Checks, options  # noqa: E402
 from truth import dec, joint_map, norm  # noqa: E402
 
@@ -223,7 +222,7 @@ def test_quaternions(graze, folder):
     want = [("0", ["0.1", "0", "0"], ["1", "0", "0", "0"]),
             ("0.5", ["1e-3", "2", "3"], ["0.7", "0", "0", "0.7"]),
             ("1", ["1", "1", "1"], ["-0.5", "0", "0", "-0.8660254037844386"])]
-    for options, value in (([], lambda x: F(float(x))), (["--numbers", "written"], F)):
+    for options, value in (([], lambda x: F(to_double(x))), (["--numbers", "written"], F)):
         made, report = keyframes(graze, folder, text, *options)
         got = [(F(k["t"]), [F(x) for x in k["position"]], [F(x) for x in k["quaternion"]])
                for k in made["keyframes"]]
@@ -246,7 +245,7 @@ def test_matrices(graze, folder, rng, scale):
         noise = (0, 1e-15, 1e-9)[round_ % 3]
         frames = []
         for _ in range(12):
-            matrix = [[float(x) + noise * rng.uniform(-1, 1) for x in row]
+            matrix = [[to_double(x) + noise * rng.uniform(-1, 1) for x in row]
                       for row in random_rotation(rng)]
             frames.append([matrix[i] + [rng.uniform(-5, 5)] for i in range(3)])
         rows = "\n".join(",".join(repr(x) for row in m for x in row) + ",0,0,0,1" for m in frames)
@@ -260,9 +259,9 @@ def test_matrices(graze, folder, rng, scale):
             check(sum(a * b for a, b in zip(q, before)) >= 0, "sign", q, before)
             before = q
         told = F(report.split("change by at most ")[1].split()[0])
-        check(worst <= told <= worst * F(102, 100) + F(1, 10**30), "deviation", float(worst), report)
+        check(worst <= told <= worst * F(102, 100) + F(1, 10**30), "deviation", to_double(worst), report)
         # The nearest rotation is no further than the true one, up to a factor for the two norms.
-        check(worst <= F(3) * F(noise) + F(1, 10**14), "not near", float(worst), noise)
+        check(worst <= F(3) * F(noise) + F(1, 10**14), "not near", to_double(worst), noise)
         matrices_as_they_are(graze, folder, names, rows, frames)
 
 
@@ -281,10 +280,7 @@ def matrices_as_they_are(graze, folder, names, rows, frames):
 
 def test_limits(graze, folder):
     """A chain too long to be read is refused within two seconds of the processor; none is that its reader takes."""
-    def bound():
-        resource.setrlimit(resource.RLIMIT_CPU, (2, 2))
-
-    done = harness.run([graze, "motion", "joints", *["turn:36000:1,2,3"] * 6, "--tolerance", "1e-3"], preexec_fn=bound)
+    done = harness.run(harness.bounded([graze, "motion", "joints", *["turn:36000:1,2,3"] * 6, "--tolerance", "1e-3"], cpu=2))
     check(done.returncode == 6 and "work=" in done.stderr, "work", done.returncode, done.stderr[-300:])
     path = os.path.join(folder, "chain.json")
     for words in (["turn:720:1,2,3", "turn:-90:0,0,1:1/3,0,2", "slide:1,0,1/7"], ["screw:360:1:1,1,1"], ["turn:360:0,0,1"],

@@ -11,12 +11,12 @@ import os
 import re
 import sys
 import tempfile
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 import harness  # noqa: E402
 from evaluate import rotation_of  # noqa: E402
+from exact import Fraction as F, to_double  # noqa: E402
 from harness import Checks, options  # noqa: E402
 
 checks = Checks()
@@ -154,7 +154,7 @@ def test_choice(graze, folder, rng):
 
 
 def entry(text, t):
-    return eval(re.sub(r"\d+(\.\d+)?", lambda m: f"F('{m[0]}')", text.replace("^", "**")), {"F": lambda n: F(n), "t": t})
+    return eval(re.sub(r"(\^?)(\d+(?:\.\d+)?)", lambda m: f"**{m[2]}" if m[1] else f"F('{m[2]}')", text), {"F": F, "t": t})
 
 
 def evaluate(motion, t):
@@ -187,7 +187,7 @@ def test_polynomials(graze, folder):
                 worst = max([worst] + [abs(x - y) for p, q in zip(a, b) for x, y in zip(p, q)])
                 check(all(is_dyadic(x) for row in a for x in row), "dyadic at", t, a)
         told = F(re.search(r"^change: .* at most (\S+)", report, re.M)[1])
-        check(0 < worst <= told <= F(tolerance), float(worst), report)
+        check(0 < worst <= told <= F(tolerance), to_double(worst), report)
         check("shape: " in report and "lost" not in report, report)
 
 

@@ -3,13 +3,14 @@
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 from decimal import Decimal, getcontext
-from fractions import Fraction as F
+
+from exact import Fraction as F
 
 getcontext().prec = 105
 
 
 def dec(x):
-    return Decimal(x.numerator) / Decimal(x.denominator) if isinstance(x, F) else Decimal(x)
+    return Decimal(int(x.numerator)) / Decimal(int(x.denominator)) if isinstance(x, F) else Decimal(x)
 
 
 def arctan_inverse(n):

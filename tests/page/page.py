@@ -16,12 +16,12 @@ import re
 import struct
 import sys
 import tempfile
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "boundary"))
 
 import harness  # noqa: E402
+from exact import Fraction as F, to_double  # noqa: E402
 from files import read_ply  # noqa: E402
 from harness import ROOT, Checks, options  # noqa: E402
 
@@ -82,7 +82,7 @@ def test_places(data):
     places = numbers(data["points"]["places"], "f", 4)
     for k, (at, *_) in enumerate(page_points(data)):
         for i, x in enumerate(at.split()):
-            off = places[k * d + i] + (box[i] + box[d + i]) / 2 - float(F(x))
+            off = places[k * d + i] + (box[i] + box[d + i]) / 2 - to_double(F(x))
             check(abs(off) <= 1e-6 * (box[d + i] - box[i]), "place", at, i, off)
 
 
@@ -147,12 +147,12 @@ def near_zero(text):
     decimal, poly = float(text[0]), [int(c) for c in text[1].split()]
     step = abs(F(text[0])) / 10**11
     values = [sum(c * (F(text[0]) + s * step)**k for k, c in enumerate(poly)) for s in (-1, 1)]
-    return values[0] * values[1] < 0 and float(F(text[2])) <= decimal <= float(F(text[3]))
+    return values[0] * values[1] < 0 and to_double(F(text[2])) <= decimal <= to_double(F(text[3]))
 
 
 def image(piece, which, t, point):
     """The image of a point under a piece's map."""
-    low, high = (float(F(x)) for x in piece["t"])
+    low, high = (to_double(F(x)) for x in piece["t"])
     u, d = (t - low) / (high - low), len(point)
     entry = [sum(c * u**k for k, c in enumerate(p)) for p in (*piece[which]["entries"], piece[which]["weight"])]
     return [(entry[i * (d + 1) + d] + sum(entry[i * (d + 1) + j] * point[j] for j in range(d))) / entry[-1] for i in range(d)]
@@ -172,13 +172,13 @@ def test_motion(graze, folder):
     check(data["surface"] is None, "a surface that was not asked for")
     found, roots = 0, 0
     for at, *_, contacts in page_points(data):
-        point = [float(F(x)) for x in at.split()]
+        point = [to_double(F(x)) for x in at.split()]
         for time in [page_time(contact[0]) for contact in contacts]:
             root = not isinstance(time, str)
             roots += root
             if root:
                 check(near_zero(time), "decimal of a root", time)
-            t = float(time[0] if root else F(time))
+            t = to_double(time[0] if root else F(time))
             piece = data["motion"][0 if t <= 2 else 1]
             body = image(piece, "trace", t, point)
             off = max(abs(x - 1) for x in body) - 1
@@ -227,7 +227,7 @@ def test_surface(graze, folder, data, level):
     check(numbers(data["surface"]["faces"], "I", 4) == tuple(k for face in faces for k in face), "faces of the surface")
     flat, box = numbers(data["surface"]["vertices"], "f", 4), data["box"]
     middle = [(a + b) / 2 for a, b in zip(box[:3], box[3:])]
-    far = max(abs(a + middle[k % 3] - float(b)) for k, (a, b) in enumerate(zip(flat, (x for v in vertices for x in v))))
+    far = max(abs(a + middle[k % 3] - to_double(b)) for k, (a, b) in enumerate(zip(flat, (x for v in vertices for x in v))))
     check(len(flat) == 3 * len(vertices) and far < 1e-6, "vertices of the surface", len(flat), far)
 
 

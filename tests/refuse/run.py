@@ -43,7 +43,6 @@ from harness import Checks, options  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
 SECONDS, SLOWER = 30, 6  # sanitizers and counters of coverage are slower
-MEMORY = 4 << 30
 SEVERAL = ("says", "prints", "env")
 KEYS = ("run", "exit", "stdin", "stdout", "stderr", "signal", "rows") + SEVERAL
 
@@ -112,23 +111,10 @@ def parse(path):
     return cases
 
 
-def prepare_child(case, limited):
-    """What the child does before it becomes graze."""
-
-    def run():
-        for which in (signal.SIGINT, signal.SIGHUP):   # ignored where a shell runs this in the background
-            signal.signal(which, signal.SIG_DFL)
-        if limited:
-            resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-        if case.keys.get("stdin") == "closed":
-            os.close(0)
-        if case.keys.get("stdout") == "closed":
-            os.close(1)
-        if case.keys.get("stderr") == "closed":
-            os.close(2)
-
-    return run
+def with_closed(case, words):
+    """The command, started by a shell that closes the streams which the case wants closed."""
+    closed = [f"{number}>&-" for number, name in enumerate(("stdin", "stdout", "stderr")) if case.keys.get(name) == "closed"]
+    return ["sh", "-c", 'exec "$@" ' + " ".join(closed), "sh", *words] if closed else words
 
 
 def open_stdout(case):
@@ -162,9 +148,9 @@ def execute(case, graze, limited):
         held = os.pipe() if name == "open" else None
         stdout = open_stdout(case)
         try:
-            child = subprocess.Popen(words, stdin=stdin or (held[0] if held else subprocess.DEVNULL),
+            child = subprocess.Popen(with_closed(case, words), stdin=stdin or (held[0] if held else subprocess.DEVNULL),
                                      stdout=stdout, stderr=subprocess.PIPE, env=environment,
-                                     cwd=folder, preexec_fn=prepare_child(case, limited))
+                                     cwd=folder)
             if "signal" in case.keys:
                 which, after = case.keys["signal"].split()
                 time.sleep(float(after))
@@ -213,6 +199,10 @@ def main():
     cases = [case for path in sorted(HERE.glob("*.txt")) for case in parse(path)]
     if args.names:
         cases = [c for c in cases if c.name in args.names or c.topic in args.names]
+    for which in (signal.SIGINT, signal.SIGHUP):   # ignored where a shell runs this in the background
+        if signal.getsignal(which) == signal.SIG_IGN:
+            signal.signal(which, signal.SIG_DFL)
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     said = []
     for case in cases:
         status, out, err, folder = execute(case, args.graze, not args.sanitizers)

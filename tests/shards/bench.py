@@ -27,9 +27,10 @@ class Bench:
     def check(self, holds, what, *seen):
         self.checks.holds(holds, what, *(repr(s)[:600] for s in seen))
 
-    def run(self, *words, stdin=None, limit=None):
+    def run(self, *words, stdin=None, **limits):
         """(exit status, standard output, standard error) of graze."""
-        done = harness.run([self.graze, *words], SECONDS, text=False, input=stdin, preexec_fn=limit)
+        command = [self.graze, *words]
+        done = harness.run(harness.bounded(command, **limits) if limits else command, SECONDS, text=False, input=stdin)
         return done.returncode, done.stdout, done.stderr
 
     def file(self, name, content):

@@ -5,9 +5,9 @@ row that is altered is refused and stays.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
-from fractions import Fraction as F
 
 from bench import COMMON, run_checks, split
+from exact import Fraction as F
 
 CUBE = ["contact", COMMON / "cube.off", COMMON / "move3.json"]
 NAMES = (b"time,bx,by,bz,x,y,z,cell,role,theta,contact_order,orientation,left,right,trimmed,status,near,near_in,word")

@@ -7,7 +7,6 @@ Every expected table is the one a single run writes; a shard's rows are every n-
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import os
-import resource
 import shlex
 import shutil
 import subprocess
@@ -47,7 +46,7 @@ def check_many_parts(bench):
     for index in range(1, 61):
         parts.append(bench.folder / f"many-{index}.csv")
         bench.good(*words, "--grid", "12,12", "--shard", f"{index}/60", "--jobs", 1, "--output", parts[-1])
-    few = bench.good("merge", *parts, limit=lambda: resource.setrlimit(resource.RLIMIT_NOFILE, (12, 12)))
+    few = bench.good("merge", *parts, nofile=12)
     bench.check(few == whole, "60 parts merge with 12 descriptors")
 
 

@@ -15,12 +15,12 @@ import sys
 import tempfile
 from decimal import Decimal as D
 from decimal import getcontext
-from fractions import Fraction as F
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(HERE, "..", "lib"), os.path.join(HERE, "..", "motioncmd")]
 
 import harness  # noqa: E402
+from exact import Fraction as F  # noqa: E402
 from harness import Checks, options  # noqa: E402
 from truth import cos_sin, dec  # noqa: E402
 

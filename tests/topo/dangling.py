@@ -14,13 +14,14 @@ import itertools
 import os
 import sys
 from collections import Counter
-from fractions import Fraction as F
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "agree", "lib"))
+sys.path.insert(0, os.path.join(HERE, "..", "lib"))
 sys.path.insert(0, os.path.join(HERE, "..", "unsweep"))
 
 from cells import around, random_cells, solid_of, state  # noqa: E402
+from exact import Fraction as F  # noqa: E402
 from motion import build, legs, rotation, translate  # noqa: E402
 from prisms import Text  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402

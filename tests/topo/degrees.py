@@ -11,10 +11,11 @@ between the two curves are out as near as one likes.
 """
 import os
 import sys
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "agree", "lib"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
+from exact import Fraction as F  # noqa: E402
 from prisms import Text  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
 from solids import Polygon, ring  # noqa: E402

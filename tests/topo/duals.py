@@ -16,10 +16,10 @@ import os
 import re
 import sys
 from collections import Counter
-from fractions import Fraction as F
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "agree", "lib"))
+sys.path.insert(0, os.path.join(HERE, "..", "lib"))
 
 import germs  # noqa: E402
 import orders  # noqa: E402
@@ -27,6 +27,7 @@ import roofs  # noqa: E402
 import sides  # noqa: E402
 import straight  # noqa: E402
 import verdicts  # noqa: E402
+from exact import Fraction as F  # noqa: E402
 from prisms import Text, has_hole, mapped, rings_of, turned_left  # noqa: E402
 from program import Checks, Graze, exchanged, options  # noqa: E402
 from refine import complement  # noqa: E402

@@ -19,11 +19,12 @@ are taken apart from all others.
 import os
 import sys
 from collections import Counter
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "agree", "lib"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 from algebra import trim  # noqa: E402
+from exact import Fraction as F  # noqa: E402
 from motion import build, matrix  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
 from solids import Mesh, Polygon, joined, prism, ring  # noqa: E402

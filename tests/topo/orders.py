@@ -21,10 +21,11 @@ A linear map is applied to all, so that nothing is along an axis.
 import os
 import sys
 from collections import Counter
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "agree", "lib"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
+from exact import Fraction as F  # noqa: E402
 from prisms import BACK, MAP, Text, mapped  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
 from solids import Mesh, block, inside_out, joined, prism, ring  # noqa: E402

@@ -14,11 +14,12 @@ import json
 import os
 import sys
 from collections import Counter
-from fractions import Fraction as F
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "agree", "lib"))
+sys.path.insert(0, os.path.join(HERE, "..", "lib"))
 
+from exact import Fraction as F  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
 from solids import Mesh, joined, prism  # noqa: E402
 from verdicts import EXAMPLES, POSITIONS, examples, neighbours  # noqa: E402

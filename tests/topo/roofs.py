@@ -13,11 +13,12 @@ answer may be `undecided`. A linear map is applied to all, so that nothing is al
 import os
 import sys
 from collections import Counter
-from fractions import Fraction as F
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "agree", "lib"))
+sys.path.insert(0, os.path.join(HERE, "..", "lib"))
 
+from exact import Fraction as F  # noqa: E402
 from prisms import BACK, MAP, Text, mapped  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
 from solids import Mesh  # noqa: E402

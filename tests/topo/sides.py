@@ -22,11 +22,12 @@ import os
 import re
 import sys
 from collections import Counter
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "agree", "lib"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 import orders  # noqa: E402
+from exact import Fraction as F, to_double  # noqa: E402
 from orders import flat, mapped, roof  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
 from witnesses import check_witness  # noqa: E402
@@ -104,7 +105,7 @@ def check_words(checks, graze, name, files):
         checks.equal(found and found[0].record["pmc"], "out", name, near[1])
         away = max(abs(F(x)) for x in near[1].split(", ")) * 2 ** int(near[2])
         wide = max(map(F, re.search("^box of S.*size (.*)$", graze.call("check", *files).stdout, re.M)[1].split(" x ")))
-        checks.holds(wide / 4 <= away <= 4 * wide, name, "as far as is said", float(away / wide))
+        checks.holds(wide / 4 <= away <= 4 * wide, name, "as far as is said", to_double(away / wide))
 
 
 def probes(e):

@@ -10,10 +10,11 @@ the plane times an interval. Boxes that walk on a lattice make many seams: `on`,
 import os
 import sys
 from collections import Counter
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "agree", "lib"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
+from exact import Fraction as F  # noqa: E402
 from motion import legs  # noqa: E402
 from points import degenerate  # noqa: E402
 from program import Checks, Graze, options, run  # noqa: E402

@@ -11,6 +11,7 @@ import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "agree", "lib"))
+sys.path.insert(0, os.path.join(HERE, "..", "lib"))
 
 from program import Checks, Graze, options, run  # noqa: E402
 from harness import without_leaks  # noqa: E402

@@ -9,11 +9,12 @@ An undecided point in space is no failure of this suite, but DECIDED of them mus
 """
 import os
 import sys
-from fractions import Fraction as F
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "agree", "lib"))
+sys.path.insert(0, os.path.join(HERE, "..", "lib"))
 
+from exact import Fraction as F  # noqa: E402
 from motion import build, legs, translate  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
 from solids import Polygon, box_ring, ring  # noqa: E402

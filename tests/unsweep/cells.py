@@ -10,10 +10,11 @@ import itertools
 import math
 import os
 import sys
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "agree", "lib"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
+from exact import Fraction as F  # noqa: E402
 from solids import Mesh, Polygon  # noqa: E402
 
 

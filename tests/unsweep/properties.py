@@ -14,12 +14,13 @@ import itertools
 import os
 import sys
 from collections import Counter
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "agree", "lib"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 import refine  # noqa: E402
 from cells import block, random_cells, sharing, shifted, solid_of, state, touch  # noqa: E402
+from exact import Fraction as F  # noqa: E402
 from program import Checks, Graze, exchanged, merged, options  # noqa: E402
 from motion import Motion, build, compose, conjugated, legs, rotation, scaling  # noqa: E402
 from motion import translate  # noqa: E402

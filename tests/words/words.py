@@ -12,11 +12,12 @@ from definitions.py, expected times from the construction.
 """
 import os
 import sys
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "agree", "lib"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 from definitions import TABLE, admissible, expected, holding  # noqa: E402
+from exact import Fraction as F  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
 from motion import build, translate  # noqa: E402
 from solids import Polygon, box_ring, extruded, ring  # noqa: E402

@@ -7,7 +7,7 @@ isolated by Sturm sequences, a method the program under test does not use. Invar
 is rational (`value` set), or `poly` is squarefree, has exactly one root in the open interval
 (lo, hi), and none at lo or hi.
 """
-from fractions import Fraction
+from exact import Fraction, to_double
 from functools import cmp_to_key
 from math import gcd
 
@@ -229,7 +229,7 @@ class Root:
     def __float__(self):
         self.narrow(Fraction(1, 2 ** 60))
         a, b = self.bounds()
-        return float((a + b) / 2)
+        return to_double((a + b) / 2)
 
 
 def same(x, y):

@@ -7,8 +7,8 @@ The matrices follow from the textbook formulas (rotation of a quaternion, of a c
 not from the program. Invariant: pieces follow one another and w > 0 on each closed piece.
 """
 import json
-from fractions import Fraction as F
 
+from exact import Fraction as F
 from math import lcm
 
 from algebra import add, common, content, derivative, integral, mul, quotient, scale, sign_at, sub

@@ -7,7 +7,7 @@ point in an edge or a facet, or a point of a facet's plane where the facet's nor
 zero at t* (g is affine along the facet, so it vanishes on a line of it). Its trajectory
 is at y at t*.
 """
-from fractions import Fraction as F
+from exact import Fraction as F
 
 
 def random_time(motion, rng):

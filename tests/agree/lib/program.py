@@ -60,7 +60,6 @@ def cell_set(features):
 class Graze:
     def __init__(self, args, checks):
         self.path, self.checks, self.keep = args.graze, checks, args.keep
-        self.memory = args.memory
         self.folder = tempfile.TemporaryDirectory()
         self.runs = 0
 
@@ -75,7 +74,7 @@ class Graze:
     def call(self, *args):
         """One run within the limits of the suite."""
         self.runs += 1
-        return run([self.path, *args], memory=self.memory)
+        return run([self.path, *args])
 
     def classify(self, name, solid, motion, points, *flags, table=False):
         """Answers for the points, or None after a failed check. `solid` is an object with text()

@@ -5,7 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 Each function gives the new solid and a map from its cells to the old solid's cells that hold them.
 The new cells met at a contact, carried by the map, are exactly the old cells met there.
 """
-from fractions import Fraction as F
+from exact import Fraction as F
 
 from solids import Mesh, Polygon, box_ring, block, cross, edge, inside_out, joined, minus
 

@@ -6,7 +6,7 @@ Motions: legs with break points and turning points, polynomial and rational tran
 degree six, rotations by tan_half, turns, complex and quaternion keyframes, scalings, reflections,
 shears, and all of them run through squares, which makes rational contact times square roots.
 """
-from fractions import Fraction as F
+from exact import Fraction as F
 
 from motion import build, compose, keyframes, legs, matrix, quaternion, rotation, scaling, squared
 from motion import translate, turn

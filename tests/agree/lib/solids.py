@@ -6,7 +6,7 @@ A Polygon is a list of parts, a part a list of rings, the outer one first; a Mes
 facets (cycles, outward oriented). Both write themselves as files. `cells` name a boundary cell as
 ('edge', u, v) with u < v, ('vertex', v) or ('face', f), by the file's numbering from 0.
 """
-from fractions import Fraction as F
+from exact import Fraction as F
 
 
 def ring(*points):

@@ -8,7 +8,7 @@ sequences) cut the piece; the state at each cut follows from exact signs there, 
 two cuts from a rational sample, by parity. Facets are taken whole, with any number of corners;
 nothing is taken from the program but its conventions on cells and words.
 """
-from fractions import Fraction as F
+from exact import Fraction as F
 
 from algebra import Root, add, between, roots, scale, sort_roots, value
 from solids import Polygon, cross, edge, minus

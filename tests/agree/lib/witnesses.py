@@ -5,7 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 Places are exact rationals, and each is classified again: on a ray or a path all are `out` from epsilon down, of an
 unsweep, whose witness shows that it is regular there, all are `in`.
 """
-from fractions import Fraction as F
+from exact import Fraction as F
 
 # Halvings of epsilon, down to 2^-400 of it.
 HALVINGS = [*range(48), *range(48, 401, 8)]

@@ -5,10 +5,11 @@ SPDX-License-Identifier: GPL-3.0-or-later
 import json
 import os
 import sys
-from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "agree", "lib"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "lib"))
 
+from exact import Fraction as F  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402,F401  (suites take them from here)
 
 

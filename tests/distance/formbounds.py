@@ -8,8 +8,8 @@ interval (a, b). An enclosure is a pair of Fractions, at most 2^-190 or so apart
 import ast
 import math
 import re
-from fractions import Fraction as F
 
+from exact import Fraction as F
 from times import parse_time, value
 
 PLACES = 200

@@ -1,0 +1,49 @@
+"""The rational numbers of the suites' own algebra, under the name and with the meaning of Python's Fraction.
+
+They are gmpy2's mpq where gmpy2 is installed, several times as fast; GRAZE_FRACTIONS=python takes Python's own everywhere. With mpq
+some expressions would silently become inexact floats of gmpy2 (an mpq with a float or to a rational power, an mpz over an int):
+each of them fails here, as no float fits into the context that is set. A thread has a context of its own: call refuse_floats there.
+`to_double` stands for `float`, which rounds an mpq towards 0.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import numbers
+import os
+from fractions import Fraction as PythonFraction
+
+try:
+    if os.environ.get("GRAZE_FRACTIONS") == "python":
+        raise ImportError
+    import gmpy2
+except ImportError:
+    gmpy2 = None
+
+Fraction = gmpy2.mpq if gmpy2 else PythonFraction
+
+
+def refuse_floats():
+    """In this thread a float of gmpy2 is an error."""
+    if gmpy2:
+        least = gmpy2.get_emin_min()
+        gmpy2.set_context(gmpy2.context(precision=2, emin=least, emax=least + 1, trap_inexact=True, trap_overflow=True, trap_underflow=True,
+                                        trap_invalid=True, trap_erange=True, trap_divzero=True))
+
+
+def is_float(x):
+    """A float of gmpy2: the one that a context lets pass is 0."""
+    return gmpy2 is not None and isinstance(x, gmpy2.mpfr)
+
+
+def to_double(x):
+    """The double nearest to a number, or to a numeral or a ratio as text, as Python's `float` gives it for its own numbers."""
+    if isinstance(x, str):
+        x = PythonFraction(x) if "/" in x else float(x)
+    return int(x.numerator) / int(x.denominator) if isinstance(x, numbers.Rational) else float(x)
+
+
+def simple(x, most):
+    """The fraction nearest to x whose denominator is at most `most`."""
+    return Fraction(PythonFraction(int(x.numerator), int(x.denominator)).limit_denominator(most))
+
+
+refuse_floats()
