@@ -34,7 +34,7 @@ CLANG  := $(if $(filter 13,$(DEBIAN)),19,14)
 PACKAGES_BUILD := g++ libcgal-dev libgmp-dev libmpfr-dev libflint-dev libyajl-dev libmd-dev
 PACKAGES_PNG   := libcairo2-dev fonts-dejavu-core
 PACKAGES_DEB   := $(PACKAGES_BUILD) dpkg-dev
-PACKAGES_TEST  := $(PACKAGES_DEB) $(PACKAGES_PNG) libcmocka-dev python3 python3-numpy pari-gp locales parallel openmpi-bin libopenmpi-dev pkgconf cmake groff-base python3-jsonschema python3-venv mypy
+PACKAGES_TEST  := $(PACKAGES_DEB) $(PACKAGES_PNG) libcmocka-dev python3 python3-numpy pari-gp locales parallel openmpi-bin libopenmpi-dev pkgconf cmake groff-base python3-jsonschema python3-venv python3-gmpy2 mypy
 PACKAGES_PROOFS := $(PACKAGES_BUILD) coq ocaml-findlib libzarith-ocaml-dev python3
 PACKAGES_DOCS  := $(PACKAGES_BUILD) python3 python3-numpy python3-pandas python3-sphinx python3-myst-parser python3-sphinx-copybutton furo doxygen python3-breathe
 PACKAGES_ALL   := $(PACKAGES_TEST) $(PACKAGES_DOCS) python3-shapely python3-meshio chromium clang libclang-rt-$(CLANG)-dev clang-format cppcheck debootstrap gcovr
@@ -67,9 +67,9 @@ all: $B/.packages-build $B/graze $B/graze-check $B/libgraze.a $B/libgraze.so $(M
 help:
 	@echo "make            build the program and both libraries under build/"
 	@echo "make demo       install what is missing, build, classify the points of cases/bracket"
-	@echo "make test       install what is missing, build, run every test (a few minutes)"
+	@echo "make test       install what is missing, build, run every test (9 minutes on two idle cores)"
 	@echo "make cases      check every case under cases/ and recompute it with PARI"
-	@echo "make test-all   the long tests, sanitizers, mutants and lint (under an hour)"
+	@echo "make test-long  more random inputs than CI asks, of SEED=n or the day's, before a release (an hour and a half)"
 	@echo "make fuzz       every fuzz target for SECONDS=60 (FUZZ_ONLY=\"NAME ...\": some of them)"
 	@echo "make coverage   line and branch coverage by file, of most suites"
 	@echo "make docs       the site, with what its pages show, into build/docs/html/"
@@ -341,9 +341,10 @@ programs: all $(UNIT) $(REPLAY) $B/tests/graze-memory build/tests/locale/de_DE.U
 cases: $B/.packages-test all
 	@python3 tests/run.py --build $B --only tests/cases/
 
-.PHONY: test-all
-test-all: $B/.packages-all test
-	@tests/long.sh
+# By hand, before a release: more random inputs than CI asks, of another seed, and CI's suites in other ways.
+.PHONY: test-long
+test-long: $B/.packages-all test
+	@python3 tests/stages.py long $(addprefix --seed ,$(SEED))
 
 # The theory, machine-checked: the proofs, the C functions and graze-check against them, and proofs that must fail.
 .PHONY: proofs

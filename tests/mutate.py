@@ -17,7 +17,6 @@ import os
 import queue
 import random
 import re
-import resource
 import signal
 import subprocess
 import sys
@@ -25,15 +24,16 @@ import tempfile
 import threading
 import time
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "mutation"))
+sys.path[:0] = [os.path.join(os.path.dirname(os.path.abspath(__file__)), folder) for folder in ("mutation", "lib")]
 
 import changes  # noqa: E402
+import suitetimes  # noqa: E402
+from harness import MEMORY, bounded  # noqa: E402
 from rooms import BOUNDARIES, ROOMS, files  # noqa: E402
+from run import interpreter  # noqa: E402
 
 RUN_SECONDS = 10    # of processor time, for one run of the program under a suite
 UNIT_SECONDS = 60   # for a test in C
-MEMORY = 4 << 30    # bytes, as the suites have it
-TIMES = re.compile(r"^\| `([\w./-]+)` \|.* (\d+) s \|$", re.M)
 COMMON = ["-w", "-pthread", "-Iinclude", "-Isrc"]
 COMPILERS = {".c": ["gcc", "-std=c11", "-D_POSIX_C_SOURCE=200809L", "-O1"], ".cpp": ["g++", "-std=c++17", "-frounding-math", "-O0"]}
 LIBS = ["-lcmocka", "-lyajl", "-lmd", "-lflint", "-lmpfr", "-lgmp", "-lm", "-lstdc++", "-pthread"]
@@ -48,10 +48,10 @@ exec "{program}" "$@"
 """
 
 
-def is_red(command, seconds, before=None):
+def is_red(command, seconds):
     """Whether a program fails, says FAIL or does not end in time. What it started ends with it."""
     started = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, stdin=subprocess.DEVNULL,
-                               preexec_fn=before, start_new_session=True, env={**os.environ, "PYTHONUNBUFFERED": "1"})
+                               start_new_session=True, env={**os.environ, "PYTHONUNBUFFERED": "1"})
 
     def end():
         try:
@@ -70,11 +70,6 @@ def is_red(command, seconds, before=None):
     return failed or status != 0
 
 
-def bound():
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-    resource.setrlimit(resource.RLIMIT_CPU, (UNIT_SECONDS, UNIT_SECONDS))
-
-
 class Parts:
     """What all mutants share: the objects of the program without debugging data, and what is known of the suites."""
 
@@ -87,8 +82,8 @@ class Parts:
             f"{build}/{path[:-2]}.o" for path in glob.glob("src/program/cli/*.c") + glob.glob("src/program/run/*.c"))], check=True)
         self.sound = set()  # those asked that are green without any mutant
         self.known = changes.record()
-        with open("tests/README.md", encoding="utf-8") as file:
-            self.seconds = {path.rsplit(".", 1)[0]: 30 + 10 * int(time) for path, time in TIMES.findall(file.read())}
+        self.python = interpreter()[0]
+        self.seconds = {path.rsplit(".", 1)[0]: 30 + 10 * wall for path, (wall, _) in suitetimes.read().items()}
 
 
 class Worker:
@@ -138,8 +133,8 @@ class Worker:
         if "/test_" in name:
             program = self.place("unit")
             self.link(program, [f"{self.parts.build}/tests/{name}.o"], *more)
-            return is_red([program], 10 * UNIT_SECONDS, None if safe else bound)
-        return is_red([sys.executable, f"tests/{name}.py", "--graze", self.wrappers[flag, safe], *words,
+            return is_red([program] if safe else bounded([program], MEMORY, cpu=UNIT_SECONDS), 10 * UNIT_SECONDS)
+        return is_red([self.parts.python, f"tests/{name}.py", "--graze", self.wrappers[flag, safe], *words,
                        *(["--sanitizers"] if safe else [])], self.parts.seconds[name])
 
     def link_program(self, *more):

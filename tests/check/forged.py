@@ -5,7 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 Builds graze anew for each of DECISIONS, a line of src turned round. Its certifier cuts intervals with care as long as
 that helps, and then claims what it cannot prove (CAREFUL). Of the golden cases it certifies, each row whose claims are
 not those of expected.csv stands alone in a certificate that graze-check must refuse; with nothing turned round most
-cases are verified (not those whose intervals are finer than CAREFUL cuts). Run by hand or by tests/long.sh, from the top of the repository; of every case with --scale.
+cases are verified (not those whose intervals are finer than CAREFUL cuts). Run by hand or by CI, from the top of the repository; of every case with --scale.
 """
 import glob
 import os

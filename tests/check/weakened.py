@@ -8,7 +8,7 @@ time: a condition in front of a refusal dropped; == and != exchanged, an order l
 || exchanged, outside the heads of loops. Each must end some recorded call otherwise, or crash or hang, unless
 weakened.txt has a line FILE: MUTANT: REASON for it. Of each message of refusal so many calls are kept: --scale times
 EACH. Not touched: main.c, whose calls are a command line's, ends.c, sha256.c. Run from the top of the repository;
---only A,B narrows to some files. tests/long.sh asks the files that follow a row, the motion's, and those of the legal
+--only A,B narrows to some files. CI asks the files that follow a row, the motion's, and those of the legal
 solid; the others, which read files, are asked by hand.
 """
 import collections

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # suite
-"""Candidates in Python: those of cases/candidates with numpy and, in `make test-all`, with pandas, and readers that are
+"""Candidates in Python: those of cases/candidates with numpy and, in CI, with pandas, and readers that are
 off by an ulp, which lose no row.
 
 The sweep of the cube is a box, and open intervals of 1000 positions cover the same open interval, so that the candidates are

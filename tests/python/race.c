@@ -1,4 +1,4 @@
-/* A data race for test-all: two threads of Python that call bump at one time must be reported by
+/* A data race for threads.sh: two threads of Python that call bump at one time must be reported by
  * the thread sanitizer, else its silence about Graze says nothing. SPDX-License-Identifier:
  * GPL-3.0-or-later
  */
