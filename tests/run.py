@@ -68,6 +68,8 @@ def recorded():
 
 def interpreter():
     """The Python of the suites, and what it computes fractions with: Debian's where it has gmpy2 (tests/lib/exact.py)."""
+    if os.environ.get("GRAZE_FRACTIONS") == "python":
+        return DEBIAN if os.path.exists(DEBIAN) else sys.executable, "Python's fractions, as GRAZE_FRACTIONS says"
     for python in (DEBIAN, sys.executable):
         asked = subprocess.run([python, "-c", "import gmpy2; print('gmpy2', gmpy2.version())"], capture_output=True, text=True) \
             if os.path.exists(python) else None
@@ -136,9 +138,12 @@ def main():
     parser.add_argument("--seed", default="", help="of random tests, where it is not the suite's own")
     parser.add_argument("--sanitizers", action="store_true", help="the build has a sanitizer or counts coverage: no limits of "
                         "memory, without the suites that run in the plain build alone")
-    parser.add_argument("--record", action="store_true", help="write the seconds of each suite into tests/times.txt")
+    parser.add_argument("--record", action="store_true", help="write the seconds of each suite into tests/times.txt, if nothing failed; of "
+                        "suites as `make test` runs them, on two idle cores")
     parser.add_argument("--limit", type=float, default=900, help="seconds for one suite")
     options = parser.parse_args()
+    if options.record and (options.scale != 1 or options.seed or options.sanitizers):
+        parser.error("--record is of suites as `make test` runs them: without --scale, --seed, --sanitizers")
     for which in (signal.SIGINT, signal.SIGHUP):   # ignored in a shell's background; suites send them
         if signal.getsignal(which) == signal.SIG_IGN:
             signal.signal(which, signal.SIG_DFL)
@@ -161,7 +166,7 @@ def main():
             print(shown, end="", flush=True)
             total = [a + b for a, b in zip(total, counts)]
             took[path] = used
-    if options.record:
+    if options.record and not total[1]:
         if not options.only and not options.skip:
             took[suitetimes.TEST] = time.time() - began, sum(cpu for _, cpu in took.values())
         suitetimes.write(took)

@@ -126,6 +126,7 @@ def main():
                         help="a stage that the caller ran, for the table")
     parser.add_argument("--record", action="store_true", help="write what `ci` took into tests/times.txt, if nothing failed")
     options = parser.parse_args()
+    os.chdir(os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
     seed = options.seed or time.strftime("%Y%m%d")
     began = time.time()
     if options.which == "long":

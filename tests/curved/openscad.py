@@ -17,7 +17,7 @@ import tempfile
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
-from harness import Checks, options, run  # noqa: E402
+from harness import Checks, bounded, options, run  # noqa: E402
 
 EXAMPLES = "/usr/share/openscad/examples"
 TAKEN, CURVED = 15, 8
@@ -84,7 +84,7 @@ class Bench:
 
     def openscad(self, output, source, *options):
         """Run in the folder of the test: the program goes to that of the example by itself."""
-        return run(["openscad", *options, "-o", self.file(output), source], MESH_SECONDS, env=SCREENLESS)
+        return run(bounded(["openscad", *options, "-o", self.file(output), source]), MESH_SECONDS, env=SCREENLESS)
 
     def compare(self, name, source, solid):
         """The points that both tell; none if OpenSCAD makes no mesh in time."""

@@ -41,7 +41,7 @@ def rounded(x, digits=12):
     with decimal.localcontext() as context:
         context.prec = digits
         near = decimal.Decimal(int(x.numerator)) / decimal.Decimal(int(x.denominator))
-    exact, figures = jets.F(str(near)) == x, "".join(map(str, near.as_tuple().digits))
+    exact, figures = jets.F(near) == x, "".join(map(str, near.as_tuple().digits))
     if x == 0:
         return "0", True
     e = len(figures) + near.as_tuple().exponent

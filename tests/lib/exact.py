@@ -9,6 +9,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 import numbers
 import os
+import re
+from decimal import Decimal
 from fractions import Fraction as PythonFraction
 
 try:
@@ -18,7 +20,18 @@ try:
 except ImportError:
     gmpy2 = None
 
-Fraction = gmpy2.mpq if gmpy2 else PythonFraction
+# Numerals that mpq reads as Python does; of others it takes some that are none ("1 2" is 12), and refuses some that are ("+1").
+PLAIN = re.compile(r"-?[0-9]+(?:/[0-9]+|(?:\.[0-9]+)?(?:[eE][-+]?[0-9]+)?)")
+
+
+def of_gmpy2(*parts):
+    """The mpq of what Python's Fraction takes: a number, a numeral, a numerator with its denominator."""
+    if len(parts) == 1 and isinstance(parts[0], (str, Decimal)) and not (isinstance(parts[0], str) and PLAIN.fullmatch(parts[0])):
+        return gmpy2.mpq(PythonFraction(parts[0]))
+    return gmpy2.mpq(*parts)
+
+
+Fraction = of_gmpy2 if gmpy2 else PythonFraction
 
 
 def refuse_floats():

@@ -29,7 +29,8 @@ class Checks:
 
     def holds(self, condition, *what):
         """Count a check; `what` are a message and the operands, printed if it fails. An operand that is a float of gmpy2 is a failure."""
-        if condition and not any(map(exact.is_float, (condition, *what))):
+        condition = condition and not any(map(exact.is_float, (condition, *what)))
+        if condition:
             self.passed += 1
         else:
             self.fail(*what)
@@ -77,14 +78,17 @@ def options(description, *more, seed=2008):
     args.graze = os.path.abspath(args.graze)
     args.random = random.Random(args.seed)
     if not args.sanitizers:
-        resource.setrlimit(resource.RLIMIT_AS, (MEMORY, resource.getrlimit(resource.RLIMIT_AS)[1]))
+        hard = resource.getrlimit(resource.RLIMIT_AS)[1]
+        resource.setrlimit(resource.RLIMIT_AS, (MEMORY if hard == resource.RLIM_INFINITY else min(MEMORY, hard), hard))
     print(f"seed {args.seed}, scale {args.scale}")
     return args
 
 
-def bounded(command, memory="unlimited", **more):
-    """The command with so many bytes of address space instead of the suite's, and other limits by their names in prlimit(1),
-    which is part of every Debian: a function for preexec_fn costs each run more than the rest of its start."""
+def bounded(command, memory=0, **more):
+    """The command with so many bytes of address space instead of the suite's, 0: as many as may be, and other limits by their names in
+    prlimit(1), which is part of every Debian: a function for preexec_fn costs each run more than the rest of its start."""
+    hard = resource.getrlimit(resource.RLIMIT_AS)[1]
+    memory = memory or ("unlimited" if hard == resource.RLIM_INFINITY else hard)
     return ["prlimit", f"--as={memory}:", *(f"--{name}={most}" for name, most in more.items()), *command]
 
 

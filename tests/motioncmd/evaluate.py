@@ -12,7 +12,7 @@ def value(text, t, s):
     """An expression of numbers, + - * /, parentheses, t and s."""
     if re.fullmatch(r"[-+*/() ts0-9]*", text) is None:
         raise ValueError(text)
-    return F(eval(re.sub(r"\d+", lambda m: f"F({m[0]})", text), {"F": F, "t": t, "s": s}))
+    return F(eval(re.sub(r"(\*\*)?(\d+)", lambda m: m[0] if m[1] else f"F({m[2]})", text), {"F": F, "t": t, "s": s}))
 
 
 def multiply(a, b):

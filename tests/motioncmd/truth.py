@@ -3,6 +3,7 @@
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 from decimal import Decimal, getcontext
+from numbers import Rational
 
 from exact import Fraction as F
 
@@ -10,7 +11,7 @@ getcontext().prec = 105
 
 
 def dec(x):
-    return Decimal(int(x.numerator)) / Decimal(int(x.denominator)) if isinstance(x, F) else Decimal(x)
+    return Decimal(int(x.numerator)) / Decimal(int(x.denominator)) if isinstance(x, Rational) else Decimal(x)
 
 
 def arctan_inverse(n):

@@ -11,6 +11,8 @@ import subprocess
 import tempfile
 import time
 
+from harness import bounded
+
 PROGRAMS = ("chromium", "chromium-browser", "google-chrome")
 OPTIONS = ("--headless=new", "--no-sandbox", "--remote-debugging-pipe", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
            "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync",
@@ -28,7 +30,7 @@ class Chromium:
         words = [*OPTIONS, f"--window-size={width},{height}", f"--user-data-dir={self.folder.name}", "about:blank"]
         start = f'for p in {" ".join(PROGRAMS)}; do command -v $p >/dev/null && exec $p "$@" 3<&{ours} 4>&{theirs}; done; exit 127'
         environment = dict(os.environ, HOME=self.folder.name)
-        self.process = subprocess.Popen(["bash", "-c", start, "bash", *words], pass_fds=(ours, theirs), env=environment,
+        self.process = subprocess.Popen(bounded(["bash", "-c", start, "bash", *words]), pass_fds=(ours, theirs), env=environment,
                                         stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                                         start_new_session=True)
         os.close(ours)

@@ -5,6 +5,7 @@ fails; documents quote what was recorded; numbers of the suites are exact. In th
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import contextlib
+import decimal
 import glob
 import io
 import math
@@ -24,7 +25,7 @@ import machine  # noqa: E402
 import stages  # noqa: E402
 import suitetimes  # noqa: E402
 from harness import ROOT, Checks, options, run  # noqa: E402
-from run import found  # noqa: E402
+from run import recorded  # noqa: E402
 
 MAIN = 'if __name__ == "__main__":\n    '
 ROW = "| `{path}` | it | law | {least} |\n"
@@ -146,12 +147,10 @@ def check_stages(checks):
 
 
 def check_times(checks):
-    """Suites have rows, documents quote what the two calls took, in whole minutes rounded up."""
+    """All suites and no others have rows; documents quote what the two calls took, in whole minutes rounded up."""
     times = suitetimes.read()
-    names = set(times) - {suitetimes.TEST, suitetimes.CI}
-    checks.holds({suitetimes.TEST, suitetimes.CI} <= set(times), "tests/times.txt lacks a whole")
-    strays = sorted(names - set(found()))
-    checks.equal(strays, [], "tests/times.txt has rows of no suite")
+    suites = {path for path, least in recorded()[0].items() if least is not None}
+    checks.equal(sorted(set(times) ^ (suites | {suitetimes.TEST, suitetimes.CI})), [], "rows of tests/times.txt, which --record writes")
     for path in ("README.md", "CONTRIBUTING.md", "Makefile", "tests/README.md", "src/docs/development.md"):
         with open(os.path.join(ROOT, path), encoding="utf-8") as file:
             text = file.read()
@@ -164,11 +163,19 @@ def check_times(checks):
 
 def check_exact(checks):
     """Numbers of the suites' own algebra: where mpq and Fraction differ, the suites' own functions are right, and no float slips in."""
-    ways = (exact.Fraction,) if exact.gmpy2 is None else (exact.Fraction, exact.PythonFraction)
+    ways = {exact.Fraction, exact.PythonFraction}
     for make in ways:
         for a, b in ((1, 3), (2, 3), (-2, 3), (10 ** 30 + 1, 10 ** 29), (3, 2 ** 1075), (2 ** 53 + 1, 1), (2 ** 54 + 3, 1)):
             checks.equal(exact.to_double(make(a, b)), a / b, a, b, "to_double")
         checks.equal(exact.simple(make(355, 113), 50), make(22, 7), "simple")
+    for make in ways:
+        for text in ("1 2", "1.5e5x", "1e2.5", "1.5e", "1/2 3", "1__0", "", "a", "1/-2"):
+            try:
+                checks.fail(text, "is read as", make(text))
+            except ValueError:
+                checks.passed += 1
+        got = [make(x) for x in ("-1/2", "+1/2", " 0.1 ", "-.5", "1e3", "1.5E-2", "1_0", decimal.Decimal("0.25"), 0.5, 7)]
+        checks.equal(got, [-1 / 2, 1 / 2, make(1, 10), -1 / 2, 1000, make(3, 200), 10, 1 / 4, 1 / 2, 7], "numerals")
     checks.equal([exact.to_double(x) for x in ("1/3", "0.1", 0.5, 7)], [1 / 3, 0.1, 0.5, 7.0], "to_double of other numbers")
     if exact.gmpy2:
         mpq, mpz = exact.gmpy2.mpq, exact.gmpy2.mpz

@@ -261,7 +261,7 @@ def check_mutants():
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--graze", default="build/graze", help="its folder holds the objects")
-    parser.add_argument("--scale", help="ignored: nothing here is random")
+    parser.add_argument("--scale", "--seed", help="ignored: nothing here is random")
     parser.add_argument("--sanitizers", action="store_true", help="ignored: nothing here is run")
     build = os.path.dirname(parser.parse_args().graze)
     everything = {path: sources.read(path) for path in sources.sources()}
