@@ -124,6 +124,7 @@ def main():
     parser.add_argument("--seed", default="", help="of what is drawn in `long`: a whole number, the day if none is given")
     parser.add_argument("--took", nargs=3, action="append", default=[], metavar=("NAME", "WALL", "CPU"),
                         help="a stage that the caller ran, for the table")
+    parser.add_argument("--from", dest="first", default="", metavar="NAME", help="begin at this stage, as after one that failed")
     parser.add_argument("--record", action="store_true", help="write what `ci` took into tests/times.txt, if nothing failed")
     options = parser.parse_args()
     os.chdir(os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
@@ -131,8 +132,12 @@ def main():
     began = time.time()
     if options.which == "long":
         print(f"seed {seed}", flush=True)
+    stages = {"ci": ci, "long": long}[options.which](seed)
+    names = [stage.name for stage in stages]
+    if options.first and options.first not in names:
+        parser.error(f"--from {options.first}: expected one of {', '.join(names)}")
     run = Run(options.took)
-    run.all({"ci": ci, "long": long}[options.which](seed))
+    run.all(stages[names.index(options.first) if options.first else 0:])
     print(run.table())
     wall = time.time() - began + sum(float(wall) for _, wall, _ in options.took)
     print(f"{wall:.0f} s in all")

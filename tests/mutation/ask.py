@@ -5,7 +5,8 @@
 
 CLONE is a clone of this repository at the commit that is asked, after `make test`; a patch is applied there, built, asked about and
 taken back. Suites of the patch's room are asked first (rooms.py), or those that its kind of fault is for; with --all then
-every other suite of `make test`, the quickest first. Who notices stands in a line each, `-` where nobody does.
+every other suite of `make test`, the quickest first. Who notices stands in a line each, `-` where nobody does. Who is red without
+the patch too ends the run.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -18,6 +19,7 @@ import sys
 import time
 
 HERE = os.path.dirname(os.path.abspath(__file__))
+THREADS = os.path.join(HERE, "..", "stages", "threads.sh")
 sys.path[:0] = [os.path.join(HERE, ".."), os.path.join(HERE, "..", "lib")]
 
 import suitetimes  # noqa: E402
@@ -29,7 +31,7 @@ SECONDS = 900
 # Who is for a kind of fault that no room's suites are for: suites, or commands after `$ `.
 KINDS = {
     "an allocation that is not checked": ["memory/memory", "api/test_memory"],
-    "a race": ["$ tests/stages/threads.sh test_threads.py"],
+    "a race": [f"$ {THREADS} test_threads.py"],
     "a document of a name that is gone": ["readme/formats", "readme/readme", "refuse/run usage", "$ make -s docs"],
     "a rule of unfinished files": ["shards/ended", "shards/resume", "shards/record", "shards/shards", "memory/memory", "api/test_classify"],
     "a symbol that is exported by mistake": ["install/abi"],
@@ -56,7 +58,7 @@ class Tree:
     """The clone whose suites are asked."""
 
     def __init__(self, path, python):
-        self.path, self.python = path, python
+        self.path, self.python, self.sound = path, python, set()
 
     def call(self, *command):
         return subprocess.run(command, cwd=self.path, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
@@ -79,6 +81,23 @@ class Tree:
             return is_red([self.python, f"tests/{name}.py", "--graze", "build/graze", *words], SECONDS)
         finally:
             os.chdir(here)
+
+
+    def notices(self, patch, path, those):
+        """Who of `those` notices the patch, or None."""
+        if self.call("git", "apply", patch).returncode:
+            raise SystemExit(f"{patch} does not apply to {self.path}")
+        try:
+            who = "the build" if not self.build("all") else next(filter(self.is_noticed_by, those), None)
+        finally:
+            self.call("git", "apply", "-R", patch)
+            self.call("touch", path)
+            self.build("all")
+        if who not in (None, "the build") and who not in self.sound:
+            if self.is_noticed_by(who):
+                raise SystemExit(f"{who} is red without {patch}")
+            self.sound.add(who)
+        return who
 
 
 def askers(what, path, everyone):
@@ -106,15 +125,7 @@ def main():
         with open(patch, encoding="utf-8") as file:
             what, path = re.match(r"(.*): (\S*)\n", file.read()).groups()
         began = time.time()
-        if tree.call("git", "apply", patch).returncode:
-            raise SystemExit(f"{patch} does not apply to {options.tree}")
-        try:
-            who = "the build" if not tree.build("all") else next(
-                (asker for asker in askers(what, path, options.all) if tree.is_noticed_by(asker)), "-")
-        finally:
-            tree.call("git", "apply", "-R", patch)
-            tree.call("touch", path)
-            tree.build("all")
+        who = tree.notices(patch, path, askers(what, path, options.all)) or "-"
         print(f"{os.path.basename(patch)[:-6]} | {what} | {path} | {who} | {time.time() - began:.0f} s", flush=True)
 
 

@@ -257,6 +257,7 @@ class Memory(unittest.TestCase):
                                  "generator": 3})
 
     @unittest.skipUnless(os.path.exists("/proc/self/statm"), "no /proc")
+    @unittest.skipIf("libtsan" in os.environ.get("LD_PRELOAD", ""), "the thread sanitizer keeps memory for each thread that was")
     def test_memory_does_not_grow(self):
         """Scenes, traces and threads, many times: after a start no more than 4 MB are added. What the
         arithmetic keeps for a thread is 0.2 MB with such points; there are 200 threads and more."""
