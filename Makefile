@@ -69,7 +69,7 @@ help:
 	@echo "make demo       install what is missing, build, classify the points of cases/bracket"
 	@echo "make test       install what is missing, build, run every test (9 minutes on two idle cores)"
 	@echo "make cases      check every case under cases/ and recompute it with PARI"
-	@echo "make test-long  more random inputs than CI asks, of SEED=n or the day's, before a release (an hour and a half)"
+	@echo "make test-long  more random inputs than CI asks, of SEED=n or the day's, before a release (an hour)"
 	@echo "make fuzz       every fuzz target for SECONDS=60 (FUZZ_ONLY=\"NAME ...\": some of them)"
 	@echo "make coverage   line and branch coverage by file, of most suites"
 	@echo "make docs       the site, with what its pages show, into build/docs/html/"

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Puts the patches of mutation/planted to the suites of a tree until one notices: by hand, of two trees, to tell what CI lost.
 
-    ask.py --tree CLONE [--only mutant-0] [--from 0/2] [--all]
+    ask.py --tree CLONE [--only mutant-0] [--from 0/2] [--known FILE] [--all]
 
 CLONE is a clone of this repository at the commit that is asked, after `make test`; a patch is applied there, built, asked about and
 taken back. Suites of the patch's room are asked first (rooms.py), or those that its kind of fault is for; with --all then
@@ -116,11 +116,17 @@ def main():
     parser.add_argument("--tree", required=True)
     parser.add_argument("--only", default="", help="patches whose name contains this text")
     parser.add_argument("--from", dest="share", default="0/1", help="K/N: every Nth patch, from the Kth on")
-    parser.add_argument("--all", action="store_true")
+    parser.add_argument("--known", help="a file of such lines; what has one is not asked again")
+    parser.add_argument("--all", action="store_true", help="ask every suite of `make test` after those of the room")
     options = parser.parse_args()
     first, step = map(int, options.share.split("/"))
     tree = Tree(options.tree, interpreter()[0])
-    patches = [path for path in sorted(glob.glob(os.path.join(HERE, "planted", "*.patch"))) if options.only in path]
+    known = set()
+    if options.known:
+        with open(options.known, encoding="utf-8") as file:
+            known = {line.split(" | ")[0] for line in file}
+    patches = [path for path in sorted(glob.glob(os.path.join(HERE, "planted", "*.patch")))
+               if options.only in path and os.path.basename(path)[:-6] not in known]
     for patch in patches[first::step]:
         with open(patch, encoding="utf-8") as file:
             what, path = re.match(r"(.*): (\S*)\n", file.read()).groups()
