@@ -221,18 +221,21 @@ GRAZE_API GRAZE_CHECKED graze_status graze_scad_text(char **out, char **report,
 /**
  * Mend a mesh that bounds no solid, as far as that moves no point: equal vertices become one,
  * facets without area go, edges are split at vertices in their middle, and, where it is not legal
- * yet, facets are turned round. The result is validated as graze_solid_read does.
+ * yet, facets are turned round. The result is validated as graze_solid_read does. A weld moves
+ * vertices: the largest displacement, rounded up, stands in the report.
  * @param[out] out    text of an OFF file of triangles for graze_free; NULL on failure
  * @param[out] report text for graze_free: a line for each kind of thing that was done, with the
  * first few numbers of the input's facets and vertices, empty if nothing was; also on
  * GRAZE_EILLEGAL, unless the file has no facet. May be NULL
  * @param path        a file in .off, .obj, .ply or .stl
+ * @param weld        positive: a vertex becomes the nearest one before it that stays, where that is
+ * no further away, in units of the file; NULL: none
  * @param flags       0 or GRAZE_SOLID_TRIANGULATE
  * @return as graze_solid_read; GRAZE_EILLEGAL is what is left after mending
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_solid_mend(char **out, char **report,
                                                       graze_context *context, const char *path,
-                                                      unsigned flags);
+                                                      mpq_srcptr weld, unsigned flags);
 
 /**
  * Write a motion as a motion file of plain pieces, which graze-check reads: the same map at every

@@ -89,7 +89,7 @@ static graze_status read_mesh(soup *input, graze_context *context, const char *p
 }
 
 graze_status graze_solid_mend(char **out, char **report, graze_context *context, const char *path,
-                              unsigned flags) {
+                              mpq_srcptr weld, unsigned flags) {
     if (out)
         *out = NULL;
     if (report)
@@ -98,16 +98,24 @@ graze_status graze_solid_mend(char **out, char **report, graze_context *context,
         return api_misuse(context, "graze_solid_mend", "out, context and path must not be NULL");
     if (flags & ~GRAZE_SOLID_TRIANGULATE)
         return api_misuse(context, "graze_solid_mend", "an unknown flag is set");
+    if (weld && mpq_sgn(weld) <= 0)
+        return api_misuse(context, "graze_solid_mend", "weld must be positive");
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
     graze_solid *solid = NULL;
     soup input;
     text written, done;
-    graze_status status = read_mesh(&input, context, path);
-    if (status)
+    fmpq_t distance;
+    fmpq_init(distance);
+    graze_status status = weld ? api_rational(distance, context, weld) : GRAZE_OK;
+    if (!status)
+        status = read_mesh(&input, context, path);
+    if (status) {
+        fmpq_clear(distance);
         return status;
+    }
     text_init(&written);
     text_init(&done);
-    status = mend_solid(&solid, &done, context, &input, flags);
+    status = mend_solid(&solid, &done, context, &input, flags, weld ? distance : NULL);
     if (!status) {
         solid_write(&written, solid);
         status = text_finish(out, context, &written);
@@ -124,6 +132,7 @@ graze_status graze_solid_mend(char **out, char **report, graze_context *context,
         *out = NULL;
     }
     text_clear(&done);
+    fmpq_clear(distance);
     graze_solid_destroy(solid);
     return status;
 }

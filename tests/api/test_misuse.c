@@ -86,11 +86,12 @@ static void solids(bench *b) {
     mpq_set_si(below, -1, 1);
     const graze_scad_options no_tolerance = {.size = sizeof no_tolerance, .near_rotation = below};
     WRONG_OUT(char, graze_scad_text(&out, NULL, c, "x.csg", &no_tolerance));
+    WRONG_OUT(char, graze_solid_mend(&out, NULL, c, "x.off", below, 0));
     mpq_clear(below);
-    WRONG(graze_solid_mend(NULL, NULL, c, "x.off", 0));
-    WRONG_OUT(char, graze_solid_mend(&out, NULL, NULL, "x.off", 0));
-    WRONG_OUT(char, graze_solid_mend(&out, NULL, c, NULL, 0));
-    WRONG_OUT(char, graze_solid_mend(&out, NULL, c, "x.off", 2));
+    WRONG(graze_solid_mend(NULL, NULL, c, "x.off", NULL, 0));
+    WRONG_OUT(char, graze_solid_mend(&out, NULL, NULL, "x.off", NULL, 0));
+    WRONG_OUT(char, graze_solid_mend(&out, NULL, c, NULL, NULL, 0));
+    WRONG_OUT(char, graze_solid_mend(&out, NULL, c, "x.off", NULL, 2));
     WRONG(graze_solid_box(NULL, b->point, c, b->s.solid));
     WRONG(graze_solid_box(b->point, NULL, c, b->s.solid));
     WRONG(graze_solid_box(b->point, b->point, NULL, b->s.solid));

@@ -70,14 +70,19 @@ static void write_again(graze_context *context, const graze_solid *solid) {
 }
 
 /* A mesh that is legal stays so; what is written is legal. */
-static void mend(graze_context *context, const char *path, unsigned flags, int legal) {
+static void mend(graze_context *context, const char *path, unsigned flags, int legal, int welds) {
     char *text = NULL, *report = NULL;
     graze_solid *again = NULL;
+    mpq_t weld;
+    mpq_init(weld);
+    mpq_set_ui(weld, 1, 1000);
     int mesh = !strstr(path, ".wkt") && !strstr(path, ".nef3");
-    graze_status made = graze_solid_mend(&text, &report, context, path, flags);
+    graze_status made = graze_solid_mend(&text, &report, context, path, welds ? weld : NULL, flags);
+    mpq_clear(weld);
     EXPECT((made == GRAZE_OK) == (text != NULL));
     EXPECT(report ? made == GRAZE_OK || made == GRAZE_EILLEGAL : made != GRAZE_OK);
-    EXPECT(mesh ? !legal || made == GRAZE_OK || made == GRAZE_ELIMIT : made == GRAZE_EINPUT);
+    EXPECT(mesh ? !legal || welds || made == GRAZE_OK || made == GRAZE_ELIMIT
+                : made == GRAZE_EINPUT);
     if (text) {
         const char *mended = fuzz_file("mended.off", (const uint8_t *)text, strlen(text));
         graze_status status = graze_solid_read(&again, context, mended, 0);
@@ -104,7 +109,9 @@ static int read_file(const char *name, const uint8_t *data, size_t size) {
             write_again(context, solid);
             taken = 1;
         }
-        mend(context, path, flags, solid != NULL);
+        mend(context, path, flags, solid != NULL, 0);
+        if (!k)
+            mend(context, path, flags, solid != NULL, 1);
         graze_solid_destroy(solid);
         /* Bytes that are not of the format are not so with other flags either. */
         if (status == GRAZE_EINPUT)

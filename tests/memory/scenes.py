@@ -167,6 +167,7 @@ def make(graze, folder):
                 files={"points": ARRAY})
     yield Scene("solid", ["solid", "cutter", "--diameter", "2", "--corner", "1/2", "--length", "4", "--inside", "in.off", "--outside", "made.off"])
     yield Scene("mend", ["mend", "broken.off", "-o", "made.off"], files={"broken.off": BROKEN})
+    yield Scene("mend-weld", ["mend", "broken.off", "--weld", "1e-3", "-o", "made.off"], files={"broken.off": BROKEN})
     yield Scene("classify-jsonl", ["classify", *one, "--format", "jsonl", u, roll, two])
     yield Scene("classify-grid", ["classify", *one, "--grid", "4,3,2", "--receipt", receipt, cube, turn])
     yield Scene("classify-vtk", ["classify", *one, "--format", "vtk", "--grid", "4,3", u, roll, "--output", "made"],

@@ -6,6 +6,7 @@
 #include "input/mend/clean.h"
 #include "input/mend/orient.h"
 #include "input/mend/split.h"
+#include "input/mend/weld.h"
 #include "input/solid/create.h"
 
 /* The mesh as it is now, validated. */
@@ -18,8 +19,10 @@ static graze_status try_mesh(graze_solid **out, const mesh *m, unsigned flags) {
     return status ? status : solid_create(out, m->context, &input, flags);
 }
 
-static graze_status mend_mesh(graze_solid **out, mesh *m, unsigned flags) {
+static graze_status mend_mesh(graze_solid **out, mesh *m, unsigned flags, const fmpq *weld) {
     graze_status status = clean_vertices(m);
+    if (!status && weld)
+        status = weld_vertices(m, weld);
     if (!status)
         status = clean_facets(m);
     if (!status)
@@ -28,17 +31,19 @@ static graze_status mend_mesh(graze_solid **out, mesh *m, unsigned flags) {
         status = try_mesh(out, m, flags);
     if (status != GRAZE_EILLEGAL || !m->now.count)
         return status;
-    status = orient_facets(m, flags);
+    status = weld ? GRAZE_OK : weld_advise(m);
+    if (!status)
+        status = orient_facets(m, flags);
     return status ? status : try_mesh(out, m, flags);
 }
 
 graze_status mend_solid(graze_solid **out, text *report, graze_context *context, soup *input,
-                        unsigned flags) {
+                        unsigned flags, const fmpq *weld) {
     mesh m;
     *out = NULL;
     graze_status status = mesh_init(&m, context, input);
     if (!status)
-        status = mend_mesh(out, &m, flags);
+        status = mend_mesh(out, &m, flags, weld);
     text_bytes(report, m.report.data ? m.report.data : "", m.report.length);
     report->failed |= m.report.failed;
     mesh_clear(&m);

@@ -36,9 +36,11 @@ static int order_along_x(const void *a, const void *b, void *data) {
 
 static graze_status find_ends(splitter *s) {
     size_t n = 0;
-    s->end = malloc((2 * s->side_count + 1) * sizeof *s->end);
+    graze_status status = mesh_sides(&s->side, &s->side_count, s->m);
+    s->end = status ? NULL : malloc((2 * s->side_count + 1) * sizeof *s->end);
     if (!s->end)
-        return context_fail(s->m->context, GRAZE_ESYSTEM, "out of memory for edges");
+        return status ? status
+                      : context_fail(s->m->context, GRAZE_ESYSTEM, "out of memory for edges");
     for (size_t first = 0, end; first < s->side_count; first = end) {
         end = mesh_edge_end(s->side, s->side_count, first);
         if ((end - first) % 2) {
@@ -51,6 +53,15 @@ static graze_status find_ends(splitter *s) {
         if (!s->end_count || s->end[s->end_count - 1] != s->end[k])
             s->end[s->end_count++] = s->end[k];
     return GRAZE_OK;
+}
+
+graze_status split_open_ends(uint32_t **out, size_t *count, mesh *m) {
+    splitter s = {.m = m};
+    graze_status status = find_ends(&s);
+    *out = s.end;
+    *count = s.end_count;
+    free(s.side);
+    return status;
 }
 
 /* Does v lie strictly between the ends of an edge? */
@@ -152,9 +163,7 @@ static graze_status insert_vertices(splitter *s) {
 
 graze_status split_edges(mesh *m) {
     splitter s = {.m = m};
-    graze_status status = mesh_sides(&s.side, &s.side_count, m);
-    if (!status)
-        status = find_ends(&s);
+    graze_status status = find_ends(&s);
     for (size_t first = 0, end; first < s.side_count && !status; first = end) {
         end = mesh_edge_end(s.side, s.side_count, first);
         if ((end - first) % 2)

@@ -10,4 +10,7 @@
  * Facets keep their points. */
 graze_status split_edges(mesh *m);
 
+/** The ends of edges that an odd number of facets have, malloc'ed, each once. */
+graze_status split_open_ends(uint32_t **out, size_t *count, mesh *m);
+
 #endif

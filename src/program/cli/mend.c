@@ -6,6 +6,7 @@
 #include "program/cli/commands.h"
 #include "program/cli/values.h"
 #include "program/run/load.h"
+#include "program/run/numbers.h"
 #include "program/run/output.h"
 
 static const char mend_help[] =
@@ -21,12 +22,16 @@ static const char mend_help[] =
     "standard error.\n"
     "\n"
     "  -o, --output FILE    the file to write (needed), not SOLID itself\n"
+    "  --weld EPS           make vertices one that lie within EPS, in units of the file; this\n"
+    "                       changes the solid: a line says by how much at most, which\n"
+    "                       --motion-error of graze classify and compare takes\n"
     "  --triangulate, --round binary64|binary32, --limit NAME=V   as in graze classify\n"
     "\n"
     "Example: graze mend part.stl -o part.off\n";
 
 typedef struct mend_options {
     const char *output;
+    const char *weld;
     unsigned solid_flags;
     context_options context;
 } mend_options;
@@ -35,14 +40,23 @@ static const option_entry mend_table[] = {
     FLAG("triangulate", mend_options, solid_flags, value_triangulate),
     OPTION("round", mend_options, context.rounding, value_rounding),
     OPTION("limit", mend_options, context.limits, value_limit),
+    OPTION("weld", mend_options, weld, value_positive),
     FILE_WRITTEN("output", mend_options, output),
     OPTION("o", mend_options, output, value_text),
     {NULL, OPTION_FLAG, NULL, 0}};
 
 static int mend_file(const mend_options *o, graze_context *context, const char *path) {
     char *text = NULL, *report = NULL;
-    graze_status made = graze_solid_mend(&text, &report, context, path, o->solid_flags);
-    int status = complain_of(made, context);
+    mpq_t weld;
+    mpq_init(weld);
+    int status = o->weld ? numbers_read(&weld, context, "--weld", o->weld, strlen(o->weld), 1) : 0;
+    graze_status made = GRAZE_EUSE;
+    if (!status) {
+        made =
+            graze_solid_mend(&text, &report, context, path, o->weld ? weld : NULL, o->solid_flags);
+        status = complain_of(made, context);
+    }
+    mpq_clear(weld);
     if (made == GRAZE_EILLEGAL)
         status = EXIT_NO;
     if (report && (*report || !made)) {

@@ -1,0 +1,199 @@
+/* Welds vertices that lie near each other.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Vertices that stay are further than the distance from each other. They lie in a hash table of
+ * cells as wide as the distance, so that those near a point are in its cell or a neighbour.
+ */
+#include <mpfr.h>
+#include <flint/fmpq.h>
+
+#include "input/mend/weld.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include "base/context/slots.h"
+#include "input/mend/split.h"
+
+enum { ENDS_COMPARED = 4096 }; /* each with all others at worst */
+
+typedef struct welder {
+    mesh *m;
+    const fmpq *distance;
+    fmpq_t square;  /* of the distance */
+    fmpq_t largest; /* of the squares of displacements */
+    fmpq_t nearest, length;
+    fmpz cell[3];
+    slots table;
+    uint32_t *stays; /* the vertex of each number in the table */
+    uint32_t *to;    /* of each vertex: the one that takes its place */
+    few welded;
+} welder;
+
+static graze_status welder_init(welder *w, mesh *m, const fmpq_t distance) {
+    size_t n = m->input->vertex_count;
+    *w = (welder){.m = m, .distance = distance};
+    fmpq_init(w->square);
+    fmpq_init(w->largest);
+    fmpq_init(w->nearest);
+    fmpq_init(w->length);
+    fmpq_mul(w->square, distance, distance);
+    w->stays = malloc((n + 1) * sizeof *w->stays);
+    w->to = malloc((n + 1) * sizeof *w->to);
+    return w->stays && w->to
+               ? GRAZE_OK
+               : context_fail(m->context, GRAZE_ESYSTEM, "out of memory for %zu vertices", n);
+}
+
+static void welder_clear(welder *w) {
+    fmpq_clear(w->square);
+    fmpq_clear(w->largest);
+    fmpq_clear(w->nearest);
+    fmpq_clear(w->length);
+    for (int k = 0; k < 3; k++)
+        fmpz_clear(w->cell + k);
+    slots_clear(&w->table);
+    free(w->stays);
+    free(w->to);
+}
+
+static void find_cell(welder *w, const fmpq *p) {
+    for (int k = 0; k < 3; k++) {
+        fmpq_div(w->length, p + k, w->distance);
+        fmpz_fdiv_q(w->cell + k, fmpq_numref(w->length), fmpq_denref(w->length));
+    }
+}
+
+/* The hash of the cell, or of a neighbour. */
+static uint64_t cell_hash(const welder *w, int x, int y, int z) {
+    static const ulong prime = (1UL << 61) - 1;
+    const int step[3] = {x, y, z};
+    uint64_t hash = 0;
+    for (int k = 0; k < 3; k++) {
+        ulong rest = fmpz_fdiv_ui(w->cell + k, prime) + prime + (ulong)(slong)step[k];
+        hash = slots_mix(hash ^ (rest % prime));
+    }
+    return hash;
+}
+
+static void square_of_distance(fmpq_t out, const fmpq *p, const fmpq *q) {
+    fmpq_t way;
+    fmpq_init(way);
+    fmpq_zero(out);
+    for (int k = 0; k < 3; k++) {
+        fmpq_sub(way, p + k, q + k);
+        fmpq_addmul(out, way, way);
+    }
+    fmpq_clear(way);
+}
+
+/* Take the nearest vertex of one cell that stays, if it is nearer than all before. */
+static void look_into_cell(welder *w, uint64_t hash, uint32_t v) {
+    size_t at = 0, number;
+    while ((number = slots_next(&w->table, hash, &at)) != SLOTS_NONE) {
+        uint32_t other = w->stays[number];
+        square_of_distance(w->length, mesh_point(w->m, v), mesh_point(w->m, other));
+        int nearer = fmpq_cmp(w->length, w->nearest);
+        if (nearer < 0 || (!nearer && (w->to[v] == v || other < w->to[v]))) {
+            fmpq_swap(w->nearest, w->length);
+            w->to[v] = other;
+        }
+    }
+}
+
+static graze_status weld_vertex(welder *w, uint32_t v) {
+    find_cell(w, mesh_point(w->m, v));
+    fmpq_set(w->nearest, w->square);
+    w->to[v] = v;
+    for (int k = 0; k < 27; k++)
+        look_into_cell(w, cell_hash(w, k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1), v);
+    if (w->to[v] != v) {
+        few_add(&w->welded, "%u with %u", v, w->to[v]);
+        if (fmpq_cmp(w->nearest, w->largest) > 0)
+            fmpq_swap(w->nearest, w->largest);
+        return GRAZE_OK;
+    }
+    w->stays[w->table.count] = v;
+    return slots_add(&w->table, cell_hash(w, 0, 0, 0))
+               ? GRAZE_OK
+               : context_fail(w->m->context, GRAZE_ESYSTEM, "out of memory for vertices");
+}
+
+/* The line of the report: the solid is changed, and by how much. */
+static void report_welded(welder *w) {
+    mpfr_t bound;
+    char digits[64];
+    if (!w->welded.count)
+        return;
+    mpfr_init2(bound, 53);
+    fmpq_get_mpfr(bound, w->largest, MPFR_RNDU);
+    mpfr_sqrt(bound, bound, MPFR_RNDU);
+    mpfr_snprintf(digits, sizeof digits, "%.2RUe", bound);
+    mpfr_clear(bound);
+    few_report(&w->welded, w->m, "welded", "vertices with one near them");
+    text_format(&w->m->report, "the solid is changed: vertices moved by at most %s\n", digits);
+}
+
+graze_status weld_vertices(mesh *m, const fmpq_t distance) {
+    welder w;
+    size_t n = m->input->vertex_count;
+    graze_status status = welder_init(&w, m, distance);
+    unsigned char *used = status ? NULL : calloc(n + 1, 1);
+    if (!status && !used)
+        status = context_fail(m->context, GRAZE_ESYSTEM, "out of memory for %zu vertices", n);
+    for (size_t k = 0; k < m->now.corner_count && !status; k++)
+        used[m->now.corner[k]] = 1;
+    for (uint32_t v = 0; v < n && !status; v++) {
+        status = v % 1024 ? GRAZE_OK : context_poll(m->context);
+        if (!status && used[v])
+            status = weld_vertex(&w, v);
+    }
+    for (size_t k = 0; k < m->now.corner_count && !status; k++)
+        m->now.corner[k] = w.to[m->now.corner[k]];
+    report_welded(&w);
+    free(used);
+    welder_clear(&w);
+    return status;
+}
+
+static double end_distance(const double *p, const double *q) {
+    return hypot(hypot(p[0] - q[0], p[1] - q[1]), p[2] - q[2]);
+}
+
+/* The largest of all distances from an end to the nearest other one, and of all distances. */
+static graze_status measure_ends(double *furthest, double *extent, graze_context *context,
+                                 const double *at, size_t count) {
+    graze_status status = GRAZE_OK;
+    *furthest = *extent = 0;
+    for (size_t k = 0; k < count && !status; k++) {
+        double nearest = INFINITY;
+        for (size_t j = 0; j < count; j++) {
+            double distance = end_distance(at + 3 * k, at + 3 * j);
+            nearest = j == k ? nearest : fmin(nearest, distance);
+            *extent = fmax(*extent, distance);
+        }
+        *furthest = fmax(*furthest, nearest);
+        status = context_poll(context);
+    }
+    return status;
+}
+
+graze_status weld_advise(mesh *m) {
+    uint32_t *end = NULL;
+    size_t count = 0;
+    double furthest = 0, extent = 0;
+    graze_status status = split_open_ends(&end, &count, m);
+    double *at = status || count > ENDS_COMPARED ? NULL : malloc((3 * count + 1) * sizeof *at);
+    for (size_t k = 0; at && k < 3 * count; k++)
+        at[k] = fmpq_get_d(mesh_point(m, end[k / 3]) + k % 3);
+    m->report.failed |= !status && count <= ENDS_COMPARED && !at;
+    if (at)
+        status = measure_ends(&furthest, &extent, m->context, at, count);
+    if (furthest > 0 && furthest * 1000 < extent)
+        text_format(&m->report,
+                    "left %zu ends of open edges, each within about %.2g of another one: a weld "
+                    "of %.1e may close the surface\n",
+                    count, furthest, 1.1 * furthest);
+    free(at);
+    free(end);
+    return status;
+}
