@@ -22,7 +22,7 @@ class Bench:
 
     def __init__(self, args, folder):
         self.graze, self.folder, self.scale = args.graze, pathlib.Path(folder), args.scale
-        self.random, self.checks = args.random, harness.Checks()
+        self.random, self.checks, self.sanitizers = args.random, harness.Checks(), args.sanitizers
 
     def check(self, holds, what, *seen):
         self.checks.holds(holds, what, *(repr(s)[:600] for s in seen))

@@ -6,9 +6,11 @@ Every expected table is the one a single run writes.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import math
 import os
 import re
 import resource
+import shlex
 import signal
 import subprocess
 import time
@@ -163,5 +165,78 @@ def check_progress(bench):
     bench.check((status, shown) == (0, b""), "--quiet shows nothing", status, shown)
 
 
+def ring(n, m):
+    """A torus of 2 n m triangles, with the decimals of a file from elsewhere."""
+    turn, tilt = [[2 * math.pi * k / count for k in range(count)] for count in (n, m)]
+    corner = lambda i, j: i % n * m + j % m  # noqa: E731
+    rows = [f"{(3 + math.cos(b)) * math.cos(a):.6f} {(3 + math.cos(b)) * math.sin(a):.6f} {math.sin(b):.6f}" for a in turn for b in tilt]
+    rows += [f"3 {corner(i, j)} {a} {b}" for i in range(n) for j in range(m)
+             for a, b in ((corner(i + 1, j), corner(i + 1, j + 1)), (corner(i + 1, j + 1), corner(i, j + 1)))]
+    return "\n".join(["OFF", f"{n * m} {2 * n * m} 0", *rows, ""]).encode()
+
+
+TURNING = (b'{"dimension": 3, "pieces": [{"t": ["0", "1"], "transform": {"compose": [{"translate": ["4*t^5", "t^2", "t^3"]}, '
+           b'{"quaternion": ["1", "t", "t^2-t/3", "t^3-t/7+1/11"]}]}}]}')
+# Each works for minutes at least.
+HARD = ("check big.off turn.json", "mend big.off -o mended.off", "convert big.off -o converted.off",
+        "classify mid.off turn.json --grid 500,500,500", "certify mid.off turn.json places.csv", "explain big.off turn.json 1 2 3",
+        "contact big.off turn.json --snap sites.csv", "collide mid.off turn.json mid.off", "envelope mid.off turn.json",
+        "boundary mid.off turn.json --depth 9 --surface surface.ply", "judge mid.off turn.json mid.off",
+        "generate mid.off turn.json -n 9000000 --seed 1", "draw mid.off turn.json -o page.html",
+        "validate mid.off turn.json -n 1000000 --seed 1 --candidate 'sleep 1000'")
+
+
+def check_hard_work(bench):
+    """Every command is ended by a signal in the middle of hard work. All work at once; the time that they may take is
+    that of a busy machine."""
+    places = "".join(f"{k}/7,{k % 11}/3,{k % 13}/5\n" for k in range(300000))
+    for name, content in (("big.off", ring(600, 400)), ("mid.off", ring(60, 40)), ("turn.json", TURNING),
+                          ("places.csv", b"x,y,z\n" + places.encode()), ("sites.csv", b"time,x,y,z\n" + b"1/3,4,0,0\n" * 100000)):
+        bench.file(name, content)
+    runs = [(words, subprocess.Popen([bench.graze, *shlex.split(words)], cwd=bench.folder, stdin=subprocess.DEVNULL,
+                                     stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)) for words in HARD]
+    time.sleep(3 * bench.scale)
+    for words, child in runs:
+        bench.check(child.poll() is None, "it is at work", words, child.returncode)
+        child.terminate()
+    end = time.monotonic() + 20
+    for words, child in runs:
+        try:
+            child.wait(max(0.1, end - time.monotonic()))
+        except subprocess.TimeoutExpired:
+            child.kill()
+        bench.check(child.wait() == -signal.SIGTERM, "a signal ends it in 20 s", words, child.returncode)
+
+
+DEAF = b"""#include <unistd.h>
+int yajl_parse(void *reader, const unsigned char *text, unsigned long length) {
+    (void)reader, (void)text, (void)length;
+    for (;;)
+        pause();
+}
+"""
+
+
+def check_deaf(bench):
+    """A signal ends a process that waits for another library's call, which never comes back: ten seconds later."""
+    if bench.sanitizers:
+        return
+    bench.file("deaf.c", DEAF)
+    library = bench.folder / "deaf.so"
+    subprocess.run(["cc", "-shared", "-fPIC", "-o", library, bench.folder / "deaf.c"], check=True)
+    child = subprocess.Popen([bench.graze, "check", COMMON / "cube.off", COMMON / "move3.json"],
+                             env={**os.environ, "LD_PRELOAD": str(library)}, stdout=subprocess.DEVNULL)
+    time.sleep(0.5)
+    start = time.monotonic()
+    child.terminate()
+    try:
+        child.wait(20)
+    except subprocess.TimeoutExpired:
+        child.kill()
+    bench.check(child.wait() == -signal.SIGTERM, "it ends", child.returncode)
+    bench.check(time.monotonic() - start > 5, "it had a moment to end", time.monotonic() - start)
+
+
 if __name__ == "__main__":
-    run_checks(__doc__, [check_lock, check_threads, check_signals, check_ignored, check_full, check_progress])
+    run_checks(__doc__, [check_lock, check_threads, check_signals, check_ignored, check_full, check_progress, check_hard_work,
+                         check_deaf])

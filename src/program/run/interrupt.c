@@ -5,6 +5,7 @@
 
 #include <signal.h>
 #include <stdatomic.h>
+#include <unistd.h>
 #include "program/run/status.h"
 
 static const struct {
@@ -15,8 +16,18 @@ enum { ENDING = sizeof ending / sizeof *ending };
 
 static atomic_int arrived;
 
+enum { LAST_SECONDS = 10 };
+
 static void note(int signal_number) {
     atomic_store(&arrived, signal_number);
+    alarm(LAST_SECONDS);
+}
+
+/* One call of another library, which asks nobody, may take hours: the process ends within it. */
+static void end_late(int alarm_number) {
+    (void)alarm_number;
+    signal(atomic_load(&arrived), SIG_DFL);
+    raise(atomic_load(&arrived));
 }
 
 int interrupt_watch(void) {
@@ -24,6 +35,8 @@ int interrupt_watch(void) {
     sigemptyset(&action.sa_mask);
     action.sa_handler = SIG_IGN;
     int failed = sigaction(SIGPIPE, &action, NULL) | sigaction(SIGXFSZ, &action, NULL);
+    action.sa_handler = end_late;
+    failed |= sigaction(SIGALRM, &action, NULL);
     action.sa_handler = note;
     for (int k = 0; k < ENDING; k++) {
         struct sigaction before;

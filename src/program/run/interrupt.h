@@ -5,7 +5,8 @@
 #define GRAZE_RUN_INTERRUPT_H
 
 /** Catch these three, unless they are ignored already; ignore SIGPIPE and SIGXFSZ, so that a write
- * fails instead. 0 on success. */
+ * fails instead. A process that still works ten seconds after the signal dies of it. 0 on success.
+ */
 int interrupt_watch(void);
 
 /** The signal that came, or 0. Any thread may ask. */
