@@ -7,11 +7,11 @@
 #include "program/run/receipt.h"
 
 static const char check_help[] =
-    "graze check SOLID MOTION: is the pair legal, and why not\n"
+    "graze check SOLID [MOTION]: is the solid, or the pair, legal, and why not\n"
     "\n"
-    "Reads both, checks them exactly, and describes them, with the box of S and one that is "
-    "proved\n"
-    "to hold the sweep. Exit status 0: legal; 1: readable but illegal, the reason on standard "
+    "Reads the files, checks them exactly, and describes them, with the box of S and one that is\n"
+    "proved to hold the sweep. Exit status 0: legal; 1: readable but illegal, the reason on "
+    "standard "
     "error,\n"
     "with the number of faults of its kind and the first few; 3: unreadable.\n"
     "\n"
@@ -20,7 +20,7 @@ static const char check_help[] =
     "  --overlap reject     they may not, as [EI] assumes\n"
     "  --operation sweep|unsweep   in an unsweep S^0 and S^1 may always meet\n"
     "  --round none|binary64|binary32   round every number read to the nearest such float\n"
-    "  --receipt FILE       write a receipt there if they are legal, for graze classify --receipt\n"
+    "  --receipt FILE       write a receipt there if both are legal, for graze classify --receipt\n"
     "  --limit NAME=V       digits 10000, degree 200, pieces 10000, depth 100, line 10^7,\n"
     "                       cells 10^8, bytes 4*10^9, bits 100000, work 10^8\n"
     "\n"
@@ -105,15 +105,16 @@ static int describe_boxes(text *out, const loaded *l) {
         text_put(out, "box of S: none is proved\n");
         return EXIT_DONE;
     }
-    int d = graze_scene_dimension(l->scene);
+    int d = graze_solid_dimension(l->solid);
     mpq_inits(low[0], low[1], low[2], high[0], high[1], high[2], NULL);
-    graze_scene_options(&options, l->scene);
     graze_status status = graze_solid_box(low, high, l->context, l->solid);
     if (!status)
         status = put_checked_box(out, l->context, "box of S, rounded outward:", low, high, d);
-    if (!status)
+    if (l->scene)
+        graze_scene_options(&options, l->scene);
+    if (!status && l->scene)
         status = graze_scene_box(low, high, l->context, l->scene);
-    if (!status)
+    if (!status && l->scene)
         status = put_checked_box(out, l->context,
                                  options.operation == GRAZE_UNSWEEP
                                      ? "box that holds the unsweep, by proof:"
@@ -147,14 +148,15 @@ static void describe_solid(text *out, const loaded *l, int d) {
 }
 
 static int describe_scene(const loaded *l) {
-    int d = graze_scene_dimension(l->scene);
+    int d = graze_solid_dimension(l->solid);
     size_t pieces = graze_motion_piece_count(l->motion);
     text out;
     text_init(&out);
     text_format(&out, "legal\ndimension %d\n", d);
     describe_solid(&out, l, d);
-    text_format(&out, "motion: %zu %s\n%s\n", pieces, plural(pieces, "piece", "pieces"),
-                ends_phrase(graze_scene_ends(l->scene)));
+    if (l->scene)
+        text_format(&out, "motion: %zu %s\n%s\n", pieces, plural(pieces, "piece", "pieces"),
+                    ends_phrase(graze_scene_ends(l->scene)));
     int status = describe_boxes(&out, l);
     if (!status && out.failed)
         status = complain(EXIT_IO, "out of memory");
@@ -181,12 +183,18 @@ static const option_entry check_table[] = {
 static int run_check(void *options, const operands *given) {
     check_options *o = options;
     loaded l;
-    if (given->count != 2)
+    int needs = o->receipt || o->scene.scene.overlap || o->scene.scene.operation;
+    if (given->count < 1 || given->count > 2)
         return complain(EXIT_USAGE,
-                        "check takes SOLID and MOTION, %d given; see graze check --help",
+                        "check takes SOLID and perhaps MOTION, %d given; see graze check --help",
                         given->count);
+    if (given->count == 1 && needs)
+        return complain(EXIT_USAGE, "--%s is about a motion; expected MOTION behind SOLID",
+                        o->receipt               ? "receipt"
+                        : o->scene.scene.overlap ? "overlap"
+                                                 : "operation");
     o->scene.solid = given->item[0];
-    o->scene.motion = given->item[1];
+    o->scene.motion = given->count == 2 ? given->item[1] : NULL;
     int status = loaded_read(&l, &o->scene, EXIT_NO, NULL);
     if (!status && o->receipt)
         status = receipt_write(o->receipt, &l, &o->scene);

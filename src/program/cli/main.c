@@ -18,7 +18,7 @@ enum { COMMANDS = sizeof commands / sizeof *commands };
 static const char overview[] =
     "graze: exact classification of points against a solid swept by a motion\n"
     "\n"
-    "  graze check SOLID MOTION             is the pair legal, and why not\n"
+    "  graze check SOLID [MOTION]           is it legal, and why not\n"
     "  graze classify SOLID MOTION POINTS   a table: in, on, out and class of each point\n"
     "  graze merge PART...                  one table of the parts that shards have written\n"
     "  graze explain SOLID MOTION X Y [Z]   the whole reasoning for one point\n"

@@ -76,13 +76,13 @@ int loaded_read(loaded *out, const scene_options *o, int illegal, const unsigned
         return code;
     if (!status && *graze_solid_note(out->solid))
         complain(EXIT_DONE, "note: %s: %s", o->solid, graze_solid_note(out->solid));
-    if (!status)
+    if (!status && o->motion)
         status = graze_motion_read(&out->motion, out->context, o->motion);
     graze_options scene = o->scene;
     scene.size = sizeof scene;
     out->rows = o->rows;
     out->rows.size = sizeof out->rows;
-    if (!status)
+    if (!status && o->motion)
         status = graze_scene_create(&out->scene, out->context, out->solid, out->motion, &scene);
     if (!status && o->sdf_relative)
         status = graze_scene_width(&out->rows.sdf, out->context, out->scene, o->rows.sdf);
