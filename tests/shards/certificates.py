@@ -217,8 +217,8 @@ def check_refused(bench):
     refused(2, b"expected no rounding", "classify", *words, "--round", "binary64", "--certify", bench.folder / "one")
     refused(2, b"was not triangulated", "classify", *words, "--triangulate", "--certify", bench.folder / "one")
     refused(2, b"expected no --output beside it", "certify", *words, "--resume", path, "-o", bench.folder / "one")
-    cube = bench.file("cube.obj", b"v 0 0 0\n")
-    refused(3, b"graze-check does not read it", "classify", cube, *words[1:], "--certify", bench.folder / "one")
+    cube = bench.file("cube.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")
+    refused(3, b"graze-check does not read it", "certify", cube, *words[1:])
 
 
 def check_bad_point(bench):

@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <time.h>
 #include "program/mpi/message.h"
+#include "program/run/certified.h"
 #include "program/run/interrupt.h"
 #include "program/run/jobs.h"
 #include "program/run/queue.h"
@@ -262,7 +263,7 @@ int ranks_serve(const classify_options *o) {
     if (!status && o->grid.sizes)
         status = grid_open(&g, &o->grid, l.context, l.scene);
     if (!status && o->certificate)
-        status = loaded_certify(&l, &o->scene, o->times);
+        status = certified_load(&l, o, 0);
     if (!status) {
         c.numbers = c.dimension = graze_scene_dimension(l.scene);
         answer_task task = {.context = &o->scene.context,

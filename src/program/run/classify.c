@@ -7,6 +7,7 @@
 #include "program/run/classify.h"
 
 #include <stdlib.h>
+#include "program/run/certified.h"
 #include "program/run/csv.h"
 #include "program/run/interrupt.h"
 #include "program/run/jobs.h"
@@ -138,13 +139,11 @@ static int make_ring(run_state *s, size_t size) {
 /* The scene, and a certifier where a certificate is wanted. */
 static int load_scene(run_state *s, const classify_options *o) {
     int certified = o->no_table || o->certificate;
-    int status = certified ? load_certifiable(o->scene.solid) : EXIT_DONE;
-    if (!status)
-        status = receipt_load(&s->l, o->receipt, &o->scene);
+    int status = receipt_load(&s->l, o->receipt, &o->scene);
     if (!status && o->sites.wanted)
         status = load_straight(s->l.solid, o->scene.solid, "contact");
     outputs_init(&s->out, o, &s->l);
-    return !status && certified ? loaded_certify(&s->l, &o->scene, o->times) : status;
+    return !status && certified ? certified_load(&s->l, o, 1) : status;
 }
 
 static int prepare_run(run_state *s, const classify_options *o) {

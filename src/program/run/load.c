@@ -90,23 +90,8 @@ int loaded_read(loaded *out, const scene_options *o, int illegal, const unsigned
     return status == GRAZE_EILLEGAL ? illegal : code;
 }
 
-int load_certifiable(const char *solid) {
-    if (path_has_extension(solid, ".off") || path_has_extension(solid, ".wkt"))
-        return EXIT_DONE;
-    return complain(EXIT_INPUT, "%s: graze-check does not read it; expected .off or .wkt%s", solid,
-                    path_has_extension(solid, ".csg.json") || path_has_extension(solid, ".csg")
-                        ? ""
-                        : ", which graze convert makes of it");
-}
-
 const char *load_note(const scene_options *o) {
     return o->solid_flags & GRAZE_SOLID_TRIANGULATE ? "# triangulate yes\n" : "# triangulate no\n";
-}
-
-int loaded_certify(loaded *l, const scene_options *o, int times) {
-    unsigned flags = o->solid_flags | (times ? GRAZE_CERTIFY_TIMES : 0);
-    graze_status made = graze_certifier_create(&l->certifier, l->context, l->scene, flags);
-    return complain_of_use(made, l->context);
 }
 
 void loaded_clear(loaded *l) {

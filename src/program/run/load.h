@@ -50,13 +50,8 @@ int loaded_read(loaded *out, const scene_options *o, int illegal, const unsigned
 /** Refuse a curved solid, which `what`, a command or an option, does not take: EXIT_INPUT, with a
  * message. */
 int load_straight(const graze_solid *solid, const char *path, const char *what);
-/** Can graze-check read solids of this file's form? EXIT_INPUT, with a message, where it cannot. */
-int load_certifiable(const char *solid);
 /** The line of a table's head that says whether facets were cut. Static. */
 const char *load_note(const scene_options *o);
-/** Make the certifier of a scene that was read, with times of contacts or without. On failure says
- * why and returns an exit status. */
-int loaded_certify(loaded *l, const scene_options *o, int times);
 void loaded_clear(loaded *l);
 
 #endif

@@ -1,0 +1,224 @@
+/* Certifiers, and solids converted for graze-check.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "program/run/certified.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include "program/run/guard.h"
+#include "program/run/output.h"
+
+/* A file that holds, in a form that graze-check reads, what another one holds. Zeroed: none. */
+typedef struct beside {
+    const char *original; /* borrowed */
+    char *path, *text;
+} beside;
+
+/* What graze-check cannot read as it stands. */
+typedef struct lacks {
+    int solid, motion;
+} lacks;
+
+static graze_status make_certifier(loaded *l, const classify_options *o) {
+    unsigned flags = o->scene.solid_flags | (o->times ? GRAZE_CERTIFY_TIMES : 0);
+    return graze_certifier_create(&l->certifier, l->context, l->scene, flags);
+}
+
+/* Can graze-check read solids of this file's form? */
+static int has_read_ending(const char *solid) {
+    return path_has_extension(solid, ".off") || path_has_extension(solid, ".wkt");
+}
+
+/* The certificate's file, or NULL where that is standard output. */
+static const char *certificate_path(const classify_options *o) {
+    const char *path = o->certificate ? o->certificate : o->resume ? o->resume : o->output;
+    return path && strcmp(path, "-") != 0 ? path : NULL;
+}
+
+static const char *pass_blanks(const char *s) {
+    return s + strspn(s, " \t\r\n");
+}
+
+/* Pass over [-] TERM {(+|-) TERM}, TERM = NUMBER | [NUMBER*] t [^COUNT]; NULL where there is none. */
+static const char *pass_sum(const char *s) {
+    s = pass_blanks(s);
+    for (s += *s == '-';; s++) {
+        s = pass_blanks(s);
+        size_t digits = strspn(s, "0123456789./eE");
+        s = pass_blanks(s + digits);
+        int times = digits && *s == '*';
+        s = times ? pass_blanks(s + 1) : s;
+        if (*s != 't' && (times || !digits))
+            return NULL;
+        if (*s == 't') {
+            s = pass_blanks(s + 1);
+            s = pass_blanks(*s == '^' ? s + 1 + strspn(s + 1, "0123456789") : s);
+        }
+        if (*s != '+' && *s != '-')
+            return s;
+    }
+}
+
+/* Is a string of the file an entry that graze-check reads: SUM or (SUM)/(SUM)? */
+static int is_plain_entry(const char *s) {
+    if (*s != '(') {
+        s = pass_sum(s);
+        return s && *s == '"';
+    }
+    s = pass_sum(s + 1);
+    s = s && *s == ')' ? pass_blanks(s + 1) : NULL;
+    s = s && *s == '/' ? pass_blanks(s + 1) : NULL;
+    s = s && *s == '(' ? pass_sum(s + 1) : NULL;
+    return s && *s == ')' && *pass_blanks(s + 1) == '"';
+}
+
+/* Has a motion's file the keys and entries alone that graze-check reads (src/check/read_motion.c)?
+ * Their order is not looked at. */
+static int is_plain(const char *motion) {
+    static const char *const keys[] = {"\"dimension\"", "\"pieces\"",    "\"t\"",     "\"row\"",
+                                       "\"transform\"", "\"translate\"", "\"matrix\""};
+    int plain = 1;
+    for (const char *s = strchr(motion, '"'), *end; s && plain; s = strchr(end + 1, '"')) {
+        end = strchr(s + 1, '"');
+        if (!end)
+            return 0;
+        if (*pass_blanks(end + 1) != ':') {
+            plain = is_plain_entry(s + 1);
+            continue;
+        }
+        plain = 0;
+        for (size_t k = 0; k < sizeof keys / sizeof *keys; k++)
+            plain |= strncmp(s, keys[k], (size_t)(end + 1 - s)) == 0;
+    }
+    return plain;
+}
+
+/* Can graze-check read the file of a motion? A pipe is not asked a second time. */
+static int is_motion_plain(const char *path) {
+    struct stat about;
+    char *text = NULL;
+    size_t room = 0;
+    FILE *file = stat(path, &about) == 0 && S_ISREG(about.st_mode) ? fopen(path, "r") : NULL;
+    int plain = !file || getdelim(&text, &room, '\0', file) < 0 || is_plain(text);
+    free(text);
+    if (file)
+        fclose(file);
+    return plain;
+}
+
+/* Write a converted file beside the certificate, unless a run is continued that wrote it. */
+static int write_beside(const beside *b, const classify_options *o) {
+    guard g = {NULL, 0, 0, 0};
+    guard_add(&g, GUARD_READ, NULL, o->scene.solid, "");
+    guard_add(&g, GUARD_READ, NULL, o->scene.motion, "");
+    if (o->points)
+        guard_add(&g, GUARD_INPUT, NULL, o->points, "");
+    if (o->output)
+        guard_add(&g, GUARD_WRITTEN, "output", o->output, "");
+    guard_add(&g, GUARD_WRITTEN, o->certificate ? "certify" : "output", b->path, "");
+    int status = guard_check(&g);
+    guard_clear(&g);
+    if (!status && (!o->resume || access(b->path, F_OK) != 0))
+        status = output_text(b->path, b->text);
+    return status;
+}
+
+/* Name the file beside the certificate, and write it. */
+static int put_beside(beside *b, const char *original, const char *ending,
+                      const classify_options *o, int writes) {
+    const char *path = certificate_path(o);
+    b->original = original;
+    b->path = malloc(strlen(path) + strlen(ending) + 1);
+    if (!b->path)
+        return complain(EXIT_IO, "out of memory");
+    sprintf(b->path, "%s%s", path, ending);
+    return writes ? write_beside(b, o) : EXIT_DONE;
+}
+
+/* The file that a run goes on with may be another one, of which its certificate is. */
+static int compare_beside(const beside *b, const loaded *l, int is_solid) {
+    char *there = NULL;
+    if (!b->path)
+        return EXIT_DONE;
+    graze_status read = is_solid ? graze_solid_text(&there, l->context, l->solid)
+                                 : graze_motion_text(&there, l->context, l->motion);
+    int status = complain_of(read, l->context);
+    int same = !status && strcmp(there, b->text) == 0;
+    if (same)
+        complain(EXIT_DONE,
+                 "note: %s: graze-check cannot read it; the certificate is of the same in %s",
+                 b->original, b->path);
+    else if (!status)
+        status = complain(EXIT_INPUT,
+                          "%s: does not hold %s, with which the certificate cannot be continued; "
+                          "expected another FILE",
+                          b->path, b->original);
+    graze_free(there);
+    return status;
+}
+
+/* Read the scene anew, with the files beside the certificate in the place of those that graze-check
+ * cannot read. */
+static int convert_scene(loaded *l, const classify_options *o, const lacks *lack, int writes) {
+    scene_options with = o->scene;
+    beside solid = {NULL, NULL, NULL}, motion = {NULL, NULL, NULL};
+    graze_status made = lack->solid ? graze_solid_text(&solid.text, l->context, l->solid) : 0;
+    if (!made && lack->motion)
+        made = graze_motion_text(&motion.text, l->context, l->motion);
+    int status = complain_of(made, l->context);
+    if (!status && lack->solid)
+        status = put_beside(&solid, o->scene.solid,
+                            graze_solid_dimension(l->solid) == 3 ? ".off" : ".wkt", o, writes);
+    if (!status && lack->motion)
+        status = put_beside(&motion, o->scene.motion, ".json", o, writes);
+    with.solid = solid.path ? solid.path : with.solid;
+    with.motion = motion.path ? motion.path : with.motion;
+    if (!status) {
+        loaded_clear(l);
+        status = loaded_read(l, &with, EXIT_INPUT, NULL);
+    }
+    if (!status)
+        status = compare_beside(&solid, l, 1);
+    if (!status)
+        status = compare_beside(&motion, l, 0);
+    if (!status)
+        status = complain_of_use(make_certifier(l, o), l->context);
+    graze_free(solid.text);
+    graze_free(motion.text);
+    free(solid.path);
+    free(motion.path);
+    return status;
+}
+
+static int refuse_standard_output(const loaded *l, const classify_options *o) {
+    if (has_read_ending(o->scene.solid))
+        return complain(EXIT_INPUT, "%s; with --output FILE the solid is converted to FILE.off",
+                        graze_context_message(l->context));
+    return complain(EXIT_INPUT,
+                    "%s: graze-check does not read it; expected .off or .wkt, which graze convert "
+                    "makes of it; with --output FILE it is converted to FILE.off",
+                    o->scene.solid);
+}
+
+int certified_load(loaded *l, const classify_options *o, int writes) {
+    if (graze_solid_primitive_count(l->solid))
+        return complain(EXIT_INPUT, "%s: graze-check does not read it; expected .off or .wkt",
+                        o->scene.solid);
+    graze_status made = make_certifier(l, o);
+    if (made && made != GRAZE_EILLEGAL)
+        return complain_of_use(made, l->context);
+    lacks lack = {made || !has_read_ending(o->scene.solid), !is_motion_plain(o->scene.motion)};
+    if (certificate_path(o) && (lack.solid || lack.motion))
+        return convert_scene(l, o, &lack, writes);
+    if (lack.solid)
+        return refuse_standard_output(l, o);
+    if (lack.motion)
+        complain(EXIT_DONE,
+                 "note: %s: graze-check reads plain pieces alone; with --output FILE the motion is "
+                 "converted to FILE.json",
+                 o->scene.motion);
+    return EXIT_DONE;
+}
