@@ -168,7 +168,7 @@ GRAZE_API GRAZE_CHECKED graze_status graze_mesh_answers(graze_pmc *out, graze_co
  * Write a page of HTML (graze/draw.h): the scene, the mesh in the colours of its vertices'
  * distances, and the places of the greatest ones as points, which say what they are and why:
  * `outside`, `inside` and `sweep`, and where a search has stuck its place, `seam?` behind the name.
- * @param file  a name in .html
+ * @param file  a name in .html; `-.html` is standard output
  * @param found enclosures of all vertices (graze_mesh_distances)
  * @param title UTF-8, at most 512 bytes, or NULL
  * @return GRAZE_EUSE; GRAZE_ELIMIT a coordinate is beyond pictures; GRAZE_ECANCELED; GRAZE_ESYSTEM

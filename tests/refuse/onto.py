@@ -58,6 +58,7 @@ ROWS = [
     Row("convert S.wkt", ["S.wkt"], {"--output": "o.wkt", "-o": "o.wkt"}),
     Row("convert M.json", ["M.json"], {"--output": "o.json", "-o": "o.json"}),
     Row("solid ball --diameter 1", [], {"--inside": "o.off", "--outside": "o.off"}),
+    Row("solid box --size 1,1,1", [], {"--output": "o.off", "-o": "o.off", "--outside": "o.off"}),
     Row("mend S.off", ["S.off"], {"--output": "o.off", "-o": "o.off"}),
     Row("envelope S.wkt M.json --at 1/2 -n 2", SCENE,
         {"--events": "o", "--curve": "o", "--patches": "o", "--joints": "o", "--points": "o"}),
@@ -257,7 +258,7 @@ def check_standard(bench):
     with open(at / "o", "wb") as held:
         done = bench.run(at, [*scene, "P.csv", "--output", "o"], stdout=held)
     bench.checks.equal((done.returncode, (at / "o").read_bytes()), (0, (at / "T.csv").read_bytes()), done.stderr)
-    for name in ("o", "-"):
+    for name in ("o", "./-"):
         done = bench.run(at, [*scene, "-", "--output", name], input=CSV)
         bench.checks.equal((done.returncode, (at / name).read_bytes()), (0, (at / "T.csv").read_bytes()), done.stderr)
     done = bench.run(at, ["envelope", "S.wkt", "M.json", "--events", "/dev/stdout"])
@@ -272,6 +273,48 @@ def check_standard(bench):
         done = bench.run(at, ["envelope", "S.wkt", "M.json", "--events", name, "--patches", name])
         bench.checks.holds(done.returncode == 5 and "cannot be opened for writing" in done.stderr, name[:20], done.returncode, done.stderr)
     shutil.rmtree(at)
+
+
+def check_dash(bench, row):
+    """`-` is standard output: the bytes of the file, in its form where the name has one, and no file; beside another `-`, and beside
+    the product that has no file, it is refused. A report goes to standard error."""
+    plain = {name: value for name, value in row.writes.items() if name not in ("--resume", "--keep")}
+    if row.command == "validate":  # its report has the time that it took
+        plain = {}
+    for option, value in plain.items():
+        beside = [word for name, other in plain.items() if name != "-o" and {name, option} != {"--output", "-o"} and name != option
+                  for word in (name, name[2:] + other[1:])]
+        at = bench.fresh()
+        done = bench.run(at, given(bench, row) + beside + [option, "whole" + value[1:]])
+        bench.checks.equal(done.returncode, row.ends, row.command, option, done.stderr)
+        there, report = (at / ("whole" + value[1:])).read_bytes(), done.stdout
+        spelt = [["-"], ["-" + value[1:]]]
+        if row.command == "boundary":  # its surface is PLY, its points are CSV, unless said otherwise
+            spelt[0] += ["--format", value[2:]]
+        for words in spelt:
+            name = words[0]
+            before = contents(at)
+            done = bench.run(at, given(bench, row) + beside + [option, *words], text=False)
+            bench.checks.equal((done.returncode, done.stdout), (row.ends, there), row.command, option, name, done.stderr)
+            bench.checks.holds(report.encode() in done.stderr, row.command, option, "the report", done.stderr)
+            bench.checks.equal(changed(before, contents(at)), [], row.command, option, name)
+        shutil.rmtree(at)
+    names = [name for name in plain if name != "-o"]
+    for one, two in itertools.combinations(names, 2):
+        at = bench.fresh()
+        line = given(bench, row) + [one, "-", two, "-"]
+        done = bench.run(at, line)
+        bench.checks.holds(done.returncode == 2 and done.stderr.endswith("which is written; expected another file\n") and not done.stdout,
+                           line, done.returncode, done.stderr)
+        shutil.rmtree(at)
+    if "--resume" in row.writes:
+        for more in (["--resume", "-"], ["--resume", "o", "--certify", "-"])[:2 if "--certify" in plain else 1]:
+            at = bench.fresh()
+            before = contents(at)
+            done = bench.run(at, given(bench, row) + more)
+            bench.checks.holds(done.returncode == 2 and "expected their names in place of -" in done.stderr, more, done.returncode, done.stderr)
+            bench.checks.equal(changed(before, contents(at)), [], more)
+            shutil.rmtree(at)
 
 
 def check_resume(bench):
@@ -332,6 +375,7 @@ def check_rows(bench):
         table = pathlib.Path(ROOT, "src", "program", "cli", command + ".c").read_text(encoding="utf-8")
         for macro, rest in (("FILE_WRITTEN", "writes"), ("FILE_READ", "reads")):
             named = {"--" + name for name in re.findall(macro + r'\("([a-z-]+)"', table)}
+            named |= {"--output"} if rest == "writes" and re.search(r"\bOUTPUT\(", table) else set()
             wanted = {name for row in rows for name in getattr(row, rest)} - {"-o"} - {"--" + n for c, n in EXTRA if c == command}
             bench.checks.equal(sorted(named), sorted(wanted), command, macro)
         for name in re.findall(r'(?:OPTION|FLAG)\("([a-z-]+)",[^)]*, value_text\)', table):
@@ -349,6 +393,7 @@ def main():
             check_writes(bench, row)
             if row.writes:
                 check_good(bench, row)
+                check_dash(bench, row)
         check_standard(bench)
         check_resume(bench)
         check_ranks(bench)

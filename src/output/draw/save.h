@@ -6,7 +6,8 @@
 
 #include "base/number/text.h"
 
-/** Write bytes into a file. @return GRAZE_ESYSTEM */
+/** Write bytes into a file, or, for `-.svg` and other names that are `-` and an ending, to standard
+ * output. @return GRAZE_ESYSTEM */
 graze_status save_file(graze_context *context, const char *file, const text *bytes);
 
 #endif

@@ -37,6 +37,8 @@ static const char boundary_help[] =
     "  --middles            leave the vertices in the middles of cells' edges, which is faster\n"
     "  --cells FILE         .vtk: the cells that were not cut: level, pmc (0: mixed), contact\n"
     "  --points FILE        .csv, exact, or .vtk: the points and pmc (1 in, 2 on, 3 out)\n"
+    "  --format ply|vtk|stl|csv   of a FILE that is -, standard output (ply; vtk of cells; csv of "
+    "points)\n"
     "  --jobs N             threads, at most one a core (default); any N gives the same output\n"
     "  --round, --triangulate, --operation, --overlap, --limit,\n"
     "  --no-filter          as in graze classify\n"
@@ -47,7 +49,7 @@ typedef struct boundary_given {
     scene_options scene;
     const char *depth, *coarse, *budget, *contacts, *box;
     seed_value seed;
-    const char *surface, *cells, *points; /* files to write */
+    const char *surface, *cells, *points, *format; /* files to write; the one that is `-` */
     int middles, sharp, threads;
 } boundary_given;
 
@@ -148,6 +150,7 @@ static const option_entry boundary_table[] = {
     FILE_WRITTEN("surface", boundary_given, surface),
     FILE_WRITTEN("cells", boundary_given, cells),
     FILE_WRITTEN("points", boundary_given, points),
+    OPTION("format", boundary_given, format, value_standard),
     FLAG("sharp", boundary_given, sharp, value_flag),
     FLAG("middles", boundary_given, middles, value_flag),
     OPTION("jobs", boundary_given, threads, value_jobs),
@@ -166,6 +169,11 @@ static int run_boundary(void *options, const operands *given) {
                                     "boundary --help");
     if (o->sharp && o->middles)
         return complain(EXIT_USAGE, "--sharp and --middles exclude each other");
+    o->surface = output_name(o->surface, o->format ? o->format : "-.ply");
+    o->cells = output_name(o->cells, o->format ? o->format : "-.vtk");
+    o->points = output_name(o->points, o->format ? o->format : "-.csv");
+    if (o->format && o->surface != o->format && o->cells != o->format && o->points != o->format)
+        return complain(EXIT_USAGE, "--format goes with a file that is -, as --surface -");
     int status = boundary_check_names(o->surface, o->cells, o->points);
     if (status)
         return status;

@@ -4,6 +4,7 @@
 #include "program/cli/classify.h"
 
 #include "program/cli/values.h"
+#include "program/run/output.h"
 #include "program/run/record.h"
 
 static const char classify_help[] =
@@ -37,7 +38,7 @@ static const char classify_help[] =
     "  --triangulate        fan facets that are not planar from their first vertex\n"
     "  --jobs N             threads, at most one a core (default); any N gives the same output\n"
     "  --no-filter          the exact path alone: the same answers, slower\n"
-    "  --output FILE        write there instead of to standard output\n"
+    "  -o, --output FILE    write there instead of to standard output\n"
     "  --certify FILE       a certificate beside the table, continued with it by --resume\n"
     "  --times              with it, each contact's time and boundary cells in the certificate\n"
     "  --resume FILE        continue the table in FILE, if there is one, after its last whole row\n"
@@ -86,8 +87,7 @@ static const option_entry classify_table[] = {
     FLAG("triangulate", classify_options, scene.solid_flags, value_triangulate),
     OPTION("jobs", classify_options, threads, value_jobs),
     FLAG("no-filter", classify_options, scene.context.exact_only, value_flag),
-    FILE_WRITTEN("output", classify_options, output),
-    OPTION("o", classify_options, output, value_text),
+    OUTPUT(classify_options, output, value_output),
     FILE_WRITTEN("certify", classify_options, certificate),
     FLAG("times", classify_options, times, value_flag),
     FILE_WRITTEN("resume", classify_options, resume),
@@ -100,14 +100,17 @@ static const option_entry classify_table[] = {
 void classify_add_record(guard *g, const void *options, const operands *given) {
     const classify_options *o = options;
     (void)given;
-    if (o->output || o->resume)
-        guard_add(g, GUARD_WRITTEN, o->resume ? "resume" : "output",
-                  o->resume ? o->resume : o->output, RECORD_ENDING);
+    const char *path = o->resume ? o->resume : o->output;
+    if (path && !output_is_standard(path))
+        guard_add(g, GUARD_WRITTEN, o->resume ? "resume" : "output", path, RECORD_ENDING);
 }
 
 int classify_check_files(const classify_options *o) {
     if (o->resume && o->output)
         return complain(EXIT_USAGE, "--resume FILE writes to FILE; expected no --output beside it");
+    if (o->resume && (output_is_standard(o->resume) || output_is_standard(o->certificate)))
+        return complain(EXIT_USAGE, "--resume goes on with plain files; expected their names in "
+                                    "place of -");
     return EXIT_DONE;
 }
 

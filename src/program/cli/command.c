@@ -120,14 +120,18 @@ void operands_clear(operands *given) {
     *given = (operands){0, 0, NULL, NULL};
 }
 
-/* Is the table or the text written to a file in place of standard output? */
+/* Is the table, the text or the solid written to a file in place of standard output? */
 static int is_for_output(const option_entry *entry) {
-    return strcmp(entry->name, "output") == 0 || strcmp(entry->name, "resume") == 0;
+    static const char *const names[] = {"output", "resume", "inside", "outside"};
+    int found = 0;
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++)
+        found |= strcmp(entry->name, names[k]) == 0;
+    return found;
 }
 
 int command_guard(const command *c, const void *options, const operands *given) {
     guard g = {NULL, 0, 0, 0};
-    int prints = 1;
+    int prints = 1, product = 0, yields = 0;
     for (int k = 0; k < given->count && k < c->reads; k++)
         guard_add(&g, k < c->reads - c->inputs ? GUARD_READ : GUARD_INPUT, NULL, given->item[k],
                   "");
@@ -139,12 +143,16 @@ int command_guard(const command *c, const void *options, const operands *given) 
         if (path && is_file)
             guard_add(&g, e->kind == OPTION_READ ? GUARD_READ : GUARD_WRITTEN, e->name, path, "");
         prints &= !path || !is_for_output(e);
+        product |= is_for_output(e);
+        yields |= e->kind == OPTION_WRITTEN && output_is_standard(path);
     }
     if (c->add_files)
         c->add_files(&g, options, given);
-    if (prints)
+    if (prints && (product || !yields)) /* a report goes to standard error where it has to yield */
         guard_add(&g, GUARD_WRITTEN, NULL, NULL, "");
     int status = guard_check(&g);
+    if (!status && yields)
+        output_yield_standard();
     guard_clear(&g);
     return status;
 }

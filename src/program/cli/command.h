@@ -35,6 +35,11 @@ typedef struct option_entry {
 #define FILE_WRITTEN(name, type, field)                                                            \
     { name, OPTION_WRITTEN, value_text, offsetof(type, field) }
 
+/** Those of `--output FILE` and `-o FILE`, with value_text, or value_output where `-` is as if
+ * neither were given. */
+#define OUTPUT(type, field, read)                                                                  \
+    {"output", OPTION_WRITTEN, read, offsetof(type, field)}, OPTION("o", type, field, read)
+
 /** That of an option that may be given several times. */
 #define REPEATED(name)                                                                             \
     { name, OPTION_VALUE, NULL, 0 }

@@ -53,7 +53,7 @@ static const char compare_help[] =
     "  --page FILE          a page, .html, that begins with the first wrong row (graze draw "
     "--help)\n"
     "  --format text|json   text is Markdown (default)\n"
-    "  --output FILE        write there instead of to standard output\n"
+    "  -o, --output FILE    write there instead of to standard output\n"
     "  --limit NAME=V       digits 10000, line 10^7\n"
     "\n"
     "Example: graze compare golden.csv mine.csv --solid cube.off --motion move.json\n";
@@ -102,8 +102,7 @@ static const option_entry compare_table[] = {
     FILE_READ("motion", compare_options, compare.motion),
     FILE_WRITTEN("page", compare_options, page),
     OPTION("format", compare_options, format, value_report),
-    FILE_WRITTEN("output", compare_options, output),
-    OPTION("o", compare_options, output, value_text),
+    OUTPUT(compare_options, output, value_output),
     OPTION("limit", compare_options, context.limits, value_limit),
     {NULL, OPTION_FLAG, NULL, 0}};
 
@@ -128,7 +127,8 @@ static int run_compare(void *options, const operands *given) {
         status = complain_of(
             graze_compare(&c, context, given->item[0], given->item[1], &o->compare), context);
     if (!status && o->page)
-        status = compare_page(o->page, given->item[0], given->item[1], &o->compare, &o->context);
+        status = compare_page(output_name(o->page, "-.html"), given->item[0], given->item[1],
+                              &o->compare, &o->context);
     if (!status)
         status = report_comparison(o, context, c);
     graze_comparison_destroy(c);

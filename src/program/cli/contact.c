@@ -21,7 +21,7 @@ static const char contact_help[] =
     "  --format csv|jsonl   a table (default; whole only with its last line # complete N), or a\n"
     "                       line of JSON per point with the values of each facet\n"
     "  --jobs N             threads, at most one a core (default); any N gives the same output\n"
-    "  --output FILE        write there instead of to standard output\n"
+    "  -o, --output FILE    write there instead of to standard output\n"
     "  --resume FILE        continue the table in FILE, if there is one, after its last whole row\n"
     "  --shard i/n          rows i, i + n, i + 2n, ... only; graze merge makes one table of them\n"
     "  --quiet              no progress on the terminal, and no notes\n"
@@ -41,8 +41,7 @@ static const option_entry contact_table[] = {
     FLAG("snap", classify_options, sites.snap, value_flag),
     OPTION("format", classify_options, scene.rows.format, value_rows),
     OPTION("jobs", classify_options, threads, value_jobs),
-    FILE_WRITTEN("output", classify_options, output),
-    OPTION("o", classify_options, output, value_text),
+    OUTPUT(classify_options, output, value_output),
     FILE_WRITTEN("resume", classify_options, resume),
     OPTION("shard", classify_options, shard, value_shard),
     OPTION("round", classify_options, scene.context.rounding, value_rounding),

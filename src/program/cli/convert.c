@@ -56,7 +56,7 @@ static int is_solid(const char *path) {
 }
 
 static int put_converted(const convert_options *o, const char *text, const char *ending) {
-    if (o->output && !name_ends_in(o->output, ending))
+    if (o->output && strcmp(o->output, "-") != 0 && !name_ends_in(o->output, ending))
         return complain(EXIT_USAGE, "--output %s: expected a name that ends in %s", o->output,
                         ending);
     return output_text(o->output, text);
@@ -132,8 +132,7 @@ static const option_entry convert_table[] = {
     FLAG("triangulate", convert_options, solid_flags, value_triangulate),
     OPTION("round", convert_options, context.rounding, value_rounding),
     OPTION("limit", convert_options, context.limits, value_limit),
-    FILE_WRITTEN("output", convert_options, output),
-    OPTION("o", convert_options, output, value_text),
+    OUTPUT(convert_options, output, value_text),
     {NULL, OPTION_FLAG, NULL, 0}};
 
 static int run_convert(void *options, const operands *given) {

@@ -11,6 +11,7 @@
 #include "program/run/grid.h"
 #include "program/run/load.h"
 #include "program/run/numbers.h"
+#include "program/run/output.h"
 
 enum { TITLE_MOST = 512 };
 
@@ -23,7 +24,8 @@ static const char draw_help[] =
     "contacts; a column id names them. A page, .html, shows S, its sweep, the points and their\n"
     "trajectories in a browser, to be turned, filtered and asked; it needs no network.\n"
     "\n"
-    "  -o, --output FILE     the picture\n"
+    "  -o, --output FILE     the picture; - is standard output,\n"
+    "  --format svg|png|html    in that format (svg)\n"
     "  -p X,Y[,Z]            one more point; may be given several times\n"
     "  --grid N              cells along the longer side (240, or 360 of a wide box; by distance "
     "half)\n"
@@ -47,7 +49,7 @@ typedef struct draw_given {
     scene_options scene;
     const char *points; /* a file, or NULL */
     graze_draw_by by;
-    const char *output, *grid, *times, *box, *plane, *view, *title;
+    const char *output, *format, *grid, *times, *box, *plane, *view, *title;
     int surface;
 } draw_given;
 
@@ -152,8 +154,8 @@ static int draw_scene(const loaded *l, const draw_given *o, const operands *give
 }
 
 static const option_entry draw_table[] = {
-    FILE_WRITTEN("output", draw_given, output),
-    OPTION("o", draw_given, output, value_text),
+    OUTPUT(draw_given, output, value_text),
+    OPTION("format", draw_given, format, value_standard),
     REPEATED("p"),
     OPTION("grid", draw_given, grid, value_text),
     OPTION("by", draw_given, by, value_draw_by),
@@ -183,6 +185,10 @@ static int run_draw(void *options, const operands *given) {
         return complain(EXIT_USAGE,
                         "draw needs -o FILE, a name in .svg, .png or .html; see graze draw "
                         "--help");
+    o->output = output_name(o->output, o->format ? o->format : "-.svg");
+    if (o->format && o->output != o->format)
+        return complain(EXIT_USAGE, "--format goes with -o -; the name of another file ends in its "
+                                    "format");
     o->scene.solid = given->item[0];
     o->scene.motion = given->item[1];
     o->points = given->item[2];

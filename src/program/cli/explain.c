@@ -98,6 +98,7 @@ static int run_explain(void *options, const operands *given) {
                         "explain takes SOLID, MOTION and 2 or 3 coordinates, %d operands given; "
                         "see graze explain --help",
                         given->count);
+    all->picture = output_name(all->picture, "-.svg");
     o->solid = given->item[0];
     o->motion = given->item[1];
     mpq_inits(point[0], point[1], point[2], NULL);

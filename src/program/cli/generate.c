@@ -39,7 +39,7 @@ static const char generate_help[] =
     "                       decimals, which all points that a double holds have\n"
     "  --digits N           round these to N digits where they are longer\n"
     "  --plain              names and rows alone, no lines that begin with #\n"
-    "  --output FILE        write there instead of to standard output\n"
+    "  -o, --output FILE    write there instead of to standard output\n"
     "  --round, --triangulate, --overlap, --operation, --limit, --quiet   as in graze classify\n"
     "\n"
     "Strata that the scene cannot have are named in the head of the table; their weight goes to "
@@ -61,8 +61,7 @@ static const option_entry generate_table[] = {
     OPTION("coordinates", generate_given, run.coordinates.form, value_coordinates),
     OPTION("digits", generate_given, run.coordinates.digits, value_digits),
     FLAG("plain", generate_given, run.plain, value_flag),
-    FILE_WRITTEN("output", generate_given, run.output),
-    OPTION("o", generate_given, run.output, value_text),
+    OUTPUT(generate_given, run.output, value_output),
     OPTION("round", generate_given, run.scene.context.rounding, value_rounding),
     FLAG("triangulate", generate_given, run.scene.solid_flags, value_triangulate),
     OPTION("overlap", generate_given, run.scene.scene.overlap, value_overlap),

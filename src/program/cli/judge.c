@@ -217,6 +217,8 @@ static int run_judge(void *options, const operands *given) {
                         "judge takes SOLID, MOTION and MESH, %d operands given; see graze judge "
                         "--help",
                         given->count);
+    o->page = output_name(o->page, "-.html");
+    o->vertices = output_name(o->vertices, "-.csv");
     if (o->page && !path_has_extension(o->page, ".html"))
         return complain(EXIT_USAGE, "--page %s: expected a name in .html", o->page);
     if (o->answers && !o->points)

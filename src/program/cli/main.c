@@ -42,7 +42,7 @@ static const char overview[] =
     "  graze --version                      versions of graze and its libraries\n"
     "\n"
     "SOLID is .off .obj .ply .stl .nef3 (3D), .wkt (2D), .csg or .csg.json, MOTION is JSON,\n"
-    "POINTS is CSV or -.\n"
+    "POINTS is CSV or -, standard input; as a FILE to write - is standard output.\n"
     "\n"
     "Exit status: 0 done, 1 the answer is no, 2 wrong usage, 3 bad input, 4 a fault of graze,\n"
     "5 reading or writing failed, or memory ran out, 6 a limit was met.\n";

@@ -41,8 +41,7 @@ static const option_entry mend_table[] = {
     OPTION("round", mend_options, context.rounding, value_rounding),
     OPTION("limit", mend_options, context.limits, value_limit),
     OPTION("weld", mend_options, weld, value_positive),
-    FILE_WRITTEN("output", mend_options, output),
-    OPTION("o", mend_options, output, value_text),
+    OUTPUT(mend_options, output, value_text),
     {NULL, OPTION_FLAG, NULL, 0}};
 
 static int mend_file(const mend_options *o, graze_context *context, const char *path) {
@@ -75,6 +74,7 @@ static int run_mend(void *options, const operands *given) {
     graze_context *context = NULL;
     if (given->count != 1 || !o->output)
         return complain(EXIT_USAGE, "mend takes SOLID and -o FILE; see graze mend --help");
+    o->output = output_name(o->output, "-.off");
     size_t length = strlen(o->output);
     if (length < 5 || strcasecmp(o->output + length - 4, ".off") != 0)
         return complain(EXIT_USAGE, "--output %s: expected a name that ends in .off", o->output);

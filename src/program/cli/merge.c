@@ -22,7 +22,7 @@ static const char merge_help[] =
     "The parts come in any order: all n of them, each once, whole, and of one run, with the same\n"
     "scene, options and points. The result is that of one run without shards.\n"
     "\n"
-    "  --output FILE        write there instead of to standard output\n"
+    "  -o, --output FILE    write there instead of to standard output\n"
     "  --quiet              no progress on the terminal, and no notes\n"
     "\n"
     "A part is the table or the certificate that graze classify, contact or certify writes for "
@@ -151,8 +151,7 @@ static int merge_parts(merger *m, const merge_options *o, const operands *given)
     return status;
 }
 
-static const option_entry merge_table[] = {FILE_WRITTEN("output", merge_options, output),
-                                           OPTION("o", merge_options, output, value_text),
+static const option_entry merge_table[] = {OUTPUT(merge_options, output, value_output),
                                            FLAG("quiet", merge_options, quiet, value_quiet),
                                            {NULL, OPTION_FLAG, NULL, 0}};
 

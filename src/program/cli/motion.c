@@ -48,7 +48,8 @@ static const char motion_help[] =
     "  --numbers binary64   poses: numbers are the doubles they were printed from (default)\n"
     "  --numbers written    poses: they are exactly what is written\n"
     "  --dimension 2|3      3, or 2: no axis; CENTER and WAY have two coordinates; not for poses\n"
-    "  --output FILE, --report FILE   the motion (standard output), the errors (standard error)\n"
+    "  -o, --output FILE, --report FILE   the motion (standard output), the errors (standard "
+    "error)\n"
     "  --limit NAME=V       pieces 10000 and others, as in graze check\n"
     "  --examples           motion files with every key, each one line behind a # line, and no "
     "more\n"
@@ -114,8 +115,7 @@ static const option_entry motion_table[] = {
     [DYADIC] = FLAG("dyadic", motion_options, own[DYADIC], value_text),
     [DIMENSION] = OPTION("dimension", motion_options, own[DIMENSION], value_text),
     [REPORT] = FILE_WRITTEN("report", motion_options, own[REPORT]),
-    [OWN] = FILE_WRITTEN("output", motion_options, output),
-    OPTION("o", motion_options, output, value_text),
+    [OWN] = OUTPUT(motion_options, output, value_output),
     OPTION("limit", motion_options, context.limits, value_limit),
     REPEATED("ignore"),
     FLAG("examples", motion_options, examples, value_flag),

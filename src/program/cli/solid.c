@@ -21,7 +21,8 @@ static const char solid_help[] =
     "  box --size X,Y,Z     from the origin up; exact\n"
     "\n"
     "  --tolerance E        no point of the surface is further from the true one (D/200)\n"
-    "  --inside FILE        the polyhedron that is a part of the body (standard output)\n"
+    "  -o, --output FILE    write there instead of to standard output\n"
+    "  --inside FILE        the polyhedron that is a part of the body, as -o\n"
     "  --outside FILE       the one that the body is a part of; with --inside both\n"
     "  --exact              the body itself as .csg.json, no polyhedron\n"
     "  --at X,Y,Z           moved by this\n"
@@ -36,7 +37,7 @@ enum { DIAMETER, LENGTH, CORNER, TAPER, TOLERANCE, SIZE, AT, OWN };
 typedef struct solid_options {
     context_options context;
     const char *own[OWN]; /* NULL: not given */
-    const char *inside, *outside;
+    const char *output, *inside, *outside;
     int exact;
 } solid_options;
 
@@ -48,7 +49,8 @@ static const option_entry solid_table[] = {
     [TOLERANCE] = OPTION("tolerance", solid_options, own[TOLERANCE], value_text),
     [SIZE] = OPTION("size", solid_options, own[SIZE], value_text),
     [AT] = OPTION("at", solid_options, own[AT], value_text),
-    [OWN] = FILE_WRITTEN("inside", solid_options, inside),
+    [OWN] = OUTPUT(solid_options, output, value_text),
+    FILE_WRITTEN("inside", solid_options, inside),
     FILE_WRITTEN("outside", solid_options, outside),
     FLAG("exact", solid_options, exact, value_flag),
     OPTION("limit", solid_options, context.limits, value_limit),
@@ -96,8 +98,8 @@ static int write_solid(const solid_options *o, const char *inside, const char *o
     int status = EXIT_DONE;
     waiting_clear();
     fputs(report, stderr);
-    if (o->inside || !o->outside)
-        status = output_text(o->inside, inside);
+    if (o->output || o->inside || !o->outside)
+        status = output_text(o->output ? o->output : o->inside, inside);
     return !status && o->outside ? output_text(o->outside, outside) : status;
 }
 
@@ -149,6 +151,8 @@ static int run_solid(void *options, const operands *given) {
     if (!status && o->exact && (o->own[TOLERANCE] || o->inside || o->outside))
         status = complain(EXIT_USAGE, "--exact writes no polyhedron: it takes no --tolerance, "
                                       "--inside or --outside");
+    if (!status && o->output && o->inside)
+        status = complain(EXIT_USAGE, "--output and --inside name one file; expected one of them");
     if (!status)
         status = context_make(&context, &o->context);
     if (!status)

@@ -45,7 +45,7 @@ static const char validate_help[] =
     "  --points FILE        these points instead; CMD gets FILE as it is\n"
     "  --timeout V          seconds the candidate may take (3600)\n"
     "  --keep DIR           leave points.csv, golden.csv, candidate.csv there\n"
-    "  --output NAME        write NAME.md and NAME.json instead of to standard output\n"
+    "  -o, --output NAME    write NAME.md and NAME.json instead of to standard output\n"
     "  --question, --on-as, --candidate-has, --truth, --sdf-tolerance, --motion-error, --round,\n"
     "  --show, --format     as in graze compare\n"
     "  --sdf TOL            width of the enclosures that values are compared with (1e-10r)\n"
@@ -219,8 +219,8 @@ static const option_entry validate_table[] = {
     FILE_READ("points", validate_options, points),
     OPTION("timeout", validate_options, timeout, value_seconds),
     OPTION("keep", validate_options, keep, value_text),
-    OPTION("output", validate_options, output, value_text),
-    OPTION("o", validate_options, output, value_text),
+    OPTION("output", validate_options, output, value_output),
+    OPTION("o", validate_options, output, value_output),
     OPTION("question", validate_options, compare.question, value_question),
     OPTION("on-as", validate_options, compare.on_as, value_on_as),
     OPTION("candidate-has", validate_options, compare.has, value_has),

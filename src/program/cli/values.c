@@ -10,12 +10,26 @@
 #include "program/run/coordinates.h"
 #include "program/run/load.h"
 #include "program/run/numbers.h"
+#include "program/run/output.h"
 #include "program/run/status.h"
 
 int value_text(void *to, const char *name, const char *value) {
     (void)name;
     *(const char **)to = value;
     return EXIT_DONE;
+}
+
+int value_output(void *to, const char *name, const char *value) {
+    return value_text(to, name, output_is_standard(value) ? NULL : value);
+}
+
+int value_standard(void *to, const char *name, const char *value) {
+    static const char *const words[] = {"svg", "png", "html", "ply", "vtk", "stl", "csv"};
+    static const char *const names[] = {"-.svg", "-.png", "-.html", "-.ply",
+                                        "-.vtk", "-.stl", "-.csv"};
+    int chosen = 0, status = value_choice(&chosen, name, value, words, 7);
+    *(const char **)to = names[chosen];
+    return status;
 }
 
 int value_flag(void *to, const char *name, const char *value) {

@@ -10,6 +10,8 @@
 #include "graze.h"
 
 option_read value_text;        /**< const char *: the value, borrowed */
+option_read value_output;      /**< const char *: the same, NULL for standard output */
+option_read value_standard;    /**< const char *: standard output in this form, as `-.svg` */
 option_read value_flag;        /**< int: 1 */
 option_read value_quiet;       /**< int: 1, and no notes from then on */
 option_read value_rounding;    /**< graze_rounding */

@@ -10,6 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include "base/context/array.h"
+#include "program/run/output.h"
 #include "program/run/status.h"
 
 enum { LINKS = 40, LABEL = PATH_MAX + 64 };
@@ -25,6 +26,7 @@ typedef struct place {
 typedef struct guarded {
     guard_use use;
     const char *option, *path, *ending;
+    int standard; /* standard output, of which there is one, be it a pipe */
     place at;
 } guarded;
 
@@ -85,17 +87,18 @@ static void find_standard(place *to, int fd) {
 void guard_add(guard *g, guard_use use, const char *option, const char *path, const char *ending) {
     char whole[PATH_MAX];
     int input = use == GUARD_INPUT && strcmp(path, "-") == 0;
+    int standard = !path || (use == GUARD_WRITTEN && output_is_standard(path));
     if (g->failed || !array_reserve(&g->item, &g->room, g->count + 1, sizeof *g->item)) {
         g->failed = 1;
         return;
     }
     guarded *f = &g->item[g->count++];
-    *f = (guarded){use, option, path, ending, {.known = 0}};
+    *f = (guarded){use, option, path, ending, standard, {.known = 0}};
     if (input)
         f->path = "standard input";
     if (!path)
         f->path = "standard output";
-    if (input || !path)
+    if (input || standard)
         find_standard(&f->at, input ? STDIN_FILENO : STDOUT_FILENO);
     else if (snprintf(whole, sizeof whole, "%s%s", path, ending) < PATH_MAX)
         find_path(&f->at, whole);
@@ -119,7 +122,8 @@ int guard_check(const guard *g) {
     for (size_t k = 0; k < g->count; k++)
         for (size_t i = 0; i < g->count && g->item[k].use == GUARD_WRITTEN; i++) {
             const guarded *f = &g->item[k], *other = &g->item[i];
-            if ((i < k || other->use != GUARD_WRITTEN) && is_one_file(&f->at, &other->at))
+            if ((i < k || other->use != GUARD_WRITTEN) &&
+                ((f->standard && other->standard) || is_one_file(&f->at, &other->at)))
                 return complain(EXIT_USAGE, "%s: is also %s, which is %s; expected another file",
                                 put_label(mine, f), put_label(others, other),
                                 other->use == GUARD_WRITTEN ? "written" : "read");

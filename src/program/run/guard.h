@@ -22,7 +22,7 @@ typedef struct guard {
 /**
  * Add a file.
  * @param option the option that names it, without `--`; NULL: an operand
- * @param path   its name; NULL: standard output
+ * @param path   its name; NULL, or of a file to write `-`: standard output
  * @param ending stands behind the path, "" for none
  */
 void guard_add(guard *g, guard_use use, const char *option, const char *path, const char *ending);

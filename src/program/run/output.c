@@ -13,13 +13,28 @@
 #include "program/run/status.h"
 #include "program/run/waiting.h"
 
+static int yielded;
+
+int output_is_standard(const char *path) {
+    return path && *path == '-' && (!path[1] || path[1] == '.') && !strchr(path, '/');
+}
+
+const char *output_name(const char *path, const char *standard) {
+    return path && strcmp(path, "-") == 0 ? standard : path;
+}
+
+void output_yield_standard(void) {
+    yielded = 1;
+}
+
 int output_open(output *out, const char *path) {
-    out->fd = STDOUT_FILENO;
-    out->name = path ? path : "standard output";
+    int named = path && !output_is_standard(path);
+    out->fd = !path && yielded ? STDERR_FILENO : STDOUT_FILENO;
+    out->name = named ? path : out->fd == STDOUT_FILENO ? "standard output" : "standard error";
     out->error = 0;
     out->used = out->open_line = 0;
     waiting_clear();
-    if (!path)
+    if (!named)
         return EXIT_DONE;
     out->fd = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (out->fd < 0)
@@ -146,7 +161,7 @@ void output_drop(output *out) {
 
 int output_close(output *out) {
     output_flush(out);
-    if (close(out->fd) != 0 && !out->error)
+    if (out->fd != STDERR_FILENO && close(out->fd) != 0 && !out->error)
         out->error = errno;
     if (out->error)
         return complain(EXIT_IO, "%s: writing failed: %s", out->name, strerror(out->error));

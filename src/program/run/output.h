@@ -18,6 +18,14 @@ typedef struct output {
     char buffer[1 << 16];
 } output;
 
+/** Is this a name of standard output: `-`, or `-` and an ending, which is the form of what is
+ * written? 0 for NULL. */
+int output_is_standard(const char *path);
+/** The name itself, but for `-` the name with an ending, such as `-.svg`. */
+const char *output_name(const char *path, const char *standard);
+/** Standard output is a file's that `-` names: what has no name goes to standard error from now on.
+ */
+void output_yield_standard(void);
 /** Open `path`, or standard output where it is NULL; an existing file is emptied. Returns an exit
  * status and says what is wrong. */
 int output_open(output *out, const char *path);
