@@ -234,6 +234,7 @@ def make(graze, folder):
     yield Scene("curved-explain", ["explain", body2, roll, "0", "0"])
     yield Scene("curved-draw", ["draw", at["ball2.csg.json"], roll, "--grid", "2", "-p", "5,1", "-o", "made.svg"])
     yield Scene("curved-page", ["draw", at["ball3.csg.json"], turn, "--grid", "2", "-o", "made.html"])
+    yield Scene("line", ["motion", "line", "--by", "8,0,1/3"])
     yield Scene("rotate", ["motion", "rotate", "--degrees", "37.5", "--axis", "0,0,1", "--center", "1,1,0", "--output",
                            "made", "--report", "report"])
     yield Scene("screw", ["motion", "screw", "--degrees", "100", "--axis", "0,0,1", "--pitch", "2", "--tolerance",

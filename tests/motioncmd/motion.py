@@ -181,6 +181,19 @@ def test_chains(graze, folder, rng, scale):
                 check(error > dec(tolerance) / 40, given, "too many pieces", error)
 
 
+def test_line(graze, folder, rng):
+    """At the time t the map is the translation by t times the way, exactly; two numbers are the plane's."""
+    for d in (2, 3):
+        for k in range(6):
+            way = [F(rng.randint(-999, 999), rng.randint(1, 99)) if k or i else F(0) for i in range(d)]
+            words = ["line", "--by", ",".join(map(str, way))]
+            motion, report = make(graze, folder, *words)
+            check(motion is not None and bound_of(report) == 0, words, report)
+            for t in (F(0), F(1, 3), F(1)):
+                want = [[F(i == j) for j in range(d)] + [t * way[i]] for i in range(d)]
+                check(motion.at(t) == want, words, t, motion.at(t))
+
+
 def test_screw(graze, folder, rng):
     """The same as one joint; the end of a whole number of turns is exact."""
     words = ["screw", "--degrees", "720", "--axis", "0,3,4", "--pitch", "5", "--center", "1,0,0"]
@@ -305,6 +318,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         test_rotations(graze, folder, rng)
         test_chains(graze, folder, rng, args.scale)
+        test_line(graze, folder, rng)
         test_screw(graze, folder, rng)
         test_limits(graze, folder)
         test_quaternions(graze, folder)

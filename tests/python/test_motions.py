@@ -68,6 +68,15 @@ class Motions(unittest.TestCase):
         with self.assertRaises(graze.UseError):
             graze.Motion.rotate(90, (0, 0, 1), (1, 1))
 
+    def test_line(self):
+        """The cube [0, 2]^3 ends at [8, 10] x [0, 2] x [-1/3, 5/3]."""
+        line = graze.Motion.line(8, 0, F(-1, 3))
+        self.assertEqual(moved_by(line, (9, 1, F(-1, 3))), "B")
+        self.assertEqual(moved_by(line, (9, 1, 1)), "I")
+        self.assertEqual(moved_by(line, (9, 1, 2)), "O")
+        self.assertEqual(line.json(), plain(program("motion", "line", "--by", "8,0,-1/3")))
+        self.assertEqual(graze.Motion.line(8, 0).dimension, 2)
+
     def test_joints(self):
         """A screw of pitch 8 by half a turn moves 4 along z."""
         screw = graze.Motion.screw(180, (0, 0, 1), 8)

@@ -67,12 +67,13 @@ ROWS = [
         reads=["--points"]),
     Row("motion poses Q.csv", ["Q.csv"], {"--output": "o", "--report": "o"}),
     Row("motion dyadic M.json", ["M.json"], {"--output": "o", "--report": "o"}),
+    Row("motion line --by 1,0,0", [], {"--output": "o", "--report": "o"}),
     Row("motion joints slide:1,0,0", [], {"--output": "o", "--report": "o"}),
     Row("motion rotate --degrees 90 --dimension 2", [], {"--output": "o", "--report": "o"}),
     Row("cases", [], {}, others=["--folder"]),
 ]
 # Options whose text is none of a file, and short names of others.
-TEXTS = {"grid", "box", "at", "strata", "times", "plane", "view", "title", "depth", "coarse", "budget", "contacts", "candidate",
+TEXTS = {"by", "format", "grid", "box", "at", "strata", "times", "plane", "view", "title", "depth", "coarse", "budget", "contacts", "candidate",
          "degrees", "axis", "center", "pitch", "tolerance", "radius", "affine", "shortest", "scale", "from", "to", "every",
          "numbers", "dyadic", "dimension", "folder", "o", "columns", "angles", "diameter", "length", "corner", "taper", "size",
          "near-rotation"}

@@ -9,11 +9,18 @@ static int least(int a, int b) {
     return a < b ? a : b;
 }
 
+/* Words of other programs, and the names here. */
+static const char *const meant[][2] = {
+    {"angle", "degrees"}, {"angles", "degrees"}, {"radius", "diameter"}, {"height", "length"}};
+
 int near_distance(const char *a, const char *b) {
     size_t n = strlen(a), m = strlen(b);
     int d[LONGEST + 1][LONGEST + 1];
     if (n > LONGEST || m > LONGEST)
         return LONGEST;
+    for (size_t k = 0; k < sizeof meant / sizeof *meant; k++)
+        if (strcmp(a, meant[k][0]) == 0 && strcmp(b, meant[k][1]) == 0)
+            return 0;
     for (size_t i = 0; i <= n; i++)
         for (size_t j = 0; j <= m; j++) {
             d[i][j] = (int)(i + j);

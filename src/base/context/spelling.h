@@ -6,8 +6,9 @@
 
 #include <stddef.h>
 
-/** Letters to insert, leave out, change or exchange with the next one that make a word of another;
- * words of more than 31 letters are far from all. */
+/** Letters to insert, leave out, change or exchange with the next one that make a word of another,
+ * or 0 for another word of the same meaning, as angle for degrees; words of more than 31 letters
+ * are far from all. */
 int near_distance(const char *a, const char *b);
 
 /** Take a name as *best if it is nearer to the word than the best one so far, and near: at most two

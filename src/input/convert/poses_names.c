@@ -3,6 +3,7 @@
  */
 #include "input/convert/poses_names.h"
 
+#include <ctype.h>
 #include <string.h>
 #include <strings.h>
 #include "base/context/spelling.h"
@@ -135,12 +136,17 @@ static const char *near_in_list(field f, const char *const *list) {
 
 void pose_name_meant(text *out, field name) {
     static const char axes[] = "wxyzWXYZ";
+    int code = name.length &&
+               (strchr("(%", *name.start) || (name.length > 1 && strchr("GMNOgmno", *name.start) &&
+                                              isdigit((unsigned char)name.start[1])));
     field last = take_name_part(&name), before = take_name_part(&name);
     int is_axis = last.length == 1 && strchr(axes, *last.start);
     const char *meant = near_in_list(is_axis ? before : last, is_axis ? rotations : times);
     if (!meant)
         meant = near_in_list(is_axis ? before : last, is_axis ? positions : parts);
-    if (meant)
+    if (code)
+        text_put(out, "; this is G-code: expected are rows of the positions that it leads to");
+    else if (meant)
         text_format(out, is_axis ? "; did you mean %s.%.*s?" : "; did you mean %s?", meant,
                     FIELD_SHOWN(last));
 }

@@ -155,8 +155,10 @@ static int on_end(void *data) {
 static void syntax_error(builder *b, size_t length) {
     count_lines(b);
     unsigned char *words = yajl_get_error(b->handle, 0, (const unsigned char *)b->text, length);
-    words[strcspn((char *)words, "\n")] = '\0';
-    b->status = context_fail_in(b->context, GRAZE_EINPUT, b->source, b->line, "not JSON: %s",
+    words[strcspn((char *)words, ".\n")] = '\0';
+    b->status = context_fail_in(b->context, GRAZE_EINPUT, b->source, b->line,
+                                "not JSON: %s; expected an object, {...}, with expressions between "
+                                "quotes, as \"8*t\"; a motion stands behind its solid",
                                 (char *)words);
 }
 
@@ -292,8 +294,9 @@ graze_status json_members(const json **out, graze_context *context, const json *
             k++;
         }
         if (k == count) {
-            return json_fail(context, GRAZE_EINPUT, member, "unknown key; expected one of %s",
-                             known);
+            int angle = !strncmp(member->key, "deg", 3) || !strncmp(member->key, "angle", 5);
+            return json_fail(context, GRAZE_EINPUT, member, "unknown key; expected one of %s%s",
+                             known, angle ? "; `graze motion rotate` takes degrees" : "");
         }
         if (out[k] != NULL) {
             return json_fail(context, GRAZE_EINPUT, member,

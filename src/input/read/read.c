@@ -43,6 +43,8 @@ static const char *advice_of(const char *path) {
         {".glb", "; Blender and assimp write .ply of it"},
         {".gltf", "; Blender and assimp write .ply of it"},
         {".3mf", "; PrusaSlicer and trimesh write .stl of it"},
+        {".scad", "; OpenSCAD writes .csg of it: openscad -o NAME.csg NAME.scad"},
+        {".json", "; .json is a motion, and stands behind SOLID"},
         {".urdf", "; it names a mesh for each link, which is a solid of its own"}};
     const char *extension = strrchr(path, '.');
     for (size_t k = 0; extension != NULL && k < sizeof known / sizeof *known; k++) {

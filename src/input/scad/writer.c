@@ -50,8 +50,8 @@ graze_status scad_round(const scad_writer *w, const scad_place *p) {
         status = scad_number(sides, p, value);
     if (!status && fmpq_sgn(sides) > 0 && !w->choice->smooth)
         status = scad_fail(p->file, p->context, GRAZE_EINPUT, p->node,
-                           "$fn = %.*s asks for so many sides; expected 0, or that it is said to "
-                           "be smooth",
+                           "$fn = %.*s asks for so many sides; expected 0, or smooth: graze "
+                           "convert --smooth takes it as round",
                            value.length < 20 ? (int)value.length : 20, value.at);
     fmpq_clear(sides);
     return status;

@@ -25,7 +25,8 @@ static graze_status check_golden(const table *t) {
     if (t->where[COLUMN_PMC] < 0)
         table_meant(meant, t, &pmc, 1);
     return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, 0,
-                           "has no column %s; expected a table that graze classify wrote%s",
+                           "has no column %s; expected a table, which graze classify SOLID MOTION "
+                           "POINTS writes%s",
                            t->where[COLUMN_PMC] < 0 ? "pmc" : "x or no column y", meant);
 }
 

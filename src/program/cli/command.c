@@ -122,11 +122,8 @@ void operands_clear(operands *given) {
 
 /* Is the table, the text or the solid written to a file in place of standard output? */
 static int is_for_output(const option_entry *entry) {
-    static const char *const names[] = {"output", "resume", "inside", "outside"};
-    int found = 0;
-    for (size_t k = 0; k < sizeof names / sizeof *names; k++)
-        found |= strcmp(entry->name, names[k]) == 0;
-    return found;
+    return strcmp(entry->name, "output") == 0 || strcmp(entry->name, "resume") == 0 ||
+           strcmp(entry->name, "inside") == 0 || strcmp(entry->name, "outside") == 0;
 }
 
 int command_guard(const command *c, const void *options, const operands *given) {

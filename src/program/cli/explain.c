@@ -95,8 +95,8 @@ static int run_explain(void *options, const operands *given) {
     mpq_t point[3];
     if (given->count < 4 || given->count > 5)
         return complain(EXIT_USAGE,
-                        "explain takes SOLID, MOTION and 2 or 3 coordinates, %d operands given; "
-                        "see graze explain --help",
+                        "explain takes SOLID, MOTION and 2 or 3 coordinates, each a word of its "
+                        "own, as 1/2 -1 0.25; %d operands given; see graze explain --help",
                         given->count);
     all->picture = output_name(all->picture, "-.svg");
     o->solid = given->item[0];

@@ -63,6 +63,8 @@ static int complain_of_command(const char *word) {
     const char *best = NULL;
     for (size_t k = 0; k < COMMANDS; k++)
         near_take(&best, word, commands[k]->name);
+    near_take(&best, word, "--version");
+    near_take(&best, word, "--help");
     return complain(EXIT_USAGE, "%s: expected a command: %s%s%s%s", word, command_names(),
                     best ? "; did you mean " : "", best ? best : "", best ? "?" : "");
 }

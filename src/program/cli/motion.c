@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/spelling.h"
 #include "program/cli/commands.h"
 #include "program/cli/motion_examples.h"
 #include "program/cli/values.h"
@@ -16,6 +17,7 @@ static const char motion_help[] =
     "graze motion KIND ...: an exact motion file from angles or poses, its error proved and "
     "printed\n"
     "\n"
+    "  line --by X,Y,Z      a straight line, for t from 0 to 1; exact; --by X,Y in the plane\n"
     "  rotate --degrees A [--axis X,Y,Z] [--center ...]   a turn that ends near the angle; exact\n"
     "                       on the way, quarter turns exact; its speed is not uniform\n"
     "  screw --degrees A [--axis X,Y,Z] [--center ...] [--pitch H]   a uniform turn that moves H\n"
@@ -60,6 +62,7 @@ static const char motion_help[] =
 
 /* Options that only some kinds take. */
 enum {
+    BY,
     DEGREES,
     AXIS,
     CENTER,
@@ -97,6 +100,7 @@ static void add_motion_files(guard *g, const void *options, const operands *give
 }
 
 static const option_entry motion_table[] = {
+    [BY] = OPTION("by", motion_options, own[BY], value_text),
     [DEGREES] = OPTION("degrees", motion_options, own[DEGREES], value_text),
     [AXIS] = OPTION("axis", motion_options, own[AXIS], value_text),
     [CENTER] = OPTION("center", motion_options, own[CENTER], value_text),
@@ -189,6 +193,16 @@ static int read_joint(job *j, own_joint *w, const char *word) {
     return status;
 }
 
+/* A slide, in the plane where there are two numbers. */
+static int read_way(job *j, own_joint *w, const char *by) {
+    const char *comma = strchr(by, ',');
+    if (comma && !strchr(comma + 1, ',') && !j->o->own[DIMENSION])
+        j->dimension = 2;
+    w->joint.kind = GRAZE_JOINT_SLIDE;
+    w->joint.axis = w->number + 2;
+    return numbers_read(w->number + 2, j->context, "--by", by, strlen(by), j->dimension);
+}
+
 /* The one joint that the options of rotate and screw describe. */
 static int read_turn(job *j, own_joint *w, int screw) {
     const char *const *own = j->o->own;
@@ -253,12 +267,14 @@ static int make_turn(job *j, int screw) {
 }
 
 static int make_joint_chain(job *j) {
-    size_t count = (size_t)j->given->count - 1;
+    const char *by = j->o->own[BY];
+    size_t count = by ? 1 : (size_t)j->given->count - 1;
     if (count == 0)
         return complain(EXIT_USAGE, "joints takes one joint or more; see graze motion --help");
     int status = joints_init(j, count);
     for (size_t i = 0; i < count && !status; i++)
-        status = read_joint(j, j->joints + i, j->given->item[1 + i]);
+        status = by ? read_way(j, j->joints + i, by)
+                    : read_joint(j, j->joints + i, j->given->item[1 + i]);
     if (!status)
         status = read_motion_goal(j, "1e-6");
     if (status)
@@ -272,6 +288,12 @@ static int make_joint_chain(job *j) {
                                                   chain, count, j->tolerance, j->radius);
     free(chain);
     return complain_of_use(made, j->context);
+}
+
+static int make_line(job *j) {
+    return j->given->count == 1 && j->o->own[BY]
+               ? make_joint_chain(j)
+               : complain(EXIT_USAGE, "line takes --by X,Y,Z alone; see graze motion --help");
 }
 
 /* Scale, times and step of poses. */
@@ -380,17 +402,24 @@ static const struct {
     const char *name;
     int (*make)(job *);
     unsigned taken;
-} kinds[] = {{"rotate", make_rotation, TAKEN_BY_TURNS},
+} kinds[] = {{"line", make_line, TAKEN_BY_DYADIC | 1 << DYADIC | 1 << DIMENSION | 1 << BY},
+             {"rotate", make_rotation, TAKEN_BY_TURNS},
              {"screw", make_screw, TAKEN_BY_TURNS},
              {"joints", make_joint_chain, TAKEN_BY_JOINTS},
              {"poses", make_poses, TAKEN_BY_POSES},
              {"dyadic", make_dyadic, TAKEN_BY_DYADIC}};
 
 static int check_own_options(const job *j, const char *kind, unsigned taken) {
-    for (int k = 0; k < OWN; k++)
-        if (j->o->own[k] && !(taken >> k & 1))
-            return complain(EXIT_USAGE, "%s takes no --%s; see graze motion --help", kind,
-                            motion_table[k].name);
+    for (int k = 0; k < OWN; k++) {
+        const char *best = NULL, *name = motion_table[k].name;
+        if (!j->o->own[k] || taken >> k & 1)
+            continue;
+        for (int i = 0; i < OWN; i++)
+            if (taken >> i & 1)
+                near_take(&best, name, motion_table[i].name);
+        return complain(EXIT_USAGE, "%s takes no --%s; %s%s%ssee graze motion --help", kind, name,
+                        best ? "did you mean --" : "", best ? best : "", best ? "? " : "");
+    }
     if (j->given->repeated_count && taken != TAKEN_BY_POSES)
         return complain(EXIT_USAGE, "%s takes no --ignore; see graze motion --help", kind);
     return EXIT_DONE;
@@ -410,8 +439,8 @@ static int convert_motion(job *j) {
             status = kinds[k].make(j);
         return !status && j->o->own[DYADIC] ? make_made_dyadic(j) : status;
     }
-    return complain(EXIT_USAGE, "motion takes rotate, screw, joints, poses or dyadic; see graze "
-                                "motion --help");
+    return complain(EXIT_USAGE, "motion takes line, rotate, screw, joints, poses or dyadic; see "
+                                "graze motion --help");
 }
 
 static int write_motion(const job *j) {

@@ -5,6 +5,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 #include "base/context/spelling.h"
 #include "program/run/coordinates.h"
@@ -25,11 +26,10 @@ int value_output(void *to, const char *name, const char *value) {
 
 int value_standard(void *to, const char *name, const char *value) {
     static const char *const words[] = {"svg", "png", "html", "ply", "vtk", "stl", "csv"};
-    static const char *const names[] = {"-.svg", "-.png", "-.html", "-.ply",
-                                        "-.vtk", "-.stl", "-.csv"};
+    static char standard[8];
     int chosen = 0, status = value_choice(&chosen, name, value, words, 7);
-    *(const char **)to = names[chosen];
-    return status;
+    snprintf(standard, sizeof standard, "-.%s", words[chosen]);
+    return value_text(to, name, standard) | status;
 }
 
 int value_flag(void *to, const char *name, const char *value) {

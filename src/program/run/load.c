@@ -54,10 +54,13 @@ static int complain_of_scene(graze_status status, const loaded *l, const scene_o
     if (status != GRAZE_EILLEGAL || l->solid)
         return complain_of(status, l->context);
     snprintf(reason, sizeof reason, "%s", graze_context_message(l->context));
+    int overlap = strstr(reason, "overlap") || strstr(reason, " intersect each other") ||
+                  strstr(reason, " cross; edges may");
     int helps =
         graze_solid_mend(&mended, NULL, l->context, o->solid, NULL, o->solid_flags) == GRAZE_OK;
     graze_free(mended);
-    return complain(EXIT_INPUT, "%s%s", reason,
+    return complain(EXIT_INPUT, "%s%s%s", reason,
+                    overlap ? "; a \"union\" in .csg.json takes parts that overlap" : "",
                     helps ? "; graze mend makes a legal solid of it" : "");
 }
 

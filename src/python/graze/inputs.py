@@ -180,7 +180,7 @@ class Motion:
     """A legal motion. Immutable; scenes and threads may share it.
 
     Attributes:
-        report: for one made by `rotate`, `screw`, `joints`, `poses` or `dyadic`, what was
+        report: for one made by `line`, `rotate`, `screw`, `joints`, `poses` or `dyadic`, what was
             approximated, with proved bounds; else "".
     """
 
@@ -223,6 +223,11 @@ class Motion:
         made = cls(text, limits=limits)
         made.report = report
         return made
+
+    @classmethod
+    def line(cls, *by: Any, limits: "Mapping[str, int] | None" = None) -> "Motion":
+        """A straight line by d numbers for t from 0 to 1, exactly: `line(8, 0, 0)`."""
+        return cls.joints([_motions.slide(*by)], limits=limits)
 
     @classmethod
     def rotate(cls, degrees: Any, axis: Any = None, center: Any = None, *, tolerance: Any = "1e-9",
