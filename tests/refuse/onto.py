@@ -42,35 +42,35 @@ class Row:
 
 
 ROWS = [
-    Row("check S.wkt M.json", SCENE, {"--receipt": "o"}),
+    Row("check S.wkt M.json", SCENE, {"--receipt": "o", "--output": "o", "-o": "o"}),
     Row("classify S.wkt M.json P.csv", SCENE + ["P.csv"], {"--output": "o", "-o": "o", "--certify": "o", "--resume": "o"},
         reads=["--receipt"]),
     Row("certify S.wkt M.json P.csv", SCENE + ["P.csv"], {"--output": "o", "-o": "o", "--resume": "o"}, reads=["--receipt"]),
     Row("contact S.wkt M.json C.csv", SCENE + ["C.csv"], {"--output": "o", "--resume": "o"}),
     Row("merge 1.csv 2.csv", ["1.csv", "2.csv"], {"--output": "o"}),
-    Row("explain S.wkt M.json 3 2", SCENE, {"--svg": "o.svg"}),
+    Row("explain S.wkt M.json 3 2", SCENE, {"--svg": "o.svg", "--output": "o"}),
     Row("generate S.wkt M.json -n 3 --seed 1", SCENE, {"--output": "o"}),
     Row("compare T.csv T2.csv", ["T.csv", "T2.csv"], {"--output": "o", "--page": "o.html"}, reads=["--solid", "--motion"]),
     Row("validate S.wkt M.json -n 3 --candidate", SCENE, {"--output": "o", "--keep": "o"}),
     Row("validate S.wkt M.json --candidate", SCENE, {"--output": "o", "--keep": "o"}, reads=["--points"]),
     Row("draw S.wkt M.json P.csv --grid 4", SCENE + ["P.csv"], {"--output": "o.svg", "-o": "o.svg"}),
-    Row("boundary S.wkt M.json --depth 2", SCENE, {"--surface": "o.vtk", "--cells": "o.vtk", "--points": "o.vtk"}),
+    Row("boundary S.wkt M.json --depth 2", SCENE, {"--surface": "o.vtk", "--cells": "o.vtk", "--points": "o.vtk", "--output": "o"}),
     Row("convert S.wkt", ["S.wkt"], {"--output": "o.wkt", "-o": "o.wkt"}),
     Row("convert M.json", ["M.json"], {"--output": "o.json", "-o": "o.json"}),
     Row("solid ball --diameter 1", [], {"--inside": "o.off", "--outside": "o.off"}),
     Row("solid box --size 1,1,1", [], {"--output": "o.off", "-o": "o.off", "--outside": "o.off"}),
     Row("mend S.off", ["S.off"], {"--output": "o.off", "-o": "o.off"}),
     Row("envelope S.wkt M.json --at 1/2 -n 2", SCENE,
-        {"--events": "o", "--curve": "o", "--patches": "o", "--joints": "o", "--points": "o"}),
-    Row("collide S.wkt M.json S.wkt", SCENE, {}, reads=["--motion-of-fixed"], ends=1),
-    Row("judge B.off B.json B.off --within 1 --count 1", ["B.off", "B.json"], {"--vertices": "o.csv", "--answers": "o.csv", "--page": "o.html"},
+        {"--events": "o", "--curve": "o", "--patches": "o", "--joints": "o", "--points": "o", "--output": "o"}),
+    Row("collide S.wkt M.json S.wkt", SCENE, {"--output": "o", "-o": "o"}, reads=["--motion-of-fixed"], ends=1),
+    Row("judge B.off B.json B.off --within 1 --count 1", ["B.off", "B.json"], {"--vertices": "o.csv", "--answers": "o.csv", "--page": "o.html", "--output": "o"},
         reads=["--points"]),
     Row("motion poses Q.csv", ["Q.csv"], {"--output": "o", "--report": "o"}),
     Row("motion dyadic M.json", ["M.json"], {"--output": "o", "--report": "o"}),
     Row("motion line --by 1,0,0", [], {"--output": "o", "--report": "o"}),
     Row("motion joints slide:1,0,0", [], {"--output": "o", "--report": "o"}),
     Row("motion rotate --degrees 90 --dimension 2", [], {"--output": "o", "--report": "o"}),
-    Row("cases", [], {}, others=["--folder"]),
+    Row("cases", [], {}, others=["--folder", "--output"]),
 ]
 # Options whose text is none of a file, and short names of others.
 TEXTS = {"by", "format", "grid", "box", "at", "strata", "times", "plane", "view", "title", "depth", "coarse", "budget", "contacts", "candidate",
@@ -79,6 +79,8 @@ TEXTS = {"by", "format", "grid", "box", "at", "strata", "times", "plane", "view"
          "near-rotation"}
 EXTRA = {("validate", "keep"), ("validate", "output")}  # their commands add what they write
 COLUMNS = {("motion", "--ignore")}
+# Commands whose report --output takes, an option of all commands without a row in their table; beside a file it yields to it.
+REPORTS = {"check", "explain", "boundary", "envelope", "collide", "judge", "cases"}
 
 
 class Bench:
@@ -175,6 +177,8 @@ def check_reads(bench, row):
     words = given(bench, row)
     files = [word for k, word in enumerate(words) if word in row.read or k and words[k - 1] in row.reads]
     for (option, value), target in itertools.product(row.writes.items(), files):
+        if option == "--output" and row.command in REPORTS - {"check"}:  # one option in the code
+            continue
         for ending in endings(row, option):
             for kind in ("same", "dots", "linked", "symbolic", "hard"):
                 at = bench.fresh()
@@ -201,7 +205,7 @@ def put_both(kind, at, first, second):
 
 def check_writes(bench, row):
     """Each two options to write, onto a new file, and onto one that is there."""
-    kinds = {name: value for name, value in row.writes.items() if name != "-o"}
+    kinds = {name: value for name, value in row.writes.items() if name != "-o" and not (name == "--output" and row.command in REPORTS - {"check"})}
     for (one, value), (two, other) in itertools.combinations(kinds.items(), 2):
         for ending, last in itertools.product(endings(row, one), endings(row, two)):
             equal = ["same", "dots"] if value + ending == other + last else []
@@ -283,14 +287,15 @@ def check_dash(bench, row):
     if row.command == "validate":  # its report has the time that it took
         plain = {}
     for option, value in plain.items():
-        beside = [word for name, other in plain.items() if name != "-o" and {name, option} != {"--output", "-o"} and name != option
-                  for word in (name, name[2:] + other[1:])]
+        needed = [name for name in plain if name not in (option, "-o") and {name, option} != {"--output", "-o"}
+                  and (row.command == "envelope" or name == "--output") and not (name == "--output" and row.command in REPORTS)]
+        beside = [word for name in needed for word in (name, name[2:] + plain[name][1:])]
         at = bench.fresh()
         done = bench.run(at, given(bench, row) + beside + [option, "whole" + value[1:]])
         bench.checks.equal(done.returncode, row.ends, row.command, option, done.stderr)
         there, report = (at / ("whole" + value[1:])).read_bytes(), done.stdout
         spelt = [["-"], ["-" + value[1:]]]
-        if row.command == "boundary":  # its surface is PLY, its points are CSV, unless said otherwise
+        if row.command == "boundary" and option != "--output":  # its surface is PLY, its points are CSV, unless said otherwise
             spelt[0] += ["--format", value[2:]]
         for words in spelt:
             name = words[0]
@@ -378,6 +383,7 @@ def check_rows(bench):
             named = {"--" + name for name in re.findall(macro + r'\("([a-z-]+)"', table)}
             named |= {"--output"} if rest == "writes" and re.search(r"\bOUTPUT\(", table) else set()
             wanted = {name for row in rows for name in getattr(row, rest)} - {"-o"} - {"--" + n for c, n in EXTRA if c == command}
+            wanted -= {"--output"} if command in REPORTS else set()
             bench.checks.equal(sorted(named), sorted(wanted), command, macro)
         for name in re.findall(r'(?:OPTION|FLAG)\("([a-z-]+)",[^)]*, value_text\)', table):
             bench.checks.holds(name in TEXTS or (command, name) in EXTRA, command, name, "takes a text; is that a file?")

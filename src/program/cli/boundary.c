@@ -39,6 +39,7 @@ static const char boundary_help[] =
     "  --points FILE        .csv, exact, or .vtk: the points and pmc (1 in, 2 on, 3 out)\n"
     "  --format ply|vtk|stl|csv   of a FILE that is -, standard output (ply; vtk of cells; csv of "
     "points)\n"
+    "  -o, --output FILE    write there instead of to standard output\n"
     "  --jobs N             threads, at most one a core (default); any N gives the same output\n"
     "  --round, --triangulate, --operation, --overlap, --limit,\n"
     "  --no-filter          as in graze classify\n"

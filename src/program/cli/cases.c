@@ -20,6 +20,7 @@ static const char cases_help[] =
     "cannot be read.\n"
     "\n"
     "  --folder FOLDER      where the cases are (the folder cases here, or else those installed)\n"
+    "  -o, --output FILE    write there instead of to standard output\n"
     "\n"
     "Example: graze cases --folder /usr/share/graze/cases\n";
 

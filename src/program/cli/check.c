@@ -21,6 +21,7 @@ static const char check_help[] =
     "  --operation sweep|unsweep   in an unsweep S^0 and S^1 may always meet\n"
     "  --round none|binary64|binary32   round every number read to the nearest such float\n"
     "  --receipt FILE       write a receipt there if both are legal, for graze classify --receipt\n"
+    "  -o, --output FILE    write there instead of to standard output\n"
     "  --limit NAME=V       digits 10000, degree 200, pieces 10000, depth 100, line 10^7,\n"
     "                       cells 10^8, bytes 4*10^9, bits 100000, work 10^8\n"
     "\n"

@@ -60,13 +60,6 @@ int value_shard(void *to, const char *name, const char *value) {
     return EXIT_DONE;
 }
 
-static int value_format(void *to, const char *name, const char *value) {
-    static const char *const words[] = {"csv", "jsonl", "vtk", "npy"};
-    int chosen = 0, status = value_choice(&chosen, name, value, words, 4);
-    *(graze_format *)to = (graze_format)chosen;
-    return status;
-}
-
 static const option_entry classify_table[] = {
     OPTION("grid", classify_options, grid.sizes, value_text),
     OPTION("box", classify_options, grid.box, value_text),

@@ -23,6 +23,7 @@ static const char collide_help[] =
     "                       leaves; the word is that with the closed complement of FIXED\n"
     "  --motion-of-fixed MOTION   FIXED moves too; times are those that both motions have\n"
     "  --format text|json   json: one object, with all pairs of cells and exact times\n"
+    "  -o, --output FILE    write there instead of to standard output\n"
     "  --triangulate, --round, --limit NAME=V   as in graze classify\n"
     "\n"
     "Example: graze collide bar.off turn.json post.off --first\n";

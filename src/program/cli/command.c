@@ -19,7 +19,7 @@ enum { HELP = 256, FIRST_OPTION };
 
 /* The arguments of getopt_long; an option's value is its place in the command's table. */
 typedef struct option_table {
-    struct option entries[OPTIONS_MOST + 2];
+    struct option entries[OPTIONS_MOST + 3];
     char letters[2 * OPTIONS_MOST + 8];
 } option_table;
 
@@ -35,15 +35,20 @@ static void make_option_table(option_table *t, const option_entry *options) {
         else
             strcat(strcat(t->letters, options[k].name), argument == no_argument ? "" : ":");
     }
+    if (!strchr(t->letters, 'o')) {
+        *next = (struct option){"output", required_argument, NULL, 'o'};
+        strcat(t->letters, "o:");
+    }
 }
 
-/* The entry that getopt_long's answer stands for. */
+/* The entry that getopt_long's answer stands for; NULL: that of `--output`, which every command
+ * has. */
 static const option_entry *find_option(const option_entry *options, int code) {
     if (code >= FIRST_OPTION)
         return options + (code - FIRST_OPTION);
-    while (options->name[1] || *options->name != code)
+    while (options->name && (options->name[1] || *options->name != code))
         options++;
-    return options;
+    return options->name ? options : NULL;
 }
 
 static int is_negative_number(const char *word) {
@@ -70,6 +75,10 @@ static int complain_of_word(const command *c, int code, const char *word) {
 }
 
 static int read_option(operands *given, void *options, const option_entry *entry) {
+    if (!entry) {
+        given->output = optarg;
+        return EXIT_DONE;
+    }
     const char *value = entry->kind == OPTION_FLAG ? "" : optarg;
     if (entry->read)
         return entry->read((char *)options + entry->offset, entry->name, value);
@@ -117,7 +126,7 @@ int command_read(operands *given, void *options, int *help, const command *c, in
 void operands_clear(operands *given) {
     free(given->item);
     free(given->repeated);
-    *given = (operands){0, 0, NULL, NULL};
+    *given = (operands){.item = NULL};
 }
 
 /* Is the table, the text or the solid written to a file in place of standard output? */
@@ -128,7 +137,7 @@ static int is_for_output(const option_entry *entry) {
 
 int command_guard(const command *c, const void *options, const operands *given) {
     guard g = {NULL, 0, 0, 0};
-    int prints = 1, product = 0, yields = 0;
+    int prints = !given->output, product = 0, yields = 0;
     for (int k = 0; k < given->count && k < c->reads; k++)
         guard_add(&g, k < c->reads - c->inputs ? GUARD_READ : GUARD_INPUT, NULL, given->item[k],
                   "");
@@ -145,11 +154,13 @@ int command_guard(const command *c, const void *options, const operands *given) 
     }
     if (c->add_files)
         c->add_files(&g, options, given);
+    if (given->output)
+        guard_add(&g, GUARD_WRITTEN, "output", given->output, "");
     if (prints && (product || !yields)) /* a report goes to standard error where it has to yield */
         guard_add(&g, GUARD_WRITTEN, NULL, NULL, "");
     int status = guard_check(&g);
-    if (!status && yields)
-        output_yield_standard();
+    if (!status && (yields || given->output))
+        output_unnamed(given->output);
     guard_clear(&g);
     return status;
 }

@@ -53,6 +53,7 @@ typedef struct operands {
     int count, repeated_count;
     char **item;
     const char **repeated;
+    const char *output; /* the file for what a command prints that has no OUTPUT of its own */
 } operands;
 
 typedef struct command {

@@ -29,14 +29,6 @@ static const char contact_help[] =
     "\n"
     "Example: graze contact block.wkt turn.json contacts.csv > table.csv\n";
 
-static int value_rows(void *to, const char *name, const char *value) {
-    static const char *const words[] = {"csv", "jsonl"};
-    static const graze_format formats[] = {GRAZE_FORMAT_CSV, GRAZE_FORMAT_JSONL};
-    int chosen = 0, status = value_choice(&chosen, name, value, words, 2);
-    *(graze_format *)to = formats[chosen];
-    return status;
-}
-
 static const option_entry contact_table[] = {
     FLAG("snap", classify_options, sites.snap, value_flag),
     OPTION("format", classify_options, scene.rows.format, value_rows),

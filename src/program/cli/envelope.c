@@ -24,6 +24,7 @@ static const char envelope_help[] =
     "when\n"
     "  -n N --points FILE   N contact points spread over the motion, as rows of graze contact;\n"
     "  --seed K             their seed (1)\n"
+    "  -o, --output FILE    write there instead of to standard output\n"
     "  --operation sweep    the one that has an envelope; unsweep is refused\n"
     "  --round, --triangulate, --overlap, --limit NAME=V   as in graze classify\n"
     "\n"

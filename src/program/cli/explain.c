@@ -24,6 +24,7 @@ static const char explain_help[] =
     "directions\n"
     "                       about it each contact covers, which are left, and a\n"
     "                       witness's direction\n"
+    "  -o, --output FILE    write there instead of to standard output\n"
     "  --operation sweep    the set swept by the solid (default)\n"
     "  --operation unsweep  the points that stay in the solid\n"
     "\n"

@@ -40,6 +40,7 @@ static const char judge_help[] =
     "  --jobs N           threads for vertices, points and the volume (1)\n"
     "  --fail-above X     exit status 1 if a distance is certainly greater than X\n"
     "  --format text|markdown|json\n"
+    "  -o, --output FILE  write there instead of to standard output\n"
     "  --triangulate, --round, --limit NAME=V   as in graze classify\n"
     "\n"
     "Example: graze judge tool.off motion.json swept.obj --within 1e-3r\n";

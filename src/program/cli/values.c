@@ -158,6 +158,8 @@ VALUE_OF_WORDS(value_folds, graze_folds, "separate", "combined")
 VALUE_OF_WORDS(value_operation, graze_operation, "sweep", "unsweep")
 VALUE_OF_WORDS(value_columns, graze_columns, "all", "pmc")
 VALUE_OF_WORDS(value_coordinates, coordinate_form, "exact", "as-given", "decimal")
+VALUE_OF_WORDS(value_format, graze_format, "csv", "jsonl", "vtk", "npy")
+VALUE_OF_WORDS(value_rows, graze_format, "csv", "jsonl")
 VALUE_OF_WORDS(value_report, graze_comparison_format, "text", "json")
 VALUE_OF_WORDS(value_question, graze_question, "open", "closed")
 VALUE_OF_WORDS(value_on_as, graze_on_as, "on", "any", "in", "out")
@@ -222,20 +224,21 @@ int value_binary64(void *to, const char *name, const char *value) {
     return EXIT_DONE;
 }
 
-int value_jobs(void *to, const char *name, const char *value) {
-    unsigned long jobs;
-    if (!numbers_count(&jobs, value, 1) || jobs > 1024)
-        return complain(EXIT_USAGE, "--%s %s: expected a whole number from 1 to 1024", name, value);
-    *(int *)to = (int)jobs;
+static int read_up_to(int *to, const char *name, const char *value, unsigned long most) {
+    unsigned long count;
+    if (!numbers_count(&count, value, 1) || count > most)
+        return complain(EXIT_USAGE, "--%s %s: expected a whole number from 1 to %lu", name, value,
+                        most);
+    *to = (int)count;
     return EXIT_DONE;
 }
 
+int value_jobs(void *to, const char *name, const char *value) {
+    return read_up_to(to, name, value, 1024);
+}
+
 int value_digits(void *to, const char *name, const char *value) {
-    unsigned long digits;
-    if (!numbers_count(&digits, value, 1) || digits > 1000)
-        return complain(EXIT_USAGE, "--%s %s: expected a whole number from 1 to 1000", name, value);
-    *(int *)to = (int)digits;
-    return EXIT_DONE;
+    return read_up_to(to, name, value, 1000);
 }
 
 int value_show(void *to, const char *name, const char *value) {

@@ -28,6 +28,8 @@ option_read value_count;        /**< unsigned long from 1 up */
 option_read value_seed;         /**< seed_value */
 option_read value_binary64;     /**< int: 1 if the value is binary64 */
 option_read value_jobs;         /**< int from 1 to 1024 */
+option_read value_format;       /**< graze_format */
+option_read value_rows;         /**< graze_format: csv or jsonl */
 option_read value_report;       /**< graze_comparison_format */
 option_read value_question;     /**< graze_question */
 option_read value_on_as;        /**< graze_on_as */

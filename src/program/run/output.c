@@ -13,7 +13,7 @@
 #include "program/run/status.h"
 #include "program/run/waiting.h"
 
-static int yielded;
+static const char *unnamed = "-"; /* NULL: standard error */
 
 int output_is_standard(const char *path) {
     return path && *path == '-' && (!path[1] || path[1] == '.') && !strchr(path, '/');
@@ -23,14 +23,15 @@ const char *output_name(const char *path, const char *standard) {
     return path && strcmp(path, "-") == 0 ? standard : path;
 }
 
-void output_yield_standard(void) {
-    yielded = 1;
+void output_unnamed(const char *path) {
+    unnamed = path;
 }
 
 int output_open(output *out, const char *path) {
+    path = path ? path : unnamed;
     int named = path && !output_is_standard(path);
-    out->fd = !path && yielded ? STDERR_FILENO : STDOUT_FILENO;
-    out->name = named ? path : out->fd == STDOUT_FILENO ? "standard output" : "standard error";
+    out->fd = path ? STDOUT_FILENO : STDERR_FILENO;
+    out->name = named ? path : path ? "standard output" : "standard error";
     out->error = 0;
     out->used = out->open_line = 0;
     waiting_clear();
