@@ -26,7 +26,7 @@ static const char overview[] =
     "  graze compare GOLDEN CANDIDATE       a candidate's answers against a golden table\n"
     "  graze validate SOLID MOTION --candidate CMD   run a candidate and judge it\n"
     "  graze draw SOLID MOTION [POINTS] -o FILE.svg   a picture: classes, positions, trajectories\n"
-    "  graze motion KIND ...                exact motion files from angles, screws, joints, poses\n"
+    "  graze motion KIND ...                exact motion files from lines, angles, joints, poses\n"
     "  graze solid KIND ...                 a milling tool, cylinder, ball or box as OFF\n"
     "  graze boundary SOLID MOTION --depth N   the boundary by adaptive sampling\n"
     "  graze certify SOLID MOTION POINTS -o FILE   answers with proofs, for graze-check\n"
