@@ -77,6 +77,10 @@ const char *graze_pair_word(const graze_pair *pair) {
     return pair ? pair->walk.word : "";
 }
 
+graze_state graze_pair_next(const graze_pair *pair) {
+    return pair ? collide_next(pair) : GRAZE_STATE_ABSENT;
+}
+
 size_t graze_pair_contact_count(const graze_pair *pair) {
     return pair ? pair->walk.contact_count : 0;
 }

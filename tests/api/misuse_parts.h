@@ -339,6 +339,7 @@ static void pairs(bench *b) {
     HARMLESS(graze_pair_destroy, CALLS(graze_pair_destroy(NULL)));
     HARMLESS(graze_pair_get_verdict, graze_pair_get_verdict(NULL) == GRAZE_PAIR_NONE);
     HARMLESS(graze_pair_word, *graze_pair_word(NULL) == '\0');
+    HARMLESS(graze_pair_next, graze_pair_next(NULL) == GRAZE_STATE_ABSENT);
     HARMLESS(graze_pair_contact_count, graze_pair_contact_count(NULL) == 0);
     HARMLESS(graze_pair_get_contact, graze_pair_get_contact(NULL, 0).from == NULL);
     HARMLESS(graze_pair_overlap_time, graze_pair_overlap_time(NULL) == NULL);

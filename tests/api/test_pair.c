@@ -66,25 +66,30 @@ static void overlap_and_json(void **state) {
     assert_int_equal(graze_pair_create(&p, s.context, s.solid, s.motion, fixed, NULL, NULL), 0);
     assert_string_equal(graze_pair_word(p), "OBIBO");
     assert_string_equal(graze_pair_verdict_name(graze_pair_get_verdict(p)), "overlap");
+    assert_int_equal(graze_pair_next(p), GRAZE_STATE_ABSENT);
     check_time(graze_pair_overlap_time(p), 7, 8);
     check_time(graze_pair_get_contact(p, 1).from, 9, 8);
     graze_pair_destroy(p);
     assert_int_equal(graze_pair_create(&p, s.context, s.solid, s.motion, fixed, NULL, &first), 0);
-    assert_string_equal(graze_pair_word(p), "OB");
+    assert_int_equal(graze_pair_get_verdict(p), GRAZE_PAIR_CONTACT);
+    assert_string_equal(graze_pair_word(p), "OBI");
+    assert_int_equal(graze_pair_next(p), GRAZE_STATE_I);
+    check_time(graze_pair_overlap_time(p), 7, 8);
     assert_true(graze_pair_get_contact(p, 0).kind == 0 && !graze_pair_get_contact(p, 0).to);
     assert_int_equal(graze_pair_json(&json, s.context, p), GRAZE_OK);
     /* x = 7: the side x + 2 = 9, y in [0, 2], on the side y in [1, 3]: its corner (9, 2) inside
      * that, and the other's corner (9, 1) inside this. */
     assert_string_equal(
-        json, "{\"verdict\":\"touch\",\"word\":\"OB\",\"first\":{\"from\":\"7/8\",\"to\":null,"
-              "\"near\":0.875,\"kind\":null,\"cells\":[{\"moving\":{\"edge\":[1,2]},\"fixed\":"
-              "{\"edge\":[0,3]},\"type\":\"edge-edge\"},{\"moving\":{\"edge\":[1,2]},\"fixed\":"
-              "{\"vertex\":0},\"type\":\"edge-vertex\"},{\"moving\":{\"vertex\":2},\"fixed\":"
-              "{\"edge\":[0,3]},\"type\":\"vertex-edge\"}]},\"contacts\":[{\"from\":\"7/8\","
-              "\"to\":null,\"near\":0.875,\"kind\":null,\"cells\":[{\"moving\":{\"edge\":[1,2]},"
-              "\"fixed\":{\"edge\":[0,3]},\"type\":\"edge-edge\"},{\"moving\":{\"edge\":[1,2]},"
-              "\"fixed\":{\"vertex\":0},\"type\":\"edge-vertex\"},{\"moving\":{\"vertex\":2},"
-              "\"fixed\":{\"edge\":[0,3]},\"type\":\"vertex-edge\"}]}]}\n");
+        json,
+        "{\"verdict\":\"meets\",\"word\":\"OBI\",\"next\":\"I\",\"first\":{\"from\":\"7/8\",\"to\":"
+        "null,\"near\":0.875,\"kind\":null,\"cells\":[{\"moving\":{\"edge\":[1,2]},\"fixed\":"
+        "{\"edge\":[0,3]},\"type\":\"edge-edge\"},{\"moving\":{\"edge\":[1,2]},\"fixed\":"
+        "{\"vertex\":0},\"type\":\"edge-vertex\"},{\"moving\":{\"vertex\":2},\"fixed\":"
+        "{\"edge\":[0,3]},\"type\":\"vertex-edge\"}]},\"contacts\":[{\"from\":\"7/8\","
+        "\"to\":null,\"near\":0.875,\"kind\":null,\"cells\":[{\"moving\":{\"edge\":[1,2]},"
+        "\"fixed\":{\"edge\":[0,3]},\"type\":\"edge-edge\"},{\"moving\":{\"edge\":[1,2]},"
+        "\"fixed\":{\"vertex\":0},\"type\":\"edge-vertex\"},{\"moving\":{\"vertex\":2},"
+        "\"fixed\":{\"edge\":[0,3]},\"type\":\"vertex-edge\"}]}]}\n");
     graze_free(json);
     graze_pair_destroy(p);
     graze_solid_destroy(fixed);
@@ -107,6 +112,13 @@ static void start_and_cancel(void **state) {
     assert_int_equal(graze_pair_create(&p, s.context, s.solid, s.motion, s.solid, NULL, &inside),
                      GRAZE_OK);
     assert_string_equal(graze_pair_word(p), "BI");
+    graze_pair_destroy(p);
+    inside.first = 1; /* on a wall at t0, and out of it at once */
+    assert_int_equal(graze_pair_create(&p, s.context, s.solid, s.motion, s.solid, NULL, &inside),
+                     GRAZE_OK);
+    assert_string_equal(graze_pair_verdict_name(graze_pair_get_verdict(p)), "meets");
+    assert_int_equal(graze_pair_next(p), GRAZE_STATE_I);
+    check_time(graze_pair_overlap_time(p), 0, 1);
     graze_pair_destroy(p);
     graze_context_set_cancel(s.context, graze_cancel_countdown, &left);
     assert_int_equal(graze_pair_create(&p, s.context, s.solid, s.motion, s.solid, NULL, NULL),

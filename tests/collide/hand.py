@@ -8,6 +8,7 @@ S is the moving solid, Q the fixed one, b the translation. Above each scene stan
 all pairs are compared with those that meeting.py finds by clipping. `block` numbers the vertices of a box by
 x + 2 y + 4 z, its facets z0, z1, y0, y1, x0, x1; `box_ring` goes round from the lower left corner.
 """
+import json
 import os
 from collections import Counter
 
@@ -385,12 +386,53 @@ def text(collide, checks):
     ahead = write("ahead.json", '{"dimension": 3, "pieces": [{"t": [0, 5], "transform": {"translate": ["t", 0, 0]}}]}')
     out = collide.graze.call("collide", cube, ahead, fellow, "--first")
     first, word, contact = out.stdout.splitlines()
-    checks.equal((out.returncode, first, word), (1, "touch", "word OB"), "text")
+    checks.equal((out.returncode, first, word), (1, "meets", "word OBI"), "text")
     checks.holds(contact.startswith("first contact 2: ") and contact.endswith(", and 1 more"), "text", contact)
     # t + 1 = 3 + t/2 at t = 4; the motions have [2, 5] in common.
     behind = write("behind.json", '{"dimension": 3, "pieces": [{"t": [2, 9], "transform": {"translate": ["t/2", 0, 0]}}]}')
     out = collide.graze.call("collide", cube, ahead, fellow, "--motion-of-fixed", behind)
     checks.equal(out.stdout.splitlines()[:2] + [out.stdout.splitlines()[2][:10]], ["overlap", "word OBI", "contact 4,"], "text")
+
+
+# The square [x, x + 1] x [y, y + 1] against the room [0, 4]^2 (inside) and against [4, 5] x [1, 2]. Its right side is at x = 4 where x = 3: by
+# (a) at 1/4 on its way out, by (b) at 1/4, where x is greatest, by (c) at 1, the motion's end, by (d) from 1/4 on, where a leg along the wall begins,
+# by (e) at 0, on its way out, by (f) all the time; by (g), x = 5 + t, it is outside, and its left side touches the block at 0; by (h) x is 1. By (i)
+# x = 1 + t^2 is 3 at the root of 2.
+FIRST = [  # x, y, end; inside: text, JSON's verdict, word, next; what the contact says; against the block: verdict, word, next; contact
+    ("2+4*t", "1", 1, ("leaves at 1/4", "meets", "OBI", "I", ""), ("meets", "OBI", "I", "")),
+    ("3-4*(t-1/4)^2", "1", 1, ("touches at 1/4 and stays inside at first", "meets", "OBO", "O", ""), ("meets", "OBO", "O", "")),
+    ("2+t", "1", 1, ("touches at 1, where the motion ends", "meets", "OB", None, ", where the motion ends"), ("meets", "OB", None, ", where the motion ends")),
+    (("2+4*t", "3"), ("1", "3/4+t"), (F(1, 4), 1), ("touches at 1/4 and stays inside at first", "meets", "OB", "B", ", which lasts"),
+     ("meets", "OB", "B", ", which lasts")),
+    ("3+t", "1+t", 1, ("leaves at 0", "meets", "BI", "I", ""), ("meets", "BI", "I", "")),
+    ("3", "1+t", 1, ("touches at 0 and stays inside at first", "meets", "B", "B", ", which lasts"), ("meets", "B", "B", ", which lasts")),
+    ("5+t", "1", 1, ("overlap", "overlap", "I", None, None), ("meets", "BO", "O", "")),
+    ("1", "1+t", 1, ("inside", "inside", "O", None, None), ("clear", "O", None, None)),
+    ("1+t^2", "1", 2, ("leaves at 1.414", "meets", "OBI", "I", ""), ("meets", "OBI", "I", "")),
+]
+
+
+def first_text(collide, checks):
+    """The cut-off answer in words and as JSON."""
+    write = collide.graze.write
+    square, room, wall = (write(name, f"POLYGON(({a} {c}, {b} {c}, {b} {d}, {a} {d}, {a} {c}))")
+                          for name, (a, b, c, d) in (("unit.wkt", (0, 1, 0, 1)), ("room.wkt", (0, 4, 0, 4)), ("block.wkt", (4, 5, 1, 2))))
+    for k, (x, y, end, inside, beside) in enumerate(FIRST):
+        legs_of = list(zip(x, y, end)) if isinstance(x, tuple) else [(x, y, end)]
+        starts = [0] + [e for *_, e in legs_of]
+        pieces = [{"t": [str(s), str(e)], "transform": {"translate": [a, b]}} for s, (a, b, e) in zip(starts, legs_of)]
+        way = write(f"first{k}.json", json.dumps({"dimension": 2, "pieces": pieces}))
+        for fixed, flags, (told, verdict, word, following, says) in ((room, ("--inside",), inside), (wall, (), (beside[0], *beside))):
+            out = collide.graze.call("collide", square, way, fixed, "--first", *flags)
+            lines = out.stdout.splitlines()
+            checks.equal((out.returncode, lines[1]), (int(word != "O"), "word " + word), "text", k, *flags)
+            checks.holds(lines[0] == told or "." in told and lines[0].startswith(told), "text", k, *flags, lines[0], told)
+            checks.equal(len(lines), 2 if says is None else 3, "text", k, *flags)
+            if says is not None:
+                checks.holds(lines[2].startswith("first contact ") and lines[2].partition(": ")[0].endswith(says) and
+                             lines[2].count(", w", 0, lines[2].index(": ")) == bool(says), "text", k, lines[2][:80], says)
+            record = json.loads(collide.graze.call("collide", square, way, fixed, "--first", "--format", "json", *flags).stdout)
+            checks.equal([record[key] for key in ("verdict", "word", "next")], [verdict, word, following], "JSON", k, *flags)
 
 
 def main():
@@ -401,6 +443,7 @@ def main():
         check_scene(collide, checks, *one)
     nef(collide, checks, args)
     text(collide, checks)
+    first_text(collide, checks)
     print(f"{len(SCENES)} pairs")
     checks.finish()
 

@@ -83,6 +83,10 @@ class Collide:
         equal, where = self.checks.equal, (name, *flags)
         verdict = next(v for v, letter in VERDICTS if letter in answer.word)
         status = int(verdict == "overlap" or (verdict == "touch" and "overlap" not in flags))
+        equal("next" in answer.record, "--first" in flags, *where, "next")
+        if "--first" in flags:
+            verdict = "meets" if "B" in answer.word else "inside" if "--inside" in flags and answer.word == "O" else verdict
+            equal([(c["to"], c["kind"]) for c in answer.contacts], [(None, None)] * ("B" in answer.word), *where, "to, kind")
         equal((answer.verdict, answer.status), (verdict, status), *where, "verdict")
         equal(answer.word, merged(answer.word), *where, "letters twice")
         equal(len(answer.contacts), answer.word.count("B"), *where, "contacts")
@@ -201,9 +205,17 @@ def agrees(checks, answer, trace, *where):
     return True
 
 
+def cut_off(word, lasts):
+    """(word, next) of --first, from the whole word: a contact that lasts is followed by itself, an instant by the next letter."""
+    start = word.find("B")
+    if word[0] == "I" or start < 0:
+        return word[0], None
+    return (word[:start + 1], "B") if lasts else (word[:start + 2], word[start + 1:start + 2] or None)
+
+
 def first_agrees(checks, first, full, *where):
     """An answer of --first against the full one."""
-    word = full.word[:2] if full.word.startswith("OB") else full.word[0]
-    if checks.equal(first.word, word, *where, "--first word") and "B" in word:
+    word, following = cut_off(full.word, full.contacts and full.contacts[0]["from"] != full.contacts[0]["to"])
+    if checks.equal((first.word, first.record["next"]), (word, following), *where, "--first word") and "B" in word:
         checks.equal((first.first["from"], cell_pairs(first.first)),
                      (full.first["from"], cell_pairs(full.first)), *where, "--first")

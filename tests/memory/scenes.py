@@ -183,7 +183,7 @@ def make(graze, folder):
     yield Scene("envelope-3", ["envelope", cube, turn, "--patches", "p.csv", "--joints", "j.csv", "-n", "3", "--points", "n.csv"],
                 tables=("p.csv", "j.csv", "n.csv"))
     yield Scene("collide", ["collide", cube, turn, cube, "--motion-of-fixed", turn, "--format", "json"], 1)
-    yield Scene("collide-turn", ["collide", cube, turn, cube, "--first"], 1)
+    yield Scene("collide-turn", ["collide", cube, turn, cube, "--inside", "--first"], 1)
     yield Scene("collide-2", ["collide", u, roll, u], 1)
     yield Scene("judge", ["judge", cube, turn, cube, "--within", "1r", "--count", "3", "--vertices", "v.csv"], tables=("v.csv",),
                 spared=NUMBERS)

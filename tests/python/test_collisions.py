@@ -31,8 +31,14 @@ class Collisions(unittest.TestCase):
         """With t^2 in place of t the first contact is at the root of 2."""
         found = graze.collide(common.SQUARE, common.moved("t^2", "0", end="5"), FAR, first=True)
         contact, = found.contacts
-        self.assertEqual((found.verdict, found.word, contact.kind, contact.end), ("touch", "OB", None, None))
+        self.assertEqual((found.verdict, found.word, contact.kind, contact.end), ("meets", "OBI", None, None))
         self.assertEqual(list(contact.start.coefficients), [-2, 0, 1])
+        self.assertEqual((found.next, found.overlap, bool(found)), ("I", contact.start, True))
+        # The square is at x = 3 at the end, t = 2; with x = 2 it touches all the time; with x = t/2 never.
+        for x, word, following, verdict in (("t", "OB", None, "meets"), ("2", "B", "B", "meets"), ("t/2", "O", None, "clear")):
+            found = graze.collide(common.SQUARE, common.moved(x, "0", end="2"), FAR, first=True)
+            self.assertEqual((found.word, found.next, found.verdict), (word, following, verdict))
+        self.assertIsNone(graze.collide(common.SQUARE, common.moved("t", "0", end="5"), FAR).next)
 
     def test_never(self):
         found = graze.collide(common.SQUARE, common.moved("t", "2"), FAR)
@@ -55,6 +61,10 @@ class Collisions(unittest.TestCase):
         found = graze.collide(common.SQUARE, common.moved("t", "0", end="4"), room, inside=True)
         self.assertEqual((found.word, found.overlap, [c.start for c in found.contacts]), ("BOBI", 3, [0, 3]))
         self.assertEqual(graze.collide(common.SQUARE, common.moved("1 + t", "0"), room, inside=True).verdict, "clear")
+        found = graze.collide(common.SQUARE, common.moved("1 + t", "0"), room, inside=True, first=True)
+        self.assertEqual((found.verdict, found.next, bool(found)), ("inside", None, False))
+        found = graze.collide(common.SQUARE, common.moved("t", "0", end="4"), room, inside=True, first=True)
+        self.assertEqual((found.verdict, found.word, found.next, found.overlap), ("meets", "BO", "O", None))
 
     def test_rounding(self):
         with self.assertRaises(graze.UseError):

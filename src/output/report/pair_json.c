@@ -12,6 +12,7 @@ const char *pair_verdict_name(graze_pair_verdict verdict) {
     return verdict == GRAZE_PAIR_CLEAR     ? "clear"
            : verdict == GRAZE_PAIR_TOUCH   ? "touch"
            : verdict == GRAZE_PAIR_OVERLAP ? "overlap"
+           : verdict == GRAZE_PAIR_CONTACT ? "meets"
                                            : "none";
 }
 
@@ -73,9 +74,15 @@ static void put_first(json_writer *w, const graze_pair *pair) {
 
 void pair_json(text *out, const graze_pair *pair) {
     json_writer w = {.out = out};
+    graze_pair_verdict verdict = collide_verdict(pair);
+    const char next[] = {(char)collide_next(pair), '\0'};
+    int first = pair->options.first, stays = first && pair->pair.complement;
     json_open(&w, NULL, '{');
-    json_text(&w, "verdict", pair_verdict_name(collide_verdict(pair)));
+    json_text(&w, "verdict",
+              stays && verdict == GRAZE_PAIR_CLEAR ? "inside" : pair_verdict_name(verdict));
     json_text(&w, "word", pair->walk.word);
+    if (first)
+        json_text(&w, "next", *next ? next : NULL);
     put_first(&w, pair);
     json_open(&w, "contacts", '[');
     for (size_t k = 0; k < pair->walk.contact_count; k++)

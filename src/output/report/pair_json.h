@@ -7,7 +7,7 @@
 #include "base/number/json.h"
 #include "questions/collide/collide.h"
 
-/** "clear", "touch", "overlap", else "none". Static. */
+/** "clear", "touch", "overlap", "meets", else "none". Static. */
 const char *pair_verdict_name(graze_pair_verdict verdict);
 /** "vertex-facet" and so on, the moving one first; "" for none. Static. */
 const char *cell_pair_name(const graze_cell_pair *cells);

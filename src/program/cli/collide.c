@@ -14,13 +14,18 @@ static const char collide_help[] =
     "time, O apart, B only the boundaries meet, I the interiors meet. Then each contact, a time "
     "or\n"
     "an interval of B, exactly, with all pairs of cells that meet when it begins.\n"
-    "Exit status: 0 clear, 1 touch or overlap.\n"
+    "Exit status: 0 clear, 1 touch, overlap or, with --first, meets.\n"
     "\n"
-    "  --first              the first contact alone, which is much cheaper\n"
+    "  --first              end just after the first contact begins, which is much cheaper: "
+    "`clear`,\n"
+    "                       `overlap` from the start, or `meets`; the word ends with what "
+    "follows,\n"
+    "                       OBI, OBO, or OB where the contact lasts or the motion ends\n"
     "  --ask any|overlap    what exit status 1 tells: touch or overlap (default), overlap alone\n"
     "  --inside             does MOVING stay inside FIXED? `inside`, `inside, touching`, or when "
     "it\n"
-    "                       leaves; the word is that with the closed complement of FIXED\n"
+    "                       leaves; the word is that with the closed complement of FIXED. With\n"
+    "                       --first also `touches at` a time, and what follows\n"
     "  --motion-of-fixed MOTION   FIXED moves too; times are those that both motions have\n"
     "  --format text|json   json: one object, with all pairs of cells and exact times\n"
     "  -o, --output FILE    write there instead of to standard output\n"
@@ -130,23 +135,41 @@ static void tell_cells(text *t, const graze_pair_contact *c) {
 }
 
 static graze_status tell_contact(text *t, const collide_scene *s, const graze_pair_contact *c) {
+    graze_state next = graze_pair_next(s->pair);
     text_put(t, c->to ? "contact " : "first contact ");
     graze_status status = tell_pair_time(t, s, c->from);
     if (!status && c->to && c->to != c->from) {
         text_put(t, " to ");
         status = tell_pair_time(t, s, c->to);
     }
+    if (!c->to) /* the word OB leaves open whether it lasts */
+        text_put(t, next == GRAZE_STATE_ABSENT ? ", where the motion ends"
+                    : next == GRAZE_STATE_B    ? ", which lasts"
+                                               : "");
     if (c->kind)
         text_put(t, c->kind == GRAZE_INTERSECTION ? ", intersection" : ", tangency");
     tell_cells(t, c);
     return status;
 }
 
+/* The first contact with the complement of a solid, and what follows. */
+static graze_status tell_first_inside(text *t, const collide_scene *s) {
+    graze_state next = graze_pair_next(s->pair);
+    text_put(t, next == GRAZE_STATE_I ? "leaves at " : "touches at ");
+    graze_status status = tell_pair_time(t, s, graze_pair_get_contact(s->pair, 0).from);
+    text_put(t, next == GRAZE_STATE_I        ? ""
+                : next == GRAZE_STATE_ABSENT ? ", where the motion ends"
+                                             : " and stays inside at first");
+    return status;
+}
+
 /* The answer in words; whether a solid stays inside is one of its own. */
-static graze_status tell_verdict(text *t, const collide_scene *s, int inside) {
+static graze_status tell_verdict(text *t, const collide_scene *s, int inside, int first) {
     graze_pair_verdict verdict = graze_pair_get_verdict(s->pair);
     graze_status status = GRAZE_OK;
-    if (!inside) {
+    if (inside && verdict == GRAZE_PAIR_CONTACT) {
+        status = tell_first_inside(t, s);
+    } else if (!inside || (first && verdict == GRAZE_PAIR_OVERLAP)) {
         text_put(t, graze_pair_verdict_name(verdict));
     } else if (verdict != GRAZE_PAIR_OVERLAP) {
         text_put(t, verdict == GRAZE_PAIR_CLEAR ? "inside" : "inside, touching");
@@ -161,7 +184,7 @@ static graze_status tell_verdict(text *t, const collide_scene *s, int inside) {
 static int print_text(const collide_scene *s, const collide_given *o) {
     text t;
     text_init(&t);
-    graze_status status = tell_verdict(&t, s, o->pair.question == GRAZE_PAIR_INSIDE);
+    graze_status status = tell_verdict(&t, s, o->pair.question == GRAZE_PAIR_INSIDE, o->pair.first);
     text_format(&t, "word %s\n", graze_pair_word(s->pair));
     for (size_t k = 0; k < graze_pair_contact_count(s->pair) && !status; k++) {
         graze_pair_contact c = graze_pair_get_contact(s->pair, k);

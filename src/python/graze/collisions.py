@@ -48,16 +48,21 @@ class PairContact:
 class Collision:
     """How two solids meet. `verdict` is `clear`, `touch` or `overlap`; `word` has a letter for each state
     in order of time: `O` apart, `B` the boundaries alone meet, `I` the interiors meet. `overlap` is the
-    time at which the first `I` begins, None if there is none."""
+    time at which the first `I` begins, None if there is none.
+
+    With `first` the word ends with the letter just after the first instant of contact, `next`: `B` where
+    the contact lasts, None where the motion ends there. `verdict` is `clear` (with `inside`: `inside`),
+    `overlap` where the motion begins in `I`, else `meets`; `next` is None but for `meets`."""
 
     verdict: str
     word: str
     contacts: Tuple[PairContact, ...]
     overlap: Optional[Time]
+    next: Optional[str] = None
 
     def __bool__(self) -> bool:
         """Whether the closed solids meet."""
-        return self.verdict != "clear"
+        return self.word != "O"
 
 
 def _cells(made: CPairContact) -> Tuple[CellPair, ...]:
@@ -87,9 +92,9 @@ def collide(moving: Any, motion: MotionLike, fixed: Any, motion_of_fixed: Option
         moving, fixed: a `Solid`, or what one is made of; both may be one object.
         motion: a `Motion`, or what one is made of.
         motion_of_fixed: if given, `fixed` moves too; times are those that both motions have.
-        first: end at the first contact, which is much cheaper.
+        first: end just after the first contact begins, which is much cheaper.
         inside: put the closure of the complement of `fixed` in its place: `moving` stays inside unless
-            the verdict is `overlap`.
+            the verdict is `overlap`; with `first`, up to the contact and, unless `next` is `I`, after it.
         round: `binary64` or `binary32` rounds every number of solids and motions first.
         limits: limits by name, as of `graze --limit`.
     Raises:
@@ -114,4 +119,8 @@ def collide(moving: Any, motion: MotionLike, fixed: Any, motion_of_fixed: Option
                          for k in range(call.graze_pair_contact_count(pair)))
         overlap = call.graze_pair_overlap_time(pair)
         verdict = call.graze_pair_verdict_name(call.graze_pair_get_verdict(pair)).decode()
-        return Collision(verdict, call.graze_pair_word(pair).decode(), contacts, time_of(overlap) if overlap else None)
+        if first and inside and verdict == "clear":
+            verdict = "inside"
+        after = call.graze_pair_next(pair)
+        return Collision(verdict, call.graze_pair_word(pair).decode(), contacts, time_of(overlap) if overlap else None,
+                         chr(after) if after else None)

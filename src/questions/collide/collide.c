@@ -42,9 +42,15 @@ void collide_clear(graze_pair *pair) {
 
 graze_pair_verdict collide_verdict(const graze_pair *pair) {
     const char *word = pair->walk.word;
+    if (pair->options.first && pair->walk.contact_count)
+        return GRAZE_PAIR_CONTACT;
     return strchr(word, GRAZE_STATE_I)   ? GRAZE_PAIR_OVERLAP
            : strchr(word, GRAZE_STATE_B) ? GRAZE_PAIR_TOUCH
                                          : GRAZE_PAIR_CLEAR;
+}
+
+graze_state collide_next(const graze_pair *pair) {
+    return collide_verdict(pair) == GRAZE_PAIR_CONTACT ? pair->walk.gap : GRAZE_STATE_ABSENT;
 }
 
 const graze_time *collide_overlap_time(const graze_pair *pair) {

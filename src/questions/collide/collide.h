@@ -19,8 +19,12 @@ struct graze_pair {
 graze_status collide_answer(graze_pair *pair, graze_context *context);
 void collide_clear(graze_pair *pair);
 
-/** The verdict of a word. */
+/** The verdict of a word, or that it is one of the first contact alone. */
 graze_pair_verdict collide_verdict(const graze_pair *pair);
+
+/** The letter of the gap after the first instant of the first contact, where that alone is asked
+ * for; else ABSENT. */
+graze_state collide_next(const graze_pair *pair);
 
 /** The time at which the first I begins, or NULL. */
 const graze_time *collide_overlap_time(const graze_pair *pair);

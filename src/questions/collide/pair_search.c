@@ -73,13 +73,15 @@ static int is_deep(const searcher *s, const dyadic_interval *interval) {
     return deep;
 }
 
-/* Go over an interval during all of which the interiors meet. */
-static graze_status go_over(searcher *s, const dyadic_interval *interval) {
+/* Go on to the end of an interval: during all of it the interiors meet, or all of its times are
+ * walked to. */
+static graze_status go_over(searcher *s, const dyadic_interval *interval,
+                            graze_status (*walk)(pair_walk *, size_t, const fmpq_t)) {
     fmpq_t low, high;
     fmpq_init(low);
     fmpq_init(high);
     ends_of(low, high, interval);
-    graze_status status = pair_walk_pass(s->walk, s->piece, high);
+    graze_status status = walk(s->walk, s->piece, high);
     fmpq_clear(low);
     fmpq_clear(high);
     return status;
@@ -125,6 +127,8 @@ static graze_status ask_exactly(searcher *s, stretch_forms *during, const contro
         status = incidences_find(&times, &s->whole, &near, maps, &during->interval);
     for (size_t k = 0; k < times.count && !status && !s->walk->done; k++)
         status = pair_walk_to(s->walk, &s->whole, s->piece, &times.item[k], leaves);
+    if (!status && !done && s->walk->first)
+        status = go_over(s, &during->interval, pair_walk_on);
     algebraic_list_clear(&times);
     free(near.item);
     return status;
@@ -144,7 +148,7 @@ static int becomes_less(stretch_forms *during, size_t pairs) {
 static graze_status search_stretch(searcher *s, stretch_forms *during, const node_list *of) {
     node_list left = {0}, coarse = {0};
     if (is_deep(s, &during->interval) == 2)
-        return go_over(s, &during->interval);
+        return go_over(s, &during->interval, pair_walk_pass);
     control_maps maps = {0};
     graze_status status = GRAZE_OK;
     if (!control_maps_set(&maps, &during->motion))

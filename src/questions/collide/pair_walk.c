@@ -13,6 +13,10 @@
 #include "base/number/refine.h"
 #include "questions/collide/interiors.h"
 
+/* The gap after a first contact is looked into this power of 1/2 on the way, when few pairs meet.
+ */
+enum { SOON = 8 };
+
 /* What stands at one time: the pairs that may meet, and exact places. */
 typedef struct scene_then {
     control_maps maps;
@@ -152,6 +156,7 @@ static graze_status enter_gap(pair_walk *walk, graze_state state) {
         walk->contact[walk->contact_count - 1].right = state;
         walk->open = 0;
     }
+    walk->done = walk->first && walk->contact_count;
     return add_letter(walk, state);
 }
 
@@ -191,7 +196,32 @@ graze_status pair_walk_begin(pair_walk *walk) {
     fmpq_init(zero);
     graze_status status = look_into_gap(walk, 0, zero);
     fmpq_clear(zero);
-    walk->done = walk->gap != GRAZE_STATE_O;
+    walk->done = walk->gap == GRAZE_STATE_I;
+    if (walk->gap == GRAZE_STATE_B) { /* perhaps for an instant */
+        walk->gap = GRAZE_STATE_ABSENT;
+        walk->contact[0].to = walk->last;
+    }
+    return status;
+}
+
+graze_status pair_walk_on(pair_walk *walk, size_t piece, const fmpq_t u) {
+    fmpq_t low, after, step;
+    graze_status status = GRAZE_OK;
+    if (!walk->open || walk->gap)
+        return GRAZE_OK;
+    fmpq_init(low);
+    fmpq_init(after);
+    fmpq_init(step);
+    if (walk->last->piece == piece)
+        algebraic_bounds(low, after, &walk->last->u);
+    fmpq_sub(step, u, after);
+    fmpq_div_2exp(step, step, SOON);
+    fmpq_add(after, after, step);
+    if (fmpq_sgn(step) > 0)
+        status = look_into_gap(walk, piece, after);
+    fmpq_clear(low);
+    fmpq_clear(after);
+    fmpq_clear(step);
     return status;
 }
 
@@ -236,7 +266,6 @@ static graze_status enter_time(pair_walk *walk, graze_state left, graze_state st
         status = open_contact(walk, left, p, near);
     if (!status && state == GRAZE_STATE_B)
         walk->contact[walk->contact_count - 1].to = walk->last;
-    walk->done = walk->first;
     return status;
 }
 
@@ -291,9 +320,9 @@ graze_status pair_walk_to(pair_walk *walk, placing *whole, size_t piece, const a
     if (!time_is_start(next))
         status = know_gap(walk, &before, u, next);
     graze_state left = walk->gap;
-    if (!status)
+    if (!status && !walk->done)
         status = keep_time(walk, piece, &next->u);
-    if (!status)
+    if (!status && !walk->done)
         status = walk_into(walk, whole, left, before, u, near);
     time_destroy(next);
     fmpq_clear(u);
@@ -312,7 +341,7 @@ graze_status pair_walk_end(pair_walk *walk) {
     if (walk->done || (walk->last && time_is_end(walk->last)))
         return GRAZE_OK;
     fmpq_init(end);
-    if (!walk->last)
+    if (!walk->last && !walk->gap)
         status = look_into_gap(walk, 0, end); /* t0: a contact that lasts begins there */
     fmpq_one(end);
     if (!status && !walk->gap)

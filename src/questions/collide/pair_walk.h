@@ -28,8 +28,8 @@ typedef struct pair_walk {
     graze_time *last;  /* the last time looked at; NULL: none */
     graze_state gap;   /* after it, or from t0 on; ABSENT: not known */
     int open;          /* the last contact goes on */
-    int first;         /* only the first contact is asked for, */
-    int done;          /* and found */
+    int first; /* only the first contact and the gap after its first instant are asked for, */
+    int done;  /* and found */
 } pair_walk;
 
 void pair_walk_clear(pair_walk *walk);
@@ -45,6 +45,9 @@ graze_status pair_walk_begin(pair_walk *walk);
  */
 graze_status pair_walk_to(pair_walk *walk, placing *whole, size_t piece, const algebraic *time,
                           const node_list *near);
+
+/** Know the gap after the last time, a contact, from a time of a piece up to which no other is. */
+graze_status pair_walk_on(pair_walk *walk, size_t piece, const fmpq_t u);
 
 /** Go on to a time of a piece up to which, for a while, it included, the interiors meet. */
 graze_status pair_walk_pass(pair_walk *walk, size_t piece, const fmpq_t u);
