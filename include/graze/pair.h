@@ -22,8 +22,7 @@ typedef enum graze_pair_verdict {
     GRAZE_PAIR_CLEAR = 1,   /**< the closed solids never meet */
     GRAZE_PAIR_TOUCH = 2,   /**< they meet, their interiors never do */
     GRAZE_PAIR_OVERLAP = 3, /**< their interiors meet */
-    GRAZE_PAIR_CONTACT = 4  /**< up to the first contact: they meet, whether their interiors do
-                               later on is not asked */
+    GRAZE_PAIR_CONTACT = 4  /**< up to the first contact: they meet, no more is asked */
 } graze_pair_verdict;
 
 /** Question about a pair. */
@@ -37,8 +36,7 @@ typedef enum graze_pair_question {
 typedef struct graze_pair_options {
     size_t size; /**< sizeof(graze_pair_options) */
     graze_pair_question question;
-    int first; /**< 1: up to the first contact and what follows its first instant, which is much
-                  cheaper */
+    int first; /**< 1: up to just after the first contact begins, which is much cheaper */
 } graze_pair_options;
 
 /** Two boundary cells, relatively open, that have a point in common; in the numbering of the input.
@@ -77,21 +75,19 @@ GRAZE_API void graze_pair_destroy(graze_pair *pair);
 /** The verdict; of a pair up to the first contact clear, GRAZE_PAIR_CONTACT, or overlap where the
  * motion begins in it. GRAZE_PAIR_NONE for NULL. */
 GRAZE_API graze_pair_verdict graze_pair_get_verdict(const graze_pair *pair);
-/** The word, such as "OBI". Up to the first contact it ends with the letter just after that one's
- * first instant: "O", "I", or "OB", "OBI", "OBO", or without the first letter where the motion
- * begins in contact. "" for NULL. Borrowed. */
+/** The word, such as "OBI"; up to the first contact "O", "I", or "OB", "OBI", "OBO", the last two
+ * with the letter just after it begins, without "O" where the motion begins in contact. "" for
+ * NULL. Borrowed. */
 GRAZE_API const char *graze_pair_word(const graze_pair *pair);
-/** Up to the first contact, the state just after its first instant: B where it lasts, else I or O.
- * GRAZE_STATE_ABSENT where the motion ends there, for other verdicts than GRAZE_PAIR_CONTACT, and
- * for NULL. */
+/** The state just after the first contact begins: B where it lasts, else I or O; absent where the
+ * motion ends there, for other verdicts than GRAZE_PAIR_CONTACT, and for NULL. */
 GRAZE_API graze_state graze_pair_next(const graze_pair *pair);
 /** Number of contacts; 0 for NULL. */
 GRAZE_API size_t graze_pair_contact_count(const graze_pair *pair);
 /** Contact `index`, in order of time; zero past the end. */
 GRAZE_API graze_pair_contact graze_pair_get_contact(const graze_pair *pair, size_t index);
 /** The first time at which the interiors meet or are about to: t0, or the end of the contact before
- * it; NULL if they never do. Up to the first contact NULL if they do not just after it. Borrowed.
- */
+ * it; NULL if they never do, up to the first contact if they do not at once. Borrowed. */
 GRAZE_API const graze_time *graze_pair_overlap_time(const graze_pair *pair);
 /** "clear", "touch", "overlap", "meets" for GRAZE_PAIR_CONTACT, else "none". Static. */
 GRAZE_API const char *graze_pair_verdict_name(graze_pair_verdict verdict);

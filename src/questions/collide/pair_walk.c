@@ -13,8 +13,7 @@
 #include "base/number/refine.h"
 #include "questions/collide/interiors.h"
 
-/* The gap after a first contact is looked into this power of 1/2 on the way, when few pairs meet.
- */
+/* The gap after a first contact is looked into after this power of 1/2: few pairs meet yet. */
 enum { SOON = 8 };
 
 /* What stands at one time: the pairs that may meet, and exact places. */
@@ -205,21 +204,19 @@ graze_status pair_walk_begin(pair_walk *walk) {
 }
 
 graze_status pair_walk_on(pair_walk *walk, size_t piece, const fmpq_t u) {
-    fmpq_t low, after, step;
+    fmpq_t after, step;
     graze_status status = GRAZE_OK;
     if (!walk->open || walk->gap)
         return GRAZE_OK;
-    fmpq_init(low);
     fmpq_init(after);
     fmpq_init(step);
     if (walk->last->piece == piece)
-        algebraic_bounds(low, after, &walk->last->u);
+        algebraic_bounds(step, after, &walk->last->u);
     fmpq_sub(step, u, after);
     fmpq_div_2exp(step, step, SOON);
     fmpq_add(after, after, step);
     if (fmpq_sgn(step) > 0)
         status = look_into_gap(walk, piece, after);
-    fmpq_clear(low);
     fmpq_clear(after);
     fmpq_clear(step);
     return status;
