@@ -8,7 +8,12 @@ SPDX-License-Identifier: GPL-3.0-or-later
 sweeps [0, 10] x [0, 2]^2: a point is as far from its boundary as from the nearest of the six faces, and beyond a face as far as that. The plate
 [0, 1/100] x [0, 10]^2 along x by 10 sweeps a block 10 deep whose middle is (5 + 1/200, 5, 5), though no pose is deeper than 1/200. The square
 [0, 2]^2 along y by 4 sweeps [0, 2] x [0, 6]. The points that stay in [0, 4]^2
-along 1 of x are [0, 3] x [0, 4].
+along 1 of x are [0, 3] x [0, 4]. Those that stay in [0, 10]^2 along 3 of x, less [4, 4 + 1/50] x [2, 8], are [0, 7] x [0, 10] less [1, 4 + 1/50] x [2, 8]; in space so.
+The plate [0, 3] x [0, 1/50] along (t, 4 t) sweeps a hexagon with sides on 4 x - y = -1/50 and 4 x - y = 12, from which a point is as far as these forms say, over
+the root of 17, and on y = 0, y = 4 + 1/50. The bar [1, 2] x [-1/200, 1/200] by a quarter turn sweeps 1 <= r <= 2 between the axes, and less than 1/200 more.
+A block with a hollow whose lowest point (0, 0) rests inside the lower side, along y by 4: a point (0, y), 0 < y < 2, begins in the hollow and leaves it by that point
+alone, `on`; others with 0 < y < 3 are in the block just before they leave it, `in`: so these are |x| or y from where that ends.
+Convex plates along a line sweep their Minkowski sum with a segment: the distances are those from its sides' lines, whose normals are the plate's, and the line's.
 A bound is not asked to be sharp: half the way, where cubes decide, and where one pose does all of it but the enclosure's width.
 """
 import csv
@@ -21,17 +26,24 @@ for folder in ("lib", os.path.join("agree", "lib")):
     sys.path.insert(0, os.path.join(HERE, "..", folder))
 
 from exact import Fraction as F, to_double  # noqa: E402
-from motion import build, translate  # noqa: E402
+from motion import build, rotation, translate  # noqa: E402
 from points import mixed  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
 from scenes import plane_scenes, space_scenes  # noqa: E402
-from solids import Polygon, block, box_ring  # noqa: E402
+from solids import Mesh, Polygon, block, box_ring, inside_out, joined, ring  # noqa: E402
 
 SCENES = 4
 POINTS = 20
+CONVEX = 20
 ASK = ("--quiet", "--sdf", "1e-6r", "--boundary-distance")
 LESS = 1 - F(1, 2 ** 30)
 TINY = F(1, 2 ** 40)
+
+ROOT_17 = F(4123105625617, 10 ** 12)        # below it
+QUARTER = build([(0, 1, rotation([0, 1]))])
+
+HOLLOW = inside_out(Mesh([(1, 0, 1), (-1, 0, 1), (0, 1, 1), (0, -1, 1), (0, 0, 2), (0, 0, 0)],
+                         [[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]]))
 
 WORKED = [  # name, solid, motion, operation, [(point, pmc, how far, what is asked for at least)]
     ("box", block(0, 0, 0, 2, 2, 2), [[0, 8], [0], [0]], "sweep",
@@ -43,7 +55,23 @@ WORKED = [  # name, solid, motion, operation, [(point, pmc, how far, what is ask
     ("square", Polygon([[box_ring(0, 0, 2, 2)]]), [[0], [0, 4]], "sweep", [((1, 3), "in", 1, F(1, 2)), ((1, 7), "out", 1, F(99, 100))]),
     ("stays", Polygon([[box_ring(0, 0, 4, 4)]]), [[0, 1], [0]], "unsweep",
      [((F(3, 2), 2), "in", F(3, 2), F(3, 4)), ((F(7, 2), 2), "out", F(1, 2), F(49, 100)), ((3, 2), "on", 0, 0)]),
+    ("slit", Polygon([[box_ring(0, 0, 10, 10), box_ring(4, 2, F(201, 50), 8)]]), [[0, 3], [0]], "unsweep",
+     [((F(5, 2), 5), "out", F(3, 2), F(3, 4)), ((2, F(5, 2)), "out", F(1, 2), F(1, 4)), ((5, 5), "in", F(49, 50), F(49, 100)), ((1, 5), "on", 0, 0)]),
+    ("slit in space", joined(block(0, 0, 0, 10, 10, 10), inside_out(block(4, 2, 2, F(201, 50), 8, 8))), [[0, 3], [0], [0]], "unsweep",
+     [((F(5, 2), 5, 5), "out", F(3, 2), F(3, 4)), ((2, F(5, 2), 5), "out", F(1, 2), F(1, 4))]),
+    ("askew", Polygon([[box_ring(0, 0, 3, F(1, 50))]]), [[0, 1], [0, 4]], "sweep",
+     [((2, 2), "in", 6 / ROOT_17, F(3, 4)), ((1, 2), "in", F(101, 50) / ROOT_17, F(1, 4)), ((F(5, 2), 2), "in", 4 / ROOT_17, F(1, 2)),
+      ((2, F(1, 100)), "in", F(1, 100), F(1, 200)), ((F(3, 2), F(401, 100)), "in", F(1, 100), F(1, 200))]),
+    ("resting", Polygon([[box_ring(-9, 0, 7, 3), ring((0, 0), (1, 1), (0, 2), (-1, 1))]]), [[0], [0, 4]], "sweep",
+     [((F(1, 2), 1), "in", F(1, 2), F(1, 10)), ((F(1, 4), F(3, 2)), "in", F(1, 4), F(1, 20)), ((0, 1), "on", 0, 0)]),
+    ("resting in space", joined(block(-9, -8, 0, 7, 8, 3), HOLLOW), [[0], [0], [0, 4]], "sweep",
+     [((F(1, 2), 0, 1), "in", F(1, 2), F(1, 10)), ((F(1, 4), 0, F(3, 2)), "in", F(1, 4), F(1, 20)), ((0, 0, 1), "on", 0, 0)]),
+    ("bar", Polygon([[box_ring(1, F(-1, 200), 2, F(1, 200))]]), QUARTER, "sweep", [((F(9, 10), F(6, 5)), "in", F(1, 2), F(1, 8))]),
 ]
+
+
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
 
 
 def ask(graze, checks, name, solid, motion, points, *flags):
@@ -58,11 +86,36 @@ def ask(graze, checks, name, solid, motion, points, *flags):
 
 def worked(graze, checks):
     for name, solid, way, operation, points in WORKED:
-        motion = build([(0, 1, translate(way))])
+        motion = build([(0, 1, translate(way))]) if isinstance(way, list) else way
         rows = ask(graze, checks, name, solid, motion, [p for p, *_ in points], *ASK, "--operation", operation)
         for row, (p, pmc, far, least) in zip(rows, points):
             low = F(row["boundary_low"])
             checks.holds(row["pmc"] == pmc and least <= low <= far, name, p, row["pmc"], to_double(low), f"expected {to_double(least)} to {to_double(far)}")
+
+
+def convex(graze, checks, rng):
+    """Thin parallelograms and triangles far along a line; points within, in shares of the corners and of the way."""
+    for k in range(CONVEX):
+        along, across, way = ([F(rng.randint(-8, 8)) for _ in range(2)] for _ in range(3))
+        if 0 in (along[0] * across[1] - along[1] * across[0], along[0] * way[1] - along[1] * way[0]):
+            continue
+        thin = [x / rng.choice((30, 200, 1000)) for x in across]
+        corners = [(F(0), F(0)), tuple(along), tuple(map(sum, zip(along, thin))), tuple(thin)][:rng.choice((3, 4))]
+        if along[0] * thin[1] < along[1] * thin[0]:
+            corners.reverse()
+        normals = [(b[1] - a[1], a[0] - b[0]) for a, b in zip(corners, corners[1:] + corners[:1])] + [(way[1], -way[0]), (-way[1], way[0])]
+        limits = [max(dot(n, p) for p in corners) + max(0, dot(n, way)) for n in normals]
+        points = []
+        for _ in range(6):
+            shares = [F(rng.randint(1, 40)) for _ in corners]
+            t = F(rng.randint(1, 31), 32)
+            points.append(tuple(sum(s * p[i] for s, p in zip(shares, corners)) / sum(shares) + t * way[i] for i in range(2)))
+        motion = build([(0, 1, translate([[0, x] for x in way]))])
+        for row, p in zip(ask(graze, checks, f"convex {k}", Polygon([[corners]]), motion, points, *ASK), points):
+            squares = [(c - dot(n, p)) ** 2 / dot(n, n) for n, c in zip(normals, limits)]
+            low = F(row["boundary_low"])
+            checks.holds(row["pmc"] == "in" and min(squares) / 4 <= low ** 2 <= min(squares), f"convex {k}", corners, way, p, to_double(low),
+                         to_double(min(squares)) ** 0.5)
 
 
 def neighbours(p, low, rng):
@@ -113,6 +166,7 @@ def main():
     checks = Checks()
     graze = Graze(args, checks)
     worked(graze, checks)
+    convex(graze, checks, args.random)
     forms(graze, checks)
     for scenes in (plane_scenes, space_scenes):
         for scene in args.random.sample(scenes(args.random), min(SCENES * args.scale, 12)):

@@ -29,6 +29,8 @@ static const banded SCENES[] = {
     {"tests/judge/pinch.off", "tests/judge/pinch.json", 1200, {0, 0, 0}},
     /* The trajectory enters the face where the hollow begins: OBO. */
     {"tests/judge/hollow.off", "tests/judge/rise.json", 1500, {-2, -2, -0.75}},
+    /* From the hollow through its lowest vertex, inside a face that all others go through: OBO. */
+    {"tests/judge/resting.off", "tests/judge/resting.json", 1500, {0, 0, 1}},
 };
 
 /* A place of a closed cube: on a corner, side or face, or inside. */

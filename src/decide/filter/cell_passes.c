@@ -21,6 +21,7 @@ static const double LEAST_PIERCING = 1;
 /* A leaf near a part of time, and on which sides of its contacts trajectories are inside. */
 typedef struct near_simplex {
     uint32_t node, simplex;
+    int pierced;     /* the whole cell goes through it */
     unsigned inside; /* bits of side_of_contact */
 } near_simplex;
 
@@ -29,7 +30,8 @@ typedef struct near_simplices {
     near_simplex item[PASS_NEAR];
 } near_simplices;
 
-/* On which sides of the time of a contact a trajectory is certainly inside. */
+/* On which sides of the time of a contact a trajectory is certainly inside; of an unsweep, inside
+ * the complement. */
 enum side_of_contact { INSIDE_BEFORE = 1, INSIDE_AFTER = 2 };
 
 typedef struct passing {
@@ -69,14 +71,15 @@ static void find_slope(passing *p, uint32_t piece) {
 static unsigned sides_of_contact(passing *p, const span *part, uint32_t simplex, int first,
                                  int last) {
     const corners *corners = &p->filter->solid->corners;
-    const double *v = corners->at + (size_t)simplex * 9;
+    int d = p->curve->dimension;
+    const double *v = corners->at + (size_t)simplex * (size_t)(d * d);
     shift_bound shift = curve_shift(p->curve, part);
     normal n;
     double size = 0, spread = 0, share = ldexp(1, -part->level);
     unsigned sides = INSIDE_BEFORE | INSIDE_AFTER;
-    normal_space(&n, v, corners->error);
+    normal_of(&n, v, corners->error, d);
     find_slope(p, part->piece);
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < d; i++) {
         size += fabs(n.at[i]);
         spread += (fabs(n.at[i]) + n.error) * p->slope[i] * share;
     }
@@ -84,10 +87,10 @@ static unsigned sides_of_contact(passing *p, const span *part, uint32_t simplex,
         FILTER_SLACK * (spread + size * (2 * shift.error + 32 * UNIT_ROUNDING * shift.size) +
                         6 * n.error * (shift.size + shift.error)) +
         FILTER_FLOOR;
-    const double *w = curve_coefficients(p->curve, part, 3);
+    const double *w = curve_coefficients(p->curve, part, d);
     for (int k = first; k < last && sides; k++) {
         double speed = 0;
-        for (int i = 0; i < 3; i++) {
+        for (int i = 0; i < d; i++) {
             const double *x = curve_coefficients(p->curve, part, i);
             speed += n.at[i] * (x[k + 1] - x[k] - v[i] * (w[k + 1] - w[k]));
         }
@@ -95,22 +98,24 @@ static unsigned sides_of_contact(passing *p, const span *part, uint32_t simplex,
     }
     if (!sides)
         return 0;
+    sides ^= p->filter->proves == GRAZE_STATE_I ? 0u : INSIDE_BEFORE | INSIDE_AFTER;
     return flip(FLIP_SPEED, sides == INSIDE_AFTER) ? INSIDE_AFTER : INSIDE_BEFORE;
 }
 
-static void take_near_simplex(near_simplices *list, uint32_t node, uint32_t simplex) {
+static void take_near_simplex(near_simplices *list, uint32_t node, uint32_t simplex, int pierced) {
     if (list->count == PASS_NEAR)
         list->overflow = 1;
     else
-        list->item[list->count++] = (near_simplex){.node = node, .simplex = simplex};
+        list->item[list->count++] =
+            (near_simplex){.node = node, .simplex = simplex, .pierced = pierced};
 }
 
-/* Those below a node that a thick span may meet. `pierces`: a facet is known to go through. */
-static void find_near(near_simplices *out, passing *p, uint32_t node, const span *wide,
-                      int *pierces) {
+/* Those below a node that a thick span may meet. */
+static void find_near(near_simplices *out, passing *p, uint32_t node, const span *wide) {
     static const double none[3] = {0, 0, 0};
     const corners *corners = &p->filter->solid->corners;
-    while (!out->overflow && !*pierces) {
+    size_t d = (size_t)p->curve->dimension;
+    while (!out->overflow) {
         const tree_node *here = &p->filter->solid->boxes.node[node];
         p->visits++;
         if (flip(FLIP_CELL, !span_meets(wide, &here->box)) ||
@@ -118,13 +123,13 @@ static void find_near(near_simplices *out, passing *p, uint32_t node, const span
             return;
         if (!here->child) {
             chord_meeting found = chord_meets(
-                p->curve, wide, corners->at + (size_t)here->simplex * 9, corners->error);
-            *pierces |= flip(FLIP_PIERCE, found == CHORD_PIERCES);
+                p->curve, wide, corners->at + (size_t)here->simplex * d * d, corners->error);
             if (found != CHORD_MISSES)
-                take_near_simplex(out, node, here->simplex);
+                take_near_simplex(out, node, here->simplex,
+                                  flip(FLIP_PIERCE, found == CHORD_PIERCES));
             return;
         }
-        find_near(out, p, here->child, wide, pierces);
+        find_near(out, p, here->child, wide);
         node = here->child + 1;
     }
 }
@@ -142,6 +147,18 @@ static int contacts_are_certain(const passing *p, const near_simplices *near, co
                 return 0;
     }
     return 1;
+}
+
+/* Whether the whole cell goes through a simplex inside which no other rests. */
+static int one_is_pierced(const passing *p, const near_simplices *near) {
+    int found = 0;
+    for (int k = 0; k < near->count && !near->overflow && !found; k++) {
+        found = near->item[k].pierced;
+        for (int l = 0; l < near->count && found; l++)
+            found = l == k || !may_rest_inside(p->filter->solid, near->item[k].simplex,
+                                               near->item[l].simplex);
+    }
+    return found;
 }
 
 static void pass_part(passing *p, uint32_t index, const near_simplices *around);
@@ -183,7 +200,6 @@ static void pass_part(passing *p, uint32_t index, const near_simplices *around) 
     const span *part = &p->curve->spans[index];
     double spread[3];
     near_simplices near = {.count = 0};
-    int pierces = 0;
     if (p->pierced || p->visits >= PASS_VISITS)
         return;
     if (part->lost || (part->degree && !point_box_spread(spread, p->curve, p->points, part))) {
@@ -199,13 +215,13 @@ static void pass_part(passing *p, uint32_t index, const near_simplices *around) 
     }
     span wide = point_box_widen(part, spread);
     for (int k = 0; around && k < around->count; k++)
-        find_near(&near, p, around->item[k].node, &wide, &pierces);
+        find_near(&near, p, around->item[k].node, &wide);
     if (!around)
-        find_near(&near, p, 0, &wide, &pierces);
-    if (pierces && part->degree)
+        find_near(&near, p, 0, &wide);
+    if (part->degree && one_is_pierced(p, &near))
         p->pierced = 1;
     else if (near.count && !part->degree)
-        pass_halves(p, index, near.overflow || pierces ? NULL : &near);
+        pass_halves(p, index, near.overflow ? NULL : &near);
     else if (near.count)
         pass_near(p, index, &near, &wide, spread);
 }
@@ -215,14 +231,13 @@ static int joint_is_certain(passing *p, size_t joint) {
     size_t pieces = p->curve->course->piece_count;
     stay when = joint ? (stay){(uint32_t)(joint - 1), 1} : (stay){0, 0};
     near_simplices near = {.count = 0};
-    int pierces = 0;
     box around;
     span wide;
     if (!point_box_places(&around, p->curve, p->filter, &when, p->points->half))
         return 0;
     span_of_box(&wide, p->curve, &around);
-    find_near(&near, p, 0, &wide, &pierces);
-    if (near.overflow || pierces)
+    find_near(&near, p, 0, &wide);
+    if (near.overflow)
         return 0;
     for (int k = 0; k < near.count; k++) {
         near_simplex *n = &near.item[k];

@@ -6,11 +6,12 @@
 
 #include "decide/filter/point_box.h"
 
-/** What is certain of a cell of a sweep in E^3 (proofs/judging.md C116). */
+/** What is certain of a cell (proofs/judging.md C116). */
 typedef enum cell_passage {
     CELL_DOUBTFUL, /* nothing */
     CELL_PASSES,   /* no point of it is `on`, so all of them have one membership */
-    CELL_PIERCED   /* all of them are `in`: a facet goes through the whole cell */
+    CELL_PIERCED   /* a facet goes through the whole cell: of a sweep all of them are `in`, of an
+                      unsweep `out` */
 } cell_passage;
 
 /** @param memory set to the cell (point_box_begin) */

@@ -1,28 +1,32 @@
-/* Two triangles have at most those corners in common that both have, where the others of one are
+/* Two simplices have at most those corners in common that both have, where the others of one are
  * strictly on one side of the other's plane. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "decide/filter/common_place.h"
 
 #include <math.h>
+#include <string.h>
 #include "decide/filter/flip.h"
 #include "decide/filter/normal.h"
 
 static const double *double_corner(const graze_solid *solid, uint32_t simplex, int k) {
-    return solid->corners.at + (size_t)simplex * 9 + 3 * k;
+    size_t d = (size_t)solid->input.dimension;
+    return solid->corners.at + d * (d * simplex + (size_t)k);
 }
 
 /* Vertices may have one position and two numbers. */
 static int is_one_position(const graze_solid *solid, uint32_t v, uint32_t w) {
-    const fmpq *x = solid->input.coordinates + 3 * (size_t)v;
-    const fmpq *y = solid->input.coordinates + 3 * (size_t)w;
-    return v == w || (fmpq_equal(x, y) && fmpq_equal(x + 1, y + 1) && fmpq_equal(x + 2, y + 2));
+    size_t d = (size_t)solid->input.dimension;
+    const fmpq *x = solid->input.coordinates + d * v, *y = solid->input.coordinates + d * w;
+    return v == w ||
+           (fmpq_equal(x, y) && fmpq_equal(x + 1, y + 1) && (d == 2 || fmpq_equal(x + 2, y + 2)));
 }
 
 /* The corners of b that a has too, as a mask. */
 static unsigned shared_corners(const graze_solid *solid, uint32_t a, uint32_t b) {
     unsigned mask = 0;
-    for (int k = 0; k < 3; k++)
-        for (int l = 0; l < 3; l++)
+    int d = solid->input.dimension;
+    for (int k = 0; k < d; k++)
+        for (int l = 0; l < d; l++)
             if (is_one_position(solid, solid->cut.item[b].vertex[k], solid->cut.item[a].vertex[l]))
                 mask |= 1u << k;
     return mask;
@@ -33,14 +37,14 @@ static int lie_on_one_side(const graze_solid *solid, uint32_t a, uint32_t b, uns
     const double *from = double_corner(solid, a, 0);
     double error = solid->corners.error;
     normal n;
-    int side = 0;
-    normal_space(&n, from, error);
-    for (int k = 0; k < 3; k++) {
+    int side = 0, d = solid->input.dimension;
+    normal_of(&n, from, error, d);
+    for (int k = 0; k < d; k++) {
         const double *v = double_corner(solid, b, k);
         double value = 0, size = 0, most = 0;
         if (but >> k & 1)
             continue;
-        for (int i = 0; i < 3; i++) {
+        for (int i = 0; i < d; i++) {
             value += n.at[i] * (v[i] - from[i]);
             size += fabs(n.at[i]);
             most = larger(most, fabs(v[i] - from[i]));
@@ -92,14 +96,26 @@ static int misses_segment(const span *wide, const double *a, const double *b) {
     return 0;
 }
 
+/* Whether a and b have those corners alone in common that both have. */
+static int share_corners_alone(const graze_solid *solid, uint32_t a, uint32_t b) {
+    return lie_on_one_side(solid, a, b, shared_corners(solid, a, b)) ||
+           lie_on_one_side(solid, b, a, shared_corners(solid, b, a));
+}
+
+int may_rest_inside(const graze_solid *solid, uint32_t a, uint32_t b) {
+    int shared = __builtin_popcount(shared_corners(solid, a, b));
+    return shared + 1 < solid->input.dimension && !share_corners_alone(solid, a, b);
+}
+
 int common_place_is_near(const graze_solid *solid, const span *wide, uint32_t a, uint32_t b) {
-    unsigned of_b = shared_corners(solid, a, b), of_a = shared_corners(solid, b, a);
-    int ends[3], count = 0;
-    if (!lie_on_one_side(solid, a, b, of_b) && !lie_on_one_side(solid, b, a, of_a))
+    unsigned of_b = shared_corners(solid, a, b);
+    double end[2][3] = {{0}};
+    int count = 0, d = solid->input.dimension;
+    if (!share_corners_alone(solid, a, b))
         return 1;
-    for (int k = 0; k < 3; k++)
+    for (int k = 0; k < d; k++)
         if (of_b >> k & 1)
-            ends[count++] = k;
-    return count > 0 && !flip(FLIP_SEAM, misses_segment(wide, double_corner(solid, b, ends[0]),
-                                                        double_corner(solid, b, ends[count - 1])));
+            for (int e = count++ ? 1 : 0; e < 2; e++)
+                memcpy(end[e], double_corner(solid, b, k), (size_t)d * sizeof end[e][0]);
+    return count > 0 && !flip(FLIP_SEAM, misses_segment(wide, end[0], end[1]));
 }

@@ -9,8 +9,11 @@
 
 /**
  * @param wide a bounded span; its set counts, made as thick as the cell (point_box_widen)
- * @return 0 if certainly no place of the set is on both closed triangles (proofs/judging.md C116)
+ * @return 0 if certainly no place of the set is on both closed simplices (proofs/judging.md C116)
  */
 int common_place_is_near(const graze_solid *solid, const span *wide, uint32_t a, uint32_t b);
+
+/** @return 0 if certainly no place inside a, off its sides, is on b (proofs/judging.md C116) */
+int may_rest_inside(const graze_solid *solid, uint32_t a, uint32_t b);
 
 #endif

@@ -136,10 +136,7 @@ static meeter begin_meeter(const curve *c, const span *piece, const double *corn
                            double corner_error) {
     meeter m = {.c = c, .piece = piece, .corner = corner, .corner_error = corner_error};
     m.shift = curve_shift(c, piece);
-    if (c->dimension == 2)
-        normal_plane(&m.normal, corner, corner_error);
-    else
-        normal_space(&m.normal, corner, corner_error);
+    normal_of(&m.normal, corner, corner_error, c->dimension);
     return m;
 }
 

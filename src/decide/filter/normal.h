@@ -71,6 +71,13 @@ static inline void normal_space(normal *out, const double *v, double corner_erro
                  FILTER_FLOOR;
 }
 
+static inline void normal_of(normal *out, const double *v, double corner_error, int dimension) {
+    if (dimension == 2)
+        normal_plane(out, v, corner_error);
+    else
+        normal_space(out, v, corner_error);
+}
+
 /** The coordinate along which a simplex is projected; -1 if its size is not certain. */
 static inline int normal_axis(const normal *n, int dimension) {
     if (dimension == 2)

@@ -87,12 +87,11 @@ graze_pmc cell_decide(cell_asker *a, const point_box *points, anchors *near, int
 /* What goes through a cell that nothing else decides. */
 static graze_status decide_passage(graze_pmc *pmc, cell_asker *a, const point_box *points) {
     const filter *f = &a->scene->filter;
-    if (a->scene->options.operation != GRAZE_SWEEP || a->scene->motion->dimension != 3 ||
-        !point_box_begin(&a->tube, f, points))
+    if (!point_box_begin(&a->tube, f, points))
         return GRAZE_OK;
     cell_passage found = cell_passes(&a->tube, f, points);
     if (found == CELL_PIERCED)
-        *pmc = GRAZE_IN;
+        *pmc = cell_membership_proved(a);
     if (found != CELL_PASSES)
         return GRAZE_OK;
     graze_verdict verdict;

@@ -53,10 +53,7 @@ int velocity_has_one_sign(const instant *i, const graze_solid *solid, size_t sim
     const double *first = corners->at + simplex * d * d;
     int positive = 1, negative = 1;
     normal n;
-    if (d == 2)
-        normal_plane(&n, first, corners->error);
-    else
-        normal_space(&n, first, corners->error);
+    normal_of(&n, first, corners->error, i->dimension);
     for (size_t c = 0; c < d; c++) {
         approximate v = corner_velocity(i, &n, first, first + c * d, corners->error);
         positive = positive && v.at > v.off;
