@@ -417,6 +417,9 @@ GRAZE_API void graze_time_interval(mpq_t low, mpq_t high, const graze_time *time
  * @return GRAZE_EUSE, GRAZE_ESYSTEM */
 GRAZE_API GRAZE_CHECKED graze_status graze_time_decimal(char **out, graze_context *context,
                                                         const graze_time *time, int digits);
+/** The `row` of the first piece of the motion that has the time, its ends included (formats.md,
+ * pieces); 0: it has none, or NULL. */
+GRAZE_API unsigned long graze_time_row(const graze_time *time);
 
 #ifdef __cplusplus
 }

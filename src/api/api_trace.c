@@ -137,6 +137,10 @@ graze_status graze_time_decimal(char **out, graze_context *context, const graze_
     return *out ? GRAZE_OK : context_fail(context, GRAZE_ESYSTEM, "out of memory");
 }
 
+unsigned long graze_time_row(const graze_time *time) {
+    return time ? time->motion->piece[time_first_piece(time)].row : 0;
+}
+
 graze_status graze_number_decimal(char **out, graze_context *context, const mpq_t value,
                                   int digits) {
     if (out)

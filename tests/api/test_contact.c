@@ -121,10 +121,10 @@ static void rows(void **state) {
                      GRAZE_OK);
     assert_non_null(strstr(text, "# key value\n"));
     assert_non_null(strstr(text, "\ntime,bx,by,x,y,cell,role,"));
-    assert_non_null(strstr(text, ",near_in,word,m,n\n"));
+    assert_non_null(strstr(text, ",near_in,near_in_decimal,word,m,n\n"));
     graze_free(text);
     assert_int_equal(graze_site_row(&text, s.context, site, GRAZE_FORMAT_CSV, "a,b"), GRAZE_OK);
-    assert_string_equal(text, "0,0,1,0,1,edge 0-3,contact,,,,,O,no,simple,,,BO,a,b\n");
+    assert_string_equal(text, "0,0,1,0,1,edge 0-3,contact,,,,,O,no,simple,,,,,BO,a,b\n");
     graze_free(text);
     assert_int_equal(graze_site_row(&text, s.context, site, GRAZE_FORMAT_JSONL, NULL), GRAZE_OK);
     assert_non_null(strstr(text, "\"left\":null,\"right\":\"O\",\"trimmed\":\"no\""));

@@ -33,10 +33,10 @@ static void events(void **state) {
     assert_int_equal(graze_envelope_event(e, 4).kind, GRAZE_EVENT_NONE);
     assert_int_equal(graze_envelope_header(&text, s.context, e, "# key value\n"), GRAZE_OK);
     assert_non_null(strstr(text, "# key value\n"));
-    assert_non_null(strstr(text, "\ntime,kind,facet,cell,before,after\n"));
+    assert_non_null(strstr(text, "\ntime,time_near,kind,facet,cell,before,after\n"));
     graze_free(text);
     assert_int_equal(graze_envelope_row(&text, s.context, e, 0), GRAZE_OK);
-    assert_string_equal(text, "1,reach,edge 0-3,vertex 0,-,+\n");
+    assert_string_equal(text, "1,1,reach,edge 0-3,vertex 0,-,+\n");
     graze_free(text);
     assert_int_equal(graze_envelope_row(&text, s.context, e, 4), GRAZE_EUSE);
     assert_null(text);
@@ -112,7 +112,7 @@ static void patches(void **state) {
     assert_true(mpq_cmp_ui(t, 1, 2) == 0 && mpq_cmp_ui(y[0], 1, 1) == 0 && mpq_sgn(y[1]) == 0);
     assert_true(mpq_cmp_ui(p[0], 5, 1) == 0 && mpq_sgn(p[1]) == 0);
     assert_int_equal(graze_patches_row(&text, s.context, found, 0), GRAZE_OK);
-    assert_string_equal(text, "0,whole,edge 0-1,0,1,,,,,degenerate,1/2,1,0,5,0,slides\n");
+    assert_string_equal(text, "0,whole,edge 0-1,0,0,1,1,,,,,degenerate,1/2,1,0,5,0,slides\n");
     graze_free(text);
     assert_int_equal(graze_patches_row(&text, s.context, found, 12), GRAZE_EUSE);
     assert_int_equal(graze_patches_joint_count(found), 12);
@@ -122,15 +122,15 @@ static void patches(void **state) {
     assert_ptr_equal(joint.from, first.from);
     assert_int_equal(graze_patches_joint(found, 12).count, 0);
     assert_int_equal(graze_patches_joint_row(&text, s.context, found, 0), GRAZE_OK);
-    assert_string_equal(text, "vertex 0,0,1,,0 4\n");
+    assert_string_equal(text, "vertex 0,0,0,1,1,,0 4\n");
     graze_free(text);
     assert_int_equal(graze_patches_joint_row(&text, s.context, found, 12), GRAZE_EUSE);
     assert_int_equal(graze_patches_header(&text, s.context, e, NULL), GRAZE_OK);
-    assert_non_null(
-        strstr(text, "\npatch,kind,cell,from,to,a,b,theta_a,theta_b,orientation,time,"));
+    assert_non_null(strstr(
+        text, "\npatch,kind,cell,from,from_near,to,to_near,a,b,theta_a,theta_b,orientation,time,"));
     graze_free(text);
     assert_int_equal(graze_patches_joint_header(&text, s.context, e, NULL), GRAZE_OK);
-    assert_non_null(strstr(text, "\ncell,from,to,form,patches\n"));
+    assert_non_null(strstr(text, "\ncell,from,from_near,to,to_near,form,patches\n"));
     graze_free(text);
     graze_patches_destroy(found);
     graze_envelope_destroy(e);

@@ -193,6 +193,7 @@ static void traces(bench *b) {
     HARMLESS(graze_trace_contact, !graze_trace_contact(b->trace, ~(size_t)0).kind);
     HARMLESS(graze_time_rational, !graze_time_rational(b->half, NULL));
     HARMLESS(graze_time_rational, !graze_time_rational(NULL, time));
+    HARMLESS(graze_time_row, !graze_time_row(NULL));
     HARMLESS(graze_time_degree, !graze_time_degree(NULL));
     HARMLESS(graze_time_coefficient, CALLS(graze_time_coefficient(NULL, time, 0)));
     HARMLESS(graze_time_coefficient, CALLS(graze_time_coefficient(z, NULL, 0)) && !mpz_sgn(z));

@@ -3,10 +3,11 @@
  */
 #include "walk.h"
 
-/* Back and forth: [x, x + 2] with x = 8t up to t = 1, then back. */
-static const char back[] = "{\"dimension\": 2, \"pieces\": [{\"t\": [0, 1], \"transform\": "
-                           "{\"translate\": [\"8*t\", 0]}}, {\"t\": [1, 2], \"transform\": "
-                           "{\"translate\": [\"16-8*t\", 0]}}]}";
+/* Back and forth: [x, x + 2] with x = 8t up to t = 1, then back; lines 5 and 6 of a log. */
+static const char back[] =
+    "{\"dimension\": 2, \"pieces\": [{\"t\": [0, 1], \"row\": 5, \"transform\": "
+    "{\"translate\": [\"8*t\", 0]}}, {\"t\": [1, 2], \"row\": 6, \"transform\": "
+    "{\"translate\": [\"16-8*t\", 0]}}]}";
 /* The square [10, 12] x [0, 2], which [x, x + 2] touches by a whole side where x = 8, at t = 1. */
 static const double wall[] = {10, 0, 12, 0, 12, 2, 10, 2};
 /* The square [9, 12] x [1, 3]: x + 2 = 9 at t = 7/8 and 9/8, between which the interiors meet. */
@@ -43,6 +44,7 @@ static void touch_at_a_break(void **state) {
     assert_true(c.kind == GRAZE_TANGENCY && c.left == GRAZE_STATE_O && c.right == GRAZE_STATE_O);
     assert_ptr_equal(c.from, c.to);
     check_time(c.from, 1, 1);
+    assert_int_equal(graze_time_row(c.from), 5); /* both pieces have it */
     assert_int_equal(c.cell_count, 3);
     assert_string_equal(graze_cell_pair_name(&c.cells[0]), "edge-edge");
     assert_true(c.cells[0].moving.a == 1 && c.cells[0].moving.b == 2);
@@ -69,6 +71,7 @@ static void overlap_and_json(void **state) {
     assert_int_equal(graze_pair_next(p), GRAZE_STATE_ABSENT);
     check_time(graze_pair_overlap_time(p), 7, 8);
     check_time(graze_pair_get_contact(p, 1).from, 9, 8);
+    assert_int_equal(graze_time_row(graze_pair_get_contact(p, 1).from), 6);
     graze_pair_destroy(p);
     assert_int_equal(graze_pair_create(&p, s.context, s.solid, s.motion, fixed, NULL, &first), 0);
     assert_int_equal(graze_pair_get_verdict(p), GRAZE_PAIR_CONTACT);
@@ -82,11 +85,13 @@ static void overlap_and_json(void **state) {
     assert_string_equal(
         json,
         "{\"verdict\":\"meets\",\"word\":\"OBI\",\"next\":\"I\",\"first\":{\"from\":\"7/8\",\"to\":"
-        "null,\"near\":0.875,\"kind\":null,\"cells\":[{\"moving\":{\"edge\":[1,2]},\"fixed\":"
+        "null,\"near\":0.875,\"row\":5,\"kind\":null,\"cells\":[{\"moving\":{\"edge\":[1,2]},"
+        "\"fixed\":"
         "{\"edge\":[0,3]},\"type\":\"edge-edge\"},{\"moving\":{\"edge\":[1,2]},\"fixed\":"
         "{\"vertex\":0},\"type\":\"edge-vertex\"},{\"moving\":{\"vertex\":2},\"fixed\":"
         "{\"edge\":[0,3]},\"type\":\"vertex-edge\"}]},\"contacts\":[{\"from\":\"7/8\","
-        "\"to\":null,\"near\":0.875,\"kind\":null,\"cells\":[{\"moving\":{\"edge\":[1,2]},"
+        "\"to\":null,\"near\":0.875,\"row\":5,\"kind\":null,\"cells\":[{\"moving\":{\"edge\":[1,2]}"
+        ","
         "\"fixed\":{\"edge\":[0,3]},\"type\":\"edge-edge\"},{\"moving\":{\"edge\":[1,2]},"
         "\"fixed\":{\"vertex\":0},\"type\":\"edge-vertex\"},{\"moving\":{\"vertex\":2},"
         "\"fixed\":{\"edge\":[0,3]},\"type\":\"vertex-edge\"}]}]}\n");

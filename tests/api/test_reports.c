@@ -99,7 +99,9 @@ static void rows_and_explanation(void **state) {
         graze_report_row(&text, s.context, s.scene, p, trace, NULL,
                          &(graze_row_options){.size = sizeof(graze_row_options), .moments = 1}),
         GRAZE_OK);
-    assert_string_equal(text, "16/3,2,on,boundary,8,1,0,1,OBO,5/12,0,2/3,0\n");
+    assert_string_equal(
+        text,
+        "16/3,2,on,boundary,8,1,0,1,OBO,5/12,0.41666666666666667,0,2/3,0.66666666666666667,0\n");
     graze_free(text);
     assert_int_equal(graze_report_row(&text, s.context, s.scene, p, trace, NULL,
                                       &(graze_row_options){.size = sizeof(graze_row_options),

@@ -392,6 +392,24 @@ def text(collide, checks):
     behind = write("behind.json", '{"dimension": 3, "pieces": [{"t": [2, 9], "transform": {"translate": ["t/2", 0, 0]}}]}')
     out = collide.graze.call("collide", cube, ahead, fellow, "--motion-of-fixed", behind)
     checks.equal(out.stdout.splitlines()[:2] + [out.stdout.splitlines()[2][:10]], ["overlap", "word OBI", "contact 4,"], "text")
+    rows(collide, checks, small, large)
+
+
+def rows(collide, checks, small, large):
+    """Times of text have decimals beside them and the row of the piece, the first one that has the time. [6, 7] + x leaves [0, 9]
+    by its right side at x = 2: with x = 6 t at t = 1/3 in the piece of line 4; with x = 2 t, then 4 t - 2, at the break t = 1, which the
+    piece of line 7 has first. A piece without a row has none to name."""
+    for first, second, where, shown, near, row in (
+            ({"row": 4}, {"row": 9}, ["6*t", "6*t"], "1/3 (0.33333333333333333, row 4)", 0.33333333333333333, 4),
+            ({"row": 7}, {"row": 9}, ["2*t", "4*t-2"], "1 (row 7)", 1, 7), ({}, {"row": 9}, ["6*t", "6*t"], "1/3 (0.33333333333333333)", 1 / 3, None),
+            ({}, {}, ["6*t", "6*t"], "1/3 (0.33333333333333333)", 1 / 3, 0)):
+        pieces = [{"t": [k, k + 1], "transform": {"translate": [x, 0]}, **more} for k, (x, more) in enumerate(zip(where, (first, second)))]
+        way = collide.graze.write("rows.json", json.dumps({"dimension": 2, "pieces": pieces}))
+        out = collide.graze.call("collide", small, way, large, "--inside").stdout.splitlines()
+        checks.equal((out[0], out[2].split(",  ")[0].startswith(f"contact {shown}, ")), (f"leaves at {shown}", True), out)
+        found = json.loads(collide.graze.call("collide", small, way, large, "--inside", "--format", "json").stdout)
+        for contact in (found["first"], *found["contacts"]):
+            checks.equal((contact["near"], contact.get("row", 0)), (near, row), "row", shown)
 
 
 # The square [x, x + 1] x [y, y + 1] against the room [0, 4]^2 (inside) and against [4, 5] x [1, 2]. Its right side is at x = 4 where x = 3: by

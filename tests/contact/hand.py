@@ -14,6 +14,7 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "agree", "lib"))
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
+from exact import has_decimals  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
 
 BLOCK = "POLYGON ((2 -1, 4 -1, 4 1, 2 1, 2 -1))\n"
@@ -179,6 +180,7 @@ def check_case(checks, graze, number, case):
     if not checks.equal(table.returncode, 0, *where, table.stderr):
         return
     row, = csv.DictReader(x for x in table.stdout.splitlines() if not x.startswith("#"))
+    checks.holds(has_decimals(row, "near", "near_in"), *where, row)
     for name, want in columns.items():
         checks.equal(row[name], want, *where, name)
     record = json.loads(graze.call("contact", *files, contacts, "--format", "jsonl").stdout)

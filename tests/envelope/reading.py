@@ -4,7 +4,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 import csv
 
-from exact import Fraction as F
+from exact import Fraction as F, has_decimals
 
 
 def sign(x):
@@ -55,10 +55,12 @@ def between(a, b):
 
 
 def table(path):
-    """The rows of a whole table, or None."""
+    """The rows of a whole table whose exact times have their decimals behind them, or None."""
     lines = open(path, encoding="utf-8").read().splitlines()
     rows = list(csv.DictReader(x for x in lines if not x.startswith("#")))
-    return rows if lines[-1] == f"# complete {len(rows)}" else None
+    columns = rows[0] if rows else {}
+    times = ["from", "to"] if "from" in columns else ["time"] if "facet" in columns else []
+    return rows if lines[-1] == f"# complete {len(rows)}" and all(has_decimals(row, *times) for row in rows) else None
 
 
 def summary(text):

@@ -54,6 +54,39 @@ def to_double(x):
     return int(x.numerator) / int(x.denominator) if isinstance(x, numbers.Rational) else float(x)
 
 
+def time_bounds(text, bits=100):
+    """(low, high) of an exact time of a table, a ratio or root(c0 c1 ...;low;high), equal or at most 2^-bits apart."""
+    root = re.fullmatch(r"root\((.*);(.*);(.*)\)", text)
+    if not root:
+        return Fraction(text), Fraction(text)
+    poly = [Fraction(c) for c in root[1].split()]
+    low, high = Fraction(root[2]), Fraction(root[3])
+
+    def value(t):
+        return sum(c * t ** k for k, c in enumerate(poly))
+    while high - low > Fraction(1, 2 ** bits):
+        middle = (low + high) / 2
+        low, high = (low, middle) if value(low) * value(middle) <= 0 else (middle, high)
+    return low, high
+
+
+def rounds_to(text, decimal):
+    """Is a decimal of at most 17 significant digits an exact time of a table, rounded to the nearest? Both may be empty."""
+    if text in ("", "undecided"):
+        return decimal == ""
+    digits = Decimal(decimal).as_tuple().digits
+    unit = Fraction(10) ** (Decimal(decimal).adjusted() - 16)
+    low, high = time_bounds(text, 200)
+    return len(digits) <= 17 and abs(Fraction(decimal) - low) <= unit / 2 + (high - low)
+
+
+def has_decimals(row, *names):
+    """Does a row have, for each column of an exact time, one of its decimal behind it?"""
+    places = list(row)
+    return all(any(places[places.index(name) + 1] == name + end and rounds_to(row[name], row[name + end]) for end in ("_near", "_decimal"))
+               for name in names)
+
+
 def simple(x, most):
     """The fraction nearest to x whose denominator is at most `most`."""
     return Fraction(PythonFraction(int(x.numerator), int(x.denominator)).limit_denominator(most))

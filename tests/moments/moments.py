@@ -17,11 +17,12 @@ import tempfile
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
-from exact import Fraction  # noqa: E402
+from exact import Fraction, has_decimals, time_bounds  # noqa: E402
 from harness import Checks, options, run, without_leaks  # noqa: E402
 
 checks = Checks()
 NAMES = ["first", "first_piece", "first_row", "last", "last_piece", "last_row"]
+COLUMNS = ["first", "first_near", "first_piece", "first_row", "last", "last_near", "last_piece", "last_row"]
 
 # The square [0, 1]^2 goes right by 2t up to t = 1, and then up by (t - 1)^2 to t = 2.
 PLANE = {"dimension": 2, "pieces": [
@@ -86,10 +87,11 @@ def check_derived(graze, folder, scene, expected, positions=True):
     plain = call(graze, "classify", *scene, points)
     lines = [line for line in table.splitlines() if not line.startswith("#")]
     checks.holds("\n# moments yes\n" in table and "moments" not in plain, "the head")
-    checks.equal(lines[0].split(",id,")[1], ",".join(NAMES))
-    checks.equal([line.rsplit(",", 6)[0] for line in lines], [line for line in plain.splitlines() if line[0] != "#"])
+    checks.equal(lines[0].split(",id,")[1], ",".join(COLUMNS))
+    checks.equal([line.rsplit(",", 8)[0] for line in lines], [line for line in plain.splitlines() if line[0] != "#"])
     for row, (point, *wanted) in zip(rows_of(table), expected):
         checks.equal([row[name] for name in NAMES], wanted, point)
+        checks.holds(has_decimals(row, "first", "last"), row)
     for line, (point, *wanted) in zip(call(graze, "classify", *scene, points, "--moments", "--format", "jsonl").splitlines(), expected):
         found = json.loads(line)
         checks.equal([as_text(found[name]) for name in NAMES], wanted, point, "JSON Lines")
@@ -124,6 +126,12 @@ def check_forms(graze, folder, scene, points, whole):
             checks.equal(again.stdout, file.read(), "the table as points", more)
         checks.holds("carried as" not in again.stderr, again.stderr)
         checks.equal(call(graze, "classify", *scene, golden, "--quiet"), call(graze, "classify", *scene, points), "answers go")
+    # A table of an older version has no decimals.
+    lines = [line.split(",") for line in whole.splitlines()]
+    names = next(line for line in lines if line[0] == "x")
+    kept = [k for k, name in enumerate(names) if not name.endswith("_near")]
+    old = write(folder, "old.csv", "".join(",".join(line if line[0].startswith("#") else [line[k] for k in kept]) + "\n" for line in lines))
+    checks.equal(call(graze, "classify", *scene, old, *flags), whole, "a table without decimals as points")
     for more, says in ((["--format", "npy"], "exact times"), (["--format", "vtk"], "exact times"), (["--columns", "pmc"], "all answers")):
         done = run([graze, "classify", *scene, points, "--moments", *more])
         checks.holds(done.returncode == 2 and "--moments" in done.stderr and says in done.stderr, more, done.stderr)
@@ -167,8 +175,8 @@ def check_curved(graze, folder):
     if "?" not in row["word"]:  # the rules reach further: another scene is needed here
         checks.fail("decided", row)
         return
-    checks.equal([row[name] for name in ("pmc", "class", "first", "first_piece", "last", "last_piece")],
-                 ["undecided", "undecided", "undecided", "", "undecided", ""])
+    checks.equal([row[name] for name in ("pmc", "class", "first", "first_near", "first_piece", "last", "last_near", "last_piece")],
+                 ["undecided", "undecided", "undecided", "", "", "undecided", "", ""])
     found = json.loads(call(graze, "classify", *flat, points, "--moments", "--format", "jsonl"))
     checks.equal((found["pmc"], found["first"], found["last"], "first_piece" in found), ("undecided", "undecided", "undecided", False))
 
@@ -192,25 +200,9 @@ def is_inside(way, size, point, t):
     return all(0 <= p - (a + b * u + c * u * u) <= s for p, s, (a, b, c) in zip(point, size, way[k]))
 
 
-def refined(text):
-    """(low, high) of a time, as near as 2^-100 or equal."""
-    root = re.fullmatch(r"root\((.*);(.*);(.*)\)", text)
-    if not root:
-        return Fraction(text), Fraction(text)
-    poly = [Fraction(c) for c in root[1].split()]
-    low, high = Fraction(root[2]), Fraction(root[3])
-
-    def value(t):
-        return sum(c * t ** k for k, c in enumerate(poly))
-    while high - low > Fraction(1, 2 ** 100):
-        middle = (low + high) / 2
-        low, high = (low, middle) if value(low) * value(middle) <= 0 else (middle, high)
-    return low, high
-
-
 def check_moment(way, size, point, row, name, sign):
     """Inside at the time, or next to it on the side of the motion; not next to it on the other one; pieces and rows."""
-    low, high = refined(row[name])
+    low, high = time_bounds(row[name])
     end = Fraction(len(way)) if sign > 0 else Fraction(0)
     step = Fraction(1, 2 ** 60)
     wide = [s + 2 * step for s in size]
@@ -236,10 +228,11 @@ def check_boxes(graze, folder, rng, d):
     for point, row in zip(points, rows_of(call(graze, "classify", solid, motion, given, "--moments"))):
         inside = [t for t in samples if is_inside(way, size, point, t)]
         checks.equal(not row["first"], not row["last"], row)
+        checks.holds(has_decimals(row, "first", "last"), row)
         if not row["first"]:
             checks.holds(not inside and row["pmc"] == "out" and row["first_piece"] == row["last_row"] == "", row, inside[:1])
         else:
-            checks.holds(not inside or (refined(row["first"])[0] <= inside[0] and inside[-1] <= refined(row["last"])[1]), row)
+            checks.holds(not inside or (time_bounds(row["first"])[0] <= inside[0] and inside[-1] <= time_bounds(row["last"])[1]), row)
             check_moment(way, size, point, row, "first", -1)
             check_moment(way, size, point, row, "last", 1)
         kinds = {"root": "root" in row["first"], "never": row["first"] == "", "start": row["first"] == "0",

@@ -51,7 +51,10 @@ class Collisions(unittest.TestCase):
         slower = common.moved("t/2", "0", start="2", end="10")
         # t + 1 = 3 + t/2 at t = 4; the motions have [2, 5] in common.
         found = graze.collide(square, common.moved("t", "0", end="5"), FAR, slower)
-        self.assertEqual((found.word, found.contacts[0].start), ("OBI", 4))
+        self.assertEqual((found.word, found.contacts[0].start, found.contacts[0].row), ("OBI", 4, None))
+        logged = common.moved("t", "0", end="5")
+        logged["pieces"][0]["row"] = 17
+        self.assertEqual(graze.collide(square, logged, FAR).contacts[0].row, 17)
         with self.assertRaises(graze.IllegalError):
             graze.collide(square, motion, FAR, common.moved("t", "0", start="5", end="6"))
 

@@ -129,12 +129,12 @@ class Answers(unittest.TestCase):
         """The cube [0, 2]^3 goes along x by 8t: (5, 1, 1) is inside from 3/8 to 5/8, (5, 1, 3) never."""
         plain = common.cube_scene()
         scene = graze.Scene(plain.solid, plain.motion, moments=True)
-        self.assertEqual([row.split(",")[-4:] for row in scene.rows([(5, 1, 1), (5, 1, 3)])],
-                         [["3/8", "0", "5/8", "0"], ["", "", "", ""]])
+        self.assertEqual([row.split(",")[-6:] for row in scene.rows([(5, 1, 1), (5, 1, 3)])],
+                         [["3/8", "0.375", "0", "5/8", "0.625", "0"], [""] * 6])
         self.assertEqual(json.loads(scene.rows([(5, 1, 1)], "jsonl")[0])["last"], "5/8")
         lines = scene.table([(5, 1, 1)]).splitlines()
         self.assertIn("# moments yes", lines)
-        self.assertTrue(lines[-3].endswith(",word,first,first_piece,last,last_piece"), lines)
+        self.assertTrue(lines[-3].endswith(",word,first,first_near,first_piece,last,last_near,last_piece"), lines)
         with self.assertRaises(graze.UseError):
             graze.Scene(plain.solid, plain.motion, moments=True, columns="pmc")
 

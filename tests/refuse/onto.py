@@ -267,7 +267,7 @@ def check_standard(bench):
         done = bench.run(at, [*scene, "-", "--output", name], input=CSV)
         bench.checks.equal((done.returncode, (at / name).read_bytes()), (0, (at / "T.csv").read_bytes()), done.stderr)
     done = bench.run(at, ["envelope", "S.wkt", "M.json", "--events", "/dev/stdout"])
-    bench.checks.holds(done.returncode == 0 and "time,kind" in done.stdout, done.stderr)
+    bench.checks.holds(done.returncode == 0 and "time,time_near,kind" in done.stdout, done.stderr)
     os.mkfifo(at / "fifo")
     fifo = os.open(at / "fifo", os.O_RDWR | os.O_NONBLOCK)
     done = bench.run(at, ["envelope", "S.wkt", "M.json", "--events", "fifo", "--patches", "fifo"])

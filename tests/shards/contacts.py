@@ -10,7 +10,7 @@ from bench import COMMON, run_checks, split
 from exact import Fraction as F
 
 CUBE = ["contact", COMMON / "cube.off", COMMON / "move3.json"]
-NAMES = (b"time,bx,by,bz,x,y,z,cell,role,theta,contact_order,orientation,left,right,trimmed,status,near,near_in,word")
+NAMES = (b"time,bx,by,bz,x,y,z,cell,role,theta,contact_order,orientation,left,right,trimmed,status,near,near_decimal,near_in,near_in_decimal,word")
 
 
 def sites(bench, count):
@@ -80,7 +80,7 @@ def check_resume(bench):
 def alterations(row, moved):
     """What no run writes for that row."""
     fields = row.rstrip(b"\n").split(b",")
-    word = 18
+    word = 20
 
     def put(*changes):
         new = list(fields)
@@ -98,17 +98,18 @@ def alterations(row, moved):
     yield "a row more", row + row
     if not fields[8]:
         yield "a role alone", put((8, b"hidden"))
-        yield "a shift alone", put((19, b"1"))
+        yield "a shift alone", put((21, b"1"))
         return
     yield "another role", put((8, b"contacts"))
     yield "a theta of its own", put((9, b"+" if not fields[9] else b""))
     yield "another trimmed", put((14, b"no" if fields[14] == b"yes" else b"yes"))
     yield "another status", put((15, b"meets" if fields[14] == b"yes" else b"trimmed_far"))
-    yield "no near_in" if fields[17] else "a near_in", put((17, b"" if fields[17] else b"1/2"))
+    yield "no near_in" if fields[18] else "a near_in", put((18, b"" if fields[18] else b"1/2"))
+    yield "no decimal of near" if fields[17] else "a decimal of near", put((17, b"" if fields[17] else b"0.5"))
     yield "a word of no run", put((word, b"BB"))
     yield "a word with another end", put((word, b"OBO" if b"I" in fields[word] else b"OBI"))
     if moved:
-        yield "another shift", put((19, b"977/5"))
+        yield "another shift", put((21, b"977/5"))
 
 
 def check_kept(bench):

@@ -50,6 +50,11 @@ int time_is_end(const graze_time *time) {
     return time && time->piece + 1 == time->motion->piece_count && time_is_piece_end(time);
 }
 
+size_t time_first_piece(const graze_time *time) {
+    int is_start = algebraic_is_rational(&time->u) && fmpq_is_zero(time->u.value);
+    return time->piece - (time->piece > 0 && is_start);
+}
+
 graze_status time_between(size_t *piece, fmpq_t u, graze_context *context, graze_time *before,
                           graze_time *after) {
     algebraic zero, one;

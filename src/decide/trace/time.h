@@ -32,6 +32,10 @@ int time_is_start(const graze_time *time);
 int time_is_piece_end(const graze_time *time);
 int time_is_end(const graze_time *time);
 
+/** The first piece of the motion that has the time, its ends included: a contact may begin at the
+ * end of a piece, or at that time as the start of the next one. */
+size_t time_first_piece(const graze_time *time);
+
 /** A rational time u of a piece strictly between two times, one after the other. */
 graze_status time_between(size_t *piece, fmpq_t u, graze_context *context, graze_time *before,
                           graze_time *after);

@@ -21,5 +21,9 @@ int time_is_rational(const graze_time *time);
 
 /** A canonical time: a ratio, or root(c0 c1 ...;a;b); nothing for NULL. */
 void report_put_time(text *t, const graze_time *time);
+/** A rational or a canonical time, a comma, and its decimal of 17 digits; a comma alone for NULL.
+ */
+void report_put_rational_near(text *t, const fmpq_t value);
+void report_put_time_near(text *t, const graze_time *time);
 
 #endif

@@ -3,7 +3,6 @@
 
 #include <math.h>
 #include <mpfr.h>
-#include <stdlib.h>
 #include "base/number/rational.h"
 #include "output/report/decimal_time.h"
 #include "output/report/time_text.h"
@@ -48,14 +47,10 @@ static int rational_time(fmpq_t out, const graze_scene *scene, const distance *f
 void report_distance_time(text *out, const graze_scene *scene, const distance *found) {
     fmpq_t time;
     fmpq_init(time);
-    if (rational_time(time, scene, found)) {
+    if (rational_time(time, scene, found))
         text_rational(out, time);
-    } else {
-        char *decimal = decimal_of_time(NULL, found->at, DECIMAL_DIGITS);
-        out->failed |= !decimal;
-        text_put(out, decimal ? decimal : "");
-        free(decimal);
-    }
+    else
+        text_owned(out, decimal_of_time(NULL, found->at, DECIMAL_DIGITS));
     fmpq_clear(time);
 }
 

@@ -7,7 +7,8 @@
 
 graze_status report_events_header(char **out, graze_context *context, const graze_scene *scene,
                                   const char *notes) {
-    return table_head(out, context, scene, notes, "time,kind,facet,cell,before,after", NULL);
+    return table_head(out, context, scene, notes, "time,time_near,kind,facet,cell,before,after",
+                      NULL);
 }
 
 static const char *sign_text(int sign) {
@@ -15,7 +16,7 @@ static const char *sign_text(int sign) {
 }
 
 void report_event(text *out, const graze_envelope *envelope, const found_event *event) {
-    report_put_time(out, envelope->events.time[event->time]);
+    report_put_time_near(out, envelope->events.time[event->time]);
     text_format(out, ",%s,", graze_event_kind_name(event->kind));
     report_put_cell(out, &event->facet);
     if (event->other.kind)
@@ -55,22 +56,24 @@ void report_curve(text *out, const graze_curve *curve, const curve_part *part) {
 
 graze_status report_patches_header(char **out, graze_context *context, const graze_scene *scene,
                                    const char *notes) {
-    return table_head(out, context, scene, notes,
-                      "patch,kind,cell,from,to,a,b,theta_a,theta_b,orientation,time",
-                      scene->motion->dimension == 2 ? "bx,by,x,y,status" : "bx,by,bz,x,y,z,status");
+    return table_head(
+        out, context, scene, notes,
+        "patch,kind,cell,from,from_near,to,to_near,a,b,theta_a,theta_b,orientation,time",
+        scene->motion->dimension == 2 ? "bx,by,x,y,status" : "bx,by,bz,x,y,z,status");
 }
 
 graze_status report_joints_header(char **out, graze_context *context, const graze_scene *scene,
                                   const char *notes) {
-    return table_head(out, context, scene, notes, "cell,from,to,form,patches", NULL);
+    return table_head(out, context, scene, notes, "cell,from,from_near,to,to_near,form,patches",
+                      NULL);
 }
 
-/* `,from,to` */
+/* `,from,from_near,to,to_near` */
 static void put_interval(text *out, const graze_time *from, const graze_time *to) {
     text_put(out, ",");
-    report_put_time(out, from);
+    report_put_time_near(out, from);
     text_put(out, ",");
-    report_put_time(out, to);
+    report_put_time_near(out, to);
 }
 
 void report_patch(text *out, const graze_patches *patches, size_t index) {

@@ -11,12 +11,6 @@
 #include "output/report/decimal_time.h"
 #include "output/report/json_values.h"
 
-/* A contact may begin at the end of a piece, or at that time as the start of the next one. */
-static size_t first_piece(const graze_time *time) {
-    int is_start = algebraic_is_rational(&time->u) && fmpq_is_zero(time->u.value);
-    return time->piece - (time->piece > 0 && is_start);
-}
-
 static size_t last_piece(const graze_time *time) {
     return time->piece + (time_is_piece_end(time) && !time_is_end(time));
 }
@@ -32,7 +26,7 @@ graze_status inside_find(inside_times *out, graze_context *context, const graze_
     if (trace->first == GRAZE_STATE_I)
         out->first = (inside_end){.end = motion->piece[0].lo};
     else if (count)
-        out->first = (inside_end){.time = c[0].from, .piece = first_piece(c[0].from)};
+        out->first = (inside_end){.time = c[0].from, .piece = time_first_piece(c[0].from)};
     if (trace->last == GRAZE_STATE_I)
         out->last = (inside_end){.end = motion->piece[last].hi, .piece = last};
     else if (count)
@@ -49,17 +43,18 @@ static int is_never(const inside_end *m) {
 }
 
 void inside_columns(text *out, const graze_motion *motion) {
-    text_put(out, motion->has_rows ? ",first,first_piece,first_row,last,last_piece,last_row"
-                                   : ",first,first_piece,last,last_piece");
+    text_put(out, motion->has_rows ? ",first,first_near,first_piece,first_row,last,last_near,"
+                                     "last_piece,last_row"
+                                   : ",first,first_near,first_piece,last,last_near,last_piece");
 }
 
 static void put_inside_end(text *out, const inside_end *m, const graze_motion *motion) {
     unsigned long row = motion->piece[m->piece].row;
     text_put(out, ",");
     if (m->end)
-        text_rational(out, m->end);
+        report_put_rational_near(out, m->end);
     else
-        report_put_time(out, m->time);
+        report_put_time_near(out, m->time);
     text_put(out, ",");
     if (!is_never(m))
         text_count(out, m->piece);
@@ -71,19 +66,11 @@ static void put_inside_end(text *out, const inside_end *m, const graze_motion *m
 
 void inside_csv(text *out, const inside_times *m, const graze_motion *motion) {
     if (m->undecided) {
-        text_put(out, motion->has_rows ? ",undecided,,,undecided,," : ",undecided,,undecided,");
+        text_put(out, motion->has_rows ? ",undecided,,,,undecided,,," : ",undecided,,,undecided,,");
         return;
     }
     put_inside_end(out, &m->first, motion);
     put_inside_end(out, &m->last, motion);
-}
-
-/* A count, or null. */
-static void json_index(json_writer *w, const char *key, int is_there, size_t value) {
-    if (is_there)
-        json_count(w, key, value);
-    else
-        json_text(w, key, NULL);
 }
 
 static void json_inside_end(json_writer *w, const char *const keys[3], const inside_end *m,

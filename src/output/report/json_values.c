@@ -5,6 +5,13 @@
 
 enum { APPROX_DIGITS = 17 };
 
+void json_index(json_writer *w, const char *key, int is_there, size_t value) {
+    if (is_there)
+        json_count(w, key, value);
+    else
+        json_text(w, key, NULL);
+}
+
 void json_state(json_writer *w, const char *key, graze_state state) {
     json_text(w, key,
               state == GRAZE_STATE_ABSENT ? NULL

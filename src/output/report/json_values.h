@@ -7,6 +7,8 @@
 #include "base/number/json.h"
 #include "decide/trace/trace.h"
 
+/** A count, or null. */
+void json_index(json_writer *w, const char *key, int is_there, size_t value);
 /** A cell as an object. */
 void json_cell(json_writer *w, const char *key, const graze_cell *cell);
 /** "intersection" or "tangency"; null for 0. */

@@ -25,6 +25,7 @@ const char *cell_pair_name(const graze_cell_pair *cells) {
     return a < 4 && b < 4 ? names[a][b] : "";
 }
 
+/* A decimal and, where pieces have rows, that of the piece. */
 static void put_near_decimal(json_writer *w, const graze_time *time) {
     char *decimal = decimal_of_time(NULL, time, NEAR_DIGITS);
     if (decimal)
@@ -32,6 +33,9 @@ static void put_near_decimal(json_writer *w, const graze_time *time) {
     else
         w->out->failed = 1;
     free(decimal);
+    unsigned long row = time->motion->piece[time_first_piece(time)].row;
+    if (time->motion->has_rows)
+        json_index(w, "row", row != 0, row);
 }
 
 static void put_cell_pairs(json_writer *w, const cell_pairs *cells) {

@@ -8,7 +8,8 @@
 #include "output/report/table_text.h"
 
 #define SITE_ANSWERS                                                                               \
-    "cell,role,theta,contact_order,orientation,left,right,trimmed,status,near,near_in,word"
+    "cell,role,theta,contact_order,orientation,left,right,trimmed,status,near,near_decimal,near_"  \
+    "in,near_in_decimal,word"
 
 graze_status report_contact_header(char **out, graze_context *context, const graze_scene *scene,
                                    const char *notes, const char *columns) {
@@ -73,9 +74,9 @@ static void put_site_answers(text *out, const graze_site *site) {
     put_slice(out, f);
     text_format(out, "%s,%s,%s,%s,", state_name(f->left), state_name(f->right),
                 is_trimmed(f) ? "yes" : "no", graze_trim_name(f->trim));
-    report_put_time(out, site->near);
+    report_put_time_near(out, site->near);
     text_put(out, ",");
-    report_put_time(out, site->near_in);
+    report_put_time_near(out, site->near_in);
     text_put(out, ",");
     text_put(out, site->trace.word);
 }
@@ -88,7 +89,7 @@ void report_contact_csv(text *out, const graze_site *site, const char *rest) {
     report_put_cell(out, &f->cell);
     text_put(out, ",");
     if (site->missed)
-        text_put(out, ",,,,,,,,,,");
+        text_put(out, ",,,,,,,,,,,,");
     else
         put_site_answers(out, site);
     if (site->snapped)

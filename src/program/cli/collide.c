@@ -97,22 +97,29 @@ static void scene_free(collide_scene *s) {
     graze_thread_finish();
 }
 
-/* A rational as it is, an irrational time as a decimal. */
+/* A rational as it is, with a decimal where it is no integer; an irrational time as a decimal; the
+ * row of the motion's piece. */
 static graze_status tell_pair_time(text *t, const collide_scene *s, const graze_time *time) {
     char *decimal = NULL;
     mpq_t exact;
     mpq_init(exact);
-    graze_status status = GRAZE_OK;
-    if (graze_time_rational(exact, time)) {
+    int rational = graze_time_rational(exact, time);
+    unsigned long row = graze_time_row(time);
+    graze_status status = graze_time_decimal(&decimal, s->context, time, 17);
+    if (rational) {
         fmpq_t value;
         fmpq_init(value);
         fmpq_set_mpq(value, exact);
         text_rational(t, value);
         fmpq_clear(value);
     } else {
-        status = graze_time_decimal(&decimal, s->context, time, 17);
         text_format(t, "%s...", decimal ? decimal : "");
     }
+    int near = rational && mpz_cmp_ui(mpq_denref(exact), 1) != 0;
+    if (near)
+        text_format(t, " (%s%s", decimal ? decimal : "", row ? "" : ")");
+    if (row)
+        text_format(t, "%srow %lu)", near ? ", " : " (", row);
     graze_free(decimal);
     mpq_clear(exact);
     return status;

@@ -44,17 +44,18 @@ static int is_further(const columns *c, size_t column) {
 }
 
 /* How many of the last columns are an enclosure, moments and positions, behind each other, among
- * `most`. Moments have rows where the motion has. */
+ * `most`. Moments have rows where the motion has, and in older tables no decimals. */
 static size_t count_last(const fields *first, columns_head head, size_t most) {
     const struct {
         const char *name;
         int is_there, may_lack;
-    } last[] = {{"regular", head.regular, 0},     {"topo", head.topo, 0},
-                {"last_row", head.moments, 1},    {"last_piece", head.moments, 0},
-                {"last", head.moments, 0},        {"first_row", head.moments, 1},
-                {"first_piece", head.moments, 0}, {"first", head.moments, 0},
-                {"certain", head.certain, 0},     {"boundary_low", head.boundary, 0},
-                {"sdf_t", head.sdf, 0},           {"sdf_high", head.sdf, 0},
+    } last[] = {{"regular", head.regular, 0},    {"topo", head.topo, 0},
+                {"last_row", head.moments, 1},   {"last_piece", head.moments, 0},
+                {"last_near", head.moments, 1},  {"last", head.moments, 0},
+                {"first_row", head.moments, 1},  {"first_piece", head.moments, 0},
+                {"first_near", head.moments, 1}, {"first", head.moments, 0},
+                {"certain", head.certain, 0},    {"boundary_low", head.boundary, 0},
+                {"sdf_t", head.sdf, 0},          {"sdf_high", head.sdf, 0},
                 {"sdf_low", head.sdf, 0}};
     size_t count = 0;
     for (size_t k = 0; k < sizeof last / sizeof *last && count < most; k++) {

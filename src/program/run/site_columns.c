@@ -25,7 +25,9 @@ static const char *const result_names[] = {"time",
                                            "trimmed",
                                            "status",
                                            "near",
+                                           "near_decimal",
                                            "near_in",
+                                           "near_in_decimal",
                                            "word",
                                            "shift"};
 enum { RESULT_NAMES = sizeof result_names / sizeof *result_names };

@@ -337,6 +337,7 @@ _FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "graze_pair_get_verdict": (c_int, [c_void_p]),
     "graze_pair_word": (c_char_p, [c_void_p]),
     "graze_pair_next": (c_int, [c_void_p]),
+    "graze_time_row": (c_ulong, [c_void_p]),
     "graze_pair_contact_count": (c_size_t, [c_void_p]),
     "graze_pair_get_contact": (CPairContact, [c_void_p, c_size_t]),
     "graze_pair_overlap_time": (c_void_p, [c_void_p]),

@@ -33,7 +33,7 @@ class CellPair:
 @dataclass(frozen=True)
 class PairContact:
     """A maximal interval [start, end] of times at which the solids touch only. `cells` are all pairs that
-    meet at `start`. `kind` is `intersection` or `tangency`; `kind`, `left`, `right` and `end` are None
+    meet at `start`, `row` is that of the first piece of the motion that has `start`, None if it has none. `kind` is `intersection` or `tangency`; `kind`, `left`, `right` and `end` are None
     where only the first contact was asked for, `left` and `right` beyond an end of the motion."""
 
     kind: Optional[str]
@@ -42,6 +42,7 @@ class PairContact:
     start: Time
     end: Optional[Time]
     cells: Tuple[CellPair, ...]
+    row: Optional[int] = None
 
 
 @dataclass(frozen=True)
@@ -80,7 +81,8 @@ def _contact(made: CPairContact) -> PairContact:
     start = time_of(made.start)
     end = start if made.end == made.start else time_of(made.end) if made.end else None
     return PairContact(kind_of(made.kind) or None, chr(made.left) if made.left else None,
-                       chr(made.right) if made.right else None, start, end, _cells(made))
+                       chr(made.right) if made.right else None, start, end, _cells(made),
+                       int(library().graze_time_row(made.start)) or None)
 
 
 def collide(moving: Any, motion: MotionLike, fixed: Any, motion_of_fixed: Optional[MotionLike] = None,
