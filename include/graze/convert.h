@@ -61,13 +61,14 @@ GRAZE_API GRAZE_CHECKED graze_status graze_motion_write_joints(
  * Make a motion file in E^3 through poses from a CSV file with a column line: qw, qx, qy, qz with
  * or without x, y, z; or m00 to m23 with or without m30 to m33; with or without t (then the times
  * are 0, 1, 2, ...); in the forms of graze_motion_write_pose_list too. Other columns are errors.
- * Numbers are rounded as the context says. Quaternions
- * keep their signs; a matrix becomes the quaternion of the nearest rotation in binary64, with the
- * sign nearest to the one before. Position and quaternion are interpolated linearly.
+ * Numbers are rounded as the context says. A
+ * quaternion gets the sign that is nearer to the one before, for the short way; a matrix becomes
+ * the quaternion of the nearest rotation in binary64. Position and quaternion are interpolated
+ * linearly; the report bounds how far that is from SLERP.
  * @param[out] json   text of the file for graze_free
  * @param[out] report text for graze_free; may be NULL
  * @param tolerance   not negative: largest change of an entry of a matrix
- * @param flags       0 or GRAZE_POSES_AFFINE
+ * @param flags       0, GRAZE_POSES_AFFINE or GRAZE_POSES_LONG
  * @return GRAZE_ESYSTEM the file cannot be read; GRAZE_EINPUT it is not such a list, or a matrix is
  * not a rotation; GRAZE_EILLEGAL the motion through the poses is not legal; GRAZE_ELIMIT
  */
@@ -76,18 +77,28 @@ GRAZE_API GRAZE_CHECKED graze_status graze_motion_write_poses(char **json, char 
                                                               const char *path,
                                                               mpq_srcptr tolerance, unsigned flags);
 
-/** Change signs of quaternions where that makes the way from a pose to the next one shorter. */
+/** Change signs of quaternions where that makes the way from a pose to the next one shorter, as
+ * without this flag. */
 #define GRAZE_POSES_SHORTEST 2u
 
 /** Give pieces, as their `row`, the number of the pose that they lead to, counted from 1 with those
- * that are not taken, and name poses by it in the report; else it is the line of the file. */
+ * that are not taken, and name poses by it in the report; else it is the line of the file. A column
+ * `row` goes before both. */
 #define GRAZE_POSES_NUMBERED 4u
+
+/** Keep signs of quaternions, also where they ask for more than half a turn between two poses. */
+#define GRAZE_POSES_LONG 8u
+
+/** Between poses the rotation is SLERP's, up to an angle of `tolerance` in radians at each time:
+ * the way is cut at further poses. The report has a proved bound. */
+#define GRAZE_POSES_SLERP 16u
 
 /** Options of a motion through poses (rule 6). All pointers are borrowed. */
 typedef struct graze_pose_options {
-    size_t size;                /**< sizeof(graze_pose_options) */
-    unsigned flags;             /**< 0, or a sum of GRAZE_POSES_AFFINE, _SHORTEST and _NUMBERED */
-    mpq_srcptr tolerance;       /**< as for graze_motion_write_poses; NULL: 10^-6 */
+    size_t size;          /**< sizeof(graze_pose_options) */
+    unsigned flags;       /**< 0, or a sum of GRAZE_POSES_AFFINE, _SHORTEST or _LONG, _NUMBERED,
+                               _SLERP */
+    mpq_srcptr tolerance; /**< as for graze_motion_write_poses; NULL: 10^-6 */
     const char *const *ignored; /**< names of `ignored_count` columns to pass over */
     size_t ignored_count;
     mpq_srcptr scale;    /**< positive factor of positions; NULL: 1 */

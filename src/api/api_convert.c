@@ -176,8 +176,7 @@ static graze_status write_poses(char **json, char **report, graze_context *conte
     if (!status && o->tolerance)
         status = take_positive(tolerance, context, o->tolerance, 0, "tolerance");
     if (!status)
-        status = convert_poses(&made, context, path, &choice, (o->flags & GRAZE_POSES_AFFINE) != 0,
-                               (o->flags & GRAZE_POSES_SHORTEST) != 0, tolerance);
+        status = convert_poses(&made, context, path, &choice, o->flags, tolerance);
     fmpq_clear(choice.from);
     fmpq_clear(choice.to);
     fmpq_clear(choice.scale);
@@ -191,7 +190,7 @@ graze_status graze_motion_write_poses(char **json, char **report, graze_context 
     if (!json || !context || !path || !tolerance)
         return api_misuse(context, "graze_motion_write_poses",
                           "no argument but report may be NULL");
-    if (flags & ~GRAZE_POSES_AFFINE)
+    if (flags & ~(GRAZE_POSES_AFFINE | GRAZE_POSES_LONG))
         return api_misuse(context, "graze_motion_write_poses", "an unknown flag is set");
     graze_pose_options options = {.flags = flags, .tolerance = tolerance};
     return write_poses(json, report, context, path, &options);
@@ -207,8 +206,15 @@ graze_status graze_motion_write_pose_list(char **json, char **report, graze_cont
     graze_status status = api_options(&taken, sizeof taken, context, name, options);
     if (status)
         return status;
-    if (taken.flags & ~(GRAZE_POSES_AFFINE | GRAZE_POSES_SHORTEST | GRAZE_POSES_NUMBERED))
+    if (taken.flags & ~(GRAZE_POSES_AFFINE | GRAZE_POSES_SHORTEST | GRAZE_POSES_NUMBERED |
+                        GRAZE_POSES_LONG | GRAZE_POSES_SLERP))
         return api_misuse(context, name, "an unknown flag is set");
+    if ((taken.flags & GRAZE_POSES_LONG &&
+         taken.flags & (GRAZE_POSES_SHORTEST | GRAZE_POSES_SLERP)) ||
+        (taken.flags & GRAZE_POSES_AFFINE && taken.flags & GRAZE_POSES_SLERP))
+        return context_fail(context, GRAZE_EUSE,
+                            "long ways go with neither `shortest` nor `slerp`, affine poses not "
+                            "with `slerp`; expected one of them");
     if (taken.angles && !angle_order_of(taken.angles))
         return context_fail(context, GRAZE_EUSE,
                             "angles '%s': expected kuka, fanuc, staubli, kawasaki, cnc or rpy",

@@ -230,9 +230,16 @@ static void conversions(bench *b) {
     WRONG_OUT(char, graze_motion_write_pose_list(NULL, &out, c, "a.csv", NULL));
     WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, NULL, "a.csv", NULL));
     WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, c, NULL, NULL));
-    graze_pose_options unknown = {.size = sizeof unknown, .flags = 8},
+    graze_pose_options unknown = {.size = sizeof unknown, .flags = 32},
                        unnamed = {.size = sizeof unnamed, .ignored_count = 1};
     graze_pose_options short_one = {.size = 7};
+    const unsigned odd_ways[] = {GRAZE_POSES_LONG | GRAZE_POSES_SHORTEST,
+                                 GRAZE_POSES_LONG | GRAZE_POSES_SLERP,
+                                 GRAZE_POSES_AFFINE | GRAZE_POSES_SLERP};
+    for (int k = 0; k < 3; k++) {
+        graze_pose_options ways = {.size = sizeof ways, .flags = odd_ways[k]};
+        WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, c, "a.csv", &ways));
+    }
     WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, c, "a.csv", &unknown));
     WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, c, "a.csv", &unnamed));
     WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, c, "a.csv", &short_one));

@@ -165,7 +165,8 @@ int fuzz_poses(const uint8_t *data, size_t size) {
     for (int k = 0; k < 6; k++) {
         char *json = NULL, *report = NULL;
         graze_pose_options chosen = {.size = sizeof chosen,
-                                     .flags = GRAZE_POSES_SHORTEST,
+                                     .flags = k == 4 ? GRAZE_POSES_LONG : GRAZE_POSES_SLERP,
+                                     .tolerance = tolerance,
                                      .ignored = ignored,
                                      .ignored_count = (size_t)(k & 1),
                                      .scale = tolerance,

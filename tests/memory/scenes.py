@@ -244,6 +244,7 @@ def make(graze, folder):
     yield Scene("poses", ["motion", "poses", at["poses.csv"], "--output", "made"])
     yield Scene("poses-chosen", ["motion", "poses", at["poses.csv"], "--every", "2", "--scale", "1/2", "--ignore", "none",
                                  "--shortest", "--dyadic"])
+    yield Scene("poses-slerp", ["motion", "poses", at["poses.csv"], "--slerp", "--tolerance", "1e-3"])
     yield Scene("dyadic", ["motion", "dyadic", at["roll.json"]])
     yield Scene("poses-matrices", ["motion", "poses", at["matrices.csv"]])
     yield Scene("poses-affine", ["motion", "poses", "--affine", at["matrices.csv"]])

@@ -236,12 +236,12 @@ def test_quaternions(graze, folder):
             ("0.5", ["1e-3", "2", "3"], ["0.7", "0", "0", "0.7"]),
             ("1", ["1", "1", "1"], ["-0.5", "0", "0", "-0.8660254037844386"])]
     for options, value in (([], lambda x: F(to_double(x))), (["--numbers", "written"], F)):
-        made, report = keyframes(graze, folder, text, *options)
+        made, report = keyframes(graze, folder, text, *options, "--long")
         got = [(F(k["t"]), [F(x) for x in k["position"]], [F(x) for x in k["quaternion"]])
                for k in made["keyframes"]]
         check(got == [(value(t), list(map(value, p)), list(map(value, q))) for t, p, q in want],
               "poses as written", got)
-        check("to the poses of lines 6; 1 in all" in report, "the long way is told", report)
+        check("of those before, at lines 6; 1 in all" in report, "the long way is told", report)
     made, _ = keyframes(graze, folder, "qw,qx,qy,qz\n1,0,0,0\n0,0,0,1\n0,1,0,0\n")
     check([k["t"] for k in made["keyframes"]] == ["0", "1", "2"], "times count from 0")
 

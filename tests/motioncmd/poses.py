@@ -3,14 +3,16 @@
 """Logs of poses as programs write them, and motions made dyadic.
 
 The same poses under every name, separator and order give the same motion; what is chosen of them is what a slice of
-the list has; signs of quaternions are those of a loop over the list. A dyadic motion is evaluated in fractions beside
+the list has; signs of quaternions are those of a loop over the list; SLERP about one axis is a turn. A dyadic motion is evaluated in fractions beside
 the one it was made from. SPDX-License-Identifier: GPL-3.0-or-later
 """
 import json
+import math
 import os
 import re
 import sys
 import tempfile
+from decimal import Decimal
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
@@ -18,7 +20,9 @@ import harness  # noqa: E402
 from evaluate import rotation_of  # noqa: E402
 from exact import Fraction as F, to_double  # noqa: E402
 from harness import Checks, options  # noqa: E402
+from truth import cos_sin, dec, norm  # noqa: E402
 
+WRITTEN = ("--numbers", "written")
 checks = Checks()
 check = checks.holds
 CUBE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "refuse", "common", "cube.off")
@@ -108,9 +112,30 @@ def test_matrices(graze, folder):
               for a, b in zip(row, m)), "a quarter turn from x to y", quarter)
 
 
+def told_rows(report, begin):
+    """(rows, how many in all) of a list such as `lines 4-6, 9; 4 in all`, of at most ten ranges."""
+    told = re.search(rf"^{begin} lines ([-\d, ]*)(, \.\.\.)?; (\d+) in all", report, re.M)
+    if not told:
+        return None
+    ends = [[int(x) for x in one.split("-")] for one in told[1].split(", ")]
+    return [row for one in ends for row in range(one[0], one[-1] + 1)], bool(told[2]), int(told[3])
+
+
+def ranges_of(rows):
+    return [row for row in rows if row - 1 not in rows]
+
+
+def check_rows(report, begin, rows):
+    """All rows are named, but of more than ten ranges the first ten."""
+    told, starts = told_rows(report, begin), ranges_of(rows)
+    named = [row for row in rows if len(starts) <= 10 or row < starts[10]]
+    check(told == (named, len(starts) > 10, len(rows)) if rows else told is None, report, rows)
+
+
 def test_signs(graze, folder, rng):
-    for _ in range(10):
-        poses = [[F(rng.randint(-9, 9)) for _ in range(3)] + [F(1)] for _ in range(30)]
+    seen = set()
+    for k in range(12):
+        poses = [[F(rng.randint(-9, 9)) for _ in range(3)] + [F(1)] for _ in range(30 if k % 2 else 60)]
         poses = [[x * rng.choice((1, -1)) for x in q] for q in poses]
         flips, want = [], [poses[0]]
         for line, q in enumerate(poses[1:], 3):
@@ -119,16 +144,102 @@ def test_signs(graze, folder, rng):
             if not short:
                 flips.append(line)
         text = table(NAMES[4:], [[str(x) for x in q] for q in poses])
-        got, report = made(graze, folder, text, "--shortest")
-        check(got and [frame[2] for frame in frames(got)] == want, "signs of the shortest way", poses)
-        told = re.search(r"^shortest: signs of quaternions changed at lines ([\d, .]*); (\d+) in all", report, re.M)
-        check(told and [int(x) for x in re.findall(r"\d+", told[1])] == flips[:10] and int(told[2]) == len(flips),
-              report, flips)
+        for flags in ((), ("--shortest",)):
+            got, report = made(graze, folder, text, *flags)
+            check(got and [frame[2] for frame in frames(got)] == want, "signs of the shortest way", flags, poses)
+            check_rows(report, "shortest: signs of quaternions changed at", flips)
+            check("long way" not in report, report)
+        seen.add(len(ranges_of(flips)) > 10)
         long = [line for line, (a, b) in enumerate(zip(poses, poses[1:]), 3) if sum(x * y for x, y in zip(a, b)) < 0]
-        got, report = made(graze, folder, text)
+        got, report = made(graze, folder, text, "--long")
         check(got and [frame[2] for frame in frames(got)] == poses, "signs are kept")
-        told = re.search(r"^long way: .* lines ([\d, .]*); (\d+) in all; they are kept .*--shortest", report, re.M)
-        check(told and [int(x) for x in re.findall(r"\d+", told[1])] == long[:10] and int(told[2]) == len(long), report, long)
+        check_rows(report, "long way: .* at", long)
+        check("they are kept" in report and "shortest" not in report, report)
+    check(seen == {False, True}, "few ranges and many", seen)
+
+
+def test_given(graze, folder):
+    """Numbers that are rounded are not said to be as given."""
+    text = table(NAMES, POSES)
+    _, report = made(graze, folder, text, "--numbers", "written")
+    check(report.startswith("poses: 3, each one exactly as given at its time\n"), report)
+    for flags in ((), ("--numbers", "binary64")):
+        _, report = made(graze, folder, text, *flags)
+        check("exactly as given" not in report and report.startswith("poses: 3, each one at its time, all numbers rounded to binary64 "), report)
+
+
+def test_rows(graze, folder):
+    """A column has the rows, exactly, in any order; the report names them."""
+    rows = [[*p, str(row), str(10 ** 15 - k)] for k, (p, row) in enumerate(zip(POSES, (40, 45, 50)))]
+    for name, want in (("N", [40, 45, 50]), ("block", [10 ** 15 - k for k in range(3)])):
+        got, report = made(graze, folder, table([*NAMES, "N", "block"], rows), "--columns", f"row={name}", "--ignore", "block")
+        check(got and [frame["row"] for frame in got["keyframes"]] == want, name, got)
+        check(f"row is '{name}'" in report, report)
+    got, report = made(graze, folder, table([*NAMES, "row"], [row[:9] for row in rows]))
+    check(got and [frame["row"] for frame in got["keyframes"]] == [40, 45, 50], got)
+    check("changed" not in report and re.search(r"most of all up to row (45|50);", report), report)
+    rows[1][4] = "-1"  # (1, 0, 0, 0), (-1, 1, 0, 0), (1, 0, 0, 1): the second one changes, and then its scalar product with the third is 1
+    _, report = made(graze, folder, table([*NAMES, "row"], [row[:9] for row in rows]))
+    check("signs of quaternions changed at rows 45; 1 in all" in report, report)
+
+
+AXIS = [F(2, 7), F(3, 7), F(6, 7)]
+
+
+def turned(degrees):
+    """The quaternion of a turn about AXIS in decimals of 100 digits."""
+    cosine, sine = cos_sin(Decimal(degrees) / 2)
+    return [cosine] + [sine * dec(x) for x in AXIS]
+
+
+def off(got, t, degrees):
+    """The angle, a double, between the motion's rotation at a time and a turn about AXIS. Quaternions of length 1 that are c apart
+    are of rotations 4 asin(c/2) apart."""
+    low, high = next((a, b) for a, b in zip(got, got[1:]) if a[0] <= t <= b[0])
+    s = (t - low[0]) / (high[0] - low[0])
+    q = [dec(a + (b - a) * s) for a, b in zip(low[2], high[2])]
+    length = norm(q)
+    return 4 * math.asin(norm([a / length - b for a, b in zip(q, turned(degrees))]) / 2)
+
+
+SLERP = r"^slerp: .* at most (\S+) radians.*; pieces: (\d+)$"
+
+
+def test_slerp(graze, folder, rng):
+    """SLERP between two turns about one axis is the turn whose angle is linear in time.
+
+    The linear quaternion is off it by 2 max |atan(x tan h) - x h|, h a quarter of the angle between: 0.92 degrees of 90, 6.8 of 170;
+    lengths of the quaternions add to it. A way in as few pieces as halving gives is within the tolerance, and with half as many it
+    would not be: for h below 1/4 that maximum is at least 0.256 h^3 (x = 1/sqrt 3 and the series of atan and tan)."""
+    for degrees, first, known in ((90, 0, 0.92), (170, 10, 6.8), (180, 7, None), (20, 100, None), (Decimal("0.5"), 3, None)):
+        for scales in ((1, 1), (1, 3), (F(1, 1000), 1)):
+            rows = [["0", *[f"{x * dec(scales[0]):.80f}" for x in turned(first)]], ["1", *[f"{x * dec(scales[1]):.80f}" for x in turned(first + degrees)]]]
+            got, report = made(graze, folder, table(["t", *NAMES[4:]], rows), *WRITTEN)
+            bound = float(re.search(SLERP, report, re.M)[1])
+            way = frames(got)
+            true = max(off(way, F(k, 32), first + degrees * Decimal(k) / 32) for k in range(33))
+            if degrees == 180 and scales != (1, 1):
+                continue  # both ways are as short: the last digit tells which is taken
+            check(true <= bound, degrees, scales, true, bound)
+            check(scales != (1, 1) or bound <= 1.02 * true, degrees, true, bound)
+            check(known is None or scales != (1, 1) or abs(bound * 180 / math.pi - known) < 0.06, degrees, bound)
+            for tolerance in ("1e-2", "1e-6", "1e-9"):
+                got, report = made(graze, folder, table(["t", *NAMES[4:]], rows), *WRITTEN, "--slerp", "--tolerance", tolerance)
+                bound, pieces = re.search(SLERP, report, re.M).groups()
+                way = frames(got)
+                check(len(way) == int(pieces) + 1 and [p[0] for p in way] == [F(k, int(pieces)) for k in range(len(way))], pieces)
+                for k in rng.sample(range(1025), 12):
+                    true = off(way, F(k, 1024), first + degrees * Decimal(k) / 1024)
+                    check(true <= float(bound) <= float(tolerance), degrees, scales, tolerance, k, true, bound)
+                h = math.radians(degrees) / 4 / (int(pieces) / 2)
+                check(int(pieces) == 1 or h > 0.25 or 0.256 * h ** 3 > 0.9 * float(tolerance), "too many pieces", degrees, tolerance, pieces)
+                check([rotation_of(p[2]) for p in (way[0], way[-1])] == [rotation_of([F(x) for x in row[1:]]) for row in rows], "the poses")
+    # Between 0.3 and 0.5 positions stay linear, pieces keep the row of the pose, and a list that does not turn is as it was.
+    got, _ = made(graze, folder, "t,x,y,z,qw,qx,qy,qz\n0.25,0,4,0,1,0,0,0\n0.75,8,4,2,1,0,0,1\n", "--slerp", "--tolerance", "1e-4")
+    check(all(k["row"] == (3 if F(k["t"]) > F(1, 4) else 2) and [F(x) for x in k["position"]] ==
+              [16 * (F(k["t"]) - F(1, 4)), 4, 4 * (F(k["t"]) - F(1, 4))] for k in got["keyframes"]), "positions", got)
+    still = "t,x,y,z\n0,0,4,0\n1,8,4,2\n"
+    check(made(graze, folder, still, "--slerp")[0] == made(graze, folder, still)[0], "positions alone")
 
 
 def test_choice(graze, folder, rng):
@@ -222,6 +333,9 @@ def main():
         test_ignored(args.graze, folder)
         test_matrices(args.graze, folder)
         test_signs(args.graze, folder, args.random)
+        test_given(args.graze, folder)
+        test_rows(args.graze, folder)
+        test_slerp(args.graze, folder, args.random)
         test_choice(args.graze, folder, args.random)
         test_polynomials(args.graze, folder)
         test_turns(args.graze, folder)

@@ -106,7 +106,24 @@ class Motions(unittest.TestCase):
             self.assertIn('"1/3"', motion.json())
         far = graze.Motion.poses([[0.1, 0, 0, 1, 0, 0, 0], [0.1, 0, 0, -1, 0, 0, -1]], shortest=True, quaternions="wxyz")
         self.assertIn("signs of quaternions changed at poses 2; 1 in all", far.report)
+        self.assertIn("each one exactly as given at its time", far.report)
         self.assertIn(f"({F(0.1).numerator} + ", far.json())
+        half = 0.5 ** 0.5
+        ways = [[0.1, 0, 0, 1, 0, 0, 0], [0.1, 0, 0, -half, 0, 0, -half]]
+        far = graze.Motion.poses(ways, shortest=True, quaternions="wxyz")
+        self.assertEqual(graze.Motion.poses(ways, quaternions="wxyz").json(), far.json())
+        kept = graze.Motion.poses(ways, long=True, quaternions="wxyz")
+        self.assertNotEqual(kept.json(), far.json())
+        self.assertIn("at poses 2; 1 in all; they are kept", kept.report)
+        # 0.92 degrees off SLERP at a quarter turn, 0.0161 radians; near it the way has more pieces.
+        self.assertRegex(far.report, r"slerp: not taken.* at most 1.6\de-02 radians, most of all up to pose 2")
+        near = graze.Motion.poses(ways, slerp=True, tolerance="1e-3", quaternions="wxyz")
+        self.assertEqual((far.piece_count, near.piece_count), (1, 4))
+        for both in ({"shortest": True, "long": True}, {"slerp": True, "long": True}, {"slerp": True, "affine": True}):
+            with self.assertRaisesRegex(graze.UseError, "expected one of them"):
+                graze.Motion.poses(ways, quaternions="wxyz", **both)
+        rows = Frame({"row": [7, 9], "x": [0, 4], "y": [0, 0], "z": [0, 0]})
+        self.assertIn('"row": 9', graze.Motion.poses(rows).json())
         for bad in ([[1, 2, 3]], [IDENTITY, IDENTITY[:3]], [[0, 0, 0, 1, 0, 0, 0], IDENTITY]):
             with self.assertRaises(graze.UseError):
                 graze.Motion.poses(bad)

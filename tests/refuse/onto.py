@@ -74,7 +74,7 @@ ROWS = [
 ]
 # Options whose text is none of a file, and short names of others.
 TEXTS = {"by", "format", "grid", "box", "at", "strata", "times", "plane", "view", "title", "depth", "coarse", "budget", "contacts", "candidate",
-         "degrees", "axis", "center", "pitch", "tolerance", "radius", "affine", "shortest", "scale", "from", "to", "every",
+         "degrees", "axis", "center", "pitch", "tolerance", "radius", "affine", "shortest", "long", "slerp", "scale", "from", "to", "every",
          "numbers", "dyadic", "dimension", "folder", "o", "columns", "angles", "diameter", "length", "corner", "taper", "size",
          "near-rotation"}
 EXTRA = {("validate", "keep"), ("validate", "output")}  # their commands add what they write

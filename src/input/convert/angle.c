@@ -13,8 +13,7 @@ void half_angle_clear(half_angle *h) {
     fmpq_clear(h->c);
 }
 
-/* To nearest, or up where `round` says so. */
-static void set_rounded(mpfr_t out, const fmpq_t value, mpfr_rnd_t round) {
+void rational_to_mpfr(mpfr_t out, const fmpq_t value, mpfr_rnd_t round) {
     mpq_t copy;
     mpq_init(copy);
     fmpq_get_mpq(copy, value);
@@ -22,13 +21,22 @@ static void set_rounded(mpfr_t out, const fmpq_t value, mpfr_rnd_t round) {
     mpq_clear(copy);
 }
 
+int bound_exceeds(const mpfr_t bound, const fmpq_t most) {
+    mpq_t copy;
+    mpq_init(copy);
+    fmpq_get_mpq(copy, most);
+    int more = mpfr_cmp_q(bound, copy) > 0;
+    mpq_clear(copy);
+    return more;
+}
+
 void root_above(mpfr_t out, const fmpq_t square) {
-    set_rounded(out, square, MPFR_RNDU);
+    rational_to_mpfr(out, square, MPFR_RNDU);
     mpfr_sqrt(out, out, MPFR_RNDU);
 }
 
 static void length_of(mpfr_t out, const fmpq_t square) {
-    set_rounded(out, square, MPFR_RNDN);
+    rational_to_mpfr(out, square, MPFR_RNDN);
     mpfr_sqrt(out, out, MPFR_RNDN);
 }
 
@@ -44,7 +52,7 @@ static void radians(mpfr_t out, const fmpq_t f) {
     fmpq_add(rest, rest, f);
     fmpz_fdiv_q(whole, fmpq_numref(rest), fmpq_denref(rest));
     fmpq_sub_fmpz(rest, f, whole);
-    set_rounded(out, rest, MPFR_RNDN);
+    rational_to_mpfr(out, rest, MPFR_RNDN);
     mpfr_const_pi(pi, MPFR_RNDN);
     mpfr_mul(out, out, pi, MPFR_RNDN);
     mpfr_mul_2ui(out, out, 1, MPFR_RNDN);
@@ -88,9 +96,9 @@ static void argument(mpfr_t out, const half_angle *h, const fmpq_t square) {
     mpfr_t across, along;
     mpfr_inits2(ANGLE_BITS, across, along, (mpfr_ptr)0);
     length_of(out, square);
-    set_rounded(across, h->c, MPFR_RNDN);
+    rational_to_mpfr(across, h->c, MPFR_RNDN);
     mpfr_mul(across, across, out, MPFR_RNDN);
-    set_rounded(along, h->w, MPFR_RNDN);
+    rational_to_mpfr(along, h->w, MPFR_RNDN);
     mpfr_atan2(out, across, along, MPFR_RNDN);
     mpfr_clears(across, along, (mpfr_ptr)0);
 }
@@ -156,44 +164,68 @@ static void mismatch(mpfr_t out, const half_angle *from, const half_angle *to,
     fmpq_clear(low);
 }
 
-/* Let b = arg z1 - arg z0 > 0 (b < 0 is its mirror image).
- * Equal lengths: with x = 2s - 1 and h = b/2 the argument exceeds the uniform one by
- * g(x) = atan(x tan h) - h x, and g(-1) = g(0) = g(1) = 0. As |g''| <= 2 tan(h)^3 |x| and the
- * solution of k'' = -2 tan(h)^3 x with the same zeros is k = tan(h)^3 (x - x^3) / 3, on [0, 1]
- * 0 <= g <= k <= 2 tan(h)^3 / (9 sqrt 3) < 0.1284 tan(h)^3, and g is odd.
- * Lengths r0, r1: the same curve is run through with s' = s r1 / ((1 - s) r0 + s r1) in place of s,
- * and |s' - s| = s (1 - s) |r1 - r0| / ((1 - s) r0 + s r1) <= |r1 - r0| / (4 min(r0, r1)).
- * Both together, and twice for the whole angle. */
+void half_angle_apart(mpfr_t out, const half_angle *from, const half_angle *to,
+                      const fmpq_t square) {
+    mpfr_t start;
+    mpfr_init2(start, ANGLE_BITS);
+    argument(start, from, square);
+    argument(out, to, square);
+    gap(out, start, out);
+    add_slack(out);
+    mpfr_clear(start);
+}
+
+/* With x = 2s - 1, h = b / 2 and T = tan h the argument exceeds the uniform one by
+ * g(x) = atan(x T) - h x, an odd function. On [0, 1] it is not negative, and grows with h, since
+ * its derivative by h is x ((1 + T^2) / (1 + x^2 T^2) - 1). Its maximum is where 1 + x^2 T^2 = T /
+ * h; at a place that is d beside it g is less by at most T^3 d^2, as |g''| <= 2 T^3, and where T /
+ * h - 1 loses all digits T^3 is below 2^-470. Both terms are between 0 and h, which serves where b
+ * is so large that T is no small number. */
+void angle_sway(mpfr_t out, const mpfr_t apart) {
+    mpfr_t h, tangent, x;
+    mpfr_set(out, apart, MPFR_RNDU);
+    if (mpfr_cmp_d(apart, 2.8) > 0)
+        return;
+    mpfr_inits2(ANGLE_BITS, h, tangent, x, (mpfr_ptr)0);
+    mpfr_div_2ui(h, out, 1, MPFR_RNDU);
+    mpfr_tan(tangent, h, MPFR_RNDN);
+    mpfr_div(out, tangent, h, MPFR_RNDN);
+    mpfr_sub_ui(out, out, 1, MPFR_RNDN);
+    mpfr_sqrt(out, out, MPFR_RNDN);
+    mpfr_div(x, out, tangent, MPFR_RNDN);
+    mpfr_mul(x, x, h, MPFR_RNDN);
+    mpfr_atan(out, out, MPFR_RNDN);
+    mpfr_sub(out, out, x, MPFR_RNDN);
+    add_slack(out);
+    mpfr_mul_2ui(out, out, 1, MPFR_RNDU);
+    mpfr_clears(h, tangent, x, (mpfr_ptr)0);
+}
+
+/* Lengths r0, r1: the curve of equal lengths is run through with
+ * s' = s r1 / ((1 - s) r0 + s r1) in place of s, and
+ * |s' - s| = s (1 - s) |r1 - r0| / ((1 - s) r0 + s r1) <= |r1 - r0| / (4 min(r0, r1)).
+ * Both together, and twice for the whole angle; each argument is between those of z0 and z1. */
 void half_angle_sway(mpfr_t out, const half_angle *from, const half_angle *to,
                      const fmpq_t square) {
-    mpfr_t start, apart, share;
-    mpfr_inits2(ANGLE_BITS, start, apart, share, (mpfr_ptr)0);
-    argument(start, from, square);
-    argument(apart, to, square);
-    gap(apart, start, apart);
-    add_slack(apart);
-    mpfr_div_2ui(out, apart, 1, MPFR_RNDU);
-    mpfr_tan(out, out, MPFR_RNDU);
-    mpfr_pow_ui(out, out, 3, MPFR_RNDU);
-    mpfr_mul_ui(out, out, 2568, MPFR_RNDU);
-    mpfr_div_ui(out, out, 10000, MPFR_RNDU);
+    mpfr_t apart, share;
+    mpfr_inits2(ANGLE_BITS, apart, share, (mpfr_ptr)0);
+    half_angle_apart(apart, from, to, square);
+    angle_sway(out, apart);
     mismatch(share, from, to, square);
     mpfr_mul(share, share, apart, MPFR_RNDU);
     mpfr_div_2ui(share, share, 1, MPFR_RNDU);
     mpfr_add(out, out, share, MPFR_RNDU);
-    mpfr_clears(start, apart, share, (mpfr_ptr)0);
+    mpfr_mul_2ui(apart, apart, 1, MPFR_RNDU);
+    mpfr_min(out, out, apart, MPFR_RNDU);
+    mpfr_clears(apart, share, (mpfr_ptr)0);
 }
 
 static int angle_within(const half_angle *h, const fmpq_t f, const fmpq_t square,
                         const fmpq_t tolerance) {
     mpfr_t error;
-    mpq_t bound;
     mpfr_init2(error, ANGLE_BITS);
-    mpq_init(bound);
     half_angle_error(error, h, f, square);
-    fmpq_get_mpq(bound, tolerance);
-    int good = mpfr_cmp_q(error, bound) <= 0;
-    mpq_clear(bound);
+    int good = !bound_exceeds(error, tolerance);
     mpfr_clear(error);
     return good;
 }

@@ -38,15 +38,27 @@ void half_angle_convergent(half_angle *out, const fmpq_t f, const fmpq_t square,
  * 0 where both angles are 0. */
 void half_angle_error(mpfr_t out, const half_angle *h, const fmpq_t f, const fmpq_t square);
 
+/** An upper bound of the angle between two pairs, less than 180 degrees, that exceeds it by at most
+ * 2^(1 - ANGLE_SLACK). */
+void half_angle_apart(mpfr_t out, const half_angle *from, const half_angle *to,
+                      const fmpq_t square);
+
 /**
  * An upper bound, radians, of how far the angle 2 arg((1 - s) z0 + s z1), s in [0, 1], strays from
- * the uniform 2 ((1 - s) arg z0 + s arg z1), where z = w + i c L and z0, z1 are at most 90 degrees
- * apart (proof in angle.c).
+ * the uniform 2 ((1 - s) arg z0 + s arg z1), where z = w + i c L: first for numbers of one length
+ * that are `apart`, then for all. Proofs stand in angle.c.
  */
+void angle_sway(mpfr_t out, const mpfr_t apart);
 void half_angle_sway(mpfr_t out, const half_angle *from, const half_angle *to, const fmpq_t square);
 
 /** The multiple of 2^-bits nearest to a number, ties to even. */
 void round_to_grid(fmpq_t out, const mpfr_t value, slong bits);
+
+/** A rational number in MPFR's. */
+void rational_to_mpfr(mpfr_t out, const fmpq_t value, mpfr_rnd_t round);
+
+/** Is a bound greater than a rational number? */
+int bound_exceeds(const mpfr_t bound, const fmpq_t most);
 
 /** An upper bound of the root of a number that is not negative. */
 void root_above(mpfr_t out, const fmpq_t square);

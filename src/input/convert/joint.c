@@ -61,10 +61,10 @@ static graze_status measure_axis(graze_context *context, joint *j, size_t index)
  * their images. */
 static void set_reach(joint *j, mpfr_t far) {
     fmpq_t along, apart;
-    mpfr_t way;
+    mpfr_t way, along_axis;
     fmpq_init(along);
     fmpq_init(apart);
-    mpfr_init2(way, ANGLE_BITS);
+    mpfr_inits2(ANGLE_BITS, way, along_axis, (mpfr_ptr)0);
     if (j->is_slide) {
         root_above(way, j->square);
     } else {
@@ -77,14 +77,11 @@ static void set_reach(joint *j, mpfr_t far) {
         mpfr_mul_2ui(way, j->reach, 1, MPFR_RNDU);
         mpfr_add(j->reach, j->reach, far, MPFR_RNDU);
         fmpq_abs(apart, j->advance);
-        mpq_t copy;
-        mpq_init(copy);
-        fmpq_get_mpq(copy, apart);
-        mpfr_add_q(way, way, copy, MPFR_RNDU);
-        mpq_clear(copy);
+        rational_to_mpfr(along_axis, apart, MPFR_RNDU);
+        mpfr_add(way, way, along_axis, MPFR_RNDU);
     }
     mpfr_add(far, far, way, MPFR_RNDU);
-    mpfr_clear(way);
+    mpfr_clears(way, along_axis, (mpfr_ptr)0);
     fmpq_clear(apart);
     fmpq_clear(along);
 }
@@ -93,17 +90,13 @@ graze_status joints_measure(joint *joints, graze_context *context, const target 
                             size_t count) {
     graze_status status = GRAZE_OK;
     mpfr_t far;
-    mpq_t radius;
     mpfr_init2(far, ANGLE_BITS);
-    mpq_init(radius);
-    fmpq_get_mpq(radius, goal->radius);
-    mpfr_set_q(far, radius, MPFR_RNDU);
+    rational_to_mpfr(far, goal->radius, MPFR_RNDU);
     for (size_t i = 0; i < count && !status; i++) {
         status = measure_axis(context, joints + i, i);
         if (!status)
             set_reach(joints + i, far);
     }
-    mpq_clear(radius);
     mpfr_clear(far);
     return status;
 }
@@ -138,13 +131,9 @@ void put_fact(text *t, const char *name, const mpfr_t bound, const char *unit) {
 
 void put_rational_fact(text *t, const char *name, const fmpq_t bound) {
     mpfr_t above;
-    mpq_t copy;
     mpfr_init2(above, 64);
-    mpq_init(copy);
-    fmpq_get_mpq(copy, bound);
-    mpfr_set_q(above, copy, MPFR_RNDU);
+    rational_to_mpfr(above, bound, MPFR_RNDU);
     put_fact(t, name, above, "");
-    mpq_clear(copy);
     mpfr_clear(above);
 }
 

@@ -11,19 +11,16 @@
 #include "base/number/rounding.h"
 #include "input/convert/joint.h"
 #include "input/convert/poses_nearest.h"
+#include "input/convert/poses_slerp.h"
 #include "input/convert/poses_turned.h"
 
 static graze_status refuse_pose(graze_context *context, const pose_list *list, const pose *p,
                                 const fmpq_t deviation) {
     mpfr_t shown;
-    mpq_t copy;
     char digits[64];
     mpfr_init2(shown, 64);
-    mpq_init(copy);
-    fmpq_get_mpq(copy, deviation);
-    mpfr_set_q(shown, copy, MPFR_RNDU);
+    rational_to_mpfr(shown, deviation, MPFR_RNDU);
     mpfr_snprintf(digits, sizeof digits, "%.2RUe", shown);
-    mpq_clear(copy);
     mpfr_clear(shown);
     return context_fail_in(context, GRAZE_EINPUT, list->source, p->line,
                            "the matrix is no rotation: an entry is %s off the nearest one; "
@@ -70,63 +67,53 @@ static graze_status find_rotations(text *report, graze_context *context, pose_li
     return status;
 }
 
-/* Whether b is a multiple of a, which is not zero, by a number below zero. */
-static int are_opposite(const fmpq *a, const fmpq *b) {
-    fmpq_t along, sine;
-    fmpq_init(along);
-    fmpq_init(sine);
-    int parallel = 1;
-    for (int k = 0; k < 4; k++) {
-        fmpq_addmul(along, a + k, b + k);
-        for (int j = 0; j < k; j++) {
-            fmpq_mul(sine, a + j, b + k);
-            fmpq_submul(sine, a + k, b + j);
-            parallel &= fmpq_is_zero(sine);
-        }
+static void put_keyframe(text *t, const pose *p, const pose_list *list) {
+    fmpq position[3];
+    for (int k = 0; k < 3; k++)
+        position[k] = p->matrix[4 * k + 3];
+    text_put(t, p == list->item ? " {\"t\": \"" : ",\n {\"t\": \"");
+    text_rational(t, p->time);
+    text_format(t, "\", \"row\": %lu, \"position\": ", p->row);
+    put_vector(t, position, 3);
+    if (list->form != POSES_OF_POSITIONS) {
+        text_put(t, ", \"quaternion\": ");
+        put_vector(t, p->quaternion, 4);
     }
-    parallel &= fmpq_sgn(along) < 0;
-    fmpq_clear(along);
-    fmpq_clear(sine);
-    return parallel;
+    text_put(t, "}");
 }
 
-/* No quaternion may be zero, nor become zero between two poses. */
-static graze_status check_quaternions(graze_context *context, const pose_list *list) {
-    for (size_t i = 0; i < list->count; i++) {
-        const pose *p = list->item + i;
-        int zero = 1;
-        for (int k = 0; k < 4; k++)
-            zero &= fmpq_is_zero(p->quaternion + k);
-        if (zero)
-            return context_fail_in(context, GRAZE_EINPUT, list->source, p->line,
-                                   "the quaternion is zero; expected that of a rotation");
-        if (i && are_opposite(p[-1].quaternion, p->quaternion))
-            return context_fail_in(context, GRAZE_EINPUT, list->source, p->line,
-                                   "the quaternion is opposite to that of line %lu, and zero "
-                                   "between them; expected the same rotation with the other signs",
-                                   p[-1].line);
-    }
-    return GRAZE_OK;
+/* The poses between two, in the middle first. */
+static void put_between(text *t, const pose_list *list, const slerp_course *s, const pose *from,
+                        const pose *to, int halvings) {
+    if (!halvings)
+        return;
+    pose middle;
+    pose_init(&middle);
+    slerp_middle(&middle, s, from, to);
+    put_between(t, list, s, from, &middle, halvings - 1);
+    put_keyframe(t, &middle, list);
+    put_between(t, list, s, &middle, to, halvings - 1);
+    pose_clear(&middle);
 }
 
-static void put_keyframes(text *t, const pose_list *list) {
-    text_put(t, "{\"dimension\": 3,\n\"keyframes\": [\n");
-    for (size_t i = 0; i < list->count; i++) {
+/* Poses and, where a tolerance is given, those between them that bring the way near SLERP. */
+static graze_status put_keyframes(conversion *out, graze_context *context, const pose_list *list,
+                                  const fmpq *tolerance) {
+    slerp_course s = {.tolerance = tolerance};
+    graze_status status = GRAZE_OK;
+    text_put(&out->motion, "{\"dimension\": 3,\n\"keyframes\": [\n");
+    for (size_t i = 0; i < list->count && !status; i++) {
         const pose *p = list->item + i;
-        fmpq position[3];
-        for (int k = 0; k < 3; k++)
-            position[k] = p->matrix[4 * k + 3];
-        text_put(t, " {\"t\": \"");
-        text_rational(t, p->time);
-        text_format(t, "\", \"row\": %lu, \"position\": ", p->row);
-        put_vector(t, position, 3);
-        if (list->form != POSES_OF_POSITIONS) {
-            text_put(t, ", \"quaternion\": ");
-            put_vector(t, p->quaternion, 4);
-        }
-        text_put(t, i + 1 < list->count ? "},\n" : "}\n");
+        if (list->form != POSES_OF_POSITIONS)
+            status = slerp_look(&s, context, list, i);
+        if (!status && i)
+            put_between(&out->motion, list, &s, p - 1, p, s.halvings);
+        put_keyframe(&out->motion, p, list);
     }
-    text_put(t, "]}\n");
+    text_put(&out->motion, "\n]}\n");
+    if (list->form != POSES_OF_POSITIONS)
+        slerp_report(&out->report, &s, list->unit);
+    return status;
 }
 
 static void put_interpolated(text *t, const fmpq *from, const fmpq *to) {
@@ -159,58 +146,49 @@ static void put_matrices(text *t, const pose_list *list) {
     text_put(t, "]}\n");
 }
 
-/* Is the quaternion of a pose more than 90 degrees from the one before: more than 180 of rotation?
- */
-static int is_long_way(const pose *p) {
-    return pose_along(p) < 0;
-}
-
-/* Begin or go on with a list of poses, of which the first few are named. */
-static void put_pose_row(text *t, size_t count, const char *before, const char *what,
-                         const pose *p) {
+/* Give each quaternion the sign that is nearer to the one before, unless signs are kept, and name
+ * the poses of which more than half a turn was asked, neighbours as a range. */
+static void take_ways(text *t, pose_list *list, int keep) {
     enum { NAMED = 10 };
-    if (count == 0)
-        text_format(t, "%s%s ", before, what);
-    if (count < NAMED)
-        text_format(t, "%s%lu", count ? ", " : "", p->row);
-    else if (count == NAMED)
-        text_put(t, ", ...");
-}
-
-/* Give each quaternion the sign that is nearer to the one before. */
-static void take_short_ways(text *t, pose_list *list, int numbered) {
-    size_t count = 0;
-    for (size_t i = 1; i < list->count; i++) {
+    size_t count = 0, ranges = 0, length = 0;
+    for (size_t i = 1; i <= list->count; i++) {
         pose *p = list->item + i;
-        if (!is_long_way(p))
-            continue;
-        pose_negate(p);
-        put_pose_row(t, count++, "shortest: signs of quaternions changed at",
-                     numbered ? " poses" : " lines", p);
+        int is_long = i < list->count && pose_along(p) < 0;
+        if (is_long && !keep)
+            pose_negate(p);
+        if (!count && is_long)
+            text_format(t,
+                        keep
+                            ? "long way: quaternions are more than half a turn of those before, at "
+                              "%ss"
+                            : "shortest: signs of quaternions changed at %ss",
+                        list->unit);
+        if (is_long && !length++ && ranges++ <= NAMED)
+            text_format(t, ranges > NAMED ? ", ..." : ranges > 1 ? ", %lu" : " %lu", p->row);
+        if (!is_long && length > 1 && ranges <= NAMED)
+            text_format(t, "-%lu", p[-1].row);
+        length = is_long ? length : 0;
+        count += (size_t)is_long;
     }
-    text_format(t, count ? "; %zu in all\n" : "shortest: no sign of a quaternion changed\n", count);
-}
-
-static void report_long_ways(text *t, pose_list *list, int numbered) {
-    size_t count = 0;
-    for (size_t i = 1; i < list->count; i++)
-        if (is_long_way(list->item + i))
-            put_pose_row(
-                t, count++,
-                "long way: the signs of the quaternions ask for more than half a turn up to the "
-                "poses",
-                numbered ? "" : " of lines", &list->item[i]);
     if (count)
-        text_format(t, "; %zu in all; they are kept (`--shortest` changes signs)\n", count);
+        text_format(t, "; %zu in all%s\n", count,
+                    keep ? "; they are kept" : " (`--long` keeps them)");
 }
 
 /* What was read, and what was done with it. */
-static void report_poses(text *t, const pose_list *list, int affine, const pose_choice *choice) {
+static void report_poses(text *t, const pose_list *list, unsigned ways, const pose_choice *choice,
+                         graze_rounding rounding) {
+    int affine = (ways & GRAZE_POSES_AFFINE) != 0;
     text_format(t, "poses: %zu", list->count);
     if (list->count < list->rows)
         text_format(t, " of %lu", list->rows);
-    text_format(t, ", each %s exactly as given at its time\n",
-                affine || list->form == POSES_OF_QUATERNIONS ? "one" : "position");
+    text_format(t, ", each %s %sat its time",
+                affine || list->form == POSES_OF_QUATERNIONS ? "one" : "position",
+                rounding ? "" : "exactly as given ");
+    if (rounding)
+        text_format(t, ", all numbers rounded to %s (`--numbers written` takes them exactly)",
+                    graze_rounding_name(rounding));
+    text_put(t, "\n");
     if (!fmpq_is_one(choice->scale)) {
         text_put(t, "scale: positions are those given times ");
         text_rational(t, choice->scale);
@@ -219,13 +197,15 @@ static void report_poses(text *t, const pose_list *list, int affine, const pose_
     text_put(t, affine ? "between: every entry of the matrix is linear\n"
                 : list->form == POSES_OF_POSITIONS
                     ? "between: the position is linear; the list has no rotations\n"
+                : ways & GRAZE_POSES_SLERP
+                    ? "between: the position is linear, the rotation near SLERP\n"
                     : "between: position and quaternion are linear, the quaternion not "
                       "normalised\n");
 }
 
 /* Quaternions of what the rows have for rotations. */
 static graze_status find_quaternions(conversion *out, graze_context *context, pose_list *list,
-                                     const pose_choice *choice, int shortest,
+                                     const pose_choice *choice, unsigned ways,
                                      const fmpq_t tolerance) {
     graze_status status = GRAZE_OK;
     if (list->form == POSES_OF_POSITIONS)
@@ -235,25 +215,27 @@ static graze_status find_quaternions(conversion *out, graze_context *context, po
     else if (list->form != POSES_OF_QUATERNIONS)
         status = poses_turn(&out->report, context, list, choice->naming.order, tolerance);
     if (!status)
-        (shortest ? take_short_ways : report_long_ways)(&out->report, list, choice->numbered);
-    return status ? status : check_quaternions(context, list);
+        take_ways(&out->report, list, (ways & GRAZE_POSES_LONG) != 0);
+    return status;
 }
 
 graze_status convert_poses(conversion *out, graze_context *context, const char *path,
-                           const pose_choice *choice, int affine, int shortest,
-                           const fmpq_t tolerance) {
+                           const pose_choice *choice, unsigned ways, const fmpq_t tolerance) {
     pose_list list;
+    int affine = (ways & GRAZE_POSES_AFFINE) != 0;
     graze_status status = poses_read(&list, &out->report, context, path, choice);
     if (!status && affine && list.form != POSES_OF_MATRICES)
         status = context_fail_in(context, GRAZE_EINPUT, path, 0,
                                  "the poses are no matrices; expected matrices for an affine "
                                  "motion");
     if (!status)
-        report_poses(&out->report, &list, affine, choice);
+        report_poses(&out->report, &list, ways, choice, context->rounding);
     if (!status && !affine)
-        status = find_quaternions(out, context, &list, choice, shortest, tolerance);
-    if (!status)
-        (affine ? put_matrices : put_keyframes)(&out->motion, &list);
+        status = find_quaternions(out, context, &list, choice, ways, tolerance);
+    if (!status && affine)
+        put_matrices(&out->motion, &list);
+    else if (!status)
+        status = put_keyframes(out, context, &list, ways & GRAZE_POSES_SLERP ? tolerance : NULL);
     poses_clear(&list);
     return status;
 }

@@ -81,11 +81,12 @@ static graze_status take_given(const naming *n) {
             if (field_equal(field_content(n->first->item[i]), column))
                 place = (int)i;
         if (k == POSE_COLUMNS || !column.length)
-            return context_fail(n->context, GRAZE_EUSE,
-                                "columns: '%.*s': expected NAME=COLUMN, NAME one of t, "
-                                "nanoseconds, x, y, z, qw, qx, qy, qz, i, j, k, m00 to m33 or an "
-                                "angle of the machine",
-                                FIELD_SHOWN(name));
+            return context_fail(
+                n->context, GRAZE_EUSE,
+                "columns: '%.*s': expected NAME=COLUMN, NAME one of t, "
+                "nanoseconds, row, x, y, z, qw, qx, qy, qz, i, j, k, m00 to m33 or an "
+                "angle of the machine",
+                FIELD_SHOWN(name));
         if (place < 0)
             return refuse_missing(n, column);
         if (n->out->place[k] >= 0)

@@ -24,6 +24,7 @@ static const struct {
     {"i", POSE_AXIS},
     {"j", POSE_AXIS + 1},
     {"k", POSE_AXIS + 2},
+    {"row", POSE_ROW},
     {"nanoseconds", POSE_NANOSECONDS},
     {"%time", POSE_NANOSECONDS}, /* of rostopic echo -p */
     {"tx", POSE_POSITION},

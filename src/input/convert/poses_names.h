@@ -9,7 +9,7 @@
 #include "input/delimited/field.h"
 
 /** Columns with a meaning: t; x, y, z; qw, qx, qy, qz; m00 to m33 row by row; i, j, k of a tool's
- * axis; three angles; nanoseconds, which are added to t. */
+ * axis; three angles; nanoseconds, which are added to t; the number of the row in a log. */
 enum {
     POSE_TIME = 0,
     POSE_POSITION = 1,
@@ -18,7 +18,8 @@ enum {
     POSE_BOTTOM = POSE_MATRIX + 12,
     POSE_AXIS = POSE_MATRIX + 16,
     POSE_ANGLE = POSE_AXIS + 3,
-    POSE_NANOSECONDS = POSE_ANGLE + 3,
+    POSE_NANOSECONDS = POSE_ANGLE + 3, /* from here on exact, whatever rounds other numbers */
+    POSE_ROW,
     POSE_COLUMNS
 };
 

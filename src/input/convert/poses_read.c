@@ -25,7 +25,15 @@ typedef struct reading {
     int passing; /* the last pose is taken unless another one comes */
 } reading;
 
-static void pose_clear(pose *p) {
+void pose_init(pose *p) {
+    fmpq_init(p->time);
+    for (int k = 0; k < 12; k++)
+        fmpq_init(p->matrix + k);
+    for (int k = 0; k < 4; k++)
+        fmpq_init(p->quaternion + k);
+}
+
+void pose_clear(pose *p) {
     fmpq_clear(p->time);
     for (int k = 0; k < 12; k++)
         fmpq_clear(p->matrix + k);
@@ -38,11 +46,7 @@ static pose *append_pose(reading *r) {
     if (!array_reserve(&list->item, &r->capacity, list->count + 1, sizeof *list->item))
         return NULL;
     pose *p = list->item + list->count++;
-    fmpq_init(p->time);
-    for (int k = 0; k < 12; k++)
-        fmpq_init(p->matrix + k);
-    for (int k = 0; k < 4; k++)
-        fmpq_init(p->quaternion + k);
+    pose_init(p);
     fmpq_set_ui(p->time, list->rows, 1);
     p->line = r->line;
     p->row = r->choice->numbered ? list->rows + 1 : r->line;
@@ -53,7 +57,9 @@ static void drop_pose(pose_list *list) {
     pose_clear(&list->item[--list->count]);
 }
 
-/* Where the value of a known column goes; nanoseconds and the last row of a matrix go nowhere. */
+/* Where the value of a known column goes; nanoseconds, rows and the last row of a matrix go
+ * nowhere.
+ */
 static fmpq *target_of(pose *p, int column) {
     if (column == POSE_TIME)
         return p->time;
@@ -63,7 +69,7 @@ static fmpq *target_of(pose *p, int column) {
         return p->quaternion + (column - POSE_QUATERNION);
     if (column < POSE_BOTTOM)
         return p->matrix + (column - POSE_MATRIX);
-    if (column < POSE_AXIS || column == POSE_NANOSECONDS)
+    if (column < POSE_AXIS || column >= POSE_NANOSECONDS)
         return NULL;
     return p->quaternion + (column - POSE_AXIS) % 3;
 }
@@ -86,13 +92,23 @@ static graze_status add_nanoseconds(const reading *r, pose *p, fmpq_t value) {
     return GRAZE_OK;
 }
 
+static graze_status take_pose_row(const reading *r, pose *p, const fmpq_t value) {
+    static const ulong most = 1000000000000000;
+    if (!fmpz_is_one(fmpq_denref(value)) || fmpq_sgn(value) <= 0 ||
+        fmpz_cmp_ui(fmpq_numref(value), most) > 0)
+        return context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
+                               "row: expected a whole number from 1 to 10^15");
+    p->row = fmpz_get_ui(fmpq_numref(value));
+    return GRAZE_OK;
+}
+
 static graze_status read_pose_value(const reading *r, pose *p, int column) {
     field one = field_content(r->cut.item[r->columns.place[column]]);
     const char *name = pose_column_name(column, r->choice->naming.order);
     graze_rounding rounding = r->context->rounding;
     fmpq_t value;
     fmpq_init(value);
-    if (column == POSE_NANOSECONDS)
+    if (column >= POSE_NANOSECONDS)
         r->context->rounding = GRAZE_ROUND_NONE;
     graze_status status = rational_parse(value, r->context, one.start, one.length);
     r->context->rounding = rounding;
@@ -104,6 +120,8 @@ static graze_status read_pose_value(const reading *r, pose *p, int column) {
         fmpq_set(to, value);
     else if (column == POSE_NANOSECONDS)
         status = add_nanoseconds(r, p, value);
+    else if (column == POSE_ROW)
+        status = take_pose_row(r, p, value);
     else if (column == POSE_AXIS - 1 ? !fmpq_is_one(value) : !fmpq_is_zero(value))
         status = context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
                                  "%s: expected 0, 0, 0, 1 as the last row of a matrix, whose "
@@ -178,6 +196,7 @@ static graze_status read_line(reading *r, field line) {
         status = pose_columns_fix(&r->columns, &header, r->report, r->context, r->list->source,
                                   r->line, &r->cut, r->separator, &r->choice->naming);
     r->list->form = r->columns.form;
+    r->list->unit = r->columns.place[POSE_ROW] >= 0 ? "row" : r->choice->numbered ? "pose" : "line";
     return status || header ? status : read_pose(r);
 }
 

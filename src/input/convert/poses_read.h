@@ -14,7 +14,8 @@ typedef struct pose {
     fmpq quaternion[4]; /* w, x, y, z; at first a tool's axis or angles, and found later of these
                            and of matrices */
     unsigned long line; /* in the file, from 1 */
-    unsigned long row;  /* that its piece has and reports name: the line, or its number from 1 */
+    unsigned long row;  /* that its piece has and reports name: of its column, its number from 1, or
+                           the line */
 } pose;
 
 /** Poses that are taken, and where they stand. */
@@ -32,6 +33,7 @@ typedef struct pose_choice {
 typedef struct pose_list {
     const char *source; /* name of the file, borrowed */
     pose_form form;
+    const char *unit;   /* of `row`: line, pose, row */
     unsigned long rows; /* of the file; some may not have been taken */
     size_t count;
     pose *item;
@@ -48,5 +50,9 @@ typedef struct pose_list {
 graze_status poses_read(pose_list *out, text *report, graze_context *context, const char *path,
                         const pose_choice *choice);
 void poses_clear(pose_list *list);
+
+/** Initialise the numbers of a pose, and free them. */
+void pose_init(pose *p);
+void pose_clear(pose *p);
 
 #endif

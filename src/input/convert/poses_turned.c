@@ -124,8 +124,7 @@ static graze_status axis_rotation(mpfr_t error, graze_context *context, const po
     return status;
 }
 
-/* Bits of an angle of which three are within the tolerance together; 0 asks for the finest. */
-static slong bits_for(const fmpq_t tolerance) {
+slong bits_within(const fmpq_t tolerance) {
     double size = fmpq_get_d(tolerance);
     int exponent = 0;
     frexp(size, &exponent);
@@ -159,12 +158,9 @@ static void report_turned(text *t, const pose_list *list, const angle_order *ord
 graze_status poses_turn(text *report, graze_context *context, pose_list *list,
                         const angle_order *order, const fmpq_t tolerance) {
     graze_status status = GRAZE_OK;
-    slong bits = bits_for(tolerance);
+    slong bits = bits_within(tolerance);
     mpfr_t error, worst;
-    mpq_t most;
     mpfr_inits2(ANGLE_BITS, error, worst, (mpfr_ptr)0);
-    mpq_init(most);
-    fmpq_get_mpq(most, tolerance);
     mpfr_set_zero(worst, 1);
     for (size_t i = 0; i < list->count && !status; i++) {
         pose *p = list->item + i;
@@ -172,7 +168,7 @@ graze_status poses_turn(text *report, graze_context *context, pose_list *list,
             status = axis_rotation(error, context, list, p);
         else
             angles_rotation(p->quaternion, error, order, p->quaternion, bits);
-        if (!status && mpfr_cmp_q(error, most) > 0)
+        if (!status && bound_exceeds(error, tolerance))
             status = refuse_error(context, list, p, error);
         if (!status && i && pose_along(p) < 0)
             pose_negate(p);
@@ -182,7 +178,6 @@ graze_status poses_turn(text *report, graze_context *context, pose_list *list,
     }
     if (!status)
         report_turned(report, list, order, worst);
-    mpq_clear(most);
     mpfr_clears(error, worst, (mpfr_ptr)0);
     return status;
 }

@@ -82,15 +82,11 @@ static void advance_factor(fmpq_t out, const joint *j, slong bits) {
         return;
     }
     mpfr_t value, length;
-    mpq_t copy;
     mpfr_inits2(ANGLE_BITS, value, length, (mpfr_ptr)0);
-    mpq_init(copy);
     root_above(length, j->square);
-    fmpq_get_mpq(copy, j->advance);
-    mpfr_set_q(value, copy, MPFR_RNDN);
+    rational_to_mpfr(value, j->advance, MPFR_RNDN);
     mpfr_div(value, value, length, MPFR_RNDN);
     round_to_grid(out, value, bits + mpfr_get_exp(length));
-    mpq_clear(copy);
     mpfr_clears(value, length, (mpfr_ptr)0);
 }
 
@@ -98,27 +94,22 @@ static void advance_factor(fmpq_t out, const joint *j, slong bits) {
 static void advance_error(mpfr_t out, const joint *j, slong bits) {
     fmpq_t made, asked;
     mpfr_t below;
-    mpq_t copy;
     fmpq_init(made);
     fmpq_init(asked);
     mpfr_init2(below, ANGLE_BITS);
-    mpq_init(copy);
     mpfr_set_zero(out, 1);
     fmpq_abs(asked, j->advance);
     if (!fmpq_is_zero(asked) && fmpq_is_zero(j->length)) {
         advance_factor(made, j, bits);
-        fmpq_get_mpq(copy, asked);
-        mpfr_set_q(below, copy, MPFR_RNDD);
+        rational_to_mpfr(below, asked, MPFR_RNDD);
         fmpq_mul(made, made, made);
         fmpq_mul(made, made, j->square);
         fmpq_mul(asked, asked, asked);
         fmpq_sub(made, made, asked);
         fmpq_abs(made, made);
-        fmpq_get_mpq(copy, made);
-        mpfr_set_q(out, copy, MPFR_RNDU);
+        rational_to_mpfr(out, made, MPFR_RNDU);
         mpfr_div(out, out, below, MPFR_RNDU);
     }
-    mpq_clear(copy);
     mpfr_clear(below);
     fmpq_clear(asked);
     fmpq_clear(made);
@@ -278,15 +269,6 @@ static graze_status total_error(mpfr_t out, mpfr_t *angles, graze_context *conte
     return status;
 }
 
-static int exceeds(const mpfr_t error, const fmpq_t tolerance) {
-    mpq_t copy;
-    mpq_init(copy);
-    fmpq_get_mpq(copy, tolerance);
-    int more = mpfr_cmp_q(error, copy) > 0;
-    mpq_clear(copy);
-    return more;
-}
-
 /* Double the pieces until the error is small enough. The bound of the first piece alone, which is
  * at most that of all, and the limits come before all pieces are looked at. */
 static graze_status refine_pieces(unsigned long *pieces, mpfr_t error, mpfr_t *angles,
@@ -306,13 +288,13 @@ static graze_status refine_pieces(unsigned long *pieces, mpfr_t error, mpfr_t *a
         graze_status status = context_poll(context);
         if (!status)
             status = total_error(error, angles, context, joints, bits, count, *pieces, 1);
-        if (!status && exceeds(error, goal->tolerance))
+        if (!status && bound_exceeds(error, goal->tolerance))
             continue;
         if (!status)
             status = check_work(context, goal, joints, bits, count, *pieces);
         if (!status)
             status = total_error(error, angles, context, joints, bits, count, *pieces, *pieces);
-        if (status || !exceeds(error, goal->tolerance))
+        if (status || !bound_exceeds(error, goal->tolerance))
             return status;
     }
 }

@@ -37,8 +37,10 @@ static const char motion_help[] =
     "  --radius R           if it is within R of the origin at t = 0 (1)\n"
     "                       poses: no entry of a matrix is changed by more than E (1e-6)\n"
     "  --affine             poses: take matrices as they are, interpolate their entries\n"
-    "  --shortest           poses: change signs of quaternions that ask for over half a turn\n"
-    "  --columns NAME=COLUMN,...   poses: the file's name of a column, as tx=pos_x,t=stamp\n"
+    "  --long               poses: keep signs of quaternions that ask for over half a turn; else\n"
+    "                       they are changed to the short way (--shortest)\n"
+    "  --slerp              poses: turn between poses as SLERP does, off by at most E radians\n"
+    "  --columns NAME=COLUMN,...   poses: the file's name of a column, as tx=pos_x,row=N\n"
     "  --angles MACHINE     poses: three angles in degrees are those of a kuka, fanuc, staubli,\n"
     "                       kawasaki or cnc, or rpy: yaw, pitch, roll\n"
     "  --ignore NAME        poses: pass over a column, or all that begin so (NAME*); repeatable\n"
@@ -71,6 +73,8 @@ enum {
     RADIUS,
     AFFINE,
     SHORTEST,
+    LONG,
+    SLERP,
     SCALE,
     FROM,
     TO,
@@ -109,6 +113,8 @@ static const option_entry motion_table[] = {
     [RADIUS] = OPTION("radius", motion_options, own[RADIUS], value_text),
     [AFFINE] = FLAG("affine", motion_options, own[AFFINE], value_text),
     [SHORTEST] = FLAG("shortest", motion_options, own[SHORTEST], value_text),
+    [LONG] = FLAG("long", motion_options, own[LONG], value_text),
+    [SLERP] = FLAG("slerp", motion_options, own[SLERP], value_text),
     [SCALE] = OPTION("scale", motion_options, own[SCALE], value_text),
     [FROM] = OPTION("from", motion_options, own[FROM], value_text),
     [TO] = OPTION("to", motion_options, own[TO], value_text),
@@ -323,9 +329,12 @@ static int make_poses(job *j) {
         return complain(EXIT_USAGE, "poses takes one FILE; see graze motion --help");
     if (numbers && !written && strcmp(numbers, "binary64") != 0)
         return complain(EXIT_USAGE, "--numbers %s: expected binary64 or written", numbers);
+    const char *const *own = j->o->own;
     graze_pose_options chosen = {.size = sizeof chosen,
-                                 .flags = (j->o->own[AFFINE] ? GRAZE_POSES_AFFINE : 0) |
-                                          (j->o->own[SHORTEST] ? GRAZE_POSES_SHORTEST : 0),
+                                 .flags = (own[AFFINE] ? GRAZE_POSES_AFFINE : 0) |
+                                          (own[SHORTEST] ? GRAZE_POSES_SHORTEST : 0) |
+                                          (own[LONG] ? GRAZE_POSES_LONG : 0) |
+                                          (own[SLERP] ? GRAZE_POSES_SLERP : 0),
                                  .tolerance = j->tolerance,
                                  .columns = j->o->own[COLUMNS],
                                  .angles = j->o->own[ANGLES],
@@ -394,7 +403,8 @@ enum {
     TAKEN_BY_JOINTS = TAKEN_BY_DYADIC | 1 << DYADIC | 1 << RADIUS | 1 << DIMENSION,
     TAKEN_BY_TURNS = TAKEN_BY_JOINTS | 1 << DEGREES | 1 << AXIS | 1 << CENTER | 1 << PITCH,
     TAKEN_BY_POSES = TAKEN_BY_DYADIC | 1 << DYADIC | 1 << AFFINE | 1 << NUMBERS | 1 << SHORTEST |
-                     1 << COLUMNS | 1 << ANGLES | 1 << SCALE | 1 << FROM | 1 << TO | 1 << EVERY
+                     1 << LONG | 1 << SLERP | 1 << COLUMNS | 1 << ANGLES | 1 << SCALE | 1 << FROM |
+                     1 << TO | 1 << EVERY
 };
 
 /* The kinds, and which of their own options each has a use for. */

@@ -16,7 +16,7 @@ from ._library import CPoseOptions, library
 from ._motions import filled, written
 from .errors import GrazeError, UseError, name_argument
 
-_AFFINE, _SHORTEST, _NUMBERED = 1, 2, 4
+_AFFINE, _SHORTEST, _NUMBERED, _LONG, _SLERP = 1, 2, 4, 8, 16
 _SHAPES = {(4, 4): 16, (3, 4): 12, (7,): 7}
 _ORDERS = {"wxyz": ["qw", "qx", "qy", "qz"], "xyzw": ["qx", "qy", "qz", "qw"]}
 
@@ -30,6 +30,8 @@ class PoseForm(NamedTuple):
     ignore: Sequence[str]
     affine: bool
     shortest: bool
+    long: bool
+    slerp: bool
     tolerance: Any
     numbers: Optional[str]
 
@@ -105,7 +107,8 @@ def by_poses(poses: Any, times: Any, form: PoseForm,
     rounded = is_file and form.numbers != "written"
     context = Context(settings("binary64" if rounded else "none", limits, True))
     goal = filled([form.tolerance], 1, context, "the tolerance")
-    options = CPoseOptions(flags=_AFFINE * form.affine + _SHORTEST * form.shortest,
+    options = CPoseOptions(flags=_AFFINE * form.affine + _SHORTEST * form.shortest
+                           + _LONG * form.long + _SLERP * form.slerp,
                            tolerance=goal.address, size=ctypes.sizeof(CPoseOptions))
     if form.columns is not None:
         columns = form.columns

@@ -261,8 +261,9 @@ class Motion:
     @classmethod
     def poses(cls, poses: Any, times: Any = None, *, quaternions: "str | None" = None,
               columns: Any = None, angles: "str | None" = None, ignore: Sequence[str] = (),
-              affine: bool = False, shortest: bool = False, tolerance: Any = "1e-6",
-              numbers: "str | None" = None, limits: "Mapping[str, int] | None" = None) -> "Motion":
+              affine: bool = False, shortest: bool = False, long: bool = False, slerp: bool = False,
+              tolerance: Any = "1e-6", numbers: "str | None" = None,
+              limits: "Mapping[str, int] | None" = None) -> "Motion":
         """A motion through poses, linear between them (`graze motion poses`).
 
         Args:
@@ -273,20 +274,26 @@ class Motion:
             times: n increasing numbers; without them those of the column, else 0, 1, 2, ...
             quaternions: of an array (n, 7): `wxyz`, or `xyzw` as ROS and scipy have them. There is
                 no default: the numbers do not tell.
-            columns: names of columns, as {"tx": "pos_x"} or "tx=pos_x,...".
+            columns: names of columns, as {"tx": "pos_x"} or "tx=pos_x,...". That of `row` has the
+                rows that pieces get, whole numbers from 1 up.
             angles: the machine of three angles in degrees, as `graze motion poses --angles`.
             ignore: names of columns to pass over.
             affine: take matrices as they are; else each becomes the nearest rotation, which
                 changes no entry by more than `tolerance`.
-            shortest: change signs of quaternions that ask for more than half a turn.
+            shortest: the default: signs of quaternions that ask for more than half a turn are changed;
+                `report` says where.
+            long: keep them.
+            slerp: turn between poses as SLERP does, up to an angle of `tolerance` radians at each time,
+                by further poses between; without it `report` bounds the difference.
             numbers: of a log in a file: `binary64`, the doubles that they were printed from, as
                 `graze motion poses` takes them and pandas reads them (default), or `written`.
 
         The columns first_row and last_row of `Scene(moments=True)`, and the report, name poses of a
         file by their lines, those of arrays and frames by their numbers, from 1: row k is
-        `poses.iloc[k - 1]`. A piece has the row of the pose that it leads to.
+        `poses.iloc[k - 1]`, unless a column has the rows. A piece has the row of the pose that it leads to.
         """
-        form = PoseForm(quaternions, columns, angles, ignore, affine, shortest, tolerance, numbers)
+        form = PoseForm(quaternions, columns, angles, ignore, affine, shortest, long, slerp, tolerance,
+                        numbers)
         return cls._made(*by_poses(poses, times, form, limits), limits)
 
     def dyadic(self, tolerance: Any = "1e-6") -> "Motion":
