@@ -97,9 +97,9 @@ def researcher(user):
 def engineer(user):
     """A mesh and a TUM log: is it legal, what does it sweep, how far does it reach."""
     user.write("poses.txt", "# timestamp tx ty tz qx qy qz qw\n0.0 0 0 0 0 0 0 1\n0.5 4000 0 0 0 0 0 -1\n1.0 8000 0 0 0 0 0 1\n")
-    said = user.sh("graze motion poses poses.txt --scale 1/1000 -o log.json", 3)
+    said = user.sh("graze motion poses poses.txt --scale 1/1000 --long -o log.json", 3)
     check("opposite" in said, "signs that jump are told", said)
-    said = user.sh("graze motion poses poses.txt --scale 1/1000 --shortest -o log.json")
+    said = user.sh("graze motion poses poses.txt --scale 1/1000 -o log.json")
     check("signs of quaternions changed at lines 3; 1 in all" in said, said)
     check("legal" in user.sh("graze check box.stl log.json"), "the pair is legal")
     user.sh("graze boundary box.stl log.json --depth 4 --surface swept.ply")
