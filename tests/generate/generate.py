@@ -320,7 +320,7 @@ def check_spent(suite):
     rest is theirs."""
     solid = suite.path("square.wkt", SQUARE)
     motion = suite.path("steps.json", '{"dimension": 2, "pieces": [{"t": [0, 1], "transform": {"translate": ["t", 0]}}]}')
-    for strata, count, note in (("vertex", 5000, " points were made; no others were found"), ("vertex=1,random=1", 5000, "the strata vertex have fewer")):
+    for strata, count, note in (("vertex", 5000, " points were made; no others were found"), ("vertex=1,random=1", 5000, "were found of the strata vertex")):
         done = run([suite.graze, "generate", solid, motion, "-n", count, "--seed", 1, "--strata", strata])
         rows = Table(done.stdout).rows
         points = {(row["x"], row["y"]) for row in rows}
@@ -329,7 +329,7 @@ def check_spent(suite):
         # At most four corners at 512 times.
         suite.checks.holds(500 < vertices <= 4 * 512, strata, vertices)
         suite.checks.equal(len(rows), vertices if strata == "vertex" else count, strata, "rows")
-        suite.checks.holds(note in done.stderr and "the strata vertex have fewer points" in done.stderr, strata, done.stderr)
+        suite.checks.holds(note in done.stderr and "fewer points than their weights ask for were found of the strata vertex" in done.stderr, strata, done.stderr)
         suite.checks.equal(done.returncode, 0, strata)
 
 

@@ -57,7 +57,7 @@ static void put_json_text(text *out, const char *name, const char *value) {
 
 /* What no points were made of, if anything. */
 static void put_lost(text *out, const lost_strata *lost, graze_comparison_format format) {
-    char *said = lost_strata_text(lost);
+    char *said = lost_strata_text(lost, format == GRAZE_COMPARISON_JSON ? "; " : "\npoints: ");
     if (!said)
         out->failed = 1;
     else if (*said && format == GRAZE_COMPARISON_JSON)

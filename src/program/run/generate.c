@@ -273,10 +273,10 @@ static int find_lost(maker *m, const generate_options *o) {
 
 /* Say which strata get no points, or fewer. */
 static int tell_lost(const lost_strata *lost, const generate_options *o) {
-    char *said = lost_strata_text(lost);
+    char *said = lost_strata_text(lost, "\n");
     int status = said ? EXIT_DONE : complain(EXIT_IO, "out of memory");
-    if (said && *said)
-        status = complain(EXIT_DONE, "note: %s: %s", o->scene.motion, said);
+    for (char *line = said ? strtok(said, "\n") : NULL; line; line = strtok(NULL, "\n"))
+        complain(EXIT_DONE, "note: %s: %s", o->scene.motion, line);
     free(said);
     return status;
 }

@@ -47,36 +47,32 @@ static void put_stratum_names(text *t, unsigned set) {
         }
 }
 
-char *lost_strata_text(const lost_strata *lost) {
+/* A line about some strata, if there are any. */
+static void put_line(text *t, const char *between, const char *before, unsigned set,
+                     const char *behind) {
+    if (!set)
+        return;
+    text_put(t, t->length ? between : "");
+    text_put(t, before);
+    put_stratum_names(t, set);
+    text_put(t, behind);
+}
+
+char *lost_strata_text(const lost_strata *lost, const char *between) {
     text t;
     text_init(&t);
     text_put(&t, "");
-    if (lost->unrepresentable) {
-        text_put(&t, "no points of the strata ");
-        put_stratum_names(&t, lost->unrepresentable);
-        text_put(&t, " have coordinates that a binary64 holds, since numbers of the motion (or of "
-                     "the solid) are not dyadic or too long");
-        text_put(&t, lost->has_dyadic ? "; `graze motion dyadic` makes a motion near this one that "
-                                        "has such points"
-                                      : "");
-        text_put(&t,
-                 lost->replaced
-                     ? "; `rounded` has their weight: points within an ulp of such contacts, on "
-                       "both sides"
-                 : lost->has_dyadic ? ""
-                                    : "; the stratum `rounded` has points within an ulp of "
-                                      "such contacts, on both sides");
-    }
-    if (lost->absent) {
-        text_put(&t, lost->unrepresentable ? "; the scene has none of "
-                                           : "the scene has no points of the strata ");
-        put_stratum_names(&t, lost->absent);
-    }
-    if (lost->spent) {
-        text_put(&t, lost->unrepresentable | lost->absent ? "; " : "");
-        text_put(&t, "the strata ");
-        put_stratum_names(&t, lost->spent);
-        text_put(&t, " have fewer points than their weights ask for, as no others were found");
-    }
+    put_line(&t, between, "no points of the strata ", lost->unrepresentable,
+             " have coordinates that a binary64 holds: numbers of the motion or solid are not "
+             "dyadic, or too long");
+    if (lost->unrepresentable && lost->has_dyadic)
+        text_format(&t, "%s`graze motion dyadic` makes a motion near this one that has such points",
+                    between);
+    if (lost->unrepresentable && (lost->replaced || !lost->has_dyadic))
+        text_format(&t, "%s`rounded` has %spoints within an ulp of such contacts, on both sides",
+                    between, lost->replaced ? "their weight: " : "");
+    put_line(&t, between, "the scene has no points of the strata ", lost->absent, "");
+    put_line(&t, between, "fewer points than their weights ask for were found of the strata ",
+             lost->spent, "");
     return text_take(&t);
 }
