@@ -45,7 +45,9 @@ typedef struct graze_compare_options {
     graze_question question;
     graze_on_as on_as;
     graze_candidate_has has;
-    size_t show; /**< number of disagreements to keep, each with the command that explains it */
+    size_t show; /**< number of disagreements to keep, each with the command that explains it: the
+                      deepest wrong rows, at most two of a stratum, then rows that are missing or
+                      extra; the first ones where distances are not known */
     const char *solid, *motion; /**< file names for those commands, or NULL */
     int transient;     /**< 1: the tables are gone when the report is read: it has the rows that
                             disagree, and names neither files nor lines of them */
@@ -57,9 +59,9 @@ typedef struct graze_compare_options {
                                     is not certain then are undecided (proofs/distance.md C73). Only
                                     pmc and sdf are compared. NULL: none */
     const graze_scene *scene;  /**< of the golden table: the signed distances of at most 1000 wrong
-                                    rows and of those kept are enclosed in it, to 1e-10 of the
-                                    diagonal. NULL: a table with sdf_low and sdf_high alone has
-                                    them */
+                                    rows are enclosed in it, to 1e-13 of the diagonal, and those
+                                    kept are of these. NULL: a table with sdf_low and sdf_high alone
+                                  has  them */
 } graze_compare_options;
 
 /** Counts of rows: rows = agree + wrong + undecided + missing; `extra` rows are in the candidate
@@ -118,7 +120,7 @@ typedef struct graze_disagreement {
     const char *golden, *candidate;            /**< answers as `pmc=on i=0`; NULL: no such row */
 } graze_disagreement;
 
-/** Disagreement `index` of the first `show`; zero past the end. */
+/** Disagreement `index` of those kept, in their order (`show`); zero past the end. */
 GRAZE_API graze_disagreement graze_comparison_disagreement(const graze_comparison *comparison,
                                                            size_t index);
 /** What the golden table's head says of the scene, as options of `graze explain` with a blank

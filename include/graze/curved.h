@@ -3,7 +3,8 @@
  *
  * graze_solid_read reads `.csg.json` files (formats.md, Curved solids). Scenes of such solids have
  * graze_classify, traces and the reports of points. Functions that make something else of a solid
- * or a scene fail with GRAZE_EINPUT. What is not decided is GRAZE_PMC_UNDECIDED.
+ * or a scene fail with GRAZE_EINPUT. What is not decided is GRAZE_CLASS_UNDECIDED, and
+ * GRAZE_PMC_UNDECIDED where the states that are decided do not tell the membership.
  */
 #ifndef GRAZE_CURVED_H
 #define GRAZE_CURVED_H

@@ -184,7 +184,7 @@ typedef struct graze_mesh_points {
     unsigned long long seed; /**< of those that are generated, of all strata (graze/generate.h) */
     graze_rationals points;  /**< 3 count canonical rationals; NULL: points are generated */
     graze_on_as on_as; /**< as what the mesh's answer `on` is judged, that it gives on itself */
-    size_t show;       /**< disagreements to keep */
+    size_t show;       /**< disagreements to keep (graze/compare.h) */
     int threads;       /**< up to 1024; 0 is 1: the caller's own */
     const char *solid, *motion; /**< file names for the commands that explain them, or NULL */
 } graze_mesh_points;

@@ -77,8 +77,9 @@ graze_status api_row(text *out, graze_row_totals *totals, graze_context *context
     if (status == GRAZE_OK && out->failed)
         status = context_fail(context, GRAZE_ESYSTEM, "out of memory");
     if (status == GRAZE_OK && totals) {
-        totals->undecided += trace->undecided ||
-                             (shown->topo && r.topo.position == GRAZE_TOPO_UNDECIDED) ||
+        int open = shown->columns == GRAZE_COLUMNS_PMC ? trace->verdict.pmc == GRAZE_PMC_UNDECIDED
+                                                       : trace->undecided != NULL;
+        totals->undecided += open || (shown->topo && r.topo.position == GRAZE_TOPO_UNDECIDED) ||
                              (shown->regular && r.regular.position == GRAZE_TOPO_UNDECIDED);
         totals->wide += shown->sdf > 0 && r.space.wide;
     }

@@ -1,23 +1,27 @@
 #!/usr/bin/env python3
 # suite
-"""Golden rows that are `undecided`: compare and validate count them apart, and judge nothing by them.
+"""Rows with states that are not decided: pmc where the others tell it (C125), and what commands make of such rows.
 
-The point at which two surfaces touch in order 4 is one that the rules leave open; beside it are points of balls.
+The point at which two surfaces touch in order 4 is one that the rules leave open, and so are points of a line in which more than
+12 planes meet. pmc is that of all ways to complete the states in which I and O are open in time, if they agree.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import csv
+import itertools
 import json
 import os
 import subprocess
 import sys
 import tempfile
+from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
 
-from scenes import Checks, Curved, along, halfspace, minus, options, polynomial  # noqa: E402
+from scenes import Checks, Curved, Motion, along, box, common, halfspace, minus, options, polynomial, union  # noqa: E402
 
 # z <= 0 touched from above by z <= -x^4 - y^4 + x^2 y^2 at the origin: a flat form of order 4, whose patterns no rule tells.
-SOLID = Curved(3, minus(polynomial({"0,0,1": 1, "4,0,0": 1, "0,4,0": 1, "2,2,0": -1}), halfspace((0, 0, 1))))
+FLAT = minus(polynomial({"0,0,1": 1, "4,0,0": 1, "0,4,0": 1, "2,2,0": -1}), halfspace((0, 0, 1)))
+SOLID = Curved(3, FLAT)
 MOTION = along(-1, 1, "t", "0", "t^2")
 POINTS = "0,0,0\n0,0,5\n0,0,7\n"
 CANDIDATES = [   # answers, agree, wrong, undecided-answers
@@ -25,6 +29,143 @@ CANDIDATES = [   # answers, agree, wrong, undecided-answers
     (("on", "out", "on"), 1, 1, {"in": 0, "on": 1, "out": 0}),
     (("undecided", "out", "out"), 2, 0, {"in": 0, "on": 0, "out": 0}),
 ]
+
+
+# Seven sectors between lines through the origin, less than a quarter turn apart in all, times [-1, 1]: 14 planes in the z axis.
+STAR = {"polygon": {"points": [[str(c) for c in p] for k in range(1, 8) for p in ((0, 0), (10, -k * k - 20), (10, -k * k - 20 - k))],
+                    "extrude": ["-1", "1"]}}
+
+
+def moved(low, high, *by):
+    return Motion(3, [(low, high, {"translate": by})])
+
+
+LARGE, SLAB, EDGE = box((-9, -9, -9), (9, 9, 9)), box((2, -1, -1), (3, 1, 1)), box((2, -1, 0), (3, 1, 1))
+BESIDE = minus(LARGE, FLAT, box((2, -1, 0), (3, 1, 1)))   # the complement of both, cut off where no trajectory comes
+RIGHT = moved(-1, 4, "t", "0", "0")
+REST = Motion(3, [(0, 1, {"translate": ["0", "0", "0"]}), (1, 5, {"translate": ["t-1", "0", "0"]})])
+UP = Motion(3, [(0, 1, {"translate": ["0", "0", "t/2"]}), (1, 5, {"translate": ["t-1", "0", "1/2"]})])
+# Name, solid, motion, and for the sweep and the unsweep the states of the origin at the time t0, in the gap behind it, at the next
+# time and so on to t1. A sweep's trajectory is -x, an unsweep's x. SLAB is met in its interior, EDGE in z = 0, a side of it.
+OPEN = [
+    ("in behind", union(FLAT, SLAB), moved(-4, 1, "t", "0", "0"), "OOBIBO?OO", "OO?OO"),
+    ("in before", union(FLAT, SLAB), moved(-1, 4, "-t", "0", "0"), "OO?OBIBOO", "OO?OO"),
+    ("in to the end", union(FLAT, SLAB), moved(0, F(5, 2), "-t", "0", "0"), "?OBII", "?OO"),
+    ("in from the start", union(FLAT, SLAB), moved(F(-5, 2), 0, "t", "0", "0"), "IIBO?", "OO?"),
+    ("touched", union(FLAT, EDGE), moved(-1, 4, "-t", "0", "0"), "OO?OBBBOO", "OO?OO"),
+    ("touched, ? first", union(FLAT, EDGE), moved(0, 4, "-t", "0", "0"), "?OBBBOO", "?OO"),
+    ("touched, ? last", union(FLAT, EDGE), moved(-4, 0, "t", "0", "0"), "OOBBBO?", "OO?"),
+    ("touched, at rest in ?", union(FLAT, EDGE), Motion(3, [(0, 1, {"translate": ["0"] * 3}), (1, 5, {"translate": ["1-t", "0", "0"]})]),
+     "???OBBBOO", "???OO"),
+    ("alone", FLAT, RIGHT, "OO?OO", "OO?OO"),
+    ("never out", minus(LARGE, FLAT), RIGHT, "II?II", "II?II"),
+    ("never out, touched", BESIDE, RIGHT, "II?II", "II?IBBBII"),
+    ("never out, at rest in ?, touched", BESIDE, REST, "???II", "???IBBBII"),
+    ("out at the end", minus(LARGE, FLAT, SLAB), moved(0, F(5, 2), "t", "0", "0"), "?II", "?IBOO"),
+    ("through a line of many planes", union(STAR, EDGE), RIGHT, None, "OO?OBBBOO"),
+    ("along a line of many planes", union(STAR, box((2, -1, F(1, 2)), (3, 1, 1))), UP, None, "???OBBBOO"),
+]
+
+
+def memberships(states, unsweep):
+    """pmc of each way to complete the states: where one is I (O) at a time, so are the gaps beside it."""
+    found = set()
+    places = [k for k, letter in enumerate(states) if letter == "?"]
+    for letters in itertools.product("IBO", repeat=len(places)):
+        s = list(states)
+        for k, letter in zip(places, letters):
+            s[k] = letter
+        times = [k for k in range(0, len(s), 2) if s[k] != "B"]
+        if any(s[n] != s[k] for k in times for n in (k - 1, k + 1) if 0 <= n < len(s)):
+            continue
+        if any(s[k] != "B" and s[k] != s[n] and s[n] != "B" for k, n in zip(range(len(s)), range(1, len(s)))):
+            continue
+        first, last = ("out", "in") if unsweep else ("in", "out")
+        found.add(first if ("O" if unsweep else "I") in s else "on" if "B" in s else last)
+    return found
+
+
+def merged(states):
+    return "".join(letter for letter, _ in itertools.groupby(states))
+
+
+def check_memberships(bench):
+    """pmc, word and the empty columns; pmc alone is the same."""
+    checks, seen = bench.checks, set()
+    points = bench.file("o.csv", "0,0,0\n")
+    for name, node, motion, *states in OPEN:
+        paths = [bench.file("o.csg.json", Curved(3, node).text()), bench.file("o.json", motion.text()), points]
+        for operation, path in zip(("sweep", "unsweep"), states):
+            if path is None:
+                continue
+            expected = memberships(path, operation == "unsweep")
+            pmc = expected.pop() if len(expected) == 1 else "undecided"
+            seen.add((operation, pmc))
+            told = bench.run("classify", *paths, "--operation", operation)
+            row = next(csv.DictReader(line for line in told.stdout.splitlines() if not line.startswith("#")), {})
+            checks.equal((row.get("pmc"), row.get("word")), (pmc, merged(path)), name, operation, told.stderr)
+            checks.holds("\n# contract 2\n" in told.stdout and "\n# undecided 1\n" in told.stdout, name, told.stdout)
+            checks.holds("note: the word of 1 of 1 rows is undecided" in told.stderr, name, told.stderr)
+            if operation == "sweep":
+                checks.equal([row.get(k) for k in ("class", "definition", "case", "i", "t")], ["undecided", "", "", "", ""], name)
+            alone = bench.run("classify", *paths, "--operation", operation, "--columns", "pmc").stdout.splitlines()
+            checks.equal(alone[-3:], [f"0,0,0,{pmc}", f"# undecided {int(pmc == 'undecided')}", "# complete 1"], name, operation)
+            said = bench.run("explain", *paths[:2], "0", "0", "0", "--operation", operation).stdout
+            checks.equal((f"The other states tell that P is `{pmc}` all the same" in said, "The state is not decided" in said), (pmc != "undecided", True), said)
+    checks.equal(len(seen), 6, "in, on and undecided of a sweep, out, on and undecided of an unsweep", sorted(seen))
+
+
+def check_tables(bench):
+    """Of a row with pmc alone that is what is judged; a table that was made before such rows, and one made since, agree."""
+    checks = bench.checks
+    paths = [bench.file("o.csg.json", Curved(3, union(FLAT, SLAB)).text()), bench.file("o.json", moved(-4, 1, "t", "0", "0").text()),
+             bench.file("o.csv", "0,0,0\n0,0,5\n2,0,1/2\n")]   # the second one is out, the third in: x from -2 to 3, z = 1/2
+    golden = bench.run("classify", *paths).stdout
+    before = golden.replace("\n0,0,0,in,", "\n0,0,0,undecided,").replace("# contract 2", "# contract 1")
+    checks.holds("\n0,0,0,in,undecided,,,,,OBIBO?O\n" in golden and before != golden, golden)
+    full, head = bench.file("g.csv", golden), "x,y,z,"
+    rest = "0,0,5,out,exterior,9,1,0,0,O\n2,0,1/2,in,regular,5,1,2,0,OBIBO\n"
+    for name, given, agree, wrong, undecided, alone in (
+            ("itself", golden, 3, 0, 0, 1),
+            ("from before", before, None, None, None, None),
+            ("another word", "x,y,z,pmc,class,definition,case,i,t,word\n0,0,0,in,fold,6,1,4,0,OBIBO\n" + rest, 3, 0, 0, 1),
+            ("another pmc", "x,y,z,pmc,class,definition,case,i,t,word\n0,0,0,on,fold,6,1,4,0,OBIBO\n" + rest, 2, 1, 0, 1),
+            ("pmc alone", head + "pmc\n0,0,0,in\n0,0,5,out\n2,0,1/2,in\n", 3, 0, 0, 0),
+            ("the class alone", head + "class\n0,0,0,fold\n0,0,5,exterior\n2,0,1/2,regular\n", 2, 0, 1, 0)):
+        done = bench.run("compare", full, bench.file("c.csv", given), "--format", "json")
+        if agree is None:   # pmc `undecided` is no answer to a row that has one
+            checks.equal((done.returncode, "pmc: 'undecided' is no answer" in done.stderr), (3, True), name, done.stderr)
+            continue
+        report = json.loads(done.stdout or "{}")
+        checks.equal([done.returncode, *(report.get(k) for k in ("agree", "wrong", "undecided", "golden-rows-of-pmc-alone"))],
+                     [int(wrong > 0), agree, wrong, undecided, alone], name, done.stderr)
+        counted = sum(n for row in report.get("class", {}).values() for n in row.values())
+        checks.equal(counted, 2 if "class" in given else 0, name, "rows in the matrix of classes")
+    text = bench.run("compare", full, full).stdout
+    checks.holds("in 1 golden rows class, i, t and word are undecided: pmc is judged\n" in text, text)
+    since = json.loads(bench.run("compare", bench.file("b.csv", before), full, "--format", "json").stdout or "{}")
+    checks.equal([since.get(k) for k in ("agree", "wrong", "undecided")], [2, 0, 1], "a golden table from before, and one made since")
+    record = json.loads(bench.run("classify", *paths, "--format", "jsonl").stdout.splitlines()[0])
+    checks.equal([record.get(k) for k in ("pmc", "class", "word", "contacts", "i")], ["in", "undecided", "OBIBO?O", [], None], record)
+    checks.holds(record["undecided"]["reason"], record)
+    array = bench.file("o.npy", "")
+    checks.equal(bench.run("classify", *paths, "--format", "npy", "--output", array).returncode, 0)
+    with open(array, "rb") as file:   # pmc, class, four numbers of 4 bytes that are 0, the word
+        checks.holds(b"in\0undecided" + bytes(16) + b"OBIBO?O" in file.read(), "npy")
+
+
+def check_made(bench):
+    """Corners whose trajectory comes by what no rule tells, along the line x = y = z, are made: they are in."""
+    paths = [bench.file("o.csg.json", Curved(3, union(common(box((-1, -1, -1), (1, 1, 1)), FLAT), box((2, 2, 2), (3, 3, 3)))).text()),
+             bench.file("o.json", along(-8, 8, "t", "t", "t").text())]
+    made = bench.run("generate", *paths, "-n", "60", "--seed", "1", "--strata", "vertex").stdout
+    rows = [r for r in csv.DictReader(line for line in made.splitlines() if not line.startswith("#")) if r["x"] == r["y"] == r["z"]]
+    bench.checks.holds(len(rows) >= 4, "corners on the line", len(rows))
+    told = bench.run("classify", *paths, bench.file("o.csv", made)).stdout
+    pmc = [r["pmc"] for r in csv.DictReader(line for line in told.splitlines() if not line.startswith("#")) if "?" in r["word"]]
+    bench.checks.equal(set(pmc), {"in"}, "their answers")
+    picture = bench.run("draw", *paths, "--plane", "z=1", "--box", "0,0,0,4,4,4", "--grid", "2", "-o", os.path.join(bench.folder, "o.svg"))
+    bench.checks.equal(picture.returncode, 0, picture.stderr)
 
 
 class Bench:
@@ -66,10 +207,10 @@ def main():
         golden = bench.file("g.csv", table.stdout)
         pmc = [line.split(",")[3] for line in table.stdout.splitlines() if not line.startswith(("#", "x"))]
         checks.equal(pmc, ["undecided", "out", "out"], "golden", table.stderr)
-        for operation, word in (("sweep", "undecided"), ("unsweep", "")):
+        for operation, pmc, word in (("sweep", "undecided", "undecided"), ("unsweep", "out", "")):
             told = bench.run("classify", solid, motion, points, "--quiet", "--operation", operation).stdout
             row = next(csv.DictReader(line for line in told.splitlines() if not line.startswith("#")))
-            checks.equal((row["pmc"], row.get("class") or ""), ("undecided", word), operation)
+            checks.equal((row["pmc"], row.get("class") or ""), (pmc, word), operation)
         decided = bench.run("classify", solid, motion, bench.file("d.csv", "0,0,5\n0,0,7\n"))
         checks.equal((decided.returncode, decided.stderr), (0, ""), "no note of no row")
         for answers, agree, wrong, counts in CANDIDATES:
@@ -83,6 +224,9 @@ def main():
         checks.holds("of these 1 golden rows are undecided themselves" in text.stdout, text.stdout)
         refused = bench.run("compare", golden, bench.file("c.csv", "x,y,z,pmc\n0,0,0,in\n0,0,5,undecided\n0,0,7,out\n"))
         checks.equal((refused.returncode, "is no answer" in refused.stderr), (3, True), "no answer where there is one")
+        check_memberships(bench)
+        check_tables(bench)
+        check_made(bench)
     checks.finish()
 
 

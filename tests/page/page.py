@@ -295,11 +295,13 @@ def test_curved(graze, folder):
     planes = [{"halfspace": {"normal": [str(k), str(k * k + 1)], "offset": "0"}} for k in range(1, 14)]
     body = {"intersection": [{"ball": {"radius": 1}}, *({"union": pair} for pair in zip(planes[:-1], planes[1:]))]}
     data = draw(2, body, "-p", "0,0")
-    _, word, _, _, place, why = data["points"]["lines"][0].split("|")
+    _, word, _, _, place, why, pmc = data["points"]["lines"][0].split("|")
     kind, *cells = place.split(",")[2].split()
     explained = run(graze, "explain", solid, motion, "0", "0")
-    check("?" in word and why and why in explained and kind == "U", word, place, why)
+    check("?" in word and why and why in explained and kind == "U", word, place, why, pmc)
     check(all(data["primitives"][int(cell[1:])] in explained for cell in cells), cells)
+    # The trajectory (-t, 0) is inside all half-planes and the disk for 0 < t < 1, which tells pmc but not the class.
+    check((word, pmc) == ("?IB", "in"), "pmc is told", word, pmc)
     check(data["tones"][base64.b64decode(data["points"]["tones"])[0]][0] == "undecided", "the tone")
 
 

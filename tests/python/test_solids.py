@@ -112,6 +112,17 @@ class Solids(unittest.TestCase):
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertEqual(word(S(path), (10, 0, 0)), word(made, (10, 0, 0)))
 
+    def test_undecided(self):
+        """The table is the program's, with the number of rows that are undecided: two surfaces that touch in order 4, then a box."""
+        flat = {"difference": [{"polynomial": {"0,0,1": 1, "4,0,0": 1, "0,4,0": 1, "2,2,0": -1}}, {"halfspace": {"normal": [0, 0, 1], "offset": 0}}]}
+        solid = S({"dimension": 3, "solid": {"union": [flat, {"box": {"low": [2, -1, -1], "high": [3, 1, 1]}}]}})
+        scene = graze.Scene(solid, graze.Motion({"dimension": 3, "pieces": [{"t": [-1, 4], "transform": {"translate": ["-t", 0, 0]}}]}))
+        verdict = scene.trace((0, 0, 0)).verdict
+        self.assertEqual((verdict.pmc, verdict.class_, verdict.i), (graze.Pmc.IN, graze.Class.UNDECIDED, 0))
+        lines = scene.table([(0, 0, 0), (0, 0, 5)]).splitlines()
+        self.assertEqual(lines[-4:], ["0,0,0,in,undecided,,,,,O?OBIBO", "0,0,5,out,exterior,9,1,0,0,O", "# undecided 1", "# complete 2"])
+        self.assertEqual(lines[1], "# contract 2")
+
     def test_refusals(self):
         with self.assertRaisesRegex(graze.IllegalError, "radius.*positive"):
             S.ball(0)

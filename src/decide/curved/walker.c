@@ -34,14 +34,21 @@ static contact *last_contact(walker *w) {
     return &w->r->out->contact[w->r->out->contact_count - 1];
 }
 
-/* Keep the first place where the rules end. */
-static graze_status keep_undecided(walker *w, const dependence *d, const algebraic *time) {
+/* Keep the first place where the rules end, and the states that are possible there: I and O are
+ * those of the gaps beside a time too (proofs/curved.md C125). ABSENT beside a gap, which may be
+ * anything. */
+static graze_status keep_undecided(walker *w, const dependence *d, const algebraic *time,
+                                   graze_state before, graze_state after) {
     graze_trace *out = w->r->out;
-    if (out->undecided)
-        return GRAZE_OK;
-    out->undecided = calloc(1, sizeof *out->undecided);
+    int first = !out->undecided;
+    if (first)
+        out->undecided = calloc(1, sizeof *out->undecided);
     if (!out->undecided)
         return context_fail(w->r->context, GRAZE_ESYSTEM, "out of memory for a trace");
+    out->undecided->may_be_in |= before != GRAZE_STATE_O && after != GRAZE_STATE_O;
+    out->undecided->may_be_out |= before != GRAZE_STATE_I && after != GRAZE_STATE_I;
+    if (!first)
+        return GRAZE_OK;
     contact *where = &out->undecided->where;
     where->from = where->to = time_create(w->r->scene->motion, w->piece, time);
     if (!where->from)
@@ -96,7 +103,7 @@ graze_status walker_settle(walker *w, graze_state after) {
     if (!status)
         status = decide_time(&state, w, &d, after);
     if (!status && state == GRAZE_STATE_UNDECIDED)
-        status = keep_undecided(w, &d, w->pending);
+        status = keep_undecided(w, &d, w->pending, w->before, after);
     if (!status)
         status = letters_put_time(w->word, state, w->piece, w->pending);
     if (!status && state == GRAZE_STATE_B)
@@ -121,7 +128,7 @@ static graze_status put_whole_gap(walker *w, graze_state state, const dependence
                                   const algebraic *sample) {
     graze_status status = walker_settle(w, state);
     if (!status && state == GRAZE_STATE_UNDECIDED)
-        status = keep_undecided(w, d, sample);
+        status = keep_undecided(w, d, sample, GRAZE_STATE_ABSENT, GRAZE_STATE_ABSENT);
     if (!status)
         status = letters_put_gap(w->word, state);
     if (!status && state == GRAZE_STATE_B)

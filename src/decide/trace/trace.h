@@ -17,10 +17,12 @@ typedef struct contact {
     size_t cell_count, cell_capacity;
 } contact;
 
-/** A time at which a state is not decided, the primitives it depends on, and the reason. */
+/** States that are not decided: the first time at which one is not, the primitives it depends on
+ * and the reason; and whether any of them may be I, or O (proofs/curved.md C125). */
 typedef struct undecided_place {
     contact where;
     const char *reason; /* static */
+    int may_be_in, may_be_out;
 } undecided_place;
 
 struct graze_trace {

@@ -94,12 +94,24 @@ int verdict_of_word(graze_verdict *out, const char *word, size_t length,
     return 1;
 }
 
+/* Membership where states are not decided (proofs/curved.md C125): by one certain state that
+ * decides, else as `on` where none of the others can be that state. */
+static graze_pmc pmc_of_certain(const graze_trace *trace, int unsweep) {
+    const undecided_place *open = trace->undecided;
+    if (strchr(trace->word, unsweep ? 'O' : 'I'))
+        return unsweep ? GRAZE_OUT : GRAZE_IN;
+    int decisive = unsweep ? open->may_be_out : open->may_be_in;
+    return !decisive && strchr(trace->word, 'B') ? GRAZE_ON : GRAZE_PMC_UNDECIDED;
+}
+
 void verdict_decide(graze_trace *trace, const graze_options *options) {
     unsigned long i = 0, t = 0;
     if (trace->undecided) {
-        trace->verdict = (graze_verdict){.pmc = GRAZE_PMC_UNDECIDED};
-        if (options->operation == GRAZE_SWEEP)
-            trace->verdict.class_ = GRAZE_CLASS_UNDECIDED;
+        int unsweep = options->operation == GRAZE_UNSWEEP;
+        trace->verdict = (graze_verdict){
+            .pmc = pmc_of_certain(trace, unsweep),
+            .class_ = unsweep ? GRAZE_CLASS_NONE : GRAZE_CLASS_UNDECIDED,
+        };
         return;
     }
     if (trace->settled) {

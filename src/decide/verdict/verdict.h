@@ -32,7 +32,8 @@ int verdict_of_word(graze_verdict *out, const char *word, size_t length,
                     const graze_options *options);
 
 /** Count the contacts of a trace and set trace->verdict; of one that is `settled` the pmc alone, of
- * an undecided one pmc and class. */
+ * one with states that are not decided an undecided class and, where the others tell, the pmc
+ * (proofs/curved.md C125). */
 void verdict_decide(graze_trace *trace, const graze_options *options);
 
 #endif

@@ -94,12 +94,15 @@ static char *row_text(const graze_comparison *c, const table *t, const table_row
     return text_take(&out);
 }
 
+/* Show rows that disagree, or let them wait for that; `wrong` is the golden pmc of a wrong row,
+ * else -1, and `depth` the size of its distance, where that is known. */
 static graze_status show(graze_comparison *c, const run *r, const table_row *golden,
-                         const table_row *candidate) {
+                         const table_row *candidate, int wrong, ceiling depth) {
     disagreement *d;
-    graze_status status = comparison_keep(&d, c, r->context);
+    graze_status status = comparison_keep(&d, c, r->context, wrong);
     if (!d)
         return status;
+    d->depth = depth;
     d->row = golden ? c->rows - 1 : c->rows;
     d->golden_line = golden ? golden->line : 0;
     d->candidate_line = candidate ? candidate->line : 0;
@@ -108,6 +111,10 @@ static graze_status show(graze_comparison *c, const run *r, const table_row *gol
     d->golden = golden ? row_text(c, &r->golden, golden, 1) : NULL;
     d->candidate = candidate ? row_text(c, &r->candidate, candidate, 2) : NULL;
     int failed = !d->point || (golden && !d->golden) || (candidate && !d->candidate);
+    if (golden && r->golden.where[COLUMN_STRATUM] >= 0) {
+        field stratum = table_field(&r->golden, golden, COLUMN_STRATUM);
+        failed |= !(d->stratum = strndup(stratum.start, stratum.length));
+    }
     if (c->options.transient && golden)
         failed |= !(d->golden_row = table_row_text(golden));
     if (c->options.transient && candidate)
@@ -130,25 +137,18 @@ static graze_status count_groups(graze_comparison *c, const run *r, const table_
     return status;
 }
 
-/* Take the distance of a wrong row, or have it wait. */
-static graze_status note_depth(graze_comparison *c, const run *r, const table_row *golden,
-                               int pmc) {
-    if (c->enclosed)
-        return depth_take(&c->depth, &r->golden, golden, pmc);
-    if (c->options.scene && !depth_wait(&c->depth, row_text(c, &r->golden, golden, 0), pmc))
-        return comparison_no_memory(r->context);
-    return GRAZE_OK;
-}
-
 /* Count a golden row: missing, wrong, undecided or agreeing. `right` is its pmc. */
 static graze_status count_row(graze_comparison *c, const run *r, const table_row *golden,
                               const table_row *candidate, const judgement *j,
                               const valuation *value, int right) {
     char what = comparison_count(c, j, candidate != NULL);
     graze_status status = count_groups(c, r, golden, what, value);
-    if (!status && what == 'w' && !c->contacts)
-        status = note_depth(c, r, golden, right);
-    return status || what == 'a' || what == 'u' ? status : show(c, r, golden, candidate);
+    ceiling depth = {0, 0};
+    if (!status && what == 'w' && c->enclosed)
+        status = depth_take(&depth, &c->depth, &r->golden, golden, right);
+    return status || what == 'a' || what == 'u'
+               ? status
+               : show(c, r, golden, candidate, what == 'w' ? right : -1, depth);
 }
 
 static graze_status count_contacts(graze_comparison *c, run *r, const table_row *golden,
@@ -161,36 +161,38 @@ static graze_status count_contacts(graze_comparison *c, run *r, const table_row 
     return status ? status : count_row(c, r, golden, candidate, &j, &none, PMC_ON);
 }
 
-/* A golden row without an answer of its own, of a curved solid: nothing is judged. The candidate
- * may have none either. */
+/* A golden row of a curved solid of which nothing is decided that the candidate answers. The
+ * candidate may have no answer either. */
 static graze_status count_open(graze_comparison *c, run *r, const table_row *golden,
                                const table_row *candidate) {
     static const char *const none = "undecided";
+    const int known[JUDGED_COUNT] = {[JUDGED_PMC] = c->judged[JUDGED_PMC]};
     answer given = {-1, -1, 0, 0, {"", 0}};
     judgement j = {.undecided = 1};
     valuation value = {.certain = 1};
     graze_status status = GRAZE_OK;
     if (candidate && !field_is(table_field(&r->candidate, candidate, COLUMN_PMC), none))
-        status = answer_read(&given, &r->candidate, candidate, c->judged,
-                             c->options.has == GRAZE_HAS_SDF);
+        status =
+            answer_read(&given, &r->candidate, candidate, known, c->options.has == GRAZE_HAS_SDF);
     if (status)
         return status;
     if (given.pmc >= 0)
         c->undecided_answers[given.pmc]++;
+    c->open++;
     c->answered_on += given.pmc == PMC_ON;
     return count_row(c, r, golden, candidate, &j, &value, PMC_ON);
 }
 
 static graze_status count_pair(graze_comparison *c, run *r, const table_row *golden,
-                               const table_row *candidate) {
+                               const table_row *candidate, const int *judged) {
     answer right, given = {-1, -1, 0, 0, {"", 0}};
     int known[JUDGED_COUNT];
-    memcpy(known, c->judged, sizeof known);
+    memcpy(known, judged, sizeof known);
     known[JUDGED_PMC] = 1;
     graze_status status = answer_read(&right, &r->golden, golden, known, 0);
     if (!status && candidate)
-        status = answer_read(&given, &r->candidate, candidate, c->judged,
-                             c->options.has == GRAZE_HAS_SDF);
+        status =
+            answer_read(&given, &r->candidate, candidate, judged, c->options.has == GRAZE_HAS_SDF);
     if (!status)
         status = judged_position(c, &r->golden, golden, right.pmc);
     valuation value = {.certain = 1};
@@ -198,17 +200,34 @@ static graze_status count_pair(graze_comparison *c, run *r, const table_row *gol
         status = valuation_read(&value, c, &r->golden, golden, &r->candidate, candidate, right.pmc);
     if (status)
         return status;
-    judgement j = judge(c, &r->golden, golden, &right, &given, &value);
+    judgement j = judge(c, judged, &r->golden, golden, &right, &given, &value);
     c->golden_on += candidate && j.truth == PMC_ON;
     c->answered_on += given.pmc == PMC_ON;
     c->undecided_by_motion += !value.certain;
     if (j.undecided && candidate)
         c->undecided_answers[given.pmc]++;
-    else if (c->judged[JUDGED_PMC])
+    else if (judged[JUDGED_PMC])
         c->confusion.pmc[j.truth][candidate ? given.pmc : 3]++;
-    if (c->judged[JUDGED_CLASS])
+    if (judged[JUDGED_CLASS])
         c->confusion.class_[right.class_][candidate ? given.class_ : 5]++;
     return count_row(c, r, golden, candidate, &j, &value, right.pmc);
+}
+
+/* Count a golden row of points. Class, i, t and word are undecided together, of curved solids. */
+static graze_status count_answers(graze_comparison *c, run *r, const table_row *golden,
+                                  const table_row *candidate) {
+    static const char *const none = "undecided";
+    field word = table_field(&r->golden, golden, COLUMN_WORD);
+    int judged[JUDGED_COUNT], pmc = field_is(table_field(&r->golden, golden, COLUMN_PMC), none);
+    memcpy(judged, c->judged, sizeof judged);
+    if (pmc || field_is(table_field(&r->golden, golden, COLUMN_CLASS), none) ||
+        memchr(word.start, '?', word.length))
+        judged[JUDGED_CLASS] = judged[JUDGED_I] = judged[JUDGED_T] = judged[JUDGED_WORD] = 0;
+    int fewer = memcmp(judged, c->judged, sizeof judged) != 0;
+    if (pmc || (fewer && !judged[JUDGED_PMC]))
+        return count_open(c, r, golden, candidate);
+    c->of_pmc += (unsigned long)fewer;
+    return count_pair(c, r, golden, candidate, judged);
 }
 
 static graze_status count_all(graze_comparison *c, run *r) {
@@ -220,15 +239,10 @@ static graze_status count_all(graze_comparison *c, run *r) {
         if (status || (!golden && !candidate))
             return status;
         if (golden) {
-            int open =
-                !c->contacts && field_is(table_field(&r->golden, golden, COLUMN_PMC), "undecided");
-            status = (c->contacts ? count_contacts
-                      : open      ? count_open
-                                  : count_pair)(c, r, golden, candidate);
-            c->open += (unsigned long)open;
+            status = (c->contacts ? count_contacts : count_answers)(c, r, golden, candidate);
         } else {
             c->extra++;
-            status = show(c, r, NULL, candidate);
+            status = show(c, r, NULL, candidate, -1, (ceiling){0, 0});
         }
         if (status)
             return status;
@@ -285,5 +299,5 @@ graze_status comparison_make(graze_comparison *out, graze_context *context, cons
         memset(out, 0, sizeof *out);
         status = compare_by(out, context, golden, candidate, options, &way);
     }
-    return status ? status : comparison_measure(out, context);
+    return status ? status : comparison_finish(out, context);
 }

@@ -61,9 +61,16 @@ enum { CONVENTIONS = GRAZE_ON_AS_OUT + 1 };
 const char *grouping_name(grouping g);
 const char *grouping_title(grouping g);
 
+/** Most wrong rows of one stratum that are shown where the deepest are. */
+enum { MOST_OF_STRATUM = 2 };
+
 /** One disagreement, as it is shown. Texts are malloc'ed. */
 typedef struct disagreement {
-    unsigned long row;                         /* golden rows before it */
+    unsigned long order; /* in which it was met */
+    int pmc;             /* the golden answer of a wrong row; -1: a row is missing or extra */
+    ceiling depth;       /* upper bound of |s|, where it is known */
+    char *stratum;       /* NULL: not told */
+    unsigned long row;   /* golden rows before it */
     unsigned long golden_line, candidate_line; /* 0: no such row */
     char *point;                               /* coordinates with blanks between */
     char *golden, *candidate;                  /* the answers; NULL where there is no row */
@@ -99,7 +106,8 @@ struct graze_comparison {
     unsigned long golden_on, answered_on; /* rows of either table; golden ones with an answer */
     unsigned long undecided_answers[3];   /* the candidate's, for such rows */
     unsigned long undecided_by_motion;    /* rows that the motion error leaves undecided */
-    unsigned long open;                   /* golden rows that are undecided themselves */
+    unsigned long open;                   /* golden rows that are undecided themselves, */
+    unsigned long of_pmc;                 /* and those judged by pmc alone, as the rest is */
     int of_mesh; /* 1: the candidate is a mesh (mesh_rows.h), and these rows are undecided: */
     unsigned long apart; /* points on the mesh whose golden answer is `in` or `out` */
     errors values;
@@ -107,7 +115,9 @@ struct graze_comparison {
     matrix confusion;
     int grouped[GROUPING_COUNT]; /* 1: the golden table has the column */
     tally tallies[GROUPING_COUNT];
-    size_t shown, shown_capacity;
+    unsigned long met; /* disagreements that were offered; and so many shown or kept for that, */
+    size_t shown, shown_capacity, shown_alone; /* of which so many are missing or extra */
+    int by_depth;                              /* 1: the deepest wrong rows come first */
     disagreement *disagreements;
 };
 

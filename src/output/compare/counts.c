@@ -26,6 +26,7 @@ int comparison_begin(graze_comparison *c, const graze_context *context, const ch
     c->rounding = context->rounding;
     fmpq_init(c->tolerance);
     fmpq_init(c->eta);
+    fmpq_init(c->depth.size);
     return copy_names(c, golden, candidate);
 }
 
@@ -43,25 +44,100 @@ char comparison_count(graze_comparison *c, const judgement *j, int answered) {
     return what;
 }
 
-graze_status comparison_keep(disagreement **out, graze_comparison *c, graze_context *context) {
+static void drop(disagreement *d) {
+    free(d->stratum);
+    free(d->point);
+    free(d->golden);
+    free(d->candidate);
+    free(d->golden_row);
+    free(d->candidate_row);
+}
+
+/* The deepest wrong rows first, of equals the first; rows missing or extra last. */
+static int by_rank(const void *a, const void *b) {
+    const disagreement *x = a, *y = b;
+    int by = (x->pmc < 0) - (y->pmc < 0);
+    by = by ? by : ceiling_compare(y->depth, x->depth);
+    return by ? by : (x->order > y->order) - (x->order < y->order);
+}
+
+/* Are there as many of its stratum before a wrong row as are shown? */
+static int is_crowded(const disagreement *all, size_t count, const disagreement *d) {
+    int same = 0;
+    for (size_t k = 0; k < count && d->pmc >= 0 && d->stratum; k++)
+        same += strcmp(all[k].stratum, d->stratum) == 0;
+    return same >= MOST_OF_STRATUM;
+}
+
+/* Leave the disagreements to show. Those left out would be, whichever come after. */
+static void prune(graze_comparison *c) {
+    disagreement *all = c->disagreements;
+    size_t left = 0;
+    if (c->by_depth && c->shown)
+        qsort(all, c->shown, sizeof *all, by_rank);
+    for (size_t k = 0; k < c->shown; k++)
+        if (left == c->options.show || (c->by_depth && is_crowded(all, left, &all[k])))
+            drop(&all[k]);
+        else
+            all[left++] = all[k];
+    c->shown = left;
+}
+
+/* Keep every other wrong row, so that those kept stay evenly spread. */
+static void thin(graze_comparison *c) {
+    size_t left = 0, wrong = 0;
+    for (size_t k = 0; k < c->shown; k++)
+        if (c->disagreements[k].pmc >= 0 && wrong++ % 2)
+            drop(&c->disagreements[k]);
+        else
+            c->disagreements[left++] = c->disagreements[k];
+    c->shown = left;
+    c->depth.waiting = (wrong + 1) / 2;
+    c->depth.stride *= 2;
+}
+
+/* Is a wrong row one of those that wait for their distance? */
+static int waits(graze_comparison *c) {
+    depths *d = &c->depth;
+    d->stride += !d->stride;
+    if (d->waiting == MOST_MEASURED && d->wrong % d->stride == 0)
+        thin(c);
+    int one = d->wrong++ % d->stride == 0;
+    d->waiting += (size_t)one;
+    return one;
+}
+
+graze_status comparison_keep(disagreement **out, graze_comparison *c, graze_context *context,
+                             int pmc) {
+    size_t show = c->options.show;
+    int ranked = pmc >= 0 && !c->contacts && (c->enclosed || c->options.scene);
     *out = NULL;
-    if (c->shown == c->options.show)
+    c->met++;
+    if (ranked && !c->enclosed ? !waits(c) : ranked ? !show : c->shown_alone == show)
         return GRAZE_OK;
+    c->shown_alone += !ranked;
+    c->by_depth = c->enclosed;
+    if (c->enclosed && c->shown > MOST_MEASURED && c->shown / 3 > show)
+        prune(c);
     if (!array_reserve(&c->disagreements, &c->shown_capacity, c->shown + 1,
                        sizeof *c->disagreements))
         return comparison_no_memory(context);
     *out = &c->disagreements[c->shown++];
     memset(*out, 0, sizeof **out);
+    (*out)->order = c->met;
+    (*out)->pmc = pmc;
     return GRAZE_OK;
 }
 
-/* Put the enclosure of its point behind the golden answers of a disagreement. */
-static graze_status show_depth(disagreement *d, graze_context *context, const graze_scene *scene) {
+/* Measure a wrong row, and put the enclosure behind its golden answers. */
+static graze_status measure_row(disagreement *d, graze_comparison *c, graze_context *context) {
     depth_bounds found;
     text all;
-    graze_status status = depth_enclose(&found, context, scene, d->point);
+    graze_status status =
+        depth_measure(&found, &c->depth, context, c->options.scene, d->point, d->pmc);
     if (status)
         return status;
+    d->depth = found.size;
     text_init(&all);
     text_format(&all, "%s sdf_low=%s sdf_high=%s", d->golden, found.low, found.high);
     free(d->golden);
@@ -69,30 +145,27 @@ static graze_status show_depth(disagreement *d, graze_context *context, const gr
     return text_finish(&d->golden, context, &all);
 }
 
-graze_status comparison_measure(graze_comparison *c, graze_context *context) {
-    const graze_scene *scene = c->options.scene;
+graze_status comparison_finish(graze_comparison *c, graze_context *context) {
     graze_status status = GRAZE_OK;
-    if (!scene || c->enclosed || c->contacts)
-        return GRAZE_OK;
-    for (size_t k = 0; k < c->shown && k < MOST_MEASURED && !status; k++)
-        if (c->disagreements[k].golden && c->disagreements[k].candidate)
-            status = show_depth(&c->disagreements[k], context, scene);
-    if (!status)
-        status = depth_measure(&c->depth, context, scene);
-    if (status != GRAZE_ELIMIT)
-        return status;
-    c->depth.unmeasured = strdup(graze_context_message(context));
-    return c->depth.unmeasured ? GRAZE_OK : comparison_no_memory(context);
+    c->by_depth = !c->contacts && (c->enclosed || c->options.scene);
+    int measured = c->by_depth && !c->enclosed;
+    if (measured)
+        status = depth_scale(&c->depth, context, c->options.scene);
+    for (size_t k = 0; k < c->shown && measured && !status; k++)
+        if (c->disagreements[k].pmc >= 0)
+            status = measure_row(&c->disagreements[k], c, context);
+    if (status == GRAZE_ELIMIT) {
+        c->by_depth = 0;
+        c->depth.unmeasured = strdup(graze_context_message(context));
+        status = c->depth.unmeasured ? GRAZE_OK : comparison_no_memory(context);
+    }
+    prune(c);
+    return status;
 }
 
 void comparison_clear(graze_comparison *c) {
-    for (size_t k = 0; k < c->shown; k++) {
-        free(c->disagreements[k].point);
-        free(c->disagreements[k].golden);
-        free(c->disagreements[k].candidate);
-        free(c->disagreements[k].golden_row);
-        free(c->disagreements[k].candidate_row);
-    }
+    for (size_t k = 0; k < c->shown; k++)
+        drop(&c->disagreements[k]);
     for (int g = 0; g < GROUPING_COUNT; g++)
         tally_clear(&c->tallies[g]);
     errors_clear(&c->values);

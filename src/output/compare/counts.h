@@ -17,13 +17,15 @@ void comparison_clear(graze_comparison *c);
  * @return what became of it, as tally_add takes it */
 char comparison_count(graze_comparison *c, const judgement *j, int answered);
 
-/** Room for one more disagreement, zeroed; *out is NULL where as many as wanted are kept, or on
- * failure. GRAZE_ESYSTEM. */
-graze_status comparison_keep(disagreement **out, graze_comparison *c, graze_context *context);
+/** Room for one more disagreement, zeroed but for `pmc`, which is that of a wrong row, else -1;
+ * *out is NULL where it is not to be shown, or on failure. GRAZE_ESYSTEM. */
+graze_status comparison_keep(disagreement **out, graze_comparison *c, graze_context *context,
+                             int pmc);
 
-/** Measure the wrong rows in the scene of the options, if there is one; a limit that distances meet
- * leaves them unmeasured. */
-graze_status comparison_measure(graze_comparison *c, graze_context *context);
+/** Measure the wrong rows in the scene of the options, if there is one, and leave those to show:
+ * the deepest wrong rows, at most MOST_OF_STRATUM of a stratum, then rows missing or extra; in the
+ * order of the tables where depths are not known, or where a limit leaves them unmeasured. */
+graze_status comparison_finish(graze_comparison *c, graze_context *context);
 
 /** GRAZE_ESYSTEM. */
 graze_status comparison_no_memory(graze_context *context);

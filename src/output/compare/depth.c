@@ -10,28 +10,47 @@
 #include "questions/distance/diagonal.h"
 
 /* The width of an enclosure, in diagonals. */
-static const double DEPTH_WIDTH = 1e-10;
+static const double DEPTH_WIDTH = 1e-13;
+
+const char *const depth_parts[DEPTH_PARTS] = {"1e-12", "1e-9", "1e-6", "1e-3"};
 
 void depth_clear(depths *d) {
-    for (size_t k = 0; k < d->count; k++)
-        free(d->rows[k].point);
     for (int k = 0; k < 3; k++)
         errors_clear(&d->by[k]);
+    fmpq_clear(d->size);
     free(d->unmeasured);
 }
 
-static int count_depth(depths *d, int pmc, ceiling size) {
-    return errors_add(&d->by[pmc], (value_error){size, size.digits > 0, 0});
+/* Count a row whose distance is at least `least` by the parts of the size that this is beyond. */
+static void count_parts(depths *d, const fmpq_t least) {
+    fmpq_t scaled;
+    fmpq_init(scaled);
+    fmpq_set(scaled, least);
+    for (int k = DEPTH_PARTS - 1; k >= 0; k--) {
+        fmpq_mul_ui(scaled, scaled, 1000);
+        d->deeper[k] += fmpq_cmp(scaled, d->size) > 0;
+    }
+    fmpq_clear(scaled);
 }
 
-/* The larger size of two bounds. */
-static ceiling size_of(fmpq_t low, fmpq_t high) {
+/* Count a row by the bounds of its distance, which are no numbers of their own any more; *out is
+ * the larger size. */
+static graze_status count_depth(ceiling *out, depths *d, graze_context *context, int pmc,
+                                fmpq_t low, fmpq_t high) {
+    int apart = fmpq_sgn(low) * fmpq_sgn(high) > 0;
     fmpq_abs(low, low);
     fmpq_abs(high, high);
-    return ceiling_of(fmpq_cmp(low, high) > 0 ? low : high);
+    int falls = fmpq_cmp(low, high) > 0;
+    *out = ceiling_of(falls ? low : high);
+    if (apart && !fmpq_is_zero(d->size))
+        count_parts(d, falls ? high : low);
+    return errors_add(&d->by[pmc], (value_error){*out, out->digits > 0, 0})
+               ? GRAZE_OK
+               : context_fail(context, GRAZE_ESYSTEM, "out of memory");
 }
 
-graze_status depth_take(depths *d, const table *golden, const table_row *row, int pmc) {
+graze_status depth_take(ceiling *out, depths *d, const table *golden, const table_row *row,
+                        int pmc) {
     graze_context *context = golden->in.context;
     fmpq_t low, high;
     fmpq_init(low);
@@ -40,54 +59,33 @@ graze_status depth_take(depths *d, const table *golden, const table_row *row, in
     graze_status status = table_number(low, context, table_field(golden, row, COLUMN_SDF_LOW));
     if (!status)
         status = table_number(high, context, table_field(golden, row, COLUMN_SDF_HIGH));
-    if (!status && !count_depth(d, pmc, size_of(low, high)))
-        status = context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    if (!status)
+        status = count_depth(out, d, context, pmc, low, high);
     fmpq_clear(low);
     fmpq_clear(high);
     return status;
 }
 
-/* Keep every other row, so that those kept stay evenly spread. */
-static void thin(depths *d) {
-    size_t left = 0;
-    for (size_t k = 0; k < d->count; k++)
-        if (k % 2)
-            free(d->rows[k].point);
-        else
-            d->rows[left++] = d->rows[k];
-    d->count = left;
-    d->stride *= 2;
-}
-
-int depth_wait(depths *d, char *point, int pmc) {
-    if (!point)
-        return 0;
-    d->stride += !d->stride;
-    if (d->count == MOST_MEASURED && d->wrong % d->stride == 0)
-        thin(d);
-    if (d->wrong++ % d->stride == 0)
-        d->rows[d->count++] = (deep_row){point, pmc};
-    else
-        free(point);
-    return 1;
+graze_status depth_scale(depths *d, graze_context *context, const graze_scene *scene) {
+    double diagonal;
+    graze_status status = distance_diagonal(&diagonal, context, scene);
+    return status ? status : rational_from_double(d->size, context, diagonal);
 }
 
 static graze_status enclose_deep(distance *out, graze_context *context, const graze_scene *scene,
-                                 const fmpq *point) {
+                                 const fmpq *point, double width) {
     graze_trace trace;
-    double diagonal;
-    graze_status status = distance_diagonal(&diagonal, context, scene);
-    if (!status)
-        status = classify_point(&trace, context, scene, (query_point){.rational = point},
-                                TRACE_CONTACTS);
+    graze_status status =
+        classify_point(&trace, context, scene, (query_point){.rational = point}, TRACE_CONTACTS);
     if (status)
         return status;
-    status = distance_find(out, context, scene, point, &trace, DEPTH_WIDTH * diagonal);
+    status = distance_find(out, context, scene, point, &trace, width);
     trace_clear(&trace);
     return status;
 }
 
-static graze_status take_bounds(depth_bounds *out, graze_context *context, const distance *found) {
+static graze_status count_bounds(depth_bounds *out, depths *d, graze_context *context, int pmc,
+                                 const distance *found) {
     fmpq_t low, high;
     fmpq_init(low);
     fmpq_init(high);
@@ -96,38 +94,28 @@ static graze_status take_bounds(depth_bounds *out, graze_context *context, const
         status = rational_from_double(high, context, found->high);
     report_bound(out->low, found->low, 0);
     report_bound(out->high, found->high, 1);
-    out->size = size_of(low, high);
+    if (!status)
+        status = count_depth(&out->size, d, context, pmc, low, high);
     fmpq_clear(low);
     fmpq_clear(high);
     return status;
 }
 
-graze_status depth_enclose(depth_bounds *out, graze_context *context, const graze_scene *scene,
-                           const char *point) {
-    slong d = scene->motion->dimension;
-    fmpq *at = _fmpq_vec_init(d);
+graze_status depth_measure(depth_bounds *out, depths *d, graze_context *context,
+                           const graze_scene *scene, const char *point, int pmc) {
+    slong dimension = scene->motion->dimension;
+    fmpq *at = _fmpq_vec_init(dimension);
     distance found;
     graze_status status = GRAZE_OK;
-    for (slong k = 0; k < d && !status; k++) {
+    for (slong k = 0; k < dimension && !status; k++) {
         size_t length = strcspn(point, " ");
         status = rational_parse(at + k, context, point, length);
         point += length + (point[length] == ' ');
     }
     if (!status)
-        status = enclose_deep(&found, context, scene, at);
+        status = enclose_deep(&found, context, scene, at, DEPTH_WIDTH * fmpq_get_d(d->size));
     if (!status)
-        status = take_bounds(out, context, &found);
-    _fmpq_vec_clear(at, d);
-    return status;
-}
-
-graze_status depth_measure(depths *d, graze_context *context, const graze_scene *scene) {
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < d->count && !status; k++) {
-        depth_bounds found;
-        status = depth_enclose(&found, context, scene, d->rows[k].point);
-        if (!status && !count_depth(d, d->rows[k].pmc, found.size))
-            status = context_fail(context, GRAZE_ESYSTEM, "out of memory");
-    }
+        status = count_bounds(out, d, context, pmc, &found);
+    _fmpq_vec_clear(at, dimension);
     return status;
 }

@@ -13,29 +13,26 @@
 
 enum { MOST_MEASURED = 1000 };
 
-/** A wrong row that waits for its distance. */
-typedef struct deep_row {
-    char *point; /* coordinates with blanks between, malloc'ed */
-    int pmc;     /* the golden one */
-} deep_row;
+/** Parts of the size that rows may be deeper than: 1e-12, 1e-9, 1e-6, 1e-3. */
+enum { DEPTH_PARTS = 4 };
+extern const char *const depth_parts[DEPTH_PARTS];
 
-/** Zeroed at first. */
+/** Zeroed at first, with `size` initialised. */
 typedef struct depths {
-    unsigned long wrong, stride; /* rows offered; every one of so many waits */
-    size_t count;
-    deep_row rows[MOST_MEASURED];
-    errors by[3];     /* sizes of s, by golden pmc */
-    char *unmeasured; /* the limit that distances meet, malloc'ed; NULL: none */
+    unsigned long wrong, stride;       /* rows offered; every one of so many waits */
+    size_t waiting;                    /* so many wait */
+    errors by[3];                      /* sizes of s, by golden pmc */
+    fmpq_t size;                       /* the diagonal of S^0's box; 0: not known */
+    unsigned long deeper[DEPTH_PARTS]; /* rows that are certainly deeper than these parts of it */
+    char *unmeasured;                  /* the limit that distances meet, malloc'ed; NULL: none */
 } depths;
 
 void depth_clear(depths *d);
 
-/** Take the enclosure that a golden row has. GRAZE_EINPUT, GRAZE_ELIMIT, GRAZE_ESYSTEM. */
-graze_status depth_take(depths *d, const table *golden, const table_row *row, int pmc);
-
-/** Let a wrong row wait, if it is one of those that do. `point` is malloc'ed and taken.
- * @return 0 if it is NULL */
-int depth_wait(depths *d, char *point, int pmc);
+/** Take the enclosure that a golden row has; *out is the larger size of its bounds. GRAZE_EINPUT,
+ * GRAZE_ELIMIT, GRAZE_ESYSTEM. */
+graze_status depth_take(ceiling *out, depths *d, const table *golden, const table_row *row,
+                        int pmc);
 
 /** Bounds of a signed distance, as decimals, and the larger of their sizes. */
 typedef struct depth_bounds {
@@ -43,13 +40,13 @@ typedef struct depth_bounds {
     ceiling size;
 } depth_bounds;
 
-/** Enclose the signed distance of a point to 1e-10 of the diagonal of S^0's box.
+/** Take the size from the scene. GRAZE_ELIMIT, GRAZE_ECANCELED. */
+graze_status depth_scale(depths *d, graze_context *context, const graze_scene *scene);
+
+/** Enclose the signed distance of a wrong row's point to 1e-13 of the size, and count it.
  * @param point coordinates with blanks between
  * @return as graze_distances */
-graze_status depth_enclose(depth_bounds *out, graze_context *context, const graze_scene *scene,
-                           const char *point);
-
-/** Measure the rows that wait. GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM, GRAZE_EINTERNAL. */
-graze_status depth_measure(depths *d, graze_context *context, const graze_scene *scene);
+graze_status depth_measure(depth_bounds *out, depths *d, graze_context *context,
+                           const graze_scene *scene, const char *point, int pmc);
 
 #endif

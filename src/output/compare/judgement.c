@@ -177,17 +177,18 @@ void judge_pmc(judgement *j, graze_on_as on_as, int given) {
     j->any_wrong |= j->wrong[JUDGED_PMC];
 }
 
-judgement judge(const graze_comparison *c, const table *golden, const table_row *row,
-                const answer *right, const answer *given, const valuation *value) {
+judgement judge(const graze_comparison *c, const int *judged, const table *golden,
+                const table_row *row, const answer *right, const answer *given,
+                const valuation *value) {
     judgement j = {{0}, 0, {0}, 0, 0};
     j.truth = truth_of(&j.undecided, c, golden, row, right->pmc);
     j.undecided |= !value->certain;
-    int pmc = c->judged[JUDGED_PMC] && !j.undecided;
-    j.wrong[JUDGED_CLASS] = c->judged[JUDGED_CLASS] && right->class_ != given->class_;
-    j.wrong[JUDGED_I] = c->judged[JUDGED_I] && right->i != given->i;
-    j.wrong[JUDGED_T] = c->judged[JUDGED_T] && right->t != given->t;
-    j.wrong[JUDGED_WORD] = c->judged[JUDGED_WORD] && !field_equal(right->word, given->word);
-    j.wrong[JUDGED_SDF] = c->judged[JUDGED_SDF] && value->judged && value->error.beyond;
+    int pmc = judged[JUDGED_PMC] && !j.undecided;
+    j.wrong[JUDGED_CLASS] = judged[JUDGED_CLASS] && right->class_ != given->class_;
+    j.wrong[JUDGED_I] = judged[JUDGED_I] && right->i != given->i;
+    j.wrong[JUDGED_T] = judged[JUDGED_T] && right->t != given->t;
+    j.wrong[JUDGED_WORD] = judged[JUDGED_WORD] && !field_equal(right->word, given->word);
+    j.wrong[JUDGED_SDF] = judged[JUDGED_SDF] && value->judged && value->error.beyond;
     for (int k = 0; k < JUDGED_COUNT; k++)
         j.any_wrong |= j.wrong[k];
     for (int k = 0; k < CONVENTIONS; k++)

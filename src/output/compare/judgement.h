@@ -47,8 +47,9 @@ graze_status judged_position(const graze_comparison *c, const table *golden, con
 /** Judge an answer's pmc beside the truth, under a convention and under each. */
 void judge_pmc(judgement *j, graze_on_as on_as, int given);
 
-/** Judge a pair of rows. */
-judgement judge(const graze_comparison *c, const table *golden, const table_row *row,
-                const answer *right, const answer *given, const valuation *value);
+/** Judge a pair of rows by these answers. */
+judgement judge(const graze_comparison *c, const int *judged, const table *golden,
+                const table_row *row, const answer *right, const answer *given,
+                const valuation *value);
 
 #endif

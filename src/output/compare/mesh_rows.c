@@ -105,10 +105,12 @@ static void put_mesh_row(text *out, const mesh_run *r, size_t index, const fmpq 
 static graze_status keep_row(graze_comparison *c, const mesh_run *r, size_t index,
                              const fmpq *point) {
     disagreement *d;
-    graze_status status = comparison_keep(&d, c, r->context);
+    graze_status status = comparison_keep(&d, c, r->context, golden_of(&r->row[index]));
     if (!d)
         return status;
     d->row = index;
+    if (r->points->generator && !(d->stratum = strdup(stratum_name(r->row[index].stratum))))
+        status = comparison_no_memory(r->context);
     text t[5];
     char **to[5] = {&d->point, &d->golden, &d->candidate, &d->golden_row, &d->candidate_row};
     for (int k = 0; k < 5; k++)
@@ -124,22 +126,12 @@ static graze_status keep_row(graze_comparison *c, const mesh_run *r, size_t inde
     return status;
 }
 
-/* Let a wrong row wait for its distance. 0 without memory. */
-static int wait_for_depth(graze_comparison *c, const mesh_row *row, const fmpq *point) {
-    text place;
-    text_init(&place);
-    put_mesh_point(&place, point, " ");
-    return depth_wait(&c->depth, text_take(&place), golden_of(row));
-}
-
 static graze_status take_wrong(graze_comparison *c, const mesh_run *r, size_t index) {
     const fmpq *point;
     sample s;
     graze_status status = point_of(&point, &s, r->context, r->points, index);
     if (!status)
         status = keep_row(c, r, index, point);
-    if (c->options.scene && !wait_for_depth(c, &r->row[index], point))
-        status = comparison_no_memory(r->context);
     sample_clear(&s);
     return status;
 }
@@ -209,5 +201,5 @@ graze_status comparison_of_mesh(graze_comparison *out, graze_context *context,
         status = count_mesh_row(out, &r, k);
     free(r.row);
     tally_sort(&out->tallies[BY_STRATUM]);
-    return status ? status : comparison_measure(out, context);
+    return status ? status : comparison_finish(out, context);
 }

@@ -33,6 +33,7 @@ static void put_json_summary(json_writer *w, const graze_comparison *c) {
     json_count(w, "missing", c->missing);
     json_count(w, "undecided", c->undecided);
     json_count(w, "undecided-golden-rows", c->open);
+    json_count(w, "golden-rows-of-pmc-alone", c->of_pmc);
     json_count(w, "extra", c->extra);
     json_open(w, "wrong-by-column", '{');
     for (int k = 0; k < JUDGED_COUNT; k++)

@@ -72,6 +72,21 @@ static unsigned long depths_taken(const graze_comparison *c) {
     return by[PMC_IN].rows + by[PMC_ON].rows + by[PMC_OUT].rows;
 }
 
+/* Wrong rows that are deeper than parts of the size. */
+static void put_parts(text *out, const depths *d) {
+    char size[CEILING_ROOM];
+    ceiling_text(size, ceiling_of(d->size));
+    if (fmpq_is_zero(d->size))
+        text_put(
+            out,
+            "\nNot counted by parts of the size, as the golden table has no line `# diagonal`\n");
+    else
+        text_format(out,
+                    "\nDeeper than 1e-12, 1e-9, 1e-6, 1e-3 of the size, %s (the diagonal of the "
+                    "box at the start), are for certain %lu, %lu, %lu, %lu rows\n",
+                    size, d->deeper[0], d->deeper[1], d->deeper[2], d->deeper[3]);
+}
+
 void put_depths(text *out, const graze_comparison *c) {
     char number[CEILING_ROOM];
     if (c->depth.unmeasured)
@@ -100,6 +115,7 @@ void put_depths(text *out, const graze_comparison *c) {
         }
     }
     text_put(out, "\n");
+    put_parts(out, &c->depth);
 }
 
 static void put_json_depths(json_writer *w, const graze_comparison *c) {
@@ -107,6 +123,12 @@ static void put_json_depths(json_writer *w, const graze_comparison *c) {
     json_open(w, "depth-of-wrong-rows", '{');
     json_count(w, "wrong", c->depth.wrong);
     json_count(w, "measured", depths_taken(c));
+    ceiling_text(number, ceiling_of(c->depth.size));
+    json_text(w, "size", fmpq_is_zero(c->depth.size) ? NULL : number);
+    json_open(w, "deeper-than", '{');
+    for (int k = 0; k < DEPTH_PARTS && !fmpq_is_zero(c->depth.size); k++)
+        json_count(w, depth_parts[k], c->depth.deeper[k]);
+    json_close(w, '}');
     for (int pmc = 0; pmc < 3; pmc++) {
         const errors *e = &c->depth.by[pmc];
         json_open(w, pmc_words[pmc], '{');

@@ -93,6 +93,9 @@ static void put_summary(text *out, const graze_comparison *c) {
             c->undecided_answers[0], c->undecided_answers[1], c->undecided_answers[2]);
     if (c->open)
         text_format(out, "of these %lu golden rows are undecided themselves\n", c->open);
+    if (c->of_pmc)
+        text_format(out, "in %lu golden rows class, i, t and word are undecided: pmc is judged\n",
+                    c->of_pmc);
     put_values(out, c);
     put_sites_by_column(out, c);
 }
@@ -171,9 +174,14 @@ static void put_disagreement(text *out, const graze_comparison *c, const disagre
 }
 
 static void put_disagreements(text *out, const graze_comparison *c) {
+    const char *order = ", in the order of the tables, as the golden one has no sdf_low, sdf_high";
+    if (c->by_depth)
+        order = ", the deepest wrong rows first, at most two of a stratum";
+    else if (c->contacts || c->depth.unmeasured)
+        order = "";
     if (c->shown)
-        text_format(out, "\nThe first %zu of %lu disagreements:\n", c->shown,
-                    c->wrong + c->missing + c->extra);
+        text_format(out, "\nThe first %zu of %lu disagreements%s:\n", c->shown,
+                    c->wrong + c->missing + c->extra, order);
     for (size_t k = 0; k < c->shown; k++) {
         const disagreement *d = &c->disagreements[k];
         text_format(out, "\n%zu. ", k + 1);

@@ -20,7 +20,7 @@ static const char *const column_names[COLUMN_COUNT] = {
 
 static const char *const note_names[NOTE_COUNT] = {
     "graze", "dimension", "solid-sha256", "motion-sha256", "scene-sha256", "operation",
-    "folds", "round",     "triangulate",  "columns",       "sdf"};
+    "folds", "round",     "triangulate",  "columns",       "sdf",          "diagonal"};
 
 const char *column_name(column c) {
     return column_names[c];

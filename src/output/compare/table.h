@@ -66,6 +66,7 @@ typedef enum note {
     NOTE_TRIANGULATE,
     NOTE_COLUMNS,
     NOTE_SDF,
+    NOTE_DIAGONAL,
     NOTE_COUNT
 } note;
 

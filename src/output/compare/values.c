@@ -44,7 +44,10 @@ graze_status values_choose(graze_comparison *c, const table *golden) {
     c->valued = has && sdf;
     c->enclosed = has && (sdf || o->motion_error || golden->notes[NOTE_SDF]);
     c->judged[JUDGED_SDF] = c->valued && o->sdf_tolerance;
-    graze_status status = read_amount(c->tolerance, context, "sdf_tolerance", o->sdf_tolerance, 0);
+    graze_status status =
+        read_amount(c->depth.size, context, "diagonal", golden->notes[NOTE_DIAGONAL], 0);
+    if (!status)
+        status = read_amount(c->tolerance, context, "sdf_tolerance", o->sdf_tolerance, 0);
     return status ? status : read_amount(c->eta, context, "motion_error", o->motion_error, 1);
 }
 

@@ -9,7 +9,7 @@
 #include "decide/verdict/classify.h"
 
 tone tone_of(const graze_verdict *v) {
-    if (v->pmc == GRAZE_PMC_UNDECIDED)
+    if (v->pmc == GRAZE_PMC_UNDECIDED || v->class_ == GRAZE_CLASS_UNDECIDED)
         return TONE_NONE;
     return v->class_ == GRAZE_CLASS_NONE ? (tone)(TONE_IN - 1 + (int)v->pmc) : (tone)v->class_;
 }

@@ -66,7 +66,7 @@ static void put_page_contact(text *out, const char *kind, const contact *c, int 
     put_page_cells(out, kind, c);
 }
 
-/* The contacts; behind a bar the first place that is not decided, and behind one more the reason.
+/* The contacts; where a state is not decided, behind bars the first such place, the reason and pmc.
  */
 static void put_contacts_of(text *out, const graze_trace *trace, int exact) {
     for (size_t k = 0; k < trace->contact_count; k++) {
@@ -78,7 +78,7 @@ static void put_contacts_of(text *out, const graze_trace *trace, int exact) {
     if (trace->undecided) {
         text_put(out, "|");
         put_page_contact(out, "U", &trace->undecided->where, exact);
-        text_format(out, "|%s", trace->undecided->reason);
+        text_format(out, "|%s|%s", trace->undecided->reason, graze_pmc_name(trace->verdict.pmc));
     }
 }
 

@@ -29,13 +29,13 @@ function contactOf(text, word, letter) {
 
 /** A point by names. */
 function pointAt(index) {
-  const [at, word, numbers, contacts, place, why] = lines[index].split("|");
+  const [at, word, numbers, contacts, place, why, pmc] = lines[index].split("|");
   const [definition, position, i, t] = numbers.split(" ").map(Number);
   const point = {index, at: at.split(" "), word, definition, case: position, i, t, tone: tones[index], name: nameOf(index),
     stratum: stratumOf(index), answer: answerOf(index), class: toneName(tones[index])};
   point.place = point.at.map(value);
   point.open = place && {...contactOf(place, "", 0), why};
-  point.pmc = unsweep || point.open ? point.class : IN.has(point.class) ? "in" : point.class === "boundary" ? "on" : "out";
+  point.pmc = pmc || (unsweep ? point.class : IN.has(point.class) ? "in" : point.class === "boundary" ? "on" : "out");
   let letter = -1;
   point.contacts = contacts ? contacts.split(";").map((text) => contactOf(text, word, (letter = word.indexOf("B", letter + 1)))) : [];
   return point;

@@ -57,6 +57,7 @@ function cellsText(cells) {
 }
 
 function reason(c) {
+  if (c.left === "?" || c.right === "?") return "a state beside it is not decided";
   let out = `${c.crossing ? "intersection" : "tangency"}: `;
   if (!c.left && !c.right) out += "the trajectory never leaves the boundary";
   else if (!c.left) out += `the motion begins here, and ${c.right} follows`;

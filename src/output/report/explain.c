@@ -307,14 +307,18 @@ static void put_unsweep_rule(text *out, const graze_verdict *v) {
                       "reaches its boundary");
 }
 
-/* The place where the rules end. */
-static void put_undecided_place(text *out, const graze_scene *scene, const undecided_place *place) {
+/* The place where the rules end, and pmc where the other states tell it. */
+static void put_undecided_place(text *out, const graze_scene *scene, const graze_trace *trace) {
+    const undecided_place *place = trace->undecided;
     text_put(out, "\nThe state is not decided\n  at t = ");
     tell_time(out, place->where.from);
     text_put(out, "\n");
     if (place->where.cell_count)
         put_cells(out, scene, &place->where);
     text_format(out, "       %s\n", place->reason);
+    if (trace->verdict.pmc != GRAZE_PMC_UNDECIDED)
+        text_format(out, "The other states tell that P is `%s` all the same\n",
+                    graze_pmc_name(trace->verdict.pmc));
 }
 
 graze_status report_explain(char **out, graze_context *context, const row *r) {
@@ -326,7 +330,7 @@ graze_status report_explain(char **out, graze_context *context, const row *r) {
     put_answer(&t, scene, r->point, r->trace);
     if (r->trace->undecided) {
         put_trajectory(&t, scene, r->point);
-        put_undecided_place(&t, scene, r->trace->undecided);
+        put_undecided_place(&t, scene, r->trace);
         return text_finish(out, context, &t);
     }
     put_ends(&t, scene, r->point, r->trace);

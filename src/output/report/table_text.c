@@ -7,6 +7,7 @@
 #include <string.h>
 #include "output/report/enclosure.h"
 #include "output/table/row_values.h"
+#include "questions/distance/diagonal.h"
 
 static void put_hash(text *t, const char *key, const unsigned char sha256[32]) {
     int given = 0;
@@ -32,7 +33,8 @@ static void put_notes(text *t, graze_context *context, const graze_scene *scene,
                       const graze_row_options *shown) {
     const graze_options *options = &scene->options;
     int unsweep = options->operation == GRAZE_UNSWEEP;
-    text_put(t, "# graze " GRAZE_VERSION "\n# contract 1\n");
+    double diagonal;
+    text_format(t, "# graze " GRAZE_VERSION "\n# contract %d\n", scene->solid->curved ? 2 : 1);
     text_format(t, "# dimension %d\n", scene->motion->dimension);
     put_hash(t, "solid-sha256", scene->solid->input.sha256);
     put_hash(t, "motion-sha256", scene->motion->sha256);
@@ -44,6 +46,8 @@ static void put_notes(text *t, graze_context *context, const graze_scene *scene,
                 options->folds == GRAZE_FOLDS_COMBINED ? "combined" : "separate");
     text_format(t, "# round %s\n", graze_rounding_name(context->rounding));
     put_width(t, "sdf", shown->sdf, 1);
+    if (shown->sdf > 0 && !distance_diagonal(&diagonal, context, scene))
+        put_width(t, "diagonal", diagonal, 0);
     if (shown->boundary)
         text_put(t, "# boundary-distance yes\n");
     put_width(t, "motion-error", shown->motion_error, 0);

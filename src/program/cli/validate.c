@@ -44,11 +44,13 @@ static const char validate_help[] =
     "                       which readers of CSV take for numbers; else integers and ratios\n"
     "  --points FILE        these points instead; CMD gets FILE as it is\n"
     "  --timeout V          seconds the candidate may take (3600)\n"
-    "  --keep DIR           leave points.csv, golden.csv, candidate.csv there\n"
+    "  --keep DIR           leave points.csv, golden.csv, candidate.csv there; golden.csv has\n"
+    "                       sdf_low and sdf_high, where distances are known\n"
     "  -o, --output NAME    write NAME.md and NAME.json instead of to standard output\n"
     "  --question, --on-as, --candidate-has, --truth, --sdf-tolerance, --motion-error, --round,\n"
     "  --show, --format     as in graze compare\n"
-    "  --sdf TOL            width of the enclosures that values are compared with (1e-10r)\n"
+    "  --sdf TOL            width of the enclosures that values are compared with (1e-10r), and\n"
+    "                       of those that --keep leaves (1e-12r)\n"
     "  --overlap, --folds, --operation, --triangulate, --jobs, --limit,\n"
     "  --quiet   as in graze classify\n"
     "\n"
@@ -123,6 +125,28 @@ static int run_candidate(validation *v, const validate_options *o) {
     return status ? status : candidate_wrote(v->words[0], v->files[ANSWERS]);
 }
 
+/* Classify; a table that is kept has distances too, unless the solid is curved or they meet a
+ * limit.
+ */
+static int classify_golden(validation *v, const validate_options *o, classify_options *golden) {
+    loaded l = {.scene = NULL};
+    int chosen = golden->scene.rows.sdf > 0;
+    int status = o->keep && !chosen ? loaded_read(&l, &golden->scene, EXIT_INPUT, NULL) : EXIT_DONE;
+    v->deep = chosen || (o->keep && !status && !graze_solid_primitive_count(l.solid));
+    loaded_clear(&l);
+    if (!status && v->deep && !chosen)
+        status = value_sdf(&golden->scene, "sdf", "1e-12r");
+    if (!status)
+        status = classify_run(golden);
+    if (status != EXIT_LIMIT || chosen || !v->deep)
+        return status;
+    complain(EXIT_DONE, "note: %s has no sdf_low and sdf_high, which meet this limit",
+             golden->output);
+    v->deep = 0;
+    golden->scene = o->classify.scene;
+    return classify_run(golden);
+}
+
 /* Points and golden table, as graze generate and graze classify make them. */
 static int make_golden(validation *v, const validate_options *o) {
     generate_options points = o->generate;
@@ -140,7 +164,7 @@ static int make_golden(validation *v, const validate_options *o) {
     golden.output = v->files[GOLDEN];
     golden.transient = 1;
     int status = o->points ? EXIT_DONE : generate_run(&v->made, &points);
-    return status ? status : classify_run(&golden);
+    return status ? status : classify_golden(v, o, &golden);
 }
 
 /* Compare; with a scene wrong rows are measured in it. */
@@ -164,7 +188,7 @@ static int compare_answers(validation *v, const validate_options *o) {
     int status = context_make(&v->context, &o->classify.scene.context);
     if (!status)
         status = compare_in(v, o, NULL);
-    if (status || !graze_comparison_count(v->comparison).wrong || o->classify.scene.rows.sdf > 0)
+    if (status || !graze_comparison_count(v->comparison).wrong || v->deep)
         return status;
     status = loaded_read(&l, &o->classify.scene, EXIT_INPUT, NULL);
     if (!status && !graze_solid_primitive_count(l.solid))
@@ -244,9 +268,9 @@ static const option_entry validate_table[] = {
 static int choose_enclosures(validate_options *o) {
     scene_options *golden = &o->classify.scene;
     int needed = o->compare.has == GRAZE_HAS_SDF || o->compare.motion_error;
-    if (golden->rows.sdf > 0 && !needed)
-        return complain(EXIT_USAGE, "--sdf is for --candidate-has sdf or --motion-error; see graze "
-                                    "validate --help");
+    if (golden->rows.sdf > 0 && !needed && !o->keep)
+        return complain(EXIT_USAGE, "--sdf is for --candidate-has sdf, --motion-error or --keep; "
+                                    "see graze validate --help");
     if (!golden->rows.sdf && needed)
         return value_sdf(golden, "sdf", "1e-10r");
     return EXIT_DONE;

@@ -30,6 +30,7 @@ typedef struct validation {
     char *files[FILE_COUNT]; /* in the folder */
     char **words;
     double seconds;
+    int deep; /* the golden table has distances */
     generated made;
     graze_context *context;
     graze_comparison *comparison;

@@ -359,9 +359,10 @@ int outputs_close(outputs *out, int status) {
         }
     if (!status && out->at.undecided)
         complain(EXIT_DONE, "note: %s of %lu of %lu rows is undecided; graze explain%s says why",
-                 rows->regular ? "regular"
-                 : rows->topo  ? "the position"
-                               : "pmc",
+                 rows->regular                        ? "regular"
+                 : rows->topo                         ? "the position"
+                 : rows->columns == GRAZE_COLUMNS_PMC ? "pmc"
+                                                      : "the word",
                  out->at.undecided, out->file[RESULT_TABLE].rows,
                  rows->regular ? " --regular"
                  : rows->topo  ? " --topo"

@@ -77,7 +77,8 @@ def compare(golden: Any, candidate: Any, *, question: str = "open", on_as: str =
         truth: `pseudo`: the values of all points are judged; `outside`: those of `out` points.
         sdf_tolerance: a number: values that miss the enclosure by more are wrong. Signs have none.
         motion_error: a number: rows whose answer a motion within it may change are undecided.
-        show: how many disagreements are kept.
+        show: how many disagreements are kept: the deepest wrong rows, at most two of a stratum,
+            where depths are known, else the first ones.
         solid, motion: names of files for the commands that explain them.
         scene: a Scene, that of golden: how deep the wrong rows are is measured in it
             (`report["depth-of-wrong-rows"]`).

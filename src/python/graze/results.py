@@ -27,7 +27,10 @@ class Pmc(enum.IntEnum):
 
 
 class Class(enum.IntEnum):
-    """The class by Definitions 5 to 11; `NONE` for unsweep, `UNDECIDED` for curved solids alone."""
+    """The class by Definitions 5 to 11; `NONE` for unsweep, `UNDECIDED` for curved solids alone.
+
+    Where it is `UNDECIDED`, pmc may be decided, and counts, case and definition are 0.
+    """
 
     NONE = 0
     REGULAR = 1

@@ -358,9 +358,10 @@ class Scene:
         """The whole table of `graze classify --coordinates exact`, a text to be written to a file."""
         head = self._head(f"# triangulate {'yes' if self.solid.triangulate else 'no'}\n")
         rows = self.rows(points, jobs=jobs, progress=progress)
-        undecided = sum(row.endswith(",undecided") for row in rows)
+        undecided = sum("?" in row or row.endswith(",undecided") for row in rows)
+        counted = self.topo or self.regular or self.solid.primitives
         return "".join([head, *(row + "\n" for row in rows),
-                        *([f"# undecided {undecided}\n"] if self.topo or self.regular else []),
+                        *([f"# undecided {undecided}\n"] if counted else []),
                         f"# complete {len(rows)}\n"])
 
     def _head(self, notes: str) -> str:

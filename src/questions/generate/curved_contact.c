@@ -285,8 +285,8 @@ static graze_status confirm(int *made, sample *out, const touchpoint *p) {
     *made = 0;
     if (status)
         return status;
-    out->undecided += trace.undecided != NULL;
-    for (size_t k = 0; k < trace.contact_count && !trace.undecided && !*made && !status; k++) {
+    int decided = trace.verdict.pmc != GRAZE_PMC_UNDECIDED;
+    for (size_t k = 0; k < trace.contact_count && decided && !*made && !status; k++) {
         int from = 0, to = 0;
         const contact *c = &trace.contact[k];
         status = compare_times(&from, p, c->from);
@@ -297,6 +297,7 @@ static graze_status confirm(int *made, sample *out, const touchpoint *p) {
         out->made.cell = (graze_cell){.kind = GRAZE_CELL_PRIMITIVE, .a = touched_primitive(p, c)};
         *made = out->made.cell.a < p->g->atlas->solid->primitive_count;
     }
+    out->undecided += trace.undecided && !*made;
     trace_clear(&trace);
     return status;
 }
