@@ -44,7 +44,7 @@ char comparison_count(graze_comparison *c, const judgement *j, int answered) {
     return what;
 }
 
-static void drop(disagreement *d) {
+static void drop_shown(disagreement *d) {
     free(d->stratum);
     free(d->point);
     free(d->golden);
@@ -77,7 +77,7 @@ static void prune(graze_comparison *c) {
         qsort(all, c->shown, sizeof *all, by_rank);
     for (size_t k = 0; k < c->shown; k++)
         if (left == c->options.show || (c->by_depth && is_crowded(all, left, &all[k])))
-            drop(&all[k]);
+            drop_shown(&all[k]);
         else
             all[left++] = all[k];
     c->shown = left;
@@ -88,7 +88,7 @@ static void thin(graze_comparison *c) {
     size_t left = 0, wrong = 0;
     for (size_t k = 0; k < c->shown; k++)
         if (c->disagreements[k].pmc >= 0 && wrong++ % 2)
-            drop(&c->disagreements[k]);
+            drop_shown(&c->disagreements[k]);
         else
             c->disagreements[left++] = c->disagreements[k];
     c->shown = left;
@@ -165,7 +165,7 @@ graze_status comparison_finish(graze_comparison *c, graze_context *context) {
 
 void comparison_clear(graze_comparison *c) {
     for (size_t k = 0; k < c->shown; k++)
-        drop(&c->disagreements[k]);
+        drop_shown(&c->disagreements[k]);
     for (int g = 0; g < GROUPING_COUNT; g++)
         tally_clear(&c->tallies[g]);
     errors_clear(&c->values);

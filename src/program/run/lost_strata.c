@@ -48,8 +48,8 @@ static void put_stratum_names(text *t, unsigned set) {
 }
 
 /* A line about some strata, if there are any. */
-static void put_line(text *t, const char *between, const char *before, unsigned set,
-                     const char *behind) {
+static void put_strata(text *t, const char *between, const char *before, unsigned set,
+                       const char *behind) {
     if (!set)
         return;
     text_put(t, t->length ? between : "");
@@ -62,17 +62,17 @@ char *lost_strata_text(const lost_strata *lost, const char *between) {
     text t;
     text_init(&t);
     text_put(&t, "");
-    put_line(&t, between, "no points of the strata ", lost->unrepresentable,
-             " have coordinates that a binary64 holds: numbers of the motion or solid are not "
-             "dyadic, or too long");
+    put_strata(&t, between, "no points of the strata ", lost->unrepresentable,
+               " have coordinates that a binary64 holds: numbers of the motion or solid are not "
+               "dyadic, or too long");
     if (lost->unrepresentable && lost->has_dyadic)
         text_format(&t, "%s`graze motion dyadic` makes a motion near this one that has such points",
                     between);
     if (lost->unrepresentable && (lost->replaced || !lost->has_dyadic))
         text_format(&t, "%s`rounded` has %spoints within an ulp of such contacts, on both sides",
                     between, lost->replaced ? "their weight: " : "");
-    put_line(&t, between, "the scene has no points of the strata ", lost->absent, "");
-    put_line(&t, between, "fewer points than their weights ask for were found of the strata ",
-             lost->spent, "");
+    put_strata(&t, between, "the scene has no points of the strata ", lost->absent, "");
+    put_strata(&t, between, "fewer points than their weights ask for were found of the strata ",
+               lost->spent, "");
     return text_take(&t);
 }
