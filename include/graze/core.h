@@ -48,7 +48,8 @@ typedef enum graze_limit {
     GRAZE_LIMIT_BYTES = 7,  /**< `bytes`, 4*10^9: bytes of a solid or motion file */
     GRAZE_LIMIT_BITS = 8,   /**< `bits`, 100000: binary places of an interval around a root */
     GRAZE_LIMIT_WORK = 9,   /**< `work`, 10^8: coefficients computed while a motion is read, pieces
-                                 times degree; one of w 64-bit words counts as w + w^2/64 */
+                                 times degree; one of w 64-bit words counts as w + w^2/64; and
+                                 the rules of a curved solid for one point, see formats.md */
     GRAZE_LIMIT_CURVE = 10, /**< `curve`, 20: degree in time of the curves by which a position
                                  relative to the closed sweep is decided in the plane */
     GRAZE_LIMIT_COUNT = 11

@@ -115,6 +115,11 @@ def mapped(numbers, depth, node):
 
 
 BALLS = {"union": [{"ball": {"radius": 1, "center": [k, 0, 0]}} for k in range(100000)]}
+# Two quartics that touch along x = z = 0, under a map with long numbers: no field of degree 3 has that line as a path.
+TOUCHING = [{"polynomial": {key: str(value) for key, value in terms.items()}} for terms in (
+    {"0,0,1": 7, "1,0,1": 1, "0,2,1": 2, "0,1,2": -1, "3,0,1": 2, "2,0,0": 5, "2,1,0": 1, "2,2,0": 3, "4,0,0": 1},
+    {"0,0,1": 6, "0,3,1": 1, "2,0,1": 2, "0,0,2": 1, "2,0,0": 9, "2,1,0": -1, "2,0,2": 1, "3,0,0": 2})]
+TILTED = [["1", "1/33333333", "-1/27777777", "0"], ["2/71111111", "1", "1/3", "0"], ["1/2", "-1/4", "1", "0"]]
 LONG = [f"{d}" * n + "/" + f"{e}" * (n - 1) for d, e, n in ((1, 7, 9998), (3, 1, 9999), (7, 9, 9997), (9, 8, 9996))]
 CHECK = "check {cube.off} {move.json}"
 CURVED = "check {s.csg.json} {move.json}"
@@ -148,6 +153,10 @@ BOMBS = [
     Bomb("digits-of-a-box", "digits", CURVED, {"s.csg.json": mapped(["0", *LONG], 1, {"ball": {"radius": 1}})}, None),
     Bomb("work-of-a-curved-solid", "work", CURVED + " --limit work=1000000", {"s.csg.json": mapped([x[:300] + "1" for x in LONG], 1, BALLS)},
          "--limit work=1000000000000000"),
+    Bomb("work-of-a-point", "work", "classify --jobs 1 {s.csg.json} {move.json} {points.csv} --limit work=2000000",
+         {"s.csg.json": json.dumps({"dimension": 3, "solid": {"affine": {"matrix": TILTED, "of": {"difference": TOUCHING}}}}),
+          "move.json": slid("t^2-1/2", "1/2-t^2", "2*t^2-1"), "points.csv": "1/99999999,1/3,-1/12\n"},
+         "--limit work=1000000000000000", 0, "pmc of 1 of 1 rows is undecided"),
     Bomb("cells-of-openscad", "cells", SCAD + " --limit cells=100000", {"s.csg": "sphere(r = 1);" * 200000}, None),
     Bomb("grid-of-many", "grid", "classify --jobs 1 {cube.off} {move.json} --grid 3000,3000,3000", {},
          "--limit grid=1000000000000000000"),

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # suite
 """Laws of curved scenes: world and body moved by rational maps, time reversed, cut and run otherwise, the expression by De
-Morgan's laws, in another order and nested, complements, sweep against unsweep of the complement (C94 to C101).
+Morgan's laws, in another order and nested, complements, sweep against unsweep of the complement (C94 to C101, C121, C122).
 
 SPDX-License-Identifier: GPL-3.0-or-later
 

@@ -4,20 +4,28 @@
 
 The point at which two surfaces touch in order 4 is one that the rules leave open, and so are points of a line in which more than
 12 planes meet. pmc is that of all ways to complete the states in which I and O are open in time, if they agree.
+Points on which the rules work long: `explain` names the limit, and a signal ends them.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import csv
 import itertools
 import json
 import os
+import random
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 from fractions import Fraction as F
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
 
-from scenes import Checks, Curved, Motion, along, box, common, halfspace, minus, options, polynomial, union  # noqa: E402
+from scenes import (Checks, Curved, Motion, along, box, common, halfspace, minus, options, polynomial, torus,  # noqa: E402
+                    union)
+
+WHOLE = "work=1000000000000000"
+PATIENCE = 20                   # seconds after a signal
 
 # z <= 0 touched from above by z <= -x^4 - y^4 + x^2 y^2 at the origin: a flat form of order 4, whose patterns no rule tells.
 FLAT = minus(polynomial({"0,0,1": 1, "4,0,0": 1, "0,4,0": 1, "2,2,0": -1}), halfspace((0, 0, 1)))
@@ -196,6 +204,46 @@ def judge(bench, name, done, agree, wrong, answers):
     checks.equal(counted, 2, name, "rows in the matrix")
 
 
+def hard_points(bench):
+    """Solid, motion and point: two quartics that touch along a line, with long numbers, at an irrational time; and a slide
+    along the circle in which two rings touch, of degree 80 and 300 digits."""
+    rng = random.Random(1)
+    touching = minus(polynomial({"0,0,1": 7, "1,0,1": 1, "0,2,1": 2, "0,1,2": -1, "3,0,1": 2, "2,0,0": 5, "2,2,0": 3, "4,0,0": 1}),
+                     polynomial({"0,0,1": 6, "0,3,1": 1, "2,0,1": 2, "2,0,0": 9, "2,1,0": -1, "2,0,2": 1, "3,0,0": 2}))
+    rows = [["1", "1/33333333", "-1/27777777", "0"], ["2/71111111", "1", "1/3", "0"], ["1/2", "-1/4", "1", "0"]]
+    rings = union(*(torus((0, 0, 0), (0, 0, 1), r, 1) for r in (2, 4)))
+    angle = "+".join(f"({rng.randint(-10 ** 300, 10 ** 300)}e-301)*t^{k}" for k in range(41))
+    turn = Motion(3, [(0, 1, {"rotate": {"tan_half": angle, "axis": ["0", "0", "1"]}})])
+    for name, node, motion, point in (
+            ("touching", {"affine": {"matrix": rows, "of": touching}}, along(0, 1, "1/2-t^2", "t^2-1/2", "1-2*t^2"),
+             ("1/99999999", "1/3", "-1/12")), ("slide", rings, turn, ("0", "3", "0"))):
+        yield (name, bench.file(name + ".csg.json", Curved(3, node).text()), bench.file(name + ".json", motion.text()), point)
+
+
+def check_hard_points(bench):
+    """Without the limit they go on for a minute; a signal ends each command, all four at once."""
+    started = []
+    for name, solid, motion, point in hard_points(bench):
+        told = bench.run("explain", solid, motion, *point, "--limit", "work=2000000")
+        bench.checks.equal((told.returncode, "the limit work was met" in told.stdout), (0, True), name, told.stdout, told.stderr)
+        points = bench.file(name + ".csv", ",".join(point) + "\n")
+        for words in (("explain", solid, motion, *point), ("classify", "--jobs", "1", solid, motion, points)):
+            started.append((name, words[0], subprocess.Popen([bench.graze, *words, "--limit", WHOLE], stdout=subprocess.DEVNULL,
+                                                             stderr=subprocess.DEVNULL)))
+    time.sleep(2)
+    for name, command, process in started:
+        bench.checks.equal(process.poll(), None, name, command, "is at work")
+        process.send_signal(signal.SIGTERM)
+    late = time.monotonic() + PATIENCE
+    for name, command, process in started:
+        try:
+            process.wait(max(0, late - time.monotonic()))
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+        bench.checks.equal(process.returncode, -signal.SIGTERM, name, command, "is ended by a signal")
+
+
 def main():
     args = options(__doc__.splitlines()[0])
     checks = Checks()
@@ -227,6 +275,7 @@ def main():
         check_memberships(bench)
         check_tables(bench)
         check_made(bench)
+        check_hard_points(bench)
     checks.finish()
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # suite
 """Words and times of curved scenes derived by hand: balls, capsules, cones, tori and polynomials, alone and combined, at
-tangencies, seams, rims, apexes and along slides (C94 to C101).
+tangencies, seams, rims, apexes and along slides (C94 to C101, C121, C122).
 
 SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -22,6 +22,7 @@ ORIGIN = {2: (0, 0), 3: (0, 0, 0)}
 CAPSULE = capsule((0, 0, 0), (4, 0, 0), 1)
 TWO = ball((-1, 0, 0), 1), ball((1, 0, 0), 1)                      # they touch at the origin
 RING = torus((0, 0, 0), (0, 0, 1), 2, 1)                           # its outer equator: r = 3, z = 0
+WIDER = torus((0, 0, 0), (0, 0, 1), 4, 1)                          # from outside, along that equator
 ROD = cylinder((0, 0, 0), (0, 0, 1), 3, -2, 2)
 CONE = cone((0, 0, 0), (0, 0, 1), 1)
 NAPPES = polynomial({"2,0,0": 1, "0,2,0": 1, "0,0,2": -1})
@@ -36,6 +37,24 @@ EGG = polynomial({"2,0,0": 1, "0,2,0": 1, "0,0,2": 2, "0,0,1": -2})
 ABOVE = halfspace((0, 0, -1))                                      # z >= 0
 FIRST = polynomial({"0,0,1": 1, "1,0,1": 1, "0,2,0": 1})           # z (1 + x) + y^2
 SECOND = polynomial({"0,0,1": 1, "1,0,1": 2, "0,2,0": F(3, 2)})    # z (1 + 2 x) + 3/2 y^2
+
+
+CUBIC = "(t^3-t-1/7)"                                              # from -1 to 0: twice 0, at most 0.25, at least -1/7
+TWICE = [[-1, -7, 0, 7]] * 2
+BEND = torus((5, 0, 0), (0, 0, 1), 3, 1)                           # it has a circle in y = 0 in common with RING, as have
+PIPE, PEARL = cylinder((2, 0, 0), (0, 1, 0), 1), ball((2, 0, 0), 1)
+# Three discs through (2, 0), turned about the axis: their gradients there are (-3, -4), (-4, -3), (-5, 0), each over 5.
+TURNED = tuple(torus((0, 0, z), (0, 0, 1), r, 1) for z, r in ((F(4, 5), F(13, 5)), (F(3, 5), F(14, 5)), (0, 3)))
+
+
+def around(radius, height):
+    """A quarter of a circle about the z axis."""
+    return along(0, 1, f"{radius}*(1-t^2)/(1+t^2)", f"{2 * radius}*t/(1+t^2)", str(height))
+
+
+def beside(*point, middle=(0, 0, 0)):
+    """Out of a point and into it along the ray from the middle, at both roots of CUBIC."""
+    return along(-1, 0, *(f"{m}+({p - m})*(1+{CUBIC})" for p, m in zip(point, middle)))
 
 
 def corner(third):
@@ -82,6 +101,29 @@ SCENES = [
      along(-1, 1, "3", "0", "t"), "BO", [(-1, 0)]),
     ("ring on half a rod, around", union(RING, cylinder((0, 0, 0), (0, 0, 1), 3, -2, 0)),
      along(0, 1, "3*(1-t^2)/(1+t^2)", "6*t/(1+t^2)", "0"), "B", [(0, 1)]),
+    # Surfaces that touch along a whole circle. Two rings, and a path that leaves one and enters the other: with s = 1/2 - t^2 in
+    # [-1/16, 1/18], r^2 = 9 - 6/5 s + 2 s^2, it is in RING for 0 < s < 0.08 and in the other for -0.11 < s < 0.
+    ("rings, around", union(RING, WIDER), around(3, 0), "B", [(0, 1)]),
+    ("rings, across", union(RING, WIDER), along(F(2, 3), F(3, 4), "9/5+1/2-t^2", "12/5-1/2+t^2", "1-2*t^2"), "IBI", [[-1, 0, 2]]),
+    ("both rings, across", common(RING, WIDER), along(F(2, 3), F(3, 4), "9/5+1/2-t^2", "12/5-1/2+t^2", "1-2*t^2"), "O", []),
+    ("ring below a height, around", union(RING, halfspace((0, 0, -1), -1)), around(2, 1), "B", [(0, 1)]),
+    # The ball of radius 3 has the ring in it; on a ray from the middle it and the ring end at once.
+    ("ball less ring, around", minus(ball((0, 0, 0), 3), RING), around(3, 0), "B", [(0, 1)]),
+    ("ball less ring, beside", minus(ball((0, 0, 0), 3), RING), beside(F(9, 5), F(12, 5), 0), "OBOBO", TWICE),
+    ("ring less ball, beside", minus(RING, ball((0, 0, 0), 3)), beside(F(9, 5), F(12, 5), 0), "O", []),
+    # In y = 0 all have one section. With c = (x - 2)^2 + z^2 - 1, y small, the surfaces are PIPE: c = 0; PEARL: c = -y^2;
+    # RING: c = -y^2 (x - 2) / x + ...; BEND: c = y^2 (x - 2) / (5 - x) + ...; the lesser c is the inner one.
+    ("ring less pearl", minus(RING, PEARL), beside(F(13, 5), 0, F(4, 5), middle=(2, 0, 0)), "OBOBO", TWICE),
+    ("pearl less ring", minus(PEARL, RING), beside(F(13, 5), 0, F(4, 5), middle=(2, 0, 0)), "O", []),
+    ("ring less pipe", minus(RING, PIPE), beside(F(13, 5), 0, F(4, 5), middle=(2, 0, 0)), "O", []),
+    ("pipe less ring", minus(PIPE, RING), beside(F(13, 5), 0, F(4, 5), middle=(2, 0, 0)), "OBOBO", TWICE),
+    ("ring less pipe, on the inner side", minus(RING, PIPE), beside(F(7, 5), 0, F(4, 5), middle=(2, 0, 0)), "OBOBO", TWICE),
+    ("ring less bend", minus(RING, BEND), beside(F(13, 5), 0, F(4, 5), middle=(2, 0, 0)), "O", []),
+    ("bend less ring", minus(BEND, RING), beside(F(13, 5), 0, F(4, 5), middle=(2, 0, 0)), "OBOBO", TWICE),
+    # 3 a - 4 b + 7 c = 0 of the gradients, and the discs have the point in common: none is in the first and third alone.
+    ("two less the third, around", minus(common(TURNED[0], TURNED[2]), TURNED[1]), around(2, 0), "O", []),
+    ("two less the third, beside", minus(common(TURNED[0], TURNED[2]), TURNED[1]), beside(F(6, 5), F(8, 5), 0), "O", []),
+    ("two less another, beside", minus(common(*TURNED[:2]), TURNED[2]), beside(F(6, 5), F(8, 5), 0), "OBOBO", TWICE),
     # A cone, its apex, its generators.
     ("cone beside its apex", CONE, along(-1, 1, "t", "0", "0"), "OBO", [0]),
     ("cone into its apex", CONE, along(-1, 1, "0", "0", "t"), "OBI", [0]),

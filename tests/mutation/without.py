@@ -35,7 +35,7 @@ RULES = [
     ("C97", "an even order shows one sign", CURVED + "circuits.c", "out = sign == 0 ? none : order % 2 ? both : takes_one(sign, TAKES_NOT);",
      "out = sign == 0 ? none : both;"),
     ("C97", "a definite form takes one sign", CURVED + "circuits.c", "            out = takes_one(first, TAKES_NOT);", "            out = unknown;"),
-    ("C98", "a ridge", CURVED + "circuits.c", "out = take_on_ridge(g, &p, of, first ? 0 : 1, first ? first : second);", "out = unknown;"),
+    ("C98", "a ridge", CURVED + "circuits.c", "out = take_on_ridge(g, c, &p, first ? 0 : 1, first ? first : second);", "out = unknown;"),
     ("C98", "the other sign along the ridge", CURVED + "circuits.c", "int other = rest != 0 && (order % 2 || rest == -sign);", "int other = 0;"),
     ("C98", "a ridge in the second coordinate", CURVED + "circuits.c", "else if (first || second)", "else if (first)"),
     ("C99", "(a) rays of a cell", CURVED + "apex.c", "        if (sign_of_form(q, a->ray + r * d) == sign)\n            return 1;\n", ""),

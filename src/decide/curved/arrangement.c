@@ -7,13 +7,13 @@
  */
 #include "decide/curved/arrangement.h"
 
-void field_dot(value *out, const moment_field *f, const value *a, const value *b, int dimension) {
+void field_dot(value *out, moment_field *f, const value *a, const value *b, int dimension) {
     fmpq_poly_zero(out);
     for (int i = 0; i < dimension; i++)
         field_addmul(out, f, a + i, b + i);
 }
 
-void field_cross(value *out, const moment_field *f, const value *a, const value *b) {
+void field_cross(value *out, moment_field *f, const value *a, const value *b) {
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
         field_mul(out + i, f, a + j, b + k);

@@ -29,7 +29,7 @@ int arrangement_in_cell(const arrangement *a, int ray, uint32_t mask, unsigned p
 int arrangement_has(const arrangement *a, uint32_t mask, unsigned pattern);
 
 /** out = a . b, a x b, of vectors of `dimension`, of three. */
-void field_dot(value *out, const moment_field *f, const value *a, const value *b, int dimension);
-void field_cross(value *out, const moment_field *f, const value *a, const value *b);
+void field_dot(value *out, moment_field *f, const value *a, const value *b, int dimension);
+void field_cross(value *out, moment_field *f, const value *a, const value *b);
 
 #endif

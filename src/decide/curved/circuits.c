@@ -9,7 +9,7 @@
 #include "decide/curved/circuits.h"
 
 #include "decide/curved/arrangement.h"
-#include "decide/curved/series.h"
+#include "decide/curved/curve_field.h"
 
 /* Whether a function takes a sign arbitrarily near the point. */
 typedef enum taking { TAKES_NOT, TAKES, TAKES_PERHAPS } taking;
@@ -30,6 +30,13 @@ static takings takes_one(int sign, taking other) {
     return sign > 0 ? (takings){TAKES, other} : (takings){other, TAKES};
 }
 
+static unsigned members_of(const circuit *c) {
+    unsigned mask = 0;
+    for (int k = 0; k < c->size; k++)
+        mask |= 1u << c->member[k];
+    return mask;
+}
+
 /* What a member takes along the curve in which the members before it meet. */
 static takings take_on_curve(sign_germ *g, const circuit *c) {
     const taylor *base[2], *last = &g->member[c->member[c->size - 1]];
@@ -43,7 +50,7 @@ static takings take_on_curve(sign_germ *g, const circuit *c) {
     takings out = unknown;
     if (probe_init(&p, g->f, g->dimension, base, c->size - 1)) {
         probe_set_integers(&p, forward);
-        int sign = probe_first(&order, &p, g->f, last, most);
+        int sign = flow_first(&order, g, &p, members_of(c), last, most);
         out = sign == 0 ? none : order % 2 ? both : takes_one(sign, TAKES_NOT);
     }
     probe_clear(&p);
@@ -73,9 +80,9 @@ static int form_on_surface(value *form, sign_germ *g, probe *p, const taylor *of
 
 /* A form of rank 1 and sign `sign`: the rest, phi, along the curve on which its derivative in the
  * open coordinate `axis` is 0 (C98). */
-static takings take_on_ridge(sign_germ *g, const probe *on, const taylor *of, int axis, int sign) {
+static takings take_on_ridge(sign_germ *g, const circuit *c, const probe *on, int axis, int sign) {
     const slong forward[] = {1, 0, 0};
-    const taylor *base = on->base[0];
+    const taylor *base = on->base[0], *of = &g->member[c->member[1]];
     int order, most = of->degree * base->degree * (of->degree + base->degree - 2);
     takings out = unknown;
     taylor ridge;
@@ -86,7 +93,7 @@ static takings take_on_ridge(sign_germ *g, const probe *on, const taylor *of, in
     const taylor *pair[] = {base, &ridge};
     if (probe_init(&p, g->f, g->dimension, pair, 2)) {
         probe_set_integers(&p, forward);
-        int rest = probe_first(&order, &p, g->f, of, most);
+        int rest = flow_first(&order, g, &p, members_of(c), of, most);
         int other = rest != 0 && (order % 2 || rest == -sign);
         out = takes_one(sign, other ? TAKES : TAKES_NOT);
     }
@@ -129,7 +136,7 @@ static takings take_on_surface(sign_germ *g, const circuit *c) {
         else if (discriminant > 0)
             out = takes_one(first, TAKES_NOT);
         else if (first || second)
-            out = take_on_ridge(g, &p, of, first ? 0 : 1, first ? first : second);
+            out = take_on_ridge(g, c, &p, first ? 0 : 1, first ? first : second);
         else if (!mixed)
             out = take_flat(g, &p, of);
     }
@@ -147,13 +154,11 @@ static int is_linear(const sign_germ *g, const circuit *c) {
 
 /* Note what is known of the pattern with the signs of the relation times e. */
 static void note_taking(sign_germ *g, const circuit *c, int e, taking known) {
-    unsigned mask = 0, want = 0;
-    for (int k = 0; k < c->size; k++) {
-        mask |= 1u << c->member[k];
+    unsigned want = 0;
+    for (int k = 0; k < c->size; k++)
         want |= (unsigned)(e * c->sign[k] < 0) << c->member[k];
-    }
     if (known == TAKES_NOT)
-        germ_exclude(g, mask, want);
+        germ_exclude(g, members_of(c), want);
     if (known == TAKES && c->size == g->count)
         pattern_add(&g->seen, want);
 }

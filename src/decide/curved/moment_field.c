@@ -4,6 +4,7 @@
 #include "decide/curved/moment_field.h"
 
 #include <flint/fmpz_poly_factor.h>
+#include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/number/modular.h"
@@ -29,8 +30,9 @@ static graze_status make_irreducible(graze_context *context, algebraic *time) {
     return GRAZE_OK;
 }
 
-void field_init(moment_field *f, graze_context *context, algebraic *time, int on_gap) {
-    *f = (moment_field){.context = context, .time = time};
+void field_init(moment_field *f, graze_context *context, algebraic *time, int on_gap,
+                unsigned long *work) {
+    *f = (moment_field){.context = context, .time = time, .work = work};
     fmpq_poly_init(f->modulus);
     if (on_gap)
         return;
@@ -64,12 +66,30 @@ void field_set(value *out, const moment_field *f, const fmpz_poly_t p) {
     reduce_value(out, f);
 }
 
-void field_mul(value *out, const moment_field *f, const value *a, const value *b) {
+void field_charge(moment_field *f, unsigned long products, unsigned long words) {
+    if (f->status)
+        return;
+    *f->work += words;
+    f->status = *f->work > f->context->limits[GRAZE_LIMIT_WORK]
+                    ? GRAZE_ELIMIT
+                    : context_work(f->context, products);
+}
+
+static ulong element_words(const value *a) {
+    ulong bits = (ulong)FLINT_ABS(_fmpz_vec_max_bits(a->coeffs, a->length));
+    return (ulong)a->length * (bits / FLINT_BITS + 1);
+}
+
+void field_mul(value *out, moment_field *f, const value *a, const value *b) {
+    ulong one = element_words(a), other = element_words(b);
+    field_charge(f, one * other, (one + other) * FLINT_BIT_COUNT(one + other) / 8);
+    if (f->status)
+        return;
     fmpq_poly_mul(out, a, b);
     reduce_value(out, f);
 }
 
-void field_addmul(value *out, const moment_field *f, const value *a, const value *b) {
+void field_addmul(value *out, moment_field *f, const value *a, const value *b) {
     fmpq_poly_t product;
     if (fmpq_poly_is_zero(a) || fmpq_poly_is_zero(b))
         return;
@@ -79,25 +99,32 @@ void field_addmul(value *out, const moment_field *f, const value *a, const value
     fmpq_poly_clear(product);
 }
 
-void field_submul(value *out, const moment_field *f, const value *a, const value *b) {
+void field_submul(value *out, moment_field *f, const value *a, const value *b) {
     fmpq_poly_neg(out, out);
     field_addmul(out, f, a, b);
     fmpq_poly_neg(out, out);
 }
 
-/* Keep a polynomial whose sign was asked for on a gap. */
+/* Keep a polynomial whose sign was asked for on a gap, without what is kept already
+ * (proofs/flows.md C122). */
 static void keep_asked(moment_field *f, const fmpz_poly_t p) {
+    fmpz_poly_t rest;
     if (!fmpq_poly_is_zero(f->modulus))
         return;
-    for (size_t k = 0; k < f->asked_count; k++)
-        if (fmpz_poly_equal(&f->asked[k], p))
-            return;
-    f->status = array_grow(f->context, &f->asked, &f->asked_capacity, f->asked_count + 1,
-                           sizeof *f->asked, "the signs asked along a slide");
-    if (f->status)
-        return;
-    fmpz_poly_init(&f->asked[f->asked_count]);
-    fmpz_poly_set(&f->asked[f->asked_count++], p);
+    fmpz_poly_init(rest);
+    fmpz_poly_primitive_part(rest, p);
+    for (size_t k = 0; k < f->asked_count && !f->status; k++) {
+        f->status = common_factor_work(f->context, rest, &f->asked[k]);
+        fmpz_poly_remove(rest, rest, &f->asked[k]);
+    }
+    if (!f->status && fmpz_poly_degree(rest) > 0)
+        f->status = array_grow(f->context, &f->asked, &f->asked_capacity, f->asked_count + 1,
+                               sizeof *f->asked, "the signs asked along a slide");
+    if (!f->status && fmpz_poly_degree(rest) > 0) {
+        fmpz_poly_init(&f->asked[f->asked_count]);
+        fmpz_poly_swap(&f->asked[f->asked_count++], rest);
+    }
+    fmpz_poly_clear(rest);
 }
 
 int field_sign(moment_field *f, const value *a) {

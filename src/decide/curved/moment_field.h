@@ -22,19 +22,26 @@ typedef struct moment_field {
     fmpq_poly_t modulus; /* irreducible, with the root `time`; zero on a gap */
     fmpz_poly_struct *asked;
     size_t asked_count, asked_capacity;
-    graze_status status; /* the first failure, after which no answer counts */
+    unsigned long *work; /* words of products so far, of all fields of a point */
+    graze_status
+        status; /* the first failure, after which nothing is computed and no answer counts */
 } moment_field;
 
 /** The field of a time; the time's polynomial may become a factor of itself. */
-void field_init(moment_field *f, graze_context *context, algebraic *time, int on_gap);
+void field_init(moment_field *f, graze_context *context, algebraic *time, int on_gap,
+                unsigned long *work);
 void field_clear(moment_field *f);
 
 /** The element that an integer polynomial in u is. */
 void field_set(value *out, const moment_field *f, const fmpz_poly_t p);
-void field_mul(value *out, const moment_field *f, const value *a, const value *b);
+void field_mul(value *out, moment_field *f, const value *a, const value *b);
+/** Count products of words, after some milliseconds of which the caller may cancel, and words of
+ * results, of which the limit `work` allows so many: past it the status is GRAZE_ELIMIT, without a
+ * message. */
+void field_charge(moment_field *f, unsigned long products, unsigned long words);
 /** out += a b, out -= a b */
-void field_addmul(value *out, const moment_field *f, const value *a, const value *b);
-void field_submul(value *out, const moment_field *f, const value *a, const value *b);
+void field_addmul(value *out, moment_field *f, const value *a, const value *b);
+void field_submul(value *out, moment_field *f, const value *a, const value *b);
 /** -1, 0 or 1; 0 after a failure. */
 int field_sign(moment_field *f, const value *a);
 

@@ -76,8 +76,7 @@ void probe_set_integers(probe *p, const slong *direction) {
 }
 
 /* out = a b, both of n terms */
-static void multiply_series(value *out, const moment_field *f, const value *a, const value *b,
-                            int n) {
+static void multiply_series(value *out, moment_field *f, const value *a, const value *b, int n) {
     for (int k = 0; k < n; k++) {
         fmpq_poly_zero(out + k);
         for (int i = 0; i <= k; i++)
@@ -87,7 +86,8 @@ static void multiply_series(value *out, const moment_field *f, const value *a, c
 
 /* The series of a polynomial at series of its d coordinates, each of n terms. `scale`, if any, has
  * the powers of a number: a term of degree x in the open and y in the bound coordinates is
- * multiplied by scale[2 x + y - 2], and terms linear in the bound ones are left out. */
+ * multiplied by scale[2 x + y - 2], and terms linear in the bound ones are left out. Series begin
+ * with s, so terms of degree n and more do not count. */
 static void compose(value *out, moment_field *f, const taylor *of, const value *series, int n,
                     const value *scale, const probe *p) {
     size_t d = (size_t)of->dimension, length = (size_t)n;
@@ -97,7 +97,7 @@ static void compose(value *out, moment_field *f, const taylor *of, const value *
         fmpq_poly_zero(out + k);
     for (size_t i = 0; i < d && power; i++) {
         fmpq_poly_set_si(power + i * POWERS * length, 1);
-        for (size_t k = 1; k <= (size_t)of->degree; k++)
+        for (size_t k = 1; k <= (size_t)of->degree && k < length; k++)
             multiply_series(power + (i * POWERS + k) * length, f,
                             power + (i * POWERS + k - 1) * length, series + i * length, n);
     }
@@ -107,7 +107,7 @@ static void compose(value *out, moment_field *f, const taylor *of, const value *
             total += of->power[t][i];
         for (int k = 0; k < p->base_count; k++)
             bound += of->power[t][p->bound_axis[k]];
-        if (scale && total == 1 && bound == 1)
+        if (total >= n || (scale && total == 1 && bound == 1))
             continue;
         for (size_t k = 0; k < length; k++)
             fmpq_poly_zero(product + k);
@@ -157,7 +157,7 @@ static void solve_base(value *series, const probe *p, moment_field *f, int n) {
     if (f->status == GRAZE_OK) {
         combine_base(equation, scale + 1, p, f);
         fmpq_poly_set_si(scale, 1);
-        for (int k = 2; k < SCALES; k++)
+        for (int k = 2; k < SCALES && (k <= 2 || k <= 2 * n - 4); k++)
             field_mul(scale + k, f, scale + k - 1, scale + 1);
     }
     for (int step = 1; step < n && f->status == GRAZE_OK; step++) {

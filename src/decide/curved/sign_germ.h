@@ -21,11 +21,13 @@ void pattern_add(pattern_set *set, unsigned pattern);
 typedef struct sign_germ {
     moment_field *f;
     int dimension, count;
-    taylor member[CSG_FREE_MOST];
-    pattern_set truth;     /* of the expression */
-    pattern_set seen;      /* patterns that occur, */
-    pattern_set never;     /* and such as do not */
-    int near_in, near_out; /* points of the interior, of the outside, are arbitrarily near */
+    const trajectory *c;
+    const csg_surface *surface[CSG_FREE_MOST];
+    taylor member[CSG_FREE_MOST]; /* their expansions */
+    pattern_set truth;            /* of the expression */
+    pattern_set seen;             /* patterns that occur, */
+    pattern_set never;            /* and such as do not */
+    int near_in, near_out;        /* points of the interior, of the outside, are arbitrarily near */
 } sign_germ;
 
 /** Expand the surfaces at the point; a germ without members of which nothing is known. */

@@ -6,7 +6,7 @@
 #include "decide/curved/arrangement.h"
 #include "decide/curved/circuits.h"
 #include "decide/curved/apex.h"
-#include "decide/curved/series.h"
+#include "decide/curved/curve_field.h"
 
 /* Patterns of the smooth members' tangent planes occur where no other member is. */
 static void see_cells(sign_germ *g, unsigned smooth) {
@@ -20,16 +20,19 @@ static void see_cells(sign_germ *g, unsigned smooth) {
     arrangement_clear(&a);
 }
 
-/* The signs of all members along a probe; those that vanish along it are in `flat`. */
-static void look_along_probe(unsigned *negative, unsigned *flat, sign_germ *g, probe *p) {
+/* The signs of all members along a probe; those that vanish along it are in `flat`, the base too.
+ */
+static void look_along_probe(unsigned *negative, unsigned *flat, sign_germ *g, probe *p,
+                             unsigned base) {
     *negative = *flat = 0;
     for (int k = 0; k < g->count; k++) {
-        int order, most = g->member[k].degree, base = 0;
-        for (int b = 0; b < p->base_count; b++) {
+        const taylor *of = &g->member[k];
+        int order, sign = 0, most = of->degree;
+        for (int b = 0; b < p->base_count; b++)
             most *= p->base[b]->degree;
-            base |= p->base[b] == &g->member[k];
-        }
-        int sign = base ? 0 : probe_first(&order, p, g->f, &g->member[k], most);
+        if (!(base >> k & 1))
+            sign = p->base_count == 2 ? flow_first(&order, g, p, base | 1u << k, of, most)
+                                      : probe_first(&order, p, g->f, of, most);
         *negative |= (unsigned)(sign < 0) << k;
         *flat |= (unsigned)(sign == 0) << k;
     }
@@ -40,10 +43,10 @@ static void look_along_probe(unsigned *negative, unsigned *flat, sign_germ *g, p
 static void see_beside(sign_germ *g, probe *p, unsigned smooth) {
     unsigned negative, flat, members = 0;
     arrangement a;
-    look_along_probe(&negative, &flat, g, p);
     for (int b = 0; b < p->base_count; b++)
         for (int k = 0; k < g->count; k++)
             members |= (unsigned)(p->base[b] == &g->member[k]) << k;
+    look_along_probe(&negative, &flat, g, p, members);
     int whole = p->base_count == g->dimension - 1;
     if (g->f->status || (flat & ~smooth) || (flat != members && !whole))
         return;
@@ -131,7 +134,7 @@ graze_status state_decide(graze_state *out, const situation *at, moment_field *f
     if (f->status == GRAZE_OK && !fmpq_poly_is_zero(f->modulus) && contradicts(&g))
         f->status = context_fail(f->context, GRAZE_EINTERNAL,
                                  "two rules disagree on the surfaces through a point");
-    *out = *out ? *out : GRAZE_STATE_UNDECIDED;
+    *out = *out && !f->status ? *out : GRAZE_STATE_UNDECIDED;
     germ_clear(&g);
     return f->status;
 }

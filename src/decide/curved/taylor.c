@@ -39,21 +39,24 @@ static void taylor_normalise(taylor *t) {
     t->count = kept;
 }
 
-void taylor_point_init(taylor_point *p, moment_field *f, const trajectory *c) {
-    enum { POWERS = CSG_DEGREE + 1 };
+void taylor_point_init(taylor_point *p, moment_field *f, const trajectory *c, int degree) {
     int d = c->dimension;
-    *p = (taylor_point){field_vector(f, (size_t)(d + 1) * POWERS), d};
+    *p = (taylor_point){field_vector(f, (size_t)((d + 1) * (degree + 1))), d, degree};
     for (int i = 0; i <= d && p->power; i++) {
-        value *x = p->power + i * POWERS;
+        value *x = p->power + i * (degree + 1);
         fmpq_poly_set_si(x, 1);
         field_set(x + 1, f, &c->x[i]);
-        for (int k = 2; k < POWERS; k++)
+        for (int k = 2; k <= degree; k++)
             field_mul(x + k, f, x + k - 1, x + 1);
     }
 }
 
 void taylor_point_clear(taylor_point *p) {
-    field_vector_clear(p->power, (size_t)(p->dimension + 1) * (CSG_DEGREE + 1));
+    field_vector_clear(p->power, (size_t)((p->dimension + 1) * (p->degree + 1)));
+}
+
+const value *taylor_power(const taylor_point *p, int i, int k) {
+    return p->power + i * (p->degree + 1) + k;
 }
 
 static slong binomial(int n, int k) {
@@ -64,10 +67,9 @@ static slong binomial(int n, int k) {
 }
 
 /* Add one term of a surface: (X + v)^power W^(degree - |power|), times its coefficient. */
-static void expand_term(taylor *out, const moment_field *f, const taylor_point *p,
-                        const csg_surface *s, size_t term) {
+static void expand_term(taylor *out, moment_field *f, const taylor_point *p, const csg_surface *s,
+                        size_t term) {
     const unsigned char *a = s->power[term];
-    value *x = p->power;
     int d = p->dimension, rest = s->degree - a[0] - a[1] - a[2], k[3];
     fmpq_poly_t product;
     fmpq_poly_init(product);
@@ -77,9 +79,9 @@ static void expand_term(taylor *out, const moment_field *f, const taylor_point *
                 if (k[0] + k[1] + k[2] == 0)
                     continue;
                 fmpq_poly_set_fmpz(product, s->coefficient + term);
-                field_mul(product, f, product, x + d * (CSG_DEGREE + 1) + rest);
+                field_mul(product, f, product, taylor_power(p, d, rest));
                 for (int i = 0; i < d; i++) {
-                    field_mul(product, f, product, x + i * (CSG_DEGREE + 1) + a[i] - k[i]);
+                    field_mul(product, f, product, taylor_power(p, i, a[i] - k[i]));
                     fmpq_poly_scalar_mul_si(product, product, binomial(a[i], k[i]));
                 }
                 value *at = taylor_at(out, k);
@@ -88,7 +90,7 @@ static void expand_term(taylor *out, const moment_field *f, const taylor_point *
     fmpq_poly_clear(product);
 }
 
-void taylor_of_surface(taylor *out, const moment_field *f, const taylor_point *p,
+void taylor_of_surface(taylor *out, moment_field *f, const taylor_point *p,
                        const csg_surface *surface) {
     out->count = 0;
     out->degree = surface->degree;
@@ -114,8 +116,8 @@ int taylor_order(const taylor *t) {
 }
 
 /* out += sign da/di db/dj */
-static void add_derivatives(taylor *out, const moment_field *f, const taylor *a, int i,
-                            const taylor *b, int j, int sign) {
+static void add_derivatives(taylor *out, moment_field *f, const taylor *a, int i, const taylor *b,
+                            int j, int sign) {
     fmpq_poly_t product;
     fmpq_poly_init(product);
     for (size_t k = 0; k < a->count; k++)
@@ -133,8 +135,7 @@ static void add_derivatives(taylor *out, const moment_field *f, const taylor *a,
     fmpq_poly_clear(product);
 }
 
-void taylor_minor(taylor *out, const moment_field *f, const taylor *a, const taylor *b, int i,
-                  int j) {
+void taylor_minor(taylor *out, moment_field *f, const taylor *a, const taylor *b, int i, int j) {
     out->count = 0;
     out->degree = a->degree + b->degree - 2;
     add_derivatives(out, f, a, i, b, j, 1);
@@ -143,7 +144,7 @@ void taylor_minor(taylor *out, const moment_field *f, const taylor *a, const tay
 }
 
 /* out += factor a, or -= */
-static void add_multiple(taylor *out, const moment_field *f, const value *factor, const taylor *a,
+static void add_multiple(taylor *out, moment_field *f, const value *factor, const taylor *a,
                          int minus) {
     for (size_t k = 0; k < a->count; k++) {
         int power[3] = {a->power[k][0], a->power[k][1], a->power[k][2]};
@@ -155,7 +156,7 @@ static void add_multiple(taylor *out, const moment_field *f, const value *factor
     }
 }
 
-void taylor_combine(taylor *out, const moment_field *f, const value *factor, const taylor *a,
+void taylor_combine(taylor *out, moment_field *f, const value *factor, const taylor *a,
                     const value *other, const taylor *b) {
     out->count = 0;
     out->degree = a->degree > b->degree ? a->degree : b->degree;

@@ -26,17 +26,19 @@ typedef struct taylor {
 void taylor_init(taylor *t, moment_field *f, int dimension);
 void taylor_clear(taylor *t);
 
-/** The powers of a trajectory's polynomials as elements, up to CSG_DEGREE. */
+/** The powers of a trajectory's polynomials as elements, up to a degree. */
 typedef struct taylor_point {
-    value *power; /* (CSG_DEGREE + 1) of each X_i, then of W */
-    int dimension;
+    value *power; /* (degree + 1) of each X_i, then of W */
+    int dimension, degree;
 } taylor_point;
 
-void taylor_point_init(taylor_point *p, moment_field *f, const trajectory *c);
+void taylor_point_init(taylor_point *p, moment_field *f, const trajectory *c, int degree);
 void taylor_point_clear(taylor_point *p);
+/** The power k of X_i, or of W for i = d. */
+const value *taylor_power(const taylor_point *p, int i, int k);
 
 /** The expansion of a surface, which vanishes at the point. */
-void taylor_of_surface(taylor *out, const moment_field *f, const taylor_point *p,
+void taylor_of_surface(taylor *out, moment_field *f, const taylor_point *p,
                        const csg_surface *surface);
 
 /** Component i of the gradient at the point, a borrowed element. */
@@ -46,11 +48,10 @@ const value *taylor_gradient(const taylor *t, int i);
 int taylor_order(const taylor *t);
 
 /** out = da/di db/dj - da/dj db/di, which vanishes at the point, too. */
-void taylor_minor(taylor *out, const moment_field *f, const taylor *a, const taylor *b, int i,
-                  int j);
+void taylor_minor(taylor *out, moment_field *f, const taylor *a, const taylor *b, int i, int j);
 
 /** out = factor a - other b */
-void taylor_combine(taylor *out, const moment_field *f, const value *factor, const taylor *a,
+void taylor_combine(taylor *out, moment_field *f, const value *factor, const taylor *a,
                     const value *other, const taylor *b);
 
 #endif

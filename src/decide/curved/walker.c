@@ -53,8 +53,10 @@ static graze_status keep_undecided(walker *w, const dependence *d, const algebra
     where->from = where->to = time_create(w->r->scene->motion, w->piece, time);
     if (!where->from)
         return context_fail(w->r->context, GRAZE_ESYSTEM, "out of memory for a trace");
-    out->undecided->reason = d->too_many
-                                 ? "more than 12 surfaces meet there"
+    out->undecided->reason = d->too_many ? "more than 12 surfaces meet there"
+                             : w->limited
+                                 ? "the limit work was met before a rule told which signs of these "
+                                   "surfaces occur near there"
                                  : "no rule tells which signs of these surfaces occur near there";
     return name_primitives(w, where, d);
 }
@@ -69,7 +71,9 @@ static graze_status ask_situation(graze_state *out, walker *w, const dependence 
                     .truth = d->truth,
                     .near_in = before == GRAZE_STATE_I || after == GRAZE_STATE_I,
                     .near_out = before == GRAZE_STATE_O || after == GRAZE_STATE_O};
-    return state_decide(out, &at, f);
+    graze_status status = state_decide(out, &at, f);
+    w->limited = status == GRAZE_ELIMIT && w->work > w->r->context->limits[GRAZE_LIMIT_WORK];
+    return w->limited ? GRAZE_OK : status;
 }
 
 /* The state at the pending time, between two gaps; ABSENT at an end of the motion. */
@@ -88,7 +92,7 @@ static graze_status decide_time(graze_state *out, walker *w, const dependence *d
     if (d->too_many)
         return GRAZE_OK;
     moment_field f;
-    field_init(&f, w->r->context, w->pending, 0);
+    field_init(&f, w->r->context, w->pending, 0, &w->work);
     graze_status status = f.status ? f.status : ask_situation(out, w, d, &f, before, after);
     field_clear(&f);
     return status;
@@ -194,12 +198,12 @@ static graze_status walk_slide(walker *w, algebraic *low, algebraic *high) {
     algebraic_list_init(&cuts);
     if (!status)
         status = algebraic_between(sample.value, w->r->context, low, high);
-    field_init(&f, w->r->context, &sample, 1);
+    field_init(&f, w->r->context, &sample, 1, &w->work);
     if (!status && d.state)
         state = d.state;
     else if (!status && !d.too_many)
         status = ask_situation(&state, w, &d, &f, GRAZE_STATE_ABSENT, GRAZE_STATE_ABSENT);
-    if (!status)
+    if (!status && !w->limited)
         status = find_slide_cuts(&cuts, w, &f, low, high);
     if (!status)
         status =

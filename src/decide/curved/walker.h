@@ -21,6 +21,8 @@ typedef struct walker {
     algebraic *pending; /* a time that is not decided yet, until the next window; or NULL */
     size_t *vanishing;  /* surfaces that vanish there */
     size_t vanishing_count;
+    unsigned long work; /* of the rules, for the limit */
+    int limited;        /* the limit was met */
     graze_state before; /* the state of the gap before it; ABSENT at the start of the motion */
 } walker;
 
