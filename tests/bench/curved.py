@@ -13,7 +13,7 @@ import subprocess
 from fractions import Fraction as F
 
 import scenes
-from measure import Stream
+from measure import Stream, run_cpu
 
 REPEATS = 5
 # Of the tool, from the tip up: (radius, height) of its rims, the hemisphere's first.
@@ -144,7 +144,47 @@ def compare(bench, work, curved, other, most):
                     graze=statistics.median(a for a, _ in times), peer=statistics.median(b for _, b in times))
 
 
+def ring(major, x=0, z=0):
+    return {"torus": {"point": [str(x), "0", str(z)], "axis": ["0", "0", "1"], "major": str(major), "minor": "1"}}
+
+
+def touching():
+    """Scenes in which a ring touches another surface along a circle, and the same with that one displaced: name, motion,
+    points, both solids."""
+    turn = lambda quarters: {"turn": {"quarters": quarters, "axis": ["0", "0", "1"]}}
+    slid = lambda u: {"translate": [u, f"-({u})", f"2*({u})"]}
+    around = {"translate": ["-2*t/(1+t^2)", "0", "-2*t^2/(1+t^2)"]}
+    ball = lambda x, z, radius: {"ball": {"center": [str(x), "0", str(z)], "radius": str(radius)}}
+    rings = [{"union": [ring(2), ring(4, 0, d)]} for d in (0, "1/100")]
+    for name, motion, points, solids in (
+            ("two rings, quarter turn", turn(1), ["0,3,0"], rings),
+            ("two rings, t^2 - 1/2", slid("t^2-1/2"), ["9/5,12/5,0"], rings),
+            ("two rings, a cubic", slid("(t-1)^3-(t-1)-1/7"), ["9/5,12/5,0"], rings),
+            ("ball less ring", turn(1), ["0,3,0"], [{"difference": [ball(0, d, 3), ring(2)]} for d in (0, "1/100")]),
+            ("ball in ring", around, ["0,0,0"],
+             [{"difference": [ring(2, -2, 1), ball(0, z, 1)]} for z in (1, "101/100")]),
+            ("ring below a height, five turns", turn(20), ["0,2,1", "2,0,1", "6/5,8/5,1", "-6/5,8/5,1"],
+             [{"union": [ring(2), {"halfspace": {"normal": ["0", "0", "-1"], "offset": z}}]} for z in ("-1", "-101/100")])):
+        yield name, motion, points, solids
+
+
+def measure_touching(bench):
+    """Whole runs, CPU seconds, the least of REPEATS."""
+    bench.table.head("Surfaces that touch along a circle: whole runs; the peer is the same scene with one displaced by 1/100")
+    for name, motion, points, solids in touching():
+        paths = [bench.path(n) for n in ("touching.csg.json", "touching.json", "touching.csv")]
+        times = []
+        for solid in solids:
+            texts = ({"dimension": 3, "solid": solid}, {"dimension": 3, "pieces": [{"t": ["0", "1"], "transform": motion}]})
+            for path, text in zip(paths, [*map(json.dumps, texts), "\n".join(points) + "\n"]):
+                with open(path, "w", encoding="ascii") as file:
+                    file.write(text)
+            times.append(min(run_cpu([bench.graze, "classify", "--jobs", "1", *paths])[0] for _ in range(REPEATS)))
+        bench.table.row(f"{name} ({len(points)} points)", times[0] / times[1], most=10, graze=times[0], peer=times[1])
+
+
 def measure(bench):
+    measure_touching(bench)
     bench.table.head("Curved solids: rows of graze classify; the peer is Graze on a polyhedron, or on fewer balls")
     rng = random.Random(7)
     count = (10 if bench.options.quick else 40) * Stream.BLOCK
