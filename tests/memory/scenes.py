@@ -79,6 +79,11 @@ BODY2 = f"""{{"dimension": 2, "solid": {{"union": [
   {{"polygon": {{"points": [["6", "-3"], ["8", "-3"], ["8", "-2"]]}}}}]}}}}
 """
 BALL = '{"dimension": %d, "solid": {"ball": {"radius": "1"}}}'
+TOUCHING = """{"dimension": 3, "solid": {"difference": [
+  {"torus": {"point": ["0", "0", "0"], "axis": ["0", "0", "1"], "major": "2", "minor": "1"}},
+  {"cylinder": {"point": ["2", "0", "0"], "axis": ["0", "1", "0"], "radius": "1"}}]}}
+"""
+TOUCH = '{"dimension": 3, "pieces": [{"t": ["1/2", "1"], "transform": {"translate": ["t^2-1/2", "0", "t^2-1/2"]}}]}'
 CURVED2, CURVED3 = "id,x,y\na,0,0\nb,5,1\nc,8,-2\nd,9,1/3\n", "x,y,z,id\n1,1,3,p\n5,1,2,q\n3/2,1,1,r\n2,1,9/4,s\n5,3,1,t\n"
 ANSWERS = "id,x,y,pmc,class\na,3,1,in,regular\nb,9,2,out,exterior\nc,7,4,out,exterior\nd,-1,0,in,fold\n"
 
@@ -113,7 +118,7 @@ def put(folder):
     texts = {"cube.off": OFF, "cube.obj": OBJ, "cube.ply": PLY, "cube.stl": STL, "u.wkt": WKT, "turn.json": TURN,
              "roll.json": ROLL, "2.csv": POINTS2, "3.csv": POINTS3, "poses.csv": POSES, "matrices.csv": MATRICES,
              "answers.csv": ANSWERS, "sites2.csv": SITES2, "sites3.csv": SITES3,
-             "body3.csg.json": BODY3, "body2.csg.json": BODY2, "ball2.csg.json": BALL % 2, "ball3.csg.json": BALL % 3, "curved3.csv": CURVED3, "curved2.csv": CURVED2,
+             "touching.csg.json": TOUCHING, "touch.json": TOUCH, "touch.csv": "x,y,z\n13/5,0,4/5\n", "body3.csg.json": BODY3, "body2.csg.json": BODY2, "ball2.csg.json": BALL % 2, "ball3.csg.json": BALL % 3, "curved3.csv": CURVED3, "curved2.csv": CURVED2,
              "golden-sites.csv": GOLDEN_SITES, "answered-sites.csv": ANSWERED_SITES}
     place = folder / "input"
     place.mkdir()
@@ -230,6 +235,7 @@ def make(graze, folder):
     yield Scene("curved-check", ["check", body3, turn])
     yield Scene("curved", ["classify", *one, "--format", "jsonl", body2, roll, at["curved2.csv"]])
     yield Scene("curved-3", ["classify", *one, body3, turn, at["curved3.csv"]])
+    yield Scene("curved-touching", ["classify", *one, at["touching.csg.json"], at["touch.json"], at["touch.csv"]])
     yield Scene("curved-moments", ["classify", *one, "--moments", body3, turn, at["curved3.csv"]])
     yield Scene("curved-explain", ["explain", body2, roll, "0", "0"])
     yield Scene("curved-draw", ["draw", at["ball2.csg.json"], roll, "--grid", "2", "-p", "5,1", "-o", "made.svg"])
