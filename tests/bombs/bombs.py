@@ -225,6 +225,13 @@ BOMBS = [
          "--limit work=1000000000000000"),
     Bomb("work-of-a-boundary", "work", "boundary {cube.off} {long.json} --depth 6", {"long.json": slid(*(dense(201, 900, k) for k in range(3)))},
          "--limit work=1000000000000000"),
+    # 2000 curves with a node at one point, so 2 million pairs of them; without this limit the answer is `on`.
+    Bomb("work-of-curves-through-a-point", "work", "classify --jobs 1 {nodes.csg.json} {up.json} {points.csv}",
+         {"nodes.csg.json": json.dumps({"dimension": 2, "solid": {"intersection": [
+             {"polynomial": {"0,2": 1, "2,0": -k * k, "4,0": k, "1,3": 1}} for k in range(1, 2001)]}}),
+          "up.json": '{"dimension": 2, "pieces": [{"t": [-1, 1], "transform": {"translate": ["-t^2", "-t"]}}]}',
+          "points.csv": "x,y\n0,0\n"},
+         "--limit work=1000000000000000", 0, "pmc of 1 of 1 rows is undecided"),
     # Two roots that are no 2^-300000 apart; (x, y, z) = (0, 1, 1) meets the cube's face at both.
     Bomb("bits-of-close-roots", "bits", "classify --jobs 1 {cube.off} {close.json} {points.csv}",
          {"close.json": moved('{"translate": ["t^100-2*(10^900*t-1)^2", 0, 0]}'), "points.csv": "0,1,1\n"},

@@ -18,32 +18,20 @@ import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
 
+import branches  # noqa: E402
 from scenes import Checks, Curved, Graze, Motion, minus, options  # noqa: E402
 from exact import Fraction as F  # noqa: E402
+from program import merged  # noqa: E402
 
-GERMS = 600
+GERMS, PLANE = 600, 300
 PLACES = 240                         # points are rounded to 2^-PLACES,
 NUDGE = 1 << 40                      # and displaced by so much
 SCALES = (1 << PLACES - 12, 1 << PLACES - 20)
 SLOPES = [(1, 0), (0, 1), (1, 1), (1, -1), (1, 3), (3, -1), (2, 5), (5, -2)]
 
 
-class Poly(dict):
+class Poly(branches.Poly):
     """Coefficients by powers of x, y, z."""
-
-    def __add__(self, other):
-        out = Poly(self)
-        for key, value in other.items():
-            out[key] = out.get(key, 0) + value
-        return Poly({k: v for k, v in out.items() if v})
-
-    def __mul__(self, other):
-        out = Poly()
-        for a, u in self.items():
-            for b, v in other.items():
-                key = tuple(i + j for i, j in zip(a, b))
-                out[key] = out.get(key, 0) + u * v
-        return Poly({k: v for k, v in out.items() if v})
 
     def ready(self):
         """Integer coefficients, for points that are integers over 2^PLACES."""
@@ -67,9 +55,6 @@ class Poly(dict):
             common = math.lcm(*(c.denominator for c in self.values()))
             self.slopes = [Poly({k: c * common for k, c in self.slope(i).items()}) for i in range(3)]
         return self.slopes
-
-    def degree(self):
-        return max(map(sum, self), default=0)
 
 
 def some(rng, keys, chance=0.6, span=3):
@@ -211,6 +196,57 @@ def node_of(f):
     return {"polynomial": {",".join(map(str, k)): str(c) for k, c in f.items()}}
 
 
+def path_to(rng, name):
+    """A path to the place: expressions, the half paths in s = t - time or X, or points near the time where it is no series."""
+    _, _, time, path = branches.PLACES[name]
+    if path:
+        return path, None
+    u = [F(rng.randint(-3, 3), rng.choice([1, 2])) for _ in range(4)] if rng.random() < 0.8 else [F(0)] * 4
+    if name == "rational":   # at rest with both halves zero, one in five
+        return [f"({a})*t+({b})*t^2" for a, b in (u[:2], u[2:])], branches.halves(branches.line(0, *u[:2]), branches.line(0, *u[2:]))
+    return ["t", f"({u[0]})*(t^2-2)+({u[1]})*(t^2-2)^2"], branches.halves(branches.line(0, 1), branches.line(0, *u[:2]))
+
+
+def beside(curves, truth, way):
+    """The state of a gap on the path to root 2 and root 3, at a time between that and an end of the motion."""
+    t = branches.PLACES["roots of 2 and 3"][2] + F(way, 10 ** 10)
+    x, y = ((t ** 3 - 9 * t) / 2) ** 2 - 2, ((11 * t - t ** 3) / 2) ** 2 - 3
+    signs = [(v > 0) - (v < 0) for v in (sum(c * x ** i * y ** j for (i, j), c in f.items()) for f, _ in curves)]
+    return None if 0 in signs else branches.state([tuple(signs)], truth)
+
+
+def in_the_plane(number, checks, graze, rng, told):
+    """A scene of curves through one point of the plane: the word near it, from the patterns beside branches."""
+    name = rng.choice(["rational", "rational", "root of 2", "roots of 2 and 3"])
+    both = branches.drawn(rng, name, rng.choice([2, 2, 3, 3, 4, 5, 14 if name == "rational" else 3]))
+    curves = [curve for curve, _ in both]
+    shown = branches.patterns(curves)
+    if shown is None:
+        return
+    nodes = [(k, node_of(there)) for k, (_, there) in enumerate(both)]
+    solid, truth = branches.tree(rng, nodes)
+    rest = [p for p in itertools.islice(itertools.product((-1, 1), repeat=len(curves)), 64) if p not in shown]
+    if rest and rng.random() < 0.5:
+        wanted = rng.choice(rest)
+        solid = {"intersection": [node_of(there.times(-s)) for (_, there), s in zip(both, wanted)]}
+        whole = rng.random() < 0.5
+        solid = minus({"box": {"low": ["-9"] * 2, "high": ["9"] * 2}}, solid) if whole else solid
+        truth = lambda signs: (tuple(signs) == wanted) != whole  # noqa: E731
+    path, sides = path_to(rng, name)
+    gaps = [branches.gap(curves, half, truth) for half in reversed(sides)] if sides else [beside(curves, truth, w) for w in (-1, 1)]
+    at, time, span = branches.state(shown, truth), branches.PLACES[name][2], F(1, 10 ** 9)
+    if sides and not any(sides[0]):
+        gaps = [at, at]
+    if None in gaps:
+        return
+    word = merged(gaps[0] + at + gaps[1])
+    motion = Motion(2, [(time - span, time + span, {"translate": [f"-({p})" for p in path]})])
+    answers = graze.classify(f"plane {number}", Curved(2, solid), motion, [(0, 0)])
+    told[f"plane, {name}"][at] += 1
+    if answers:
+        checks.equal(answers[0].word, word, number, name, [dict(f) for f, _ in curves], solid, path)
+
+
 def main():
     args = options(__doc__.splitlines()[0])
     checks = Checks()
@@ -250,6 +286,8 @@ def main():
             told[name]["B, not shown"] += 1
         if name in DECIDED:
             checks.holds(state != "?", *what, "is undecided")
+    for number in range(PLANE * args.scale):
+        in_the_plane(number, checks, graze, rng, told)
     for name in sorted(told):
         print(f"{name}: " + ", ".join(f"{count} {state}" for state, count in sorted(told[name].items())))
     checks.finish()

@@ -37,6 +37,10 @@ CANDIDATES = [   # answers, agree, wrong, undecided-answers
     (("on", "out", "on"), 1, 1, {"in": 0, "on": 1, "out": 0}),
     (("undecided", "out", "out"), 2, 0, {"in": 0, "on": 0, "out": 0}),
 ]
+# Fifteen planes through a point that touches both outer gaps: dimension, limit, the reason that is told. In the plane a line counts
+# 1 + 6, and 8 (15 * 7)^2 = 88200.
+REASONS = [(3, [], "more than 12 surfaces meet there"), (2, ["--limit", "work=88199"], "the limit `work` allows fewer surfaces"),
+           (2, ["--limit", "work=88200"], "")]
 
 
 # Seven sectors between lines through the origin, less than a quarter turn apart in all, times [-1, 1]: 14 planes in the z axis.
@@ -268,6 +272,12 @@ def main():
             done = bench.run("validate", solid, motion, "--points", points, "--format", "json", "--quiet",
                              "--candidate", f"sh -c 'cp \"$1\" \"$3\"' sh {given} {{points}} {{out}}")
             judge(bench, ("validate", *answers), done, agree, wrong, counts)
+        for d, limit, reason in REASONS:
+            fan = [halfspace((k, *[1] * (d - 1))) for k in range(-7, 8)]
+            files = bench.file("f.csg.json", Curved(d, common(*fan)).text()), bench.file("f.json", along(-1, 1, *["t", "0", "0"][:d]).text())
+            told = bench.run("explain", *files, *["0"] * d, *limit).stdout
+            checks.holds(reason in told, "reason", told)
+            checks.equal("?" in told, bool(reason), "word", told)
         text = bench.run("compare", golden, given)
         checks.holds("of these 1 golden rows are undecided themselves" in text.stdout, text.stdout)
         refused = bench.run("compare", golden, bench.file("c.csv", "x,y,z,pmc\n0,0,0,in\n0,0,5,undecided\n0,0,7,out\n"))

@@ -47,6 +47,12 @@ RULES = [
     ("C99", "(c) only of quadrics among planes", CURVED + "apex.c", "ask_cell(q, &a, smooth, s, quadric && planes);", "ask_cell(q, &a, smooth, s, 1 || (quadric && planes));"),
     ("C100", "curves in two surfaces", CURVED + "state.c", "            see_in_curves(g, smooth, j, k);", "            (void)see_in_curves;"),
     ("C100", "curves in one surface", CURVED + "state.c", "        see_in_surfaces(g, smooth, k);\n", "        (void)see_in_surfaces;\n"),
+    ("C129", "the horizontal sides", CURVED + "stack.c", "k < n + 2 && small", "k < n && small"),
+    ("C129", "the vertical line", CURVED + "stack.c", "        small = meet_once(s, 1, k, vertical);", "        (void)k;"),
+    ("C129", "two branches of one member", CURVED + "stack.c", "j <= k && small", "j < k && small"),
+    ("C129", "branches of two members", CURVED + "stack.c", "for (size_t j = 0; j <= k", "for (size_t j = k < n ? k : 0; j <= k"),
+    ("C129", "the stack on the left", CURVED + "stack.c", "for (int side = 0; side < 2 && !s.status", "for (int side = 1; side < 2 && !s.status"),
+    ("C129", "the stack on the right", CURVED + "stack.c", "for (int side = 0; side < 2 && !s.status", "for (int side = 0; side < 1 && !s.status"),
     ("C101", "gaps are cut at the roots of what was asked", CURVED + "walker.c",
      "        status = find_slide_cuts(&cuts, w, &f, low, high);", "        (void)find_slide_cuts;"),
 ]

@@ -55,6 +55,8 @@ UNREACHED = {
     "a polynomial cannot be factored": "a fault of Graze itself",
     "a number that is not zero has the sign 0": "a fault of Graze itself",
     "two rules disagree on the surfaces": "a fault of Graze itself",
+    "a resultant is not found": "a fault of Graze itself",
+    "a gap and the stacks beside its end disagree": "a fault of Graze itself",
     "a trace passes from inside to outside": "a fault of Graze itself",
     "a slide does not begin on the boundary": "a fault of Graze itself",
     "a trace has lost a contact": "a fault of Graze itself",

@@ -68,8 +68,6 @@ static void see_in_surfaces(sign_germ *g, unsigned smooth, int k) {
         return;
     if (probe_init(&p, g->f, g->dimension, &base, 1))
         for (size_t e = 0; e < sizeof direction / sizeof *direction; e++) {
-            if (g->dimension == 2 && direction[e][1])
-                continue;
             probe_set_integers(&p, direction[e]);
             see_beside(g, &p, smooth);
         }
@@ -79,7 +77,7 @@ static void see_in_surfaces(sign_germ *g, unsigned smooth, int k) {
 static void see_in_curves(sign_germ *g, unsigned smooth, int j, int k) {
     const taylor *base[] = {&g->member[j], &g->member[k]};
     probe p;
-    if (g->dimension == 2 || !(smooth >> j & 1) || !(smooth >> k & 1))
+    if (!(smooth >> j & 1) || !(smooth >> k & 1))
         return;
     if (probe_init(&p, g->f, 3, base, 2))
         for (slong way = -1; way <= 1; way += 2) {
@@ -107,7 +105,7 @@ static graze_state ask_all_rules(sign_germ *g) {
     if (!state && g->f->status == GRAZE_OK)
         circuits_ask(g, smooth);
     state = germ_settled(g);
-    for (int k = 0; k < g->count && !state && g->f->status == GRAZE_OK; k++) {
+    for (int k = 0; k < g->count && !state && g->f->status == GRAZE_OK && g->dimension == 3; k++) {
         for (int j = 0; j < k; j++)
             see_in_curves(g, smooth, j, k);
         see_in_surfaces(g, smooth, k);

@@ -45,7 +45,7 @@ graze_status expression_ask(dependence *out, expression *e, const size_t *surfac
     pattern_set table = {{0}};
     signed char kept[CSG_FREE_MOST];
     int place[CSG_FREE_MOST], n = (int)count;
-    *out = (dependence){.too_many = count > CSG_FREE_MOST};
+    *out = (dependence){.asked = surface, .asked_count = count, .too_many = count > CSG_FREE_MOST};
     if (out->too_many)
         return GRAZE_OK;
     graze_status status =

@@ -21,8 +21,10 @@ void expression_clear(expression *e);
 
 /** Surfaces at which the expression was asked. */
 typedef struct dependence {
-    graze_state state; /* I or O whatever their signs; else ABSENT */
-    int too_many;      /* more than CSG_FREE_MOST: nothing else is set */
+    graze_state state;   /* I or O whatever their signs; else ABSENT */
+    const size_t *asked; /* borrowed */
+    size_t asked_count;
+    int too_many; /* more than CSG_FREE_MOST: nothing below is set */
     int count;
     size_t surface[CSG_FREE_MOST]; /* on which it depends */
     pattern_set truth;             /* over their signs */

@@ -11,6 +11,7 @@
 #include "base/number/isolate.h"
 #include "base/number/order.h"
 #include "base/number/sign.h"
+#include "decide/curved/stack.h"
 
 /* Whether a primitive has one of some surfaces. */
 static int node_meets(const csg *solid, const csg_node *node, const dependence *d) {
@@ -53,15 +54,18 @@ static graze_status keep_undecided(walker *w, const dependence *d, const algebra
     where->from = where->to = time_create(w->r->scene->motion, w->piece, time);
     if (!where->from)
         return context_fail(w->r->context, GRAZE_ESYSTEM, "out of memory for a trace");
-    out->undecided->reason = d->too_many ? "more than 12 surfaces meet there"
-                             : w->limited
-                                 ? "the limit work was met before a rule told which signs of these "
-                                   "surfaces occur near there"
-                                 : "no rule tells which signs of these surfaces occur near there";
+    out->undecided->reason =
+        w->limited ? "the limit work was met before a rule told which signs of these surfaces "
+                     "occur near there"
+        : w->c->dimension == 2
+            ? "the limit `work` allows fewer surfaces, or shorter ones, to meet there"
+        : d->too_many ? "more than 12 surfaces meet there"
+                      : "no rule tells which signs of these surfaces occur near there";
     return name_primitives(w, where, d);
 }
 
-/* The state by the rules, where the expression depends on surfaces. */
+/* The state by the rules, where the expression depends on surfaces; in the plane, where they end,
+ * by stacks. */
 static graze_status ask_situation(graze_state *out, walker *w, const dependence *d, moment_field *f,
                                   graze_state before, graze_state after) {
     situation at = {.solid = w->solid,
@@ -71,9 +75,24 @@ static graze_status ask_situation(graze_state *out, walker *w, const dependence 
                     .truth = d->truth,
                     .near_in = before == GRAZE_STATE_I || after == GRAZE_STATE_I,
                     .near_out = before == GRAZE_STATE_O || after == GRAZE_STATE_O};
-    graze_status status = state_decide(out, &at, f);
+    graze_status status = f->status;
+    *out = GRAZE_STATE_UNDECIDED;
+    if (!status && !d->too_many)
+        status = state_decide(out, &at, f);
     w->limited = status == GRAZE_ELIMIT && w->work > w->r->context->limits[GRAZE_LIMIT_WORK];
-    return w->limited ? GRAZE_OK : status;
+    if (w->limited) {
+        *out = GRAZE_STATE_UNDECIDED;
+        return GRAZE_OK;
+    }
+    if (status || *out != GRAZE_STATE_UNDECIDED || w->c->dimension != 2)
+        return status;
+    status = stack_decide(out, &w->expression, w->c, d->too_many ? d->asked : d->surface,
+                          d->too_many ? d->asked_count : (size_t)d->count, f->time);
+    if (!status &&
+        ((at.near_in && *out == GRAZE_STATE_O) || (at.near_out && *out == GRAZE_STATE_I)))
+        status = context_fail(f->context, GRAZE_EINTERNAL,
+                              "a gap and the stacks beside its end disagree");
+    return status;
 }
 
 /* The state at the pending time, between two gaps; ABSENT at an end of the motion. */
@@ -88,12 +107,9 @@ static graze_status decide_time(graze_state *out, walker *w, const dependence *d
         (before == GRAZE_STATE_I && after == GRAZE_STATE_O) ||
         (before == GRAZE_STATE_O && after == GRAZE_STATE_I))
         return GRAZE_OK;
-    *out = GRAZE_STATE_UNDECIDED;
-    if (d->too_many)
-        return GRAZE_OK;
     moment_field f;
     field_init(&f, w->r->context, w->pending, 0, &w->work);
-    graze_status status = f.status ? f.status : ask_situation(out, w, d, &f, before, after);
+    graze_status status = ask_situation(out, w, d, &f, before, after);
     field_clear(&f);
     return status;
 }
@@ -201,7 +217,7 @@ static graze_status walk_slide(walker *w, algebraic *low, algebraic *high) {
     field_init(&f, w->r->context, &sample, 1, &w->work);
     if (!status && d.state)
         state = d.state;
-    else if (!status && !d.too_many)
+    else if (!status)
         status = ask_situation(&state, w, &d, &f, GRAZE_STATE_ABSENT, GRAZE_STATE_ABSENT);
     if (!status && !w->limited)
         status = find_slide_cuts(&cuts, w, &f, low, high);
