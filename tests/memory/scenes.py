@@ -63,7 +63,7 @@ SNAPPED = ("time,bx,by,cell\n" + "".join(f"1/2,{x},1,edge {k}-{k + 1}\n" for k, 
 WAYS = [("q2.wkt", "seam"), ("dd.wkt", "bent_diagonal"), ("dd.wkt", "pinch_sqrt2"), ("tt.wkt", "apex_28"), ("tt.wkt", "apex_30"),
         ("crossed_roofs.off", "roofs_51"), ("crossed_roofs.off", "roofs_52"), ("tt_prism.off", "apex_28_3"), ("tt_prism.off", "apex_29_3")]
 # A bracket of most primitives, its hole's rim in the way of a point; in the plane a cusp, a disk on a plate, and the apex where 14
-# half-planes meet, which is undecided.
+# half-planes meet, which is undecided below a limit.
 BODY3 = """{"dimension": 3, "solid": {"difference": [{"union": [
   {"box": {"low": ["0", "0", "0"], "high": ["2", "2", "2"]}, "name": "block"},
   {"affine": {"matrix": [["1", "0", "0", "1"], ["0", "1", "0", "1"], ["0", "0", "1", "2"]], "of": {"torus":
@@ -237,7 +237,7 @@ def make(graze, folder):
     yield Scene("curved-3", ["classify", *one, body3, turn, at["curved3.csv"]])
     yield Scene("curved-touching", ["classify", *one, at["touching.csg.json"], at["touch.json"], at["touch.csv"]])
     yield Scene("curved-moments", ["classify", *one, "--moments", body3, turn, at["curved3.csv"]])
-    yield Scene("curved-explain", ["explain", body2, roll, "0", "0"])
+    yield Scene("curved-explain", ["explain", body2, roll, "0", "0", "--limit", "work=20000"])
     yield Scene("curved-draw", ["draw", at["ball2.csg.json"], roll, "--grid", "2", "-p", "5,1", "-o", "made.svg"])
     yield Scene("curved-page", ["draw", at["ball3.csg.json"], turn, "--grid", "2", "-o", "made.html"])
     yield Scene("line", ["motion", "line", "--by", "8,0,1/3"])
