@@ -62,6 +62,13 @@ GRAZE_API graze_mesh_facts graze_mesh_get_facts(const graze_mesh *mesh);
 /** The volume of a mesh, the integral of its winding number. @return 0, and sets nothing, where the
  * rule is not GRAZE_MESH_WINDING, and for NULL */
 GRAZE_API int graze_mesh_volume(mpq_t out, const graze_mesh *mesh);
+/**
+ * Least and greatest winding number that was found: of 0 and of places on both sides of up to 128
+ * triangles, which are exact; others may be elsewhere. 0 and 1 are those of a mesh that is the
+ * boundary of a solid, -1 that of one that faces inward, 2 that of one given twice.
+ * @return 0, and sets nothing, where the rule is not GRAZE_MESH_WINDING, and for NULL
+ */
+GRAZE_API int graze_mesh_windings(int *least, int *most, const graze_mesh *mesh);
 /** Coordinates of vertex `index`; unchanged past the end and for NULL.
  * @param[out] point 3 initialised rationals */
 GRAZE_API void graze_mesh_vertex(mpq_t *point, const graze_mesh *mesh, size_t index);

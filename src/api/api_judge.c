@@ -11,6 +11,7 @@
 #include "output/compare/judge_report.h"
 #include "output/compare/mesh_rows.h"
 #include "questions/judge/judge.h"
+#include "questions/judge/winding.h"
 
 enum { DEFAULT_BUDGET = 10000000 };
 
@@ -30,6 +31,8 @@ static graze_status make_mesh(graze_mesh **out, graze_context *context, soup *in
                               ? judged_mesh_make(&made->judged, context, &made->input, flags)
                               : context_fail(context, GRAZE_EINPUT,
                                              "polygons in the plane; expected a mesh in space");
+    if (!status)
+        judged_windings(&made->judged);
     if (status)
         graze_mesh_destroy(made);
     else
@@ -141,6 +144,14 @@ int graze_mesh_volume(mpq_t out, const graze_mesh *mesh) {
     if (!mesh || mesh->judged.rule != GRAZE_MESH_WINDING)
         return 0;
     api_rational_out(out, mesh->judged.volume);
+    return 1;
+}
+
+int graze_mesh_windings(int *least, int *most, const graze_mesh *mesh) {
+    if (!mesh || !least || !most || mesh->judged.rule != GRAZE_MESH_WINDING)
+        return 0;
+    *least = (int)mesh->judged.least;
+    *most = (int)mesh->judged.most;
     return 1;
 }
 

@@ -411,6 +411,7 @@ static void meshes(bench *b) {
     HARMLESS(graze_mesh_destroy, CALLS(graze_mesh_destroy(NULL)));
     HARMLESS(graze_mesh_get_facts, graze_mesh_get_facts(NULL).triangles == 0);
     HARMLESS(graze_mesh_volume, graze_mesh_volume(NULL, NULL) == 0);
+    HARMLESS(graze_mesh_windings, graze_mesh_windings(NULL, NULL, NULL) == 0);
     HARMLESS(graze_mesh_vertex, CALLS(graze_mesh_vertex(NULL, NULL, 0)));
     HARMLESS(graze_mesh_triangle, CALLS(graze_mesh_triangle(NULL, NULL, 0)));
     HARMLESS(graze_judgement_destroy, CALLS(graze_judgement_destroy(NULL)));

@@ -104,6 +104,9 @@ static void test_box(void **state) {
     assert_true(mpq_cmp_ui(low, 40, 1) <= 0 && mpq_cmp_ui(high, 40, 1) >= 0);
     assert_true(graze_judgement_cost(found) > 0);
     assert_true(graze_mesh_volume(low, j.mesh) && mpq_cmp_ui(low, 36, 1) == 0);
+    int windings[2] = {7, 7};
+    assert_true(graze_mesh_windings(&windings[0], &windings[1], j.mesh));
+    assert_true(windings[0] == 0 && windings[1] == 1);
     graze_mesh_triangle(corner, j.mesh, 12);
     assert_int_equal(corner[0], 9);
     graze_mesh_triangle(corner, j.mesh, 1);

@@ -268,11 +268,47 @@ def answers(judge, checks):
     out = judge.graze.call("judge", *files, "--within", "1", "--budget", "1", "--points", points, "--answers", table)
     checks.equal(out.returncode, 0, "--answers", out.stderr)
     with open(table, encoding="utf-8") as file:
-        checks.equal(file.read(), "x,y,z,pmc\n5,1,1,in\n9,1/3,1,on\n19/2,1,1,out\n", "--answers")
+        head, body = file.read().split("x,y,z,pmc\n")
+    checks.equal(body, "5,1,1,in\n9,1/3,1,on\n19/2,1,1,out\n# complete 3\n", "--answers")
+    checks.equal(head.splitlines()[1:], ["# answers-of mesh", "# inside winding"], "--answers, head")
+    checks.holds("rows stand below" in out.stdout, "rows below")  # (19/2, 1, 1) is in W: a wrong row, which is shown
+    right = judge.graze.call("judge", *files[:2], judge.graze.write("right.off", W.text()), "--within", "1", "--budget", "1", "--points", points)
+    checks.holds("wrong: 0.00 %" in right.stdout and "rows stand below" not in right.stdout, "no rows below", right.stdout)
+    golden = judge.graze.write("golden.csv", judge.graze.call("classify", *files[:2], points).stdout)
+    again = judge.graze.call("compare", golden, table, "--on-as", "any")
+    checks.holds("wrong: 66.67 % of the rows" in again.stdout,  # (9, 1/3, 1) too: `on` the mesh, in W
+                  "compare takes the answers", again.stdout[-300:], again.stderr)
+    files[2] = judge.graze.write("flipped.off", flipped().text())
+    out = judge.graze.call("judge", *files, "--within", "1", "--budget", "1", "--points", points, "--answers", table)
+    with open(table, encoding="utf-8") as file:
+        checks.holds("# inside parity\n" in file.read(), "--answers by parity")
     files[2] = judge.graze.write("open.off", without(W, 5).text())
-    out = judge.graze.call("judge", *files, "--within", "1", "--budget", "1", "--points", points, "--answers", table + ".none")
-    checks.equal((out.returncode, os.path.exists(table + ".none")), (0, False), "--answers of an open mesh")
-    checks.holds("note: the mesh is not closed and has no answers;" in out.stderr, "--answers of an open mesh", out.stderr)
+    out = judge.graze.call("judge", *files, "--within", "1", "--budget", "1", "--points", points, "--answers", table)
+    checks.equal(out.returncode, 3, "--answers of an open mesh")
+    checks.holds("the mesh is not closed and has no answers; expected a closed one" in out.stderr, "--answers of an open mesh", out.stderr)
+
+
+def windings(judge, checks):
+    """Of a box that faces inward the winding number is -1 inside, of one given twice 2, of two that overlap 2 in both; a hollow box
+    has 1 and 0, with inner walls that face the hollow. Files of meshes that are no boundary of a solid end with 1 where a limit is given."""
+    hollow = joined(W, block(5, F(7, 8), F(7, 8), F(21, 4), F(9, 8), F(9, 8)).mapped(lambda p: p, True))
+    files = [judge.graze.write(n, t.text()) for n, t in (("s.off", CUBE), ("m.json", ALONG))]
+    quick = ["--within", "1", "--budget", "1", "--no-points"]
+    for name, mesh, found, says in (
+            ("inward", W.mapped(lambda p: p, True), [-1, 0], "closed and oriented, faces inward\n"),
+            ("twice", joined(W, W), [0, 2], "closed and oriented; its winding number is 2 in places\n"),
+            ("overlap", joined(W, block(1, 1, 1, 11, 3, 3)), [0, 2], "closed and oriented; its winding number is 2 in places\n"),
+            ("inward and twice", joined(W, W).mapped(lambda p: p, True), [-2, 0], ", faces inward; its winding number is -2 in places\n"),
+            ("a shell inward", joined(W, block(12, 0, 0, 14, 2, 2).mapped(lambda p: p, True)), [-1, 1], "oriented; its winding number is -1 in places\n"),
+            ("hollow", hollow, [0, 1], "closed and oriented\n"), ("itself", W, [0, 1], "closed and oriented\n"),
+            ("flipped", flipped(), None, "inside by parity, no volume\n")):
+        path = judge.graze.write("wound.off", mesh.text())
+        for flags, status in (([], 0), (["--fail-above", "100"], int(found is not None and (found[0] < 0 or found[1] > 1)))):
+            out = judge.graze.call("judge", *files, path, *quick, *flags)
+            checks.equal(out.returncode, status, name, *flags, out.stderr)
+            checks.holds(says in out.stdout, name, says, out.stdout[:200])
+        report = judge.ask(name, CUBE, ALONG, mesh, "--within", "1", "--budget", "1")
+        checks.equal(report and report["mesh"]["windings"], found, name, "windings")
 
 
 def seam(judge, checks):
@@ -412,6 +448,7 @@ def main():
     fail_above(judge, checks)
     vertices(judge, checks)
     answers(judge, checks)
+    windings(judge, checks)
     vtk(judge, checks)
     texts(judge, checks)
     if not args.sanitizers:

@@ -42,6 +42,7 @@ class Judgements(unittest.TestCase):
         self.assertLessEqual(found.volume[0], 40)
         self.assertLessEqual(40, found.volume[1])
         self.assertEqual(found.mesh_volume, Fraction(36))
+        self.assertEqual(found.windings, (0, 1))
         self.assertTrue(found.closed and found.oriented and found.reached)
         self.assertEqual(found.report["confusion"]["rows"], 1000)
         self.assertEqual(str(found), found.text)
@@ -51,6 +52,7 @@ class Judgements(unittest.TestCase):
         self.holds(found.outside, 1)
         self.assertFalse(found.closed or found.oriented)
         self.assertIsNone(found.mesh_volume)
+        self.assertIsNone(found.windings)
         self.assertIsNone(found.report["confusion"])
 
     def test_misuse(self):

@@ -59,6 +59,16 @@ static void put_edges(text *t, const judged_mesh *m) {
     text_put(t, all > m->open.kept_count ? ", ...\n" : "\n");
 }
 
+/* The triangles face inward, or the mesh overlaps itself. */
+static void put_windings(text *t, const judged_mesh *m) {
+    int inward = m->most == 0 && m->least < 0;
+    long other = m->most > 1 ? m->most : m->least < -inward ? m->least : 0;
+    if (inward)
+        text_put(t, ", faces inward");
+    if (other)
+        text_format(t, "; its winding number is %ld in places", other);
+}
+
 static void put_mesh(text *t, const graze_judgement *j, const char *bullet) {
     const judged_mesh *m = &j->mesh->judged;
     text_format(t, "%smesh: %zu triangle%s, %zu component%s", bullet, m->cut.count,
@@ -66,11 +76,13 @@ static void put_mesh(text *t, const graze_judgement *j, const char *bullet) {
                 m->cut.component_count == 1 ? "" : "s");
     if (m->flat_count)
         text_format(t, ", %zu more without area", m->flat_count);
-    text_put(t, m->cut.count == 0               ? ", empty\n"
-                : m->rule == GRAZE_MESH_WINDING ? ", closed and oriented\n"
+    text_put(t, m->cut.count == 0               ? ", empty"
+                : m->rule == GRAZE_MESH_WINDING ? ", closed and oriented"
                 : m->rule == GRAZE_MESH_PARITY  ? ", closed, not oriented; inside by parity, no "
-                                                  "volume\n"
-                                                : ", open: it has no inside and no volume\n");
+                                                  "volume"
+                                                : ", open: it has no inside and no volume");
+    put_windings(t, m);
+    text_put(t, "\n");
     if (m->rule == GRAZE_MESH_WINDING)
         return;
     text_format(t, "%sedges, by vertices, with the number of triangles each way", bullet);
@@ -199,6 +211,14 @@ static void json_mesh(json_writer *w, const graze_judgement *j) {
     json_bool(w, "oriented", m->rule == GRAZE_MESH_WINDING);
     json_count(w, "components", m->cut.component_count);
     json_text(w, "rule", mesh_rule_name(m->rule));
+    if (m->rule == GRAZE_MESH_WINDING) {
+        json_open(w, "windings", '[');
+        json_double(w, NULL, (double)m->least);
+        json_double(w, NULL, (double)m->most);
+        json_close(w, ']');
+    } else {
+        json_text(w, "windings", NULL);
+    }
     json_count(w, "odd-edges", m->open.odd_count);
     json_count(w, "unbalanced-edges", m->open.unbalanced_count);
     json_open(w, "edges", '[');

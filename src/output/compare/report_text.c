@@ -52,7 +52,9 @@ const char *comparison_hint(const graze_comparison *c) {
 
 /* What is said in place of the name of a file that is gone. */
 static const char *table_shown(const graze_comparison *c, const char *name) {
-    return c->options.transient ? "made for this report and not kept; rows stand below" : name;
+    return !c->options.transient ? name
+           : c->shown            ? "made for this report and not kept; rows stand below"
+                                 : "made for this report and not kept";
 }
 
 static void put_summary(text *out, const graze_comparison *c) {

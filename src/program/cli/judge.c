@@ -18,7 +18,8 @@ static const char judge_help[] =
     "the outside (where it is inside), and of the sweep's boundary to the mesh, each with a "
     "place\n"
     "and a time; and the volumes.\n"
-    "Exit status: 0 a report is made; with --fail-above 1 where a distance is certainly greater.\n"
+    "Exit status: 0 a report is made; with --fail-above 1 where a distance is certainly greater,\n"
+    "the mesh faces inward or overlaps itself.\n"
     "\n"
     "  --within W         width of the distances' bounds (default 1e-2r); W or, of the diagonal\n"
     "                     of the solid's box, Wr\n"
@@ -38,7 +39,8 @@ static const char judge_help[] =
     "  --no-points        of none; a mesh that is not closed is asked about none either\n"
     "  --on-as on|any|in|out   as what the answer of points on MESH is judged (any)\n"
     "  --jobs N           threads for vertices, points and the volume (1)\n"
-    "  --fail-above X     exit status 1 if a distance is certainly greater than X\n"
+    "  --fail-above X     exit status 1 if a distance is certainly greater than X, or a winding\n"
+    "                     number of the mesh that was found is not 0 or 1\n"
     "  --format text|markdown|json\n"
     "  -o, --output FILE  write there instead of to standard output\n"
     "  --triangulate, --round, --limit NAME=V   as in graze classify\n"
@@ -123,10 +125,13 @@ static int is_too_far(graze_context *context, const graze_judgement *judgement, 
 /* What the mesh says of the points that are given, as a file. */
 static int write_mesh_answers(const loaded *l, const judge_given *o, const graze_mesh *mesh,
                               const marks *given) {
-    if (graze_mesh_get_facts(mesh).rule == GRAZE_MESH_NONE)
-        return complain(EXIT_DONE,
-                        "note: the mesh is not closed and has no answers; %s is not written",
-                        o->answers);
+    graze_mesh_rule rule = graze_mesh_get_facts(mesh).rule;
+    if (rule == GRAZE_MESH_NONE)
+        return complain(
+            EXIT_INPUT,
+            "--answers %s: the mesh is not closed and has no answers; expected a closed "
+            "one, or no --answers",
+            o->answers);
     graze_pmc *found = calloc(given->count + 1, sizeof *found);
     graze_rationals points = (graze_rationals)given->value;
     int code = found ? complain_of(graze_mesh_answers(found, l->context, mesh, points, given->count,
@@ -134,7 +139,8 @@ static int write_mesh_answers(const loaded *l, const judge_given *o, const graze
                                    l->context)
                      : complain(EXIT_IO, "out of memory for %zu points", given->count);
     if (!code)
-        code = answer_table_write(o->answers, points, found, given->count);
+        code =
+            answer_table_write(o->answers, rule == GRAZE_MESH_PARITY, points, found, given->count);
     free(found);
     return code;
 }
@@ -179,6 +185,12 @@ static int write_vertices(const loaded *l, const judge_given *o, const graze_mes
     return code;
 }
 
+/* Does the mesh face inward, or overlap itself? */
+static int is_wound_wrongly(const graze_mesh *mesh) {
+    int least, most;
+    return graze_mesh_windings(&least, &most, mesh) && (least < 0 || most > 1);
+}
+
 static int judge_mesh(const loaded *l, const judge_given *o, const char *path) {
     graze_mesh *mesh = NULL;
     graze_judgement *judgement = NULL;
@@ -201,7 +213,8 @@ static int judge_mesh(const loaded *l, const judge_given *o, const char *path) {
         code = ask_mesh_points(&points, l, o, mesh, &given);
     if (!code)
         code = print_judgement(l->context, judgement, points, o);
-    if (!code && o->fail_above && is_too_far(l->context, judgement, o->fail_above))
+    if (!code && o->fail_above &&
+        (is_wound_wrongly(mesh) || is_too_far(l->context, judgement, o->fail_above)))
         code = EXIT_NO;
     graze_comparison_destroy(points);
     graze_judgement_destroy(judgement);
@@ -228,11 +241,15 @@ static int run_judge(void *options, const operands *given) {
         return EXIT_USAGE;
     o->scene.solid = given->item[0];
     o->scene.motion = given->item[1];
-    if (!(o->scene.rows.sdf > 0)) {
-        o->scene.rows.sdf = 1e-2;
-        o->scene.sdf_relative = 1;
-    }
+    double within = o->scene.rows.sdf > 0 ? o->scene.rows.sdf : 1e-2;
+    int relative = o->scene.sdf_relative || !(o->scene.rows.sdf > 0);
+    o->scene.rows.sdf = o->scene.sdf_relative = 0; /* no row has a distance */
     int code = loaded_read(&l, &o->scene, EXIT_INPUT, NULL);
+    if (!code)
+        code = load_straight(l.solid, given->item[0], "judge");
+    l.rows.sdf = within;
+    if (!code && relative)
+        code = complain_of(graze_scene_width(&l.rows.sdf, l.context, l.scene, within), l.context);
     if (!code)
         code = judge_mesh(&l, o, given->item[2]);
     loaded_clear(&l);

@@ -108,16 +108,20 @@ int vertex_table_write(const char *path, graze_context *context, const graze_mes
     return status ? status : closed;
 }
 
-int answer_table_write(const char *path, graze_rationals points, const graze_pmc *found,
+int answer_table_write(const char *path, int parity, graze_rationals points, const graze_pmc *found,
                        size_t count) {
+    char last[48];
     int status = output_open(&out, path);
     if (status)
         return status;
-    output_put(&out, "x,y,z,pmc\n");
+    output_put(&out, "# graze " GRAZE_VERSION "\n# answers-of mesh\n# inside ");
+    output_put(&out, parity ? "parity\nx,y,z,pmc\n" : "winding\nx,y,z,pmc\n");
     for (size_t k = 0; k < count; k++) {
         put_row_point(points + 3 * k);
         output_put(&out, graze_pmc_name(found[k]));
         output_put(&out, "\n");
     }
+    snprintf(last, sizeof last, "# complete %zu\n", count);
+    output_put(&out, last);
     return output_close(&out);
 }

@@ -19,8 +19,9 @@ int vertex_table_write(const char *path, graze_context *context, const graze_mes
 
 /** Write a row for each point: x, y, z and the mesh's pmc. Returns an exit status and says what is
  * wrong.
+ * @param parity whether that is the mesh's rule, for the head
  * @param points 3 count rationals */
-int answer_table_write(const char *path, graze_rationals points, const graze_pmc *found,
+int answer_table_write(const char *path, int parity, graze_rationals points, const graze_pmc *found,
                        size_t count);
 
 #endif

@@ -51,6 +51,8 @@ class Judgement:
         volume: bounds of the sweep's volume.
         mesh_volume: that of the mesh, exact; None unless it is closed and oriented.
         closed, oriented: whether every edge has an even number of triangles, and as many either way.
+        windings: the least and the greatest winding number found, 0 and 1 of a mesh that bounds a solid; None unless
+            it is closed and oriented.
         reached: whether all distances have the width that was asked for.
         report: all of it, as of `graze judge --format json`.
         text: the report for a person.
@@ -63,6 +65,7 @@ class Judgement:
     mesh_volume: Optional[Fraction]
     closed: bool
     oriented: bool
+    windings: Optional[Tuple[int, int]]
     reached: bool
     report: Dict[str, Any]
     text: str
@@ -152,7 +155,9 @@ def judge(context: Context, scene: Handle, vertices: Any, faces: Any, within: fl
     found, volume = report["distance"], report["volume"]
     outside, inside = _greatest(found["mesh_to_sweep_outside"]), _greatest(found["mesh_to_sweep_inside"])
     assert outside is not None and inside is not None
+    windings = report["mesh"]["windings"]
     return Judgement(outside, inside, _greatest(found["sweep_to_mesh"]),
                      (volume["sweep"]["low"], volume["sweep"]["high"]),
                      None if volume["mesh"] is None else Fraction(volume["mesh"]),
-                     report["mesh"]["closed"], report["mesh"]["oriented"], report["budget"]["reached"], report, text)
+                     report["mesh"]["closed"], report["mesh"]["oriented"],
+                     (windings[0], windings[1]) if windings else None, report["budget"]["reached"], report, text)

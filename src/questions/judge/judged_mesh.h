@@ -16,6 +16,7 @@ typedef struct judged_mesh {
     size_t flat_count;
     loose_edges open; /* the edges that forbid the next better rule */
     graze_mesh_rule rule;
+    long least, most;   /* winding numbers found beside triangles, and 0; GRAZE_MESH_WINDING */
     fmpq_t volume;      /* the integral of the winding number; set for GRAZE_MESH_WINDING, else 0 */
     double *low, *high; /* bounds of the coordinates, as in a solid */
     corners corners;    /* of the triangles, in doubles; `at` is NULL past their range */

@@ -22,4 +22,8 @@ typedef enum mesh_place {
  */
 mesh_place judged_place(long *winding, const judged_mesh *m, const fmpq *point);
 
+/** Set the least and the greatest winding number beside some triangles of the mesh, on both sides
+ * of each: exact, but more may be elsewhere. */
+void judged_windings(judged_mesh *m);
+
 #endif
