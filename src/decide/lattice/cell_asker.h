@@ -28,6 +28,10 @@ void cell_asker_clear(cell_asker *a);
  * membership that an anchor proves. The tube is that of the cell. */
 int cell_joins(cell_asker *a, const point_box *points, const anchors *near);
 
+/** Times at which the centre of a cell is in the state that decides a membership, as few as are
+ * looked for (proofs/cells.md C76 (b)); returns how many are found. */
+int cell_stays(stay when[STAYS_MOST], const cell_asker *a, const point_box *points);
+
 /** The membership that one time in the deciding state gives. */
 graze_pmc cell_membership_proved(const cell_asker *a);
 

@@ -7,6 +7,7 @@
 #include "decide/filter/normal.h"
 #include "decide/verdict/classify.h"
 #include "questions/distance/distance.h"
+#include "questions/judge/cube_cover.h"
 
 /* Distances of points are asked to this share of the width that is wanted. */
 static const double POINT_SHARE = 0.0625;
@@ -19,6 +20,9 @@ static const double STUCK_SHARE = 0x1p-9;
 
 /* Looking at so many cubes takes as long as asking about one. */
 enum { SEEN_CUBES = 2048 };
+
+/* Cubes that positions are tried in vain to cover, at most. */
+enum { UNCOVERED_MOST = 64 };
 
 /* Points around a cube are so much further out than its corners. */
 static const double AROUND = 1.5;
@@ -91,6 +95,10 @@ graze_status suprema_settle(int *done, suprema *s, uint32_t cube_index) {
     known_point known;
     graze_status status = suprema_ask(&known, s, c->centre, ASK_IN);
     *done = !status && known.pmc == GRAZE_IN && -known.high > cube_radius(c);
+    if (!status && !*done && known.pmc != GRAZE_OUT && s->uncovered < UNCOVERED_MOST) {
+        status = cube_is_covered(done, &s->space.ask, c);
+        s->uncovered += !*done;
+    }
     if (*done)
         band_settle(&s->space, cube_index, CUBE_IN);
     return status;

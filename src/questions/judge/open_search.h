@@ -39,8 +39,8 @@ typedef struct suprema {
     const graze_scene *scene;
     const judged_mesh *mesh;
     double within;
-    size_t budget, asked; /* cubes and points that may be asked, and the points that were */
-    int threads;
+    size_t budget, asked;   /* cubes and points that may be asked, and the points that were */
+    int threads, uncovered; /* cubes that were not covered by positions */
     band space;
     priority cubes; /* those of the band in which the boundary may be far from the mesh */
     size_t part_count, part_capacity;

@@ -111,21 +111,25 @@ static uint32_t nearest_large(suprema *s, const asked_part *a, double most) {
     return UINT32_MAX;
 }
 
-/* Cut it; once cubes are small, see first whether the nearest of all is perhaps in a seam. */
+/* Cut it, unless nothing around it is outside and it is settled; once cubes are small, see first
+ * whether the nearest of all is perhaps in a seam. */
 static graze_status cut_nearest(suprema *s, uint32_t number, double most) {
     asked_part *a = &s->part[number];
     int *stuck = &s->found[GRAZE_JUDGED_INSIDE].stuck, done = 0;
     uint32_t index = nearest_large(s, a, most);
+    cube_sample around = {.has_out = 1};
     graze_status status = GRAZE_OK;
-    if (index != UINT32_MAX && !a->is_probed &&
+    if (index != UINT32_MAX && cube_radius(&s->space.item[index]) <= s->within)
+        status = suprema_sample(&around, s, index);
+    if (!status && !around.has_out)
+        status = suprema_settle(&done, s, index);
+    if (!status && !done && index != UINT32_MAX && !a->is_probed &&
         cube_radius(&s->space.item[index]) <= PROBED_SHARE * s->within) {
         double low, high;
         uint32_t nearest = band_nearest(&low, &high, &s->space, a->part.x, CUBE_BAND, 0);
         a->is_probed = 1;
         return suprema_probe(stuck, s, nearest, a->part.x);
     }
-    if (index != UINT32_MAX && cube_radius(&s->space.item[index]) <= PROBED_SHARE * s->within)
-        status = suprema_settle(&done, s, index);
     if (!status && !done && index != UINT32_MAX)
         status = band_cut(&done, &s->space, index);
     *stuck |= !status && !done;

@@ -1,0 +1,131 @@
+/* Planes of facets near the cube at some times cut it into cells, each inside a position or outside
+ * it; a cell that none covers tells the next time. SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/judge/cube_cover.h"
+
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
+#include "base/number/rounding.h"
+#include "decide/filter/chord.h"
+#include "input/solid/locate.h"
+#include "questions/judge/cube_cells.h"
+
+/* Positions, at most. */
+enum { POSITIONS = 8 };
+
+/* Any time will do: those of so many to a piece have short numbers. */
+static const double TIMES = 0x1p16;
+
+typedef struct covering {
+    cell_asker *ask;
+    cube_cells cells;
+    int count;
+    fmpq *map; /* of each position, to the standing solid */
+    span near; /* places of the cube at a time */
+} covering;
+
+/* The plane of a facet at a position, in the space of query points. */
+static void add_facet(covering *c, uint32_t simplex) {
+    const graze_solid *solid = c->ask->scene->solid;
+    const fmpq *map = c->map + 12 * c->count;
+    fmpz *body = _fmpz_vec_init(4);
+    fmpq *plane = _fmpq_vec_init(5);
+    (void)solid_plane(body, solid, simplex);
+    fmpq_set_fmpz(plane + 3, body + 3);
+    for (int j = 0; j < 4; j++)
+        for (int i = 0; i < 3; i++) {
+            fmpq_mul_fmpz(plane + 4, map + 4 * i + j, body + i);
+            fmpq_add(plane + j, plane + j, plane + 4);
+        }
+    cube_cells_plane(&c->cells, plane);
+    _fmpq_vec_clear(plane, 5);
+    _fmpz_vec_clear(body, 4);
+}
+
+static void add_facets(covering *c, const box *around, uint32_t node) {
+    const graze_solid *solid = c->ask->scene->solid;
+    const tree_node *here = &solid->boxes.node[node];
+    if (!box_meets(&here->box, around) || c->cells.failed)
+        return;
+    if (here->child) {
+        add_facets(c, around, here->child);
+        add_facets(c, around, here->child + 1);
+    } else if (chord_meets(&c->ask->tube, &c->near, solid->corners.at + (size_t)here->simplex * 9,
+                           solid->corners.error) != CHORD_MISSES) {
+        add_facet(c, here->simplex);
+    }
+}
+
+/* The position at a time at which a point is inside; 0 if there is none. */
+static int add_position(covering *c, const cube *of, const fmpq *point) {
+    const graze_scene *scene = c->ask->scene;
+    point_box cell = {.half = {0, 0, 0}};
+    stay when[STAYS_MOST];
+    box around;
+    fmpq_t at;
+    for (int i = 0; i < 3; i++) {
+        double unused;
+        rational_bounds(&cell.centre[i], &unused, point + i);
+    }
+    if (c->count == POSITIONS || !cell_stays(when, c->ask, &cell))
+        return 0;
+    for (int i = 0; i < 3; i++) {
+        cell.centre[i] = of->centre[i];
+        cell.half[i] = of->half;
+    }
+    when->at = rint(when->at * TIMES) / TIMES;
+    if (!point_box_begin(&c->ask->tube, &scene->filter, &cell) ||
+        !point_box_places(&around, &c->ask->tube, &scene->filter, when, cell.half))
+        return 0;
+    fmpq_init(at);
+    (void)rational_from_double(at, NULL, when->at);
+    point_map_at(c->map + 12 * c->count,
+                 motion_tracing(scene->motion->piece + when->piece, scene->options.operation), at);
+    fmpq_clear(at);
+    span_of_box(&c->near, &c->ask->tube, &around);
+    add_facets(c, &around, 0);
+    c->count++;
+    return !c->cells.failed;
+}
+
+static int is_inside(const covering *c, const fmpq *point, const fmpq *map) {
+    fmpq *place = _fmpq_vec_init(3);
+    fmpz *x = _fmpz_vec_init(4);
+    for (int i = 0; i < 3; i++) {
+        fmpq_set(place + i, map + 4 * i + 3);
+        for (int j = 0; j < 3; j++)
+            fmpq_addmul(place + i, map + 4 * i + j, point + j);
+    }
+    _fmpq_vec_get_fmpz_vec_fmpz(x, x + 3, place, 3);
+    int inside = solid_locate(c->ask->scene->solid, x) == GRAZE_STATE_I;
+    _fmpz_vec_clear(x, 4);
+    _fmpq_vec_clear(place, 3);
+    return inside;
+}
+
+/* A point of a cell that no position covers; NULL if there is none. */
+static const fmpq *find_uncovered(const covering *c) {
+    for (size_t k = 0; k < c->cells.count; k++) {
+        int covered = 0;
+        for (int p = 0; p < c->count && !covered; p++)
+            covered = is_inside(c, c->cells.item[k].at, c->map + 12 * p);
+        if (!covered)
+            return c->cells.item[k].at;
+    }
+    return NULL;
+}
+
+graze_status cube_is_covered(int *done, cell_asker *ask, const cube *of) {
+    covering c = {.ask = ask, .map = _fmpq_vec_init(12 * POSITIONS)};
+    const fmpq *open = NULL;
+    graze_status status;
+    cube_cells_init(&c.cells, ask->context);
+    do {
+        status = cube_cells_make(&c.cells, of);
+        open = status || c.cells.failed ? NULL : find_uncovered(&c);
+        *done = !status && !c.cells.failed && !open;
+    } while (open && add_position(&c, of, open));
+    cube_cells_clear(&c.cells);
+    _fmpq_vec_clear(c.map, 12 * POSITIONS);
+    return status ? status : context_poll(ask->context);
+}

@@ -1,0 +1,17 @@
+/* Whether a few positions of the solid cover a cube together.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#ifndef GRAZE_JUDGE_CUBE_COVER_H
+#define GRAZE_JUDGE_CUBE_COVER_H
+
+#include "questions/judge/band.h"
+
+/**
+ * Try to cover a closed cube by positions of the solid (proofs/judging.md C124): at seams none of
+ * them does it alone.
+ * @param[out] done 1: all of the cube is in the sweep
+ * @return GRAZE_ECANCELED, GRAZE_ESYSTEM
+ */
+graze_status cube_is_covered(int *done, cell_asker *ask, const cube *of);
+
+#endif
