@@ -126,6 +126,16 @@ GRAZE_API graze_judged_distance graze_judgement_distance(const graze_judgement *
 /** The volume of W is between these, exactly. Unchanged for NULL.
  * @param[out] low, high initialised */
 GRAZE_API void graze_judgement_volume(mpq_t low, mpq_t high, const graze_judgement *judgement);
+/**
+ * Volumes of the symmetric difference of W and the inside of the mesh, by its rule: `missing`, in W
+ * and not inside the mesh, and `excess`, inside the mesh and not in W, each between two bounds.
+ * Meshes of equal volume and other shape differ in them.
+ * @param[out] missing_low, missing_high, excess_low, excess_high initialised
+ * @return 0, and sets nothing, where the mesh has no inside or is 2^60 times as far away as the
+ * sweep is large, and for NULL
+ */
+GRAZE_API int graze_judgement_difference(mpq_t missing_low, mpq_t missing_high, mpq_t excess_low,
+                                         mpq_t excess_high, const graze_judgement *judgement);
 /** Cubes and points that were asked about; 0 for NULL. */
 GRAZE_API unsigned long graze_judgement_cost(const graze_judgement *judgement);
 

@@ -321,15 +321,19 @@ graze_judged_distance graze_judgement_distance(const graze_judgement *judgement,
 void graze_judgement_volume(mpq_t low, mpq_t high, const graze_judgement *judgement) {
     if (!judgement)
         return;
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    fmpq_t least, most;
-    fmpq_init(least);
-    fmpq_init(most);
-    band_volume(least, most, &judgement->searched.space);
-    api_rational_out(low, least);
-    api_rational_out(high, most);
-    fmpq_clear(least);
-    fmpq_clear(most);
+    api_rational_out(low, judgement->searched.volume + 2 * IN_SWEEP);
+    api_rational_out(high, judgement->searched.volume + 2 * IN_SWEEP + 1);
+}
+
+int graze_judgement_difference(mpq_t missing_low, mpq_t missing_high, mpq_t excess_low,
+                               mpq_t excess_high, const graze_judgement *judgement) {
+    if (!judgement || !judgement->searched.has_difference)
+        return 0;
+    api_rational_out(missing_low, judgement->searched.volume + 2 * MISSING);
+    api_rational_out(missing_high, judgement->searched.volume + 2 * MISSING + 1);
+    api_rational_out(excess_low, judgement->searched.volume + 2 * EXCESS);
+    api_rational_out(excess_high, judgement->searched.volume + 2 * EXCESS + 1);
+    return 1;
 }
 
 unsigned long graze_judgement_cost(const graze_judgement *judgement) {

@@ -418,6 +418,8 @@ static void meshes(bench *b) {
     HARMLESS(graze_judgement_distance,
              graze_judgement_distance(NULL, GRAZE_JUDGED_SWEEP).high == 0);
     HARMLESS(graze_judgement_volume, CALLS(graze_judgement_volume(NULL, NULL, NULL)));
+    HARMLESS(graze_judgement_difference,
+             graze_judgement_difference(NULL, NULL, NULL, NULL, NULL) == 0);
     HARMLESS(graze_judgement_cost, graze_judgement_cost(NULL) == 0);
     graze_mesh_destroy(mesh);
 }

@@ -102,6 +102,10 @@ static void test_box(void **state) {
     holds(found, GRAZE_JUDGED_SWEEP, 1);
     graze_judgement_volume(low, high, found);
     assert_true(mpq_cmp_ui(low, 40, 1) <= 0 && mpq_cmp_ui(high, 40, 1) >= 0);
+    /* [9, 10] x [0, 2]^2 is missing */
+    assert_true(graze_judgement_difference(low, high, point[0], point[1], found));
+    assert_true(mpq_cmp_ui(low, 4, 1) <= 0 && mpq_cmp_ui(high, 4, 1) >= 0);
+    assert_true(mpq_sgn(point[0]) == 0 && mpq_sgn(point[1]) >= 0);
     assert_true(graze_judgement_cost(found) > 0);
     assert_true(graze_mesh_volume(low, j.mesh) && mpq_cmp_ui(low, 36, 1) == 0);
     int windings[2] = {7, 7};

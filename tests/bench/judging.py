@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 import json
 import os
+import re
 import subprocess
 
 from measure import run_cpu
@@ -19,8 +20,50 @@ WIDTHS = ("1e-2r", "3e-3r")
 SECONDS = 120
 
 
+# The unit cube moved straight, and its sweep: a hull of 14 corners, or of 8, as triangles.
+CUBE = """OFF
+8 6 0
+0 0 0
+1 0 0
+0 1 0
+1 1 0
+0 0 1
+1 0 1
+0 1 1
+1 1 1
+4 0 2 3 1
+4 4 5 7 6
+4 0 1 5 4
+4 2 6 7 3
+4 0 4 6 2
+4 1 3 7 5
+"""
+PERFECT_SECONDS = 1.5
+
+
+def perfect(table, graze, folder):
+    """Default options; the longer box is 12 triangles."""
+    cube, motion, mesh = (os.path.join(folder, name) for name in ("unit.off", "along.json", "long.off"))
+    for path, text in ((cube, CUBE), (mesh, re.sub(r"(?m)^1 ([01] [01])$", r"5 \1", CUBE)),
+                       (motion, '{"dimension": 3, "pieces": [{"t": [0, 1], "transform": {"translate": ["4*t", "0", "0"]}}]}')):
+        with open(path, "w", encoding="ascii") as file:
+            file.write(text)
+    words = [graze, "judge", cube, motion, mesh, "--no-points", "--format", "json"]
+    report = json.loads(subprocess.run(words, check=True, capture_output=True).stdout)
+    table.row("a cube moved by 4 and its exact box", run_cpu(words)[0], most=PERFECT_SECONDS, unit=" s")
+    volume = report["volume"]["sweep"]
+    if not report["budget"]["reached"] or volume["high"] - volume["low"] > 0.05:
+        table.note("the width was NOT reached, or the volume is not within 1 %")
+    bracket = [os.path.join(ROOT, "cases", "bracket", name) for name in ("solid.off", "motion.json")]
+    own = os.path.join(folder, "own.ply")
+    words = [graze, "boundary", *bracket, "--depth", "5", "--surface", own]
+    table.row("graze boundary of the bracket, depth 5", run_cpu(words)[0], unit=" s")
+    table.row("that surface judged", run_cpu([graze, "judge", *bracket, own, "--no-points"])[0], unit=" s")
+
+
 def run(table, graze, folder, quick):
     table.head("Meshes judged")
+    perfect(table, graze, folder)
     for name, solid, motion, depth in SCENES:
         scene = [os.path.join(ROOT, path) for path in (solid, motion)]
         mesh = os.path.join(folder, "judged.ply")

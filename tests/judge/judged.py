@@ -35,6 +35,13 @@ class Judge:
             return None
         return json.loads(out.stdout)
 
+    def differs(self, name, report, missing, excess, most=None):
+        """The volumes of the difference are enclosed, with a width of at most `most`."""
+        for key, true in (("missing", missing), ("excess", excess)):
+            found = report["volume"][key]
+            self.checks.holds(found["low"] <= to_double(true) + ROUNDING and to_double(true) - ROUNDING <= found["high"], name, key, true, found)
+            self.checks.holds(most is None or found["high"] - found["low"] <= most, name, key, "width", found)
+
     def holds(self, name, report, truth, volume=None, within=None):
         """Each true distance (None: not known) is in its enclosure, which has the width asked for."""
         for key, true in zip(KEYS, truth):

@@ -43,6 +43,7 @@ class Judgements(unittest.TestCase):
         self.assertLessEqual(40, found.volume[1])
         self.assertEqual(found.mesh_volume, Fraction(36))
         self.assertEqual(found.windings, (0, 1))
+        self.assertTrue(found.missing[0] <= 4 <= found.missing[1] and found.excess[0] == 0)  # [9, 10] x [0, 2]^2
         self.assertTrue(found.closed and found.oriented and found.reached)
         self.assertEqual(found.report["confusion"]["rows"], 1000)
         self.assertEqual(str(found), found.text)
@@ -52,7 +53,7 @@ class Judgements(unittest.TestCase):
         self.holds(found.outside, 1)
         self.assertFalse(found.closed or found.oriented)
         self.assertIsNone(found.mesh_volume)
-        self.assertIsNone(found.windings)
+        self.assertEqual((found.windings, found.missing, found.excess), (None, None, None))
         self.assertIsNone(found.report["confusion"])
 
     def test_misuse(self):

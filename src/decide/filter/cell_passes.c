@@ -12,6 +12,9 @@
 /* Parts of time are cut to this level; simplices near one of them, and nodes visited for a cell. */
 enum { PASS_LEVELS = 20, PASS_NEAR = 64, PASS_VISITS = 30000 };
 
+/* The level of a span that is one time of a piece. */
+enum { INSTANT = WINDOW_LEVELS + 1 };
+
 /* A part whose curve is shorter than this share of the points' spread is not cut. */
 static const double LEAST_LENGTH = 0.25;
 
@@ -38,6 +41,8 @@ typedef struct passing {
     curve *curve;
     const filter *filter;
     const point_box *points;
+    const cell_walls *walls; /* or NULL */
+    const graze_motion *motion;
     int failed, pierced, visits;
     uint32_t sloped; /* the piece, plus 1, of which these are: */
     double
@@ -110,6 +115,13 @@ static void take_near_simplex(near_simplices *list, uint32_t node, uint32_t simp
             (near_simplex){.node = node, .simplex = simplex, .pierced = pierced};
 }
 
+/* Whether the cell's walls keep corners of a simplex away in a part of one piece, or at its start.
+ */
+static int are_held_out(const passing *p, const span *part, uint32_t simplex, unsigned mask) {
+    return p->walls && (part->degree || part->level == INSTANT) &&
+           walls_hold_out(p->walls, p->motion, p->filter->solid, part, simplex, mask);
+}
+
 /* Those below a node that a thick span may meet. */
 static void find_near(near_simplices *out, passing *p, uint32_t node, const span *wide) {
     static const double none[3] = {0, 0, 0};
@@ -124,7 +136,7 @@ static void find_near(near_simplices *out, passing *p, uint32_t node, const span
         if (!here->child) {
             chord_meeting found = chord_meets(
                 p->curve, wide, corners->at + (size_t)here->simplex * d * d, corners->error);
-            if (found != CHORD_MISSES)
+            if (found != CHORD_MISSES && !are_held_out(p, wide, here->simplex, 7))
                 take_near_simplex(out, node, here->simplex,
                                   flip(FLIP_PIERCE, found == CHORD_PIERCES));
             return;
@@ -137,13 +149,17 @@ static void find_near(near_simplices *out, passing *p, uint32_t node, const span
 /* Whether a contact with all simplices near, at places that they have in common, leaves no doubt.
  */
 static int contacts_are_certain(const passing *p, const near_simplices *near, const span *wide) {
+    unsigned shared;
     for (int k = 0; k < near->count; k++) {
         if (!near->item[k].inside)
             return 0;
         for (int l = 0; l < k; l++)
             if (!(near->item[k].inside & near->item[l].inside) &&
                 common_place_is_near(p->filter->solid, wide, near->item[k].simplex,
-                                     near->item[l].simplex))
+                                     near->item[l].simplex) &&
+                !(common_corners(&shared, p->filter->solid, near->item[k].simplex,
+                                 near->item[l].simplex) &&
+                  are_held_out(p, wide, near->item[l].simplex, shared)))
                 return 0;
     }
     return 1;
@@ -236,6 +252,9 @@ static int joint_is_certain(passing *p, size_t joint) {
     if (!point_box_places(&around, p->curve, p->filter, &when, p->points->half))
         return 0;
     span_of_box(&wide, p->curve, &around);
+    wide.piece = when.piece;
+    wide.start = joint ? WINDOW_WHOLE : 0;
+    wide.level = INSTANT;
     find_near(&near, p, 0, &wide);
     if (near.overflow)
         return 0;
@@ -253,8 +272,9 @@ static int joint_is_certain(passing *p, size_t joint) {
     return contacts_are_certain(p, &near, &wide);
 }
 
-cell_passage cell_passes(curve *memory, const filter *f, const point_box *points) {
-    passing p = {.curve = memory, .filter = f, .points = points};
+cell_passage cell_passes(curve *memory, const filter *f, const point_box *points,
+                         const cell_walls *walls, const graze_motion *motion) {
+    passing p = {.curve = memory, .filter = f, .points = points, .walls = walls, .motion = motion};
     pass_part(&p, 0, NULL);
     if (p.pierced)
         return CELL_PIERCED;

@@ -4,6 +4,7 @@
 #ifndef GRAZE_FILTER_CELL_PASSES_H
 #define GRAZE_FILTER_CELL_PASSES_H
 
+#include "decide/filter/cell_walls.h"
 #include "decide/filter/point_box.h"
 
 /** What is certain of a cell (proofs/judging.md C116). */
@@ -14,7 +15,12 @@ typedef enum cell_passage {
                       unsweep `out` */
 } cell_passage;
 
-/** @param memory set to the cell (point_box_begin) */
-cell_passage cell_passes(curve *memory, const filter *f, const point_box *points);
+/**
+ * @param memory set to the cell (point_box_begin)
+ * @param walls  NULL, or the part of it that counts (proofs/judging.md C123)
+ * @param motion of the sweep; used with walls
+ */
+cell_passage cell_passes(curve *memory, const filter *f, const point_box *points,
+                         const cell_walls *walls, const graze_motion *motion);
 
 #endif

@@ -96,22 +96,23 @@ static int misses_segment(const span *wide, const double *a, const double *b) {
     return 0;
 }
 
-/* Whether a and b have those corners alone in common that both have. */
-static int share_corners_alone(const graze_solid *solid, uint32_t a, uint32_t b) {
-    return lie_on_one_side(solid, a, b, shared_corners(solid, a, b)) ||
+int common_corners(unsigned *of_b, const graze_solid *solid, uint32_t a, uint32_t b) {
+    *of_b = shared_corners(solid, a, b);
+    return lie_on_one_side(solid, a, b, *of_b) ||
            lie_on_one_side(solid, b, a, shared_corners(solid, b, a));
 }
 
 int may_rest_inside(const graze_solid *solid, uint32_t a, uint32_t b) {
-    int shared = __builtin_popcount(shared_corners(solid, a, b));
-    return shared + 1 < solid->input.dimension && !share_corners_alone(solid, a, b);
+    unsigned shared;
+    int alone = common_corners(&shared, solid, a, b);
+    return !alone && __builtin_popcount(shared) + 1 < solid->input.dimension;
 }
 
 int common_place_is_near(const graze_solid *solid, const span *wide, uint32_t a, uint32_t b) {
-    unsigned of_b = shared_corners(solid, a, b);
+    unsigned of_b;
     double end[2][3] = {{0}};
     int count = 0, d = solid->input.dimension;
-    if (!share_corners_alone(solid, a, b))
+    if (!common_corners(&of_b, solid, a, b))
         return 1;
     for (int k = 0; k < d; k++)
         if (of_b >> k & 1)

@@ -15,5 +15,8 @@ int common_place_is_near(const graze_solid *solid, const span *wide, uint32_t a,
 
 /** @return 0 if certainly no place inside a, off its sides, is on b (proofs/judging.md C116) */
 int may_rest_inside(const graze_solid *solid, uint32_t a, uint32_t b);
+/** The corners of b that a has too, as a mask; 0 unless certainly all common places of both closed
+ * triangles are among these corners and between them. */
+int common_corners(unsigned *of_b, const graze_solid *solid, uint32_t a, uint32_t b);
 
 #endif

@@ -93,7 +93,7 @@ static graze_status decide_passage(graze_pmc *pmc, cell_asker *a, const point_bo
     const filter *f = &a->scene->filter;
     if (!point_box_begin(&a->tube, f, points))
         return GRAZE_OK;
-    cell_passage found = cell_passes(&a->tube, f, points);
+    cell_passage found = cell_passes(&a->tube, f, points, NULL, NULL);
     if (found == CELL_PIERCED)
         *pmc = cell_membership_proved(a);
     if (found != CELL_PASSES)
@@ -112,5 +112,17 @@ graze_status cell_certain(graze_pmc *out, cell_asker *a, const point_box *points
     const filter_workspace *w = filter_workspace_of(a->context);
     if (!status && (a->tube.out_of_memory || !w || w->curve.out_of_memory))
         return context_fail(a->context, GRAZE_ESYSTEM, "out of memory for cells of space");
+    return status;
+}
+
+graze_status cell_part_has(int *out, cell_asker *a, const point_box *points,
+                           const cell_walls *walls, const fmpq *inside, graze_pmc pmc) {
+    const filter *f = &a->scene->filter;
+    graze_verdict verdict;
+    *out = 0;
+    graze_status status = classify_answer(&verdict, a->context, a->scene,
+                                          (query_point){.rational = inside}, TRACE_PMC_BESIDE);
+    if (!status && verdict.pmc == pmc && point_box_begin(&a->tube, f, points))
+        *out = cell_passes(&a->tube, f, points, walls, a->scene->motion) != CELL_DOUBTFUL;
     return status;
 }

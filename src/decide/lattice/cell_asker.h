@@ -4,6 +4,7 @@
 #ifndef GRAZE_LATTICE_CELL_ASKER_H
 #define GRAZE_LATTICE_CELL_ASKER_H
 
+#include "decide/filter/cell_walls.h"
 #include "decide/filter/point_box.h"
 #include "decide/scene/scene.h"
 
@@ -49,5 +50,14 @@ graze_pmc cell_decide(cell_asker *a, const point_box *points, anchors *near, int
  * certain
  */
 graze_status cell_certain(graze_pmc *out, cell_asker *a, const point_box *points, anchors *near);
+
+/**
+ * Whether a membership is certainly that of all points of a cell within walls (proofs/judging.md
+ * C123), of a sweep in E^3.
+ * @param inside one of them, three rationals
+ * @return as cell_certain
+ */
+graze_status cell_part_has(int *out, cell_asker *a, const point_box *points,
+                           const cell_walls *walls, const fmpq *inside, graze_pmc pmc);
 
 #endif

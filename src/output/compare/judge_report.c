@@ -33,14 +33,14 @@ static void bounds_of_rationals(bounds *out, const fmpq_t low, const fmpq_t high
     set_bounds(out, least, most);
 }
 
-static void volume_of_sweep(bounds *out, const graze_judgement *j) {
-    fmpq_t low, high;
-    fmpq_init(low);
-    fmpq_init(high);
-    band_volume(low, high, &j->searched.space);
-    bounds_of_rationals(out, low, high);
-    fmpq_clear(low);
-    fmpq_clear(high);
+static const char *const volume_keys[VOLUME_COUNT] = {"sweep", "missing", "excess"};
+
+static const char *const volume_titles[VOLUME_COUNT] = {
+    "volume of the sweep", "missing volume, in the sweep and not in the mesh",
+    "excess volume, in the mesh and not in the sweep"};
+
+static void enclosed_volume(bounds *out, const graze_judgement *j, int which) {
+    bounds_of_rationals(out, j->searched.volume + 2 * which, j->searched.volume + 2 * which + 1);
 }
 
 static int is_reached(const graze_judgement *j) {
@@ -118,8 +118,10 @@ static void put_greatest(text *t, const graze_judgement *j, graze_judged which) 
 
 static void put_volumes(text *t, const graze_judgement *j, const char *bullet) {
     bounds b;
-    volume_of_sweep(&b, j);
-    text_format(t, "%svolume of the sweep: [%s, %s]\n", bullet, b.low, b.high);
+    for (int k = 0; k < (j->searched.has_difference ? VOLUME_COUNT : 1); k++) {
+        enclosed_volume(&b, j, k);
+        text_format(t, "%s%s: [%s, %s]\n", bullet, volume_titles[k], b.low, b.high);
+    }
     if (j->mesh->judged.rule != GRAZE_MESH_WINDING)
         return;
     bounds_of_rationals(&b, j->mesh->judged.volume, j->mesh->judged.volume);
@@ -235,11 +237,17 @@ static void json_mesh(json_writer *w, const graze_judgement *j) {
 static void json_volume(json_writer *w, const graze_judgement *j) {
     bounds b;
     json_open(w, "volume", '{');
-    volume_of_sweep(&b, j);
-    json_open(w, "sweep", '{');
-    json_number(w, "low", b.low);
-    json_number(w, "high", b.high);
-    json_close(w, '}');
+    for (int k = 0; k < VOLUME_COUNT; k++) {
+        if (k != IN_SWEEP && !j->searched.has_difference) {
+            json_text(w, volume_keys[k], NULL);
+            continue;
+        }
+        enclosed_volume(&b, j, k);
+        json_open(w, volume_keys[k], '{');
+        json_number(w, "low", b.low);
+        json_number(w, "high", b.high);
+        json_close(w, '}');
+    }
     if (j->mesh->judged.rule == GRAZE_MESH_WINDING)
         json_rational(w, "mesh", j->mesh->judged.volume);
     else

@@ -17,7 +17,7 @@ static const char judge_help[] =
     "as proved bounds, the greatest distance of the mesh to the sweep (where it is outside), to\n"
     "the outside (where it is inside), and of the sweep's boundary to the mesh, each with a "
     "place\n"
-    "and a time; and the volumes.\n"
+    "and a time; and the volumes, of what is missing from the mesh and what is too much, too.\n"
     "Exit status: 0 a report is made; with --fail-above 1 where a distance is certainly greater,\n"
     "the mesh faces inward or overlaps itself.\n"
     "\n"

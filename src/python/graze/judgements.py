@@ -49,6 +49,8 @@ class Judgement:
         inside: how far it is from the outside, where it is inside the sweep.
         sweep: how far the boundary of the sweep is from the mesh; None for an empty mesh.
         volume: bounds of the sweep's volume.
+        missing, excess: bounds of the volumes in the sweep and not in the mesh, and in the mesh and not in the sweep; None
+            unless the mesh is closed.
         mesh_volume: that of the mesh, exact; None unless it is closed and oriented.
         closed, oriented: whether every edge has an even number of triangles, and as many either way.
         windings: the least and the greatest winding number found, 0 and 1 of a mesh that bounds a solid; None unless
@@ -62,6 +64,8 @@ class Judgement:
     inside: Greatest
     sweep: Optional[Greatest]
     volume: Tuple[float, float]
+    missing: Optional[Tuple[float, float]]
+    excess: Optional[Tuple[float, float]]
     mesh_volume: Optional[Fraction]
     closed: bool
     oriented: bool
@@ -80,6 +84,10 @@ def _greatest(found: Optional[Dict[str, Any]]) -> Optional[Greatest]:
     at, near = found["at"], found.get("open")
     return Greatest(found["low"], found["high"], tuple(at) if at else None, found["t"], found["reached"],
                     tuple(near) if near else None, found.get("stuck", False))
+
+
+def _bounds(found: Optional[Dict[str, float]]) -> Optional[Tuple[float, float]]:
+    return (found["low"], found["high"]) if found else None
 
 
 def _array(name: str, rows: Any, kind: str) -> Any:
@@ -157,7 +165,7 @@ def judge(context: Context, scene: Handle, vertices: Any, faces: Any, within: fl
     assert outside is not None and inside is not None
     windings = report["mesh"]["windings"]
     return Judgement(outside, inside, _greatest(found["sweep_to_mesh"]),
-                     (volume["sweep"]["low"], volume["sweep"]["high"]),
+                     (volume["sweep"]["low"], volume["sweep"]["high"]), _bounds(volume["missing"]), _bounds(volume["excess"]),
                      None if volume["mesh"] is None else Fraction(volume["mesh"]),
                      report["mesh"]["closed"], report["mesh"]["oriented"],
                      (windings[0], windings[1]) if windings else None, report["budget"]["reached"], report, text)

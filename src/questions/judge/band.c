@@ -9,16 +9,16 @@
 #include "base/context/team.h"
 #include "base/number/rounding.h"
 #include "decide/scene/box.h"
+#include "questions/judge/flat_cube.h"
 
 /* Distances between doubles err by less than this share of themselves. */
 static const double ROUND_UP = 1 + 0x1p-48, ROUND_DOWN = 1 - 0x1p-48;
 
+/* After so many cubes of the band that are not flat, one in so many must be to go on trying. */
+enum { ROUGH_MOST = 1000, FLAT_SHARE = 16 };
+
 /* The root's half side has few bits, and its centre few more, so that cubes below are exact. */
 enum { ROOT_BITS = 8 };
-
-double cube_radius(const cube *c) {
-    return c->half * 0x1.bb67ae8584cabp+0; /* the root of 3, and a little more */
-}
 
 static void choose_root(cube *root, const double *low, const double *high) {
     double half = 0;
@@ -53,7 +53,6 @@ graze_status band_init(band *b, graze_context *context, const graze_scene *scene
         fmpq_clear(box_high + k);
     }
     b->item[0] = (cube){.kind = CUBE_BAND};
-    b->left[0] = 1;
     if (!status)
         choose_root(&b->item[0], low, high);
     const cube *root = &b->item[0];
@@ -71,15 +70,19 @@ void band_clear(band *b) {
     cell_asker_clear(&b->ask);
 }
 
-static graze_status decide_cube(cell_asker *ask, cube *c) {
+static graze_status decide_cube(cell_asker *ask, const judged_mesh *mesh, int flat, cube *c) {
     point_box points = {.half = {c->half, c->half, c->half}};
     anchors near = {.count = 0};
     graze_pmc pmc;
+    if (flat)
+        return flat_child(c, ask->context, mesh);
     for (int k = 0; k < 3; k++)
         points.centre[k] = c->centre[k];
     graze_status status = cell_certain(&pmc, ask, &points, &near);
     if (!status)
         c->kind = pmc == GRAZE_IN ? CUBE_IN : pmc == GRAZE_OUT ? CUBE_OUT : CUBE_BAND;
+    if (!status && mesh && c->kind == CUBE_BAND)
+        status = flat_decide(c, ask, mesh);
     return status;
 }
 
@@ -100,8 +103,6 @@ static void tell_parents(band *b, uint32_t index) {
 void band_settle(band *b, uint32_t index, unsigned char kind) {
     cube *c = &b->item[index];
     c->kind = kind;
-    b->left[c->level]--;
-    b->in[c->level] += kind == CUBE_IN;
     if (index)
         tell_parents(b, c->parent);
 }
@@ -129,23 +130,24 @@ static void place_children(band *b, uint32_t index) {
     b->count += 8;
 }
 
-static graze_status decide_children(cell_asker *ask, cube *child) {
+static graze_status decide_children(cell_asker *ask, const judged_mesh *mesh, int flat,
+                                    cube *child) {
     graze_status status = context_poll(ask->context);
     for (int k = 0; k < 8 && !status; k++)
-        status = decide_cube(ask, &child[k]);
+        status = decide_cube(ask, mesh, flat, &child[k]);
     return status;
 }
 
 static void count_children(band *b, uint32_t child) {
     uint32_t index = b->item[child].parent;
-    int level = b->item[index].level;
     b->decided += 8;
     b->item[index].child = child;
-    b->left[level]--;
-    for (uint32_t k = 0; k < 8; k++) {
-        b->in[level + 1] += b->item[child + k].kind == CUBE_IN;
-        b->left[level + 1] += b->item[child + k].kind == CUBE_BAND;
+    for (uint32_t k = child; k < child + 8; k++) {
+        b->flat += b->item[k].kind == CUBE_FLAT || b->item[k].beside;
+        b->rough += b->item[k].kind == CUBE_BAND;
     }
+    if (b->rough > ROUGH_MOST && FLAT_SHARE * b->flat < b->rough)
+        b->gave_up = 1; /* it is curved, or not the boundary */
     tell_parents(b, index);
 }
 
@@ -159,11 +161,12 @@ graze_status band_cut(int *done, band *b, uint32_t index) {
     if (!can_cut(&b->item[index]) || b->count + 8 >= UINT32_MAX)
         return GRAZE_OK;
     uint32_t child = (uint32_t)b->count;
+    int flat = b->item[index].kind == CUBE_FLAT;
     graze_status status = reserve_cubes(b, 8);
     if (status)
         return status;
     place_children(b, index);
-    status = decide_children(&b->ask, &b->item[child]);
+    status = decide_children(&b->ask, flat || !b->gave_up ? b->mesh : NULL, flat, &b->item[child]);
     if (status)
         return status;
     count_children(b, child);
@@ -174,6 +177,7 @@ graze_status band_cut(int *done, band *b, uint32_t index) {
 /* Cubes that are cut by a team. */
 typedef struct cut_run {
     const cell_asker *like;
+    const judged_mesh *mesh;
     cube *child; /* eight for each */
 } cut_run;
 
@@ -184,7 +188,7 @@ static graze_status cut_one(void *data, graze_context *context, int member, size
     (void)member;
     cell_asker_init(&ask, context, r->like->scene);
     ask.time = r->like->time;
-    graze_status status = decide_children(&ask, r->child + 8 * index);
+    graze_status status = decide_children(&ask, r->mesh, 0, r->child + 8 * index);
     cell_asker_clear(&ask);
     return status;
 }
@@ -205,7 +209,7 @@ graze_status band_cut_large(size_t *next, band *b, double radius, size_t most, i
     }
     if (status || !cuts)
         return status;
-    cut_run r = {&b->ask, &b->item[first]};
+    cut_run r = {&b->ask, b->gave_up ? NULL : b->mesh, &b->item[first]};
     status = team_run(b->ask.context, threads, cuts, cut_one, &r);
     for (uint32_t k = 0; k < cuts && !status; k++)
         count_children(b, first + 8 * k);
@@ -259,8 +263,13 @@ static void search_cubes(nearest_cube *s, uint32_t index) {
     if (!(c->kind & s->kinds) || !(square < s->square) || c->half < s->least)
         return;
     if (!c->child) {
-        s->square = square;
-        s->found = index;
+        double all = sqrt(square) + 2 * cube_radius(c);
+        if (c->kind == CUBE_FLAT && !(s->kinds & CUBE_BAND))
+            square = all * all;
+        if (square < s->square) {
+            s->square = square;
+            s->found = index;
+        }
         return;
     }
     /* The part that the point is in, or nearest to, first. */
@@ -291,31 +300,4 @@ uint32_t band_nearest(double *low, double *high, band *b, const double *point, i
     *low = fmax(*low - blur, 0);
     *high += blur;
     return s.found;
-}
-
-/* Add count times the volume of a cube of the level. */
-static void add_volume(fmpq_t sum, const fmpq_t side, size_t count, int level) {
-    fmpq_t term;
-    fmpz_t number;
-    fmpq_init(term);
-    fmpz_init_set_ui(number, count);
-    fmpq_pow_si(term, side, 3);
-    fmpq_mul_fmpz(term, term, number);
-    fmpq_div_2exp(term, term, 3 * (ulong)level);
-    fmpq_add(sum, sum, term);
-    fmpz_clear(number);
-    fmpq_clear(term);
-}
-
-void band_volume(fmpq_t low, fmpq_t high, const band *b) {
-    fmpq_t side;
-    fmpq_init(side);
-    (void)rational_from_double(side, NULL, 2 * b->item[0].half);
-    fmpq_zero(low);
-    for (int level = 0; level <= CUBE_LEVELS; level++)
-        add_volume(low, side, b->in[level], level);
-    fmpq_set(high, low);
-    for (int level = 0; level <= CUBE_LEVELS; level++)
-        add_volume(high, side, b->left[level], level);
-    fmpq_clear(side);
 }

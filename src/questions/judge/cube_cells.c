@@ -124,7 +124,8 @@ graze_status cube_cells_make(cube_cells *c, const cube *of) {
     forget_cells(c);
     for (int order = 0; order < 6 && !status; order++) {
         /* from the lowest corner to the highest along the axes in one order */
-        int next = order % 3, axis[3] = {next, (next + 1 + order / 3) % 3, (next + 2 - order / 3) % 3};
+        int next = order % 3,
+            axis[3] = {next, (next + 1 + order / 3) % 3, (next + 2 - order / 3) % 3};
         double at[3];
         for (int i = 0; i < 3; i++)
             at[i] = of->centre[i] - of->half;

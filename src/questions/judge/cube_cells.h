@@ -6,7 +6,7 @@
 
 #include <flint/fmpq.h>
 #include "base/context/context.h"
-#include "questions/judge/band.h"
+#include "questions/judge/cube.h"
 
 /** Planes that cut one cube, cells, and tetrahedra that make these, at most. */
 enum { CUBE_PLANES = 10, CUBE_CELLS = 64, CUBE_PARTS = 200 };

@@ -25,7 +25,7 @@ typedef struct covering {
 } covering;
 
 /* The plane of a facet at a position, in the space of query points. */
-static void add_facet(covering *c, uint32_t simplex) {
+static void add_position_plane(covering *c, uint32_t simplex) {
     const graze_solid *solid = c->ask->scene->solid;
     const fmpq *map = c->map + 12 * c->count;
     fmpz *body = _fmpz_vec_init(4);
@@ -42,17 +42,17 @@ static void add_facet(covering *c, uint32_t simplex) {
     _fmpz_vec_clear(body, 4);
 }
 
-static void add_facets(covering *c, const box *around, uint32_t node) {
+static void add_position_planes(covering *c, const box *around, uint32_t node) {
     const graze_solid *solid = c->ask->scene->solid;
     const tree_node *here = &solid->boxes.node[node];
     if (!box_meets(&here->box, around) || c->cells.failed)
         return;
     if (here->child) {
-        add_facets(c, around, here->child);
-        add_facets(c, around, here->child + 1);
+        add_position_planes(c, around, here->child);
+        add_position_planes(c, around, here->child + 1);
     } else if (chord_meets(&c->ask->tube, &c->near, solid->corners.at + (size_t)here->simplex * 9,
                            solid->corners.error) != CHORD_MISSES) {
-        add_facet(c, here->simplex);
+        add_position_plane(c, here->simplex);
     }
 }
 
@@ -83,12 +83,12 @@ static int add_position(covering *c, const cube *of, const fmpq *point) {
                  motion_tracing(scene->motion->piece + when->piece, scene->options.operation), at);
     fmpq_clear(at);
     span_of_box(&c->near, &c->ask->tube, &around);
-    add_facets(c, &around, 0);
+    add_position_planes(c, &around, 0);
     c->count++;
     return !c->cells.failed;
 }
 
-static int is_inside(const covering *c, const fmpq *point, const fmpq *map) {
+static int is_in_position(const covering *c, const fmpq *point, const fmpq *map) {
     fmpq *place = _fmpq_vec_init(3);
     fmpz *x = _fmpz_vec_init(4);
     for (int i = 0; i < 3; i++) {
@@ -108,7 +108,7 @@ static const fmpq *find_uncovered(const covering *c) {
     for (size_t k = 0; k < c->cells.count; k++) {
         int covered = 0;
         for (int p = 0; p < c->count && !covered; p++)
-            covered = is_inside(c, c->cells.item[k].at, c->map + 12 * p);
+            covered = is_in_position(c, c->cells.item[k].at, c->map + 12 * p);
         if (!covered)
             return c->cells.item[k].at;
     }

@@ -4,7 +4,8 @@
 #ifndef GRAZE_JUDGE_CUBE_COVER_H
 #define GRAZE_JUDGE_CUBE_COVER_H
 
-#include "questions/judge/band.h"
+#include "decide/lattice/cell_asker.h"
+#include "questions/judge/cube.h"
 
 /**
  * Try to cover a closed cube by positions of the solid (proofs/judging.md C124): at seams none of

@@ -33,6 +33,10 @@ typedef struct asked_part {
 
 typedef struct known_point known_point;
 
+/** Volumes that are enclosed: of the sweep, of its part outside the mesh, of the mesh's outside it.
+ */
+enum { IN_SWEEP, MISSING, EXCESS, VOLUME_COUNT };
+
 /** One sequence of steps, which the budget alone ends: so a larger one tells no less. */
 typedef struct suprema {
     graze_context *context;
@@ -47,6 +51,8 @@ typedef struct suprema {
     asked_part *part;
     priority outer, inner; /* parts that may be far outside, and inside */
     supremum found[GRAZE_JUDGED_COUNT];
+    fmpq volume[2 * VOLUME_COUNT]; /* below and above */
+    int has_difference;            /* to the mesh: all volumes are known */
 } suprema;
 
 /** When a point's distance is asked for, to a share of the width that is wanted. */
@@ -79,6 +85,9 @@ graze_status suprema_probe(int *stuck, suprema *s, uint32_t cube, const double *
 
 /** Cubes of at most this share of the width that is wanted are probed; larger ones are cut. */
 #define PROBED_SHARE 0.125
+
+/** A cube that is measured counts as so many that are looked at. */
+enum { MEASURED = 256 };
 
 /** What of the budget is spent. */
 size_t suprema_spent(const suprema *s);

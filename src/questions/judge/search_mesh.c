@@ -10,7 +10,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "decide/filter/chord.h"
 #include "decide/filter/normal.h"
+#include "questions/judge/flat_cube.h"
 
 /* Half sides of cubes that are cut, as shares of the width. Parts of less than the last are stuck.
  */
@@ -18,6 +20,9 @@ static const double LARGE_SHARE = 0.5, SMALL_SHARE = 0x1p-8, STUCK_PART = 0x1p-9
 
 /* Of those so small beside the error of their point most is rounding: they are stuck too. */
 static const double ROUNDED_PART = 8;
+
+/* Cubes that are perhaps not in the sweep. */
+enum { NOT_INSIDE = CUBE_OUT | CUBE_BAND | CUBE_FLAT };
 
 static void raise_low(supremum *of, double low, const double *at) {
     if (low > of->low) {
@@ -32,8 +37,47 @@ static double outside_bound(suprema *s, const asked_part *a) {
     if (a->known.pmc == GRAZE_OUT)
         return a->known.high + a->part.radius;
     if (a->known.pmc == GRAZE_IN)
-        band_nearest(&low, &unused, &s->space, a->part.x, CUBE_OUT | CUBE_BAND, 0);
+        band_nearest(&low, &unused, &s->space, a->part.x, NOT_INSIDE, 0);
     return larger(a->part.radius - low, 0);
+}
+
+/* Whether a triangle meets flat cubes alone, of those below one. */
+static int is_part_flat_below(const suprema *s, const mesh_part *part, const box *around,
+                              uint32_t index) {
+    const cube *c = &s->space.item[index];
+    cube_span here;
+    cube_span_set(&here, c, s->mesh);
+    if ((c->kind == CUBE_FLAT && !c->child) || c->beside || !box_meets(around, &here.space) ||
+        chord_meets(&here.shape, &here.all, part->corner, part->error) == CHORD_MISSES)
+        return 1;
+    int flat = c->child != 0;
+    for (uint32_t k = 0; k < 8 && flat; k++)
+        flat = is_part_flat_below(s, part, around, c->child + k);
+    return flat;
+}
+
+/* Whether a part is of the boundary. */
+static int is_part_flat(const suprema *s, const mesh_part *part) {
+    const cube *root = &s->space.item[0];
+    int within = part->node == PART_OF_TRIANGLE && root->kind & CUBE_FLAT;
+    box around;
+    for (int i = 0; i < 3 && within; i++) {
+        const double *v = part->corner + i;
+        around.low[i] = smaller(v[0], smaller(v[3], v[6])) - part->error;
+        around.high[i] = larger(v[0], larger(v[3], v[6])) + part->error;
+        within = around.low[i] > root->centre[i] - root->half &&
+                 around.high[i] < root->centre[i] + root->half;
+    }
+    return within && is_part_flat_below(s, part, &around, 0);
+}
+
+/* Whether a part's point is. */
+static int is_at_flat(const suprema *s, const mesh_part *part) {
+    mesh_part point = *part;
+    for (int k = 0; k < 9; k++)
+        point.corner[k] = part->x[k % 3];
+    point.node = PART_OF_TRIANGLE;
+    return is_part_flat(s, &point);
 }
 
 /* The distance from a part's point to the complement of the sweep: to what is certainly outside at
@@ -42,11 +86,13 @@ static double inside_bound(suprema *s, const asked_part *a) {
     double low, high, unused;
     if (a->known.pmc == GRAZE_OUT)
         return larger(a->part.radius - a->known.low, 0);
-    band_nearest(&unused, &high, &s->space, a->part.x, CUBE_OUT, 0);
+    band_nearest(&unused, &high, &s->space, a->part.x, CUBE_OUT | CUBE_FLAT, 0);
     if (a->known.pmc == GRAZE_IN) {
-        band_nearest(&low, &unused, &s->space, a->part.x, CUBE_OUT | CUBE_BAND, 0);
+        band_nearest(&low, &unused, &s->space, a->part.x, NOT_INSIDE, 0);
         raise_low(&s->found[GRAZE_JUDGED_INSIDE], low - a->part.error, a->part.x);
     }
+    if (high > a->part.error && is_at_flat(s, &a->part))
+        high = a->part.error;
     return high + a->part.radius;
 }
 
@@ -91,20 +137,23 @@ static int is_stuck(const suprema *s, const mesh_part *part) {
 
 static graze_status look_outside(suprema *s) {
     waiting_part first = priority_take(&s->outer);
-    const asked_part *a = &s->part[first.number];
+    asked_part *a = &s->part[first.number];
+    a->is_cut = is_part_flat(s, &a->part);
+    if (a->is_cut)
+        return GRAZE_OK;
     if (!is_stuck(s, &a->part))
         return cut_part(s, first.number);
     s->found[GRAZE_JUDGED_OUTSIDE].stuck = 1;
     return priority_add(&s->outer, s->context, first.bound, first.number);
 }
 
-/* The cube of the band nearest to a part's point, no further than `most`, of those that are largest
- * but for some powers of two: so all around it shrinks alike. */
+/* The cube of the band, or flat, nearest to a part's point, no further than `most`, of those that
+ * are largest but for some powers of two: so all around it shrinks alike. */
 static uint32_t nearest_large(suprema *s, const asked_part *a, double most) {
     double low, high;
     for (double share = LARGE_SHARE; share >= SMALL_SHARE; share *= 0.5) {
-        uint32_t index =
-            band_nearest(&low, &high, &s->space, a->part.x, CUBE_BAND, share * s->within);
+        uint32_t index = band_nearest(&low, &high, &s->space, a->part.x, NOT_INSIDE & ~CUBE_OUT,
+                                      share * s->within);
         if (index != UINT32_MAX && low <= most)
             return index;
     }
@@ -113,17 +162,17 @@ static uint32_t nearest_large(suprema *s, const asked_part *a, double most) {
 
 /* Cut it, unless nothing around it is outside and it is settled; once cubes are small, see first
  * whether the nearest of all is perhaps in a seam. */
-static graze_status cut_nearest(suprema *s, uint32_t number, double most) {
+static graze_status cut_nearest(suprema *s, uint32_t number, uint32_t index) {
     asked_part *a = &s->part[number];
     int *stuck = &s->found[GRAZE_JUDGED_INSIDE].stuck, done = 0;
-    uint32_t index = nearest_large(s, a, most);
     cube_sample around = {.has_out = 1};
     graze_status status = GRAZE_OK;
-    if (index != UINT32_MAX && cube_radius(&s->space.item[index]) <= s->within)
+    int open = index != UINT32_MAX && s->space.item[index].kind == CUBE_BAND;
+    if (open && cube_radius(&s->space.item[index]) <= s->within)
         status = suprema_sample(&around, s, index);
     if (!status && !around.has_out)
         status = suprema_settle(&done, s, index);
-    if (!status && !done && index != UINT32_MAX && !a->is_probed &&
+    if (!status && !done && open && !a->is_probed &&
         cube_radius(&s->space.item[index]) <= PROBED_SHARE * s->within) {
         double low, high;
         uint32_t nearest = band_nearest(&low, &high, &s->space, a->part.x, CUBE_BAND, 0);
@@ -141,7 +190,7 @@ static double open_space(suprema *s, const asked_part *a, double bound) {
     double low = 0, unused;
     if (a->known.pmc == GRAZE_OUT)
         return 0;
-    band_nearest(&low, &unused, &s->space, a->part.x, CUBE_OUT | CUBE_BAND, 0);
+    band_nearest(&low, &unused, &s->space, a->part.x, NOT_INSIDE, 0);
     return bound - a->part.radius - low;
 }
 
@@ -149,12 +198,17 @@ static double open_space(suprema *s, const asked_part *a, double bound) {
 static graze_status look_inside(suprema *s) {
     uint32_t number = priority_take(&s->inner).number;
     asked_part a = s->part[number];
+    s->part[number].is_cut = is_part_flat(s, &a.part);
+    if (s->part[number].is_cut)
+        return GRAZE_OK;
     double bound = smaller(inside_bound(s, &a), a.inside);
     graze_status status = GRAZE_OK;
-    if (bound >= a.inside && !is_stuck(s, &a.part) && open_space(s, &a, bound) < a.part.radius)
+    uint32_t nearest = bound >= a.inside ? nearest_large(s, &a, bound - a.part.radius) : UINT32_MAX;
+    if (bound >= a.inside && !is_stuck(s, &a.part) &&
+        (nearest == UINT32_MAX || open_space(s, &a, bound) < a.part.radius))
         return cut_part(s, number);
     if (bound >= a.inside)
-        status = cut_nearest(s, number, bound - a.part.radius);
+        status = cut_nearest(s, number, nearest);
     bound = smaller(inside_bound(s, &a), bound);
     s->part[number].inside = bound;
     return status ? status : priority_add(&s->inner, s->context, bound, number);

@@ -8,6 +8,7 @@
 #include "decide/filter/time_ray.h"
 #include "questions/judge/search_mesh.h"
 #include "questions/judge/search_sweep.h"
+#include "questions/judge/volumes.h"
 
 /* Cubes that are cut together, at most. */
 enum { TOGETHER = 4096 };
@@ -76,21 +77,27 @@ graze_status suprema_find(suprema *out, graze_context *context, const graze_scen
                      .within = within,
                      .budget = budget,
                      .threads = threads};
+    for (int k = 0; k < 2 * VOLUME_COUNT; k++)
+        fmpq_init(out->volume + k);
     graze_status status = band_init(&out->space, context, scene);
     if (!status)
         status = filter_lay_bricks(&scene->filter, context);
+    if (mesh->rule != GRAZE_MESH_NONE && mesh->cut.count && mesh->corners.at)
+        out->space.mesh = mesh;
     if (!status && mesh->cut.count && !mesh->corners.at)
         status = context_fail(context, GRAZE_ELIMIT,
                               "a coordinate of the mesh is beyond 2^200; expected less");
     if (status)
         return status;
-    if (!mesh->cut.count)
-        return judge_empty(out);
-    status = search_all(out);
-    return status ? status : tell_times(out);
+    status = mesh->cut.count ? search_all(out) : judge_empty(out);
+    if (!status)
+        status = volumes_find(out);
+    return status || !mesh->cut.count ? status : tell_times(out);
 }
 
 void suprema_clear(suprema *s) {
+    for (int k = 0; k < 2 * VOLUME_COUNT; k++)
+        fmpq_clear(s->volume + k);
     band_clear(&s->space);
     priority_clear(&s->cubes);
     priority_clear(&s->outer);

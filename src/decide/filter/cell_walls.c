@@ -1,0 +1,71 @@
+/* The plane's form of a moved corner is a polynomial of the time; where its Bernstein coefficients
+ * on a part have one sign, so has it. SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "decide/filter/cell_walls.h"
+
+#include <flint/fmpq_poly.h>
+
+/* The form on all of a piece, with the weight as a positive factor. */
+static void form_of_corner(fmpq_poly_t form, const fmpq *plane, const point_map *map,
+                           const fmpq *corner) {
+    fmpq_poly_t entry;
+    fmpq_t factor;
+    fmpq_poly_init(entry);
+    fmpq_init(factor);
+    fmpq_poly_set_fmpz_poly(form, map->weight);
+    fmpq_poly_scalar_mul_fmpq(form, form, plane + 3);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 4; j++) {
+            fmpq_poly_set_fmpz_poly(entry, map->entry + 4 * i + j);
+            if (j < 3)
+                fmpq_mul(factor, plane + i, corner + j);
+            fmpq_poly_scalar_mul_fmpq(entry, entry, j < 3 ? factor : plane + i);
+            fmpq_poly_add(form, form, entry);
+        }
+    fmpq_clear(factor);
+    fmpq_poly_clear(entry);
+}
+
+/* Whether a form is on a side, or 0, on all of a part: f(from + x way) as a polynomial of x, and
+ * (1 + x)^n times that of x / (1 + x), have coefficients of one sign. */
+static int is_on_side(fmpq_poly_t form, const span *part, int side) {
+    int on_side = 1;
+    slong length = fmpq_poly_length(form);
+    fmpq_poly_t line;
+    fmpq_poly_init(line);
+    fmpq_poly_set_coeff_si(line, 0, part->start);
+    if (part->degree)
+        fmpq_poly_set_coeff_si(line, 1, WINDOW_WHOLE >> part->level);
+    fmpq_poly_scalar_div_si(line, line, WINDOW_WHOLE);
+    fmpq_poly_compose(form, form, line);
+    fmpq_poly_reverse(form, form, length);
+    fmpq_poly_zero(line);
+    fmpq_poly_set_coeff_si(line, 0, 1);
+    fmpq_poly_set_coeff_si(line, 1, 1);
+    fmpq_poly_compose(form, form, line);
+    for (slong k = 0; k < fmpq_poly_length(form) && on_side; k++)
+        on_side = fmpz_sgn(fmpq_poly_numref(form) + k) * side >= 0;
+    fmpq_poly_clear(line);
+    return on_side;
+}
+
+int walls_hold_out(const cell_walls *walls, const graze_motion *motion, const graze_solid *solid,
+                   const span *part, uint32_t simplex, unsigned mask) {
+    const point_map *map = motion_placing(motion->piece + part->piece, GRAZE_SWEEP);
+    int out = 0;
+    fmpq_poly_t form;
+    fmpq_poly_init(form);
+    for (int k = 0; k < walls->count && !out; k++) {
+        out = 1;
+        for (int v = 0; v < 3 && out; v++) {
+            if (!(mask >> v & 1))
+                continue;
+            const fmpq *corner =
+                solid->input.coordinates + 3 * (size_t)solid->cut.item[simplex].vertex[v];
+            form_of_corner(form, walls->plane + 4 * k, map, corner);
+            out = is_on_side(form, part, walls->sides >> k & 1 ? -1 : 1);
+        }
+    }
+    fmpq_poly_clear(form);
+    return out;
+}

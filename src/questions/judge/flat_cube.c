@@ -1,0 +1,167 @@
+/* Planes of the mesh's triangles, and what the mesh and the sweep say of the cells between them.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/judge/flat_cube.h"
+
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
+#include "decide/filter/chord.h"
+#include "questions/judge/cube_cells.h"
+#include "questions/judge/winding.h"
+
+/* Triangles in a cube, and their planes, at most. */
+enum { FLAT_TRIANGLES = 32, FLAT_PLANES = 6 };
+
+typedef struct flat {
+    const judged_mesh *mesh;
+    cube_span here;
+    cube_cells cells;
+    int count;
+    uint32_t triangle[FLAT_TRIANGLES];
+} flat;
+
+static void find_triangles(flat *f, uint32_t node) {
+    const tree_node *here = &f->mesh->boxes.node[node];
+    const corners *corners = &f->mesh->corners;
+    if (f->cells.failed || !box_meets(&here->box, &f->here.space))
+        return;
+    if (here->child) {
+        find_triangles(f, here->child);
+        find_triangles(f, here->child + 1);
+    } else if (chord_meets(&f->here.shape, &f->here.all, corners->at + (size_t)here->simplex * 9,
+                           corners->error) != CHORD_MISSES) {
+        skin all = judged_skin(f->mesh);
+        fmpz *form = _fmpz_vec_init(4);
+        fmpq *plane = _fmpq_vec_init(4);
+        (void)skin_plane(form, &all, here->simplex);
+        for (int i = 0; i < 4; i++)
+            fmpq_set_fmpz(plane + i, form + i);
+        cube_cells_plane(&f->cells, plane);
+        f->cells.failed |= f->count == FLAT_TRIANGLES || f->cells.plane_count > FLAT_PLANES;
+        if (!f->cells.failed)
+            f->triangle[f->count++] = here->simplex;
+        _fmpq_vec_clear(plane, 4);
+        _fmpz_vec_clear(form, 4);
+    }
+}
+
+void cube_span_set(cube_span *out, const cube *c, const judged_mesh *mesh) {
+    out->shape = (curve){.dimension = 3, .corners = &mesh->corners};
+    for (int i = 0; i < 3; i++) {
+        out->space.low[i] = c->centre[i] - c->half;
+        out->space.high[i] = c->centre[i] + c->half;
+    }
+    span_of_box(&out->all, &out->shape, &out->space);
+}
+
+static graze_status begin_flat(flat *f, graze_context *context, const cube *c,
+                               const judged_mesh *mesh) {
+    *f = (flat){.mesh = mesh};
+    cube_cells_init(&f->cells, context);
+    cube_span_set(&f->here, c, mesh);
+    find_triangles(f, 0);
+    return f->cells.failed || !f->count ? GRAZE_OK : cube_cells_make(&f->cells, c);
+}
+
+/* The sign of a linear form at a point. */
+static int side_of_form(const fmpz *form, const fmpq *point) {
+    fmpq *sum = _fmpq_vec_init(2);
+    fmpq_set_fmpz(sum, form + 3);
+    for (int i = 0; i < 3; i++) {
+        fmpq_mul_fmpz(sum + 1, point + i, form + i);
+        fmpq_add(sum, sum, sum + 1);
+    }
+    int sign = fmpq_sgn(sum);
+    _fmpq_vec_clear(sum, 2);
+    return sign;
+}
+
+/* Whether a triangle is beyond the plane of another, or beyond a side of it. */
+static int is_beyond(const skin *s, size_t of, size_t other) {
+    const fmpq *corner[3];
+    int beyond = 0;
+    fmpz *form = _fmpz_vec_init(8), *side = form + 4;
+    skin_vertices(corner, s, other);
+    (void)skin_plane(form, s, of);
+    for (int v = 0; v < 3; v++)
+        beyond |= side_of_form(form, corner[v]) != 0;
+    for (int k = 0; k < 3 && !beyond; k++) {
+        skin_side(side, s, of, form, k);
+        beyond = 1;
+        for (int v = 0; v < 3; v++)
+            beyond &= side_of_form(side, corner[v]) <= 0;
+    }
+    _fmpz_vec_clear(form, 8);
+    return beyond;
+}
+
+/* Whether no two triangles have a common area. */
+static int have_no_common_area(const flat *f) {
+    skin s = judged_skin(f->mesh);
+    for (int k = 0; k < f->count; k++)
+        for (int l = 0; l < k; l++)
+            if (!is_beyond(&s, f->triangle[k], f->triangle[l]) &&
+                !is_beyond(&s, f->triangle[l], f->triangle[k]))
+                return 0;
+    return 1;
+}
+
+/* Of the cells of a cube, inside both or outside both. */
+static void take_kinds(cube *c, unsigned char kinds) {
+    c->beside = kinds == CUBE_IN || kinds == CUBE_OUT;
+    c->kind = c->beside ? kinds : CUBE_FLAT;
+}
+
+graze_status flat_decide(cube *c, cell_asker *ask, const judged_mesh *mesh) {
+    flat f;
+    point_box points = {.half = {c->half, c->half, c->half}};
+    graze_status status = begin_flat(&f, ask->context, c, mesh);
+    int same = !status && !f.cells.failed && f.count && have_no_common_area(&f);
+    unsigned char kinds = 0;
+    for (int i = 0; i < 3; i++)
+        points.centre[i] = c->centre[i];
+    for (size_t k = 0; k < f.cells.count && same && !status; k++) {
+        const cube_cell *cell = &f.cells.item[k];
+        cell_walls walls = {f.cells.plane_count, f.cells.plane, cell->sides};
+        long winding;
+        graze_pmc pmc = judged_place(&winding, mesh, cell->at) == MESH_IN ? GRAZE_IN : GRAZE_OUT;
+        same = winding >= -1 && winding <= 1;
+        kinds |= pmc == GRAZE_IN ? CUBE_IN : CUBE_OUT;
+        if (same)
+            status = cell_part_has(&same, ask, &points, &walls, cell->at, pmc);
+    }
+    if (same && !status)
+        take_kinds(c, kinds);
+    cube_cells_clear(&f.cells);
+    return status;
+}
+
+graze_status flat_child(cube *c, graze_context *context, const judged_mesh *mesh) {
+    flat f;
+    unsigned char kinds = 0;
+    graze_status status = begin_flat(&f, context, c, mesh);
+    if (!status && !f.count)
+        status = cube_cells_make(&f.cells, c);
+    for (size_t k = 0; k < f.cells.count; k++) {
+        long winding;
+        int in = judged_place(&winding, mesh, f.cells.item[k].at) == MESH_IN;
+        kinds |= in ? CUBE_IN : CUBE_OUT;
+    }
+    take_kinds(c, kinds);
+    c->beside &= f.count > 0;
+    cube_cells_clear(&f.cells);
+    return status;
+}
+
+graze_status flat_volume(fmpq_t sum, graze_context *context, const cube *c,
+                         const judged_mesh *mesh) {
+    flat f;
+    graze_status status = begin_flat(&f, context, c, mesh);
+    for (size_t k = 0; k < f.cells.count && !status; k++) {
+        long winding;
+        if (judged_place(&winding, mesh, f.cells.item[k].at) == MESH_IN)
+            fmpq_add(sum, sum, f.cells.item[k].at + 3);
+    }
+    cube_cells_clear(&f.cells);
+    return status;
+}

@@ -1,0 +1,155 @@
+/* Cubes that the mesh misses are inside it or outside it; others are halved down to the width.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/judge/volumes.h"
+
+#include "base/number/rounding.h"
+#include "decide/filter/chord.h"
+#include "questions/judge/flat_cube.h"
+#include "questions/judge/winding.h"
+
+/* The root is doubled so often, at most, until it holds the mesh. */
+enum { DOUBLINGS = 60, LEVELS = DOUBLINGS + 256 };
+
+/* What is known of a cube: MESH_IN, MESH_OUT, or that the mesh is perhaps in it. */
+typedef struct measuring {
+    suprema *s;
+    int has_inside;
+    fmpq_t flat;                           /* volume inside, in flat cubes */
+    size_t count[VOLUME_COUNT][2][LEVELS]; /* cubes by level, for bounds below and above */
+} measuring;
+
+static int meets_below(const judged_mesh *m, const cube_span *c, uint32_t node) {
+    const tree_node *here = &m->boxes.node[node];
+    if (!box_meets(&here->box, &c->space))
+        return 0;
+    if (here->child)
+        return meets_below(m, c, here->child) || meets_below(m, c, here->child + 1);
+    return chord_meets(&c->shape, &c->all, m->corners.at + (size_t)here->simplex * 9,
+                       m->corners.error) != CHORD_MISSES;
+}
+
+/* Whether the mesh certainly misses a closed cube. */
+static int mesh_misses_cube(const judged_mesh *m, const cube *c) {
+    cube_span here;
+    cube_span_set(&here, c, m);
+    return !m->boxes.node_count || !meets_below(m, &here, 0);
+}
+
+static mesh_place place_of_cube(const measuring *r, const cube *c) {
+    fmpq point[3];
+    long winding;
+    for (int i = 0; i < 3; i++) {
+        fmpq_init(point + i);
+        (void)rational_from_double(point + i, NULL, c->centre[i]);
+    }
+    mesh_place place = judged_place(&winding, r->s->mesh, point);
+    for (int i = 0; i < 3; i++)
+        fmpq_clear(point + i);
+    return place;
+}
+
+static void count_cube(measuring *r, const cube *c, int level, mesh_place mesh) {
+    int in = c->kind == CUBE_IN, out = c->kind == CUBE_OUT;
+    size_t(*count)[2][LEVELS] = r->count;
+    level += DOUBLINGS;
+    count[IN_SWEEP][0][level] += (size_t)in;
+    count[IN_SWEEP][1][level] += (size_t)!out;
+    count[MISSING][0][level] += in && mesh == MESH_OUT;
+    count[MISSING][1][level] += !out && mesh != MESH_IN;
+    count[EXCESS][0][level] += out && mesh == MESH_IN;
+    count[EXCESS][1][level] += !in && mesh != MESH_OUT;
+}
+
+static graze_status measure_cube(measuring *r, const cube *c, int level, mesh_place mesh) {
+    suprema *s = r->s;
+    graze_status status = GRAZE_OK;
+    cube part = *c;
+    s->space.seen += MEASURED;
+    if (c->beside)
+        mesh = c->kind == CUBE_IN ? MESH_IN : MESH_OUT;
+    if (r->has_inside && mesh == MESH_UNTOLD && mesh_misses_cube(s->mesh, c))
+        mesh = place_of_cube(r, c);
+    int cut = r->has_inside && mesh == MESH_UNTOLD && cube_radius(c) > s->within &&
+              level < CUBE_LEVELS && !suprema_is_over(s);
+    if (c->kind == CUBE_FLAT && !c->child)
+        return flat_volume(r->flat, s->context, c, s->mesh);
+    if (!c->child && !cut) {
+        count_cube(r, c, level, mesh);
+        return GRAZE_OK;
+    }
+    part.half *= 0.5;
+    for (uint32_t k = 0; k < 8 && !status; k++) {
+        for (int i = 0; i < 3; i++)
+            part.centre[i] = c->centre[i] + (k >> i & 1 ? part.half : -part.half);
+        status = measure_cube(r, c->child ? &s->space.item[c->child + k] : &part, level + 1, mesh);
+    }
+    return status ? status : context_poll(s->context);
+}
+
+/* Outside the root, as far as the mesh: cubes of which the last one is a part. 0: it is too far. */
+static graze_status measure_around(measuring *r) {
+    const box *reach = &r->s->mesh->boxes.node[0].box;
+    cube last = r->s->space.item[0];
+    graze_status status = GRAZE_OK;
+    for (int level = 0; level > -DOUBLINGS && !status; level--) {
+        double to[3], past = 0;
+        for (int i = 0; i < 3; i++) {
+            double below = last.centre[i] - last.half - reach->low[i];
+            double above = reach->high[i] - last.centre[i] - last.half;
+            to[i] = above > below ? last.half : -last.half;
+            past = larger(past, larger(above, below));
+        }
+        if (!(past > 0))
+            return GRAZE_OK;
+        for (int k = 1; k < 8 && !status; k++) {
+            cube part = {.half = last.half, .kind = CUBE_OUT};
+            for (int i = 0; i < 3; i++)
+                part.centre[i] = last.centre[i] + (k >> i & 1 ? 2 * to[i] : 0);
+            status = measure_cube(r, &part, level, MESH_UNTOLD);
+        }
+        for (int i = 0; i < 3; i++)
+            last.centre[i] += to[i];
+        last.half *= 2;
+    }
+    r->has_inside = 0;
+    return status;
+}
+
+/* Add the cubes of all levels, as parts of the root. */
+static void add_volumes(fmpq_t sum, const fmpq_t root, const size_t *count) {
+    fmpq_t term;
+    fmpz_t number;
+    fmpq_init(term);
+    fmpz_init(number);
+    for (int level = 0; level < LEVELS; level++) {
+        fmpz_set_ui(number, count[level]);
+        fmpq_mul_fmpz(term, root, number);
+        fmpq_mul_2exp(term, term, 3 * DOUBLINGS);
+        fmpq_div_2exp(term, term, 3 * (ulong)level);
+        fmpq_add(sum, sum, term);
+    }
+    fmpz_clear(number);
+    fmpq_clear(term);
+}
+
+graze_status volumes_find(suprema *s) {
+    measuring r = {.s = s, .has_inside = s->mesh->rule != GRAZE_MESH_NONE};
+    fmpq_t root;
+    fmpq_init(r.flat);
+    graze_status status = measure_cube(&r, &s->space.item[0], 0, MESH_UNTOLD);
+    if (!status && r.has_inside && s->mesh->boxes.node_count)
+        status = measure_around(&r);
+    s->has_difference = r.has_inside;
+    fmpq_init(root);
+    (void)rational_from_double(root, NULL, 2 * s->space.item[0].half);
+    fmpq_pow_si(root, root, 3);
+    for (int k = 0; k < VOLUME_COUNT; k++)
+        for (int side = 0; side < 2; side++)
+            add_volumes(s->volume + 2 * k + side, root, r.count[k][side]);
+    for (int side = 0; side < 2; side++)
+        fmpq_add(s->volume + 2 * IN_SWEEP + side, s->volume + 2 * IN_SWEEP + side, r.flat);
+    fmpq_clear(root);
+    fmpq_clear(r.flat);
+    return status;
+}
