@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-/** What is certain of all points of a closed cube; of one that is cut, which of them are below. In
+/** Certain of all points of a closed cube; of one that is cut, which of them are below. In
  * a flat one the mesh is the boundary, which cuts it (questions/judge/flat_cube.h). */
 enum { CUBE_IN = 1, CUBE_OUT = 2, CUBE_BAND = 4, CUBE_FLAT = 8 };
 

@@ -106,7 +106,7 @@ static int have_no_common_area(const flat *f) {
     return 1;
 }
 
-/* Of the cells of a cube, inside both or outside both. */
+/* Its kind, by those of its cells, inside both or outside both. */
 static void take_kinds(cube *c, unsigned char kinds) {
     c->beside = kinds == CUBE_IN || kinds == CUBE_OUT;
     c->kind = c->beside ? kinds : CUBE_FLAT;

@@ -11,7 +11,7 @@
 /* The root is doubled so often, at most, until it holds the mesh. */
 enum { DOUBLINGS = 60, LEVELS = DOUBLINGS + 256 };
 
-/* What is known of a cube: MESH_IN, MESH_OUT, or that the mesh is perhaps in it. */
+/* Counts of cubes. Each is MESH_IN, MESH_OUT, or MESH_UNTOLD where the mesh is perhaps in it. */
 typedef struct measuring {
     suprema *s;
     int has_inside;
