@@ -42,7 +42,8 @@ static const char *pass_blanks(const char *s) {
     return s + strspn(s, " \t\r\n");
 }
 
-/* Pass over [-] TERM {(+|-) TERM}, TERM = NUMBER | [NUMBER*] t [^COUNT]; NULL where there is none. */
+/* Pass over [-] TERM {(+|-) TERM}, TERM = NUMBER | [NUMBER*] t [^COUNT]; NULL where there is none.
+ */
 static const char *pass_sum(const char *s) {
     s = pass_blanks(s);
     for (s += *s == '-';; s++) {
