@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # suite
-"""Random germs of dependent surfaces: what rational points near them show is never excluded (C95 to C100).
+"""Random germs of dependent surfaces: what rational points near them show is never excluded (C95 to C100, C127).
 
 SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -8,7 +8,8 @@ Through the origin go z + ... = 0 and a second surface that is the first one tim
 of rank 1, flat, in two degrees, alone or with planes and a ball; or three surfaces through an edge, or a quadratic cone with
 planes. The solid asks whether one pattern of their signs occurs, or all others. Points are found on the surfaces by Newton's
 iteration in fractions, then displaced by far less than their distance: the patterns that they have occur. A state O
-or I that they contradict is wrong. A B is shown by them, too, but where they are too few; how many is told.
+or I that they contradict is wrong. A B is shown by them, too, but where they are too few; how many is told. Near an apex of
+several cones and planes all directions of small integers are looked along; such germs are always decided.
 """
 import collections
 import itertools
@@ -24,6 +25,8 @@ from exact import Fraction as F  # noqa: E402
 from program import merged  # noqa: E402
 
 GERMS, PLANE = 600, 300
+CONES = 60
+SPAN = range(-5, 6)                  # of the coordinates of directions
 PLACES = 240                         # points are rounded to 2^-PLACES,
 NUDGE = 1 << 40                      # and displaced by so much
 SCALES = (1 << PLACES - 12, 1 << PLACES - 20)
@@ -125,6 +128,35 @@ def apex(rng):
     while not form:
         form = some(rng, keys(2, 2), 0.6, 3)
     return "apex", [form] + [linear(rng) for _ in range(rng.randint(0, 3))]
+
+
+def cones(rng):
+    """Two cones or three with one apex, coaxial or not, of degree 2 to 4, and planes through it."""
+    out = []
+    for _ in range(rng.choice([2, 2, 3])):
+        axis = [rng.randint(-2, 2) for _ in range(3)] if rng.random() < 0.5 else [0, 0, 1]
+        square = Poly({tuple(2 * (n == i) for n in range(3)): F(sum(a * a for a in axis) or 1) for i in range(3)})
+        along = Poly({tuple(int(n == i) for n in range(3)): F(a) for i, a in enumerate(axis) if a})
+        slope = Poly({(0, 0, 0): F(-rng.randint(2, 9), rng.choice([1, 2, 4]))})
+        out.append(rng.choice([square + along * along * slope] * 3 + [some(rng, keys(k, k), 0.6, 3) for k in (2, 2, 3, 4)]))
+    return "cones", [f for f in out if f] + [linear(rng) for _ in range(rng.choice([0, 0, 1, 2]))]
+
+
+def along_directions(surfaces):
+    """Patterns that homogeneous polynomials have along directions."""
+    signs = ([(v > 0) - (v < 0) for v in (f.at(p) for f in surfaces)] for p in itertools.product(SPAN, repeat=3))
+    return {tuple(s) for s in signs if all(s)}
+
+
+def germs(rng, scale):
+    kinds = [touching, touching, touching, at_an_edge, general, apex]
+    for _ in range(GERMS * scale):
+        name, surfaces = rng.choice(kinds)(rng)
+        if all(f and f.degree() <= 4 for f in surfaces):
+            yield name, surfaces, patterns(surfaces, rng)
+    for _ in range(CONES * scale):
+        name, surfaces = cones(rng)
+        yield name, surfaces, along_directions(surfaces)
 
 
 def solve(base, free, axes):
@@ -253,12 +285,7 @@ def main():
     graze = Graze(args, checks)
     rng = args.random
     told = collections.defaultdict(collections.Counter)
-    kinds = [touching, touching, touching, at_an_edge, general, apex]
-    for number in range(GERMS * args.scale):
-        name, surfaces = rng.choice(kinds)(rng)
-        if any(f.degree() > 4 or not f for f in surfaces):
-            continue
-        shown = patterns(surfaces, rng)
+    for number, (name, surfaces, shown) in enumerate(germs(rng, args.scale)):
         wanted = tuple(rng.choice([-1, 1]) for _ in surfaces)
         rest = [p for p in itertools.product((-1, 1), repeat=len(surfaces)) if p not in shown]
         if rest and rng.random() < 0.7:
@@ -290,10 +317,11 @@ def main():
         in_the_plane(number, checks, graze, rng, told)
     for name in sorted(told):
         print(f"{name}: " + ", ".join(f"{count} {state}" for state, count in sorted(told[name].items())))
+    checks.holds(told["cones"]["B, not shown"] * 10 <= CONES * args.scale, "cones", dict(told["cones"]))
     checks.finish()
 
 
-DECIDED = {"touching, definite, alone", "touching, indefinite, alone", "touching, rank 1, alone", "edge", "general", "apex"}
+DECIDED = {"touching, definite, alone", "touching, indefinite, alone", "touching, rank 1, alone", "edge", "general", "apex", "cones"}
 
 
 def state_at_zero(answer):

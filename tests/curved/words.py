@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # suite
 """Words and times of curved scenes derived by hand: balls, capsules, cones, tori and polynomials, alone and combined, at
-tangencies, seams, rims, apexes and along slides (C94 to C101, C121, C122).
+tangencies, seams, rims, apexes and along slides (C94 to C101, C121, C122, C127, C129, C130).
 
 SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -40,6 +40,10 @@ RIGHT, LEFT, UPPER = halfspace((-1, 0)), halfspace((1, 0)), halfspace((0, -1))
 FAN = [halfspace((k, 1)) for k in range(-20, 21)]                  # y <= -20 |x|
 SMALL = F(1, 1 << 12)
 ABOVE = halfspace((0, 0, -1))                                      # z >= 0
+UP, WIDE = cone((0, 0, 0), (0, 0, 1), 1, 1), cone((0, 0, 0), (0, 0, 1), 2, 1)
+HOURGLASS = UP, cone((0, 0, 0), (0, 0, -1), 2, 1)                  # of two slopes
+NARROW = polynomial({"2,0,0": 1, "0,2,0": 2, "0,0,2": -1})         # in NAPPES, and touches it where y = 0
+QUARTIC = polynomial({"4,0,0": 1, "0,4,0": 1, "0,0,4": -1})        # holds NAPPES: x^4 + y^4 <= (x^2 + y^2)^2
 FIRST = polynomial({"0,0,1": 1, "1,0,1": 1, "0,2,0": 1})           # z (1 + x) + y^2
 SECOND = polynomial({"0,0,1": 1, "1,0,1": 2, "0,2,0": F(3, 2)})    # z (1 + 2 x) + 3/2 y^2
 
@@ -65,6 +69,16 @@ def beside(*point, middle=(0, 0, 0)):
 def corner(third):
     """y >= 0, z >= 0 and a third inequality."""
     return common(halfspace((0, -1, 0)), ABOVE, polynomial(third))
+
+
+def three_cones(share):
+    """|v|^2 <= share x^2, share y^2 or share z^2: with a share of 3 they cover all, as the greatest coordinate does."""
+    return union(*(polynomial({f"{2 * (i == 0)},{2 * (i == 1)},{2 * (i == 2)}": 1 - (share if i == axis else 0) for i in range(3)})
+                   for axis in range(3)))
+
+
+def outline(*points):
+    return {"polygon": {"points": [[str(r), str(z)] for r, z in points], "revolve": 1}}
 
 
 # name, solid, motion, word, times or None
@@ -159,6 +173,51 @@ SCENES = [
     # x + z^2 >= z in the cone: between x = z - z^2 and x = z, y = 0, though not in the tangent plane's half space.
     ("cone and a bent plane", common(NAPPES, ABOVE, polynomial({"1,0,0": -1, "0,0,1": 1, "0,0,2": -1})),
      along(F(-1, 2), F(1, 2), "0", "t", "t^2"), "OBO", [0]),
+    # Several cones with one apex (C127): at the origin some directions are in, others out, or all are one.
+    ("hourglass through", union(*HOURGLASS), along(-2, 2, "0", "0", "t"), "OBIBIBO", [-1, 0, 1]),
+    ("hourglass beside", union(*HOURGLASS), along(-1, 1, "t", "0", "0"), "OBO", [0]),
+    ("hourglass, both", common(*HOURGLASS), along(-1, 1, "0", "0", "t"), "O", []),
+    ("cone less a steeper one", minus(WIDE, UP), along(-1, 1, "0", "0", "t"), "OBO", [0]),
+    ("cone less a steeper one, beside", minus(WIDE, UP), along(-1, 1, "t", "0", "0"), "OBO", [0]),
+    ("cone less a steeper one, at rest", minus(WIDE, UP), along(0, 1, "0", "0", "0"), "B", [(0, 1)]),
+    ("cone less a steeper one, irrational", minus(WIDE, UP, ball((0, 0, -1), 1)), along(0, 2, "t^2-2", "0", "0"), "OBO", [[-2, 0, 1]]),
+    ("steep cone less a wide one", minus(UP, WIDE), along(-1, 1, "0", "0", "t"), "O", []),
+    ("box less two cones, across", minus(box((-1, -1, -1), (1, 1, 1)), *HOURGLASS), along(-2, 2, "t", "0", "0"), "OBIBIBO", [-1, 0, 1]),
+    ("box less two cones, down", minus(box((-1, -1, -1), (1, 1, 1)), UP, CONE), along(F(-1, 2), F(1, 2), "0", "0", "t"), "IBO", [0]),
+    ("box less a cone within another", minus(box((-1, -1, -1), (1, 1, 1)), minus(WIDE, UP)),
+     along(F(-1, 2), F(1, 2), "0", "0", "t"), "IBI", [0]),
+    # r from z / 2 to 2 z: its tip is on the axis, which is outside.
+    ("tip on the axis, upright", outline((0, 0), (1, 2), (2, 1)), along(-1, 1, "0", "0", "t"), "OBO", [0]),
+    ("tip on the axis, across", outline((0, 0), (1, 2), (2, 1)), along(-1, 1, "t", "0", "0"), "OBO", [0]),
+    # z from -r / 2 to r, and 2 r + z <= 3.
+    ("tip on the axis, through", outline((0, 0), (1, 1), (2, -1)), along(-2, 2, "t", "0", "0"), "OBIBIBO", [F(-3, 2), 0, F(3, 2)]),
+    ("tangent cones", minus(NAPPES, NARROW), along(-1, 1, "0", "0", "t"), "OBO", [0]),
+    ("tangent cones, the inner less the outer", minus(NARROW, NAPPES), along(-1, 1, "0", "0", "t"), "O", []),
+    ("cone in a quartic", minus(NAPPES, QUARTIC), along(-1, 1, "t", "0", "0"), "O", []),
+    ("quartic about a cone", minus(QUARTIC, NAPPES), along(-1, 1, "t", "0", "0"), "OBO", [0]),
+    ("three cones cover all", three_cones(3), along(-1, 1, "t", "0", "0"), "I", []),
+    ("less three cones", minus(box((-1, -1, -1), (1, 1, 1)), three_cones(3)), along(F(-1, 2), F(1, 2), "t", "t", "t"), "O", []),
+    # Directions near (1, 1, 1) alone are left.
+    ("three cones, nearly all", three_cones(F(299, 100)), along(-1, 1, "t", "0", "0"), "IBI", [0]),
+    # Pairs of planes along the z axis: 2 y^2 <= x^2 <= 3 y^2, or the opposite.
+    ("between two pairs", common(polynomial({"2,0,0": 1, "0,2,0": -3}), polynomial({"2,0,0": -1, "0,2,0": 2})),
+     along(-1, 1, "0", "0", "t"), "B", [(-1, 1)]),
+    ("beyond two pairs", common(polynomial({"2,0,0": 1, "0,2,0": -2}), polynomial({"2,0,0": -1, "0,2,0": 3})),
+     along(-1, 1, "0", "0", "t"), "O", []),
+    ("between two pairs, in the plane", common(polynomial({"2,0": 1, "0,2": -3}), polynomial({"2,0": -1, "0,2": 2})),
+     along(-1, 1, "t", "0"), "OBO", [0]),
+    ("beyond two pairs, in the plane", common(polynomial({"2,0": 1, "0,2": -2}), polynomial({"2,0": -1, "0,2": 3})),
+     along(-1, 1, "t", "0"), "O", []),
+    # x (1 + z) + y z <= 0 has the axis, and a tangent plane that turns about it.
+    ("a pair and a bent plane", common(polynomial({"2,0,0": 1, "0,2,0": -2}), polynomial({"1,0,0": 1, "1,0,1": 1, "0,1,1": 1})),
+     along(-1, 1, "0", "0", "t"), "B", [(-1, 1)]),
+    # (x^2 - 2)^2 = x y^2 crosses itself where x^2 = 2.
+    ("irrational node", polynomial({"4,0": 1, "2,0": -4, "0,0": 4, "1,2": -1}), along(1, 2, "t", "0"), "OBO", [[-2, 0, 1]]),
+    ("irrational node, half", common(polynomial({"4,0": 1, "2,0": -4, "0,0": 4, "1,2": -1}), halfspace((0, 1))),
+     along(1, 2, "t", "0"), "OBO", [[-2, 0, 1]]),
+    # Forms that are definite: points alone.
+    ("a point", polynomial({"2,0,0": 2, "0,2,0": 1, "0,0,2": 1, "1,1,0": 1, "3,0,0": 1}), along(F(-1, 2), F(1, 2), "t", "0", "0"), "O", []),
+    ("all but a point", polynomial({"2,0": -1, "0,2": -1, "1,1": 1, "3,0": 1}), along(F(-1, 2), F(1, 2), "t", "0"), "I", []),
     # A line of points where x^2 + y^2 = 0: no boundary.
     ("a line that is none", polynomial({"2,0,0": 1, "0,2,0": 1}), along(-1, 1, "t", "0", "t"), "O", []),
     ("a line of all", polynomial({"2,0,0": -1, "0,2,0": -1}), along(-1, 1, "t", "0", "t"), "I", []),

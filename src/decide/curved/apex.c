@@ -1,249 +1,325 @@
-/* The signs of a quadratic form on the cells of an arrangement of planes.
+/* The lowest forms of members, some of which are singular, along directions.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * In a cell, closed, polyhedral and with an interior, a form takes a sign iff it does on one of the
- * cell's rays, in the plane cone of two of them, or, where only one eigenvalue has the sign, at a
- * vector known to have it or its opposite, should that lie in the cell (C99).
+ * A direction is (x, y, 1), in the plane (x, 1), or opposite to one. Over an interval of x in which
+ * no leading coefficient, discriminant or resultant by y has a root, the roots in y of all forms
+ * are continuous and distinct; so one x in each interval and one y in each gap are enough (C127).
  */
 #include "decide/curved/apex.h"
 
+#include <flint/fmpq_mpoly.h>
+#include <flint/fmpz_mpoly.h>
+#include <flint/fmpz_mpoly_factor.h>
+#include <stdlib.h>
+#include "base/number/isolate.h"
+#include "base/number/order.h"
+#include "base/number/refine.h"
 #include "decide/curved/arrangement.h"
 
-/* Vectors among which each sign that a form of three variables takes is taken. */
-enum { WITNESSES = 18 };
+enum { X, Y, VARIABLES, PARTS = CSG_FREE_MOST * CSG_DEGREE + VARIABLES };
 
-typedef struct cone {
+/* Binary places of the time at which irrational forms are read. */
+enum { PLACES = 32 };
+
+typedef struct apex {
     sign_germ *g;
-    int dimension, member; /* the singular one */
-    value *form;           /* twice its terms of degree two, a symmetric matrix of size d */
-    int rising, falling;   /* eigenvalues above and below 0 */
-    value *witness;        /* d each */
-    int taken[WITNESSES];  /* the form's sign at each */
-} cone;
+    fmpq_mpoly_ctx_t ring; /* of x, y */
+    fmpq_t near;           /* a rational time, the given one or near it */
+    int count;
+    fmpz_mpoly_struct part[PARTS]; /* irreducible, distinct: the factors of forms */
+    unsigned homogeneous, odd;     /* members that are, members of odd lowest degree */
+    pattern_set shown;             /* patterns of the homogeneous members */
+    fmpq direction[3];             /* the last coordinate is 1 */
+} apex;
 
-static value *entry(const cone *q, int i, int j) {
-    return q->form + i * q->dimension + j;
+static int power_sum(const taylor *t, size_t term) {
+    return t->power[term][0] + t->power[term][1] + t->power[term][2];
 }
 
-static void read_apex_form(cone *q) {
-    const taylor *t = &q->g->member[q->member];
+/* Keep the factors of a form that are not kept yet. */
+static void keep_parts(apex *a, const fmpz_mpoly_t form) {
+    const fmpz_mpoly_ctx_struct *ring = a->ring->zctx;
+    moment_field *f = a->g->f;
+    fmpz_mpoly_factor_t factors;
+    fmpz_mpoly_factor_init(factors, ring);
+    if (!fmpz_mpoly_factor(factors, form, ring))
+        f->status = context_fail(f->context, GRAZE_EINTERNAL, "a form is not factored");
+    for (slong k = 0; k < factors->num && f->status == GRAZE_OK; k++) {
+        int known = 0;
+        for (int i = 0; i < a->count && !known; i++)
+            known = fmpz_mpoly_equal(&a->part[i], factors->poly + k, ring);
+        if (known)
+            continue;
+        fmpz_mpoly_init(&a->part[a->count], ring);
+        fmpz_mpoly_set(&a->part[a->count++], factors->poly + k, ring);
+    }
+    fmpz_mpoly_factor_clear(factors, ring);
+}
+
+/* Cut by the lowest form of a member with the last coordinate 1. That of a homogeneous member has
+ * rational coefficients; another one is read near the time and, along a gap, where it need not be
+ * rational at all, stands for itself by its coordinates alone. */
+static void read_member(apex *a, const taylor *t) {
+    const int fixed = taylor_order(t) == t->degree;
+    fmpq_mpoly_t form;
+    fmpq_t at;
+    fmpq_mpoly_init(form, a->ring);
+    fmpq_init(at);
     for (size_t k = 0; k < t->count; k++) {
-        const unsigned char *p = t->power[k];
-        for (int i = 0; i < q->dimension && p[0] + p[1] + p[2] == 2; i++)
-            for (int j = 0; j < q->dimension; j++)
-                if (p[i] && p[j] && (i != j || p[i] == 2))
-                    fmpq_poly_scalar_mul_si(entry(q, i, j), t->coefficient + k, i == j ? 2 : 1);
+        const ulong power[VARIABLES] = {t->power[k][0], t->dimension == 3 ? t->power[k][1] : 0};
+        if (power_sum(t, k) != taylor_order(t))
+            continue;
+        fmpq_poly_evaluate_fmpq(at, t->coefficient + k, a->near);
+        fmpq_mpoly_push_term_fmpq_ui(form, at, power, a->ring);
     }
-}
-
-/* out = a' H b */
-static void form_between(value *out, const cone *q, const value *a, const value *b) {
-    value *row = field_vector(q->g->f, (size_t)q->dimension);
-    for (int i = 0; i < q->dimension && row; i++)
-        field_dot(row + i, q->g->f, entry(q, i, 0), b, q->dimension);
-    if (row)
-        field_dot(out, q->g->f, row, a, q->dimension);
-    field_vector_clear(row, (size_t)q->dimension);
-}
-
-/* The minor of rows i, j. */
-static void principal_minor(value *out, const cone *q, int i, int j) {
-    field_mul(out, q->g->f, entry(q, i, i), entry(q, j, j));
-    field_submul(out, q->g->f, entry(q, i, j), entry(q, i, j));
-}
-
-/* Eigenvalues by Descartes' rule on the characteristic polynomial, whose roots are real: with the
- * sums e of the principal minors, l^3 - e1 l^2 + e2 l - e3. */
-static void count_eigenvalues(cone *q, const value *adjoint) {
-    moment_field *f = q->g->f;
-    value *e = field_vector(f, 4);
-    int d = q->dimension, up[4] = {1}, down[4] = {1};
-    if (!e)
-        return;
-    for (int i = 0; i < d; i++)
-        fmpq_poly_add(e + 1, e + 1, entry(q, i, i));
-    for (int i = 0; i < d; i++)
-        for (int j = 0; j < i; j++) {
-            principal_minor(e, q, i, j);
-            fmpq_poly_add(e + 2, e + 2, e);
-        }
-    if (d == 3)
-        field_dot(e + 3, f, entry(q, 0, 0), adjoint, 3);
-    for (int k = 1; k <= d; k++) {
-        down[k] = field_sign(f, e + k);
-        up[k] = k % 2 ? -down[k] : down[k];
+    fmpq_mpoly_sort_terms(form, a->ring);
+    fmpq_mpoly_reduce(form, a->ring);
+    int everywhere = fixed || !fmpq_poly_is_zero(a->g->f->modulus);
+    for (int i = 0; i < VARIABLES && !everywhere; i++) {
+        fmpq_mpoly_gen(form, i, a->ring);
+        keep_parts(a, form->zpoly);
     }
-    for (int k = 1, a = 1, b = 1; k <= d; k++) {
-        q->rising += up[k] && up[k] != a;
-        q->falling += down[k] && down[k] != b;
-        a = up[k] ? up[k] : a;
-        b = down[k] ? down[k] : b;
+    if (everywhere)
+        keep_parts(a, form->zpoly);
+    fmpq_clear(at);
+    fmpq_mpoly_clear(form, a->ring);
+}
+
+/* The sign of a member's lowest form along the direction. */
+static int sign_of_lowest_form(const apex *a, const taylor *t) {
+    fmpq_t factor, power;
+    fmpq_poly_t sum, term;
+    fmpq_init(factor);
+    fmpq_init(power);
+    fmpq_poly_init(sum);
+    fmpq_poly_init(term);
+    for (size_t k = 0; k < t->count; k++) {
+        if (power_sum(t, k) != taylor_order(t))
+            continue;
+        fmpq_one(factor);
+        for (int i = 0; i < t->dimension; i++) {
+            fmpq_pow_si(power, a->direction + i, t->power[k][i]);
+            fmpq_mul(factor, factor, power);
+        }
+        fmpq_poly_scalar_mul_fmpq(term, t->coefficient + k, factor);
+        fmpq_poly_add(sum, sum, term);
     }
-    field_vector_clear(e, 4);
-}
-
-/* Axes; sums and differences of two; -h_ij e_i + h_ii e_j; columns of the adjoint matrix. Which
- * sign each takes is asked, so none need be there. */
-static void make_witnesses(cone *q, const value *adjoint) {
-    int d = q->dimension, next = 0;
-    value *w = q->witness;
-    for (int i = 0; i < d; i++)
-        for (int j = 0; j < d; j++, next++) {
-            fmpq_poly_set_si(w + next * d + i, 1);
-            if (i != j)
-                fmpq_poly_set_si(w + next * d + j, i < j ? 1 : -1);
-        }
-    for (int i = 0; i < d; i++)
-        for (int j = 0; j < d; j++) {
-            if (i == j)
-                continue;
-            fmpq_poly_neg(w + next * d + i, entry(q, i, j));
-            fmpq_poly_set(w + next++ * d + j, entry(q, i, i));
-        }
-    for (int i = 0; i < d && d == 3; i++, next++)
-        for (int j = 0; j < d; j++)
-            fmpq_poly_set(w + next * d + j, adjoint + i * d + j);
-}
-
-static int sign_of_form(const cone *q, const value *v) {
-    fmpq_poly_t at;
-    fmpq_poly_init(at);
-    form_between(at, q, v, v);
-    int sign = field_sign(q->g->f, at);
-    fmpq_poly_clear(at);
+    int sign = field_sign(a->g->f, sum);
+    fmpq_clear(factor);
+    fmpq_clear(power);
+    fmpq_poly_clear(sum);
+    fmpq_poly_clear(term);
     return sign;
 }
 
-/* 1 if the form takes the sign within the cone of two vectors at which it does not. */
-static int takes_between(const cone *q, const value *a, const value *b, int sign) {
-    value *e = field_vector(q->g->f, 3);
-    int takes = 0;
-    if (e) {
-        form_between(e, q, a, b);
-        takes = field_sign(q->g->f, e) == sign;
+/* Note the patterns along the direction and its opposite. */
+static void look_both_ways(apex *a) {
+    unsigned negative = 0, flat = 0;
+    for (int k = 0; k < a->g->count; k++) {
+        int sign = sign_of_lowest_form(a, &a->g->member[k]);
+        negative |= (unsigned)(sign < 0) << k;
+        flat |= (unsigned)(sign == 0) << k;
     }
-    if (takes) {
-        form_between(e + 1, q, a, a);
-        form_between(e + 2, q, b, b);
-        field_mul(e, q->g->f, e, e);
-        field_submul(e, q->g->f, e + 1, e + 2);
-        takes = field_sign(q->g->f, e) > 0;
-    }
-    field_vector_clear(e, 3);
-    return takes;
-}
-
-/* Does a witness of the sign, or its opposite, lie in the closed cell? */
-static int holds_witness(const cone *q, const arrangement *a, uint32_t smooth, unsigned pattern,
-                         int sign) {
-    int d = q->dimension;
-    value *dot = field_vector(q->g->f, 1);
-    int holds = 0;
-    for (int w = 0; w < WITNESSES && dot && !holds; w++) {
-        uint32_t positive = 0, negative = 0;
-        if (q->taken[w] != sign)
-            continue;
-        for (int k = 0; k < a->count; k++) {
-            if (!(smooth >> k & 1))
-                continue;
-            fmpq_poly_zero(dot);
-            for (int i = 0; i < d; i++)
-                field_addmul(dot, q->g->f, taylor_gradient(&q->g->member[k], i),
-                             q->witness + w * d + i);
-            int at = field_sign(q->g->f, dot);
-            positive |= (uint32_t)(at > 0) << k;
-            negative |= (uint32_t)(at < 0) << k;
-        }
-        holds = (!(positive & pattern) && !(negative & ~pattern)) ||
-                (!(negative & pattern) && !(positive & ~pattern));
-    }
-    field_vector_clear(dot, 1);
-    return holds;
-}
-
-/* 1 if the form is seen to take a sign in a cell. */
-static int takes_in_cell(const cone *q, const arrangement *a, uint32_t smooth, unsigned pattern,
-                         int sign) {
-    int d = q->dimension;
-    for (int r = 0; r < a->ray_count; r++) {
-        if (!arrangement_in_cell(a, r, smooth, pattern))
-            continue;
-        if (sign_of_form(q, a->ray + r * d) == sign)
-            return 1;
-        for (int o = 0; o < r; o++)
-            if (arrangement_in_cell(a, o, smooth, pattern) &&
-                takes_between(q, a->ray + r * d, a->ray + o * d, sign))
-                return 1;
-    }
-    return holds_witness(q, a, smooth, pattern, sign);
-}
-
-static int has_witness(const cone *q, int sign) {
-    for (int w = 0; w < WITNESSES; w++)
-        if (q->taken[w] == sign)
-            return 1;
-    return 0;
-}
-
-static void ask_cell(const cone *q, const arrangement *a, uint32_t smooth, unsigned pattern,
-                     int exact) {
-    sign_germ *g = q->g;
-    unsigned bit = 1u << q->member;
-    for (int sign = -1; sign <= 1; sign += 2) {
-        unsigned whole = pattern | (sign < 0 ? bit : 0);
-        int of_sign = sign > 0 ? q->rising : q->falling;
-        if (of_sign == 0)
-            continue;
-        if (takes_in_cell(q, a, smooth, pattern, sign))
-            pattern_add(&g->seen, whole);
-        else if (exact && (of_sign > 1 || has_witness(q, sign)))
-            germ_exclude(g, smooth | bit, whole);
+    for (int way = 0; way < 2; way++, negative ^= a->odd) {
+        pattern_add(&a->shown, negative & a->homogeneous);
+        if (!flat)
+            pattern_add(&a->g->seen, negative);
     }
 }
 
-/* A sign that no eigenvalue has is not taken, by a quadric or where the form is definite. */
-static void exclude_signs(const cone *q, int quadric) {
-    unsigned bit = 1u << q->member;
-    if (q->falling == 0 && (quadric || q->rising == q->dimension))
-        germ_exclude(q->g, bit, bit);
-    if (q->rising == 0 && (quadric || q->falling == q->dimension))
-        germ_exclude(q->g, bit, 0);
+/* Roots of polynomials, and a bound beyond all of them. */
+typedef struct cuts {
+    algebraic_list root;
+    fmpz_t bound;
+} cuts;
+
+static void cuts_init(cuts *to) {
+    algebraic_list_init(&to->root);
+    fmpz_init(to->bound);
 }
 
-static void ask_cells(cone *q, unsigned smooth) {
-    sign_germ *g = q->g;
-    arrangement a;
-    int quadric = g->member[q->member].degree == 2, planes = 1;
-    for (int k = 0; k < g->count; k++)
-        planes &= k == q->member || g->member[k].degree == 1;
-    exclude_signs(q, quadric);
-    arrangement_init(&a, g->f, g->member, g->count, smooth);
+static void cuts_clear(cuts *to) {
+    algebraic_list_clear(&to->root);
+    fmpz_clear(to->bound);
+}
+
+/* Add all real roots of a polynomial in one variable. */
+static void cut_at_roots(cuts *to, const apex *a, const fmpz_mpoly_t p, int variable) {
+    moment_field *f = a->g->f;
+    dyadic_interval all;
+    fmpz_poly_t q;
+    fmpz_poly_init(q);
+    dyadic_interval_init(&all);
+    if (!fmpz_mpoly_get_fmpz_poly(q, p, variable, a->ring->zctx))
+        f->status = context_fail(f->context, GRAZE_EINTERNAL, "a form is not cut by one variable");
+    if (f->status == GRAZE_OK && fmpz_poly_degree(q) > 0) {
+        fmpz_poly_bound_roots(all.high, q);
+        fmpz_add_ui(all.high, all.high, 1);
+        fmpz_neg(all.low, all.high);
+        if (fmpz_cmp(all.high, to->bound) > 0)
+            fmpz_set(to->bound, all.high);
+        f->status = algebraic_roots(&to->root, f->context, q, &all);
+    }
+    dyadic_interval_clear(&all);
+    fmpz_poly_clear(q);
+}
+
+static void walk_line(apex *a);
+
+/* Take a rational number in each gap between the roots as a coordinate. */
+static void walk_gaps(apex *a, cuts *at, int variable) {
+    moment_field *f = a->g->f;
+    fmpz_add_ui(at->bound, at->bound, 1);
+    for (int end = 0; end < 2; end++, fmpz_neg(at->bound, at->bound))
+        algebraic_set_dyadic(algebraic_list_append(&at->root), at->bound, 0);
+    size_t n = at->root.count;
+    algebraic **order = malloc(n * sizeof(algebraic *));
+    if (!order) {
+        f->status = context_fail(f->context, GRAZE_ESYSTEM, "out of memory for %zu directions", n);
+        return;
+    }
+    for (size_t k = 0; k < n; k++)
+        order[k] = &at->root.item[k];
+    f->status = algebraic_sort_once(order, &n, f->context, NULL, NULL);
+    for (size_t k = 0; k + 1 < n && f->status == GRAZE_OK; k++) {
+        f->status = algebraic_between(a->direction + variable, f->context, order[k], order[k + 1]);
+        if (f->status == GRAZE_OK)
+            variable + 2 < a->g->dimension ? walk_line(a) : look_both_ways(a);
+    }
+    free(order);
+}
+
+/* The forms where x is that of the direction. */
+static void walk_line(apex *a) {
+    const fmpz_mpoly_ctx_struct *ring = a->ring->zctx;
+    cuts in_y;
+    fmpq_mpoly_t form;
+    cuts_init(&in_y);
+    fmpq_mpoly_init(form, a->ring);
+    for (int k = 0; k < a->count && a->g->f->status == GRAZE_OK; k++) {
+        fmpq_one(form->content);
+        fmpz_mpoly_set(form->zpoly, &a->part[k], ring);
+        if (!fmpq_mpoly_evaluate_one_fmpq(form, form, X, a->direction, a->ring))
+            a->g->f->status =
+                context_fail(a->g->f->context, GRAZE_EINTERNAL, "a form has no value");
+        cut_at_roots(&in_y, a, form->zpoly, Y);
+    }
+    if (a->g->f->status == GRAZE_OK)
+        walk_gaps(a, &in_y, Y);
+    fmpq_mpoly_clear(form, a->ring);
+    cuts_clear(&in_y);
+}
+
+/* Cut x where the roots in y of one form, or of two, meet or go to infinity. */
+static void cut_by_parts(cuts *in_x, apex *a, int i, int k) {
+    const fmpz_mpoly_ctx_struct *ring = a->ring->zctx;
+    moment_field *f = a->g->f;
+    fmpz_mpoly_t cut;
+    fmpz_mpoly_init(cut, ring);
+    ulong words = (ulong)labs(fmpz_mpoly_max_bits(&a->part[k])) / FLINT_BITS + 1;
+    f->status = context_work(f->context, 100 * words * words);
+    if (f->status == GRAZE_OK &&
+        !(i < k ? fmpz_mpoly_resultant(cut, &a->part[i], &a->part[k], Y, ring)
+                : fmpz_mpoly_discriminant(cut, &a->part[k], Y, ring)))
+        f->status = context_fail(f->context, GRAZE_EINTERNAL, "two forms have no resultant");
+    if (f->status == GRAZE_OK)
+        cut_at_roots(in_x, a, cut, X);
+    fmpz_mpoly_clear(cut, ring);
+}
+
+/* The leading coefficient by y: all of a form without it. */
+static void cut_by_leading_term(cuts *in_x, apex *a, int k) {
+    const fmpz_mpoly_ctx_struct *ring = a->ring->zctx;
+    const slong variable = Y;
+    const ulong degree = (ulong)fmpz_mpoly_degree_si(&a->part[k], Y, ring);
+    fmpz_mpoly_t lead;
+    fmpz_mpoly_init(lead, ring);
+    fmpz_mpoly_get_coeff_vars_ui(lead, &a->part[k], &variable, &degree, 1, ring);
+    cut_at_roots(in_x, a, lead, X);
+    fmpz_mpoly_clear(lead, ring);
+}
+
+static void walk_directions(apex *a) {
+    cuts in_x;
+    cuts_init(&in_x);
+    for (int k = 0; k < a->count && a->g->f->status == GRAZE_OK; k++) {
+        cut_by_leading_term(&in_x, a, k);
+        for (int i = 0; i <= k && a->g->f->status == GRAZE_OK; i++)
+            if (fmpz_mpoly_degree_si(&a->part[i], Y, a->ring->zctx) > 0 &&
+                fmpz_mpoly_degree_si(&a->part[k], Y, a->ring->zctx) > 0)
+                cut_by_parts(&in_x, a, i, k);
+    }
+    if (a->g->f->status == GRAZE_OK)
+        walk_gaps(a, &in_x, X);
+    cuts_clear(&in_x);
+}
+
+/* A definite quadratic form with which a member begins has one sign (C99). */
+static void exclude_by_definite_form(sign_germ *g, int k) {
+    const taylor *t = &g->member[k];
+    value *h = field_vector(g->f, 12); /* a matrix: twice the form; and a product of its rows */
+    for (size_t n = 0; n < t->count && h; n++)
+        for (int i = 0; i < g->dimension && power_sum(t, n) == 2; i++)
+            for (int j = 0; j < g->dimension; j++)
+                if (t->power[n][i] && t->power[n][j] && (i != j || t->power[n][i] == 2))
+                    fmpq_poly_scalar_mul_si(h + 3 * i + j, t->coefficient + n, i == j ? 2 : 1);
+    if (h) {
+        int sign = field_sign(g->f, h);
+        unsigned bit = 1u << k;
+        if (g->dimension == 2)
+            fmpq_poly_set(h + 8, h);
+        field_cross(h + 9, g->f, h, h + 3);
+        field_dot(h, g->f, h + 6, h + 9, 3);
+        if (sign && field_sign(g->f, h + 11) > 0 && field_sign(g->f, h) == sign)
+            germ_exclude(g, bit, sign > 0 ? bit : 0);
+    }
+    field_vector_clear(h, 12);
+}
+
+/* A rational time at that of the germ, or near it. */
+static void read_time(apex *a) {
+    moment_field *f = a->g->f;
+    fmpq_t high;
+    ulong gain = FIRST_GAIN;
+    for (int step = 0; f->status == GRAZE_OK && !algebraic_is_rational(f->time) &&
+                       f->time->where.exponent < PLACES;
+         step++)
+        f->status = algebraic_narrow(f->context, f->time, step, &gain);
+    fmpq_init(high);
+    algebraic_bounds(a->near, high, f->time);
+    fmpq_clear(high);
+}
+
+static void read_members(apex *a) {
+    sign_germ *g = a->g;
+    for (int k = 0; k < g->count && g->f->status == GRAZE_OK; k++) {
+        const taylor *t = &g->member[k];
+        a->homogeneous |= (unsigned)(taylor_order(t) == t->degree) << k;
+        a->odd |= (unsigned)(taylor_order(t) % 2) << k;
+        read_member(a, t);
+        if (taylor_order(t) == 2 && t->degree > 2)
+            exclude_by_definite_form(g, k);
+    }
+}
+
+void apex_ask(sign_germ *g) {
+    apex a = {.g = g};
+    fmpq_mpoly_ctx_init(a.ring, VARIABLES, ORD_LEX);
+    fmpq_init(a.near);
+    for (int i = 0; i < 3; i++)
+        fmpq_init(a.direction + i);
+    fmpq_one(a.direction + g->dimension - 1);
+    read_time(&a);
+    read_members(&a);
+    if (g->f->status == GRAZE_OK)
+        walk_directions(&a);
     for (unsigned s = 0; s < germ_patterns(g) && g->f->status == GRAZE_OK; s++)
-        if (!(s & ~smooth) && arrangement_has(&a, smooth, s))
-            ask_cell(q, &a, smooth, s, quadric && planes);
-    arrangement_clear(&a);
-}
-
-void apex_ask(sign_germ *g, unsigned smooth, int singular) {
-    int d = g->dimension;
-    size_t size = (size_t)(d * d), room = (size_t)(WITNESSES * d);
-    cone q = {.g = g, .dimension = d, .member = singular};
-    value *adjoint = field_vector(g->f, 9);
-    q.form = field_vector(g->f, size);
-    q.witness = field_vector(g->f, room);
-    if (adjoint && q.form && q.witness) {
-        read_apex_form(&q);
-        for (int i = 0; i < 3 && d == 3; i++)
-            field_cross(adjoint + 3 * i, g->f, entry(&q, (i + 1) % 3, 0),
-                        entry(&q, (i + 2) % 3, 0));
-        count_eigenvalues(&q, adjoint);
-        make_witnesses(&q, adjoint);
-        for (int w = 0; w < WITNESSES; w++)
-            q.taken[w] = sign_of_form(&q, q.witness + w * d);
-        if (g->f->status == GRAZE_OK)
-            ask_cells(&q, smooth);
-    }
-    field_vector_clear(adjoint, 9);
-    field_vector_clear(q.form, size);
-    field_vector_clear(q.witness, room);
+        if (!pattern_has(&a.shown, s & a.homogeneous))
+            pattern_add(&g->never, s);
+    for (int i = 0; i < 3; i++)
+        fmpq_clear(a.direction + i);
+    for (int k = 0; k < a.count; k++)
+        fmpz_mpoly_clear(&a.part[k], a.ring->zctx);
+    fmpq_clear(a.near);
+    fmpq_mpoly_ctx_clear(a.ring);
 }

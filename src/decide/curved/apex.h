@@ -1,4 +1,4 @@
-/* Members that are singular at the point: quadratic cones, alone or in company.
+/* Members that are singular at the point, alone or in company: cones of one apex.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_CURVED_APEX_H
@@ -6,8 +6,9 @@
 
 #include "decide/curved/sign_germ.h"
 
-/** Ask the one member whose gradient is zero, if its terms of degree two are not
- * (proofs/curved.md C99). `smooth`: all others. */
-void apex_ask(sign_germ *g, unsigned smooth, int singular);
+/** Ask directions, one in each open cell that the lowest forms of the members cut out: they show
+ * patterns, and of the members that are homogeneous at the point these are all (proofs/curved.md
+ * C99, C127). */
+void apex_ask(sign_germ *g);
 
 #endif

@@ -91,17 +91,14 @@ static void see_in_curves(sign_germ *g, unsigned smooth, int j, int k) {
 /* Ask the rules until what is known decides. */
 static graze_state ask_all_rules(sign_germ *g) {
     unsigned smooth = 0;
-    int singular = -1, singulars = 0;
-    for (int k = 0; k < g->count; k++) {
-        int is = germ_is_smooth(g, k);
-        smooth |= (unsigned)is << k;
-        singular = is ? singular : k;
-        singulars += !is;
-    }
+    for (int k = 0; k < g->count; k++)
+        smooth |= (unsigned)germ_is_smooth(g, k) << k;
     see_cells(g, smooth);
     graze_state state = germ_settled(g);
-    if (!state && singulars == 1)
-        apex_ask(g, smooth, singular);
+    if (!state && smooth != germ_patterns(g) - 1) {
+        apex_ask(g);
+        state = germ_settled(g);
+    }
     if (!state && g->f->status == GRAZE_OK)
         circuits_ask(g, smooth);
     state = germ_settled(g);
