@@ -31,7 +31,7 @@ typedef enum graze_topo_level {
     GRAZE_LEVEL_CURVES = 3, /**< the curves near the point, in a plane (topology.md C49, C50) */
     GRAZE_LEVEL_CLOSED_CONES = 4, /**< these, with closed cones covered exactly (C46, C51) */
     GRAZE_LEVEL_EDGES = 5,        /**< these, with ways through pinches and along edges (C52) */
-    GRAZE_LEVEL_SECTION = 6,      /**< across a direction that contacts do not depend on (C54) */
+    GRAZE_LEVEL_SECTION = 6, /**< across a direction that contacts do not depend on (C54, C128) */
     GRAZE_LEVEL_LEADING_TERMS = 7 /**< both sides of a plane, by leading terms (C55, gaps.md C88) */
 } graze_topo_level;
 

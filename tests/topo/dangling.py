@@ -8,9 +8,11 @@ U = {P : M(t) P in S for all t}. Hand scenes say what U is. Solids of cells of t
 between points of it: a leg carries an open cell of the grid along a row of cells, and each of its points stays in S exactly
 if all cells of the row are in S. So U holds all of an open cell or nothing of it; int U is in the closure of those that it
 holds, and a point is in cl int U exactly if it is in the closure of one (proofs/dangling.md C113). A point of U itself runs through cells of
-all dimensions, each in S if a cell around it is, in iS if all are.
+all dimensions, each in S if a cell around it is, in iS if all are. Over a scene of the plane, sheared, a prism leaves the plane's
+unsweep times its heights: at the rims above and below a point is regular if it is in the plane (proofs/topology.md C128).
 """
 import itertools
+import json
 import os
 import sys
 from collections import Counter
@@ -23,9 +25,9 @@ sys.path.insert(0, os.path.join(HERE, "..", "unsweep"))
 from cells import around, random_cells, solid_of, state  # noqa: E402
 from exact import Fraction as F  # noqa: E402
 from motion import build, legs, rotation, translate  # noqa: E402
-from prisms import Text  # noqa: E402
+from prisms import Text, carried, mapped, prisms  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
-from solids import Polygon, block, box_ring, prism, ring  # noqa: E402
+from solids import Mesh, Polygon, block, box_ring, prism, ring  # noqa: E402
 from witnesses import check_witness  # noqa: E402
 
 UNSWEEP = ("--operation", "unsweep")
@@ -81,6 +83,11 @@ def plane_scenes():
     # in size for all angles from that of P to a quarter more. (1, 0) and (0, 1) are on the disk; (-3/5, 4/5) too.
     centred = Polygon([[box_ring(-1, -1, 1, 1)]])
     yield "a disk", centred, quarter_turn(1), {(1, 0): "yes", (0, 1): "yes", (F(-3, 5), F(4, 5)): "yes"}
+    # The square |x|, |y| <= 2 less |x| + |y| < 2: the corner triangles, which touch in (2, 0), (0, 2) and so on. Turned once
+    # around, a point is in the square as long as r <= 2, and beyond the diamond as long as r >= 2: the circle r = 2.
+    corners = Polygon([[ring((2 * x, 0), (2 * x, 2 * y), (0, 2 * y))] for x in (1, -1) for y in (1, -1)])
+    once = Text({"dimension": 2, "pieces": [{"t": [0, 4], "transform": {"turn": {"quarters": 4}}}]})
+    yield "a circle", corners, once, {(F(6, 5), F(8, 5)): "no", (F(-8, 5), F(6, 5)): "no", (2, 0): "no", (0, -2): "no"}
     # The band between y = 0 and y = 1, -4 <= x <= 4, moved by (t, t^2), |t| <= 1: the segment y = 0, |x| <= 3; a band up to
     # y = 1 + e is left with [0, e].
     for e, want in ((F(0), "no"), (F(1, 2 ** 60), "yes")):
@@ -106,6 +113,50 @@ def space_scenes():
     for name, hi, want in (("a turn about an edge", 1, "no"), ("less of it", HALF, "yes")):
         motion = build([(0, hi, rotation([0, 1], axis=[0, 0, 1], length=1))])
         yield name, cube, motion, {(0, 0, 1): want, (1, 0, 1): want, (1, 0, 0): want, (2, 0, 2): want}
+
+
+def stacked(*layers):
+    """Walls over rings between two heights, and facets at one, as (ring, low, high) and (ring, height, up or down)."""
+    index, facets = {}, []
+    for points, low, high in layers:
+        lower, *upper = [[index.setdefault((*p, F(h)), len(index)) for p in points] for h in (low, high) if h not in ("up", "down")]
+        for other in upper:
+            facets += [[a, b, d, c] for a, b, c, d in zip(lower, lower[1:] + lower[:1], other, other[1:] + other[:1])]
+        if not upper:
+            facets.append(lower if high == "up" else lower[::-1])
+    return Mesh(list(index), facets)
+
+
+def shells():
+    """The circle scene over heights, turned once around: at the height 0 one part ends and another one begins."""
+    once = Text({"dimension": 3, "pieces": [{"t": [0, 4], "transform": {"turn": {"quarters": 4, "axis": [0, 0, 1]}}}]})
+    arc = [(2, 0), (F(8, 5), F(6, 5)), (F(6, 5), F(8, 5)), (0, 2)]   # on the circle r = 2
+    rims = [(F(6, 5), F(8, 5)), (2, 0)]
+    turned = [lambda p: p, lambda p: (-p[1], p[0]), lambda p: (-p[0], -p[1]), lambda p: (p[1], -p[0])]
+    # Below, all of the square within the chords of the circle is left out; U is the cylinder |z| <= 1, r = 2.
+    both = []
+    for turn in turned:
+        corner, inner = [turn(p) for p in ((2, 0), (2, 2), (0, 2))], [turn(p) for p in arc]
+        outer = inner[:1] + corner[1:2] + inner[:0:-1]
+        both += [(corner, 1, "up"), (corner, 0, 1), (inner, 0, "down"), (outer, -1, 0), (outer, -1, "down")]
+    yield "two shells", stacked(*both), once, {(*p, h): "no" for p in rims for h in (-1, 0, 1)}
+    # Below, nothing is left out; U is the disk r <= 2, -1 <= z <= 0, and the cylinder above it.
+    square, middle = [turn((2, 2)) for turn in turned], [turn((2, 0)) for turn in turned]
+    around = [p for pair in zip(middle, square) for p in pair]
+    walls = [([turn(p) for p in ((2, 0), (2, 2), (0, 2))], 0, 1) for turn in turned]
+    yield "a shell on a disk", stacked((around, -1, "down"), (around, -1, 0), (middle, 0, "up"), *walls,
+                                       *((points, 1, "up") for points, _, _ in walls)), once, {
+        **{(*p, h): "yes" for p in rims for h in (-1, 0)}, **{(*p, 1): "no" for p in rims}, (*rims[0], F(1, 2)): "no"}
+
+
+def check_rims(checks, graze, name, solid, motion, wants):
+    """The scene over the heights 0 to 3, asked at both ends."""
+    points = {mapped((*p, h)): want for p, want in wants.items() for h in (F(0), F(3))}
+    mesh = prisms([r for part in solid.parts for r in part], 0, 3)
+    answers = graze.classify(name + " rims", mesh, carried(json.loads(motion.text())), list(points), *REGULAR)
+    for (point, want), answer in zip(points.items(), answers or []):
+        record = answer.record
+        checks.equal((record["pmc"], record["regular"]), ("on", want), name, "rim", *point, record.get("regular_reason"))
 
 
 def irrational(d):
@@ -291,8 +342,10 @@ def main():
     checks = Checks()
     graze = Graze(args, checks)
     seen = Counter()
-    for scene in (*plane_scenes(), *space_scenes(), *irrational(2), *irrational(3)):
+    for scene in (*plane_scenes(), *space_scenes(), *shells(), *irrational(2), *irrational(3)):
         check_hand(checks, graze, *scene)
+    for scene in plane_scenes():
+        check_rims(checks, graze, *scene)
     for d, scenes in ((2, SCENES), (3, SPACE_SCENES)):
         met = sum(check_grid(checks, graze, args.random, seen, k, d) for k in range(scenes * args.scale))
         checks.holds(met >= scenes / 3, d, "scenes with parts that dangle:", met)

@@ -23,8 +23,9 @@ static const char *meaning_of(const topo_finding *topo) {
                       : "contacts close on both sides of a plane through P, but leave a gap in it "
                         "that is thinner than every cone";
     case GRAZE_LEVEL_SECTION:
-        return "near P nothing depends on one direction; every part into which curves cut a small "
-               "square across it was looked at";
+        return "near P, or near it on each side of a plane, nothing depends on one direction; "
+               "every "
+               "part into which curves cut small squares across it was looked at";
     case GRAZE_LEVEL_CURVES:
         return "every part into which curves cut a small square about P was looked at";
     default:

@@ -5,6 +5,7 @@
 
 #include <flint/fmpz_vec.h>
 #include "questions/topo/directions.h"
+#include "questions/topo/sides.h"
 #include "questions/topo/signs.h"
 
 /* Independent vectors: their number, or 3 for all of space. */
@@ -52,13 +53,35 @@ static void span_add_normal(normal_span *s, const point_map *map, const fmpz *no
     _fmpz_vec_clear(v, 3);
 }
 
-int invariant_direction(fmpz *out, const germ_list *list) {
+/* 1 and its normal about the point if a plane stays where it is and the trajectory in it. */
+static int plane_stays(fmpz *normal, const germ *g, size_t j, const fmpq *point) {
     normal_span s = {0, _fmpz_vec_init(9)};
+    trajectory path;
+    fmpz_poly_t away;
+    trajectory_init(&path, 3);
+    fmpz_poly_init(away);
+    trajectory_set(&path, g->map, point);
+    distance_from_plane(away, &g->cone, j, &path);
+    span_add_normal(&s, g->map, g->cone.normal + 3 * j);
+    int stays = fmpz_poly_is_zero(away) && s.rank == 1;
+    _fmpz_vec_set(normal, s.basis, 3);
+    trajectory_clear(&path);
+    fmpz_poly_clear(away);
+    _fmpz_vec_clear(s.basis, 9);
+    return stays;
+}
+
+/* The kernel of all normals but, with a `step`, those of planes that stay across it. */
+static int find_kernel(fmpz *out, const germ_list *list, const fmpz *step, const fmpq *point) {
+    normal_span s = {0, _fmpz_vec_init(9)};
+    fmpz *stays = _fmpz_vec_init(3);
     for (size_t k = 0; k < list->count && s.rank < 3; k++) {
         const germ *g = &list->item[k];
         for (size_t j = 0; j < g->cone.count && s.rank < 3; j++)
-            span_add_normal(&s, g->map, g->cone.normal + 3 * j);
+            if (!step || !plane_stays(stays, g, j, point) || !directions_parallel(stays, step))
+                span_add_normal(&s, g->map, g->cone.normal + 3 * j);
     }
+    _fmpz_vec_clear(stays, 3);
     if (s.rank == 1) { /* a direction across it: any other normal may be added */
         fmpz *axis = _fmpz_vec_init(3);
         fmpz_one(axis + (fmpz_is_zero(s.basis + 1) && fmpz_is_zero(s.basis + 2)));
@@ -69,5 +92,31 @@ int invariant_direction(fmpz *out, const germ_list *list) {
     if (found)
         _fmpz_vec_set(out, s.basis + 6, 3);
     _fmpz_vec_clear(s.basis, 9);
+    return found;
+}
+
+int invariant_direction(fmpz *out, const germ_list *list) {
+    return find_kernel(out, list, NULL, NULL);
+}
+
+int invariant_beside_step(fmpz *out, fmpz *step, const germ_list *list, const fmpq *point) {
+    int found = 0;
+    fmpz *normal = _fmpz_vec_init(3);
+    fmpz_t product;
+    fmpz_init(product);
+    _fmpz_vec_zero(step, 3);
+    for (size_t k = 0; k < list->count && !found; k++)
+        for (size_t j = 0; j < list->item[k].cone.count && !found; j++) {
+            if (!plane_stays(normal, &list->item[k], j, point) || _fmpz_vec_equal(normal, step, 3))
+                continue;
+            _fmpz_vec_set(step, normal, 3);
+            found = find_kernel(out, list, step, point);
+            _fmpz_vec_dot(product, step, out, 3);
+            found = found && !fmpz_is_zero(product);
+        }
+    if (!found)
+        _fmpz_vec_zero(step, 3);
+    fmpz_clear(product);
+    _fmpz_vec_clear(normal, 3);
     return found;
 }

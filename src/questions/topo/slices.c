@@ -2,7 +2,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The planes lie askew, so that facets seldom come to lie in one. Where the contacts do not depend
- * on a direction, a plane across it decides (proofs/topology.md C54).
+ * on a direction, a plane across it decides (proofs/topology.md C54); where they do at a step
+ * alone, two planes (C128).
  */
 #include "questions/topo/slices.h"
 
@@ -41,13 +42,16 @@ static graze_status look_in_plane(topo_finding *out, graze_context *context,
     return status;
 }
 
-/* A direction that stays parallel to all planes of all contacts, or 0. */
-static graze_status find_invariant(fmpz *out, graze_context *context, const graze_scene *scene,
-                                   const plane_list *planes, const fmpq *point) {
+/* A direction that stays parallel to all planes of all contacts, but perhaps those across a step,
+ * which is 0 if there is none. The direction is 0 if none is found. */
+static graze_status find_invariant(fmpz *out, fmpz *step, graze_context *context,
+                                   const graze_scene *scene, const plane_list *planes,
+                                   const fmpq *point) {
     germ_list germs;
     germs_init(&germs);
     graze_status status = germs_find(&germs, context, scene, planes, point);
-    if (status || !germs.bounded || !invariant_direction(out, &germs))
+    if (status || !germs.bounded ||
+        (!invariant_direction(out, &germs) && !invariant_beside_step(out, step, &germs, point)))
         _fmpz_vec_zero(out, 3);
     germs_clear(&germs);
     return status;
@@ -70,12 +74,33 @@ static int is_decided(const topo_finding *f) {
     return f->position == GRAZE_TOPO_INTERIOR || f->position == GRAZE_TOPO_BOUNDARY;
 }
 
+/* On either side of a step the contacts do not depend on the direction: two planes through a line
+ * of the step, which lean to both sides of it, decide (C128). */
+static graze_status decide_beside_step(topo_finding *out, graze_context *context,
+                                       const graze_scene *scene, const plane_list *planes,
+                                       const fmpq *point, const fmpz *step, const fmpz *invariant) {
+    fmpz *along = _fmpz_vec_init(9), *axis = along + 6;
+    graze_status status = GRAZE_OK;
+    fmpz_one(axis + (fmpz_is_zero(step + 1) && fmpz_is_zero(step + 2)));
+    directions_cross(along, step, axis);
+    directions_cross(along + 3, step, along);
+    _fmpz_vec_add(along + 3, along + 3, invariant, 3);
+    for (int side = 0; side < 2 && !status && (!side || out->position == GRAZE_TOPO_INTERIOR);
+         side++) {
+        finding_undecided(out, out->reason);
+        status = look_in_plane(out, context, scene, planes, point, along, GRAZE_LEVEL_SECTION, 0);
+        _fmpz_vec_scalar_submul_si(along + 3, invariant, 3, 2);
+    }
+    _fmpz_vec_clear(along, 9);
+    return status;
+}
+
 graze_status slices_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
                            const plane_list *planes, const fmpq *point) {
     const char *reason = out->reason;
-    fmpz *along = _fmpz_vec_init(9), *invariant = along + 6;
-    graze_status status = find_invariant(invariant, context, scene, planes, point);
-    int has_gap = out->order > 0;
+    fmpz *along = _fmpz_vec_init(12), *invariant = along + 6, *step = along + 9;
+    graze_status status = find_invariant(invariant, step, context, scene, planes, point);
+    int has_gap = out->order > 0, has_step = !_fmpz_vec_is_zero(step, 3);
     for (int k = has_gap ? -1 : 0; k < SLICES && !status && !is_decided(out); k++) {
         for (int i = 0; i < 6; i++)
             fmpz_set_si(along + i, askew[FLINT_MAX(k, 0)][i / 3][i % 3]);
@@ -86,13 +111,16 @@ graze_status slices_decide(topo_finding *out, graze_context *context, const graz
         if (directions_parallel(along, along + 3))
             continue;
         status = look_in_plane(out, context, scene, planes, point, along,
-                               crosses(along, invariant) ? GRAZE_LEVEL_SECTION : GRAZE_LEVEL_CURVES,
+                               !has_step && crosses(along, invariant) ? GRAZE_LEVEL_SECTION
+                                                                      : GRAZE_LEVEL_CURVES,
                                k < 0);
     }
+    if (!status && !is_decided(out) && has_step)
+        status = decide_beside_step(out, context, scene, planes, point, step, invariant);
     if (!status && !is_decided(out))
         finding_undecided(out, reason);
     else if (!status)
         out->reason = "";
-    _fmpz_vec_clear(along, 9);
+    _fmpz_vec_clear(along, 12);
     return status;
 }
