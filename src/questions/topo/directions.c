@@ -20,6 +20,17 @@ int directions_parallel(const fmpz *a, const fmpz *b) {
     return parallel;
 }
 
+void directions_basis(fmpz *h, fmpz *k, const fmpz *v) {
+    int i = 0;
+    fmpz *axis = _fmpz_vec_init(3);
+    while (fmpz_is_zero(v + i))
+        i++;
+    fmpz_one(axis + (i + 1) % 3);
+    directions_cross(h, v, axis);
+    directions_cross(k, v, h);
+    _fmpz_vec_clear(axis, 3);
+}
+
 void direction_reduce(fmpz *v, slong n) {
     fmpz_t content;
     fmpz_init(content);

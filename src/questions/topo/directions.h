@@ -12,6 +12,9 @@ void directions_cross(fmpz *out, const fmpz *a, const fmpz *b);
 /** In E^3: is one a multiple of the other? */
 int directions_parallel(const fmpz *a, const fmpz *b);
 
+/** In E^3: h and k span the vectors across v, which is not 0. */
+void directions_basis(fmpz *h, fmpz *k, const fmpz *v);
+
 /** Divide by the greatest common divisor. */
 void direction_reduce(fmpz *v, slong n);
 

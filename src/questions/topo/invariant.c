@@ -82,13 +82,9 @@ static int find_kernel(fmpz *out, const germ_list *list, const fmpz *step, const
                 span_add_normal(&s, g->map, g->cone.normal + 3 * j);
     }
     _fmpz_vec_clear(stays, 3);
-    if (s.rank == 1) { /* a direction across it: any other normal may be added */
-        fmpz *axis = _fmpz_vec_init(3);
-        fmpz_one(axis + (fmpz_is_zero(s.basis + 1) && fmpz_is_zero(s.basis + 2)));
-        span_add(&s, axis);
-        _fmpz_vec_clear(axis, 3);
-    }
-    int found = s.rank == 2;
+    if (s.rank == 1)
+        directions_basis(s.basis + 6, s.basis + 3, s.basis);
+    int found = s.rank == 1 || s.rank == 2;
     if (found)
         _fmpz_vec_set(out, s.basis + 6, 3);
     _fmpz_vec_clear(s.basis, 9);

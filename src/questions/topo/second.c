@@ -221,26 +221,13 @@ static graze_status look_at_quarter(int *out, const second_maker *m) {
     return status;
 }
 
-/* Two directions that span the plane across the normal. */
-static void set_basis(second_maker *m) {
-    int k = 0;
-    fmpz *axis = _fmpz_vec_init(3);
-    for (int i = 0; i < 2; i++)
-        for (int j = 0; j < 3; j++)
-            fmpz_init(m->plane.basis[i] + j);
-    while (fmpz_is_zero(m->plane.normal + k))
-        k++;
-    fmpz_one(axis + (k + 1) % 3);
-    directions_cross(m->plane.basis[0], m->plane.normal, axis);
-    directions_cross(m->plane.basis[1], m->plane.normal, m->plane.basis[0]);
-    _fmpz_vec_clear(axis, 3);
-}
-
 graze_status second_covers(int *out, plane_gap *gap, germ_list *list, graze_context *context,
                            const fmpq *point, const fmpz *normal) {
     second_maker m = {.context = context, .plane = {.point = point, .normal = normal}, .gap = gap};
     graze_status status = GRAZE_OK;
-    set_basis(&m);
+    for (int i = 0; i < 6; i++)
+        fmpz_init(m.plane.basis[i / 3] + i % 3);
+    directions_basis(m.plane.basis[0], m.plane.basis[1], normal);
     for (size_t k = 0; k < list->count && !status; k++)
         for (int how = 0; how < 2 * HALF_WAYS && !status; how++)
             status = add_half(&m, &list->item[k], how % 2 ? 1 : -1, how / 2);

@@ -79,11 +79,9 @@ static int is_decided(const topo_finding *f) {
 static graze_status decide_beside_step(topo_finding *out, graze_context *context,
                                        const graze_scene *scene, const plane_list *planes,
                                        const fmpq *point, const fmpz *step, const fmpz *invariant) {
-    fmpz *along = _fmpz_vec_init(9), *axis = along + 6;
+    fmpz *along = _fmpz_vec_init(6);
     graze_status status = GRAZE_OK;
-    fmpz_one(axis + (fmpz_is_zero(step + 1) && fmpz_is_zero(step + 2)));
-    directions_cross(along, step, axis);
-    directions_cross(along + 3, step, along);
+    directions_basis(along, along + 3, step);
     _fmpz_vec_add(along + 3, along + 3, invariant, 3);
     for (int side = 0; side < 2 && !status && (!side || out->position == GRAZE_TOPO_INTERIOR);
          side++) {
@@ -91,7 +89,7 @@ static graze_status decide_beside_step(topo_finding *out, graze_context *context
         status = look_in_plane(out, context, scene, planes, point, along, GRAZE_LEVEL_SECTION, 0);
         _fmpz_vec_scalar_submul_si(along + 3, invariant, 3, 2);
     }
-    _fmpz_vec_clear(along, 9);
+    _fmpz_vec_clear(along, 6);
     return status;
 }
 
