@@ -139,12 +139,15 @@ def make(graze, folder):
     receipt = str(folder / "input" / "receipt")
     subprocess.run([graze, "check", cube, turn, "--receipt", receipt], stdout=subprocess.DEVNULL, check=True)
     begun = b"".join(golden.splitlines(keepends=True)[:-3])
-    exact = subprocess.run([graze, "classify", *one, "--coordinates", "exact", u, roll, two], stdout=subprocess.PIPE,
-                           check=True).stdout
     parts = {f"{k}.csv": text for k, text in enumerate(shards(graze, "classify", u, roll, two))}
-    certificate = subprocess.run([graze, "certify", *one, u, roll, two], stdout=subprocess.PIPE, check=True).stdout
+    for motion in (turn, roll):
+        subprocess.run([graze, "convert", motion, "-o", motion + ".plain.json"], check=True, stderr=subprocess.DEVNULL)
+    plain_turn, plain_roll = turn + ".plain.json", roll + ".plain.json"
+    exact = subprocess.run([graze, "classify", *one, "--coordinates", "exact", u, plain_roll, two], stdout=subprocess.PIPE,
+                           check=True).stdout
+    certificate = subprocess.run([graze, "certify", *one, u, plain_roll, two], stdout=subprocess.PIPE, check=True).stdout
     certified = certificate[:certificate.rindex(b"row ")]
-    certificates = {f"{k}.txt": text for k, text in enumerate(shards(graze, "certify", u, roll, two))}
+    certificates = {f"{k}.txt": text for k, text in enumerate(shards(graze, "certify", u, plain_roll, two))}
     candidate = ["--candidate", f"sh -c 'cp {golden_at} $1' sh {{out}} {{points}} {{solid}} {{motion}}"]
     nef = str(ROOT / "tests" / "refuse" / "common" / "nef3" / "ring.nef3")
     yield from (Scene(f"check-{name.rsplit('.', maxsplit=1)[-1]}", ["check", at[name], turn])
@@ -198,10 +201,12 @@ def make(graze, folder):
                 tables=("a.csv",), spared=NUMBERS)
     yield Scene("unsweep", ["classify", *one, "--operation", "unsweep", u, roll, two])
     yield Scene("merge", ["merge", "2.csv", "0.csv", "1.csv", "--output", "table"], files=parts, tables=("table",))
-    yield Scene("certify", ["certify", *one, cube, turn, three, "-o", "made"], tables=("made",))
-    yield Scene("certify-times", ["certify", *one, cube, turn, three, "--times", "-o", "made"], tables=("made",))
-    yield Scene("certify-resume", ["certify", *one, u, roll, two, "--resume", "made"], files={"made": certified}, tables=("made",))
-    yield Scene("classify-certify", ["classify", *one, u, roll, two, "--resume", "table", "--certify", "made"],
+    yield Scene("certify", ["certify", *one, cube, plain_turn, three, "-o", "made"], tables=("made",))
+    yield Scene("certify-converts", ["certify", *one, at["cube.obj"], turn, at["2.csv"], "-o", "made"], 3,
+                tables=("made.off", "made.json"))
+    yield Scene("certify-times", ["certify", *one, cube, plain_turn, three, "--times", "-o", "made"], tables=("made",))
+    yield Scene("certify-resume", ["certify", *one, u, plain_roll, two, "--resume", "made"], files={"made": certified}, tables=("made",))
+    yield Scene("classify-certify", ["classify", *one, u, plain_roll, two, "--resume", "table", "--certify", "made"],
                 files={"table": b"".join(exact.splitlines(keepends=True)[:-3]), "made": certificate},
                 tables=("table", "made"))
     yield Scene("merge-certificates", ["merge", "2.txt", "0.txt", "1.txt", "--output", "made"], files=certificates, tables=("made",))
