@@ -54,6 +54,7 @@ UNREACHED = {
     "a contact ends between two pieces": "a fault of Graze itself",
     "a polynomial cannot be factored": "a fault of Graze itself",
     "a number that is not zero has the sign 0": "a fault of Graze itself",
+    "a form of low degree is refused": "a fault of Graze itself",
     "two rules disagree on the surfaces": "a fault of Graze itself",
     "a resultant is not found": "a fault of Graze itself",
     "a gap and the stacks beside its end disagree": "a fault of Graze itself",

@@ -36,14 +36,20 @@ static int power_sum(const taylor *t, size_t term) {
     return t->power[term][0] + t->power[term][1] + t->power[term][2];
 }
 
+/* FLINT refuses polynomials whose powers are too great; these have low ones. */
+static void expect_done(const apex *a, int done) {
+    moment_field *f = a->g->f;
+    if (!done && f->status == GRAZE_OK)
+        f->status = context_fail(f->context, GRAZE_EINTERNAL, "a form of low degree is refused");
+}
+
 /* Keep the factors of a form that are not kept yet. */
 static void keep_parts(apex *a, const fmpz_mpoly_t form) {
     const fmpz_mpoly_ctx_struct *ring = a->ring->zctx;
     moment_field *f = a->g->f;
     fmpz_mpoly_factor_t factors;
     fmpz_mpoly_factor_init(factors, ring);
-    if (!fmpz_mpoly_factor(factors, form, ring))
-        f->status = context_fail(f->context, GRAZE_EINTERNAL, "a form is not factored");
+    expect_done(a, fmpz_mpoly_factor(factors, form, ring));
     for (slong k = 0; k < factors->num && f->status == GRAZE_OK; k++) {
         int known = 0;
         for (int i = 0; i < a->count && !known; i++)
@@ -150,8 +156,7 @@ static void cut_at_roots(cuts *to, const apex *a, const fmpz_mpoly_t p, int vari
     fmpz_poly_t q;
     fmpz_poly_init(q);
     dyadic_interval_init(&all);
-    if (!fmpz_mpoly_get_fmpz_poly(q, p, variable, a->ring->zctx))
-        f->status = context_fail(f->context, GRAZE_EINTERNAL, "a form is not cut by one variable");
+    expect_done(a, fmpz_mpoly_get_fmpz_poly(q, p, variable, a->ring->zctx));
     if (f->status == GRAZE_OK && fmpz_poly_degree(q) > 0) {
         fmpz_poly_bound_roots(all.high, q);
         fmpz_add_ui(all.high, all.high, 1);
@@ -199,9 +204,7 @@ static void walk_line(apex *a) {
     for (int k = 0; k < a->count && a->g->f->status == GRAZE_OK; k++) {
         fmpq_one(form->content);
         fmpz_mpoly_set(form->zpoly, &a->part[k], ring);
-        if (!fmpq_mpoly_evaluate_one_fmpq(form, form, X, a->direction, a->ring))
-            a->g->f->status =
-                context_fail(a->g->f->context, GRAZE_EINTERNAL, "a form has no value");
+        expect_done(a, fmpq_mpoly_evaluate_one_fmpq(form, form, X, a->direction, a->ring));
         cut_at_roots(&in_y, a, form->zpoly, Y);
     }
     if (a->g->f->status == GRAZE_OK)
@@ -218,10 +221,9 @@ static void cut_by_parts(cuts *in_x, apex *a, int i, int k) {
     fmpz_mpoly_init(cut, ring);
     ulong words = (ulong)labs(fmpz_mpoly_max_bits(&a->part[k])) / FLINT_BITS + 1;
     f->status = context_work(f->context, 100 * words * words);
-    if (f->status == GRAZE_OK &&
-        !(i < k ? fmpz_mpoly_resultant(cut, &a->part[i], &a->part[k], Y, ring)
-                : fmpz_mpoly_discriminant(cut, &a->part[k], Y, ring)))
-        f->status = context_fail(f->context, GRAZE_EINTERNAL, "two forms have no resultant");
+    if (f->status == GRAZE_OK)
+        expect_done(a, i < k ? fmpz_mpoly_resultant(cut, &a->part[i], &a->part[k], Y, ring)
+                             : fmpz_mpoly_discriminant(cut, &a->part[k], Y, ring));
     if (f->status == GRAZE_OK)
         cut_at_roots(in_x, a, cut, X);
     fmpz_mpoly_clear(cut, ring);
