@@ -137,12 +137,14 @@ def ask_mesh(scene, path, options):
     """What a mesh says of the golden points, and its facts, distances and volumes."""
     with tempfile.TemporaryDirectory() as folder:
         answers = os.path.join(folder, "answers.csv")
-        report = judge(scene, path, options, "--points", os.path.join(scene.folder, "points.csv"), "--answers", answers,
-                       "--within", options.within, "--budget", str(options.budget))
-        if report["mesh"]["rule"] != "none":
+        bounds = "--within", options.within, "--budget", str(options.budget)
+        try:
+            report = judge(scene, path, options, "--points", os.path.join(scene.folder, "points.csv"), "--answers", answers, *bounds)
             found = read_answers(scene, answers)
-        else:
-            found = Answers(scene)
+        except BadInput as refused:
+            if "is not closed and has no answers" not in str(refused):
+                raise
+            report, found = judge(scene, path, options, "--no-points", *bounds), Answers(scene)
             found.complain("the mesh is not closed, so that nothing is inside")
     return found, {key: report[key] for key in ("mesh", "distance", "volume", "budget")}
 

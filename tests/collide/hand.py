@@ -417,10 +417,10 @@ def rows(collide, checks, small, large):
 # by (e) at 0, on its way out, by (f) all the time; by (g), x = 5 + t, it is outside, and its left side touches the block at 0; by (h) x is 1. By (i)
 # x = 1 + t^2 is 3 at the root of 2.
 FIRST = [  # x, y, end; inside: text, JSON's verdict, word, next; what the contact says; against the block: verdict, word, next; contact
-    ("2+4*t", "1", 1, ("leaves at 1/4", "meets", "OBI", "I", ""), ("meets", "OBI", "I", "")),
-    ("3-4*(t-1/4)^2", "1", 1, ("touches at 1/4 and stays inside at first", "meets", "OBO", "O", ""), ("meets", "OBO", "O", "")),
+    ("2+4*t", "1", 1, ("leaves at 1/4 (0.25)", "meets", "OBI", "I", ""), ("meets", "OBI", "I", "")),
+    ("3-4*(t-1/4)^2", "1", 1, ("touches at 1/4 (0.25) and stays inside at first", "meets", "OBO", "O", ""), ("meets", "OBO", "O", "")),
     ("2+t", "1", 1, ("touches at 1, where the motion ends", "meets", "OB", None, ", where the motion ends"), ("meets", "OB", None, ", where the motion ends")),
-    (("2+4*t", "3"), ("1", "3/4+t"), (F(1, 4), 1), ("touches at 1/4 and stays inside at first", "meets", "OB", "B", ", which lasts"),
+    (("2+4*t", "3"), ("1", "3/4+t"), (F(1, 4), 1), ("touches at 1/4 (0.25) and stays inside at first", "meets", "OB", "B", ", which lasts"),
      ("meets", "OB", "B", ", which lasts")),
     ("3+t", "1+t", 1, ("leaves at 0", "meets", "BI", "I", ""), ("meets", "BI", "I", "")),
     ("3", "1+t", 1, ("touches at 0 and stays inside at first", "meets", "B", "B", ", which lasts"), ("meets", "B", "B", ", which lasts")),

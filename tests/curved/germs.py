@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # suite
-"""Random germs of dependent surfaces: what rational points near them show is never excluded (C95 to C100, C127).
+"""Random germs of dependent surfaces: what rational points near them show is never excluded (C95 to C100, C129).
 
 SPDX-License-Identifier: GPL-3.0-or-later
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # suite
 """Words and times of curved scenes derived by hand: balls, capsules, cones, tori and polynomials, alone and combined, at
-tangencies, seams, rims, apexes and along slides (C94 to C101, C121, C122, C127, C129, C130).
+tangencies, seams, rims, apexes and along slides (C94 to C101, C121, C122, C129, C126, C127).
 
 SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -173,7 +173,7 @@ SCENES = [
     # x + z^2 >= z in the cone: between x = z - z^2 and x = z, y = 0, though not in the tangent plane's half space.
     ("cone and a bent plane", common(NAPPES, ABOVE, polynomial({"1,0,0": -1, "0,0,1": 1, "0,0,2": -1})),
      along(F(-1, 2), F(1, 2), "0", "t", "t^2"), "OBO", [0]),
-    # Several cones with one apex (C127): at the origin some directions are in, others out, or all are one.
+    # Several cones with one apex (C129): at the origin some directions are in, others out, or all are one.
     ("hourglass through", union(*HOURGLASS), along(-2, 2, "0", "0", "t"), "OBIBIBO", [-1, 0, 1]),
     ("hourglass beside", union(*HOURGLASS), along(-1, 1, "t", "0", "0"), "OBO", [0]),
     ("hourglass, both", common(*HOURGLASS), along(-1, 1, "0", "0", "t"), "O", []),
@@ -230,7 +230,7 @@ SCENES = [
     ("beside a cusp", CUSP, along(-1, 1, "0", "t"), "OBO", [0]),
     ("below a cusp", polynomial({"2,0": 1, "0,3": -1}), along(-1, 1, "t", "0"), "OBO", [0]),
     ("beside a cusp of the complement", polynomial({"0,2": -1, "3,0": 1}), along(-1, 1, "0", "t"), "IBI", [0]),
-    # Singular points in company (C129): the cusp lies to the right of the line, its mirror image to the left.
+    # Singular points in company (C126): the cusp lies to the right of the line, its mirror image to the left.
     ("cusp and a line", common(CUSP, RIGHT), along(-1, 1, "0", "t"), "OBO", [0]),
     ("cusp and a line, mirrored", common(polynomial({"0,2": 1, "3,0": 1}), LEFT), along(-1, 1, "0", "t"), "OBO", [0]),
     ("cusp on the other side", common(CUSP, UPPER, LEFT), along(-1, 1, "0", "t"), "O", []),

@@ -44,7 +44,7 @@ def newcomer(inside, folder):
         check(wanted is None or blocks.prints(wanted, got), f"{command}\n  want {wanted}\n  got {got}")
     check(installs == 1, f"{installs} blocks install something")
     for command in ("make demo", "make install PREFIX=/tmp/own", "/tmp/own/bin/graze --version",
-                    "python3 -m venv --system-site-packages /tmp/venv && /tmp/venv/bin/pip install . && cd / && "
+                    "python3 -m venv --system-site-packages /tmp/venv && /tmp/venv/bin/pip install ./src/python && cd / && "
                     "/tmp/venv/bin/python -c 'import graze; assert graze.__file__.startswith(\"/tmp/venv\"), graze.__file__'"):
         print(command, flush=True)
         output([*shell, f"cd /srv/graze\n{command}"], DEBIAN_FRONTEND="noninteractive")

@@ -87,7 +87,7 @@ def check_pages(graze, folder, commands):
         for heading in ("NAME", "SYNOPSIS", "EXIT STATUS", "SEE ALSO") + (("OPTIONS", "EXAMPLE") if command else ()):
             check(re.search(f"^{heading}$", page, re.M), f"{command}: no {heading}")
         if command == "check":  # the page of the program graze-check, and of the command
-            check(0 < page.find("graze-check SOLID MOTION CERTIFICATE") < page.find("graze check SOLID MOTION"), "graze-check(1) is not the program's first")
+            check(0 < page.find("graze-check SOLID MOTION CERTIFICATE") < page.find("graze check SOLID [MOTION]"), "graze-check(1) is not the program's first")
             text += "".join(output([graze + "-check", "--help"]).splitlines(keepends=True)[1:])
         for line in text.splitlines()[1:]:
             line = re.sub("^(Example|Exit status):", "", line)

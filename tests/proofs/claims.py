@@ -51,6 +51,7 @@ def sections(checks):
             checks.holds(number > last, f"{document}: C{number} comes after C{last}")
             last = number
             out[number] = match.group()
+    checks.holds(sorted(out) == list(range(1, len(out) + 1)), "a number is missing", set(range(1, len(out) + 1)) - set(out))
     return out
 
 

@@ -3,7 +3,7 @@
  *
  * A direction is (x, y, 1), in the plane (x, 1), or opposite to one. Over an interval of x in which
  * no leading coefficient, discriminant or resultant by y has a root, the roots in y of all forms
- * are continuous and distinct; so one x in each interval and one y in each gap are enough (C127).
+ * are continuous and distinct; so one x in each interval and one y in each gap are enough (C129).
  */
 #include "decide/curved/apex.h"
 

@@ -8,7 +8,7 @@
 
 /** Ask directions, one in each open cell that the lowest forms of the members cut out: they show
  * patterns, and of the members that are homogeneous at the point these are all (proofs/curved.md
- * C99, C127). */
+ * C99, C129). */
 void apex_ask(sign_germ *g);
 
 #endif

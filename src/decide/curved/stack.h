@@ -9,7 +9,7 @@
 
 /**
  * Decide the state in the plane at a time, or along a gap at whose sample it is asked
- * (proofs/curved.md C129, C130).
+ * (proofs/curved.md C126, C127).
  * @param[out] out I, B or O; UNDECIDED where the surfaces ask for more than the limit `work`
  * @param signs    of the surfaces that do not vanish there
  * @param surface  those through the point on which the expression depends: two or more, or one that

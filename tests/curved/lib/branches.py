@@ -1,4 +1,4 @@
-"""Germs in the plane that are made of known branches, and what they decide: a second method for proofs/curved.md C129.
+"""Germs in the plane that are made of known branches, and what they decide: a second method for proofs/curved.md C126.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 
