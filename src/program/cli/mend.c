@@ -23,8 +23,8 @@ static const char mend_help[] =
     "\n"
     "  -o, --output FILE    the file to write (needed), not SOLID itself\n"
     "  --weld EPS           make vertices one that lie within EPS, in units of the file; this\n"
-    "                       changes the solid: a line says by how much at most, as a number for\n"
-    "                       the option --motion-error of graze classify and compare\n"
+    "                       changes the solid: a line says by how much at most, which graze\n"
+    "                       classify and compare take as an error of the motion\n"
     "  --triangulate, --round binary64|binary32, --limit NAME=V   as in graze classify\n"
     "\n"
     "Example: graze mend part.stl -o part.off\n";
