@@ -3,7 +3,6 @@
  */
 #include "poly.h"
 
-#include <stdlib.h>
 
 void poly_clear(poly *p) {
     integers_free(p->c, p->room);

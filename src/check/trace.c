@@ -3,7 +3,6 @@
  */
 #include "trace.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* Before, at and after the root. */

@@ -4,7 +4,6 @@
 #include "decide/curved/letters.h"
 
 #include <stdlib.h>
-#include <string.h>
 #include "base/context/array.h"
 #include "input/soup/cell_names.h"
 

@@ -4,7 +4,6 @@
 #ifndef GRAZE_FILTER_INTERIOR_H
 #define GRAZE_FILTER_INTERIOR_H
 
-#include "decide/filter/curve.h"
 #include "input/solid/solid.h"
 
 /** A grid of equal bricks over the solid's box; `state` is NULL if there is none. */

@@ -3,12 +3,10 @@
  */
 #include "decide/filter/search.h"
 
-#include <math.h>
 #include "decide/filter/alone.h"
 #include "decide/filter/chord.h"
 #include "decide/filter/flip.h"
 #include "decide/filter/meet.h"
-#include "decide/filter/normal.h"
 
 /* Spans are cut down to these levels: for the sake of boxes, of one simplex before its Bernstein
  * forms, and after them. */

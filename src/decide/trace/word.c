@@ -4,7 +4,6 @@
 #include "decide/trace/word.h"
 
 #include <stdlib.h>
-#include "decide/trace/contact.h"
 
 static graze_status locate_between(graze_state *out, tracer *r, graze_time *before,
                                    graze_time *after) {

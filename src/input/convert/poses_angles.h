@@ -6,7 +6,6 @@
 
 #include <flint/fmpq.h>
 #include <mpfr.h>
-#include "base/context/context.h"
 
 /** The rotation is that about axis[2] first, then axis[1], then axis[0], all of them standing. */
 typedef struct angle_order {

@@ -4,7 +4,6 @@
 #ifndef GRAZE_CONVERT_POSES_SLERP_H
 #define GRAZE_CONVERT_POSES_SLERP_H
 
-#include "input/convert/angle.h"
 #include "input/convert/poses_read.h"
 
 /** The way to a pose, and what is known of all ways before. Only the tolerance is set at first. */

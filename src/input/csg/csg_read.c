@@ -4,7 +4,6 @@
 #include "input/csg/csg_read.h"
 
 #include <flint/fmpq_mat.h>
-#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>

@@ -8,7 +8,6 @@
 
 #include <flint/fmpq_vec.h>
 #include "input/csg/csg_bound.h"
-#include "input/motion/entry.h"
 
 /* Numbers of a primitive; those that are not given stay as they are. */
 typedef struct placed {

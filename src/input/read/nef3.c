@@ -11,7 +11,6 @@
  */
 #include "input/read/nef3.h"
 
-#include <stdlib.h>
 #include "base/number/rounding.h"
 #include "input/read/nef3_links.h"
 #include "input/read/nef3_text.h"

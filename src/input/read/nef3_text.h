@@ -12,7 +12,6 @@
 
 #include <stdint.h>
 #include "input/read/token_lines.h"
-#include "input/soup/soup.h"
 
 #define NEF_NONE SIZE_MAX
 

@@ -9,7 +9,6 @@
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
-#include <string.h>
 #include "base/number/cross.h"
 #include "input/validate/crossing.h"
 

@@ -7,7 +7,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "base/context/file.h"
 #include "input/csg/csg_read.h"
 #include "input/solid/locate.h"
 #include "input/validate/validate.h"

@@ -3,7 +3,6 @@
  */
 #include "output/compare/compare.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "output/compare/choose.h"

@@ -4,7 +4,6 @@
 #ifndef GRAZE_COMPARE_COMPARISON_H
 #define GRAZE_COMPARE_COMPARISON_H
 
-#include "base/number/text.h"
 #include "graze/compare.h"
 #include "output/compare/depth.h"
 #include "output/compare/match.h"

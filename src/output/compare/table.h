@@ -9,7 +9,6 @@
 
 #include <flint/fmpq.h>
 #include <stdint.h>
-#include <stdio.h>
 #include "input/delimited/field.h"
 #include "input/delimited/stream.h"
 

@@ -7,7 +7,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 #include "base/context/array.h"
 #include "output/draw/eye_field.h"
 

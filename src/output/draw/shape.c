@@ -4,7 +4,6 @@
 #include "output/draw/shape.h"
 
 #include <flint/fmpq_vec.h>
-#include <math.h>
 #include <stdlib.h>
 #include "output/draw/chain.h"
 

@@ -7,7 +7,6 @@
 #include "output/report/closings.h"
 
 #include <flint/fmpz_vec.h>
-#include "output/report/formula.h"
 #include "output/report/time_text.h"
 #include "questions/topo/cover.h"
 #include "questions/topo/directions.h"

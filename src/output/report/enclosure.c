@@ -3,7 +3,6 @@
 
 #include <math.h>
 #include <mpfr.h>
-#include "base/number/rational.h"
 #include "output/report/decimal_time.h"
 #include "output/report/time_text.h"
 

@@ -7,7 +7,6 @@
  */
 #include "output/report/inside.h"
 
-#include "base/number/rational.h"
 #include "output/report/decimal_time.h"
 #include "output/report/json_values.h"
 

@@ -5,7 +5,6 @@
 #include "output/report/json_rows.h"
 
 #include <stdio.h>
-#include "base/number/rational.h"
 #include "decide/verdict/verdict.h"
 #include "output/report/enclosure.h"
 #include "output/report/json_values.h"

@@ -5,7 +5,6 @@
 #define GRAZE_REPORT_JSON_VALUES_H
 
 #include "base/number/json.h"
-#include "decide/trace/trace.h"
 
 /** A count, or null. */
 void json_index(json_writer *w, const char *key, int is_there, size_t value);

@@ -1,8 +1,6 @@
 /* Rows of sites. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/report/site_rows.h"
 
-#include <stdlib.h>
-#include "base/number/rational.h"
 #include "output/report/decimal_time.h"
 #include "output/report/json_values.h"
 #include "output/report/table_text.h"

@@ -4,7 +4,6 @@
 #ifndef GRAZE_REPORT_TABLE_ROW_H
 #define GRAZE_REPORT_TABLE_ROW_H
 
-#include "base/number/text.h"
 #include "decide/trace/trace.h"
 #include "graze/report.h"
 #include "output/report/inside.h"

@@ -5,7 +5,6 @@
 #define GRAZE_REPORT_TIME_TEXT_H
 
 #include "base/number/text.h"
-#include "decide/trace/trace.h"
 
 /** `1/3`, or `t0 + 0.02`, with a ratio where no short decimal is the number itself. */
 void tell_rational_time(text *out, const graze_motion *motion, const fmpq_t time);

@@ -4,7 +4,6 @@
 #include "output/table/texts.h"
 
 #include <stdlib.h>
-#include <string.h>
 #include "base/context/array.h"
 
 void texts_clear(texts *t) {

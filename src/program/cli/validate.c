@@ -12,7 +12,6 @@
 #include "program/cli/commands.h"
 #include "program/cli/compare.h"
 #include "program/cli/validation_report.h"
-#include "program/cli/values.h"
 #include "program/run/candidate.h"
 #include "program/run/memory.h"
 #include "program/run/numbers.h"

@@ -7,7 +7,6 @@
 #define GRAZE_CLI_VALUES_H
 
 #include "program/cli/command.h"
-#include "graze.h"
 
 option_read value_text;        /**< const char *: the value, borrowed */
 option_read value_output;      /**< const char *: the same, NULL for standard output */

@@ -3,7 +3,6 @@
  */
 #include "program/run/answer.h"
 
-#include <stdio.h>
 #include <string.h>
 #include "program/run/site_answer.h"
 #include "program/run/status.h"

@@ -4,7 +4,6 @@
 #ifndef GRAZE_RUN_BLOCK_H
 #define GRAZE_RUN_BLOCK_H
 
-#include "graze.h"
 #include "input/delimited/field.h"
 #include "program/run/lines.h"
 #include "program/run/status.h"

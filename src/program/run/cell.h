@@ -4,7 +4,6 @@
 #ifndef GRAZE_RUN_CELL_H
 #define GRAZE_RUN_CELL_H
 
-#include "graze.h"
 #include "input/delimited/field.h"
 
 /** The form, for messages. */

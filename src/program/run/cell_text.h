@@ -3,7 +3,6 @@
 #define GRAZE_RUN_CELL_TEXT_H
 
 #include "base/number/text.h"
-#include "graze.h"
 
 /** `face 3`, `edge 1-2`, `vertex 5`. */
 void text_cell(text *t, const graze_cell *cell);

@@ -6,7 +6,6 @@
 #include <stdio.h>
 #include <string.h>
 #include "program/run/interrupt.h"
-#include "program/run/output.h"
 #include "program/run/waiting.h"
 
 static int signal_came(void *data) {

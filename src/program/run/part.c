@@ -4,7 +4,6 @@
 #include "program/run/part.h"
 
 #include <errno.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include "program/run/status.h"

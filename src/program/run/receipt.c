@@ -5,7 +5,6 @@
 
 #include <sha256.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include "input/delimited/stream.h"
 #include "program/run/output.h"

@@ -13,7 +13,6 @@
  */
 #include "questions/boundary/bisect.h"
 
-#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/team.h"
 

@@ -3,7 +3,6 @@
  */
 #include "questions/boundary/sampling.h"
 
-#include <stdlib.h>
 #include "decide/verdict/classify.h"
 
 uint64_t lattice_key(const uint32_t at[3]) {

@@ -4,7 +4,6 @@
 #include "questions/certify/head.h"
 
 #include <flint/fmpz_vec.h>
-#include <string.h>
 #include "base/number/bernstein.h"
 #include "questions/certify/checker_cut.h"
 

@@ -4,7 +4,6 @@
 #ifndef GRAZE_CERTIFY_ROW_LINES_H
 #define GRAZE_CERTIFY_ROW_LINES_H
 
-#include "base/number/dyadic.h"
 #include "base/number/text.h"
 #include "decide/trace/trace.h"
 

@@ -5,7 +5,6 @@
  */
 #include "questions/collide/incidences.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/number/isolate.h"

@@ -5,7 +5,6 @@
  */
 #include "questions/contact/time_in_trace.h"
 
-#include <stdlib.h>
 #include "base/number/order.h"
 
 /* *out: sign of a time of the trace minus t. */

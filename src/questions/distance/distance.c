@@ -3,7 +3,6 @@
  */
 #include "questions/distance/distance.h"
 
-#include <flint/fmpq_vec.h>
 #include <math.h>
 #include <stdlib.h>
 #include "base/number/refine.h"

@@ -8,7 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
-#include "input/solid/forms.h"
 #include "questions/envelope/edges.h"
 
 static graze_status no_room_for_cells(graze_context *context) {

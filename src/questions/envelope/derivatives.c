@@ -4,7 +4,6 @@
 #include "questions/envelope/derivatives.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 /* out = a' b - a b' */
 static void wronskian(fmpz_poly_t out, const fmpz_poly_struct *a, const fmpz_poly_struct *b) {

@@ -7,7 +7,6 @@
 #include "questions/contact/time_sides.h"
 #include "questions/envelope/breaks.h"
 #include "questions/envelope/complex.h"
-#include "questions/envelope/decomposition.h"
 #include "questions/envelope/gather.h"
 #include "questions/envelope/saddle.h"
 #include "questions/envelope/singular.h"

@@ -6,7 +6,6 @@
  */
 #include "questions/envelope/singular_point.h"
 
-#include <stdlib.h>
 #include "base/number/sign.h"
 
 static void derivative_at(fmpz_poly_struct *out, const singular_view *v, int row, size_t vertex) {

@@ -2,7 +2,6 @@
 #include "questions/envelope/snapshot.h"
 
 #include <flint/fmpq_vec.h>
-#include "base/number/rational.h"
 #include "questions/contact/flow.h"
 
 static void evaluate_entries(fmpq *out, const fmpz_poly_struct *entry, int count, const fmpq_t u) {

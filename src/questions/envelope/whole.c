@@ -1,5 +1,4 @@
 /* Facets whose g vanishes all over at single times. SPDX-License-Identifier: GPL-3.0-or-later */
-#include <stdlib.h>
 #include "base/number/sign.h"
 #include "questions/envelope/decomposition.h"
 #include "questions/envelope/whole.h"

@@ -7,7 +7,6 @@
 #include "questions/judge/search_mesh.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
 #include "decide/filter/chord.h"

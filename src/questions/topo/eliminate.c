@@ -8,10 +8,8 @@
  */
 #include "questions/topo/eliminate.h"
 
-#include <flint/fmpz_vec.h>
 #include <flint/nmod_poly.h>
 #include <flint/ulong_extras.h>
-#include <stdlib.h>
 
 /* Resultants of this many products of words, or fewer, are found at once. */
 enum { FEW_PRODUCTS = 20000 };

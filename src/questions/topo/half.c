@@ -3,7 +3,6 @@
  */
 #include "questions/topo/half.h"
 
-#include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "questions/topo/directions.h"
 #include "questions/topo/signs.h"

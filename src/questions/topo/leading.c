@@ -6,7 +6,6 @@
  */
 #include "questions/topo/leading.h"
 
-#include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "questions/topo/beyond.h"
 #include "questions/topo/borders.h"

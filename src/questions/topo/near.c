@@ -7,7 +7,6 @@
  */
 #include "questions/topo/near.h"
 
-#include <flint/fmpz_vec.h>
 #include "questions/topo/binary_places.h"
 #include "questions/topo/coprime.h"
 #include "questions/topo/eliminate.h"

@@ -7,7 +7,6 @@
 #include "questions/topo/shift.h"
 
 #include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include "questions/topo/eliminate.h"
 
 /* g_ij c^(D - i - j), or with `back` g_ij c^(i + j). */
