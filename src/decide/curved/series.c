@@ -63,12 +63,6 @@ void probe_clear(probe *p) {
         fmpq_poly_clear(&p->direction[i]);
 }
 
-void probe_set_direction(probe *p, const value *direction) {
-    forget_series(p);
-    for (int i = 0; i < p->dimension - p->base_count; i++)
-        fmpq_poly_set(&p->direction[i], direction + i);
-}
-
 void probe_set_integers(probe *p, const slong *direction) {
     forget_series(p);
     for (int i = 0; i < p->dimension - p->base_count; i++)

@@ -25,7 +25,6 @@ int probe_init(probe *p, moment_field *f, int dimension, const taylor *const *ba
 void probe_clear(probe *p);
 
 /** Take another direction of the open coordinates. */
-void probe_set_direction(probe *p, const value *direction);
 void probe_set_integers(probe *p, const slong *direction);
 
 /** The first non-zero coefficient of a polynomial along the probe: its order and sign.
