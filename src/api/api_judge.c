@@ -59,10 +59,8 @@ graze_status graze_mesh_read(graze_mesh **out, graze_context *context, const cha
 
 static graze_status take_vertices(soup *s, graze_context *context, const double *vertices,
                                   size_t count) {
-    fmpq point[3];
+    fmpq *point = _fmpq_vec_init(3);
     graze_status status = GRAZE_OK;
-    for (int k = 0; k < 3; k++)
-        fmpq_init(point + k);
     for (size_t v = 0; v < count && !status; v++) {
         for (size_t k = 0; k < 3 && !status; k++)
             status = api_coordinate(context,
@@ -71,8 +69,7 @@ static graze_status take_vertices(soup *s, graze_context *context, const double 
         if (!status)
             status = soup_add_vertex(s, context, point);
     }
-    for (int k = 0; k < 3; k++)
-        fmpq_clear(point + k);
+    _fmpq_vec_clear(point, 3);
     return status;
 }
 

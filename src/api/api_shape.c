@@ -57,11 +57,8 @@ static graze_status make_round(text *made, graze_context *context, const graze_s
                                const fmpq *at, mpq_srcptr tolerance) {
     tool s;
     tool_pair pair = {.stretch = {{0, 1}}};
-    fmpq_t goal, square, one;
+    fmpq *goal = _fmpq_vec_init(3), *square = goal + 1, *one = goal + 2;
     tool_init(&s);
-    fmpq_init(goal);
-    fmpq_init(square);
-    fmpq_init(one);
     fmpq_one(one);
     graze_status status = take_number(goal, context, tolerance, 1, "tolerance");
     if (!status)
@@ -74,9 +71,7 @@ static graze_status make_round(text *made, graze_context *context, const graze_s
         tool_report(made + 2, &pair, square);
         tool_pair_clear(&pair);
     }
-    fmpq_clear(one);
-    fmpq_clear(square);
-    fmpq_clear(goal);
+    _fmpq_vec_clear(goal, 3);
     tool_clear(&s);
     return status;
 }

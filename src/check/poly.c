@@ -3,7 +3,6 @@
  */
 #include "poly.h"
 
-
 void poly_clear(poly *p) {
     integers_free(p->c, p->room);
     *p = (poly){0, 0, NULL};

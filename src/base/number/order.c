@@ -3,6 +3,7 @@
  */
 #include "base/number/order.h"
 
+#include <flint/fmpq_vec.h>
 #include "base/number/modular.h"
 #include "base/number/refine.h"
 
@@ -160,11 +161,7 @@ static void simplest_dyadic(fmpq_t out, const fmpq_t a, const fmpq_t b) {
 }
 
 graze_status algebraic_between(fmpq_t out, graze_context *context, algebraic *x, algebraic *y) {
-    fmpq_t low, below, above, high;
-    fmpq_init(low);
-    fmpq_init(below);
-    fmpq_init(above);
-    fmpq_init(high);
+    fmpq *low = _fmpq_vec_init(4), *below = low + 1, *above = low + 2, *high = low + 3;
     ulong gain[] = {1, 1};
     graze_status status = GRAZE_OK;
     while (status == GRAZE_OK) {
@@ -176,10 +173,7 @@ graze_status algebraic_between(fmpq_t out, graze_context *context, algebraic *x,
     }
     if (status == GRAZE_OK)
         simplest_dyadic(out, below, above);
-    fmpq_clear(low);
-    fmpq_clear(below);
-    fmpq_clear(above);
-    fmpq_clear(high);
+    _fmpq_vec_clear(low, 4);
     return status;
 }
 
@@ -187,12 +181,8 @@ graze_status algebraic_between(fmpq_t out, graze_context *context, algebraic *x,
  * once it is in neither of them; it is not x or y. */
 graze_status algebraic_places_between(ulong *out, graze_context *context, algebraic *x,
                                       algebraic *y) {
-    fmpq_t low, below, above, high, between;
-    fmpq_init(low);
-    fmpq_init(below);
-    fmpq_init(above);
-    fmpq_init(high);
-    fmpq_init(between);
+    fmpq *low = _fmpq_vec_init(5), *below = low + 1, *above = low + 2, *high = low + 3,
+         *between = low + 4;
     ulong gain[] = {FIRST_GAIN, FIRST_GAIN};
     graze_status status = GRAZE_OK;
     while (status == GRAZE_OK) {
@@ -205,11 +195,7 @@ graze_status algebraic_places_between(ulong *out, graze_context *context, algebr
         status = algebraic_narrow(context, in_x ? x : y, CHEAP_HALVINGS, &gain[in_y]);
     }
     *out = fmpz_val2(fmpq_denref(between));
-    fmpq_clear(low);
-    fmpq_clear(below);
-    fmpq_clear(above);
-    fmpq_clear(high);
-    fmpq_clear(between);
+    _fmpq_vec_clear(low, 5);
     return status;
 }
 

@@ -8,6 +8,7 @@
  */
 #include "decide/curved/stack.h"
 
+#include <flint/fmpq_vec.h>
 #include <flint/fmpz_mpoly.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
@@ -48,10 +49,8 @@ static void surround(stack *s, int i, ulong places) {
     fmpz *low = s->window[i].low, *high = s->window[i].high;
     fmpz *form = _fmpz_vec_init(6), *at = form + 3;
     ulong gain = FIRST_GAIN;
-    fmpq_t from, to;
+    fmpq *from = _fmpq_vec_init(2), *to = from + 1;
     fmpz_poly_t gap;
-    fmpq_init(from);
-    fmpq_init(to);
     fmpz_poly_init(gap);
     fmpz_one_2exp(form + i, places);
     fmpz_neg(form + i, form + i);
@@ -76,8 +75,7 @@ static void surround(stack *s, int i, ulong places) {
     fmpz_add_ui(high, high, 1);
     s->window[i].exponent = places;
     _fmpz_vec_clear(form, 6);
-    fmpq_clear(from);
-    fmpq_clear(to);
+    _fmpq_vec_clear(from, 2);
     fmpz_poly_clear(gap);
 }
 

@@ -213,9 +213,7 @@ static void start_search(search *s, const images *m) {
 
 /* 2^(e - SIGNIFICANT_BITS), where 2^e <= the longest side of the box < 2^(e+1). */
 static void grain(fmpq_t out, const fmpq *low, const fmpq *high, int d) {
-    fmpq_t side, longest;
-    fmpq_init(side);
-    fmpq_init(longest);
+    fmpq *side = _fmpq_vec_init(2), *longest = side + 1;
     for (int i = 0; i < d; i++) {
         fmpq_sub(side, high + i, low + i);
         if (fmpq_cmp(side, longest) > 0)
@@ -230,14 +228,11 @@ static void grain(fmpq_t out, const fmpq *low, const fmpq *high, int d) {
     if (fmpq_cmp(out, longest) > 0)
         fmpq_div_2exp(out, out, 1);
     fmpq_div_2exp(out, out, SIGNIFICANT_BITS);
-    fmpq_clear(side);
-    fmpq_clear(longest);
+    _fmpq_vec_clear(side, 2);
 }
 
 static void round_outwards(fmpq *low, fmpq *high, int d) {
-    fmpq_t step, quotient;
-    fmpq_init(step);
-    fmpq_init(quotient);
+    fmpq *step = _fmpq_vec_init(2), *quotient = step + 1;
     grain(step, low, high, d);
     for (int i = 0; i < d; i++) {
         fmpq_div(quotient, low + i, step);
@@ -249,8 +244,7 @@ static void round_outwards(fmpq *low, fmpq *high, int d) {
         fmpz_one(fmpq_denref(quotient));
         fmpq_mul(high + i, quotient, step);
     }
-    fmpq_clear(step);
-    fmpq_clear(quotient);
+    _fmpq_vec_clear(step, 2);
 }
 
 /* The unsweep lies in M(t0)^-1 S, so its only piece is the constant map M(t0)^-1. */

@@ -99,10 +99,8 @@ graze_status scene_ends(graze_ends *out, graze_context *context, const graze_sol
                         const graze_motion *motion) {
     int d = motion->dimension;
     const motion_piece *first = motion->piece, *last = first + motion->piece_count - 1;
-    fmpq_t zero, one;
+    fmpq *zero = _fmpq_vec_init(2), *one = zero + 1;
     fmpq_mat_t map, other;
-    fmpq_init(zero);
-    fmpq_init(one);
     fmpq_one(one);
     fmpq_mat_init(map, d + 1, d + 1);
     fmpq_mat_init(other, d + 1, d + 1);
@@ -120,8 +118,7 @@ graze_status scene_ends(graze_ends *out, graze_context *context, const graze_sol
         status = common_point_ends(out, context, solid->curved, map, other);
     fmpq_mat_clear(map);
     fmpq_mat_clear(other);
-    fmpq_clear(zero);
-    fmpq_clear(one);
+    _fmpq_vec_clear(zero, 2);
     return status;
 }
 

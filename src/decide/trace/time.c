@@ -4,6 +4,7 @@
  */
 #include "decide/trace/time.h"
 
+#include <flint/fmpq_vec.h>
 #include <flint/fmpz_poly_factor.h>
 #include <stdlib.h>
 #include "base/context/environment.h"
@@ -319,10 +320,8 @@ static graze_status canonicalise_root(graze_time *time, graze_context *context, 
 static graze_status canonicalise_family(graze_time **time, size_t count, graze_context *context) {
     time_family family = {.unit = NULL};
     graze_status status = GRAZE_OK;
-    fmpq_t low, high;
+    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
     fmpz_poly_factor_init(family.factors);
-    fmpq_init(low);
-    fmpq_init(high);
     for (size_t k = 0; k < count && status == GRAZE_OK; k++) {
         if (time[k]->canonical)
             continue;
@@ -333,8 +332,7 @@ static graze_status canonicalise_family(graze_time **time, size_t count, graze_c
             status = canonicalise_root(time[k], context, &family, low, high);
         time[k]->canonical = status == GRAZE_OK;
     }
-    fmpq_clear(low);
-    fmpq_clear(high);
+    _fmpq_vec_clear(low, 2);
     family_clear(&family);
     return status;
 }

@@ -4,6 +4,7 @@
  */
 #include "decide/trace/touch.h"
 
+#include <flint/fmpq_vec.h>
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
@@ -124,14 +125,11 @@ static int sides_at(unsigned *inside, const finder *f, uint32_t simplex, const a
     size_t d = (size_t)f->c->dimension;
     meet_window at;
     double ignored;
-    fmpq_t low, high;
-    fmpq_init(low);
-    fmpq_init(high);
+    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
     algebraic_bounds(low, high, time);
     rational_bounds(&at.low, &ignored, low);
     rational_bounds(&ignored, &at.high, high);
-    fmpq_clear(low);
-    fmpq_clear(high);
+    _fmpq_vec_clear(low, 2);
     at.low = fmax(at.low, 0);
     at.high = fmin(at.high, 1);
     return sides_meet(inside, f->quick->curve, f->quick->piece, corners->at + simplex * d * d,
@@ -172,14 +170,11 @@ static void set_window(dyadic_interval *window, uint32_t from, uint32_t to) {
 /* 0 if the time certainly lies outside the candidate's window. */
 static int may_meet(const candidate *c, const algebraic *time) {
     const fmpz from[] = {(fmpz)c->from}, to[] = {(fmpz)c->to};
-    fmpq_t low, high;
-    fmpq_init(low);
-    fmpq_init(high);
+    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
     algebraic_bounds(low, high, time);
     int meets = dyadic_compare(from, WINDOW_LEVELS, high) <= 0 &&
                 dyadic_compare(to, WINDOW_LEVELS, low) >= 0;
-    fmpq_clear(low);
-    fmpq_clear(high);
+    _fmpq_vec_clear(low, 2);
     return meets;
 }
 

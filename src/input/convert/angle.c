@@ -3,6 +3,9 @@
  */
 #include "input/convert/angle.h"
 
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
+
 void half_angle_init(half_angle *h) {
     fmpq_init(h->w);
     fmpq_init(h->c);
@@ -150,9 +153,7 @@ static void norm(fmpq_t out, const half_angle *h, const fmpq_t square) {
 /* (|z1| - |z0|) / min(|z0|, |z1|) = sqrt(larger / smaller norm) - 1, upwards. */
 static void mismatch(mpfr_t out, const half_angle *from, const half_angle *to,
                      const fmpq_t square) {
-    fmpq_t low, high;
-    fmpq_init(low);
-    fmpq_init(high);
+    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
     norm(low, from, square);
     norm(high, to, square);
     if (fmpq_cmp(low, high) > 0)
@@ -160,8 +161,7 @@ static void mismatch(mpfr_t out, const half_angle *from, const half_angle *to,
     fmpq_div(high, high, low);
     root_above(out, high);
     mpfr_sub_ui(out, out, 1, MPFR_RNDU);
-    fmpq_clear(high);
-    fmpq_clear(low);
+    _fmpq_vec_clear(low, 2);
 }
 
 void half_angle_apart(mpfr_t out, const half_angle *from, const half_angle *to,
@@ -251,13 +251,12 @@ static void exact_value(fmpq_t out, const mpfr_t value) {
 /* The last convergent is the approximation itself, which is within 2^-ANGLE_FINEST. */
 void half_angle_convergent(half_angle *out, const fmpq_t f, const fmpq_t square,
                            const fmpq_t tolerance) {
-    fmpz_t whole, rest, last[2], before[2];
+    fmpz_t last[2], before[2];
     fmpq_t x;
     mpfr_t tangent, length;
     mpfr_inits2(ANGLE_BITS, tangent, length, (mpfr_ptr)0);
     fmpq_init(x);
-    fmpz_init(whole);
-    fmpz_init(rest);
+    fmpz *whole = _fmpz_vec_init(2), *rest = whole + 1;
     fmpz_init_set_ui(last[0], 1);
     fmpz_init_set_ui(last[1], 0);
     fmpz_init_set_ui(before[0], 0);
@@ -282,8 +281,7 @@ void half_angle_convergent(half_angle *out, const fmpq_t f, const fmpq_t square,
         fmpz_clear(last[k]);
         fmpz_clear(before[k]);
     }
-    fmpz_clear(rest);
-    fmpz_clear(whole);
+    _fmpz_vec_clear(whole, 2);
     fmpq_clear(x);
     mpfr_clears(tangent, length, (mpfr_ptr)0);
 }

@@ -3,6 +3,8 @@
  */
 #include "input/convert/joint.h"
 
+#include <flint/fmpq_vec.h>
+
 void joint_init(joint *j) {
     j->is_slide = j->centered = 0;
     fmpq_init(j->degrees);
@@ -60,10 +62,8 @@ static graze_status measure_axis(graze_context *context, joint *j, size_t index)
 /* Bound the distance from the axis for points within `far` of the origin; `far` becomes that of
  * their images. */
 static void set_reach(joint *j, mpfr_t far) {
-    fmpq_t along, apart;
+    fmpq *along = _fmpq_vec_init(2), *apart = along + 1;
     mpfr_t way, along_axis;
-    fmpq_init(along);
-    fmpq_init(apart);
     mpfr_inits2(ANGLE_BITS, way, along_axis, (mpfr_ptr)0);
     if (j->is_slide) {
         root_above(way, j->square);
@@ -82,8 +82,7 @@ static void set_reach(joint *j, mpfr_t far) {
     }
     mpfr_add(far, far, way, MPFR_RNDU);
     mpfr_clears(way, along_axis, (mpfr_ptr)0);
-    fmpq_clear(apart);
-    fmpq_clear(along);
+    _fmpq_vec_clear(along, 2);
 }
 
 graze_status joints_measure(joint *joints, graze_context *context, const target *goal,

@@ -6,6 +6,7 @@
  */
 #include "input/convert/poses.h"
 
+#include <flint/fmpq_vec.h>
 #include <math.h>
 #include <string.h>
 #include "base/number/rounding.h"
@@ -34,10 +35,8 @@ static graze_status find_rotations(text *report, graze_context *context, pose_li
     static const double unturned[4] = {1, 0, 0, 0};
     double before[4] = {1, 0, 0, 0}, matrix[9], q[4];
     graze_status status = GRAZE_OK;
-    fmpq_t deviation, worst;
+    fmpq *worst = _fmpq_vec_init(2), *deviation = worst + 1;
     mpq_t entry;
-    fmpq_init(worst);
-    fmpq_init(deviation);
     mpq_init(entry);
     for (size_t i = 0; i < list->count && !status; i++) {
         pose *p = list->item + i;
@@ -62,8 +61,7 @@ static graze_status find_rotations(text *report, graze_context *context, pose_li
         put_rational_fact(
             report, "rotations: nearest to the matrices, whose entries they change by", worst);
     mpq_clear(entry);
-    fmpq_clear(worst);
-    fmpq_clear(deviation);
+    _fmpq_vec_clear(worst, 2);
     return status;
 }
 

@@ -42,11 +42,9 @@ static void turn_on(fmpq *out, const half_angle *h, int axis) {
 void angles_rotation(fmpq *quaternion, mpfr_t error, const angle_order *order, const fmpq *degrees,
                      slong bits) {
     fmpq *product = _fmpq_vec_init(4);
-    fmpq_t f, one;
+    fmpq *f = _fmpq_vec_init(2), *one = f + 1;
     half_angle h;
     mpfr_t part;
-    fmpq_init(f);
-    fmpq_init(one);
     half_angle_init(&h);
     mpfr_init2(part, ANGLE_BITS);
     mpfr_set_zero(error, 1);
@@ -67,6 +65,5 @@ void angles_rotation(fmpq *quaternion, mpfr_t error, const angle_order *order, c
     _fmpq_vec_clear(product, 4);
     mpfr_clear(part);
     half_angle_clear(&h);
-    fmpq_clear(one);
-    fmpq_clear(f);
+    _fmpq_vec_clear(f, 2);
 }

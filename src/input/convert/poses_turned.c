@@ -44,10 +44,7 @@ static graze_status length_near(fmpq_t out, graze_context *context, const fmpq_t
  * u = (2 w i, 2 w j, w^2 - i^2 - j^2) / |q|^2. */
 static void axis_error(mpfr_t out, const fmpq_t w, const fmpq *a, const fmpq_t square) {
     fmpq *u = _fmpq_vec_init(3);
-    fmpq_t norm, cross, sum;
-    fmpq_init(norm);
-    fmpq_init(cross);
-    fmpq_init(sum);
+    fmpq *norm = _fmpq_vec_init(3), *cross = norm + 1, *sum = norm + 2;
     _fmpq_vec_dot(norm, a, a, 2);
     fmpq_mul(u + 2, w, w);
     fmpq_sub(cross, u + 2, norm);
@@ -71,9 +68,7 @@ static void axis_error(mpfr_t out, const fmpq_t w, const fmpq *a, const fmpq_t s
     _fmpq_vec_dot(cross, u, a, 3);
     if (fmpq_sgn(cross) <= 0) /* no bound: far from it */
         mpfr_set_ui(out, 4, MPFR_RNDU);
-    fmpq_clear(sum);
-    fmpq_clear(cross);
-    fmpq_clear(norm);
+    _fmpq_vec_clear(norm, 3);
     _fmpq_vec_clear(u, 3);
 }
 
@@ -87,10 +82,7 @@ static graze_status refuse_axis(graze_context *context, const pose_list *list, c
 static graze_status axis_rotation(mpfr_t error, graze_context *context, const pose_list *list,
                                   pose *p) {
     fmpq *a = _fmpq_vec_init(3);
-    fmpq_t square, across, w;
-    fmpq_init(square);
-    fmpq_init(across);
-    fmpq_init(w);
+    fmpq *square = _fmpq_vec_init(3), *across = square + 1, *w = square + 2;
     for (int k = 0; k < 3; k++)
         fmpq_swap(a + k, p->quaternion + k);
     _fmpq_vec_dot(square, a, a, 3);
@@ -117,9 +109,7 @@ static graze_status axis_rotation(mpfr_t error, graze_context *context, const po
         fmpq_set(p->quaternion + 2, a);
         fmpq_zero(p->quaternion + 3);
     }
-    fmpq_clear(w);
-    fmpq_clear(across);
-    fmpq_clear(square);
+    _fmpq_vec_clear(square, 3);
     _fmpq_vec_clear(a, 3);
     return status;
 }

@@ -3,6 +3,7 @@
  */
 #include "input/convert/tool.h"
 
+#include <flint/fmpq_vec.h>
 #include <math.h>
 #include <string.h>
 #include "input/convert/joint.h"
@@ -46,9 +47,7 @@ void tool_numbers_clear(tool_numbers *n) {
 
 /* The point ((1 - t^2), -2 t) / (1 + t^2) of the circle. */
 static void set_normal(fmpq *out, const fmpq_t t) {
-    fmpq_t square, sum;
-    fmpq_init(square);
-    fmpq_init(sum);
+    fmpq *square = _fmpq_vec_init(2), *sum = square + 1;
     fmpq_mul(square, t, t);
     fmpq_add_si(sum, square, 1);
     fmpq_sub_si(square, square, 1);
@@ -57,8 +56,7 @@ static void set_normal(fmpq *out, const fmpq_t t) {
     fmpq_add(out + 1, t, t);
     fmpq_neg(out + 1, out + 1);
     fmpq_div(out + 1, out + 1, sum);
-    fmpq_clear(sum);
-    fmpq_clear(square);
+    _fmpq_vec_clear(square, 2);
 }
 
 /* Normals of sides whose tapers are at most and at least the one in degrees: its half's tangent,
@@ -67,11 +65,9 @@ static void set_normal(fmpq *out, const fmpq_t t) {
 static void bound_taper(tool *s, const fmpq_t degrees) {
     mpfr_t half, pi;
     mpq_t copy;
-    fmpq_t t, step;
     mpfr_inits2(ANGLE_BITS, half, pi, (mpfr_ptr)0);
     mpq_init(copy);
-    fmpq_init(t);
-    fmpq_init(step);
+    fmpq *t = _fmpq_vec_init(2), *step = t + 1;
     fmpq_get_mpq(copy, degrees);
     mpfr_const_pi(pi, MPFR_RNDN);
     mpfr_mul_q(half, pi, copy, MPFR_RNDN);
@@ -87,17 +83,14 @@ static void bound_taper(tool *s, const fmpq_t degrees) {
     fmpq_add(t, t, step);
     fmpq_add(t, t, step);
     set_normal(s->high, t);
-    fmpq_clear(step);
-    fmpq_clear(t);
+    _fmpq_vec_clear(t, 2);
     mpq_clear(copy);
     mpfr_clears(half, pi, (mpfr_ptr)0);
 }
 
 /* The corners of the profile, where the side begins, and whether it reaches the top. */
 static graze_status check_cutter(graze_context *context, const tool *s) {
-    fmpq_t end, rest;
-    fmpq_init(end);
-    fmpq_init(rest);
+    fmpq *end = _fmpq_vec_init(2), *rest = end + 1;
     fmpq_mul(end, s->corner, s->low + 1);
     fmpq_add(end, end, s->corner);
     fmpq_sub(rest, s->height, s->corner);
@@ -114,8 +107,7 @@ static graze_status check_cutter(graze_context *context, const tool *s) {
     else if (fmpq_sgn(rest) <= 0)
         status = context_fail(context, GRAZE_EUSE,
                               "taper: the sides meet below the length; expected a larger one");
-    fmpq_clear(rest);
-    fmpq_clear(end);
+    _fmpq_vec_clear(end, 2);
     return status;
 }
 

@@ -150,9 +150,7 @@ static int profile_contains(const profile *p, const tool *s) {
 
 /* |stretch u R - u r|^2 + (Z - z)^2 is at most (stretch R - r)^2 + (Z - z)^2, as |u| <= 1. */
 static void partner_distance(fmpq_t most, const tool_pair *p) {
-    fmpq_t d, e;
-    fmpq_init(d);
-    fmpq_init(e);
+    fmpq *d = _fmpq_vec_init(2), *e = d + 1;
     fmpq_zero(most);
     for (size_t k = 0; k < p->in.count; k++) {
         fmpq_mul(d, p->stretch, p->out.point + 2 * k);
@@ -163,8 +161,7 @@ static void partner_distance(fmpq_t most, const tool_pair *p) {
         if (fmpq_cmp(d, most) > 0)
             fmpq_set(most, d);
     }
-    fmpq_clear(e);
-    fmpq_clear(d);
+    _fmpq_vec_clear(d, 2);
 }
 
 int tool_pair_holds(fmpq_t square, const tool_pair *p, const tool *s, const fmpq_t tolerance) {

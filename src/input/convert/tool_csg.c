@@ -10,6 +10,7 @@
  */
 #include "input/convert/tool_csg.h"
 
+#include <flint/fmpq_vec.h>
 #include <stdarg.h>
 
 /* Text in which each % is the next number. */
@@ -45,11 +46,7 @@ void tool_csg_write_box(text *out, const fmpq *size) {
 
 /* The side from the height `end` up: a cylinder, or a cone with its apex below or above. */
 static void put_side(text *out, const tool *s, const fmpq_t end) {
-    fmpq_t radius, slope, apex, from;
-    fmpq_init(radius);
-    fmpq_init(slope);
-    fmpq_init(apex);
-    fmpq_init(from);
+    fmpq *radius = _fmpq_vec_init(4), *slope = radius + 1, *apex = radius + 2, *from = radius + 3;
     fmpq_mul(radius, s->corner, s->low);
     fmpq_add(radius, radius, s->flat);
     fmpq_div(slope, s->low + 1, s->low);
@@ -69,19 +66,13 @@ static void put_side(text *out, const tool *s, const fmpq_t end) {
         text_put(out, down ? "-1], \"to\": " : "1], \"from\": ");
         put_node(out, "%, \"slope\": %}}", from, slope);
     }
-    fmpq_clear(radius);
-    fmpq_clear(slope);
-    fmpq_clear(apex);
-    fmpq_clear(from);
+    _fmpq_vec_clear(radius, 4);
 }
 
 /* A torus that meets itself about (0, 0, corner): (|x|^2 + flat^2 - corner^2)^2 is at most 4 flat^2
  * times the square distance from the axis; and the ball within. */
 static void put_spindle(text *out, const tool *s) {
-    fmpq_t m, ring, ball;
-    fmpq_init(m);
-    fmpq_init(ring);
-    fmpq_init(ball);
+    fmpq *m = _fmpq_vec_init(3), *ring = m + 1, *ball = m + 2;
     fmpq_mul(m, s->flat, s->flat);
     fmpq_mul_2exp(ring, m, 2);
     fmpq_submul(m, s->corner, s->corner);
@@ -98,9 +89,7 @@ static void put_spindle(text *out, const tool *s) {
              ", \"0,0,0\": %}},\n    {\"quadric\": {\"2,0,0\": 1, \"0,2,0\": 1, \"0,0,2\": 1, "
              "\"0,0,0\": %}}]}}}",
              m, ball);
-    fmpq_clear(m);
-    fmpq_clear(ring);
-    fmpq_clear(ball);
+    _fmpq_vec_clear(m, 3);
 }
 
 /* The corner, and the cylinder that a flat bottom bounds. */

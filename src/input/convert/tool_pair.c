@@ -49,29 +49,22 @@ static void add_profile_point(profile *p, const fmpq_t r, const fmpq_t z) {
 
 /* flat + corner factor d_0, corner + corner factor d_1 */
 static void add_arc_point(profile *p, const tool *s, const fmpq *direction, const fmpq_t factor) {
-    fmpq_t r, z, size;
-    fmpq_init(r);
-    fmpq_init(z);
-    fmpq_init(size);
+    fmpq *r = _fmpq_vec_init(3), *z = r + 1, *size = r + 2;
     fmpq_mul(size, s->corner, factor);
     fmpq_mul(r, size, direction);
     fmpq_add(r, r, s->flat);
     fmpq_mul(z, size, direction + 1);
     fmpq_add(z, z, s->corner);
     add_profile_point(p, r, z);
-    fmpq_clear(size);
-    fmpq_clear(z);
-    fmpq_clear(r);
+    _fmpq_vec_clear(r, 3);
 }
 
 /* The top's radius on the line across the normal through the last point: r - (height - z) n_z /
  * n_r, on a grid, inwards or outwards. */
 static void add_top(profile *p, const tool *s, const fmpq *normal, slong bits, int outer) {
     const fmpq *last = p->point + 2 * (p->count - 1);
-    fmpq_t r, rise;
+    fmpq *r = _fmpq_vec_init(2), *rise = r + 1;
     fmpz_t whole;
-    fmpq_init(r);
-    fmpq_init(rise);
     fmpz_init(whole);
     fmpq_sub(rise, s->height, last + 1);
     fmpq_mul(rise, rise, normal + 1);
@@ -85,8 +78,7 @@ static void add_top(profile *p, const tool *s, const fmpq *normal, slong bits, i
     }
     add_profile_point(p, r, s->height);
     fmpz_clear(whole);
-    fmpq_clear(rise);
-    fmpq_clear(r);
+    _fmpq_vec_clear(r, 2);
 }
 
 static double direction_angle(const fmpq *direction) {
@@ -95,9 +87,7 @@ static double direction_angle(const fmpq *direction) {
 
 static void make_profiles(tool_pair *out, const tool *s, size_t pieces, slong bits) {
     fmpq *direction = _fmpq_vec_init((slong)(2 * pieces + 2));
-    fmpq_t one, stretch;
-    fmpq_init(one);
-    fmpq_init(stretch);
+    fmpq *one = _fmpq_vec_init(2), *stretch = one + 1;
     fmpq_one(one);
     double from = -pi_near / 2, to = direction_angle(s->high);
     for (size_t k = 0; k <= pieces; k++)
@@ -118,8 +108,7 @@ static void make_profiles(tool_pair *out, const tool *s, size_t pieces, slong bi
         add_top(&out->in, s, s->low, bits, 0);
         add_top(&out->out, s, s->high, bits, 1);
     }
-    fmpq_clear(stretch);
-    fmpq_clear(one);
+    _fmpq_vec_clear(one, 2);
     _fmpq_vec_clear(direction, (slong)(2 * pieces + 2));
 }
 

@@ -8,6 +8,7 @@
  */
 #include "input/convert/turn.h"
 
+#include <flint/fmpq_vec.h>
 #include "input/convert/uniform.h"
 
 /* `degrees` without its whole quarters, whose number has the same sign. */
@@ -37,10 +38,7 @@ static void put_rotation(text *t, const fmpq_t from, const fmpq_t to) {
 /* The quarters as one piece, the rest as another. */
 static void put_pieces(text *t, const joint *j, int dimension, const fmpz_t quarters,
                        const fmpq_t tangent) {
-    fmpq_t zero, one, at;
-    fmpq_init(zero);
-    fmpq_init(one);
-    fmpq_init(at);
+    fmpq *zero = _fmpq_vec_init(3), *one = zero + 1, *at = zero + 2;
     fmpq_one(one);
     slong whole = fmpz_get_si(quarters);
     if (whole) {
@@ -65,9 +63,7 @@ static void put_pieces(text *t, const joint *j, int dimension, const fmpz_t quar
         put_axis(t, j, dimension);
         text_put(t, whole ? "]}}" : "}");
     }
-    fmpq_clear(at);
-    fmpq_clear(one);
-    fmpq_clear(zero);
+    _fmpq_vec_clear(zero, 3);
 }
 
 /* The axis's length is irrational: by a quaternion along the axis as it is. */
@@ -90,11 +86,9 @@ static void put_quaternion(text *t, const joint *j, const fmpq_t tangent) {
 /* The tangent of the half of `rest` quarters, good enough for the target, and its error. */
 static void find_tangent(half_angle *out, mpfr_t error, const joint *j, const target *goal,
                          const fmpq_t rest, const fmpq_t square) {
-    fmpq_t f, tolerance;
+    fmpq *f = _fmpq_vec_init(2), *tolerance = f + 1;
     mpq_t bound;
     mpfr_t room;
-    fmpq_init(f);
-    fmpq_init(tolerance);
     mpq_init(bound);
     mpfr_init2(room, ANGLE_BITS);
     divide_by(f, rest, 8);
@@ -109,8 +103,7 @@ static void find_tangent(half_angle *out, mpfr_t error, const joint *j, const ta
     half_angle_error(error, out, f, square);
     mpfr_clear(room);
     mpq_clear(bound);
-    fmpq_clear(tolerance);
-    fmpq_clear(f);
+    _fmpq_vec_clear(f, 2);
 }
 
 static void report_turn(text *t, const target *goal, const joint *j, const half_angle *made,
@@ -174,12 +167,10 @@ graze_status convert_rotation(conversion *out, graze_context *context, const tar
         return status;
     if (!rational && quarters > 1)
         return by_chain(out, context, goal, turn);
-    fmpq_t rest, square;
+    fmpq *rest = _fmpq_vec_init(2), *square = rest + 1;
     fmpz_t whole;
     half_angle tangent;
     mpfr_t error;
-    fmpq_init(rest);
-    fmpq_init(square);
     fmpz_init(whole);
     half_angle_init(&tangent);
     mpfr_init2(error, ANGLE_BITS);
@@ -201,7 +192,6 @@ graze_status convert_rotation(conversion *out, graze_context *context, const tar
     mpfr_clear(error);
     half_angle_clear(&tangent);
     fmpz_clear(whole);
-    fmpq_clear(square);
-    fmpq_clear(rest);
+    _fmpq_vec_clear(rest, 2);
     return GRAZE_OK;
 }

@@ -9,6 +9,7 @@
  */
 #include "input/convert/uniform.h"
 
+#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "input/motion/motion_read.h"
 
@@ -92,10 +93,8 @@ static void advance_factor(fmpq_t out, const joint *j, slong bits) {
 
 /* An upper bound of |factor L - advance|: as |x^2 - a^2| / (x + a) for numbers of one sign. */
 static void advance_error(mpfr_t out, const joint *j, slong bits) {
-    fmpq_t made, asked;
+    fmpq *made = _fmpq_vec_init(2), *asked = made + 1;
     mpfr_t below;
-    fmpq_init(made);
-    fmpq_init(asked);
     mpfr_init2(below, ANGLE_BITS);
     mpfr_set_zero(out, 1);
     fmpq_abs(asked, j->advance);
@@ -111,8 +110,7 @@ static void advance_error(mpfr_t out, const joint *j, slong bits) {
         mpfr_div(out, out, below, MPFR_RNDU);
     }
     mpfr_clear(below);
-    fmpq_clear(asked);
-    fmpq_clear(made);
+    _fmpq_vec_clear(made, 2);
 }
 
 /* `low + step s`, in parentheses. */

@@ -49,9 +49,7 @@ void csg_clear(csg *solid) {
 }
 
 int csg_surface_sign(const csg_surface *surface, const fmpz *x, int dimension) {
-    fmpz_t sum, term;
-    fmpz_init(sum);
-    fmpz_init(term);
+    fmpz *sum = _fmpz_vec_init(2), *term = sum + 1;
     for (size_t k = 0; k < surface->count; k++) {
         int rest = surface->degree;
         fmpz_set(term, surface->coefficient + k);
@@ -65,8 +63,7 @@ int csg_surface_sign(const csg_surface *surface, const fmpz *x, int dimension) {
         fmpz_add(sum, sum, term);
     }
     int sign = fmpz_sgn(sum);
-    fmpz_clear(sum);
-    fmpz_clear(term);
+    _fmpz_vec_clear(sum, 2);
     return sign;
 }
 

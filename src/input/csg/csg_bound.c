@@ -8,14 +8,13 @@
 #include "input/csg/csg_bound.h"
 
 #include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
 
 /* Bits of a root that is not rational. */
 enum { ROOT_BITS = 24 };
 
 void csg_upper_root(fmpq_t out, const fmpq_t value) {
-    fmpz_t n, rest;
-    fmpz_init(n);
-    fmpz_init(rest);
+    fmpz *n = _fmpz_vec_init(2), *rest = n + 1;
     fmpz_mul(n, fmpq_numref(value), fmpq_denref(value));
     fmpz_set(fmpq_denref(out), fmpq_denref(value));
     fmpz_sqrtrem(fmpq_numref(out), rest, n);
@@ -26,8 +25,7 @@ void csg_upper_root(fmpq_t out, const fmpq_t value) {
         fmpz_add_ui(fmpq_numref(out), fmpq_numref(out), 1);
     }
     fmpq_canonicalise(out);
-    fmpz_clear(n);
-    fmpz_clear(rest);
+    _fmpz_vec_clear(n, 2);
 }
 
 /* How far a disk and a ball along it reach in the direction of a form. */

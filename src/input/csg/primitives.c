@@ -92,15 +92,12 @@ static void set_about_axis(csg_reader *r, const placed *p, const fmpq_t factor,
 
 /* f of the infinite cylinder of radius `first`. */
 static void set_cylinder(csg_reader *r, const placed *p) {
-    fmpq_t one, constant;
-    fmpq_init(one);
-    fmpq_init(constant);
+    fmpq *one = _fmpq_vec_init(2), *constant = one + 1;
     fmpq_one(one);
     fmpq_mul(constant, p->first, p->first);
     fmpq_mul(constant, constant, p->length2);
     set_about_axis(r, p, one, constant);
-    fmpq_clear(one);
-    fmpq_clear(constant);
+    _fmpq_vec_clear(one, 2);
 }
 
 /* Point and axis, from which all else is measured. */

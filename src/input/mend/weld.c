@@ -6,6 +6,7 @@
  */
 #include <mpfr.h>
 #include <flint/fmpq.h>
+#include <flint/fmpq_vec.h>
 
 #include "input/mend/weld.h"
 
@@ -19,41 +20,43 @@ enum { ENDS_COMPARED = 4096 }; /* each with all others at worst */
 typedef struct welder {
     mesh *m;
     const fmpq *distance;
-    fmpq_t square;  /* of the distance */
-    fmpq_t largest; /* of the squares of displacements */
-    fmpq_t nearest, length;
+    fmpq *square;  /* of the distance */
+    fmpq *largest; /* of the squares of displacements */
+    fmpq *nearest, *length;
     fmpz cell[3];
     slots table;
     uint32_t *stays; /* the vertex of each number in the table */
     uint32_t *to;    /* of each vertex: the one that takes its place */
+    unsigned char *used;
     few welded;
 } welder;
 
 static graze_status welder_init(welder *w, mesh *m, const fmpq_t distance) {
     size_t n = m->input->vertex_count;
-    *w = (welder){.m = m, .distance = distance};
-    fmpq_init(w->square);
-    fmpq_init(w->largest);
-    fmpq_init(w->nearest);
-    fmpq_init(w->length);
+    fmpq *number = _fmpq_vec_init(4);
+    *w = (welder){.m = m,
+                  .distance = distance,
+                  .square = number,
+                  .largest = number + 1,
+                  .nearest = number + 2,
+                  .length = number + 3};
     fmpq_mul(w->square, distance, distance);
     w->stays = malloc((n + 1) * sizeof *w->stays);
     w->to = malloc((n + 1) * sizeof *w->to);
-    return w->stays && w->to
+    w->used = calloc(n + 1, 1);
+    return w->stays && w->to && w->used
                ? GRAZE_OK
                : context_fail(m->context, GRAZE_ESYSTEM, "out of memory for %zu vertices", n);
 }
 
 static void welder_clear(welder *w) {
-    fmpq_clear(w->square);
-    fmpq_clear(w->largest);
-    fmpq_clear(w->nearest);
-    fmpq_clear(w->length);
+    _fmpq_vec_clear(w->square, 4);
     for (int k = 0; k < 3; k++)
         fmpz_clear(w->cell + k);
     slots_clear(&w->table);
     free(w->stays);
     free(w->to);
+    free(w->used);
 }
 
 static void find_cell(welder *w, const fmpq *p) {
@@ -137,20 +140,16 @@ graze_status weld_vertices(mesh *m, const fmpq_t distance) {
     welder w;
     size_t n = m->input->vertex_count;
     graze_status status = welder_init(&w, m, distance);
-    unsigned char *used = status ? NULL : calloc(n + 1, 1);
-    if (!status && !used)
-        status = context_fail(m->context, GRAZE_ESYSTEM, "out of memory for %zu vertices", n);
     for (size_t k = 0; k < m->now.corner_count && !status; k++)
-        used[m->now.corner[k]] = 1;
+        w.used[m->now.corner[k]] = 1;
     for (uint32_t v = 0; v < n && !status; v++) {
         status = v % 1024 ? GRAZE_OK : context_poll(m->context);
-        if (!status && used[v])
+        if (!status && w.used[v])
             status = weld_vertex(&w, v);
     }
     for (size_t k = 0; k < m->now.corner_count && !status; k++)
         m->now.corner[k] = w.to[m->now.corner[k]];
     report_welded(&w);
-    free(used);
     welder_clear(&w);
     return status;
 }

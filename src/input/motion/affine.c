@@ -3,6 +3,8 @@
  */
 #include "input/motion/affine.h"
 
+#include <flint/fmpz_vec.h>
+
 void affine_init(affine *a, int dimension) {
     a->dimension = dimension;
     for (int k = 0; k < AFFINE_ENTRIES; k++) {
@@ -66,10 +68,8 @@ static const fmpz *constant_denominator(const fmpz_poly_q_struct *entry) {
 static void multiply_line(calculation *c, fmpz_poly_q_struct *out, const affine *a, int i,
                           const fmpz_t row, const affine *b, int j, const fmpz_t column) {
     int d = a->dimension;
-    fmpz_t factor, other;
+    fmpz *factor = _fmpz_vec_init(2), *other = factor + 1;
     fmpz_poly_t term;
-    fmpz_init(factor);
-    fmpz_init(other);
     fmpz_poly_init(term);
     fmpz_poly_struct *sum = fmpz_poly_q_numref(out);
     fmpz_poly_zero(sum);
@@ -92,8 +92,7 @@ static void multiply_line(calculation *c, fmpz_poly_q_struct *out, const affine 
     quotient_reduce(out);
     quotient_check(c, out);
     fmpz_poly_clear(term);
-    fmpz_clear(other);
-    fmpz_clear(factor);
+    _fmpz_vec_clear(factor, 2);
 }
 
 /* Where every denominator is a number, most of the greatest common divisors can be spared. */

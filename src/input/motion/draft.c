@@ -4,6 +4,7 @@
 #include "base/context/array.h"
 #include "input/motion/draft.h"
 
+#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "input/motion/affine_inverse.h"
 #include "input/motion/common_map.h"
@@ -83,10 +84,7 @@ graze_status draft_spread(draft *d, graze_context *context) {
 /* The part of a piece's map over [lo, hi], in a parameter of its own. */
 static void cut_map(calculation *c, affine *out, const draft_piece *piece, const fmpq_t lo,
                     const fmpq_t hi) {
-    fmpq_t span, low, high;
-    fmpq_init(span);
-    fmpq_init(low);
-    fmpq_init(high);
+    fmpq *span = _fmpq_vec_init(3), *low = span + 1, *high = span + 2;
     fmpq_sub(span, piece->hi, piece->lo);
     fmpq_sub(low, lo, piece->lo);
     fmpq_div(low, low, span);
@@ -97,9 +95,7 @@ static void cut_map(calculation *c, affine *out, const draft_piece *piece, const
     } else {
         affine_substitute(c, out, &piece->map, low, high);
     }
-    fmpq_clear(span);
-    fmpq_clear(low);
-    fmpq_clear(high);
+    _fmpq_vec_clear(span, 3);
 }
 
 /* frame^-1 moving over [lo, hi], which lies in both pieces. */
@@ -155,10 +151,8 @@ graze_status draft_follow(draft *out, graze_context *context, const draft *next,
                           affine *end) {
     calculation c = {context, GRAZE_OK};
     const fmpq *first = next->piece[0].lo;
-    fmpq_t span, one;
+    fmpq *span = _fmpq_vec_init(2), *one = span + 1;
     affine last;
-    fmpq_init(span);
-    fmpq_init(one);
     affine_init(&last, out->dimension);
     fmpq_one(one);
     fmpq_sub(span, next->piece[next->count - 1].hi, first);
@@ -181,8 +175,7 @@ graze_status draft_follow(draft *out, graze_context *context, const draft *next,
     affine_at_time(&last, &next->piece[next->count - 1].map, one);
     affine_multiply(&c, end, &last, end);
     affine_clear(&last);
-    fmpq_clear(one);
-    fmpq_clear(span);
+    _fmpq_vec_clear(span, 2);
     return c.status;
 }
 

@@ -1,6 +1,7 @@
 /* The entries of a motion file: JSON values to functions, numbers and integers.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include <flint/fmpq_vec.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include "base/number/rational.h"
@@ -10,9 +11,7 @@
 enum { TIME_SIZE = 60 };
 
 void stretch_init(stretch *part, int dimension, const fmpq_t lo, const fmpq_t hi) {
-    fmpq_t zero, one;
-    fmpq_init(zero);
-    fmpq_init(one);
+    fmpq *zero = _fmpq_vec_init(2), *one = zero + 1;
     fmpq_one(one);
     part->dimension = dimension;
     part->fault = FAULT_NONE;
@@ -23,8 +22,7 @@ void stretch_init(stretch *part, int dimension, const fmpq_t lo, const fmpq_t hi
     fmpz_poly_q_init(part->t);
     fmpz_poly_q_init(part->s);
     stretch_set(part, lo, hi, zero, one);
-    fmpq_clear(one);
-    fmpq_clear(zero);
+    _fmpq_vec_clear(zero, 2);
 }
 
 void stretch_clear(stretch *part) {
@@ -138,9 +136,7 @@ graze_status entry_no_root(graze_context *context, const json *where, const fmpz
     if (c.status != GRAZE_OK) {
         return json_at(context, c.status, where);
     }
-    fmpq_t low, high;
-    fmpq_init(low);
-    fmpq_init(high);
+    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
     int found;
     graze_status status = polynomial_root(&found, low, high, context, p);
     if (found) {
@@ -154,7 +150,6 @@ graze_status entry_no_root(graze_context *context, const json *where, const fmpz
                                first, last);
         }
     }
-    fmpq_clear(high);
-    fmpq_clear(low);
+    _fmpq_vec_clear(low, 2);
     return status;
 }

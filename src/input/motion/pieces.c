@@ -3,6 +3,8 @@
  */
 #include "input/motion/pieces.h"
 
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include "base/number/rational.h"
@@ -49,11 +51,7 @@ static graze_status check_joint(const draft_piece *before, const draft_piece *af
                                 graze_context *context, const json *where) {
     int d = before->map.dimension;
     graze_status status = GRAZE_OK;
-    fmpq_t zero, one, end, start;
-    fmpq_init(zero);
-    fmpq_init(one);
-    fmpq_init(end);
-    fmpq_init(start);
+    fmpq *zero = _fmpq_vec_init(4), *one = zero + 1, *end = zero + 2, *start = zero + 3;
     fmpq_one(one);
     for (int k = 0; k < d * (d + 1) && status == GRAZE_OK; k++) {
         quotient_at(end, before->map.entry[k], one);
@@ -69,10 +67,7 @@ static graze_status check_joint(const draft_piece *before, const draft_piece *af
                                time, k / (d + 1) + 1, k % (d + 1) + 1, from, to);
         }
     }
-    fmpq_clear(start);
-    fmpq_clear(end);
-    fmpq_clear(one);
-    fmpq_clear(zero);
+    _fmpq_vec_clear(zero, 4);
     return status;
 }
 
@@ -182,7 +177,6 @@ static graze_status read_one_piece(draft *out, graze_context *context, const jso
     const json *member[3];
     unsigned long row = 0;
     size_t first = out->count;
-    fmpq_t lo, hi;
     graze_status status = json_members(member, context, item, names, 3);
     if (status == GRAZE_OK && (member[0] == NULL || member[1] == NULL)) {
         status = json_fail(context, GRAZE_EINPUT, item, "the piece has no key %s",
@@ -191,8 +185,7 @@ static graze_status read_one_piece(draft *out, graze_context *context, const jso
     if (status == GRAZE_OK) {
         status = read_row(&row, context, member[2]);
     }
-    fmpq_init(lo);
-    fmpq_init(hi);
+    fmpq *lo = _fmpq_vec_init(2), *hi = lo + 1;
     if (status == GRAZE_OK) {
         status = read_interval(lo, hi, context, member[0], out);
     }
@@ -202,8 +195,7 @@ static graze_status read_one_piece(draft *out, graze_context *context, const jso
     for (size_t k = first; k < out->count; k++) {
         out->piece[k].row = row;
     }
-    fmpq_clear(hi);
-    fmpq_clear(lo);
+    _fmpq_vec_clear(lo, 2);
     return status;
 }
 
@@ -292,10 +284,7 @@ static graze_status read_keyframe(keyframe *frame, graze_context *context, const
 /* The lines through `count` pairs of numbers, over their least common denominator. */
 static void set_lines(fmpz_poly_struct *out, fmpz_t denominator, const fmpq_t *from,
                       const fmpq_t *to, int count) {
-    fmpz_t start, end, factor;
-    fmpz_init(start);
-    fmpz_init(end);
-    fmpz_init(factor);
+    fmpz *start = _fmpz_vec_init(3), *end = start + 1, *factor = start + 2;
     fmpz_one(denominator);
     for (int k = 0; k < count; k++) {
         fmpz_lcm(denominator, denominator, fmpq_denref(from[k]));
@@ -311,9 +300,7 @@ static void set_lines(fmpz_poly_struct *out, fmpz_t denominator, const fmpq_t *f
         fmpz_poly_set_coeff_fmpz(&out[k], 1, end);
         fmpz_poly_set_coeff_fmpz(&out[k], 0, start);
     }
-    fmpz_clear(factor);
-    fmpz_clear(end);
-    fmpz_clear(start);
+    _fmpz_vec_clear(start, 3);
 }
 
 /* No pole, no zero determinant and no jump can occur here: quaternion_rotation checks the rotation,

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "input/motion/quotient.h"
+#include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/number/algebraic.h"
 #include "base/number/isolate.h"
@@ -107,9 +108,7 @@ void quotient_reduce(fmpz_poly_q_t a) {
         fmpz_poly_q_canonicalise(a);
         return;
     }
-    fmpz_t content, other;
-    fmpz_init(content);
-    fmpz_init(other);
+    fmpz *content = _fmpz_vec_init(2), *other = content + 1;
     fmpz_poly_content(content, bottom);
     fmpz_poly_content(other, top);
     fmpz_gcd(content, content, other);
@@ -119,8 +118,7 @@ void quotient_reduce(fmpz_poly_q_t a) {
         fmpz_poly_scalar_divexact_fmpz(top, top, content);
         fmpz_poly_scalar_divexact_fmpz(bottom, bottom, content);
     }
-    fmpz_clear(content);
-    fmpz_clear(other);
+    _fmpz_vec_clear(content, 2);
 }
 
 /* Is p a multiple of q by a number, or of a number q? 0 says nothing. */
@@ -131,9 +129,7 @@ static int is_plain_multiple(const fmpz_poly_t p, const fmpz_poly_t q) {
     if ((!number && fmpz_poly_degree(q) != n) || !fmpz_divisible(fmpz_poly_lead(p), lead)) {
         return 0;
     }
-    fmpz_t factor, value;
-    fmpz_init(factor);
-    fmpz_init(value);
+    fmpz *factor = _fmpz_vec_init(2), *value = factor + 1;
     fmpz_divexact(factor, fmpz_poly_lead(p), lead);
     int holds = 1;
     for (slong k = 0; k < n && holds; k++) {
@@ -144,8 +140,7 @@ static int is_plain_multiple(const fmpz_poly_t p, const fmpz_poly_t q) {
             holds = fmpz_equal(value, p->coeffs + k);
         }
     }
-    fmpz_clear(value);
-    fmpz_clear(factor);
+    _fmpz_vec_clear(factor, 2);
     return holds;
 }
 
@@ -160,11 +155,9 @@ void polynomial_widen(fmpz_poly_t common, const fmpz_poly_t other) {
         return;
     }
     fmpz_poly_t left, right;
-    fmpz_t content, factor;
+    fmpz *content = _fmpz_vec_init(2), *factor = content + 1;
     fmpz_poly_init(left);
     fmpz_poly_init(right);
-    fmpz_init(content);
-    fmpz_init(factor);
     fmpz_poly_content(content, common);
     fmpz_poly_content(factor, other);
     fmpz_poly_scalar_divexact_fmpz(left, common, content);
@@ -175,8 +168,7 @@ void polynomial_widen(fmpz_poly_t common, const fmpz_poly_t other) {
     } else {
         fmpz_poly_lcm(common, common, other);
     }
-    fmpz_clear(factor);
-    fmpz_clear(content);
+    _fmpz_vec_clear(content, 2);
     fmpz_poly_clear(right);
     fmpz_poly_clear(left);
 }

@@ -1,6 +1,7 @@
 /* Drafts of both motions over their common times. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "input/motion/relative.h"
 
+#include <flint/fmpq_vec.h>
 #include "input/motion/draft.h"
 
 /* The later start and the earlier end. */
@@ -29,9 +30,7 @@ static graze_status add_cut(draft *out, graze_context *context, const motion_pie
     if (status)
         return status;
     affine whole;
-    fmpq_t from, to;
-    fmpq_init(from);
-    fmpq_init(to);
+    fmpq *from = _fmpq_vec_init(2), *to = from + 1;
     affine_init(&whole, out->dimension);
     for (int k = 0; k < out->dimension * (out->dimension + 1); k++) {
         fmpz_poly_set(fmpz_poly_q_numref(whole.entry[k]), &piece->forward.entry[k]);
@@ -45,8 +44,7 @@ static graze_status add_cut(draft *out, graze_context *context, const motion_pie
     fmpq_set(made->hi, hi);
     made->row = piece->row;
     affine_clear(&whole);
-    fmpq_clear(from);
-    fmpq_clear(to);
+    _fmpq_vec_clear(from, 2);
     return c.status;
 }
 
@@ -68,14 +66,12 @@ graze_status motion_relative(graze_motion **out, graze_context *context, const g
                              const graze_motion *frame) {
     graze_status status = GRAZE_OK;
     draft a, b, relative;
-    fmpq_t lo, hi;
     *out = NULL;
     if (moving->dimension != frame->dimension)
         return context_fail(context, GRAZE_EILLEGAL,
                             "the motions have dimensions %d and %d; expected one dimension",
                             moving->dimension, frame->dimension);
-    fmpq_init(lo);
-    fmpq_init(hi);
+    fmpq *lo = _fmpq_vec_init(2), *hi = lo + 1;
     draft_init(&a, moving->dimension);
     draft_init(&b, moving->dimension);
     draft_init(&relative, moving->dimension);
@@ -94,7 +90,6 @@ graze_status motion_relative(graze_motion **out, graze_context *context, const g
     draft_clear(&a);
     draft_clear(&b);
     draft_clear(&relative);
-    fmpq_clear(lo);
-    fmpq_clear(hi);
+    _fmpq_vec_clear(lo, 2);
     return status;
 }

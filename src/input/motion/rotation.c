@@ -5,6 +5,9 @@
  * the half angle of the complex number (q + ip)^n = a + ib, so its quaternion is (a |v|, b v).
  */
 #include "input/motion/quaternion.h"
+
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
 #include "input/motion/rotation.h"
 
 static void init4(fmpz_poly_q_t q[4]) {
@@ -253,13 +256,9 @@ graze_status rotation_by_quarters(affine *out, graze_context *context, const jso
                                   const stretch *part) {
     const json *member[3];
     graze_status status = turn_members(member, context, value);
-    fmpz_t quarters, done;
     fmpz_poly_q_t half[2], other[2];
-    fmpq_t low, high;
-    fmpz_init(quarters);
-    fmpz_init(done);
-    fmpq_init(low);
-    fmpq_init(high);
+    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
+    fmpz *quarters = _fmpz_vec_init(2), *done = quarters + 1;
     for (int k = 0; k < 2; k++) {
         fmpz_poly_q_init(half[k]);
         fmpz_poly_q_init(other[k]);
@@ -296,10 +295,8 @@ graze_status rotation_by_quarters(affine *out, graze_context *context, const jso
         fmpz_poly_q_clear(half[k]);
         fmpz_poly_q_clear(other[k]);
     }
-    fmpq_clear(high);
-    fmpq_clear(low);
-    fmpz_clear(done);
-    fmpz_clear(quarters);
+    _fmpq_vec_clear(low, 2);
+    _fmpz_vec_clear(quarters, 2);
     return status;
 }
 

@@ -4,14 +4,13 @@
 #include "input/motion/write_motion.h"
 
 #include <flint/fmpq_poly.h>
+#include <flint/fmpq_vec.h>
 
 /* out = p at u = (t - lo) / (hi - lo). */
 static void in_time(fmpq_poly_t out, const fmpz_poly_t p, const motion_piece *piece) {
     fmpq_poly_t u;
-    fmpq_t slope, shift;
+    fmpq *slope = _fmpq_vec_init(2), *shift = slope + 1;
     fmpq_poly_init(u);
-    fmpq_init(slope);
-    fmpq_init(shift);
     fmpq_sub(slope, piece->hi, piece->lo);
     fmpq_inv(slope, slope);
     fmpq_mul(shift, slope, piece->lo);
@@ -21,8 +20,7 @@ static void in_time(fmpq_poly_t out, const fmpz_poly_t p, const motion_piece *pi
     fmpq_poly_set_fmpz_poly(out, p);
     fmpq_poly_compose(out, out, u);
     fmpq_poly_clear(u);
-    fmpq_clear(slope);
-    fmpq_clear(shift);
+    _fmpq_vec_clear(slope, 2);
 }
 
 /* c_0 + c_1*t - c_2*t^2, terms that are zero left out. */

@@ -6,6 +6,7 @@
  */
 #include "input/read/nef3_links.h"
 
+#include <flint/fmpz_vec.h>
 #include <stdlib.h>
 
 static graze_status wrong_link(const nef *n, const char *kind, size_t index, const char *what) {
@@ -179,9 +180,7 @@ static size_t first_left(const unsigned char *met, size_t count) {
 }
 
 static int planes_opposite(const fmpz *p, const fmpz *q) {
-    fmpz_t a, b;
-    fmpz_init(a);
-    fmpz_init(b);
+    fmpz *a = _fmpz_vec_init(2), *b = a + 1;
     int opposite = 1, proper = 0;
     for (int i = 0; i < 4; i++) {
         for (int j = i + 1; j < 4; j++) {
@@ -192,8 +191,7 @@ static int planes_opposite(const fmpz *p, const fmpz *q) {
         opposite &= fmpz_sgn(p + i) == -fmpz_sgn(q + i);
         proper |= i < 3 && !fmpz_is_zero(p + i);
     }
-    fmpz_clear(a);
-    fmpz_clear(b);
+    _fmpz_vec_clear(a, 2);
     return opposite && proper;
 }
 

@@ -6,6 +6,7 @@
  */
 #include "input/read/nef3_text.h"
 
+#include <flint/fmpz_vec.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -115,10 +116,7 @@ static void integers(nef *n, fmpz *out) {
 
 /* Four homogeneous integers as a point. */
 static void homogeneous(nef *n, fmpq *point) {
-    fmpz h[4];
-    for (int k = 0; k < 4; k++) {
-        fmpz_init(h + k);
-    }
+    fmpz *h = _fmpz_vec_init(4);
     integers(n, h);
     if (n->status == GRAZE_OK && fmpz_is_zero(h + 3)) {
         n->status = lines_fail(&n->l, GRAZE_EINPUT, "the last homogeneous coordinate is 0");
@@ -126,9 +124,7 @@ static void homogeneous(nef *n, fmpq *point) {
     for (int k = 0; k < 3 && n->status == GRAZE_OK; k++) {
         fmpq_set_fmpz_frac(point + k, h + k, h + 3);
     }
-    for (int k = 0; k < 4; k++) {
-        fmpz_clear(h + k);
-    }
+    _fmpz_vec_clear(h, 4);
 }
 
 /* The number an item begins with is its place among its kind. */

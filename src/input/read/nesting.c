@@ -33,16 +33,13 @@ static int ring_turn(fmpq_t out, const fmpq *a, const fmpq *b, const fmpq *p) {
 
 /* Sign of the ring's area. */
 static int ring_orientation(const soup *s, const ring *r) {
-    fmpq_t sum, part;
-    fmpq_init(sum);
-    fmpq_init(part);
+    fmpq *sum = _fmpq_vec_init(2), *part = sum + 1;
     for (size_t k = 1; k + 1 < r->count; k++) {
         ring_turn(part, at(s, r, 0), at(s, r, k), at(s, r, k + 1));
         fmpq_add(sum, sum, part);
     }
     int sign = fmpq_sgn(sum);
-    fmpq_clear(sum);
-    fmpq_clear(part);
+    _fmpq_vec_clear(sum, 2);
     return sign;
 }
 

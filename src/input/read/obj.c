@@ -7,6 +7,7 @@
  */
 #include "input/read/obj.h"
 
+#include <flint/fmpq_vec.h>
 #include <string.h>
 #include "base/number/rational.h"
 #include "input/read/token_lines.h"
@@ -172,16 +173,11 @@ graze_status read_obj(soup *s, graze_context *context, const char *path, const c
     if (status != GRAZE_OK) {
         return status;
     }
-    fmpq number[6];
-    for (int k = 0; k < 6; k++) {
-        fmpq_init(number + k);
-    }
+    fmpq *number = _fmpq_vec_init(6);
     status = obj_vertices(s, l, number);
     if (status == GRAZE_OK) {
         status = read_facets(s, l);
     }
-    for (int k = 0; k < 6; k++) {
-        fmpq_clear(number + k);
-    }
+    _fmpq_vec_clear(number, 6);
     return status;
 }

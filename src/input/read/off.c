@@ -7,6 +7,7 @@
  */
 #include "input/read/off.h"
 
+#include <flint/fmpq_vec.h>
 #include <string.h>
 #include "base/number/rational.h"
 #include "input/read/token_lines.h"
@@ -210,13 +211,8 @@ graze_status read_off(soup *s, graze_context *context, const char *path, const c
     if (status != GRAZE_OK) {
         return status;
     }
-    fmpq point[3];
-    for (int k = 0; k < 3; k++) {
-        fmpq_init(point + k);
-    }
+    fmpq *point = _fmpq_vec_init(3);
     status = read_all(s, &l, point);
-    for (int k = 0; k < 3; k++) {
-        fmpq_clear(point + k);
-    }
+    _fmpq_vec_clear(point, 3);
     return status;
 }

@@ -30,15 +30,12 @@ static int is_similar(fmpq_t square, const fmpq *matrix) {
 }
 
 void scad_norm(fmpq_t out, const fmpq *matrix) {
-    fmpq_t square, three;
-    fmpq_init(square);
-    fmpq_init(three);
+    fmpq *square = _fmpq_vec_init(2), *three = square + 1;
     fmpq_set_si(three, 3, 1);
     if (!is_similar(square, matrix))
         fmpq_mul(square, square, three);
     csg_upper_root(out, square);
-    fmpq_clear(three);
-    fmpq_clear(square);
+    _fmpq_vec_clear(square, 2);
 }
 
 /* The simplest number as near to the root of a square as the tolerance, times it. */

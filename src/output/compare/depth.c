@@ -52,17 +52,14 @@ static graze_status count_depth(ceiling *out, depths *d, graze_context *context,
 graze_status depth_take(ceiling *out, depths *d, const table *golden, const table_row *row,
                         int pmc) {
     graze_context *context = golden->in.context;
-    fmpq_t low, high;
-    fmpq_init(low);
-    fmpq_init(high);
+    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
     d->wrong++;
     graze_status status = table_number(low, context, table_field(golden, row, COLUMN_SDF_LOW));
     if (!status)
         status = table_number(high, context, table_field(golden, row, COLUMN_SDF_HIGH));
     if (!status)
         status = count_depth(out, d, context, pmc, low, high);
-    fmpq_clear(low);
-    fmpq_clear(high);
+    _fmpq_vec_clear(low, 2);
     return status;
 }
 
@@ -86,9 +83,7 @@ static graze_status enclose_deep(distance *out, graze_context *context, const gr
 
 static graze_status count_bounds(depth_bounds *out, depths *d, graze_context *context, int pmc,
                                  const distance *found) {
-    fmpq_t low, high;
-    fmpq_init(low);
-    fmpq_init(high);
+    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
     graze_status status = rational_from_double(low, context, found->low);
     if (!status)
         status = rational_from_double(high, context, found->high);
@@ -96,8 +91,7 @@ static graze_status count_bounds(depth_bounds *out, depths *d, graze_context *co
     report_bound(out->high, found->high, 1);
     if (!status)
         status = count_depth(&out->size, d, context, pmc, low, high);
-    fmpq_clear(low);
-    fmpq_clear(high);
+    _fmpq_vec_clear(low, 2);
     return status;
 }
 

@@ -5,6 +5,7 @@
  */
 #include "output/compare/drift.h"
 
+#include <flint/fmpq_vec.h>
 #include "base/number/rational.h"
 
 enum { BOX_BITS = 10, SIZE_BITS = 20 };
@@ -55,11 +56,9 @@ static int same_fields(const drift *d, const table_row *right, const table_row *
 graze_status drift_add(drift *d, const table_row *right, const table_row *given) {
     graze_status status = GRAZE_OK;
     int differs = 0;
-    fmpq_t a, b;
     if (same_fields(d, right, given))
         return GRAZE_OK;
-    fmpq_init(a);
-    fmpq_init(b);
+    fmpq *a = _fmpq_vec_init(2), *b = a + 1;
     for (size_t k = 0; k < d->axes.count && !status; k++) {
         status = read_drifting(a, d->golden, right, d->axes.at[k]);
         if (!status)
@@ -70,8 +69,7 @@ graze_status drift_add(drift *d, const table_row *right, const table_row *given)
     }
     d->any = 1;
     d->rows += differs != 0;
-    fmpq_clear(a);
-    fmpq_clear(b);
+    _fmpq_vec_clear(a, 2);
     return status;
 }
 

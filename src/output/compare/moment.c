@@ -1,6 +1,7 @@
 /* Reads the forms of times, and compares them. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/compare/moment.h"
 
+#include <flint/fmpq_vec.h>
 #include <string.h>
 #include "base/number/rational.h"
 
@@ -48,14 +49,11 @@ graze_status moment_same(int *same, graze_context *context, field a, field b) {
     *same = field_equal(a, b);
     if (*same || !rational_is_token(a.start, a.length) || !rational_is_token(b.start, b.length))
         return GRAZE_OK;
-    fmpq_t x, y;
-    fmpq_init(x);
-    fmpq_init(y);
+    fmpq *x = _fmpq_vec_init(2), *y = x + 1;
     graze_status status = rational_parse(x, context, a.start, a.length);
     if (!status)
         status = rational_parse(y, context, b.start, b.length);
     *same = !status && fmpq_equal(x, y);
-    fmpq_clear(y);
-    fmpq_clear(x);
+    _fmpq_vec_clear(x, 2);
     return status;
 }

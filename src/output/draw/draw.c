@@ -3,6 +3,7 @@
  */
 #include "output/draw/draw.h"
 
+#include <flint/fmpq_vec.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,7 +18,6 @@ static graze_status make_positions(picture *p, graze_context *context) {
     const graze_motion *motion = p->scene->motion;
     const graze_solid *solid = p->scene->solid->curved ? &p->made : p->scene->solid;
     unsigned long n = p->request->times;
-    fmpq_t t, step;
     p->moved = calloc(n, sizeof *p->moved);
     if (!p->moved)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for a picture");
@@ -26,8 +26,7 @@ static graze_status make_positions(picture *p, graze_context *context) {
         status = eye_solid_make(&p->made, context, p->scene->solid->curved);
     if (!status)
         status = shape_standing(&p->standing, context, solid);
-    fmpq_init(t);
-    fmpq_init(step);
+    fmpq *t = _fmpq_vec_init(2), *step = t + 1;
     fmpq_sub(step, motion->piece[motion->piece_count - 1].hi, motion->piece[0].lo);
     for (unsigned long k = 0; k < n && !status; k++) {
         fmpq_set_ui(t, k, n - 1);
@@ -38,8 +37,7 @@ static graze_status make_positions(picture *p, graze_context *context) {
         if (!status)
             status = context_poll(context);
     }
-    fmpq_clear(t);
-    fmpq_clear(step);
+    _fmpq_vec_clear(t, 2);
     return status;
 }
 

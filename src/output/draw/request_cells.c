@@ -14,9 +14,7 @@ static graze_status roomy_box(fmpq *low, fmpq *high, graze_context *context,
                               const graze_scene *scene) {
     int d = scene->motion->dimension;
     graze_status status = scene_box(low, high, context, scene);
-    fmpq_t margin, side;
-    fmpq_init(margin);
-    fmpq_init(side);
+    fmpq *margin = _fmpq_vec_init(2), *side = margin + 1;
     for (int k = 0; k < d; k++) {
         fmpq_sub(side, high + k, low + k);
         if (fmpq_cmp(side, margin) > 0)
@@ -27,8 +25,7 @@ static graze_status roomy_box(fmpq *low, fmpq *high, graze_context *context,
         fmpq_sub(low + k, low + k, margin);
         fmpq_add(high + k, high + k, margin);
     }
-    fmpq_clear(margin);
-    fmpq_clear(side);
+    _fmpq_vec_clear(margin, 2);
     return status;
 }
 

@@ -11,9 +11,7 @@
 
 /* Divide a vector by its largest entry, which has size 1 then. */
 static void divide_by_largest(fmpq *v) {
-    fmpq_t most, size;
-    fmpq_init(most);
-    fmpq_init(size);
+    fmpq *most = _fmpq_vec_init(2), *size = most + 1;
     for (int k = 0; k < 3; k++) {
         fmpq_abs(size, v + k);
         if (fmpq_cmp(size, most) > 0)
@@ -21,8 +19,7 @@ static void divide_by_largest(fmpq *v) {
     }
     for (int k = 0; k < 3; k++)
         fmpq_div(v + k, v + k, most);
-    fmpq_clear(most);
-    fmpq_clear(size);
+    _fmpq_vec_clear(most, 2);
 }
 
 /* Give a vector, whose largest entry has size 1, the length 1 as nearly as a double can. */
@@ -123,9 +120,7 @@ int section_holds(const section *s, const fmpq *point) {
 
 /* Let a rectangle hold a point of the plane. */
 static void hold_point(fmpq *low, fmpq *high, int first, const section *s, const fmpq *point) {
-    fmpq_t value, square;
-    fmpq_init(value);
-    fmpq_init(square);
+    fmpq *value = _fmpq_vec_init(2), *square = value + 1;
     for (int i = 0; i < 2; i++) {
         _fmpq_vec_dot(value, s->way[i], point, 3);
         _fmpq_vec_dot(square, s->way[i], s->way[i], 3);
@@ -135,16 +130,12 @@ static void hold_point(fmpq *low, fmpq *high, int first, const section *s, const
         if (first || fmpq_cmp(value, high + i) > 0)
             fmpq_set(high + i, value);
     }
-    fmpq_clear(value);
-    fmpq_clear(square);
+    _fmpq_vec_clear(value, 2);
 }
 
 /* The point in which the line from a to b meets the plane, which lies between them. */
 static void meet_edge(fmpq *out, const section *s, const fmpq *a, const fmpq *b) {
-    fmpq_t from, to, share;
-    fmpq_init(from);
-    fmpq_init(to);
-    fmpq_init(share);
+    fmpq *from = _fmpq_vec_init(3), *to = from + 1, *share = from + 2;
     height_of(from, s, a);
     height_of(to, s, b);
     fmpq_sub(share, from, to);
@@ -154,19 +145,15 @@ static void meet_edge(fmpq *out, const section *s, const fmpq *a, const fmpq *b)
         fmpq_mul(out + k, out + k, share);
         fmpq_add(out + k, out + k, a + k);
     }
-    fmpq_clear(from);
-    fmpq_clear(to);
-    fmpq_clear(share);
+    _fmpq_vec_clear(from, 3);
 }
 
 /* Let an interval end in multiples of a power of two of which it has 2^12 to 2^13: short numbers.
  */
 static void round_extent(fmpq_t low, fmpq_t high) {
     enum { PARTS = 12 };
-    fmpq_t length, unit;
+    fmpq *length = _fmpq_vec_init(2), *unit = length + 1;
     fmpz_t whole;
-    fmpq_init(length);
-    fmpq_init(unit);
     fmpz_init(whole);
     fmpq_sub(length, high, low);
     slong bits = (slong)fmpz_bits(fmpq_numref(length)) - (slong)fmpz_bits(fmpq_denref(length));
@@ -181,8 +168,7 @@ static void round_extent(fmpq_t low, fmpq_t high) {
     fmpq_div(length, high, unit);
     fmpz_cdiv_q(whole, fmpq_numref(length), fmpq_denref(length));
     fmpq_mul_fmpz(high, unit, whole);
-    fmpq_clear(length);
-    fmpq_clear(unit);
+    _fmpq_vec_clear(length, 2);
     fmpz_clear(whole);
 }
 

@@ -46,9 +46,7 @@ graze_status shape_moved(shape *out, graze_context *context, const graze_solid *
     while (k + 1 < motion->piece_count && fmpq_cmp(t, motion->piece[k].hi) > 0)
         k++;
     const motion_piece *piece = &motion->piece[k];
-    fmpq_t u, width;
-    fmpq_init(u);
-    fmpq_init(width);
+    fmpq *u = _fmpq_vec_init(2), *width = u + 1;
     fmpq_sub(u, t, piece->lo);
     fmpq_sub(width, piece->hi, piece->lo);
     fmpq_div(u, u, width);
@@ -58,8 +56,7 @@ graze_status shape_moved(shape *out, graze_context *context, const graze_solid *
     for (int e = 0; e < entries; e++)
         map[e] = fmpq_get_d(exact + e);
     _fmpq_vec_clear(exact, entries);
-    fmpq_clear(width);
-    fmpq_clear(u);
+    _fmpq_vec_clear(u, 2);
     graze_status status = place_vertices(out, context, solid, map);
     out->reflected = determinant(map, d) < 0;
     return status;

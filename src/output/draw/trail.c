@@ -3,6 +3,7 @@
  */
 #include "output/draw/trail.h"
 
+#include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <math.h>
 #include <stdlib.h>
@@ -106,10 +107,7 @@ static void add_trail_span(follower *f, graze_state state, moment from, moment t
 }
 
 static moment moment_of(graze_time *time) {
-    fmpq_t low, high, width;
-    fmpq_init(low);
-    fmpq_init(high);
-    fmpq_init(width);
+    fmpq *low = _fmpq_vec_init(3), *high = low + 1, *width = low + 2;
     for (;;) {
         algebraic_bounds(low, high, &time->u);
         fmpq_sub(width, high, low);
@@ -118,9 +116,7 @@ static moment moment_of(graze_time *time) {
         algebraic_refine(&time->u);
     }
     moment m = {time->piece, (fmpq_get_d(low) + fmpq_get_d(high)) / 2};
-    fmpq_clear(low);
-    fmpq_clear(high);
-    fmpq_clear(width);
+    _fmpq_vec_clear(low, 3);
     return m;
 }
 

@@ -7,6 +7,7 @@
 #include "output/report/decimal_time.h"
 
 #include <mpfr.h>
+#include <flint/fmpq_vec.h>
 #include <string.h>
 #include "base/number/refine.h"
 
@@ -61,10 +62,8 @@ static char *common_digits(const fmpq_t low, const fmpq_t high, mpfr_prec_t prec
 
 static char *decimal_of_root(const graze_time *time, const fmpq_t since, int digits) {
     algebraic u;
-    fmpq_t low, high;
+    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
     algebraic_init(&u);
-    fmpq_init(low);
-    fmpq_init(high);
     algebraic_set(&u, &time->u);
     char *out = NULL;
     ulong gain = FIRST_GAIN;
@@ -76,8 +75,7 @@ static char *decimal_of_root(const graze_time *time, const fmpq_t since, int dig
         fmpq_sub(high, high, since);
         out = common_digits(low, high, precision, digits);
     }
-    fmpq_clear(low);
-    fmpq_clear(high);
+    _fmpq_vec_clear(low, 2);
     algebraic_clear(&u);
     return out;
 }
@@ -106,9 +104,7 @@ char *decimal_of_time(int *exact, const graze_time *time, int digits) {
 
 int time_origin(fmpq *origin, const graze_motion *motion) {
     const slong large = 1000;
-    fmpq_t length, start;
-    fmpq_init(length);
-    fmpq_init(start);
+    fmpq *length = _fmpq_vec_init(2), *start = length + 1;
     fmpq_sub(length, motion->piece[motion->piece_count - 1].hi, motion->piece[0].lo);
     fmpq_mul_si(length, length, large);
     fmpq_abs(start, motion->piece[0].lo);
@@ -117,8 +113,7 @@ int time_origin(fmpq *origin, const graze_motion *motion) {
         fmpq_set(origin, motion->piece[0].lo);
     else if (origin)
         fmpq_zero(origin);
-    fmpq_clear(length);
-    fmpq_clear(start);
+    _fmpq_vec_clear(length, 2);
     return is_large;
 }
 

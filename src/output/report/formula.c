@@ -8,6 +8,7 @@
 #include "output/report/formula.h"
 
 #include <flint/fmpq_poly.h>
+#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/number/rational.h"
@@ -120,11 +121,9 @@ static void coordinate_in_u(fmpq_poly_t numerator, fmpq_poly_t weight, const poi
  * integer polynomial with positive leading coefficient. */
 static void to_lowest_terms(fmpq_poly_t numerator, fmpq_poly_t weight, const motion_piece *piece) {
     fmpq_poly_t local, factor;
-    fmpq_t slope, shift;
+    fmpq *slope = _fmpq_vec_init(2), *shift = slope + 1;
     fmpq_poly_init(local);
     fmpq_poly_init(factor);
-    fmpq_init(slope);
-    fmpq_init(shift);
     fmpq_sub(slope, piece->hi, piece->lo);
     fmpq_inv(slope, slope);
     fmpq_mul(shift, piece->lo, slope);
@@ -146,8 +145,7 @@ static void to_lowest_terms(fmpq_poly_t numerator, fmpq_poly_t weight, const mot
     fmpq_poly_scalar_mul_fmpq(numerator, numerator, slope);
     fmpq_poly_clear(local);
     fmpq_poly_clear(factor);
-    fmpq_clear(slope);
-    fmpq_clear(shift);
+    _fmpq_vec_clear(slope, 2);
 }
 
 void formula_coordinate(text *out, const motion_piece *piece, const point_map *map, int coordinate,

@@ -3,6 +3,7 @@
  */
 #include "output/report/time_text.h"
 
+#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "output/report/decimal_time.h"
 #include "output/report/formula.h"
@@ -28,10 +29,8 @@ static void put_later_ratio(text *out, const fmpq_t later) {
 
 /* A decimal that is not the number stands behind the ratio, where it is asked for. */
 static void put_told(text *out, const graze_motion *motion, const fmpq_t time, int with_near) {
-    fmpq_t origin, later;
+    fmpq *origin = _fmpq_vec_init(2), *later = origin + 1;
     int exact;
-    fmpq_init(origin);
-    fmpq_init(later);
     int is_large = time_origin(origin, motion);
     fmpq_sub(later, time, origin);
     char *decimal = decimal_of_rational(&exact, later, DECIMAL_DIGITS);
@@ -50,8 +49,7 @@ static void put_told(text *out, const graze_motion *motion, const fmpq_t time, i
             put_later(out, decimal);
     }
     free(decimal);
-    fmpq_clear(origin);
-    fmpq_clear(later);
+    _fmpq_vec_clear(origin, 2);
 }
 
 void tell_rational_time(text *out, const graze_motion *motion, const fmpq_t time) {

@@ -3,7 +3,6 @@
  */
 #include "program/run/lines.h"
 
-
 const char *result_name(result_kind kind) {
     return kind == RESULT_TABLE ? "table" : "certificate";
 }

@@ -13,6 +13,7 @@
  */
 #include "questions/boundary/bisect.h"
 
+#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/team.h"
 
@@ -96,16 +97,13 @@ static graze_status try_beside(bisection *x) {
 
 /* Ask at the simplest fraction of the interval, its ends' surroundings left out. */
 static graze_status try_simplest(bisection *x) {
-    fmpq_t low, high;
-    fmpq_init(low);
-    fmpq_init(high);
+    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
     fmpq_sub(x->width, x->inside, x->outside);
     fmpq_div_2exp(x->width, x->width, 5);
     fmpq_add(low, x->outside, x->width);
     fmpq_sub(high, x->inside, x->width);
     fmpq_simplest_between(x->share, low, high);
-    fmpq_clear(low);
-    fmpq_clear(high);
+    _fmpq_vec_clear(low, 2);
     graze_status status = ask_share(x);
     return status ? status : try_beside(x);
 }

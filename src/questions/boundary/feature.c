@@ -102,9 +102,7 @@ static int meet_planes(fmpq *out, const selection *s, int d, const fmpq *referen
 /* A direction in doubles, scaled to one cell along the axis on which it is longest. */
 static void outward(fmpq *way, const struct graze_boundary *b, const double *direction) {
     enum { UNIT = 1024 };
-    fmpq_t share, most;
-    fmpq_init(share);
-    fmpq_init(most);
+    fmpq *share = _fmpq_vec_init(2), *most = share + 1;
     for (int k = 0; k < b->dimension; k++) {
         fmpq_set_si(way + k, lround(direction[k] * UNIT), UNIT);
         fmpq_div(share, way + k, b->side + k);
@@ -115,8 +113,7 @@ static void outward(fmpq *way, const struct graze_boundary *b, const double *dir
     fmpq_mul_2exp(most, most, b->reached);
     for (int k = 0; k < b->dimension && !fmpq_is_zero(most); k++)
         fmpq_div(way + k, way + k, most);
-    fmpq_clear(share);
-    fmpq_clear(most);
+    _fmpq_vec_clear(share, 2);
 }
 
 /* Set the feature's points to base + share way. */
@@ -137,9 +134,7 @@ static graze_status confirm_on(feature *out, asker *a, const selection *s, const
     const struct graze_boundary *b = a->boundary;
     graze_status status = GRAZE_OK;
     graze_pmc pmc = GRAZE_PMC_NONE;
-    fmpq_t zero, gap;
-    fmpq_init(zero);
-    fmpq_init(gap);
+    fmpq *zero = _fmpq_vec_init(2), *gap = zero + 1;
     fmpq_one(gap);
     fmpq_div_2exp(gap, gap, BISECT_BITS);
     for (int k = 0; k <= s->count && !status && pmc != GRAZE_OUT; k++) {
@@ -149,8 +144,7 @@ static graze_status confirm_on(feature *out, asker *a, const selection *s, const
         status = asker_pmc(&pmc, a, out->outside);
     }
     out->pmc = pmc == GRAZE_OUT ? GRAZE_ON : GRAZE_PMC_NONE;
-    fmpq_clear(zero);
-    fmpq_clear(gap);
+    _fmpq_vec_clear(zero, 2);
     return status;
 }
 
@@ -160,9 +154,7 @@ static graze_status bisect_from(feature *out, asker *a, graze_pmc pmc, const fmp
     const struct graze_boundary *b = a->boundary;
     static const unsigned reach[] = {13, 8, 4};
     graze_status status = GRAZE_OK;
-    fmpq_t low, high;
-    fmpq_init(low);
-    fmpq_init(high);
+    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
     out->pmc = GRAZE_PMC_NONE;
     for (size_t k = 0; k < sizeof reach / sizeof *reach && !status && !out->pmc; k++) {
         fmpq *far = pmc == GRAZE_OUT ? low : high, *near = pmc == GRAZE_OUT ? high : low;
@@ -173,8 +165,7 @@ static graze_status bisect_from(feature *out, asker *a, graze_pmc pmc, const fmp
     }
     if (out->pmc)
         set_points(out, b->dimension, base, way, low, high);
-    fmpq_clear(low);
-    fmpq_clear(high);
+    _fmpq_vec_clear(low, 2);
     return status;
 }
 

@@ -39,7 +39,6 @@ static graze_status ask_on_line(graze_pmc *out, asker *a, const fmpq *base, cons
 graze_status probe_line(fmpq_t low, fmpq_t high, graze_pmc *pmc, asker *a, const fmpq *base,
                         const fmpq *way, unsigned bits) {
     graze_pmc first, answer;
-    fmpq_t width, gap, middle;
     *pmc = GRAZE_PMC_NONE;
     graze_status status = ask_on_line(&first, a, base, way, low);
     if (status || first == GRAZE_OUT)
@@ -48,9 +47,7 @@ graze_status probe_line(fmpq_t low, fmpq_t high, graze_pmc *pmc, asker *a, const
     if (status || answer != GRAZE_OUT)
         return status;
     *pmc = first;
-    fmpq_init(width);
-    fmpq_init(gap);
-    fmpq_init(middle);
+    fmpq *width = _fmpq_vec_init(3), *gap = width + 1, *middle = width + 2;
     fmpq_one(gap);
     fmpq_div_2exp(gap, gap, bits);
     for (fmpq_sub(width, high, low); !status && fmpq_cmp(width, gap) > 0;
@@ -65,18 +62,14 @@ graze_status probe_line(fmpq_t low, fmpq_t high, graze_pmc *pmc, asker *a, const
             *pmc = answer;
         }
     }
-    fmpq_clear(width);
-    fmpq_clear(gap);
-    fmpq_clear(middle);
+    _fmpq_vec_clear(width, 3);
     return status;
 }
 
 /* Along which axis `way` goes farthest, in cells. */
 static int main_axis(const struct graze_boundary *b, const fmpq *way) {
     int best = 0;
-    fmpq_t share, most;
-    fmpq_init(share);
-    fmpq_init(most);
+    fmpq *share = _fmpq_vec_init(2), *most = share + 1;
     for (int k = 0; k < b->dimension; k++) {
         fmpq_div(share, way + k, b->side + k);
         fmpq_abs(share, share);
@@ -85,8 +78,7 @@ static int main_axis(const struct graze_boundary *b, const fmpq *way) {
             best = k;
         }
     }
-    fmpq_clear(share);
-    fmpq_clear(most);
+    _fmpq_vec_clear(share, 2);
     return best;
 }
 
@@ -106,10 +98,8 @@ static graze_status find_beside(fmpq *out, int *found, asker *a, const fmpq *ins
     const struct graze_boundary *b = a->boundary;
     int d = b->dimension;
     fmpq *base = _fmpq_vec_init(d);
-    fmpq_t low, high;
+    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
     graze_pmc pmc = GRAZE_PMC_NONE;
-    fmpq_init(low);
-    fmpq_init(high);
     fmpq_set_si(low, -1, 1);
     fmpq_one(high);
     axis_step(out, b, axis, BESIDE, 0);
@@ -118,8 +108,7 @@ static graze_status find_beside(fmpq *out, int *found, asker *a, const fmpq *ins
     for (int k = 0; k < d; k++)
         fmpq_addmul(out + k, way + k, low);
     *found = pmc != GRAZE_PMC_NONE;
-    fmpq_clear(low);
-    fmpq_clear(high);
+    _fmpq_vec_clear(low, 2);
     _fmpq_vec_clear(base, d);
     return status;
 }

@@ -35,12 +35,9 @@ static void facet_normal(fmpq *out, const soup *s, size_t facet) {
 static void velocity(fmpq *out, const point_map *map, const fmpq_t u, const fmpq *point) {
     int d = map->dimension;
     trajectory path;
-    fmpq_t w, slope, value;
+    fmpq *w = _fmpq_vec_init(3), *slope = w + 1, *value = w + 2;
     fmpz_poly_t derivative;
     trajectory_init(&path, d);
-    fmpq_init(w);
-    fmpq_init(slope);
-    fmpq_init(value);
     fmpz_poly_init(derivative);
     trajectory_set(&path, map, point);
     fmpz_poly_evaluate_fmpq(w, &path.x[d], u);
@@ -54,9 +51,7 @@ static void velocity(fmpq *out, const point_map *map, const fmpq_t u, const fmpq
         fmpq_submul(out + k, value, slope);
     }
     fmpz_poly_clear(derivative);
-    fmpq_clear(w);
-    fmpq_clear(slope);
-    fmpq_clear(value);
+    _fmpq_vec_clear(w, 3);
     trajectory_clear(&path);
 }
 
@@ -126,10 +121,8 @@ static graze_status contact_normal(fmpq *out, graze_context *context, const graz
 static void finish(tangent *t, int d, const fmpq *through, const fmpq *outside,
                    const fmpq *inside) {
     fmpq *way = _fmpq_vec_init(d);
-    fmpq_t value, most;
+    fmpq *value = _fmpq_vec_init(2), *most = value + 1;
     double squares = 0;
-    fmpq_init(value);
-    fmpq_init(most);
     vector_sub(way, outside, inside, d);
     _fmpq_vec_dot(value, t->form, way, d);
     int side = fmpq_sgn(value);
@@ -150,8 +143,7 @@ static void finish(tangent *t, int d, const fmpq *through, const fmpq *outside,
     for (int k = 0; k < d && side; k++)
         t->unit[k] /= sqrt(squares);
     t->known = side != 0;
-    fmpq_clear(value);
-    fmpq_clear(most);
+    _fmpq_vec_clear(value, 2);
     _fmpq_vec_clear(way, d);
 }
 

@@ -3,6 +3,7 @@
  */
 #include "questions/certify/head.h"
 
+#include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/number/bernstein.h"
 #include "questions/certify/checker_cut.h"
@@ -82,17 +83,14 @@ static int one_sign(const fmpz_poly_t p, const dyadic_interval *at) {
 static void put_signs(text *out, const motion_piece *piece, const fmpz_poly_t det,
                       const dyadic_interval *at) {
     if (one_sign(piece->forward.weight, at) && one_sign(det, at)) {
-        fmpq_t t, width;
-        fmpq_init(t);
-        fmpq_init(width);
+        fmpq *t = _fmpq_vec_init(2), *width = t + 1;
         dyadic_value(t, at->high, at->exponent);
         fmpq_sub(width, piece->hi, piece->lo);
         fmpq_mul(t, t, width);
         fmpq_add(t, t, piece->lo);
         text_put(out, " ");
         text_rational(out, t);
-        fmpq_clear(t);
-        fmpq_clear(width);
+        _fmpq_vec_clear(t, 2);
         return;
     }
     dyadic_interval left, right;

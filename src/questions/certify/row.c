@@ -184,14 +184,11 @@ static void keep_middle(dyadic_interval *at) {
 
 /* Sign of a / 2^i - b / 2^j. */
 static int compare_ends(const fmpz_t a, ulong i, const fmpz_t b, ulong j) {
-    fmpz_t x, y;
-    fmpz_init(x);
-    fmpz_init(y);
+    fmpz *x = _fmpz_vec_init(2), *y = x + 1;
     fmpz_mul_2exp(x, a, j);
     fmpz_mul_2exp(y, b, i);
     int order = fmpz_cmp(x, y);
-    fmpz_clear(x);
-    fmpz_clear(y);
+    _fmpz_vec_clear(x, 2);
     return order;
 }
 

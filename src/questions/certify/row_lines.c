@@ -4,6 +4,7 @@
 #include "questions/certify/row_lines.h"
 
 #include <flint/fmpq_poly.h>
+#include <flint/fmpq_vec.h>
 #include <string.h>
 
 void row_lines_init(row_lines *l, text *out, const graze_trace *trace, const graze_motion *motion) {
@@ -25,26 +26,21 @@ void row_lines_clear(row_lines *l) {
 /* u in the motion's parameter. */
 static void line_number(text *out, const motion_piece *piece, const fmpz_t numerator,
                         ulong exponent) {
-    fmpq_t t, width;
-    fmpq_init(t);
-    fmpq_init(width);
+    fmpq *t = _fmpq_vec_init(2), *width = t + 1;
     dyadic_value(t, numerator, exponent);
     fmpq_sub(width, piece->hi, piece->lo);
     fmpq_mul(t, t, width);
     fmpq_add(t, t, piece->lo);
     text_rational(out, t);
-    fmpq_clear(t);
-    fmpq_clear(width);
+    _fmpq_vec_clear(t, 2);
 }
 
 /* q in the motion's parameter, primitive: u = (t - lo) / (hi - lo). */
 static void to_parameter(fmpz_poly_t out, const motion_piece *piece, const fmpz_poly_struct *q) {
     fmpq_poly_t f, u;
-    fmpq_t width, shift;
+    fmpq *width = _fmpq_vec_init(2), *shift = width + 1;
     fmpq_poly_init(f);
     fmpq_poly_init(u);
-    fmpq_init(width);
-    fmpq_init(shift);
     fmpq_sub(width, piece->hi, piece->lo);
     fmpq_div(shift, piece->lo, width);
     fmpq_neg(shift, shift);
@@ -55,8 +51,7 @@ static void to_parameter(fmpz_poly_t out, const motion_piece *piece, const fmpz_
     fmpq_poly_compose(f, f, u);
     fmpq_poly_get_numerator(out, f);
     fmpz_poly_primitive_part(out, out);
-    fmpq_clear(shift);
-    fmpq_clear(width);
+    _fmpq_vec_clear(width, 2);
     fmpq_poly_clear(u);
     fmpq_poly_clear(f);
 }

@@ -1,6 +1,7 @@
 /* Convex hulls of control points. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "questions/collide/control_maps.h"
 
+#include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/number/rounding.h"
 #include "input/solid/box_image.h"
@@ -71,9 +72,7 @@ int control_maps_set(control_maps *out, const map_forms *forms) {
     int d = forms->dimension, n = form_count(d) - 1;
     if (!make_map_room(out, (size_t)forms->degree + 1, d))
         return 0;
-    fmpz_t x, w;
-    fmpz_init(x);
-    fmpz_init(w);
+    fmpz *x = _fmpz_vec_init(2), *w = x + 1;
     for (slong j = 0; j <= forms->degree; j++) {
         wide_get_fmpz(w, &forms->form[n].c, j);
         if (fmpz_sgn(w) <= 0)
@@ -83,8 +82,7 @@ int control_maps_set(control_maps *out, const map_forms *forms) {
             out->entry[j * n + k] = quotient(x, w);
         }
     }
-    fmpz_clear(x);
-    fmpz_clear(w);
+    _fmpz_vec_clear(x, 2);
     measure_maps(out);
     return 1;
 }

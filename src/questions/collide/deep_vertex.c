@@ -3,6 +3,7 @@
  */
 #include "questions/collide/deep_vertex.h"
 
+#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/number/order.h"
 #include "decide/trace/touch.h"
@@ -14,9 +15,7 @@ enum { MOST_TRIED = 16, MOST_TRACED = 4 };
 static graze_status narrow_interval(fmpq_t low, fmpq_t high, graze_context *context, touches *t,
                                     algebraic *time) {
     graze_status status = GRAZE_OK;
-    fmpq_t from, to;
-    fmpq_init(from);
-    fmpq_init(to);
+    fmpq *from = _fmpq_vec_init(2), *to = from + 1;
     for (size_t k = 0; k < t->time.count && !status; k++) {
         int order = 0;
         status = algebraic_compare(&order, context, &t->time.item[k], time);
@@ -26,8 +25,7 @@ static graze_status narrow_interval(fmpq_t low, fmpq_t high, graze_context *cont
         if (order > 0 && fmpq_cmp(from, high) < 0)
             fmpq_set(high, from);
     }
-    fmpq_clear(from);
-    fmpq_clear(to);
+    _fmpq_vec_clear(from, 2);
     return status;
 }
 
@@ -38,11 +36,8 @@ static graze_status trace_vertex(deep_interval *out, placing *whole, pair_side s
     const trajectory *c = placing_vertex(whole, side, vertex);
     candidates list = {0};
     touches found;
-    fmpq_t low, high, width;
+    fmpq *low = _fmpq_vec_init(3), *high = low + 1, *width = low + 2;
     touches_init(&found);
-    fmpq_init(low);
-    fmpq_init(high);
-    fmpq_init(width);
     fmpq_set_si(high, 1, 1);
     graze_status status = c ? candidates_find(&list, whole->context, other, c) : whole->status;
     if (!status)
@@ -55,9 +50,7 @@ static graze_status trace_vertex(deep_interval *out, placing *whole, pair_side s
         fmpq_set(out->low, low);
         fmpq_set(out->high, high);
     }
-    fmpq_clear(low);
-    fmpq_clear(high);
-    fmpq_clear(width);
+    _fmpq_vec_clear(low, 3);
     touches_clear(&found);
     free(list.item);
     return status;

@@ -3,6 +3,7 @@
  */
 #include "questions/collide/pair_search.h"
 
+#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "questions/collide/deep_vertex.h"
 #include "questions/collide/incidences.h"
@@ -53,10 +54,7 @@ static void ends_of(fmpq_t low, fmpq_t high, const dyadic_interval *interval) {
 
 /* How much of an interval the known deep one covers: 2 all of it, 1 a quarter at least, 0 less. */
 static int is_deep(const searcher *s, const dyadic_interval *interval) {
-    fmpq_t low, high, part;
-    fmpq_init(low);
-    fmpq_init(high);
-    fmpq_init(part);
+    fmpq *low = _fmpq_vec_init(3), *high = low + 1, *part = low + 2;
     ends_of(low, high, interval);
     int deep = fmpq_cmp(s->deep.low, low) < 0 && fmpq_cmp(high, s->deep.high) < 0 ? 2 : 0;
     fmpq_sub(part, high, low);
@@ -67,9 +65,7 @@ static int is_deep(const searcher *s, const dyadic_interval *interval) {
         fmpq_set(high, s->deep.high);
     fmpq_sub(high, high, low);
     deep = deep ? deep : fmpq_cmp(high, part) >= 0;
-    fmpq_clear(low);
-    fmpq_clear(high);
-    fmpq_clear(part);
+    _fmpq_vec_clear(low, 3);
     return deep;
 }
 
@@ -77,13 +73,10 @@ static int is_deep(const searcher *s, const dyadic_interval *interval) {
  * walked to. */
 static graze_status go_over(searcher *s, const dyadic_interval *interval,
                             graze_status (*walk)(pair_walk *, size_t, const fmpq_t)) {
-    fmpq_t low, high;
-    fmpq_init(low);
-    fmpq_init(high);
+    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
     ends_of(low, high, interval);
     graze_status status = walk(s->walk, s->piece, high);
-    fmpq_clear(low);
-    fmpq_clear(high);
+    _fmpq_vec_clear(low, 2);
     return status;
 }
 

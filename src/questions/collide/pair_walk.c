@@ -204,12 +204,10 @@ graze_status pair_walk_begin(pair_walk *walk) {
 }
 
 graze_status pair_walk_on(pair_walk *walk, size_t piece, const fmpq_t u) {
-    fmpq_t after, step;
     graze_status status = GRAZE_OK;
     if (!walk->open || walk->gap)
         return GRAZE_OK;
-    fmpq_init(after);
-    fmpq_init(step);
+    fmpq *after = _fmpq_vec_init(2), *step = after + 1;
     if (walk->last->piece == piece)
         algebraic_bounds(step, after, &walk->last->u);
     fmpq_sub(step, u, after);
@@ -217,8 +215,7 @@ graze_status pair_walk_on(pair_walk *walk, size_t piece, const fmpq_t u) {
     fmpq_add(after, after, step);
     if (fmpq_sgn(step) > 0)
         status = look_into_gap(walk, piece, after);
-    fmpq_clear(after);
-    fmpq_clear(step);
+    _fmpq_vec_clear(after, 2);
     return status;
 }
 

@@ -77,17 +77,14 @@ static int compare_parts(const void *a, const void *b) {
 
 /* Add the place at which g of a facet is 0 on a side, if it changes its sign inside the edge. */
 static void add_zero(edge_run *r, int side, int facet) {
-    fmpq_t at_u, at_v;
-    fmpq_init(at_u);
-    fmpq_init(at_v);
+    fmpq *at_u = _fmpq_vec_init(2), *at_v = at_u + 1;
     speed_along(at_u, r->speed, side, r->normal + 3 * facet, r->u);
     speed_along(at_v, r->speed, side, r->normal + 3 * facet, r->v);
     if (fmpq_sgn(at_u) * fmpq_sgn(at_v) < 0) {
         fmpq_sub(at_v, at_u, at_v);
         fmpq_div(r->part + r->count++, at_u, at_v);
     }
-    fmpq_clear(at_u);
-    fmpq_clear(at_v);
+    _fmpq_vec_clear(at_u, 2);
 }
 
 /* Is that point in contact, by the facets of the edge? */

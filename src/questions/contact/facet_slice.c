@@ -60,9 +60,7 @@ static void condition(fmpq_t out, const polygon *p, int side, const fmpq *y) {
 /* The point of the segment from a to b at which the condition, x at a and z at b, is 0. */
 static void put_crossing(fmpq *out, const fmpq *a, const fmpq *b, const fmpq_t x, const fmpq_t z,
                          int d) {
-    fmpq_t part, step;
-    fmpq_init(part);
-    fmpq_init(step);
+    fmpq *part = _fmpq_vec_init(2), *step = part + 1;
     fmpq_sub(part, x, z);
     fmpq_div(part, x, part);
     for (int i = 0; i < d; i++) {
@@ -70,17 +68,14 @@ static void put_crossing(fmpq *out, const fmpq *a, const fmpq *b, const fmpq_t x
         fmpq_set(out + i, a + i);
         fmpq_addmul(out + i, part, step);
     }
-    fmpq_clear(part);
-    fmpq_clear(step);
+    _fmpq_vec_clear(part, 2);
 }
 
 /* Keep what has a condition that is not negative. */
 static void cut_polygon(polygon *p, int side) {
     int d = p->dimension, kept = 0;
     fmpq *out = _fmpq_vec_init(POLYGON_CORNERS * d);
-    fmpq_t here, next;
-    fmpq_init(here);
-    fmpq_init(next);
+    fmpq *here = _fmpq_vec_init(2), *next = here + 1;
     for (int k = 0; k < p->count; k++) {
         const fmpq *a = corner_of(p, k), *b = corner_of(p, (k + 1) % p->count);
         condition(here, p, side, a);
@@ -93,8 +88,7 @@ static void cut_polygon(polygon *p, int side) {
         if (fmpq_sgn(here) * fmpq_sgn(next) < 0)
             put_crossing(out + d * kept++, a, b, here, next, d);
     }
-    fmpq_clear(here);
-    fmpq_clear(next);
+    _fmpq_vec_clear(here, 2);
     _fmpq_vec_clear(p->corner, POLYGON_CORNERS * d);
     p->corner = out;
     p->count = kept;
@@ -134,9 +128,7 @@ static int holds_conditions(const polygon *p, const fmpq *y) {
 /* Try the foot in the plane, if it is in the set. */
 static void try_foot(nearby *n, const polygon *p) {
     fmpq *foot = _fmpq_vec_init(3);
-    fmpq_t height, square;
-    fmpq_init(height);
-    fmpq_init(square);
+    fmpq *height = _fmpq_vec_init(2), *square = height + 1;
     subtract(foot, p->simplex[0], n->from, 3);
     _fmpq_vec_dot(height, foot, p->normal, 3);
     _fmpq_vec_dot(square, p->normal, p->normal, 3);
@@ -147,8 +139,7 @@ static void try_foot(nearby *n, const polygon *p) {
     }
     if (is_in_triangle(p, foot) && holds_conditions(p, foot))
         nearby_try(n, foot);
-    fmpq_clear(height);
-    fmpq_clear(square);
+    _fmpq_vec_clear(height, 2);
     _fmpq_vec_clear(foot, 3);
 }
 

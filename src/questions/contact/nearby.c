@@ -48,9 +48,7 @@ void nearby_try(nearby *n, const fmpq *point) {
 void nearby_try_segment(nearby *n, const fmpq *a, const fmpq *b) {
     int d = n->dimension;
     fmpq *along = _fmpq_vec_init(3 * d), *way = along + d, *foot = way + d;
-    fmpq_t s, length;
-    fmpq_init(s);
-    fmpq_init(length);
+    fmpq *s = _fmpq_vec_init(2), *length = s + 1;
     for (int i = 0; i < d; i++) {
         fmpq_sub(along + i, b + i, a + i);
         fmpq_sub(way + i, n->from + i, a + i);
@@ -69,7 +67,6 @@ void nearby_try_segment(nearby *n, const fmpq *a, const fmpq *b) {
         }
         nearby_try(n, foot);
     }
-    fmpq_clear(s);
-    fmpq_clear(length);
+    _fmpq_vec_clear(s, 2);
     _fmpq_vec_clear(along, 3 * d);
 }

@@ -5,6 +5,7 @@
  */
 #include "questions/contact/time_in_trace.h"
 
+#include <flint/fmpq_vec.h>
 #include "base/number/order.h"
 
 /* *out: sign of a time of the trace minus t. */
@@ -12,9 +13,7 @@ static graze_status compare_to_site(int *out, graze_context *context, graze_time
                                     const graze_site *s) {
     const motion_piece *piece = &s->scene->motion->piece[time->piece];
     algebraic own;
-    fmpq_t u, width;
-    fmpq_init(u);
-    fmpq_init(width);
+    fmpq *u = _fmpq_vec_init(2), *width = u + 1;
     algebraic_init(&own);
     fmpq_sub(u, s->t, piece->lo);
     fmpq_sub(width, piece->hi, piece->lo);
@@ -22,8 +21,7 @@ static graze_status compare_to_site(int *out, graze_context *context, graze_time
     algebraic_set_rational(&own, u);
     graze_status status = algebraic_compare(out, context, &time->u, &own);
     algebraic_clear(&own);
-    fmpq_clear(u);
-    fmpq_clear(width);
+    _fmpq_vec_clear(u, 2);
     return status;
 }
 
@@ -51,9 +49,7 @@ static graze_status find_contact(size_t *out, int *begins, int *ends, graze_cont
 /* scale x - shift, or shift - scale x: a canonical time moved, scaled by a positive integer. */
 static void moved_time(algebraic *out, const graze_time *time, const fmpz_t scale,
                        const fmpz_t shift, int reflect) {
-    fmpq_t low, high;
-    fmpq_init(low);
-    fmpq_init(high);
+    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
     fmpq_mul_fmpz(low, time->low, scale);
     fmpq_mul_fmpz(high, time->high, scale);
     fmpq_sub_fmpz(low, low, shift);
@@ -91,8 +87,7 @@ static void moved_time(algebraic *out, const graze_time *time, const fmpz_t scal
         fmpz_poly_clear(linear);
         fmpz_clear(power);
     }
-    fmpq_clear(low);
-    fmpq_clear(high);
+    _fmpq_vec_clear(low, 2);
 }
 
 /* The nearer of a time before t and one after it; NULL stands for none. */

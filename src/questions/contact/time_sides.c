@@ -4,6 +4,7 @@
 #include "questions/contact/time_sides.h"
 
 #include <flint/fmpq_poly.h>
+#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/number/rational.h"
 
@@ -50,10 +51,8 @@ static int is_same_quotient(const fmpz_poly_struct *first, const fmpz_poly_struc
 static int is_one_function(const motion_piece *first, const motion_piece *second) {
     int d = first->forward.dimension, same = 1;
     fmpq_poly_t shift;
-    fmpq_t at_zero, at_one;
+    fmpq *at_zero = _fmpq_vec_init(2), *at_one = at_zero + 1;
     fmpq_poly_init(shift);
-    fmpq_init(at_zero);
-    fmpq_init(at_one);
     parameter_at(at_zero, second, first->lo);
     parameter_at(at_one, second, first->hi);
     fmpq_poly_set_coeff_fmpq(shift, 0, at_zero);
@@ -63,8 +62,7 @@ static int is_one_function(const motion_piece *first, const motion_piece *second
         same = is_same_quotient(&first->forward.entry[k], first->forward.weight,
                                 &second->forward.entry[k], second->forward.weight, shift);
     fmpq_poly_clear(shift);
-    fmpq_clear(at_zero);
-    fmpq_clear(at_one);
+    _fmpq_vec_clear(at_zero, 2);
     return same;
 }
 

@@ -9,12 +9,9 @@ static const double LEAST_DIAGONAL = 0x1p-300, MOST_DIAGONAL = 0x1p300;
 
 /* sqrt of a sum of squares, rounded down. */
 static double length_down(const fmpq *low, const fmpq *high, int d) {
-    fmpq_t sum, side;
-    fmpz_t n, scale;
-    fmpq_init(sum);
-    fmpq_init(side);
+    fmpq *sum = _fmpq_vec_init(2), *side = sum + 1;
+    fmpz_t n;
     fmpz_init(n);
-    fmpz_init(scale);
     for (int i = 0; i < d; i++) {
         fmpq_sub(side, high + i, low + i);
         fmpq_mul(side, side, side);
@@ -29,10 +26,8 @@ static double length_down(const fmpq *low, const fmpq *high, int d) {
     fmpz_fdiv_q(n, fmpq_numref(sum), fmpq_denref(sum));
     fmpz_sqrt(n, n);
     double out = ldexp(fmpz_get_d(n), (int)-k); /* FLINT cuts what a double has no place for */
-    fmpq_clear(sum);
-    fmpq_clear(side);
+    _fmpq_vec_clear(sum, 2);
     fmpz_clear(n);
-    fmpz_clear(scale);
     return out;
 }
 

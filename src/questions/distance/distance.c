@@ -3,6 +3,7 @@
  */
 #include "questions/distance/distance.h"
 
+#include <flint/fmpq_vec.h>
 #include <math.h>
 #include <stdlib.h>
 #include "base/number/refine.h"
@@ -37,11 +38,8 @@ typedef struct moment {
 /* The last arc of a piece that begins at u or before, and doubles about v. */
 static size_t find_arc(double *low, double *high, graze_context *context, const ground *base,
                        size_t piece, const fmpq_t u) {
-    fmpq_t from, length, v;
+    fmpq *from = _fmpq_vec_init(3), *length = from + 1, *v = from + 2;
     size_t k = base->first[piece + 1];
-    fmpq_init(from);
-    fmpq_init(length);
-    fmpq_init(v);
     do
         (void)rational_from_double(from, context, base->arc[--k].from);
     while (k > base->first[piece] && fmpq_cmp(from, u) > 0);
@@ -51,23 +49,18 @@ static size_t find_arc(double *low, double *high, graze_context *context, const 
     rational_bounds(low, high, v);
     *low = fmax(*low, 0);
     *high = fmin(*high, 1);
-    fmpq_clear(from);
-    fmpq_clear(length);
-    fmpq_clear(v);
+    _fmpq_vec_clear(from, 3);
     return k;
 }
 
 static graze_status enclose_moment(moment *out, graze_context *context, const ground *base,
                                    const graze_time *time) {
-    fmpq_t low, high;
+    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
     double unused;
-    fmpq_init(low);
-    fmpq_init(high);
     graze_status status = narrow_time(low, high, context, time, PLACES + base->deepest);
     out->low_arc = find_arc(&out->low, &unused, context, base, time->piece, low);
     out->high_arc = find_arc(&unused, &out->high, context, base, time->piece, high);
-    fmpq_clear(low);
-    fmpq_clear(high);
+    _fmpq_vec_clear(low, 2);
     return status;
 }
 
@@ -197,16 +190,13 @@ graze_status distance_contact_time(fmpq_t out, graze_context *context, const gra
 }
 
 void distance_time(fmpq_t out, const distance *found, const graze_motion *motion) {
-    fmpq_t length, v;
-    fmpq_init(length);
-    fmpq_init(v);
+    fmpq *length = _fmpq_vec_init(2), *v = length + 1;
     /* All three are finite. */
     (void)rational_from_double(out, NULL, found->from);
     (void)rational_from_double(length, NULL, found->length);
     (void)rational_from_double(v, NULL, found->v);
     fmpq_addmul(out, length, v);
-    fmpq_clear(length);
-    fmpq_clear(v);
+    _fmpq_vec_clear(length, 2);
     to_motion(out, &motion->piece[found->piece]);
 }
 

@@ -7,6 +7,7 @@
 #include "questions/envelope/breaks.h"
 
 #include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "questions/envelope/decomposition.h"
 
@@ -84,17 +85,14 @@ typedef struct edge_function {
 } edge_function;
 
 static int sign_along(const edge_function *f, const fmpq_t lambda) {
-    fmpq_t value, rest;
-    fmpq_init(value);
-    fmpq_init(rest);
+    fmpq *value = _fmpq_vec_init(2), *rest = value + 1;
     fmpq_mul_fmpz(value, lambda, f->at_v);
     fmpq_set_si(rest, 1, 1);
     fmpq_sub(rest, rest, lambda);
     fmpq_mul_fmpz(rest, rest, f->at_u);
     fmpq_add(value, value, rest);
     int sign = fmpq_sgn(value);
-    fmpq_clear(value);
-    fmpq_clear(rest);
+    _fmpq_vec_clear(value, 2);
     return sign;
 }
 
@@ -156,11 +154,7 @@ static int is_edge_bad(const meeting_pieces *m, size_t edge) {
  * In E^2 the slice itself. */
 static int is_slice_bad(const meeting_pieces *m, size_t facet, size_t edge) {
     const cell_edge *e = &m->e->cells.edge[edge];
-    fmpz_t u, v, other_u, other_v;
-    fmpz_init(u);
-    fmpz_init(v);
-    fmpz_init(other_u);
-    fmpz_init(other_v);
+    fmpz *u = _fmpz_vec_init(4), *v = u + 1, *other_u = u + 2, *other_v = u + 3;
     break_value(u, m, 0, facet, e->u);
     break_value(v, m, 0, facet, e->v);
     break_value(other_u, m, 1, facet, e->u);
@@ -169,10 +163,7 @@ static int is_slice_bad(const meeting_pieces *m, size_t facet, size_t edge) {
     fmpz_mul(u, u, other_v);
     fmpz_submul(u, v, other_u);
     int bad = ends && fmpz_sgn(u) * sign > 0;
-    fmpz_clear(u);
-    fmpz_clear(v);
-    fmpz_clear(other_u);
-    fmpz_clear(other_v);
+    _fmpz_vec_clear(u, 4);
     return bad;
 }
 

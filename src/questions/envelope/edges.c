@@ -130,16 +130,13 @@ static graze_status try_inner_vertex(edge_finder *f, const side *e, size_t verte
     difference(to, at_vertex(f->c, vertex), at_vertex(f->c, e->u), d);
     cross_of(cross, along, to, d);
     if (is_zero_vector(cross)) {
-        fmpq_t lambda, length;
-        fmpq_init(lambda);
-        fmpq_init(length);
+        fmpq *lambda = _fmpq_vec_init(2), *length = lambda + 1;
         dot_of(lambda, to, along);
         dot_of(length, along, along);
         fmpq_div(lambda, lambda, length);
         if (is_within(lambda))
             status = add_inner(f, lambda, vertex);
-        fmpq_clear(lambda);
-        fmpq_clear(length);
+        _fmpq_vec_clear(lambda, 2);
     }
     _fmpq_vec_clear(along, 9);
     return status;
@@ -191,9 +188,7 @@ static int meet_within(fmpq_t lambda, fmpq *v, const cell_complex *c, const side
                        size_t q) {
     int d = c->dimension, found = 0;
     fmpq *along = v, *other = v + 3, *to = v + 6, *normal = v + 9;
-    fmpq_t mu, length;
-    fmpq_init(mu);
-    fmpq_init(length);
+    fmpq *mu = _fmpq_vec_init(2), *length = mu + 1;
     difference(along, at_vertex(c, e->v), at_vertex(c, e->u), d);
     difference(other, at_vertex(c, q), at_vertex(c, p), d);
     difference(to, at_vertex(c, p), at_vertex(c, e->u), d);
@@ -211,8 +206,7 @@ static int meet_within(fmpq_t lambda, fmpq *v, const cell_complex *c, const side
         found = is_within(lambda) && is_within(mu);
         _fmpq_vec_clear(side_of, 3);
     }
-    fmpq_clear(mu);
-    fmpq_clear(length);
+    _fmpq_vec_clear(mu, 2);
     return found;
 }
 

@@ -17,9 +17,7 @@
 
 /* Subtract from v its part along the vector b. */
 static void drop_part(fmpq *v, const fmpq *b, int d) {
-    fmpq_t part, length;
-    fmpq_init(part);
-    fmpq_init(length);
+    fmpq *part = _fmpq_vec_init(2), *length = part + 1;
     for (int i = 0; i < d; i++) {
         fmpq_addmul(part, v + i, b + i);
         fmpq_addmul(length, b + i, b + i);
@@ -29,8 +27,7 @@ static void drop_part(fmpq *v, const fmpq *b, int d) {
         for (int i = 0; i < d; i++)
             fmpq_submul(v + i, b + i, part);
     }
-    fmpq_clear(part);
-    fmpq_clear(length);
+    _fmpq_vec_clear(part, 2);
 }
 
 static int is_zero(const fmpq *v, int d) {
@@ -92,9 +89,7 @@ static graze_status find_direction(fmpz *out, const graze_envelope *e, graze_con
     graze_status status = GRAZE_OK;
     ulong gain = FIRST_GAIN;
     fmpq *w = _fmpq_vec_init(d);
-    fmpq_t low, high;
-    fmpq_init(low);
-    fmpq_init(high);
+    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
     for (;;) {
         algebraic_bounds(low, high, u);
         velocity_near(w, e, vertex, piece, low, sign);
@@ -106,8 +101,7 @@ static graze_status find_direction(fmpz *out, const graze_envelope *e, graze_con
     }
     direction_of_rationals(out, w, d);
     _fmpq_vec_clear(w, d);
-    fmpq_clear(low);
-    fmpq_clear(high);
+    _fmpq_vec_clear(low, 2);
     return status;
 }
 

@@ -3,6 +3,7 @@
  */
 #include "questions/envelope/joints.h"
 
+#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "questions/envelope/limits.h"
 #include "questions/envelope/patch_ends.h"
@@ -104,9 +105,7 @@ static void place_along(fmpq_t out, const snapshot *s, size_t edge, size_t facet
 static graze_status join_at_place(joining *j, const snapshot *s, size_t first,
                                   unsigned char *done) {
     graze_status status = GRAZE_OK;
-    fmpq_t here, there;
-    fmpq_init(here);
-    fmpq_init(there);
+    fmpq *here = _fmpq_vec_init(2), *there = here + 1;
     place_along(here, s, j->place->cell, j->place[first].facet);
     j->set.count = 0;
     for (size_t k = first; k < j->count && !status; k++) {
@@ -118,8 +117,7 @@ static graze_status join_at_place(joining *j, const snapshot *s, size_t first,
         done[k] = 1;
         status = members_add(&j->set, j->context, j->place[k].patch);
     }
-    fmpq_clear(here);
-    fmpq_clear(there);
+    _fmpq_vec_clear(here, 2);
     return status ? status : emit_set(j);
 }
 

@@ -70,17 +70,14 @@ static graze_status pick_parameter(fmpq_t out, graze_context *context, const gra
 
 /* A point of a part by chance, not one of its ends if it has two. */
 static void pick_point(fmpq *out, const curve_part *part, int d, random_stream *r) {
-    fmpq_t lambda, step;
-    fmpq_init(lambda);
-    fmpq_init(step);
+    fmpq *lambda = _fmpq_vec_init(2), *step = lambda + 1;
     fmpq_set_si(lambda, (slong)random_below(r, 15) + 1, 16);
     for (int i = 0; i < d; i++) {
         fmpq_sub(step, part->b + i, part->a + i);
         fmpq_mul(step, step, lambda);
         fmpq_add(out + i, part->a + i, step);
     }
-    fmpq_clear(lambda);
-    fmpq_clear(step);
+    _fmpq_vec_clear(lambda, 2);
 }
 
 graze_status sample_make(graze_site *out, int *found, graze_context *context,
@@ -88,12 +85,10 @@ graze_status sample_make(graze_site *out, int *found, graze_context *context,
     int d = e->cells.dimension;
     random_stream r;
     graze_curve curve = {.count = 0};
-    fmpq_t t, width;
     random_seed(&r, seed, index);
     time_gap gap = find_time_gap(e, index);
     const motion_piece *piece = &e->scene->motion->piece[gap.piece];
-    fmpq_init(t);
-    fmpq_init(width);
+    fmpq *t = _fmpq_vec_init(2), *width = t + 1;
     *found = 0;
     graze_status status = pick_parameter(t, context, e, &gap, &r);
     fmpq_sub(width, piece->hi, piece->lo);
@@ -111,7 +106,6 @@ graze_status sample_make(graze_site *out, int *found, graze_context *context,
         _fmpq_vec_clear(y, d);
         contact_curve_clear(&curve);
     }
-    fmpq_clear(t);
-    fmpq_clear(width);
+    _fmpq_vec_clear(t, 2);
     return status;
 }

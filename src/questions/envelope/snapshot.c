@@ -91,9 +91,7 @@ int snapshot_theta_sign(const snapshot *s, size_t facet, const fmpq *y) {
 }
 
 void snapshot_zero(fmpq *out, const fmpq_t a, const fmpq_t b, const fmpq *p, const fmpq *q, int d) {
-    fmpq_t lambda, step;
-    fmpq_init(lambda);
-    fmpq_init(step);
+    fmpq *lambda = _fmpq_vec_init(2), *step = lambda + 1;
     fmpq_sub(lambda, a, b);
     fmpq_div(lambda, a, lambda);
     for (int i = 0; i < d; i++) {
@@ -101,6 +99,5 @@ void snapshot_zero(fmpq *out, const fmpq_t a, const fmpq_t b, const fmpq *p, con
         fmpq_mul(step, step, lambda);
         fmpq_add(out + i, p + i, step);
     }
-    fmpq_clear(lambda);
-    fmpq_clear(step);
+    _fmpq_vec_clear(lambda, 2);
 }

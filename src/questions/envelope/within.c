@@ -3,7 +3,6 @@
  */
 #include "questions/envelope/within.h"
 
-
 /* The point in the interior of the facet's first simplex of barycentric weights 1, s, s^2. */
 static void point_within(fmpq *out, const cell_complex *c, size_t facet, slong s) {
     int d = c->dimension;

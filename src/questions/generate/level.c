@@ -31,16 +31,13 @@ static void power_of_ten(fmpq_t out, int decade) {
 
 /* A length in the decade, small ones more often. */
 static graze_status draw_length(double *out, graze_context *context, int decade, random_stream *r) {
-    fmpq_t length, part;
     slong j = 1 + (slong)random_below(r, STEPS - 1);
-    fmpq_init(length);
-    fmpq_init(part);
+    fmpq *length = _fmpq_vec_init(2), *part = length + 1;
     power_of_ten(length, decade);
     fmpq_set_si(part, STEPS * STEPS + 8 * j * j, STEPS * STEPS);
     fmpq_mul(length, length, part);
     graze_status status = rational_nearest(out, context, length);
-    fmpq_clear(length);
-    fmpq_clear(part);
+    _fmpq_vec_clear(length, 2);
     return status;
 }
 
@@ -73,9 +70,7 @@ static graze_status move_along(fmpq *point, graze_context *context, const fmpq *
                                double length) {
     double n[3] = {0, 0, 0}, size = 0;
     graze_status status = GRAZE_OK;
-    fmpq_t most, part;
-    fmpq_init(most);
-    fmpq_init(part);
+    fmpq *most = _fmpq_vec_init(2), *part = most + 1;
     for (int i = 0; i < d; i++) {
         fmpq_abs(part, normal + i);
         if (fmpq_cmp(part, most) > 0)
@@ -91,8 +86,7 @@ static graze_status move_along(fmpq *point, graze_context *context, const fmpq *
         fmpq_add(point + i, point + i, part);
         round_to_places(point + i, places_for(length));
     }
-    fmpq_clear(most);
-    fmpq_clear(part);
+    _fmpq_vec_clear(most, 2);
     return status;
 }
 
@@ -115,20 +109,13 @@ static graze_status measure(graze_pmc *pmc, distance *found, graze_context *cont
 static int is_in_decade(const distance *found, graze_context *context, int decade) {
     double low = fmin(fabs(found->low), fabs(found->high));
     double high = fmax(fabs(found->low), fabs(found->high));
-    fmpq_t from, to, least, greatest;
-    fmpq_init(from);
-    fmpq_init(to);
-    fmpq_init(least);
-    fmpq_init(greatest);
+    fmpq *from = _fmpq_vec_init(4), *to = from + 1, *least = from + 2, *greatest = from + 3;
     power_of_ten(from, decade);
     power_of_ten(to, decade + 1);
     int fits = !rational_from_double(least, context, low) &&
                !rational_from_double(greatest, context, high) && fmpq_cmp(least, from) >= 0 &&
                fmpq_cmp(greatest, to) < 0;
-    fmpq_clear(from);
-    fmpq_clear(to);
-    fmpq_clear(least);
-    fmpq_clear(greatest);
+    _fmpq_vec_clear(from, 4);
     return fits;
 }
 

@@ -22,9 +22,7 @@ enum {
 static void displace(sample *s, const struct graze_generator *g, const fmpq *normal, int outward,
                      int k) {
     int d = g->scene->motion->dimension, widest = 0;
-    fmpq_t length, size;
-    fmpq_init(length);
-    fmpq_init(size);
+    fmpq *length = _fmpq_vec_init(2), *size = length + 1;
     for (int i = 0; i < d; i++) {
         fmpq_abs(size, normal + i);
         if (fmpq_cmp(size, length) > 0) {
@@ -42,8 +40,7 @@ static void displace(sample *s, const struct graze_generator *g, const fmpq *nor
         else
             fmpq_sub(s->point + i, s->point + i, size);
     }
-    fmpq_clear(length);
-    fmpq_clear(size);
+    _fmpq_vec_clear(length, 2);
     s->made.k = k;
     s->made.outward = outward;
 }

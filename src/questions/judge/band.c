@@ -3,6 +3,7 @@
  */
 #include "questions/judge/band.h"
 
+#include <flint/fmpq_vec.h>
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
@@ -33,7 +34,6 @@ static void choose_root(cube *root, const double *low, const double *high) {
 }
 
 graze_status band_init(band *b, graze_context *context, const graze_scene *scene) {
-    fmpq box_low[3], box_high[3];
     double low[3], high[3], unused;
     *b = (band){.count = 1};
     cell_asker_init(&b->ask, context, scene);
@@ -41,17 +41,13 @@ graze_status band_init(band *b, graze_context *context, const graze_scene *scene
         array_grow(context, &b->item, &b->capacity, 1, sizeof *b->item, "cubes of space");
     if (status)
         return status;
-    for (int k = 0; k < 3; k++) {
-        fmpq_init(box_low + k);
-        fmpq_init(box_high + k);
-    }
+    fmpq *box_low = _fmpq_vec_init(6), *box_high = box_low + 3;
     status = scene_box(box_low, box_high, context, scene);
     for (int k = 0; k < 3; k++) {
         rational_bounds(&low[k], &unused, box_low + k);
         rational_bounds(&unused, &high[k], box_high + k);
-        fmpq_clear(box_low + k);
-        fmpq_clear(box_high + k);
     }
+    _fmpq_vec_clear(box_low, 6);
     b->item[0] = (cube){.kind = CUBE_BAND};
     if (!status)
         choose_root(&b->item[0], low, high);

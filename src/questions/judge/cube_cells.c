@@ -90,9 +90,8 @@ static graze_status cut_tetrahedron(cube_cells *c, const fmpq *corner, int k, un
         return add_to_cell(c, corner, sides);
     fmpq *value = _fmpq_vec_init(16), *part = value + 4;
     for (int v = 0; v < 4; v++) {
-        fmpq_set(value + v, c->plane + 4 * k + 3);
-        for (int i = 0; i < 3; i++)
-            fmpq_addmul(value + v, c->plane + 4 * k + i, corner + 3 * v + i);
+        _fmpq_vec_dot(value + v, c->plane + 4 * k, corner + 3 * v, 3);
+        fmpq_add(value + v, value + v, c->plane + 4 * k + 3);
         high = fmpq_sgn(value + v) > 0 ? v : high;
         low = fmpq_sgn(value + v) < 0 ? v : low;
     }

@@ -92,9 +92,8 @@ static int is_in_position(const covering *c, const fmpq *point, const fmpq *map)
     fmpq *place = _fmpq_vec_init(3);
     fmpz *x = _fmpz_vec_init(4);
     for (int i = 0; i < 3; i++) {
-        fmpq_set(place + i, map + 4 * i + 3);
-        for (int j = 0; j < 3; j++)
-            fmpq_addmul(place + i, map + 4 * i + j, point + j);
+        _fmpq_vec_dot(place + i, map + 4 * i, point, 3);
+        fmpq_add(place + i, place + i, map + 4 * i + 3);
     }
     _fmpq_vec_get_fmpz_vec_fmpz(x, x + 3, place, 3);
     int inside = solid_locate(c->ask->scene->solid, x) == GRAZE_STATE_I;

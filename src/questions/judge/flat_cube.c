@@ -34,8 +34,7 @@ static void find_triangles(flat *f, uint32_t node) {
         fmpz *form = _fmpz_vec_init(4);
         fmpq *plane = _fmpq_vec_init(4);
         (void)skin_plane(form, &all, here->simplex);
-        for (int i = 0; i < 4; i++)
-            fmpq_set_fmpz(plane + i, form + i);
+        _fmpq_vec_set_fmpz_vec(plane, form, 4);
         cube_cells_plane(&f->cells, plane);
         f->cells.failed |= f->count == FLAT_TRIANGLES || f->cells.plane_count > FLAT_PLANES;
         if (!f->cells.failed)

@@ -3,16 +3,15 @@
  */
 #include "questions/judge/judged_mesh.h"
 
+#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* Six times the signed volume of the tetrahedron of the origin and a triangle. */
 static void add_tetrahedron(fmpq_t sum, const skin *s, size_t simplex) {
     const fmpq *p[3];
-    fmpq_t minor, other;
     skin_vertices(p, s, simplex);
-    fmpq_init(minor);
-    fmpq_init(other);
+    fmpq *minor = _fmpq_vec_init(2), *other = minor + 1;
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
         fmpq_mul(minor, p[1] + j, p[2] + k);
@@ -20,8 +19,7 @@ static void add_tetrahedron(fmpq_t sum, const skin *s, size_t simplex) {
         fmpq_sub(minor, minor, other);
         fmpq_addmul(sum, p[0] + i, minor);
     }
-    fmpq_clear(other);
-    fmpq_clear(minor);
+    _fmpq_vec_clear(minor, 2);
 }
 
 /* Halves keep numbers short whose denominators are all different. */

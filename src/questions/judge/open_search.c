@@ -1,6 +1,7 @@
 /* Points by their cube, the trace and the distance. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "questions/judge/open_search.h"
 
+#include <flint/fmpq_vec.h>
 #include <math.h>
 #include <string.h>
 #include "base/number/rounding.h"
@@ -38,16 +39,14 @@ int suprema_is_over(const suprema *s) {
 /* The signed distance of a point whose trace is known. */
 static graze_status enclose_point(struct distance *out, suprema *s, const double *point,
                                   const graze_trace *trace) {
-    fmpq exact[3];
+    fmpq *exact = _fmpq_vec_init(3);
     double tolerance = POINT_SHARE * s->within;
     for (int k = 0; k < 3; k++) {
-        fmpq_init(exact + k);
         (void)rational_from_double(exact + k, NULL, point[k]);
         tolerance = larger(tolerance, FINEST_SHARE * fabs(point[k]));
     }
     graze_status status = distance_find(out, s->context, s->scene, exact, trace, tolerance);
-    for (int k = 0; k < 3; k++)
-        fmpq_clear(exact + k);
+    _fmpq_vec_clear(exact, 3);
     return status;
 }
 

@@ -3,6 +3,7 @@
  */
 #include "questions/judge/volumes.h"
 
+#include <flint/fmpq_vec.h>
 #include "base/number/rounding.h"
 #include "decide/filter/chord.h"
 #include "questions/judge/flat_cube.h"
@@ -37,15 +38,12 @@ static int mesh_misses_cube(const judged_mesh *m, const cube *c) {
 }
 
 static mesh_place place_of_cube(const measuring *r, const cube *c) {
-    fmpq point[3];
+    fmpq *point = _fmpq_vec_init(3);
     long winding;
-    for (int i = 0; i < 3; i++) {
-        fmpq_init(point + i);
-        (void)rational_from_double(point + i, NULL, c->centre[i]);
-    }
-    mesh_place place = judged_place(&winding, r->s->mesh, point);
     for (int i = 0; i < 3; i++)
-        fmpq_clear(point + i);
+        (void)rational_from_double(point + i, NULL, c->centre[i]);
+    mesh_place place = judged_place(&winding, r->s->mesh, point);
+    _fmpq_vec_clear(point, 3);
     return place;
 }
 

@@ -6,6 +6,7 @@
 #include "questions/topo/borders.h"
 
 #include <flint/fmpq.h>
+#include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include <string.h>
@@ -239,12 +240,8 @@ graze_status borders_about(borders *b, graze_context *context, germ *g, const fm
 /* v + s w for a positive s so small that no plane off v is reached; times its denominator. */
 static void step_from_ray(fmpz *out, const borders *b, const fmpz *v, const fmpz *w) {
     int d = b->dimension;
-    fmpq_t s, most;
-    fmpz_t at, slope;
-    fmpq_init(s);
-    fmpq_init(most);
-    fmpz_init(at);
-    fmpz_init(slope);
+    fmpq *s = _fmpq_vec_init(2), *most = s + 1;
+    fmpz *at = _fmpz_vec_init(2), *slope = at + 1;
     fmpq_one(most);
     for (size_t p = 0; p < b->plane_count; p++) {
         _fmpz_vec_dot(at, b->plane + p * (size_t)d, v, d);
@@ -259,10 +256,8 @@ static void step_from_ray(fmpz *out, const borders *b, const fmpz *v, const fmpz
     }
     _fmpz_vec_scalar_mul_fmpz(out, v, d, fmpq_denref(most));
     _fmpz_vec_scalar_addmul_fmpz(out, w, d, fmpq_numref(most));
-    fmpq_clear(s);
-    fmpq_clear(most);
-    fmpz_clear(at);
-    fmpz_clear(slope);
+    _fmpq_vec_clear(s, 2);
+    _fmpz_vec_clear(at, 2);
 }
 
 /* The sign of det(v, a, b): is b to the left of a, seen against v? */

@@ -185,10 +185,8 @@ graze_status cone_sweep(int *in_interior, int *in_cone, local_cone *cone, graze_
                         const fmpz *ray, const fmpz *u, const fmpz *e) {
     slong d = cone->dimension, count = 1;
     fmpq *cut = _fmpq_vec_init((slong)cone->count + 1); /* 0 first */
-    fmpz_t a, b;
+    fmpz *a = _fmpz_vec_init(2), *b = a + 1;
     fmpq_t between;
-    fmpz_init(a);
-    fmpz_init(b);
     fmpq_init(between);
     for (size_t j = 0; j < cone->count; j++) {
         _fmpz_vec_dot(a, cone->normal + j * (size_t)d, u, d);
@@ -212,8 +210,7 @@ graze_status cone_sweep(int *in_interior, int *in_cone, local_cone *cone, graze_
             status = look_along(in_interior, in_cone, cone, context, ray, u, e, between);
     }
     _fmpq_vec_clear(cut, (slong)cone->count + 1);
-    fmpz_clear(a);
-    fmpz_clear(b);
+    _fmpz_vec_clear(a, 2);
     fmpq_clear(between);
     return status;
 }

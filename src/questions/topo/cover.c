@@ -9,10 +9,8 @@
 static int is_opposite(const local_cone *cone, const fmpz *u, const fmpz *e) {
     slong d = cone->dimension;
     int sign = -1, has_s = 0;
-    fmpz_t a, b, p, q;
-    fmpz_init(a);
-    fmpz_init(b);
-    fmpz_init(p);
+    fmpz_t q;
+    fmpz *a = _fmpz_vec_init(3), *b = a + 1, *p = a + 2;
     fmpz_init_set_ui(q, 1);
     for (size_t j = 0; j < cone->count; j++) {
         const fmpz *n = cone->normal + j * (size_t)d;
@@ -28,9 +26,7 @@ static int is_opposite(const local_cone *cone, const fmpz *u, const fmpz *e) {
         fmpz_submul(a, b, p);
         sign *= fmpz_is_zero(a);
     }
-    fmpz_clear(a);
-    fmpz_clear(b);
-    fmpz_clear(p);
+    _fmpz_vec_clear(a, 3);
     fmpz_clear(q);
     return sign < 0;
 }

@@ -3,6 +3,7 @@
  */
 #include "questions/topo/half.h"
 
+#include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "questions/topo/directions.h"
 #include "questions/topo/signs.h"
@@ -118,13 +119,11 @@ static int form_of_facet(half_germ *out, const open_plane *h, const germ *g,
                          const germ_side *side) {
     slong n = side->order;
     plane_ways w;
-    fmpq_t factor, scale;
     if (n < 2)
         return 0;
     ways_init(&w, g, 0, n, h->point);
     int f_sign = fmpq_sgn(w.value) * (n % 2 == 1 ? side->sign : 1);
-    fmpq_init(factor);
-    fmpq_init(scale);
+    fmpq *factor = _fmpq_vec_init(2), *scale = factor + 1;
     linear_on_plane(out->turn, h, w.normal[1]);
     if (f_sign * side->sign > 0)
         fmpq_poly_neg(out->turn, out->turn);
@@ -140,8 +139,7 @@ static int form_of_facet(half_germ *out, const open_plane *h, const germ *g,
     fmpq_div(factor, factor, scale);
     fmpq_poly_pow(out->form, out->turn, (ulong)n);
     fmpq_poly_scalar_mul_fmpq(out->form, out->form, factor);
-    fmpq_clear(factor);
-    fmpq_clear(scale);
+    _fmpq_vec_clear(factor, 2);
     ways_clear(&w);
     return 1;
 }

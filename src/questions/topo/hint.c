@@ -1,6 +1,7 @@
 /* Places at a few distances. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "questions/topo/hint.h"
 
+#include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <math.h>
 #include "questions/topo/beyond.h"
@@ -25,9 +26,7 @@ static void divide_2exp(fmpq_t x, slong places) {
 /* out = the point + 2^-places (v + 2^-places w), for vectors of a length near the solid's width; is
  * it beyond? */
 static graze_status try_place(hint_maker *m, const fmpz *v, const fmpz *w, ulong places) {
-    fmpq_t step, bend;
-    fmpq_init(step);
-    fmpq_init(bend);
+    fmpq *step = _fmpq_vec_init(2), *bend = step + 1;
     slong down = (slong)places - m->exponent;
     for (int k = 0; k < 3; k++) {
         fmpq_set_fmpz(step, v + k);
@@ -38,8 +37,7 @@ static graze_status try_place(hint_maker *m, const fmpz *v, const fmpz *w, ulong
         fmpq_add(m->out + k, m->point + k, step);
     }
     graze_status status = beyond_closed(&m->found, m->context, m->scene, m->out);
-    fmpq_clear(step);
-    fmpq_clear(bend);
+    _fmpq_vec_clear(step, 2);
     return status;
 }
 

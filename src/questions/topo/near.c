@@ -7,6 +7,7 @@
  */
 #include "questions/topo/near.h"
 
+#include <flint/fmpz_vec.h>
 #include "questions/topo/binary_places.h"
 #include "questions/topo/coprime.h"
 #include "questions/topo/eliminate.h"
@@ -84,9 +85,7 @@ static graze_status take_part(near_maker *m, const fmpz_mpoly_t part) {
 /* g(x, x), or g(x, -x). */
 static void on_diagonal(fmpz_poly_t out, const fmpz_mpoly_t g, int falling,
                         const fmpz_mpoly_ctx_t ring) {
-    fmpz_t c, sum;
-    fmpz_init(c);
-    fmpz_init(sum);
+    fmpz *c = _fmpz_vec_init(2), *sum = c + 1;
     fmpz_poly_zero(out);
     for (slong k = 0; k < fmpz_mpoly_length(g, ring); k++) {
         ulong e[2];
@@ -100,8 +99,7 @@ static void on_diagonal(fmpz_poly_t out, const fmpz_mpoly_t g, int falling,
             fmpz_add(sum, sum, c);
         fmpz_poly_set_coeff_fmpz(out, power, sum);
     }
-    fmpz_clear(c);
-    fmpz_clear(sum);
+    _fmpz_vec_clear(c, 2);
 }
 
 /* Stay clear of the meetings of two curves. */
@@ -202,9 +200,7 @@ graze_status near_make(near_curves *n, int *refused, graze_context *context, con
 static void curve_on_side(fmpz_poly_t out, const fmpz_mpoly_t g, const near_curves *n, int axis,
                           int negative) {
     ulong degree = (ulong)fmpz_mpoly_degree_si(g, axis, n->through.ring);
-    fmpz_t c, sum;
-    fmpz_init(c);
-    fmpz_init(sum);
+    fmpz *c = _fmpz_vec_init(2), *sum = c + 1;
     fmpz_poly_zero(out);
     for (slong k = 0; k < fmpz_mpoly_length(g, n->through.ring); k++) {
         ulong e[2];
@@ -218,8 +214,7 @@ static void curve_on_side(fmpz_poly_t out, const fmpz_mpoly_t g, const near_curv
             fmpz_add(sum, sum, c);
         fmpz_poly_set_coeff_fmpz(out, (slong)e[1 - axis], sum);
     }
-    fmpz_clear(c);
-    fmpz_clear(sum);
+    _fmpz_vec_clear(c, 2);
 }
 
 void near_side(fmpz_poly_t out, const near_curves *n, int axis, int negative) {

@@ -5,6 +5,7 @@
  */
 #include "questions/topo/path.h"
 
+#include <flint/fmpz_vec.h>
 #include "questions/topo/beyond.h"
 #include "questions/topo/binary_places.h"
 
@@ -12,10 +13,8 @@
 static void curve_on_path(fmpz_poly_t out, const fmpz_mpoly_t curve, const topo_finding *f,
                           const fmpz_mpoly_ctx_t ring) {
     slong most = fmpz_mpoly_degree_si(curve, RING_Y, ring);
-    fmpz_t c, power;
+    fmpz *c = _fmpz_vec_init(2), *power = c + 1;
     fmpz_poly_t term;
-    fmpz_init(c);
-    fmpz_init(power);
     fmpz_poly_init(term);
     fmpz_poly_zero(out);
     for (slong k = 0; k < fmpz_mpoly_length(curve, ring); k++) {
@@ -31,8 +30,7 @@ static void curve_on_path(fmpz_poly_t out, const fmpz_mpoly_t curve, const topo_
             term, f->order * (slong)e[RING_X] + (f->order + 1) * (slong)e[RING_Y], c);
         fmpz_poly_add(out, out, term);
     }
-    fmpz_clear(c);
-    fmpz_clear(power);
+    _fmpz_vec_clear(c, 2);
     fmpz_poly_clear(term);
 }
 

@@ -26,16 +26,13 @@ static int quarter_of(const fmpz *v) {
 static int compare_angles(const void *a, const void *b) {
     const fmpz *v = a, *w = b;
     int order = quarter_of(v) - quarter_of(w);
-    fmpz_t left, right;
     if (order)
         return order;
-    fmpz_init(left);
-    fmpz_init(right);
+    fmpz *left = _fmpz_vec_init(2), *right = left + 1;
     fmpz_mul(left, v + 1, w);
     fmpz_mul(right, v, w + 1);
     order = fmpz_cmp(left, right);
-    fmpz_clear(left);
-    fmpz_clear(right);
+    _fmpz_vec_clear(left, 2);
     return order;
 }
 

@@ -7,6 +7,7 @@
 #include "questions/topo/shift.h"
 
 #include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
 #include "questions/topo/eliminate.h"
 
 /* g_ij c^(D - i - j), or with `back` g_ij c^(i + j). */
@@ -46,9 +47,7 @@ static void content_of(fmpz_t out, const sliced_curve *s) {
 /* The polynomial without its content. */
 static void to_polynomial(fmpz_mpoly_t out, const sliced_curve *s, int variable,
                           const fmpz_mpoly_ctx_t ring) {
-    fmpz_t content, c;
-    fmpz_init(content);
-    fmpz_init(c);
+    fmpz *content = _fmpz_vec_init(2), *c = content + 1;
     content_of(content, s);
     fmpz_mpoly_zero(out, ring);
     for (slong k = 0; k <= s->degree; k++)
@@ -61,8 +60,7 @@ static void to_polynomial(fmpz_mpoly_t out, const sliced_curve *s, int variable,
                 fmpz_mpoly_push_term_fmpz_ui(out, c, e, ring);
         }
     fmpz_mpoly_sort_terms(out, ring);
-    fmpz_clear(content);
-    fmpz_clear(c);
+    _fmpz_vec_clear(content, 2);
 }
 
 graze_status shift_curve(fmpz_mpoly_t out, graze_context *context, const fmpz_mpoly_t curve,

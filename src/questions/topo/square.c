@@ -7,6 +7,7 @@
  */
 #include "questions/topo/square.h"
 
+#include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/number/isolate.h"
 #include "base/number/order.h"
@@ -37,9 +38,7 @@ static void set_square(square_maker *m) {
 /* Trace the point of a side whose coordinate along it is `along`, from the centre. */
 static graze_status sample_at(square_maker *m, const fmpq_t along) {
     int beyond = 0;
-    fmpq sample[2];
-    for (int k = 0; k < 2; k++)
-        fmpq_init(sample + k);
+    fmpq *sample = _fmpq_vec_init(2);
     fmpq_set_si(sample + m->axis, m->negative ? -1 : 1, 1);
     fmpq_div_2exp(sample + m->axis, sample + m->axis, m->near.places);
     fmpq_set(sample + (1 - m->axis), along);
@@ -51,8 +50,7 @@ static graze_status sample_at(square_maker *m, const fmpq_t along) {
         finding_set(m->out, GRAZE_TOPO_BOUNDARY, m->level);
         set_square(m);
     }
-    for (int k = 0; k < 2; k++)
-        fmpq_clear(sample + k);
+    _fmpq_vec_clear(sample, 2);
     return status;
 }
 
