@@ -106,6 +106,15 @@ const value *taylor_gradient(const taylor *t, int i) {
     return no_value;
 }
 
+int taylor_order(const taylor *t) {
+    int least = 0;
+    for (size_t k = 0; k < t->count; k++) {
+        int degree = t->power[k][0] + t->power[k][1] + t->power[k][2];
+        least = least == 0 || degree < least ? degree : least;
+    }
+    return least;
+}
+
 /* out += sign da/di db/dj */
 static void add_derivatives(taylor *out, moment_field *f, const taylor *a, int i, const taylor *b,
                             int j, int sign) {

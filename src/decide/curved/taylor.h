@@ -44,6 +44,9 @@ void taylor_of_surface(taylor *out, moment_field *f, const taylor_point *p,
 /** Component i of the gradient at the point, a borrowed element. */
 const value *taylor_gradient(const taylor *t, int i);
 
+/** The lowest degree of its terms; 0 for none. */
+int taylor_order(const taylor *t);
+
 /** out = da/di db/dj - da/dj db/di, which vanishes at the point, too. */
 void taylor_minor(taylor *out, moment_field *f, const taylor *a, const taylor *b, int i, int j);
 

@@ -3,6 +3,7 @@
  */
 #include "program/run/certified.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -97,13 +98,16 @@ static int is_plain(const char *motion) {
     return plain;
 }
 
-/* Can graze-check read the file of a motion? A pipe is not asked a second time. */
+/* Can graze-check read the file of a motion? A pipe is not asked a second time. -1: out of memory.
+ */
 static int is_motion_plain(const char *path) {
     struct stat about;
     char *text = NULL;
     size_t room = 0;
+    errno = 0;
     FILE *file = stat(path, &about) == 0 && S_ISREG(about.st_mode) ? fopen(path, "r") : NULL;
-    int plain = !file || getdelim(&text, &room, '\0', file) < 0 || is_plain(text);
+    ssize_t length = file ? getdelim(&text, &room, '\0', file) : -1;
+    int plain = length >= 0 ? is_plain(text) : errno == ENOMEM ? -1 : 1;
     free(text);
     if (file)
         fclose(file);
@@ -211,7 +215,10 @@ int certified_load(loaded *l, const classify_options *o, int writes) {
     graze_status made = make_certifier(l, o);
     if (made && made != GRAZE_EILLEGAL)
         return complain_of_use(made, l->context);
-    lacks lack = {made || !has_read_ending(o->scene.solid), !is_motion_plain(o->scene.motion)};
+    int plain = is_motion_plain(o->scene.motion);
+    if (plain < 0)
+        return complain(EXIT_IO, "out of memory");
+    lacks lack = {made || !has_read_ending(o->scene.solid), !plain};
     if (certificate_path(o) && (lack.solid || lack.motion))
         return convert_scene(l, o, &lack, writes);
     if (lack.solid)
