@@ -86,16 +86,18 @@ static void compose(value *out, moment_field *f, const taylor *of, const value *
                     const value *scale, const probe *p) {
     size_t d = (size_t)of->dimension, length = (size_t)n;
     value *power = field_vector(f, (d * POWERS + 2) * length);
-    value *product = power + d * POWERS * length, *next = product + length;
     for (size_t k = 0; k < length; k++)
         fmpq_poly_zero(out + k);
-    for (size_t i = 0; i < d && power; i++) {
+    if (!power)
+        return;
+    value *product = power + d * POWERS * length, *next = product + length;
+    for (size_t i = 0; i < d; i++) {
         fmpq_poly_set_si(power + i * POWERS * length, 1);
         for (size_t k = 1; k <= (size_t)of->degree && k < length; k++)
             multiply_series(power + (i * POWERS + k) * length, f,
                             power + (i * POWERS + k - 1) * length, series + i * length, n);
     }
-    for (size_t t = 0; t < of->count && power; t++) {
+    for (size_t t = 0; t < of->count; t++) {
         int total = 0, bound = 0;
         for (size_t i = 0; i < d; i++)
             total += of->power[t][i];
