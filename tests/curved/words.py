@@ -231,6 +231,11 @@ SCENES = [
     ("below a cusp", polynomial({"2,0": 1, "0,3": -1}), along(-1, 1, "t", "0"), "OBO", [0]),
     ("beside a cusp of the complement", polynomial({"0,2": -1, "3,0": 1}), along(-1, 1, "0", "t"), "IBI", [0]),
     # Singular points in company (C126): the cusp lies to the right of the line, its mirror image to the left.
+    # The same at other heights: windows beside it end above, in and below y = 0, in it for -3/16 <= y < -1/8.
+    *[(f"cusp at {y}", polynomial({"0,2": 1, "0,1": -2 * y, "0,0": y * y, "3,0": -1}), along(-1, 1, "0", "t"), "OBO", [y])
+      for y in (F(k, 64) for k in (-40, -25, -13, -12, -11, -10, -9, -8, -5, -1, 1, 5, 9, 12, 40))],
+    *[(f"node at {y}", polynomial({"0,2": 1, "0,1": -2 * y, "0,0": y * y, "3,0": -1, "2,0": -1}), along(-F(1, 2), F(1, 2), "t", str(y)), "IBI", [0])
+      for y in (F(k, 64) for k in (-13, -12, -10, -9, 7))],        # (y - y0)^2 <= x^2 (1 + x), along the axis
     ("cusp and a line", common(CUSP, RIGHT), along(-1, 1, "0", "t"), "OBO", [0]),
     ("cusp and a line, mirrored", common(polynomial({"0,2": 1, "3,0": 1}), LEFT), along(-1, 1, "0", "t"), "OBO", [0]),
     ("cusp on the other side", common(CUSP, UPPER, LEFT), along(-1, 1, "0", "t"), "O", []),

@@ -155,12 +155,15 @@ static void walk_up(stack *s, const fmpz_t abscissa) {
     pullbacks *at = &s->at;
     dependence d;
     trajectory line;
+    fmpz_t height;
     trajectory_init(&line, 2);
     line.degree = 1;
     fmpz_poly_set_fmpz(&line.x[0], abscissa);
     fmpz_poly_set_coeff_fmpz(&line.x[1], 0, y->low);
-    fmpz_poly_set_coeff_fmpz(&line.x[1], 1, y->high);
-    fmpz_sub(line.x[1].coeffs + 1, y->high, y->low);
+    fmpz_init(height);
+    fmpz_sub(height, y->high, y->low);
+    fmpz_poly_set_coeff_fmpz(&line.x[1], 1, height);
+    fmpz_clear(height);
     fmpz_poly_scalar_mul_2exp(&line.x[1], &line.x[1], x->exponent - y->exponent);
     fmpz_poly_one(&line.x[2]);
     fmpz_poly_scalar_mul_2exp(&line.x[2], &line.x[2], x->exponent);
