@@ -255,6 +255,11 @@ def in_the_plane(number, checks, graze, rng, told):
     shown = branches.patterns(curves)
     if shown is None:
         return
+    # A rational point may lie anywhere: stacks are at windows whose sides are multiples of powers of 1/2.
+    by = [F(rng.choice([rng.randint(-40, 40), rng.randint(-12, -9)]), 64) if name == "rational" else 0 for _ in "xy"]
+    if name == "rational":
+        displaced = [branches.plane(x1y0=1, x0y0=-by[0]), branches.plane(x0y1=1, x0y0=-by[1]), branches.UNIT]
+        both = [(curve, there.into(*displaced)) for curve, there in both]
     nodes = [(k, node_of(there)) for k, (_, there) in enumerate(both)]
     solid, truth = branches.tree(rng, nodes)
     rest = [p for p in itertools.islice(itertools.product((-1, 1), repeat=len(curves)), 64) if p not in shown]
@@ -272,7 +277,7 @@ def in_the_plane(number, checks, graze, rng, told):
     if None in gaps:
         return
     word = merged(gaps[0] + at + gaps[1])
-    motion = Motion(2, [(time - span, time + span, {"translate": [f"-({p})" for p in path]})])
+    motion = Motion(2, [(time - span, time + span, {"translate": [f"-({p})-({b})" for p, b in zip(path, by)]})])
     answers = graze.classify(f"plane {number}", Curved(2, solid), motion, [(0, 0)])
     told[f"plane, {name}"][at] += 1
     if answers:
