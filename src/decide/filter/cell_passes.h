@@ -7,7 +7,7 @@
 #include "decide/filter/cell_walls.h"
 #include "decide/filter/point_box.h"
 
-/** What is certain of a cell (proofs/judging.md C116). */
+/** Passages of trajectories from a cell that are certain (proofs/judging.md C116). */
 typedef enum cell_passage {
     CELL_DOUBTFUL, /* nothing */
     CELL_PASSES,   /* no point of it is `on`, so all of them have one membership */

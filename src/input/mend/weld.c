@@ -13,6 +13,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/slots.h"
+#include "base/number/vector.h"
 #include "input/mend/split.h"
 
 enum { ENDS_COMPARED = 4096 }; /* each with all others at worst */
@@ -79,14 +80,10 @@ static uint64_t cell_hash(const welder *w, int x, int y, int z) {
 }
 
 static void square_of_distance(fmpq_t out, const fmpq *p, const fmpq *q) {
-    fmpq_t way;
-    fmpq_init(way);
-    fmpq_zero(out);
-    for (int k = 0; k < 3; k++) {
-        fmpq_sub(way, p + k, q + k);
-        fmpq_addmul(out, way, way);
-    }
-    fmpq_clear(way);
+    fmpq *way = _fmpq_vec_init(3);
+    vector_sub(way, p, q, 3);
+    _fmpq_vec_dot(out, way, way, 3);
+    _fmpq_vec_clear(way, 3);
 }
 
 /* Take the nearest vertex of one cell that stays, if it is nearer than all before. */

@@ -18,7 +18,7 @@ typedef struct beside {
     char *path, *text;
 } beside;
 
-/* What graze-check cannot read as it stands. */
+/* Files of a scene that graze-check cannot read as they stand: 1. */
 typedef struct lacks {
     int solid, motion;
 } lacks;

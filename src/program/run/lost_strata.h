@@ -21,8 +21,8 @@ typedef struct lost_strata {
 graze_status lost_strata_dyadic(lost_strata *lost, const loaded *l, const scene_options *o,
                                 unsigned long long seed, const unsigned long *weights);
 
-/** What is to be said of such strata, in lines with `between` between them, or an empty text:
- * malloc'ed, NULL when out of memory. */
+/** A line for each such stratum, `between` between them; an empty text for none. malloc'ed, NULL
+ * when out of memory. */
 char *lost_strata_text(const lost_strata *lost, const char *between);
 
 #endif

@@ -23,11 +23,11 @@ typedef struct output {
 int output_is_standard(const char *path);
 /** The name itself, but for `-` the name with an ending, such as `-.svg`. */
 const char *output_name(const char *path, const char *standard);
-/** What has no name goes from now on to this file, or to standard error where it is NULL; before
- * that to standard output. */
+/** Send output without a name to this file from now on, or to standard error where it is NULL;
+ * before that it goes to standard output. */
 void output_unnamed(const char *path);
-/** Open `path`, or where what has no name goes if it is NULL; an existing file is emptied. Returns
- * an exit status and says what is wrong. */
+/** Open `path`, or where output without a name goes if it is NULL; an existing file is emptied.
+ * Returns an exit status and says what is wrong. */
 int output_open(output *out, const char *path);
 /** Open a file without changing it, to go on from a place in it; it is made if it is not there.
  * Returns an exit status and says what is wrong. */

@@ -10,9 +10,9 @@
  * all times of their pieces; else 0. E^3; the list is bounded. */
 int invariant_direction(fmpz *out, const germ_list *list);
 
-/** The same but for planes across `step`, which stay where they are and in which the trajectory of
- * the point runs throughout their pieces: 1 if there are such, and the direction crosses them;
- * else 0, and `step` is 0 (proofs/topology.md C128). */
+/** A direction that is parallel to all of these planes but those across `step`, which stay where
+ * they are and in which the trajectory of the point runs throughout their pieces: 1 if there are
+ * such, and the direction crosses them; else 0, and `step` is 0 (proofs/topology.md C128). */
 int invariant_beside_step(fmpz *out, fmpz *step, const germ_list *list, const fmpq *point);
 
 #endif
