@@ -11,6 +11,7 @@
  */
 #include "fixture.h"
 #include "../lib/random.h"
+#include "questions/judge/flat_cube.h"
 #include "questions/judge/winding.h"
 
 /* A grid of vertices that closes as a torus, and as a Klein bottle; places are whole numbers. */
@@ -170,6 +171,14 @@ static mesh_place check_point(const sample_mesh *s) {
     return got;
 }
 
+/* Planes of a cube that holds all of the mesh are too many for cells: it is of the band. */
+static void check_flat(const sample_mesh *s) {
+    cube all = {.centre = {3, 3, 3}, .half = 4, .kind = CUBE_FLAT};
+    assert_int_equal(flat_child(&all, context, &s->mesh), GRAZE_OK);
+    assert_int_equal(all.kind, CUBE_BAND);
+    assert_false(all.beside);
+}
+
 static void random_meshes(graze_mesh_rule rule) {
     size_t met[3] = {0, 0, 0};
     for (int round = 0; round < ROUNDS; round++) {
@@ -179,6 +188,7 @@ static void random_meshes(graze_mesh_rule rule) {
         assert_true(s.mesh.rule >= rule);
         for (int n = 0; n < POINTS; n++)
             met[check_point(&s)]++;
+        check_flat(&s);
         judged_mesh_clear(&s.mesh);
         soup_clear(&s.input);
     }

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/number/rounding.h"
+#include "base/number/vector.h"
 
 void cube_cells_init(cube_cells *c, graze_context *context) {
     *c = (cube_cells){.context = context, .plane = _fmpq_vec_init(4 * CUBE_PLANES)};
@@ -53,7 +54,7 @@ static graze_status add_to_cell(cube_cells *c, const fmpq *corner, unsigned side
         array_grow(c->context, &c->item, &c->capacity, k + 1, sizeof *c->item, "cells of a cube");
     if (status)
         return status;
-    fmpq *e = _fmpq_vec_init(12), *at = c->item[k].at;
+    fmpq *e = _fmpq_vec_init(13), *at = c->item[k].at;
     if (k == c->count) {
         c->count++;
         c->item[k].sides = sides;
@@ -66,16 +67,12 @@ static graze_status add_to_cell(cube_cells *c, const fmpq *corner, unsigned side
     }
     for (int i = 0; i < 9; i++)
         fmpq_sub(e + i, corner + 3 + i, corner + i % 3);
-    for (int i = 0; i < 3; i++) {
-        fmpq_mul(e + 9, e + 3 + (i + 1) % 3, e + 6 + (i + 2) % 3);
-        fmpq_mul(e + 10, e + 3 + (i + 2) % 3, e + 6 + (i + 1) % 3);
-        fmpq_sub(e + 9, e + 9, e + 10);
-        fmpq_addmul(e + 11, e + i, e + 9);
-    }
-    fmpq_abs(e + 11, e + 11);
-    fmpq_div_fmpz(e + 11, e + 11, (fmpz[]){6});
-    fmpq_add(at + 3, at + 3, e + 11);
-    _fmpq_vec_clear(e, 12);
+    vector_cross(e + 9, e + 3, e + 6);
+    _fmpq_vec_dot(e + 12, e, e + 9, 3);
+    fmpq_abs(e + 12, e + 12);
+    fmpq_div_fmpz(e + 12, e + 12, (fmpz[]){6});
+    fmpq_add(at + 3, at + 3, e + 12);
+    _fmpq_vec_clear(e, 13);
     return GRAZE_OK;
 }
 

@@ -141,13 +141,15 @@ graze_status flat_child(cube *c, graze_context *context, const judged_mesh *mesh
     graze_status status = begin_flat(&f, context, c, mesh);
     if (!status && !f.count)
         status = cube_cells_make(&f.cells, c);
-    for (size_t k = 0; k < f.cells.count; k++) {
+    for (size_t k = 0; k < f.cells.count && !f.cells.failed; k++) {
         long winding;
         int in = judged_place(&winding, mesh, f.cells.item[k].at) == MESH_IN;
         kinds |= in ? CUBE_IN : CUBE_OUT;
     }
     take_kinds(c, kinds);
-    c->beside &= f.count > 0;
+    if (f.cells.failed) /* the same planes may make more tetrahedra of a part than of the whole */
+        c->kind = CUBE_BAND;
+    c->beside &= f.count > 0 && !f.cells.failed;
     cube_cells_clear(&f.cells);
     return status;
 }

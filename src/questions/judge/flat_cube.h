@@ -26,7 +26,8 @@ void cube_span_set(cube_span *out, const cube *c, const judged_mesh *mesh);
  */
 graze_status flat_decide(cube *c, cell_asker *ask, const judged_mesh *mesh);
 
-/** Decide a part of a flat cube: flat too, or inside or outside where the mesh misses it. */
+/** Decide a part of a flat cube: flat too, or inside or outside where the mesh misses it; of the
+ * band where its cells are too many. */
 graze_status flat_child(cube *c, graze_context *context, const judged_mesh *mesh);
 
 /** Add the volume that is inside the mesh in a flat cube. */
