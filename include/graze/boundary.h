@@ -60,8 +60,8 @@ typedef struct graze_boundary_cell {
  * each of its vertices is on the boundary, or between two exactly classified points, one of them
  * `out` and the other not, that are at most 2^-20 of a cell apart. It is a manifold without
  * degenerate faces. With `sharp` a cell whose vertices' tangent planes meet inside it has a vertex
- * there, if that is such a point too; the tangent planes are guesses, most of them exact, of which
- * only the place of that vertex depends. Parts, holes and gaps without a point of the sample, and
+ * there, if that is such a point too; the tangent planes are guesses, most of them exact; only the
+ * place of that vertex depends on them. Parts, holes and gaps without a point of the sample, and
  * details smaller than a cell, can be missed.
  * @param scene borrowed; it must outlive the boundary
  * @return GRAZE_EUSE a NULL, a depth out of range, an empty box, a budget too small for the

@@ -84,7 +84,7 @@ typedef struct graze_comparison graze_comparison;
 /**
  * Compare a candidate's table with a golden one, row by row. Rows are matched by the column `id` if
  * both tables have it (numbers by value), in any order; else by the point, rounded as the context
- * says; where that leaves rows of both without a counterpart and both have as many, by order, if
+ * says; where that leaves rows of both without a counterpart, the same number in each, by order, if
  * the points differ by no more than rounding explains, and by order alone where the candidate has
  * no points. Missing rows and extra rows are counted; hashes in the `#` lines of both tables must
  * agree. Tables in the same order are streamed: at most 1000 rows of each are in memory, else the
@@ -123,8 +123,8 @@ typedef struct graze_disagreement {
 /** Disagreement `index` of those kept, in their order (`show`); zero past the end. */
 GRAZE_API graze_disagreement graze_comparison_disagreement(const graze_comparison *comparison,
                                                            size_t index);
-/** What the golden table's head says of the scene, as options of `graze explain` with a blank
- * before each; "" for NULL. Borrowed. */
+/** The golden table's scene as options of `graze explain`, each with a blank before it; "" for
+ * NULL. Borrowed. */
 GRAZE_API const char *graze_comparison_head(const graze_comparison *comparison);
 /** Report of a comparison: confusion matrices, errors by stratum, distance, class, definition and
  * case (contact points: by column, stratum, distance, status and role), and the disagreements kept.

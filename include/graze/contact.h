@@ -23,7 +23,7 @@ typedef enum graze_role {
     GRAZE_ROLE_INGRESS = 3, /**< no contact, all facets move inward */
     GRAZE_ROLE_HIDDEN = 4   /**< no contact, neither of these */
 } graze_role;
-/** What the trajectory of P does apart from its contact at t. Zero is never an answer. */
+/** Contacts and interior times of the trajectory of P other than t. Zero is never an answer. */
 typedef enum graze_trim {
     GRAZE_TRIM_NONE = 0,
     GRAZE_TRIM_SLIDES = 1, /**< never in the interior; the contact at t is an interval */
@@ -117,7 +117,7 @@ GRAZE_API void graze_site_point(mpq_t *body, mpq_t *world, const graze_site *sit
 /** Time nearest to t, t excepted, at which the trajectory of P is in the solid; t itself if there
  * are such times as near as one likes; of two the earlier. NULL: there is none. Borrowed. */
 GRAZE_API const graze_time *graze_site_near(const graze_site *site);
-/** The same for the closure of the times in the solid's interior. */
+/** The nearest time in the closure of the times at which P is in the solid's interior. */
 GRAZE_API const graze_time *graze_site_near_in(const graze_site *site);
 /** Trace of P, borrowed; NULL for NULL and where a cell has no contact. */
 GRAZE_API const graze_trace *graze_site_trace(const graze_site *site);

@@ -44,9 +44,9 @@ graze_motion_write_rotation(char **json, char **report, graze_context *context, 
 /**
  * Make a motion file of joints that all move uniformly for t from 0 to 1, the first one applied
  * first (the product of exponentials; a screw of constant pitch is one joint). Such a motion is
- * transcendental. It is cut into 2^m times as many pieces as the largest turn has quarters; m is
- * the least one with no point off by more than the tolerance at any time. Other arguments as for
- * graze_motion_write_rotation.
+ * transcendental. It is cut into 2^m q pieces, where the largest turn has q quarters and m is the
+ * least number such that no point is off by more than the tolerance at any time. Other arguments as
+ * for graze_motion_write_rotation.
  * @param joints `count` joints, at least one
  * @return as graze_motion_write_rotation; GRAZE_ELIMIT also for too many pieces; GRAZE_ECANCELED
  */
@@ -181,7 +181,7 @@ typedef struct graze_shape {
 } graze_shape;
 
 /**
- * Write a shape as OFF: a polyhedron that is a part of it, and one of which it is a part. Both are
+ * Write a shape as OFF: a polyhedron inside it, and one around it. Both are
  * convex, and within the tolerance of it (Hausdorff), which is proved for the very numbers that are
  * written. A box is exact. Numbers are finite decimals where the shape's are.
  * @param[out] inside, outside, report texts for graze_free; each may be NULL
@@ -210,9 +210,9 @@ typedef struct graze_scad_options {
     size_t size;              /**< sizeof(graze_scad_options) */
     int smooth;               /**< spheres, cylinders, circles and what is revolved are round, also
                                    with a number of sides, $fn; else they are refused with one */
-    mpq_srcptr near_rotation; /**< positive: a multmatrix is a rotation, times a number, of which
-                                 its linear part over that number is so near in each entry;
-                                 borrowed. NULL: as it stands */
+    mpq_srcptr near_rotation; /**< positive: a multmatrix is taken as a number times a rotation if
+                                 each entry of its linear part, divided by that number, is within
+                                 this of the rotation's; borrowed. NULL: as it stands */
 } graze_scad_options;
 
 /**
@@ -230,7 +230,7 @@ GRAZE_API GRAZE_CHECKED graze_status graze_scad_text(char **out, char **report,
                                                      const graze_scad_options *options);
 
 /**
- * Mend a mesh that bounds no solid, as far as that moves no point: equal vertices become one,
+ * Mend a mesh that bounds no solid by steps that move no point: equal vertices become one,
  * facets without area go, edges are split at vertices in their middle, and, where it is not legal
  * yet, facets are turned round. The result is validated as graze_solid_read does. A weld moves
  * vertices: the largest displacement, rounded up, stands in the report.

@@ -81,7 +81,7 @@ GRAZE_API GRAZE_CHECKED graze_status graze_context_create(graze_context **out);
 GRAZE_API void graze_context_destroy(graze_context *context);
 /** Message of the last failure, one line; "" if none. Borrowed until the next call with it. */
 GRAZE_API const char *graze_context_message(const graze_context *context);
-/** Place of the last failure, as far as the message names it. Borrowed likewise. */
+/** Place of the last failure, if the message names one. Borrowed likewise. */
 GRAZE_API graze_place graze_context_place(const graze_context *context);
 /** Set a limit, from 1 to a bound that keeps sizes within machine words.
  * @return GRAZE_EUSE an unknown limit, or a value out of range */
@@ -260,7 +260,7 @@ GRAZE_API void graze_scene_destroy(graze_scene *scene);
 GRAZE_API int graze_scene_dimension(const graze_scene *scene);
 /** 1 if S^0 and S^1 have a common point, else 0, also for NULL. */
 GRAZE_API int graze_scene_ends_meet(const graze_scene *scene);
-/** What is known of S^0 and S^1. */
+/** Relation of S^0 and S^1, the solid at the start and the end of the motion. */
 typedef enum graze_ends {
     GRAZE_ENDS_APART = 0,
     GRAZE_ENDS_MEET = 1,

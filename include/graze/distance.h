@@ -41,7 +41,7 @@ GRAZE_API GRAZE_CHECKED graze_status graze_distances(graze_enclosure *out, graze
                                                      const graze_scene *scene,
                                                      graze_rationals points, size_t n,
                                                      double tolerance);
-/** The same for finite doubles, which mean exactly what they are. */
+/** graze_distances for finite doubles, which are taken exactly. */
 GRAZE_API GRAZE_CHECKED graze_status graze_distances_doubles(graze_enclosure *out,
                                                              graze_context *context,
                                                              const graze_scene *scene,

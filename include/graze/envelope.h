@@ -15,7 +15,7 @@
 extern "C" {
 #endif
 
-/** What changes at an event. Zero is never an answer. */
+/** Kinds of change at an event. Zero is never an answer. */
 typedef enum graze_event_kind {
     GRAZE_EVENT_NONE = 0,
     GRAZE_EVENT_SADDLE = 1, /**< det(velocity, two edge rays) at a vertex that is not convex */
@@ -80,7 +80,7 @@ typedef enum graze_curve_kind {
     GRAZE_CURVE_POINT = 3, /**< a point of an edge or a vertex alone */
     GRAZE_CURVE_WHOLE = 4  /**< a whole facet */
 } graze_curve_kind;
-/** What the parts that hang together look like (E^3). Zero: one point, or E^2. */
+/** Shape of a connected part (E^3). Zero: one point, or E^2. */
 typedef enum graze_chain_form {
     GRAZE_CHAIN_NONE = 0,
     GRAZE_CHAIN_CLOSED = 1,   /**< two parts at every end */
@@ -231,7 +231,7 @@ GRAZE_API GRAZE_CHECKED graze_status graze_patches_joint_header(char **out, graz
  * @return GRAZE_EUSE a NULL or no such patch; GRAZE_ELIMIT; GRAZE_ECANCELED; GRAZE_ESYSTEM */
 GRAZE_API GRAZE_CHECKED graze_status graze_patches_row(char **out, graze_context *context,
                                                        const graze_patches *patches, size_t index);
-/** The same of joint `index`. */
+/** Row of joint `index`, as graze_patches_row writes that of a patch. */
 GRAZE_API GRAZE_CHECKED graze_status graze_patches_joint_row(char **out, graze_context *context,
                                                              const graze_patches *patches,
                                                              size_t index);

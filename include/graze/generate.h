@@ -64,10 +64,10 @@ typedef struct graze_generator graze_generator;
 
 /**
  * Make a generator of query points for a scene, which is borrowed and must outlive it. A stratum
- * that a number of tries does not find in the scene gets the weight 0; of a curved solid, that are
- * strata of which no rational point is found, and `level`. The decades of `level` are
- * those from the largest of an `in` point that is found down to 1e-9 of the diagonal of S^0's box,
- * on both sides; those that a number of tries does not find are missing.
+ * that a number of tries does not find in the scene gets the weight 0; for a curved solid these are
+ * `level` and strata in which no rational point is found. The decades of `level` are those from the
+ * largest of an `in` point that is found down to 1e-9 of the diagonal of S^0's box, on both sides;
+ * those that a number of tries does not find are missing.
  * @param weights GRAZE_STRATUM_COUNT weights of at most 10^6, or NULL for the defaults, with which
  * at least 70 % of the points are degenerate
  * @param flags   0 or GRAZE_GENERATE_REPRESENTABLE

@@ -1,8 +1,8 @@
 /* graze/judge.h - how far a mesh is from the boundary of a sweep, with proof.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * W is the closed sweep, the union of all M(t) S. What is given is a mesh of triangles that is to
- * be its boundary, of which nothing is assumed (proofs/judging.md).
+ * W is the closed sweep, the union of all M(t) S. The input is a mesh of triangles that should be
+ * its boundary; nothing is assumed of it (proofs/judging.md).
  */
 #ifndef GRAZE_JUDGE_H
 #define GRAZE_JUDGE_H
@@ -168,7 +168,7 @@ GRAZE_API GRAZE_CHECKED graze_status graze_mesh_distances(graze_enclosure *out,
                                                           int threads);
 
 /**
- * What a mesh says of points, in threads: in where its winding number is not 0 (by parity, where
+ * Classify points by a mesh, in threads: in where its winding number is not 0 (by parity, where
  * that is its rule, odd), `on` where a triangle holds the point, else out.
  * @param[out] out an answer for each point
  * @param points   3n canonical rationals; may be NULL if n is 0

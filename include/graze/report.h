@@ -31,8 +31,8 @@ GRAZE_API graze_hashes graze_scene_hashes(const graze_scene *scene);
  * the units (`1.2e5`).
  * @param[out] out text for graze_free
  * @param value    canonical
- * @param digits   0: the number itself; 1 to 1000: rounded to nearest, ties to even, at so many
- * significant digits where it has more
+ * @param digits   0: the number itself; 1 to 1000: at most this number of significant digits,
+ * rounded to nearest, ties to even
  * @return GRAZE_EUSE; GRAZE_EINPUT digits is 0 and the number has no finite decimal; GRAZE_ELIMIT;
  * GRAZE_ESYSTEM
  */
@@ -52,7 +52,7 @@ typedef enum graze_format {
                                (definition, case, i, t; ext: 0), and bytes */
 } graze_format;
 
-/** What rows show, and in what form (rule 6). */
+/** Columns and form of rows (rule 6). */
 typedef struct graze_row_options {
     size_t size; /**< sizeof(graze_row_options) */
     graze_format format;
@@ -111,7 +111,7 @@ GRAZE_API GRAZE_CHECKED graze_status graze_report_point(char **out, graze_contex
                                                         graze_rationals point,
                                                         const graze_row_texts *texts,
                                                         const graze_row_options *options);
-/** What rows say together. */
+/** Totals over rows. */
 typedef struct graze_row_totals {
     unsigned long undecided; /**< positions relative to the closed sweep, or words of a curved solid
                                   (with GRAZE_COLUMNS_PMC its pmc) */

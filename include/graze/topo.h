@@ -40,7 +40,7 @@ typedef struct graze_topology graze_topology;
 
 /** "interior", "boundary", "exterior" or "undecided", else "none". Static. */
 GRAZE_API const char *graze_topo_name(graze_topo topo);
-/* Of a position relative to the regularised unsweep: is the point in it? */
+/* Names of a position relative to the regularised unsweep: is the point in it? */
 /** "yes", "no" or "undecided", else "none". Static. */
 GRAZE_API const char *graze_regular_name(graze_topo topo);
 /** "word", "first_order", "closed_cones", "edges", "leading_terms", "section" or
@@ -62,8 +62,8 @@ GRAZE_API GRAZE_CHECKED graze_status graze_trace_topo(graze_topology **out, graz
 /**
  * Decide where a point lies relative to the regularised unsweep: `in` is interior and `out`
  * exterior; `on` is boundary, with a witness that is `in`, or exterior, on a dangling part
- * (dangling.md C113). Decided as far as graze_trace_topo decides.
- * @return as graze_trace_topo; GRAZE_EUSE a sweep too, of which no part dangles
+ * (dangling.md C113). It is undecided in the cases in which graze_trace_topo is.
+ * @return as graze_trace_topo; GRAZE_EUSE also for a sweep: no part of one dangles
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_trace_regular(graze_topology **out,
                                                          graze_context *context,

@@ -37,8 +37,8 @@ graze_status api_coordinate(graze_context *context, graze_status status, const c
                             size_t index, size_t coordinate);
 
 /**
- * Take the caller's options over, as far as their first member says; zeros for the others, and all
- * zeros for NULL.
+ * Copy the caller's options, whose first member is their size in bytes; the other members become
+ * zero, and all do for NULL.
  * @param known size of the struct in this version
  * @return GRAZE_EUSE a size too small, or members that this version does not know
  */

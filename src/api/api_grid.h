@@ -6,7 +6,7 @@
 #include "decide/lattice/bricks.h"
 #include "decide/lattice/grid_rows.h"
 
-/** What is decided, and written, when it is first asked for; under locks of its own. */
+/** Answers that are computed when they are first asked for; under locks of their own. */
 typedef struct grid_memory {
     bricks bricks;
     axis_texts texts;

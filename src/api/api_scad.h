@@ -6,7 +6,7 @@
 
 #include "graze/core.h"
 
-/** Read a file of which all is taken as it stands. `sha256` is that of a file read before, or
+/** Read a file and take everything as it stands. `sha256` is that of a file read before, or
  * NULL. */
 graze_status api_scad_solid(graze_solid **out, graze_context *context, const char *path,
                             const unsigned char *sha256);

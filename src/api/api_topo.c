@@ -15,7 +15,7 @@ struct graze_topology {
 typedef graze_status (*decider)(topo_finding *, graze_context *, const graze_scene *, const fmpq *,
                                 const graze_trace *);
 
-/* What both questions share. */
+/* The common part of both questions. */
 static graze_status decide(graze_topology **out, graze_context *context, const char *function,
                            decider question, const graze_scene *scene, graze_rationals point,
                            const graze_trace *trace) {

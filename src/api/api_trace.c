@@ -54,7 +54,7 @@ size_t graze_trace_contact_count(const graze_trace *trace) {
     return trace ? trace->contact_count : 0;
 }
 
-/* What the caller sees of a contact, but for its kind. */
+/* A contact in its public form, without its kind. */
 static graze_contact contact_out(const contact *c) {
     return (graze_contact){.left = c->left,
                            .right = c->right,

@@ -1,4 +1,4 @@
-/* What every part of graze-check uses: arrays, work, words, numbers, files, SHA-256.
+/* Common tools of graze-check: arrays, work, words, numbers, files, SHA-256.
  * SPDX-License-Identifier: MIT
  */
 #ifndef CHECK_BASE_H

@@ -102,8 +102,8 @@ certificate certificate_open(const char *path) {
     return c;
 }
 
-/* What the row claims beside its word is held to the word at once; the word to the intervals when
- * the row ends. */
+/* The row's other claims are checked against its word at once; the word is checked against the
+ * intervals when the row ends. */
 static void begin_row(certificate *c, trace *r) {
     r->row = c->row_count;
     r->line = c->l.line;

@@ -7,19 +7,19 @@
 
 #include "trace.h"
 
-/** What a certificate's head says. */
+/** Head of a certificate. */
 typedef struct head {
     int dimension, unsweep, combined, contacts;
     char solid[65], motion[65], scene[65];
 } head;
 
-/** What proofs/claims.md sections 3 and 4 make of a word. */
+/** Verdict of a word by proofs/claims.md sections 3 and 4. */
 typedef struct verdict {
     char claims[80]; /* pmc, and for a sweep class, definition, case, i, t; commas between them */
     unsigned long k; /* for a sweep */
 } verdict;
 
-/** Of a word of the letters I, B and O, one or more. */
+/** The verdict of a word of one or more letters I, B and O. */
 verdict verdict_of(const char *states, const head *h);
 
 /** A golden table, its head held to that of the certificate: in it is certified what a certificate
@@ -67,7 +67,7 @@ certificate certificate_open(const char *path);
  */
 void certificate_follow(certificate *c, trace *r, table *t, size_t part, size_t parts);
 
-/** What graze-check is asked. */
+/** Arguments of one run of graze-check. */
 typedef struct task {
     const char *path[4]; /* solid, motion, certificate, table or NULL */
     int assume_legal;

@@ -27,7 +27,7 @@ typedef struct motion {
  * poles and det by motion_check_signs. */
 motion motion_read(const char *path, const char *sha256);
 
-/** Take in the next piece, of which lo, hi and `forward` are given, common factors and all. Refutes
+/** Take in the next piece; its lo, hi and `forward` are given, common factors included. Refutes
  * one that does not go on from the piece before it. */
 void motion_add(motion *m, const piece *next);
 /** The denominator and the determinant have one strict sign between neighbouring times, which go

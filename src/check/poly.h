@@ -36,15 +36,15 @@ void poly_common(poly *out, const poly *a, const poly *b);
  */
 void bernstein(mpz_t *out, const poly *p, size_t n, const mpq_t a, const mpq_t b);
 
-/** Of the signs of coefficients, one or more: the first, the last, the least, the greatest, and how
- * often one that is not 0 is followed by the other. */
+/** Signs of one or more coefficients: the first, the last, the least, the greatest, and the number
+ * of sign variations, zeros left out. */
 typedef struct signs {
     int first, last, least, most;
     size_t changes;
 } signs;
 
 signs signs_of(mpz_t *c, size_t count);
-/** Of the Bernstein coefficients on [a, b] of p, which is not zero, to its own degree. */
+/** Signs of the Bernstein coefficients of p on [a, b], to its own degree; p is not zero. */
 signs poly_signs(const poly *p, const mpq_t a, const mpq_t b);
 /** 1 or -1 if all have this sign, else 0. */
 int strict_sign(signs s);

@@ -33,7 +33,7 @@ static void multiply(poly *p, const poly *q) {
     *p = product;
 }
 
-/* What stands between quotes, or bare. */
+/* A value without its quotes, or as it stands. */
 static word value(source *f) {
     word w = token(f);
     (void)word_take(&w, "\"");

@@ -152,7 +152,7 @@ void list_add(list *l, size_t item) {
     l->item[l->count++] = item;
 }
 
-/* Of the n simplices from `first` on, which are those of node `at`. */
+/* Collect from the n simplices from `first` on, those of node `at`. */
 static void near_below(list *out, const solid *s, const box *b, size_t at, size_t first, size_t n) {
     if (!boxes_meet(&s->node[at], b))
         return;

@@ -47,7 +47,7 @@ void list_add(list *l, size_t item);
 /** Read OFF or WKT by the path's extension, of this SHA-256. Gives up at what it does not read;
  * refutes what no solid has. */
 solid solid_read(const char *path, const char *sha256);
-/** Forms and boxes of the simplices that the reader made, of which there must be some. */
+/** Make forms and boxes of the simplices that the reader made; at least one is needed. */
 void solid_make_forms(solid *s);
 /** Put the simplices in the order of a tree of their boxes. */
 void solid_make_tree(solid *s);

@@ -52,7 +52,7 @@ static int cells_are(word *rest, const char *expected) {
     return same;
 }
 
-/* What is certified stands first; of all else, whoever has made it, the note tells. */
+/* Certified columns stand first; the note names all others. */
 static void check_columns(const table *t, word rest, int tells) {
     if (!cells_are(&rest, t->h->dimension == 2 ? "x,y" : "x,y,z") ||
         !cells_are(&rest, t->h->unsweep ? "pmc,word" : "pmc,class,definition,case,i,t,word"))

@@ -179,8 +179,7 @@ static void meet(trace *r, claim *c, const simplex *f, const signs *all) {
     }
 }
 
-/* All simplices near the trajectory are cleared, those where it is on the boundary as far as they
- * must be. */
+/* All simplices near the trajectory are cleared; at contacts, on the sides that must be free. */
 static void check_near(trace *r, claim *c) {
     for (size_t k = 0; k < r->near.count; k++) {
         const simplex *f = &r->s->simplex[r->near.item[k]];
@@ -254,7 +253,7 @@ static void add_letters(trace *r, word kind) {
     }
 }
 
-/* Of the places of a kind; without a root they keep none, or have all B. */
+/* Letters at the places of a kind; without a root there are none, or all are B. */
 static void set_letters(char *letter, word kind) {
     char first = kind.at[0], last = kind.at[kind.length - 1];
     if (kind.length == 1 && first != 'B')

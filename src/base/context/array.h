@@ -14,7 +14,7 @@
  */
 int array_reserve(void *items, size_t *capacity, size_t count, size_t size);
 
-/** The same; a failure is GRAZE_ESYSTEM, "out of memory for WHAT". */
+/** array_reserve with a status: a failure is GRAZE_ESYSTEM, "out of memory for WHAT". */
 graze_status array_grow(graze_context *context, void *items, size_t *capacity, size_t count,
                         size_t size, const char *what);
 

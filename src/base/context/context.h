@@ -42,7 +42,7 @@ struct graze_context {
 graze_status context_fail(graze_context *context, graze_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/** The same for a place in a file: "file:line: " stands before the message, without a line (0)
+/** context_fail at a place in a file: "file:line: " stands before the message, without a line (0)
  * "file: ". */
 graze_status context_fail_in(graze_context *context, graze_status status, const char *file,
                              size_t line, const char *format, ...)

@@ -128,8 +128,8 @@ static int is_constant(const wide_vector *c) {
     return i == c->count;
 }
 
-/* The same scheme on entries of one width. The coefficients of either half are means of those of
- * the whole (C25), so the factor 2^n is all that they can grow by. */
+/* De Casteljau's scheme on entries of one width. The coefficients of either half are means of those
+ * of the whole (C25), so they grow by the factor 2^n at most. */
 void bernstein_form_split(bernstein_form *form, bernstein_form *right) {
     slong n = form->c.count - 1, sums = is_constant(&form->c) ? 0 : n;
     wide_vector left;

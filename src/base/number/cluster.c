@@ -1,8 +1,7 @@
 /* Isolation inside short intervals that hold several roots, or seem to: Descartes' rule on
- * coefficients known to as many places as it takes, and leaps towards the middle of a cluster that
- * double in length while they succeed (proofs/separation.md C41 to C43). Nothing is kept of an
- * interval but its ends and the signs there.
- * SPDX-License-Identifier: GPL-3.0-or-later
+ * coefficients known to as few places as suffice, and leaps towards the middle of a cluster that
+ * double in length while they succeed (proofs/separation.md C41 to C43). An interval is kept as its
+ * ends and the signs there. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "base/number/cluster.h"
 

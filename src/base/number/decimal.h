@@ -7,8 +7,8 @@
 
 /**
  * A number rounded to nearest (ties to even) at `digits` significant decimal digits, malloc'ed;
- * NULL when out of memory. Positional from 10^-5 up to as many places as there are digits, else
- * with an exponent (`1.5e-9`). Trailing zeros are left out where the decimal is the number itself.
+ * NULL when out of memory. Positional from 10^-5 up to 10^digits, else with an exponent (`1.5e-9`).
+ * Trailing zeros are left out where the decimal is the number itself.
  * @param[out] exact 1 if the decimal is the number itself, else 0; may be NULL
  */
 char *decimal_of_rational(int *exact, const fmpq_t value, int digits);

@@ -1,5 +1,5 @@
-/* Bernstein coefficients on a short interval inside [0, 1], to as many binary places as are asked
- * for, by the few Taylor coefficients that matter there (proofs/separation.md C41).
+/* Bernstein coefficients on a short interval inside [0, 1], to a given number of binary places, by
+ * the few Taylor coefficients that matter there (proofs/separation.md C41).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_NUMBER_LOCAL_H

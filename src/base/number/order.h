@@ -22,7 +22,7 @@ graze_status algebraic_places_between(ulong *out, graze_context *context, algebr
 graze_status algebraic_sort(algebraic **order, size_t count, graze_context *context);
 
 /**
- * The same, with one pointer for equal numbers; *count is then their number.
+ * algebraic_sort with one pointer for equal numbers; *count becomes the number of different ones.
  * @param[out] rank_of by the index of a number from `first` on its rank; or NULL, with `first`
  */
 graze_status algebraic_sort_once(algebraic **order, size_t *count, graze_context *context,

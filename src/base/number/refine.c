@@ -24,8 +24,8 @@ void algebraic_refine(algebraic *x) {
     fmpz_clear(middle);
 }
 
-/* |p| at the lower end and the sum of |p| at both, to so many places that `kept` bits of the sum
- * count. */
+/* |p| at the lower end and the sum of |p| at both, with enough places for `kept` significant bits
+ * of the sum. */
 static void secant_values(fmpz_t low, fmpz_t sum, const algebraic *x, ulong kept) {
     const dyadic_interval *where = &x->where;
     fmpz_t error, other;

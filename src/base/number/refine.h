@@ -25,10 +25,10 @@ void algebraic_refine(algebraic *x);
  */
 void algebraic_refine_quadratically(algebraic *x, ulong *gain);
 
-/** GRAZE_ELIMIT: an interval has as many binary places as are allowed. */
+/** GRAZE_ELIMIT: the ends of an interval have reached the limit of binary places. */
 graze_status algebraic_bits_limit(graze_context *context);
 
-/** GRAZE_ELIMIT if the interval has as many binary places as are allowed. */
+/** GRAZE_ELIMIT if the interval's ends have reached the limit of binary places. */
 graze_status algebraic_may_narrow(graze_context *context, const dyadic_interval *interval);
 
 /** Narrow the interval: by halves for the first steps, which are numbered from 0, then by secants.

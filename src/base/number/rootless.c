@@ -5,7 +5,8 @@
 
 #include <math.h>
 
-/* Of a higher degree nothing is said. Ends of up to PLACES binary places are doubles. */
+/* Polynomials of higher degree are left undecided. Ends of up to PLACES binary places are doubles.
+ */
 enum { ROOTLESS_DEGREE = 16, PLACES = 50, LEAST_EXPONENT = -900 };
 
 /* The coefficient over 2^top, at most 1; 0 if it is less than 2^LEAST_EXPONENT. */

@@ -7,10 +7,10 @@
 #include "base/number/dyadic.h"
 
 /**
- * If the fraction of least denominator in an interval is a root, divide its linear factor out as
- * often as it is there. Intervals below 0, or with long ends, are not looked at.
+ * If the fraction of least denominator in an interval is a root, divide by its linear factor to its
+ * full multiplicity. Intervals below 0, or with long ends, are not looked at.
  * @param[out] root the fraction
- * @param[out] rest the quotient, of which it is no root
+ * @param[out] rest the quotient, which does not vanish there
  * @param[out] empty the quotient certainly has no root in the interval
  * @param p         of degree 1 or more
  * @return 1; or 0, and neither is set

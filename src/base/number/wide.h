@@ -17,7 +17,7 @@ typedef struct wide_vector {
 
 /** Zeros, wide enough for every integer below 2^bits in size. */
 void wide_init(wide_vector *v, slong count, ulong bits);
-/** The same integers in a new vector of another width, at least the old one. */
+/** Copy the integers into a new vector of another width, at least the old one. */
 void wide_init_wider(wide_vector *v, const wide_vector *narrow, ulong bits);
 void wide_clear(wide_vector *v);
 

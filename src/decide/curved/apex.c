@@ -1,4 +1,4 @@
-/* The lowest forms of members, some of which are singular, along directions.
+/* Signs along directions of the lowest forms of members that may be singular.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A direction is (x, y, 1), in the plane (x, 1), or opposite to one. Over an interval of x in which

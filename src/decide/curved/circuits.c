@@ -37,7 +37,7 @@ static unsigned members_of(const circuit *c) {
     return mask;
 }
 
-/* What a member takes along the curve in which the members before it meet. */
+/* Signs that a member takes along the curve in which the members before it meet. */
 static takings take_on_curve(sign_germ *g, const circuit *c) {
     const taylor *base[2], *last = &g->member[c->member[c->size - 1]];
     const slong forward[] = {1, 0, 0};
@@ -121,7 +121,7 @@ static takings take_flat(sign_germ *g, probe *p, const taylor *of) {
                          : unknown;
 }
 
-/* What a member takes on a surface in space that it touches. */
+/* Signs that a member takes on a surface in space that it touches. */
 static takings take_on_surface(sign_germ *g, const circuit *c) {
     const taylor *base = &g->member[c->member[0]], *of = &g->member[c->member[1]];
     takings out = unknown;

@@ -12,7 +12,7 @@
 typedef fmpq_poly_struct value;
 
 /**
- * A time, or a gap of which one time is a sample. On a gap an element is zero iff it is the zero
+ * A time, or a gap with one time in it as a sample. On a gap an element is zero iff it is the zero
  * polynomial, its sign is that at the sample, and each polynomial that is no constant and whose
  * sign was asked for is kept: between their roots no answer changes (proofs/curved.md C101).
  */
@@ -35,9 +35,8 @@ void field_clear(moment_field *f);
 /** The element that an integer polynomial in u is. */
 void field_set(value *out, const moment_field *f, const fmpz_poly_t p);
 void field_mul(value *out, moment_field *f, const value *a, const value *b);
-/** Count products of words, after some milliseconds of which the caller may cancel, and words of
- * results, of which the limit `work` allows so many: past it the status is GRAZE_ELIMIT, without a
- * message. */
+/** Count products of words, so that the caller can cancel every few milliseconds, and words of
+ * results, which the limit `work` bounds: past it the status is GRAZE_ELIMIT, without a message. */
 void field_charge(moment_field *f, unsigned long products, unsigned long words);
 /** out += a b, out -= a b */
 void field_addmul(value *out, moment_field *f, const value *a, const value *b);

@@ -30,7 +30,7 @@ typedef struct sign_germ {
     int near_in, near_out;        /* points of the interior, of the outside, are arbitrarily near */
 } sign_germ;
 
-/** Expand the surfaces at the point; a germ without members of which nothing is known. */
+/** Expand the surfaces at the point; the germ has no members, and nothing is known of it yet. */
 void germ_init(sign_germ *g, moment_field *f, const trajectory *c, const csg *solid,
                const size_t *surface, int count);
 void germ_clear(sign_germ *g);

@@ -21,7 +21,7 @@
 #include "decide/filter/curve.h"
 
 /* Work of a resultant beside the sizes of both members, as measured: a size is the square of the
- * degree and some more, for each so many bits. */
+ * degree and LEAST_SIZE more, times the bits over SIZE_BITS. */
 enum { PAIR_WORK = 8, LEAST_SIZE = 6, SIZE_BITS = 256 };
 
 /* Places of the height at first; the width has more, by a branch as flat as y^4 = x. */
@@ -44,7 +44,7 @@ typedef struct stack {
     graze_status status;
 } stack;
 
-/* A window of five parts of 2^-places, the inner three of which hold coordinate i of the point. */
+/* A window of five parts of 2^-places each, with coordinate i of the point in the inner three. */
 static void surround(stack *s, int i, ulong places) {
     fmpz *low = s->window[i].low, *high = s->window[i].high;
     fmpz *form = _fmpz_vec_init(6), *at = form + 3;

@@ -17,7 +17,7 @@ typedef struct situation {
 } situation;
 
 /**
- * Decide the state at a time, or along a gap as far as the field's `asked` have no root
+ * Decide the state at a time, or along the part of a gap in which the field's `asked` have no root
  * (proofs/curved.md C100).
  * @param[out] out I, B, O, or GRAZE_STATE_UNDECIDED where the rules end
  */

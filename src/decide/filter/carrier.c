@@ -8,7 +8,8 @@
 #include <stdlib.h>
 #include "base/number/bernstein.h"
 
-/* A part shorter by so many halvings whose weight is still small keeps its piece without bound. */
+/* After this number of halvings, a part whose weight is still small leaves its piece without bound.
+ */
 enum { HALF_LEVELS = 10 };
 
 static slong degree_of(const point_map *map) {

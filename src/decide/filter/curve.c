@@ -67,7 +67,7 @@ shift_bound curve_shift(const curve *c, const span *piece) {
                          SLACK * n * (steepest + 2 * U * size)};
 }
 
-/* What forms at the chord's places need (proofs/filter.md C35 (f)). */
+/* Bounds for forms at the chord's places (proofs/filter.md C35 (f)). */
 static void bound_forms(span *piece, const curve *c) {
     double size = 0, thick = 0, off = c->corners->error;
     for (int i = 0; i < 3; i++) {

@@ -118,7 +118,7 @@ const double *curve_coefficients(const curve *c, const span *piece, int i);
 /** 0 if the span certainly does not meet the box. */
 int span_meets(const span *piece, const box *b);
 
-/** The same; and the part of its chord that can be in the box. */
+/** span_meets, and the part of its chord that can be in the box. */
 int span_window(double *from, double *to, const span *piece, const box *b);
 
 /**

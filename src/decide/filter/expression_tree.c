@@ -1,4 +1,4 @@
-/* Truths from the leaves to the root: a change goes up as far as it changes a node.
+/* Truths from the leaves to the root: a change goes up until a node keeps its truth.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "decide/filter/expression_tree.h"

@@ -24,7 +24,7 @@ typedef struct brick_memo {
     atomic_int laid; /* nothing of `all` changes from then on */
 } brick_memo;
 
-/** What a filter keeps of a scene; immutable but for the memo, shared by threads. */
+/** Data of a scene for the filter; immutable but for the memo, shared by threads. */
 typedef struct filter {
     const graze_solid *solid; /* borrowed */
     course course;
@@ -47,7 +47,7 @@ typedef struct filter_workspace {
     curve curve, ray;
     findings found, ray_found;
     form_memory forms; /* of the solid that was asked last */
-    /* Of a curved solid: products along the curve, and truths at the start of the motion. */
+    /* For a curved solid: products along the curve, and truths at the start of the motion. */
     surface_curve along;
     truths truths;
 } filter_workspace;

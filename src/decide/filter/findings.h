@@ -1,4 +1,4 @@
-/* What a search of the filter finds: certain crossings, and candidates for the exact path.
+/* Results of the filter's search: certain crossings, and candidates for the exact path.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_FILTER_FINDINGS_H
@@ -52,7 +52,7 @@ typedef struct exact_window {
     size_t first, count;
 } exact_window;
 
-/** What the filter found: crossings and windows, each in order of time, none touching another in
+/** Crossings and windows, each in order of time, none touching another in
  * one piece, and the pieces it cannot be used for, in order. All other times are off the boundary.
  */
 typedef struct findings {

@@ -1,4 +1,4 @@
-/* Bricks of space of which it is certain that they are wholly inside the solid, or wholly outside.
+/* Bricks of space that are certainly wholly inside the solid, or wholly outside.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_FILTER_INTERIOR_H
@@ -14,11 +14,11 @@ typedef struct interior {
     unsigned char *state; /* of each brick a graze_state; ABSENT: not certain */
 } interior;
 
-/** What certainly holds of a whole brick; asked for bricks that no simplex meets. */
+/** State that certainly holds in a whole brick; asked for bricks that no simplex meets. */
 typedef graze_state locate_function(void *data, const double middle[3]);
 
 /**
- * Lay as many bricks as there are simplices, or some thousands.
+ * Lay one brick per simplex, or some thousands.
  * @param locate the state at a place in doubles, or ABSENT
  * @return 0 without memory
  */

@@ -62,7 +62,8 @@ static int spread_over_piece(double spread[3], const carrier *map, const double 
     return 1;
 }
 
-/* The same over several pieces. Those without a bound are cut before anything is asked of them. */
+/* The spread over several pieces. Those without a bound are cut before anything is asked of them.
+ */
 static void spread_over_group(double spread[3], const piece_group *g, int d, const double *half) {
     for (int i = 0; i < d; i++) {
         double sum = 0;

@@ -35,7 +35,7 @@ static double distance_of(const searcher *s, const span *piece) {
     return sum;
 }
 
-/* Which half is looked at first: where one crossing is enough, the one nearer to the solid. */
+/* The half to be searched first: where one crossing is enough, the one nearer to the solid. */
 static uint32_t first_half(const searcher *s, uint32_t child) {
     const span *half = &s->curve->spans[child];
     return s->early && distance_of(s, half + 1) < distance_of(s, half);

@@ -9,8 +9,8 @@
 #include "decide/filter/interior.h"
 #include "input/solid/solid.h"
 
-/** What ends a search: a time at which the curve is certainly in a state, or a crossing beside
- * which it is in both (proofs/membership.md C56, proofs/bricks.md C86). */
+/** Conditions that end a search early: a time at which the curve is certainly in a state, or a
+ * crossing, beside which it is in both (proofs/membership.md C56, proofs/bricks.md C86). */
 typedef struct early_end {
     const interior *bricks; /* NULL: crossings alone */
     graze_state state;

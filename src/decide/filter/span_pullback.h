@@ -21,7 +21,7 @@ typedef struct meet_window {
     int enters;
 } meet_window;
 
-/** What the signs of the coefficients say. */
+/** Conclusions from the signs of the coefficients. */
 typedef struct pullback_signs {
     int first, last; /* of the coefficients 0 and n; 0: not certain */
     int one;         /* all have the sign `first` */

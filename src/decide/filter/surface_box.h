@@ -5,8 +5,8 @@
 #include "input/csg/csg.h"
 #include "input/solid/tree.h"
 
-/** A box outside of which the polynomial is positive; 0 if none is known: it is no quadric whose
- * form is positive definite (proofs/surfaces.md C104). */
+/** A box such that the polynomial is positive outside; 0 if none is known: only a quadric with a
+ * positive definite form has one (proofs/surfaces.md C104). */
 int surface_box(box *out, const csg_surface *surface, int dimension);
 
 #endif

@@ -35,8 +35,8 @@ typedef struct surface_filter {
     product product[PRODUCT_MOST];
     size_t surface_count;
     surface_form *surface;
-    /* Surfaces that lie in a box, outside of which they are positive: box k is that of
-     * boxed[k]; and all others. */
+    /* Surfaces whose polynomials are positive outside a box: box k is that of boxed[k]; and all
+     * others. */
     tree boxes;
     uint32_t *boxed, *open;
     size_t boxed_count, open_count;

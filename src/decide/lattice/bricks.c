@@ -5,7 +5,7 @@
 #include <string.h>
 
 /* Rows are asked for in their order, by threads that are not far apart: of the layers of bricks
- * along the last axis, that one and so many before it stay. */
+ * along the last axis, the current one and LAYERS_KEPT before it stay. */
 enum { LAYERS_KEPT = 1 };
 
 int bricks_make(bricks *out, const graze_scene *scene, const lattice *l) {

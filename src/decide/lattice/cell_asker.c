@@ -23,7 +23,7 @@ static filter_point centre_of(const point_box *points) {
     return centre;
 }
 
-/* Of all points of a cell that is clear: their words have one letter, that of the centre at the
+/* Membership of all points of a clear cell: their words have one letter, that of the centre at the
  * beginning of the motion. NONE if that is not certain. */
 static graze_pmc membership_of_clear(const cell_asker *a, const point_box *points) {
     filter_workspace *w = filter_workspace_of(a->context);
@@ -88,7 +88,7 @@ graze_pmc cell_decide(cell_asker *a, const point_box *points, anchors *near, int
     return cell_joins(a, points, near) ? cell_membership_proved(a) : GRAZE_PMC_NONE;
 }
 
-/* What goes through a cell that nothing else decides. */
+/* Decide a cell by the parts of the boundary that pass through it, where nothing else does. */
 static graze_status decide_passage(graze_pmc *pmc, cell_asker *a, const point_box *points) {
     const filter *f = &a->scene->filter;
     if (!point_box_begin(&a->tube, f, points))

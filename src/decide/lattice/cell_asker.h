@@ -45,7 +45,8 @@ graze_pmc cell_membership_proved(const cell_asker *a);
 graze_pmc cell_decide(cell_asker *a, const point_box *points, anchors *near, int smallest);
 
 /**
- * The same by all that may tell it, also by what goes through the cell (proofs/judging.md C116).
+ * cell_decide by every test there is, also by the parts of the boundary that pass through the cell
+ * (proofs/judging.md C116).
  * @return GRAZE_ELIMIT, GRAZE_ECANCELED; GRAZE_ESYSTEM also where memory was too short to be
  * certain
  */

@@ -43,7 +43,7 @@ static void make_texts(axis_texts *a, const lattice *l) {
     }
 }
 
-/* What stands behind the first coordinate of points that differ in it alone, for each graze_pmc. */
+/* Ends of rows behind the first coordinate, for points that differ in it alone, by graze_pmc. */
 enum { TAILS = GRAZE_PMC_UNDECIDED + 1 };
 typedef struct row_tails {
     text item[TAILS];
@@ -84,7 +84,7 @@ static void put_grid_row(text *out, const axis_texts *a, const lattice *l, size_
     out->data[out->length] = '\0';
 }
 
-/* The place so many points further on; 1 if more than the first coordinate is another. */
+/* Move a place on by `by` points; 1 if another coordinate than the first changes. */
 static int move_on(size_t place[3], const lattice *l, const size_t by[3]) {
     size_t carried = 0;
     int others = 0;

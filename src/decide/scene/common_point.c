@@ -43,7 +43,7 @@ static int is_inner(finder *f, const fmpq *point) {
     return all == 1;
 }
 
-/* Try a point: it is inner, and so is that of which it is the image. */
+/* Try a point: it must be inner, and its preimage too. */
 static void try_point(finder *f, const fmpq *point) {
     int d = f->solid->dimension;
     if (f->found || f->status || f->left-- <= 0)
@@ -118,7 +118,7 @@ static void image_box(csg_box *out, const csg_box *box, const fmpq_mat_struct *m
     _fmpq_vec_clear(v, 2 * d);
 }
 
-/* What the box has in common with its image; 0 if that is nothing. */
+/* Intersection of the box with its image; 0 if it is empty. */
 static int common_box(csg_box *out, const csg_box *box, const fmpq_mat_struct *map) {
     int meet = 1;
     image_box(out, box, map);

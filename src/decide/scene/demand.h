@@ -6,8 +6,8 @@
 
 #include "decide/scene/scene.h"
 
-/** Work of finding the roots of a polynomial: its coefficients, of which one of w words counts
- * w + w^2/64, times their number, over 256. */
+/** Work of finding the roots of a polynomial: n s / 256 for n coefficients, where s is the sum of w
+ * + w^2/64 over them and w the words of one. */
 double demand_of_roots(const fmpz_poly_t p);
 
 /** GRAZE_ELIMIT where this work, of the functions of the motion's largest piece, exceeds the limit

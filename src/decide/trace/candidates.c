@@ -91,7 +91,7 @@ static void add_span(searcher *s, uint32_t start, int level, bernstein_form *for
         bound_other(added, s);
 }
 
-/* The work of a cut: sums of as many pairs of integers as the triangles have places. */
+/* The work of a cut: one sum of two integers for each place of the triangles. */
 static graze_status cut_work(const searcher *s, const bernstein_form *form) {
     ulong work = 0;
     for (int i = 0; i < polynomial_count(s); i++)

@@ -17,8 +17,8 @@
 graze_status candidates_find(candidates *out, graze_context *context, const graze_solid *solid,
                              const trajectory *c);
 
-/** The same for all points of the segments between two trajectories, of one map, at each time; both
- * are given the same degree. */
+/** Candidates for all points of the segments between two trajectories, of one map, at each time;
+ * both are given the same degree. */
 graze_status candidates_find_between(candidates *out, graze_context *context,
                                      const graze_solid *solid, trajectory *c, trajectory *other);
 

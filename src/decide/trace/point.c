@@ -77,7 +77,7 @@ static const exact_window *next_window(const findings *found, const place_in *at
     return at->window < found->window_count ? &found->window[at->window] : NULL;
 }
 
-/* The first piece of which there is something; SIZE_MAX if there is none. */
+/* The first piece with a finding; SIZE_MAX if there is none. */
 static size_t next_piece(const findings *found, const place_in *at) {
     const crossing *c = next_crossing(found, at);
     const exact_window *w = next_window(found, at);
@@ -130,8 +130,7 @@ static graze_status trace_all(tracer *r, size_t piece, const findings *found, pl
     return trace_window(r, piece, &r->list, 1);
 }
 
-/* The pieces of which there is something; contacts must not end where one begins of which there
- * is nothing. */
+/* Trace the pieces with findings; contacts must not end where a piece without findings begins. */
 static graze_status trace_found(tracer *r, const findings *found) {
     graze_status status = GRAZE_OK;
     place_in at = {0, 0, 0};

@@ -146,8 +146,8 @@ typedef struct unit_roots {
     algebraic_list roots;
 } unit_roots;
 
-/* What times of a piece with one polynomial share: its factors in the motion's parameter, none
- * before they are needed, and the roots of these. */
+/* Common data of the times of a piece with one polynomial: its factors in the motion's parameter,
+ * found when they are needed, and the roots of these. */
 typedef struct time_family {
     fmpz_poly_factor_t factors;
     unit_roots *unit;
@@ -247,7 +247,7 @@ static graze_status floor_of_time(fmpz_t out, graze_context *context, graze_time
     return status;
 }
 
-/* Which of the roots isolated in the list the time is: the one whose interval holds the time's. */
+/* Index of the time among the isolated roots: the one whose interval holds the time's. */
 static graze_status find_itself(size_t *out, graze_context *context, graze_time *time,
                                 const algebraic_list *roots, fmpq_t low, fmpq_t high) {
     graze_status status = GRAZE_OK;
@@ -280,8 +280,8 @@ static graze_status find_places(ulong *m, graze_context *context, graze_time *ti
     return status;
 }
 
-/* An irrational number and its minimal polynomial's other roots, of which those in the same unit
- * interval count: no dyadic number is among them (C28, C44). */
+/* An irrational number and the other roots of its minimal polynomial in the same unit interval: no
+ * dyadic number is among them (C28, C44). */
 static graze_status find_widest_interval(graze_time *time, graze_context *context,
                                          time_family *family, slong factor, fmpq_t low,
                                          fmpq_t high) {

@@ -44,8 +44,8 @@ graze_status time_between(size_t *piece, fmpq_t u, graze_context *context, graze
  * @return GRAZE_ELIMIT, GRAZE_ECANCELED */
 graze_status time_canonicalise(graze_time *time, graze_context *context);
 
-/** The same of times of one motion, which are reordered: roots of one polynomial share its
- * factorisation. */
+/** time_canonicalise for many times of one motion, which are reordered: roots of one polynomial
+ * share its factorisation. */
 graze_status times_canonicalise(graze_time **time, size_t count, graze_context *context);
 
 #endif

@@ -155,8 +155,8 @@ static int inside_at(unsigned *zero, finder *f, uint32_t simplex, algebraic *tim
     return 1;
 }
 
-/* Ends with as few binary places as they have: coefficients on the window are longer by the degree
- * times as many. */
+/* Ends with as few binary places as possible: p places make coefficients on the window longer by p
+ * times the degree. */
 static void set_window(dyadic_interval *window, uint32_t from, uint32_t to) {
     window->exponent = WINDOW_LEVELS;
     for (; window->exponent > 0 && (from | to) % 2 == 0; window->exponent--) {

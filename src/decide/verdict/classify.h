@@ -16,7 +16,7 @@
 graze_status classify_point(graze_trace *out, graze_context *context, const graze_scene *scene,
                             query_point point, trace_detail detail);
 
-/** The verdict alone, of which TRACE_PMC gives pmc; on failure `out` is as it was. */
+/** The verdict alone; TRACE_PMC gives only its pmc. On failure `out` is as it was. */
 graze_status classify_answer(graze_verdict *out, graze_context *context, const graze_scene *scene,
                              query_point point, trace_detail detail);
 /** The whole verdict alone; on failure `out` is as it was. */

@@ -26,8 +26,8 @@ graze_verdict verdict_sweep(graze_state first, graze_state last, unsigned long i
  * pmc, i and t are set. */
 graze_verdict verdict_unsweep(const char *word, size_t length, unsigned long i, unsigned long t);
 
-/** The verdict that a word has, which need not end in NUL; 0 if it is none: letters O, I, B of
- * which every second one is B. */
+/** The verdict of a word, which need not end in NUL; 0 if it is no word: letters O, I, B, every
+ * second one B. */
 int verdict_of_word(graze_verdict *out, const char *word, size_t length,
                     const graze_options *options);
 

@@ -143,7 +143,7 @@ graze_status joint_bits(slong *bits, graze_context *context, const joint *j, con
     mpfr_init2(ratio, ANGLE_BITS);
     mpq_init(tolerance);
     fmpq_get_mpq(tolerance, goal->tolerance);
-    mpfr_set_ui(ratio, 1, MPFR_RNDU); /* an advance is rounded to as many bits */
+    mpfr_set_ui(ratio, 1, MPFR_RNDU); /* an advance is rounded likewise */
     mpfr_max(ratio, ratio, j->reach, MPFR_RNDU);
     mpfr_mul_ui(ratio, ratio, 32 * (unsigned long)count, MPFR_RNDU);
     mpfr_div_q(ratio, ratio, tolerance, MPFR_RNDU);

@@ -52,7 +52,7 @@ void put_center(text *t, const joint *j, int dimension);
 void put_bound(text *t, const mpfr_t bound);
 /** Write a name and a value of the report: one line. */
 void put_fact(text *t, const char *name, const mpfr_t bound, const char *unit);
-/** The same for a rational and without a unit. */
+/** put_fact for a rational without a unit. */
 void put_rational_fact(text *t, const char *name, const fmpq_t bound);
 
 /**

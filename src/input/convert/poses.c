@@ -145,7 +145,7 @@ static void put_matrices(text *t, const pose_list *list) {
 }
 
 /* Give each quaternion the sign that is nearer to the one before, unless signs are kept, and name
- * the poses of which more than half a turn was asked, neighbours as a range. */
+ * the poses to which the turn was more than half a turn, neighbours as a range. */
 static void take_ways(text *t, pose_list *list, int keep) {
     enum { NAMED = 10 };
     size_t count = 0, ranges = 0, length = 0;
@@ -173,7 +173,7 @@ static void take_ways(text *t, pose_list *list, int keep) {
                     keep ? "; they are kept" : " (`--long` keeps them)");
 }
 
-/* What was read, and what was done with it. */
+/* Report the rows that were read and the changes made to them. */
 static void report_poses(text *t, const pose_list *list, unsigned ways, const pose_choice *choice,
                          graze_rounding rounding) {
     int affine = (ways & GRAZE_POSES_AFFINE) != 0;

@@ -207,7 +207,7 @@ static graze_status take_names(naming *n) {
     return status;
 }
 
-/* What the columns make of rotations. */
+/* Check that the columns give a rotation in one form. */
 static graze_status check_names(const naming *n) {
     int positions = 0, quaternions = 0, matrices = 0, bottom = 0, axes = 0, angles = 0;
     const angle_order *order = n->given->order;

@@ -16,7 +16,7 @@ typedef enum pose_form {
     POSES_OF_ANGLES
 } pose_form;
 
-/** What the caller says of columns; all borrowed. */
+/** The caller's description of columns; all borrowed. */
 typedef struct pose_naming {
     const char *const *ignored; /* names to pass over; `*` at an end stands for any end */
     size_t ignored_count;

@@ -16,7 +16,8 @@
 graze_status poses_turn(text *report, graze_context *context, pose_list *list,
                         const angle_order *order, const fmpq_t tolerance);
 
-/** Bits of an angle of which three are within the tolerance together; 0 asks for the finest. */
+/** Bits of an angle such that the errors of three angles together stay within the tolerance; 0 asks
+ * for the finest. */
 slong bits_within(const fmpq_t tolerance);
 
 /** Sign of the scalar product of a pose's quaternion with that of the pose before. */

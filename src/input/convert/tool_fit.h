@@ -14,7 +14,7 @@
 graze_status tool_fit(tool_pair *out, fmpq_t square, graze_context *context, const tool *s,
                       const fmpq_t tolerance);
 
-/** What was made, and how near: a report. */
+/** Report both polyhedra and their distance from the shape. */
 void tool_report(text *out, const tool_pair *p, const fmpq_t square);
 
 #endif

@@ -13,7 +13,7 @@ typedef struct profile {
 } profile;
 
 /** Both polyhedra: `sides` corners u_k of an inscribed polygon; those outside have the corners
- * stretch u_k, and as many profile points, each near the other's. */
+ * stretch u_k, and the same number of profile points, each near its counterpart. */
 typedef struct tool_pair {
     profile in, out;
     size_t sides;

@@ -1,4 +1,4 @@
-/* One turn by an angle in degrees, of which only the end is approximated.
+/* One turn by an angle in degrees; only its end is approximated.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Quarter turns are rational, and so is every position in between when the tangent of the half

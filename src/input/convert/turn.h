@@ -7,7 +7,7 @@
 #include "input/convert/conversion.h"
 #include "input/convert/joint.h"
 
-/** One turn at no particular speed, of which only the end is approximated. */
+/** One turn at no particular speed; only its end is approximated. */
 graze_status convert_rotation(conversion *out, graze_context *context, const target *goal,
                               const joint *turn);
 

@@ -19,7 +19,7 @@ void csg_upper_root(fmpq_t out, const fmpq_t value);
 void csg_bound_round(csg_reader *r, const fmpq *point, const fmpq *axis, const fmpq_t ball,
                      const fmpq_t disk);
 
-/** Likewise the box of which these are opposite corners, in the frame of the node at hand. */
+/** Likewise the box with these opposite corners, in the frame of the node at hand. */
 void csg_bound_corners(csg_reader *r, const fmpq *low, const fmpq *high);
 
 /** Let the box of some nodes be that of their union, or intersection, with another node. Where two

@@ -91,8 +91,8 @@ static void hold_corner(edges *e, const fmpq *point) {
     e->bounded = 1;
 }
 
-/* Of an edge from p to q, which differ in coordinate `along`: the points on one side, f <= 0 of the
- * reader, between the lines, or planes, through p and q. */
+/* Add the points on one side of the edge from p to q, f <= 0 of the reader, between the lines, or
+ * planes, through p and q, which differ in coordinate `along`. */
 static graze_status add_strip(edges *e, csg_reader *r, const fmpq *p, const fmpq *q, int along) {
     const fmpq_mpoly_struct *x = &r->coordinate[e->revolved ? 2 : 0];
     const fmpq *end[2] = {p + along, q + along};
@@ -136,7 +136,7 @@ static void cut_at_axis(fmpq *p, const fmpq *q) {
     _fmpq_vec_clear(v, 2);
 }
 
-/* The points that the edge from p to q goes round, as far as it is beside the axis:
+/* Add the points that the edge from p to q encloses as it turns, between the heights of p and q:
  * (height of the edge)^2 |(x, y)|^2 <= l^2, where the form l of z is that height times the edge's
  * distance from the axis. */
 static graze_status add_revolved_edge(edges *e, csg_reader *r, const fmpq *p, const fmpq *q) {

@@ -57,7 +57,7 @@ size_t mesh_edge_end(const mesh_side *side, size_t count, size_t first);
 
 /** A soup of the facets of one component, or of all where `component` is NULL, with the vertices
  * they use; `turned` says which are to run the other way round, NULL: none.
- * @param component the component of each facet, of which those of `wanted` are taken */
+ * @param component the component of each facet; facets of `wanted` are taken */
 graze_status mesh_soup(soup *out, const mesh *m, const size_t *component, size_t wanted,
                        const unsigned char *turned);
 

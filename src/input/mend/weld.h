@@ -11,8 +11,8 @@
  * it is at most `distance`. */
 graze_status weld_vertices(mesh *m, const fmpq_t distance);
 
-/** Where edges are left open, and the ends of all are near others, compared with their extent: a
- * line with the distance of which a weld may close the surface. It is found in doubles. */
+/** Where edges are left open and the ends of each are near those of others, compared with their
+ * extent: add a line with a weld distance that may close the surface. It is found in doubles. */
 graze_status weld_advise(mesh *m);
 
 #endif

@@ -31,9 +31,9 @@ void draft_clear(draft *d);
  * @return GRAZE_ELIMIT more than the limit `pieces`; GRAZE_ECANCELED; GRAZE_ESYSTEM
  */
 graze_status draft_append(draft_piece **out, graze_context *context, draft *d);
-/** The same for a rigid piece. */
+/** draft_append for a rigid piece. */
 graze_status draft_append_rigid(draft_piece **out, graze_context *context, draft *d);
-/** Give every rigid piece its map: what follows takes drafts of which none is rigid. */
+/** Give every rigid piece its map: later steps take drafts without rigid pieces. */
 graze_status draft_spread(draft *d, graze_context *context);
 
 /**

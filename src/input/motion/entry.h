@@ -30,7 +30,7 @@ void stretch_set(stretch *part, const fmpq_t lo, const fmpq_t hi, const fmpq_t f
 /** The function of u an expression or a JSON number stands for. */
 graze_status entry_function(fmpz_poly_q_t out, graze_context *context, const json *value,
                             const stretch *part);
-/** The same, refused for a pole on a stretch whose fault is FAULT_POLE. */
+/** entry_function that refuses a pole on a stretch whose fault is FAULT_POLE. */
 graze_status entry_finite(fmpz_poly_q_t out, graze_context *context, const json *value,
                           const stretch *part);
 /** An array of `count` such functions. */

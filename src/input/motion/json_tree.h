@@ -51,7 +51,7 @@ graze_status json_fail(graze_context *context, graze_status status, const json *
                        const char *format, ...) __attribute__((format(printf, 4, 5)));
 /** Put "source:line: path: " before the message of a failure on its way up; returns `status`. */
 graze_status json_at(graze_context *context, graze_status status, const json *where);
-/** The same, unless status is GRAZE_OK or the message begins with the source already. */
+/** json_at, unless status is GRAZE_OK or the message begins with the source already. */
 graze_status json_at_last(graze_context *context, graze_status status, const json *where);
 
 /**

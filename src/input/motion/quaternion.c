@@ -3,7 +3,7 @@
  */
 #include "input/motion/quaternion.h"
 
-/* What the four have in common is where they vanish together. */
+/* Divide the four by their common factor, whose roots are where all four vanish. */
 static graze_status divide_numbers(graze_context *context, const json *where, fmpz_poly_struct q[4],
                                    const fmpq_t lo, const fmpq_t hi) {
     fmpz_poly_t common;

@@ -57,10 +57,10 @@ void quotient_substitute(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t 
 int quotient_square_root(fmpz_poly_q_t out, const fmpz_poly_q_t a);
 
 /** GRAZE_ELIMIT in the calculation if degree or digits of a are past the limits, or the work done
- * for the motion, of which making a was a part. */
+ * for the motion, making a included. */
 void quotient_check(calculation *c, const fmpz_poly_q_t a);
 
-/** The same for a polynomial. */
+/** quotient_check for a polynomial. */
 void polynomial_check(calculation *c, const fmpz_poly_t p);
 
 /** Count work; GRAZE_ELIMIT past the limit `work`. */

@@ -76,8 +76,8 @@ static graze_status off_counts(lines *l, size_t *vertices, size_t *facets) {
     return status;
 }
 
-/* Pass over what stands behind the coordinates of a vertex. A colour has 3 or 4 numbers, as many at
- * every vertex as at the first. */
+/* Pass over what stands behind the coordinates of a vertex. A colour has 3 or 4 numbers, the same
+ * number at every vertex. */
 static graze_status pass_columns(columns *c, lines *l, size_t v) {
     size_t least = (c->normal ? 3u : 0u) + (c->texture ? 2u : 0u) + (c->colour ? 3u : 0u);
     size_t most = least + (c->colour ? 1u : 0u), count = 0;

@@ -8,8 +8,8 @@
 #include "base/context/context.h"
 
 /**
- * Take a rotation or reflection, times a number, instead of a linear part of which each entry, over
- * that number, is as near to it as the tolerance.
+ * Replace a linear part by a number times a rotation or reflection, if each entry divided by that
+ * number is within the tolerance of the rotation's.
  * @param[in,out] matrix 9 entries, rows
  * @param[out] error     at least the norm of the difference; 0 if none is taken
  * @return whether one is taken; not if the matrix is such a one itself

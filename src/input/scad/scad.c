@@ -75,7 +75,7 @@ static scad_span scan_name(scan *s) {
     return name;
 }
 
-/* What stands in parentheses, of which the first is read. */
+/* Scan arguments in parentheses; the first has been read. */
 static graze_status scan_arguments(scad_span *out, scan *s) {
     size_t start = s->at, line = s->line, round = 1;
     int quoted = 0;

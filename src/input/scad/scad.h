@@ -6,7 +6,7 @@
 
 #include "base/context/context.h"
 
-/** What a node is; groups, colors and what is rendered are unions. */
+/** Kind of a node; groups, colors and renders are unions. */
 typedef enum scad_role {
     SCAD_UNION,
     SCAD_DIFFERENCE,

@@ -231,7 +231,7 @@ static graze_status write_node(scad_writer *w, size_t node) {
     return status ? status : context_work(w->context, 16);
 }
 
-/* What was done with rotations. */
+/* Report the rotations that were taken. */
 static void put_report(text *report, const scad_writer *w) {
     if (!w->choice->near_rotation)
         return;

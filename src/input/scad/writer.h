@@ -7,7 +7,7 @@
 #include "base/number/json.h"
 #include "input/scad/arguments.h"
 
-/** What of a file is not taken as it stands. */
+/** Changes to a file that the caller allows. */
 typedef struct scad_choice {
     int smooth; /* a number of sides, $fn, stands for a round surface */
     const fmpq
@@ -15,8 +15,8 @@ typedef struct scad_choice {
                    whose entries over the scale are as near to it as this; NULL: none is */
 } scad_choice;
 
-/** What nodes of the plane are written as: themselves, prisms, or solids of revolution about the
- * z axis, where x is the distance from the axis and y the height. */
+/** Forms in which nodes of the plane are written: themselves, prisms, or solids of revolution about
+ * the z axis, where x is the distance from the axis and y the height. */
 typedef enum scad_form { SCAD_ITSELF, SCAD_PRISM, SCAD_REVOLVED } scad_form;
 
 typedef struct scad_writer {
@@ -33,7 +33,7 @@ typedef struct scad_writer {
                      what is revolved; else the identity */
     fmpq *reach, *moved; /* of the last node: no point of its primitives is further from the origin
                             of its frame, or is moved further by rotations taken */
-    size_t turned;       /* maps of which a rotation was taken */
+    size_t turned;       /* maps replaced by rotations */
 } scad_writer;
 
 /** Begin a node, in the line in which the file has it, where `key` is what it is; the value of that

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* What bounds the coordinates of the simplices' corners; other vertices do not count. */
+/* Bounds of the coordinates of the simplices' corners; other vertices do not count. */
 static void find_reach(corners *out, size_t d, const simplices *cut, const double *low,
                        const double *high) {
     for (size_t k = 0; k < cut->count; k++)

@@ -26,7 +26,7 @@ typedef struct plane_list {
  */
 int planes_find(plane_list *out, const graze_solid *solid, const uint32_t *simplex, size_t count);
 
-/** The same with the forms that a memory has, or with none for NULL. */
+/** planes_find with the forms that a memory has, or with none for NULL. */
 int planes_find_known(plane_list *out, form_memory *forms, const graze_solid *solid,
                       const uint32_t *simplex, size_t count);
 void planes_clear(plane_list *list);

@@ -1,4 +1,4 @@
-/* What searches need of triangles or segments, whether they bound a solid or not.
+/* Triangles or segments with the data for searches, whether they bound a solid or not.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_SOLID_SKIN_H

@@ -20,8 +20,7 @@ static graze_status make_room(graze_context *context, void *items, size_t *capac
     return array_grow(context, items, capacity, count, size, "a solid");
 }
 
-/* One more part behind `count` parts of which `start` has the offsets; it begins and ends at
- * `end`. */
+/* Add an empty part at `end`, behind `count` parts whose offsets are in `start`. */
 static graze_status add_part(graze_context *context, uint32_t **start, size_t *capacity,
                              size_t *count, size_t end) {
     graze_status status = make_room(context, start, capacity, *count + 2, sizeof **start);

@@ -1,7 +1,6 @@
 /* Facets of a polygon soup in E^3, checked one by one: enough positions, an area, a plane; then cut
- * into triangles, or fanned where GRAZE_SOLID_TRIANGULATE allows it. Corners that follow one
- * another at one position make a run, of which the last is taken.
- * SPDX-License-Identifier: GPL-3.0-or-later
+ * into triangles, or fanned where GRAZE_SOLID_TRIANGULATE allows it. Consecutive corners at one
+ * position make a run, and its last one is taken. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "input/validate/facets.hpp"
 

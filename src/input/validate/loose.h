@@ -1,4 +1,4 @@
-/* Triangles of a soup of which nothing is assumed, and the edges at which they do not close.
+/* Triangles of any soup, and the edges at which they do not close.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_VALIDATE_LOOSE_H

@@ -211,8 +211,8 @@ bool outline::vertex_outside(const ring &outer, std::uint32_t v) const {
     return !odd;
 }
 
-/* The same for the middle of an edge both of whose ends may lie on the ring; a middle that lies on
- * the ring is not outside. Coordinates are doubled. */
+/* Whether the middle of an edge is outside, where both ends may lie on the ring; a middle on the
+ * ring is not outside. Coordinates are doubled. */
 bool outline::middle_outside(const ring &outer, const piece &edge) const {
     mpq_class m[2];
     for (int j = 0; j < 2; j++)

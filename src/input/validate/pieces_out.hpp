@@ -1,4 +1,4 @@
-/* What goes into the validation and comes out of it, as C has it.
+/* Input and output of the validation, in C's types.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_VALIDATE_PIECES_OUT_HPP

@@ -114,7 +114,8 @@ void surface::check_balance() {
         report_unbalanced(worst, worst_last);
 }
 
-/* The unbalanced edges that are used as often as this one; all with more uses are of one kind. */
+/* The unbalanced edges with the same number of uses as this one; all with more uses are of one
+ * kind. */
 fault_list surface::faults_like(place first, place last) const {
     const auto kind = [](std::pair<std::size_t, std::size_t> uses) {
         return uses.second == 0 && uses.first <= 2 ? uses.first : 3;

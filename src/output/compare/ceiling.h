@@ -19,7 +19,7 @@ ceiling ceiling_of(const fmpq_t x);
 /** Negative, 0 or positive as a is less than, equal to or greater than b. */
 int ceiling_compare(ceiling a, ceiling b);
 
-/** The same number rounded up to two digits. */
+/** The bound rounded up to two digits. */
 ceiling ceiling_short(ceiling c);
 
 /** As 1.5e-05, without zeros at the end of the digits; zero is 0. */

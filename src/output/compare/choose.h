@@ -1,4 +1,4 @@
-/* What is compared: the kind of tables, the columns judged, the key of rows, the groupings.
+/* Choice of a comparison: the kind of tables, the columns judged, the key of rows, the groupings.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_COMPARE_CHOOSE_H

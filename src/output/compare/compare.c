@@ -160,7 +160,7 @@ static graze_status count_contacts(graze_comparison *c, run *r, const table_row 
     return status ? status : count_row(c, r, golden, candidate, &j, &none, PMC_ON);
 }
 
-/* A golden row of a curved solid of which nothing is decided that the candidate answers. The
+/* Count a golden row of a curved solid in which no answer that the candidate gives is decided. The
  * candidate may have no answer either. */
 static graze_status count_open(graze_comparison *c, run *r, const table_row *golden,
                                const table_row *candidate) {

@@ -114,8 +114,8 @@ struct graze_comparison {
     matrix confusion;
     int grouped[GROUPING_COUNT]; /* 1: the golden table has the column */
     tally tallies[GROUPING_COUNT];
-    unsigned long met; /* disagreements that were offered; and so many shown or kept for that, */
-    size_t shown, shown_capacity, shown_alone; /* of which so many are missing or extra */
+    unsigned long met; /* disagreements that were offered; the number shown or kept for that, */
+    size_t shown, shown_capacity, shown_alone; /* the number of these that are missing or extra */
     int by_depth;                              /* 1: the deepest wrong rows come first */
     disagreement *disagreements;
 };

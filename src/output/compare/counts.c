@@ -61,7 +61,7 @@ static int by_rank(const void *a, const void *b) {
     return by ? by : (x->order > y->order) - (x->order < y->order);
 }
 
-/* Are there as many of its stratum before a wrong row as are shown? */
+/* Do the rows before a wrong row fill the share of its stratum? */
 static int is_crowded(const disagreement *all, size_t count, const disagreement *d) {
     int same = 0;
     for (size_t k = 0; k < count && d->pmc >= 0 && d->stratum; k++)

@@ -1,4 +1,4 @@
-/* What all comparisons count and keep, whether their rows are read or asked for.
+/* Counts and rows that every comparison keeps, whether its rows are read or asked for.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_COMPARE_COUNTS_H

@@ -19,8 +19,8 @@ extern const char *const depth_parts[DEPTH_PARTS];
 
 /** Zeroed at first, with `size` initialised. */
 typedef struct depths {
-    unsigned long wrong, stride;       /* rows offered; every one of so many waits */
-    size_t waiting;                    /* so many wait */
+    unsigned long wrong, stride;       /* rows offered; every stride-th waits */
+    size_t waiting;                    /* number of rows that wait */
     errors by[3];                      /* sizes of s, by golden pmc */
     fmpq_t size;                       /* the diagonal of S^0's box; 0: not known */
     unsigned long deeper[DEPTH_PARTS]; /* rows that are certainly deeper than these parts of it */

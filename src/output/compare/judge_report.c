@@ -50,7 +50,7 @@ static int is_reached(const graze_judgement *j) {
     return reached;
 }
 
-/* What an edge lacks: as many triangles one way as the other. */
+/* Report edges whose triangles in the two directions differ in number. */
 static void put_edges(text *t, const judged_mesh *m) {
     for (size_t k = 0; k < m->open.kept_count; k++)
         text_format(t, "%s%u-%u (%zu and %zu)", k ? ", " : ": ", m->open.kept[k].from,

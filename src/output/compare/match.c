@@ -211,8 +211,8 @@ match_way match_better(const match *m) {
     return by_order && !another_order(m) ? MATCH_ORDER : MATCH_INDEXED;
 }
 
-/* There are no columns to match by, and not as many rows: a golden table has coordinates, so the
- * candidate lacks those, and one of the two an id. */
+/* There are no columns to match by, and the numbers of rows differ: a golden table has coordinates,
+ * so the candidate lacks those, and one of the two lacks an id. */
 static graze_status unmatched(const match *m) {
     const table *golden = m->golden.table, *candidate = m->candidate.table;
     const char *axes = golden->dimension == 2 ? "x, y" : "x, y, z";

@@ -56,7 +56,7 @@ graze_status match_next(match *m, const table_row **golden, const table_row **ca
 match_way match_better(const match *m);
 
 /** Check a matching at its end. GRAZE_EINPUT: no row has a counterpart; the rows without one are
- * the same on both sides, in another order; rows without keys are not as many; an id has another
+ * the same on both sides, in another order; rows without keys differ in number; an id has another
  * point. */
 graze_status match_finish(const match *m);
 

@@ -160,7 +160,7 @@ static graze_status count_mesh_row(graze_comparison *c, const mesh_run *r, size_
     return !status && what == 'w' ? take_wrong(c, r, index) : status;
 }
 
-/* What the report says of both sides. */
+/* Describe both sides for the report. */
 static graze_status describe(graze_comparison *c, const mesh_run *r,
                              const graze_compare_options *options) {
     const char *strata = r->points->generator ? ",stratum" : "";

@@ -28,7 +28,7 @@ void put_conventions(text *out, const graze_comparison *c);
  * none was taken. */
 void put_depths(text *out, const graze_comparison *c);
 
-/** The same as members of an object. */
+/** Rows as members of a JSON object. */
 void put_json_rows(json_writer *w, const graze_comparison *c);
 
 #endif

@@ -12,7 +12,7 @@ void put_sites(text *out, const graze_comparison *c);
 /** How many rows of both tables agree in each column. */
 void put_sites_by_column(text *out, const graze_comparison *c);
 
-/** The same as members of a JSON object; what is wrong by column stands there anyway. */
+/** Sites as members of a JSON object, which has the errors by column anyway. */
 void put_json_sites(json_writer *w, const graze_comparison *c);
 
 #endif

@@ -50,7 +50,7 @@ const char *comparison_hint(const graze_comparison *c) {
                  "both tables matches rows without coordinates";
 }
 
-/* What is said in place of the name of a file that is gone. */
+/* A table's name, or a word for a file that is gone. */
 static const char *table_shown(const graze_comparison *c, const char *name) {
     return !c->options.transient ? name
            : c->shown            ? "made for this report and not kept; rows stand below"

@@ -7,12 +7,12 @@
 #include "base/number/json.h"
 #include "output/compare/comparison.h"
 
-/** What was asked, and the errors of all values. */
+/** The question, and the errors of all values. */
 void put_values(text *out, const graze_comparison *c);
 /** The errors by stratum, k and distance. */
 void put_values_by(text *out, const graze_comparison *c);
 
-/** The same as members of a JSON object; both in one call. */
+/** Both as members of a JSON object, in one call. */
 void put_json_values(json_writer *w, const graze_comparison *c);
 
 #endif

@@ -8,7 +8,7 @@
 
 /**
  * Refuse two golden rows that rounding makes equal and whose answers in `columns` differ. The table
- * is read again, as often as it takes to keep at most 160 MB of digests.
+ * is read again, several times if digests would take more than 160 MB.
  * @param key     columns of numbers
  * @param columns count columns whose answers matter
  */

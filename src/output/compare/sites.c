@@ -11,7 +11,7 @@
 #include "output/compare/judgement.h"
 #include "output/compare/moment.h"
 
-/* What a table has, as far as that can be told. */
+/* Kind of rows that a table has, if its columns tell. */
 typedef enum table_kind { KIND_ANY, KIND_POINTS, KIND_CONTACTS } table_kind;
 
 /* Tables of Graze are known by their first column, since further ones may have any name. */
@@ -119,7 +119,7 @@ static int is_cell(field f) {
     return field_count(&index, number, ~0ul) && field_count(&index, second, ~0ul);
 }
 
-/* What is expected of a field that is no answer; NULL if it is one. */
+/* The expected values, for a message about a field that is no answer; NULL if it is one. */
 static const char *site_answer_fault(field f, column c) {
     unsigned long order;
     switch (c) {

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Invariant: once opened, the `#` lines before the column line and the columns are known; every row
- * handed out has as many fields as there are columns.
+ * handed out has one field per column.
  */
 #ifndef GRAZE_COMPARE_TABLE_H
 #define GRAZE_COMPARE_TABLE_H

@@ -6,7 +6,7 @@
 
 #include "output/compare/comparison.h"
 
-/** What the enclosure of a row says. */
+/** Position of a value relative to the enclosure of its row. */
 typedef struct valuation {
     int certain; /* pmc is the same for every motion within the comparison's motion error */
     int judged;  /* the candidate's value is */

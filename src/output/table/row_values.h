@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A row is its coordinates, each the nearest double; codes of 32 bits for pmc and, in this order,
- * class, definition (0 for ext), case, i and t, as far as the table has them; its word, if it has
+ * class, definition (0 for ext), case, i and t, those that the table has; its word, if it has
  * one; and where there are further columns these, comma-joined. A text is its length and its bytes.
  * All is as in memory, without gaps.
  */

@@ -41,7 +41,8 @@ typedef struct typed_table {
     fmpq low[3], high[3]; /* the grid's box, 0 for an axis that is not */
     text names;           /* the names of the columns */
     size_t row_count, column_count;
-    size_t own; /* the first so many columns are Graze's answers, the others are read as text */
+    size_t own; /* number of the first columns, which are Graze's answers; the others are read as
+                   text */
     typed_column *column;
 } typed_table;
 

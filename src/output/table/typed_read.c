@@ -140,7 +140,7 @@ static graze_status add_further(const typed_table *t, typed_column *c, field f) 
 
 /* ---------------------------------------------------------------------------------- rows */
 
-/* Take so many bytes from the front; 0 if there are fewer. */
+/* Take `length` bytes from the front; 0 if there are fewer. */
 static int take_bytes(void *out, field *rest, size_t length) {
     if (rest->length < length)
         return 0;

@@ -26,14 +26,14 @@ void vtk_begin(const vtk *w, const char *title, const char *dataset);
 
 /** Begin an array of `length` bytes in field data. */
 void vtk_bytes_begin(const vtk *w, field name, size_t length);
-/** Begin the points, each of which is put by vtk_point. */
+/** Begin the points; vtk_point puts each. */
 void vtk_points_begin(const vtk *w, size_t count);
 void vtk_point(const vtk *w, const double at[3]);
-/** The same of d rationals: the nearest binary64, ties to even, and 0 for z in the plane.
+/** vtk_point for d rationals: the nearest binary64, ties to even, and 0 for z in the plane.
  * GRAZE_EINPUT past its range. */
 graze_status vtk_rational_point(const vtk *w, graze_context *context, const mpq_t *point,
                                 int dimension);
-/** Begin the cells, each of which is put by vtk_cell. */
+/** Begin the cells; vtk_cell puts each. */
 void vtk_cells_begin(const vtk *w, size_t count, size_t corners);
 void vtk_cell(const vtk *w, const size_t *corner, size_t corners);
 /** The types of all cells, which are of one type. */

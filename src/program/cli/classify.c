@@ -114,7 +114,7 @@ int classify_check_table(const classify_options *o) {
     return EXIT_DONE;
 }
 
-/* What asks for more than pmc. */
+/* Refuse options that need more than pmc. */
 static int check_columns(const classify_options *o) {
     const char *more = o->scene.rows.sdf > 0                        ? "--sdf"
                        : o->scene.rows.moments                      ? "--moments"

@@ -29,7 +29,7 @@ typedef struct option_entry {
 #define FLAG(name, type, field, read)                                                              \
     { name, OPTION_FLAG, read, offsetof(type, field) }
 
-/** That of a file to read, and of one to write. */
+/** Options whose value is a file to read, and a file to write. */
 #define FILE_READ(name, type, field)                                                               \
     { name, OPTION_READ, value_text, offsetof(type, field) }
 #define FILE_WRITTEN(name, type, field)                                                            \
@@ -40,7 +40,7 @@ typedef struct option_entry {
 #define OUTPUT(type, field, read)                                                                  \
     {"output", OPTION_WRITTEN, read, offsetof(type, field)}, OPTION("o", type, field, read)
 
-/** That of an option that may be given several times. */
+/** An option that may be given several times. */
 #define REPEATED(name)                                                                             \
     { name, OPTION_VALUE, NULL, 0 }
 
@@ -61,8 +61,8 @@ typedef struct command {
     const option_entry *options;
     size_t size;         /* of the struct the options are read into */
     const void *initial; /* that struct before, NULL: zeroed */
-    int reads;           /* so many operands, from the first on, are files, */
-    int inputs;          /* and for the last ones of these `-` is standard input */
+    int reads;           /* number of operands, from the first on, that are files, */
+    int inputs;          /* and of the last ones of these, for which `-` is standard input */
     /** Add files that neither these nor OPTION_READ and OPTION_WRITTEN name; may be NULL. */
     void (*add_files)(guard *g, const void *options, const operands *given);
     const char *help;

@@ -1,4 +1,4 @@
-/* What graze validate shares with graze compare.
+/* Parts that graze validate shares with graze compare.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_CLI_COMPARE_H

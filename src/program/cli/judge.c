@@ -122,7 +122,7 @@ static int is_too_far(graze_context *context, const graze_judgement *judgement, 
     return far;
 }
 
-/* What the mesh says of the points that are given, as a file. */
+/* Write the mesh's answers at the given points as a file. */
 static int write_mesh_answers(const loaded *l, const judge_given *o, const graze_mesh *mesh,
                               const marks *given) {
     graze_mesh_rule rule = graze_mesh_get_facts(mesh).rule;
@@ -145,7 +145,7 @@ static int write_mesh_answers(const loaded *l, const judge_given *o, const graze
     return code;
 }
 
-/* What the mesh says of points beside the exact answers; nothing where it is not closed. */
+/* Compare the mesh's answers at points with the exact ones; nothing where it is not closed. */
 static int ask_mesh_points(graze_comparison **out, const loaded *l, const judge_given *o,
                            const graze_mesh *mesh, const marks *given) {
     graze_mesh_points asked = {.size = sizeof asked,

@@ -52,7 +52,7 @@ static char *number_name(const char *before, size_t number) {
     return strdup(text);
 }
 
-/* Which of the further columns has a name; *found is -1 if none does. 0 where memory is short. */
+/* Find the further column with a name; *found is -1 if there is none. 0 where memory is short. */
 static int mark_column(long *found, const char *columns, const char *name) {
     fields cut = {NULL, 0, 0};
     *found = -1;

@@ -1,4 +1,4 @@
-/* What graze motion --examples prints.
+/* Text of graze motion --examples.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "program/cli/motion_examples.h"

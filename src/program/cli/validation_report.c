@@ -55,7 +55,7 @@ static void put_json_text(text *out, const char *name, const char *value) {
     text_put(out, "\",\n");
 }
 
-/* What no points were made of, if anything. */
+/* Name the strata without points, if there are any. */
 static void put_lost(text *out, const lost_strata *lost, graze_comparison_format format) {
     char *said = lost_strata_text(lost, format == GRAZE_COMPARISON_JSON ? "; " : "\npoints: ");
     if (!said)

@@ -1,4 +1,4 @@
-/* What the reports of graze validate share with it.
+/* Parts that graze validate and its reports share.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_CLI_VALIDATION_REPORT_H

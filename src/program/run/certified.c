@@ -143,7 +143,7 @@ static int put_beside(beside *b, const char *original, const char *ending,
     return writes ? write_beside(b, o) : EXIT_DONE;
 }
 
-/* The file that a run goes on with may be another one, of which its certificate is. */
+/* A run may continue another file than the one its certificate belongs to. */
 static int compare_beside(const beside *b, const loaded *l, int is_solid) {
     char *there = NULL;
     if (!b->path)

@@ -300,7 +300,7 @@ static int keep_others(reader *r, const columns *c, size_t length) {
     return 1;
 }
 
-/* What a semicolon in a number points to. */
+/* Advice for a semicolon in a number. */
 static const char *semicolon_hint(field token) {
     return memchr(token.start, ';', token.length)
                ? "; expected decimal points where fields stand between semicolons"

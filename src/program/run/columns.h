@@ -25,7 +25,8 @@ typedef struct columns {
     char *others; /* names of the further columns, comma-joined; NULL if none */
 } columns;
 
-/** What the `#` lines before the first line say: Graze has written the file, with which answers. */
+/** Facts from the `#` lines before the first line: whether Graze has written the file, and with
+ * which answers. */
 typedef struct columns_head {
     int graze, topo, regular, sdf, boundary, certain, moments, unsweep, pmc_alone;
 } columns_head;
@@ -61,7 +62,7 @@ char *columns_free_names(const columns *c, field own);
 
 /**
  * Read a line of a block. Any thread may ask, once the columns are fixed.
- * @param[out] point as many initialised rationals as rows have numbers
+ * @param[out] point one initialised rational per number of a row
  * @param r          the further columns are added to `rest` where there are any
  * @return EXIT_DONE, or the status of the fault, which names file and line
  */

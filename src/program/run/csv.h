@@ -12,7 +12,7 @@
 
 typedef struct csv csv;
 
-/** Open a file, or standard input for `-`, of which the rows of a shard are wanted. The context is
+/** Open a file, or standard input for `-`, for the rows of a shard. The context is
  * borrowed. On failure says why. */
 int csv_open(csv **out, const char *path, int dimension, shard part, graze_context *context);
 void csv_close(csv *c);

@@ -24,7 +24,7 @@ int distinct_wants(distinct *d, graze_stratum stratum);
 /** Whether a point of a stratum is none of those before. Points are as they are written; of 2^64
  * hashes an equal one counts as an equal point. */
 int distinct_add(distinct *d, graze_stratum stratum, const char *point, size_t length);
-/** Whether so many points in a row were no new ones that there is no use in others. */
+/** Whether the last points were all repeated, so that trying on is of no use. */
 int distinct_is_over(const distinct *d);
 void distinct_clear(distinct *d);
 

@@ -144,7 +144,7 @@ int envelope_write_patches(const char *patches, const char *joints, graze_contex
     return status;
 }
 
-/* Times without contact give no row; after as many of them as this there may be none at all. */
+/* Times without contact give no row; after this number of them there may be none at all. */
 enum { TRIES = 1000 };
 
 static int put_contact_points(output *out, unsigned long count, unsigned long seed,

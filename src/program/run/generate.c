@@ -24,7 +24,7 @@ typedef struct maker {
     int opened;
 } maker;
 
-/* Of a coordinate of the box that goes to a candidate. */
+/* Digits of a coordinate of the box that goes to a candidate. */
 enum { BOX_DIGITS = 17 };
 
 /* NAME=W of a list; `length` characters. */
@@ -183,7 +183,7 @@ static int put_sample_point(int *is_new, maker *m, const coordinate_options *for
     return status;
 }
 
-/* What a row tells of its point. */
+/* Put the columns of a row that say how its point was made. */
 static void put_making(maker *m, const graze_sample *made, unsigned long row) {
     char text[48];
     int rounded = made->stratum == GRAZE_STRATUM_ROUNDED;

@@ -8,7 +8,7 @@
 #include "program/run/load.h"
 #include "program/run/lost_strata.h"
 
-/** What was made: zeroed at first, generated_clear at last. */
+/** Results of a generation: zeroed at first, generated_clear at last. */
 typedef struct generated {
     lost_strata lost;
     int dimension;
@@ -31,7 +31,7 @@ typedef struct generate_options {
     int quiet;          /* no progress */
 } generate_options;
 
-/** Make the points, no two of which are equal, and write the table. It ends early where no other
+/** Make the points, all different, and write the table. It ends early where no other
  * points are found. Returns an exit status and says what is wrong.
  * @param[out] made may be NULL; standard error names the lost strata too */
 int generate_run(generated *made, const generate_options *o);

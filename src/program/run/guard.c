@@ -26,7 +26,7 @@ typedef struct place {
 typedef struct guarded {
     guard_use use;
     const char *option, *path, *ending;
-    int standard; /* standard output, of which there is one, be it a pipe */
+    int standard; /* standard output: there is one, even if it is a pipe */
     place at;
 } guarded;
 

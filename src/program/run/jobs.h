@@ -8,8 +8,8 @@
 
 typedef struct jobs jobs;
 
-/** After a signal, this many looks, so many milliseconds apart, are left for rows that are nearly
- * answered. */
+/** After a signal, rows that are nearly answered have this number of looks, this number of
+ * milliseconds apart. */
 enum { LAST_LOOKS = 10, LOOK_MILLISECONDS = 20 };
 
 /** How many rows are answered at one time, if `threads` are asked for: no more than there are

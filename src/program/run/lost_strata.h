@@ -7,8 +7,8 @@
 #include "program/run/load.h"
 
 /** Strata with a weight that get fewer points than it asks for, as sets of 1 << graze_stratum:
- * none, as the scene has none, or none whose coordinates a binary64 holds; and those spent, of
- * which no other points were found. */
+ * none, as the scene has none, or none whose coordinates a binary64 holds; and those spent, in
+ * which no further points were found. */
 typedef struct lost_strata {
     unsigned absent, unrepresentable, spent;
     int replaced;   /* 1: the stratum `rounded` has the weight of the unrepresentable ones */

@@ -6,7 +6,7 @@
 
 #include "program/run/block.h"
 
-/** Array of points: `rows` of them, each with as many coordinates as the space has. */
+/** Array of points: `rows` of them, each with the coordinates of the space. */
 typedef struct npy_head {
     char kind;               /* 'f', 'i' or 'u', of `size` bytes */
     int size, big_endian;    /* 1, 2, 4 or 8 bytes, of floats 4 or 8 */

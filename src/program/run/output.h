@@ -39,7 +39,7 @@ int output_lock(output *out);
 void output_from(output *out, long long byte);
 void output_put(output *out, const char *text);
 void output_bytes(output *out, const char *text, size_t length);
-/** The same as a function of a sink (output/table/sink.h) whose data is the output. */
+/** output_bytes as the function of a sink (output/table/sink.h) whose data is the output. */
 void output_sink(void *out, const char *text, size_t length);
 /** An integer, or a ratio in lowest terms. */
 void output_number(output *out, const mpq_t value);

@@ -32,7 +32,7 @@ results *outputs_main(outputs *out);
 
 /** Open the files, or those to continue. Returns an exit status and says what is wrong. */
 int outputs_open(outputs *out);
-/** Rows that need not be made again: as many as the record of an earlier run has. */
+/** Number of rows that need not be made again: those in the record of an earlier run. */
 unsigned long outputs_skip(const outputs *out);
 /** Pass over these rows, whose points, `rows` of them, have this checksum. EXIT_INPUT: they are
  * other rows, or of other points. */

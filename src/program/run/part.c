@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 #include "program/run/status.h"
 
-/* The last lines are within so many bytes of the end. */
+/* The last lines are within this number of bytes of the end. */
 enum { TAIL = 512 };
 
 static int next_line(part *p, field *line) {

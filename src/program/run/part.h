@@ -22,7 +22,7 @@ typedef struct part {
     field next;   /* the line behind the rows that are copied, borrowed from `in` */
     checksum sum; /* of the bytes before that line */
     unsigned long rows, rows_of_all;
-    int topo; /* rows have positions, of which so many are undecided */
+    int topo; /* rows have positions; and the number of undecided ones */
     unsigned long undecided;
     unsigned long long points, bytes; /* checksums in the last lines */
 } part;

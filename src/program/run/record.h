@@ -11,7 +11,7 @@
 #include "program/run/checksum.h"
 #include "program/run/lines.h"
 
-/** What is recorded: rows that are written, with the sums that bind them to points and files. */
+/** Record of a run: rows that are written, with the sums that bind them to points and files. */
 typedef struct record {
     unsigned long rows, undecided, wide;
     unsigned long long points; /* checksum of the points up to there */

@@ -2,9 +2,9 @@
  * interrupted.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * What a file that is continued has already is passed over as far as its record goes (record.h),
- * and behind that compared, byte by byte, with what this run makes. Until all of it is the same
- * nothing in the file changes; a last line without its end is written anew.
+ * A file that is continued is passed over up to the end of its record (record.h); behind that its
+ * bytes are compared with those of this run. Until all of it is the same nothing in the file
+ * changes; a last line without its end is written anew.
  */
 #ifndef GRAZE_RUN_RESULTS_H
 #define GRAZE_RUN_RESULTS_H
@@ -34,13 +34,13 @@ int results_open(results *t, const char *path, const char *resumed);
 /** Write the head, or see that it is the one there. EXIT_INPUT: it is not. */
 int results_begin(results *t, const char *head);
 
-/** 1 if the file has so many bytes, so that a record may be of it. */
+/** 1 if the file has that number of bytes, so that a record may belong to it. */
 int results_reach(const results *t, const struct kept_bytes *kept);
 
-/** Pass over what the file has up to there, of which `rows` rows. EXIT_INPUT: it was changed. */
+/** Pass over the file up to there, `rows` rows. EXIT_INPUT: it was changed. */
 int results_pass(results *t, const struct kept_bytes *kept, unsigned long rows);
 
-/** Add whole lines with so many rows, or see that they are there. EXIT_INPUT: others are. */
+/** Add whole lines with `rows` rows, or check that they are there. EXIT_INPUT: others are. */
 int results_add(results *t, const char *text, size_t length, unsigned long rows);
 
 /** Nothing will be added. EXIT_INPUT: there are rows for which this run has no points. */

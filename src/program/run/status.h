@@ -32,7 +32,7 @@ const char *complaint_of(const graze_context *context);
 /** Write that message; returns the exit status of its cause (EXIT_SIGNAL for a cancel). */
 int complain_of(graze_status status, const graze_context *context);
 
-/** The same, where GRAZE_EUSE is a fault of the command line: EXIT_USAGE. */
+/** complain, where GRAZE_EUSE is a fault of the command line: EXIT_USAGE. */
 int complain_of_use(graze_status status, const graze_context *context);
 
 /** Exit status for a number or a point that was refused: that of a limit or of the machine, or

@@ -17,7 +17,7 @@
 /* Beyond it powers of M might leave the range of doubles. */
 static const double SMALLEST = 0x1p-200, LARGEST = 0x1p200;
 
-/* Of a simplex: its edges from corner 0, and bounds of determinants. */
+/* A simplex: its edges from corner 0, and bounds of determinants. */
 typedef struct frame {
     double edge[2][3], normal[3];
     double area_error, volume_error;

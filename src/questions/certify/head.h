@@ -1,4 +1,4 @@
-/* What certificates are made with, and their head (proofs/certificate.md).
+/* Data for making certificates, and their head (proofs/certificate.md).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_CERTIFY_HEAD_H
@@ -8,7 +8,7 @@
 #include "decide/scene/scene.h"
 #include "graze/certify.h"
 
-/** What rows are certified with; only read, so that threads may share it. */
+/** Data for certifying rows; read only, so that threads may share it. */
 typedef struct certifier {
     const graze_scene *scene; /* borrowed */
     const graze_solid *solid; /* the scene's own, or `cut` */

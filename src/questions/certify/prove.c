@@ -45,7 +45,7 @@ static void add_near(enclosure *e, uint32_t simplex) {
         e->out_of_memory = 1;
 }
 
-/* So many near simplices that a shorter interval is cheaper; no bound in the end. */
+/* From this number of near simplices on a shorter interval is cheaper; no bound in the end. */
 static size_t many(const enclosure *e) {
     return (size_t)48 << (e->at.exponent < 60 ? e->at.exponent / 2 : 30);
 }

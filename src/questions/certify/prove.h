@@ -28,8 +28,8 @@ typedef struct enclosure {
     int out_of_memory;
 } enclosure;
 
-/** What is claimed of the interval around a root: the letters beside it, 0 for a side that is not
- * there (the root is that end). */
+/** Claim about the interval around a root: the letters beside it, 0 for a side that is not there
+ * (the root is that end). */
 typedef struct root_claim {
     char left, right;
     const fmpz_poly_struct *q;

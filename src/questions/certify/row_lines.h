@@ -11,7 +11,7 @@
 typedef struct row_lines {
     text *out;
     const graze_trace *trace;  /* its contacts are written with their cells; NULL: none are */
-    size_t said;               /* so many of them */
+    size_t said;               /* their number */
     const motion_piece *piece; /* the one at hand */
     text start, finish;        /* where the next interval begins, and the last one ends */
     text opened;               /* the beginning of a contact that has not ended; empty: none */

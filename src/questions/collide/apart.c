@@ -154,7 +154,7 @@ typedef struct flat_box {
     const slab *slab;
 } flat_box;
 
-/* What is in a box and a slab along n: n = share * the slab's normal + rest. */
+/* Extent along n of the intersection of a box and a slab: n = share * the slab's normal + rest. */
 static extent flat_extent(const flat_box *f, const double n[3]) {
     const double *normal = f->slab->normal;
     double length = dot3(normal, normal), share = length > 0 ? dot3(n, normal) / length : 0;
@@ -170,7 +170,7 @@ static extent flat_extent(const flat_box *f, const double n[3]) {
     return (extent){centre - half + smaller(one, other), centre + half + larger(one, other)};
 }
 
-/* The same of the images: n . (A x + b) = (A^T n) . x + n . b. */
+/* Extent of the image along n: n . (A x + b) = (A^T n) . x + n . b. */
 static extent moved_extent(const flat_box *f, const control_maps *maps, const double n[3]) {
     extent all = {INFINITY, -INFINITY};
     int d = maps->dimension;

@@ -14,8 +14,8 @@ typedef struct corner_run {
     int first, count;
 } corner_run;
 
-/** What coordinates of moved and standing corners err by together in doubles; infinite where
- * nothing is known. */
+/** Bound of the errors in doubles of moved and standing corners together; infinite where nothing is
+ * known. */
 double error_of_places(const solid_pair *pair, const control_maps *maps);
 
 /** Are the convex hulls of corners of the moving and of the fixed solid certainly apart during the
@@ -24,7 +24,7 @@ double error_of_places(const solid_pair *pair, const control_maps *maps);
 int corners_apart(const solid_pair *pair, const control_maps *maps, corner_run moving,
                   corner_run fixed, double error);
 
-/** The same of all that is below two nodes, by the slabs of inner ones. */
+/** Whether all simplices below two nodes are apart, by the slabs of inner nodes. */
 int slabs_apart(const solid_pair *pair, const control_maps *maps, uint32_t moving, uint32_t fixed,
                 double error);
 

@@ -32,11 +32,11 @@ void common_points_find(common_points *out, placing *p, near_pair simplices);
 
 /** Side k of a triangle of a side as its two vertices, or a segment's vertex k twice. */
 void simplex_side(uint32_t out[2], const graze_solid *solid, uint32_t simplex, int k);
-/** The same, the lower number first: the key of the edge. */
+/** Ends of an edge, the lower number first: the edge's key. */
 void simplex_edge(uint32_t out[2], const graze_solid *solid, uint32_t simplex, int k);
 
 /**
- * Of two sides k and l of triangles: do they meet inside both, when their lines lie in one plane?
+ * Whether sides k and l of two triangles meet inside both, when their lines lie in one plane.
  * @param plane signs of each one's corners at the other one's plane, the moving one's first
  */
 int edges_cross(placing *p, near_pair simplices, int k, int l, int plane[2][3]);

@@ -35,7 +35,7 @@ void map_forms_split(map_forms *forms, map_forms *right);
 
 /** Zeros before the first use; control_maps_clear frees. @return 0 without memory */
 int control_maps_set(control_maps *out, const map_forms *forms);
-/** The same of one affine map, that of one time. */
+/** control_maps_set for one affine map, that of one time. */
 int control_maps_set_one(control_maps *out, const fmpq *map, int dimension);
 void control_maps_clear(control_maps *maps);
 

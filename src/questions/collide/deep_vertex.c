@@ -8,7 +8,7 @@
 #include "base/number/order.h"
 #include "decide/trace/touch.h"
 
-/* Vertices that are tried, of each solid, and of these so many trajectories. */
+/* Vertices of each solid that are tried, and trajectories that are traced. */
 enum { MOST_TRIED = 16, MOST_TRACED = 4 };
 
 /* The contacts next to a time narrow [low, high]. */

@@ -131,7 +131,7 @@ static void meet_vertex(finder *f, pair_side side, const meeting_cells *m) {
 }
 
 /* Do two edges, whose lines lie in one plane at the time, cross inside both? The signs of their
- * ends at the other triangle's plane, as far as they are needed. */
+ * ends at the other triangle's plane, where they are needed. */
 static int cross_then(placing *p, const meeting_cells *m) {
     int plane[2][3] = {{0}, {0}};
     near_pair s = m->simplices;

@@ -7,12 +7,12 @@
 #include "questions/collide/common_points.h"
 
 /**
- * What the two solids have in common at the placing's time, a rational one, or an irrational one at
- * which the boundaries meet: I, B or O (proofs/collision.md C109, C111). Without GRAZE_OK in the
- * placing it means nothing.
+ * State of the pair at the placing's time, a rational one, or an irrational one at which the
+ * boundaries meet: I, B or O (proofs/collision.md C109, C111). Without GRAZE_OK in the placing it
+ * means nothing.
  * @param near   all pairs of simplices that meet then, perhaps others
- * @param before of an irrational time: a rational time between which and it no state of a vertex
- *               changes, as a placing; else NULL
+ * @param before for an irrational time a placing at a rational one, such that no vertex changes its
+ * state between the two; else NULL
  */
 graze_state interiors_look(placing *p, const near_list *near, placing *before);
 

@@ -1,7 +1,7 @@
-/* Whether what two solids are next to a common point has interior in common: two open cones, given
- * by the sectors that bound them. SPDX-License-Identifier: GPL-3.0-or-later
+/* Whether the cones of two solids at a common point have interior points in common: two open cones,
+ * given by the sectors that bound them. SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Vectors are polynomials of u, of which only the direction at the placing's time matters.
+ * Vectors are polynomials of u; only their direction at the placing's time matters.
  */
 #ifndef GRAZE_COLLIDE_OPEN_CONES_H
 #define GRAZE_COLLIDE_OPEN_CONES_H

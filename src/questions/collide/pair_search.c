@@ -8,10 +8,10 @@
 #include "questions/collide/deep_vertex.h"
 #include "questions/collide/incidences.h"
 
-/* Halvings of a piece; beyond them pairs are asked whatever their way is. From so many pairs on a
+/* Halvings of a piece; beyond them pairs are asked whatever their way is. From MANY_PAIRS on a
  * vertex that is deep in the other solid is looked for. */
 enum { MOST_HALVINGS = 60, MANY_PAIRS = 24 };
-/* Before a first contact intervals with more pairs than a few are halved while so many halvings
+/* Before a first contact intervals with more than FEW_PAIRS are halved while PATIENCE halvings
  * halve the pairs: those that meet later are in intervals that are never looked at. */
 enum { FEW_PAIRS = 8, PATIENCE = 3 };
 
@@ -26,8 +26,8 @@ typedef struct searcher {
 typedef struct stretch_forms {
     dyadic_interval interval;
     int level;
-    size_t pairs; /* of leaves, when so many halvings ago they had become half of those before; */
-    int patience; /* 0: they were not counted yet */
+    size_t pairs; /* number of leaves when they had last become half of those before, */
+    int patience; /* and halvings left since then; 0: they were not counted yet */
     map_forms motion;
 } stretch_forms;
 
@@ -92,7 +92,7 @@ static graze_status search_halves(searcher *s, stretch_forms *during, const node
     return status;
 }
 
-/* The same interval once more, where a part of it at least can be gone over. */
+/* Search the interval once more, where a part of it at least can be passed over. */
 static graze_status search_deep(int *done, searcher *s, stretch_forms *during,
                                 const near_list *near, const node_list *leaves) {
     *done = 0;

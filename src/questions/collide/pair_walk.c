@@ -16,7 +16,7 @@
 /* The gap after a first contact is looked into after this power of 1/2: few pairs meet yet. */
 enum { SOON = 8 };
 
-/* What stands at one time: the pairs that may meet, and exact places. */
+/* The scene at one time: the pairs that may meet, and exact places. */
 typedef struct scene_then {
     control_maps maps;
     node_list leaves;
@@ -79,7 +79,7 @@ static graze_status place_both_at(scene_then *out, pair_walk *walk, size_t piece
     return status;
 }
 
-/* The same at an irrational time, which is narrowed: by the motion during its interval. */
+/* Find the pairs at an irrational time, which is narrowed: by the motion during its interval. */
 static graze_status find_near_root(scene_then *out, pair_walk *walk, size_t piece, algebraic *time,
                                    const node_list *of) {
     graze_status status = GRAZE_OK;

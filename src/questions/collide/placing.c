@@ -177,8 +177,8 @@ void placing_edges(fmpz_poly_t out, placing *p, const uint32_t moving[2], const 
     _fmpz_vec_clear(end, 12);
 }
 
-/* Each sign that is 0 narrows the time a little. Of thousands of signs at one time so many places
- * are kept, and not more. */
+/* Each sign that is 0 narrows the time a little; at most this number of places is kept, as there
+ * may be thousands of signs at one time. */
 enum { MOST_PLACES = 200 };
 
 static int sign_at_root(placing *p, const fmpz_poly_t q) {
@@ -193,7 +193,7 @@ static int sign_at_root(placing *p, const fmpz_poly_t q) {
     return sign;
 }
 
-/* Of a polynomial without a factor that is a number, and with a positive leading coefficient. */
+/* Sign of a primitive polynomial with a positive leading coefficient. */
 static int known_sign(placing *p, const fmpz_poly_t q) {
     known_signs *known = &p->known;
     size_t kept = known->count < KNOWN_SIGNS ? known->count : KNOWN_SIGNS;

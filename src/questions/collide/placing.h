@@ -61,7 +61,7 @@ void placing_set_time(placing *p, algebraic *when);
 
 const graze_solid *placing_solid(const placing *p, pair_side side);
 
-/** That of two simplices which is of a side. */
+/** The simplex of the pair on one side. */
 static inline uint32_t simplex_of(near_pair simplices, pair_side side) {
     return side == SIDE_MOVING ? simplices.moving : simplices.fixed;
 }
@@ -71,7 +71,7 @@ const trajectory *placing_vertex(placing *p, pair_side side, uint32_t vertex);
 
 /** The plane form of a simplex of `side` at a vertex of the other side. */
 void placing_plane(fmpz_poly_t out, placing *p, pair_side side, uint32_t simplex, uint32_t vertex);
-/** The same of its side k. */
+/** The plane form of side k of a triangle, likewise. */
 void placing_side(fmpz_poly_t out, placing *p, pair_side side, uint32_t simplex, int k,
                   uint32_t vertex);
 

@@ -15,11 +15,12 @@
  */
 graze_status site_make(graze_site *out, graze_context *context, const graze_scene *scene,
                        const fmpq_t t, const fmpq *y);
-/** What a caller asks of a site: all; its role; trim, orientation and the states beside t. */
+/** Parts of a site that a caller asks for: all; its role; trim, orientation and the states beside
+ * t. */
 typedef enum site_question { SITE_ALL, SITE_ROLE, SITE_TRIM } site_question;
 
-/** The same as far as it is asked: of what else a site has only place, sides, germs and the point
- * in the world are made. site_clear after GRAZE_OK. */
+/** site_make for a part: of the others only place, sides, germs and the point in the world are
+ * made. site_clear after GRAZE_OK. */
 graze_status site_make_for(graze_site *out, graze_context *context, const graze_scene *scene,
                            const fmpq_t t, const fmpq *y, site_question asked);
 

@@ -1,4 +1,4 @@
-/* What is known of a site.
+/* Record of a site.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_CONTACT_SITE_RECORD_H

@@ -22,7 +22,7 @@ typedef struct arc_tree {
     size_t count;
 } arc_tree;
 
-/** That of a ground, made at the first call. @return GRAZE_ESYSTEM */
+/** The tree of a ground, made at the first call. @return GRAZE_ESYSTEM */
 graze_status arc_tree_of(const arc_tree **out, graze_context *context, const ground *base);
 
 /** No place of S during the arcs of a node is nearer than this to a point of a box of d

@@ -71,7 +71,7 @@ static void clear_along(double *n, const double *e) {
     }
 }
 
-/* What all corners are beyond along n, as a distance. */
+/* Signed distance from the origin of the plane with normal n that supports the corners. */
 static double support(const double *n, double y[3][3], int count) {
     double most = -INFINITY;
     for (int c = 0; c < count; c++)

@@ -31,7 +31,7 @@ static void gap_rigid(gap *out, const window *w, const double *q) {
     }
 }
 
-/* The same on another piece, in the space of query points. */
+/* The gap on another piece, in the space of query points. */
 static void gap_placed(gap *out, const window *w, const double *q) {
     int d = w->of->dimension;
     const double *weight = w->place[d * (d + 1)];
@@ -80,7 +80,7 @@ static double greatest(const gap *g) {
     return sqrt(most) * ROUNDED_UP;
 }
 
-/* What errors of the weight may change a quotient by, relatively, and roundings of means. */
+/* Bound of the relative error of a quotient by errors of the weight and roundings of means. */
 static double weight_slack(const gap *g) {
     double most = 0;
     for (int k = 0; k <= g->degree; k++)

@@ -23,7 +23,7 @@ static const graze_solid *solid_of(const descent *d) {
     return d->s->at.of->base->scene->solid;
 }
 
-/* What is not entered is no nearer than this. */
+/* Parts that are not entered are no nearer than this. */
 static double cut_of(const descent *d) {
     return smaller(d->out->high, d->limit);
 }

@@ -13,7 +13,7 @@ typedef struct nearest {
     int found;
 } nearest;
 
-/** What is known of a place in a window of time. */
+/** State of a place in a window of time. */
 typedef enum place_state {
     PLACE_NEW,  /* nothing: its bound is that of a longer window */
     PLACE_SEEN, /* the middle of the window has been asked; the bound is that of a larger place */

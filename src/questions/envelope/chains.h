@@ -1,4 +1,4 @@
-/* Which parts of a curve hang together.
+/* Connected parts of a curve.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_ENVELOPE_CHAINS_H

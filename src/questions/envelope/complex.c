@@ -154,7 +154,7 @@ static size_t facet_number(const cell_complex *c, const place_facet *wanted) {
     return (size_t)(found - c->facet);
 }
 
-/* What grows while cells are located one after another. */
+/* State of locating cells one after another. */
 typedef struct locating {
     cell_complex *c;
     graze_context *context;

@@ -1,4 +1,4 @@
-/* Which moments concern a cell (proofs/events.md C84).
+/* Moments that concern a cell (proofs/events.md C84).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_ENVELOPE_CONCERN_H
@@ -6,7 +6,7 @@
 
 #include "questions/envelope/moments.h"
 
-/** That a moment concerns a cell, or what two cells have to do with each other. */
+/** An event of one cell or of two at a moment. */
 typedef struct concern {
     graze_cell first, second;
     size_t moment;

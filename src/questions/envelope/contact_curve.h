@@ -14,7 +14,7 @@
  */
 graze_status contact_curve_find(graze_curve *out, graze_context *context, const graze_envelope *e,
                                 const fmpq_t t);
-/** The same with the verdicts of all middles, and chains. */
+/** contact_curve_find with the verdicts of all middles, and chains. */
 graze_status contact_curve_make(graze_curve *out, graze_context *context, const graze_envelope *e,
                                 const fmpq_t t);
 void contact_curve_clear(graze_curve *c);

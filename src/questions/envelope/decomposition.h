@@ -1,4 +1,4 @@
-/* What says whether an envelope decomposes (proofs/events.md C81 to C83).
+/* Conditions for an envelope to decompose (proofs/events.md C81 to C83).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_ENVELOPE_DECOMPOSITION_H

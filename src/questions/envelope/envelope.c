@@ -12,8 +12,8 @@
 #include "questions/envelope/singular.h"
 #include "questions/envelope/whole.h"
 
-/* Roots are sought of minors and products of these functions: many for each facet. Facets, like
- * pieces, are as many as the file has, and not counted. */
+/* Roots are sought of minors and products of these functions: many for each facet. Facets and
+ * pieces, whose number the file fixes, are not counted. */
 static graze_status check_demand(graze_context *context, const derivatives *field) {
     enum { FUNCTIONS = 128 };
     double demand = 0;

@@ -34,7 +34,7 @@ graze_status events_add(event_list *list, graze_context *context, const found_ev
     return GRAZE_OK;
 }
 
-/* Of signs along a line of places, SIGN_NONE left out: are there two? */
+/* Whether the signs along a line of places differ, SIGN_NONE left out. */
 static int signs_differ(const int *sign, int count) {
     int first = SIGN_NONE;
     for (int k = 0; k < count; k++) {

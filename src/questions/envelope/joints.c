@@ -24,7 +24,7 @@ static int is_active(const joining *j, const patch_place *place) {
     return item->from <= j->from && j->to <= item->to;
 }
 
-/* What the patches of the set look like together: slices, runs and whole facets count. */
+/* Shape of the set's patches together: slices, runs and whole facets count. */
 static graze_chain_form form_of(const joining *j) {
     int surfaces = 0;
     for (size_t k = 0; k < j->set.count; k++) {

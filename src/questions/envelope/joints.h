@@ -1,4 +1,4 @@
-/* Which patches meet, where and when.
+/* Patches that meet, where and when.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_ENVELOPE_JOINTS_H

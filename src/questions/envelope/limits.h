@@ -1,4 +1,4 @@
-/* Which patches meet at a moment.
+/* Patches that meet at a moment.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_ENVELOPE_LIMITS_H

@@ -140,7 +140,7 @@ static int compare_slice_points(const void *left, const void *right) {
     return order;
 }
 
-/* Of points at one place the one of the first facet last. */
+/* Points at one place by facet, the first facet's last. */
 static int compare_edge_points(const void *left, const void *right) {
     const slice_point *a = left, *b = right;
     int order = compare_slice_points(a, b);

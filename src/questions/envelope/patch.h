@@ -1,4 +1,4 @@
-/* What patches and joints hold.
+/* Patches and joints.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_ENVELOPE_PATCH_H

@@ -163,9 +163,9 @@ static int run_reaches(const corner_view *v, const signed char *sign) {
     return 0;
 }
 
-/* Of a facet with g = 0 at the vertex at point k: does its slice, next to the point, end on an edge
- * at the vertex, and come to it? It does if g is not 0 all along that edge then (proofs/events.md
- * C82). */
+/* Whether the slice of a facet with g = 0 at the vertex at point k ends, next to the point, on an
+ * edge at the vertex, and comes to it. It does if g is not 0 all along that edge then
+ * (proofs/events.md C82). */
 static int slice_comes(const corner_view *v, size_t facet, size_t own, size_t at) {
     const cell_complex *c = &v->e->cells;
     const signed char *here = signs_at(&v->s, at);

@@ -15,7 +15,7 @@ enum { MOST_SURFACES = 400, MOST_PAIRS = 400, MOST_CORNERS = 1500, MOST_TOUCHES 
  * surface at one time. */
 enum { REACH = 4, FURTHER = 24, MOST_SECTIONS = 4000, LINES = 6 };
 
-/* What is under way. */
+/* State of a survey. */
 typedef struct surveyor {
     atlas *out;
     graze_context *context;
@@ -149,7 +149,7 @@ static graze_status survey_faces(surveyor *s) {
     return status;
 }
 
-/* What two surfaces have in common, those near each other in the file first. */
+/* Survey intersections of two surfaces, those near each other in the file first. */
 static graze_status survey_pairs(surveyor *s, charts *to) {
     int left = MOST_PAIRS;
     graze_status status = GRAZE_OK;

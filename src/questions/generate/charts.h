@@ -9,7 +9,7 @@
 #include "questions/generate/flat.h"
 #include "questions/generate/quadratic.h"
 
-/** Points of a flat, of which all but the start are second points of lines through it if `bent`. */
+/** Points of a flat; if `bent`, all but the start are second points of lines through it. */
 typedef struct chart {
     flat place;
     int bent;

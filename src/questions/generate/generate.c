@@ -128,7 +128,7 @@ static graze_status try_strata(struct graze_generator *g, graze_context *context
     return context_poll(context);
 }
 
-/* Look for points of a curved solid, of which no signed distance is known. */
+/* Look for points of a curved solid, which has no signed distances. */
 static graze_status survey_curved(struct graze_generator *g, graze_context *context) {
     g->weight[GRAZE_STRATUM_LEVEL] = 0;
     g->atlas = calloc(1, sizeof *g->atlas);

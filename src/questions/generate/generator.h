@@ -9,7 +9,7 @@
 #include "questions/generate/atlas.h"
 #include "questions/generate/special.h"
 
-/** A decade of |s| and a side of which the scene has points. */
+/** A decade of |s| and a side in which the scene has points. */
 typedef struct level {
     int decade, outward;
 } level;

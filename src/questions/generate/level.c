@@ -48,7 +48,7 @@ static long places_for(double length) {
     return PLACE_BITS - exponent;
 }
 
-/* Round down to so many binary places. */
+/* Round down to `places` binary places. */
 static void round_to_places(fmpq_t x, long places) {
     fmpz_t whole;
     fmpz_init(whole);

@@ -6,8 +6,8 @@
 
 #include "decide/scene/scene.h"
 
-/** Of a sweep: is a point `out`? Of an unsweep, whose complement is the sweep of the solid's
- * complement: is it `in` (proofs/dangling.md C113)?
+/** Whether a point is `out` of a sweep, or `in` an unsweep, whose complement is the sweep of the
+ * solid's complement (proofs/dangling.md C113).
  * @return as classify_verdict */
 graze_status beyond_closed(int *out, graze_context *context, const graze_scene *scene,
                            const fmpq *point);

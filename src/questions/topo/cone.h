@@ -1,4 +1,4 @@
-/* What a solid is near one of its points: a cone, asked about directions.
+/* The cone of a solid at one of its points, asked about directions.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Vectors are d integers; a positive factor does not matter.
@@ -42,8 +42,9 @@ int cone_knows(graze_state *out, const local_cone *cone, const signed char *sign
 /** The dimension of the cell of the facets' planes that holds the point. */
 int cone_cell_dimension(const local_cone *cone);
 
-/** Of the directions u + s e, s >= 0: is one in the interior, is one in the cone?
- * @param ray NULL, or a direction: then of the cone as it is near that, seen from there */
+/** Whether one of the directions u + s e, s >= 0, is in the interior, and whether one is in the
+ * cone.
+ * @param ray NULL, or a direction: then the cone near that direction is asked, seen from there */
 graze_status cone_sweep(int *in_interior, int *in_cone, local_cone *cone, graze_context *context,
                         const fmpz *ray, const fmpz *u, const fmpz *e);
 

@@ -8,9 +8,9 @@
 
 /**
  * Add a curve to a list of squarefree, pairwise coprime polynomials with the same zeros as all that
- * was added. Small ones are factored, since factors that stay away from a point are cheap; of large
- * ones, of which that can take minutes, only common factors are looked for, and most of these are
- * excluded modulo a prime.
+ * was added. Small ones are factored, since factors that stay away from a point are cheap;
+ * factoring large ones can take minutes, so only their common factors are looked for, and most of
+ * these are excluded modulo a prime.
  * @param[out] refused 1 if a polynomial with a common factor has more digits than that is bounded
  *                     for (the context's limit `bits`); else as it was
  */

@@ -1,4 +1,4 @@
-/* What germs cover of the directions about the point.
+/* Directions about the point that germs cover.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_TOPO_COVER_H
@@ -6,7 +6,7 @@
 
 #include "questions/topo/germ.h"
 
-/** What the germs say about a direction. */
+/** Cover of a direction by the germs. */
 typedef struct germ_cover {
     int open;     /* it is covered, and so is a neighbourhood */
     int edge_way; /* the same, by the way of a trajectory through a pinch, or along an edge */
@@ -23,7 +23,7 @@ graze_status germ_cover_body(germ_cover *out, germ *g, graze_context *context, c
 graze_status germ_cover_part(germ_cover *out, germ *g, graze_context *context,
                              const fmpz *direction, int part);
 
-/** What all germs cover of a direction about the point. */
+/** Find how all germs together cover a direction about the point. */
 graze_status germs_cover(germ_cover *out, germ_list *list, graze_context *context,
                          const fmpz *direction);
 

@@ -29,7 +29,7 @@ static graze_status meets_piece(int *out, graze_context *context, const fmpz_pol
     return status;
 }
 
-/* What the walk over pieces, lines and vertices shares. */
+/* Common data of the walk over pieces, lines and vertices. */
 typedef struct curve_maker {
     curve_list *list;
     const char *refused;

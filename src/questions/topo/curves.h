@@ -14,10 +14,9 @@
 enum { CURVE_COUNT = 100000, SLICE_CURVE_COUNT = 5000, SLICE_CURVE_DEGREE = 8 };
 
 /**
- * Append curves in the zeros of which the boundary of the closed sweep lies in the plane, up to
- * finitely many points (proofs/topology.md C47, C50): of the facets' planes the lines at the ends
- * of all pieces and the discriminants of the pullbacks, and the paths of the vertices, in E^3 of
- * the edges.
+ * Append curves whose zeros hold the boundary of the closed sweep in the plane, up to finitely many
+ * points (proofs/topology.md C47, C50): of the facets' planes the lines at the ends of all pieces
+ * and the discriminants of the pullbacks, and the paths of the vertices, in E^3 of the edges.
  * @param[out] refused why the list is not whole: curves that are too dear, or (E^3) a facet or an
  * edge that comes to lie in the plane; else NULL
  * @param planes       of all facets of the scene's solid

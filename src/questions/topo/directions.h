@@ -1,4 +1,4 @@
-/* Vectors of integers of which only the direction matters.
+/* Directions, as vectors of integers.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_TOPO_DIRECTIONS_H

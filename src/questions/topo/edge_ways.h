@@ -1,4 +1,4 @@
-/* What a germ covers opposite to its leading directions, and along an edge.
+/* Cover by a germ opposite to its leading directions, and along an edge.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_TOPO_EDGE_WAYS_H

@@ -1,4 +1,4 @@
-/* Resultants modulo primes of 62 bits, as many as a bound on the coefficients asks for.
+/* Resultants modulo primes of 62 bits, whose number follows from a bound on the coefficients.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A coefficient of the resultant is at most the resultant's absolute value somewhere on the unit

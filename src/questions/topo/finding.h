@@ -1,4 +1,4 @@
-/* What is found out about a point and the closed sweep.
+/* Finding about a point and the closed sweep.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_TOPO_FINDING_H

@@ -21,8 +21,8 @@ typedef struct germ_side {
     int keeps_edge; /* d = 3: what it covers does not depend on the way along the cell's edge */
 } germ_side;
 
-/** What a germ at an irrational time has besides: the time, and the trajectory's distances from the
- * planes of the cone, derived as often as the order of its sides says. */
+/** Further data of a germ at an irrational time: the time, and the trajectory's distances from the
+ * planes of the cone, differentiated up to the order of its sides. */
 typedef struct germ_root {
     algebraic time;
     size_t count;

@@ -12,7 +12,7 @@
 #include <flint/fmpz_vec.h>
 #include "questions/topo/eliminate.h"
 
-/* What is wanted: a discriminant, or with `g` a resultant. */
+/* State of making a discriminant, or with `g` a resultant. */
 typedef struct grid_maker {
     graze_context *context;
     const pullback_form *f, *g;

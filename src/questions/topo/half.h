@@ -1,4 +1,4 @@
-/* What a germ covers below or above a plane about the point, by its leading term.
+/* Cover by a germ below or above a plane about the point, by its leading term.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_TOPO_HALF_H
@@ -19,7 +19,7 @@ typedef struct open_plane {
 enum { HALF_WAYS = 5 };
 
 /**
- * What a germ covers below the plane (sign -1) or above it (1) in one of these ways.
+ * Find how a germ covers the side below the plane (sign -1) or above it (1).
  * @param[out] found 0 if nothing is known of it
  * @param[out] out   initialised
  */

@@ -27,7 +27,8 @@ typedef struct leading_maker {
     const fmpq *point;
     germ_list germs;
     borders borders;
-    int is_interior[BY_COUNT]; /* as far as has been looked at, by each level and those before it */
+    int is_interior[BY_COUNT]; /* in the directions looked at so far, by each level and those before
+                                  it */
     int open_rank;             /* of the directions that are not covered with a neighbourhood */
     fmpz *open;                /* one of them, another, and their product */
 } leading_maker;
@@ -208,7 +209,7 @@ static graze_status look_at_second_order(int *covers, leading_maker *m) {
     return status;
 }
 
-/* Look around all rays, as far as that can decide the point or tell the plane of what is left. */
+/* Look around all rays until that decides the point or tells the plane of the rest. */
 static graze_status look_at_rays(leading_maker *m) {
     graze_status status = GRAZE_OK;
     m->open_rank = m->out->has_open = 0;

@@ -37,7 +37,7 @@ static int passes_origin(const fmpz_mpoly_t g, const fmpz_mpoly_ctx_t ring) {
     return e[0] + e[1] > 0;
 }
 
-/* What the steps share. */
+/* Common data of the steps. */
 typedef struct near_maker {
     near_curves *n;
     int refused;

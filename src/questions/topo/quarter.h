@@ -1,4 +1,4 @@
-/* What is covered on one side of a plane about a point, as forms on the plane's directions.
+/* Cover on one side of a plane about a point, as forms on the plane's directions.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_TOPO_QUARTER_H

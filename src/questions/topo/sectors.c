@@ -1,7 +1,7 @@
 /* Sectors between the borders of germs. SPDX-License-Identifier: GPL-3.0-or-later
  *
- * What a germ covers changes only at rays of its arrangement (proofs/topology.md C46), two
- * neighbours of which are less than half a turn apart: their sum lies between them.
+ * A germ's cover changes only at rays of its arrangement (proofs/topology.md C46). Neighbouring
+ * rays are less than half a turn apart: their sum lies between them.
  */
 #include "questions/topo/sectors.h"
 
@@ -51,7 +51,7 @@ static graze_status ask_about(int *covered, graze_context *context, const sector
     return status;
 }
 
-/* The sectors of which all cells between neighbouring rays are covered. */
+/* Join neighbouring covered cells between rays to sectors. */
 static void join_cells(sector_list *out, const fmpz *ray, const int *covered, size_t count) {
     out->ray = _fmpz_vec_init((slong)(4 * count));
     for (size_t k = 0; k < count; k++) {

@@ -21,8 +21,8 @@ graze_status signs_state(graze_state *out, local_cone *cone, graze_context *cont
 graze_status signs_cover_at_root(int *covered, germ *g, graze_context *context,
                                  const fmpz *direction, int part);
 
-/** 1 in *covered if the solid lies in the direction at some time strictly inside a turning stretch,
- * of which g is the germ. */
+/** 1 in *covered if the solid lies in the direction at some time strictly inside the turning
+ * stretch with the germ g. */
 graze_status signs_cover_in_turn(int *covered, turning_stretch *t, germ *g, graze_context *context,
                                  const fmpz *direction);
 

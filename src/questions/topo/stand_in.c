@@ -32,7 +32,7 @@ static graze_status time_near(fmpq_t out, graze_context *context, algebraic *tim
     return status;
 }
 
-/* What is known about the trajectory's place at the time. */
+/* State of finding the trajectory's place at the time. */
 typedef struct place_finder {
     const germ_place *place;
     signed char *sign;    /* of its distances from all planes of facets */

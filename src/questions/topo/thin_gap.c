@@ -39,8 +39,8 @@ static void height_at(fmpq_t out, const half_germ *g, half_quarter quarter, cons
     fmpq_clear(scale);
 }
 
-/* Heights at one order, to its power: the largest below and the least above, as far as there are
- * any. Those of smaller orders are 0 here, those of larger ones far away. */
+/* Heights at one order, to its power: the largest below and the least above, where there are any.
+ * Those of smaller orders are 0 here, those of larger ones far away. */
 typedef struct height_range {
     int has_low, has_high;
     fmpq_t low, high;

@@ -20,8 +20,8 @@ void gap_clear(plane_gap *gap);
 /**
  * Set the order and the lift of a gap in a direction of a quarter, which is taken as b's numerator
  * and denominator say.
- * @param item germs of which, as far as they say something there, none above has its leading term
- *             below that of one below
+ * @param item germs whose valid leading terms are consistent: each `above` term is at least each
+ * `below` term
  */
 graze_status gap_set(plane_gap *gap, const open_plane *h, graze_context *context,
                      const half_germ *item, size_t count, half_quarter quarter, const fmpq_t b);

@@ -7,7 +7,7 @@
 #include "questions/topo/slices.h"
 #include "questions/topo/square.h"
 
-/* What all points of a scene share: its facets' planes, and its curves once they are needed. */
+/* Common data of all points of a scene: its facets' planes, and its curves once they are needed. */
 typedef struct scene_shares {
     plane_list planes;
     int has_curves;
@@ -53,7 +53,7 @@ static graze_status make_curves(scene_shares *s, graze_context *context, const g
     return status;
 }
 
-/* What is shared, with or without curves; it stays as it is until the scene ends. */
+/* The common data, with or without curves; it stays as it is until the scene ends. */
 static graze_status shares_of(const scene_shares **out, graze_context *context,
                               const graze_scene *scene, int with_curves) {
     scene_memo *memo = scene->memo;
@@ -122,7 +122,7 @@ static graze_status decide_on(topo_finding *out, graze_context *context, const g
     return topo_by_curves(out, context, scene, point);
 }
 
-/* What the word decides; 0: it is an `on` point. */
+/* Decide by the word alone; 0: it is an `on` point. */
 static int decide_by_word(topo_finding *out, graze_pmc pmc) {
     if (pmc == GRAZE_ON)
         return 0;
