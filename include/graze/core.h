@@ -102,8 +102,8 @@ GRAZE_API void graze_context_set_filter(graze_context *context, int on);
 GRAZE_API unsigned long graze_context_exact_count(const graze_context *context);
 /** Set the cancel callback; NULL removes it. It runs in the thread of the call. */
 GRAZE_API void graze_context_set_cancel(graze_context *context, graze_cancel cancel, void *data);
-/** A cancel callback that counts the int at `left` down and asks to stop when it was 0 or less. A
- * handler of a signal or another thread ends the call by setting it to 0. */
+/** Cancel callback: decrements the int at `left` and cancels the call once it is 0 or less. A
+ * signal handler or another thread ends the call by setting it to 0. */
 GRAZE_API int graze_cancel_countdown(void *left);
 
 /** Name of a status: "ok", "use", "input", "illegal", "limit", "system", "canceled", "internal";
@@ -115,8 +115,8 @@ GRAZE_API const char *graze_limit_name(graze_limit limit);
 GRAZE_API const char *graze_rounding_name(graze_rounding rounding);
 /** Free a string returned through char **. NULL is allowed. */
 GRAZE_API void graze_free(void *memory);
-/** Free the caches of the arithmetic for the calling thread. A thread that has used Graze calls it
- * before it ends, or leaks them. Handles stay valid. */
+/** Free the caches of the arithmetic for the calling thread. Call it before a thread that used
+ * Graze ends; otherwise its caches leak. Handles stay valid. */
 GRAZE_API void graze_thread_finish(void);
 
 /* ------------------------------------------------------------------------------------- numbers */

@@ -103,9 +103,9 @@ typedef struct graze_judged_distance {
                        deep in it, as ever, to a 16th of the width; 0 where low is 0 */
     double open[3]; /**< where it is perhaps `high` */
     int reached;    /**< 1: high - low is at most what was asked for */
-    int stuck;      /**< 1: near `open` nothing more can be told; a seam of the sweep is perhaps
-                       there, where its copies touch and cover a neighbourhood together, or it is
-                       so far away that doubles tell no more */
+    int stuck; /**< 1: the search cannot refine near `open`: a seam of the sweep is perhaps there,
+                  where its copies touch and cover a neighbourhood together, or coordinates are
+                  beyond double precision */
 } graze_judged_distance;
 
 /**

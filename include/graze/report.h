@@ -62,8 +62,9 @@ typedef struct graze_row_options {
                   for regular */
     double sdf; /**< an enclosure of the signed distance of at most this width (graze/distance.h);
                    0: none */
-    double motion_error; /**< with sdf: is pmc certain for every continuous motion that displaces no
-                            point of the solid by more (proofs/distance.md C73)? 0: not said */
+    double motion_error; /**< with sdf: adds the column `certain`: whether pmc holds for every
+                            continuous motion within this displacement of each point
+                            (proofs/distance.md C73); 0: no column */
     int moments; /**< 1: the first and the last time at which the point is in the closed solid, with
                     their pieces and rows of a log (formats.md); CSV and JSON Lines */
     int regular; /**< 1: of an unsweep, is the point in the closure of its interior

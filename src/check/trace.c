@@ -149,8 +149,7 @@ static void form_signs(int *out, const trace *r, const claim *c, mpz_t *form, si
     poly_clear(&f);
 }
 
-/* A simplex that is not cleared: tests L4 and L5 on the sides that must be free of it; and where
- * does it hold the trajectory, in which of its cells? */
+/* Meet a simplex that is not cleared: tests L4 and L5 on the sides that must be free of it, and the places and cells in which it holds the trajectory. */
 static void meet(trace *r, claim *c, const simplex *f, const signs *all) {
     int sign[PLACES], off[PLACES], on[PLACES];
     unsigned zero[PLACES] = {0, 0, 0};

@@ -179,7 +179,7 @@ static void random_shares(double *share, int d) {
 
 /* One window and one simplex: what the bounds say. */
 typedef struct trial {
-    const ground *base;
+    const arc_maps *base;
     point_arc p;
     window w;
     foot first, middle, last;
@@ -287,7 +287,7 @@ static int check_window(trial *t, const point_map *placing, double shift) {
 static int check_windows(graze_context *context, const graze_scene *scene, double shift) {
     trial t;
     int d = graze_scene_dimension(scene), narrow = 0;
-    assert_int_equal(ground_of(&t.base, context, scene), GRAZE_OK);
+    assert_int_equal(arc_maps_of(&t.base, context, scene), GRAZE_OK);
     const point_map *placing = motion_placing(&scene->motion->piece[0], scene->options.operation);
     for (int round = 0; round < ROUNDS; round++) {
         double point[3], length = ldexp(1, -(int)random_below(36));

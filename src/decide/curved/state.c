@@ -119,7 +119,7 @@ static int contradicts(const sign_germ *g) {
     return 0;
 }
 
-graze_status state_decide(graze_state *out, const situation *at, moment_field *f) {
+graze_status state_decide(graze_state *out, const state_query *at, moment_field *f) {
     sign_germ g;
     germ_init(&g, f, at->c, at->solid, at->surface, at->count);
     g.truth = at->truth;

@@ -66,15 +66,15 @@ static graze_status keep_undecided(walker *w, const dependence *d, const algebra
 
 /* The state by the rules, where the expression depends on surfaces; in the plane, where they end,
  * by stacks. */
-static graze_status ask_situation(graze_state *out, walker *w, const dependence *d, moment_field *f,
-                                  graze_state before, graze_state after) {
-    situation at = {.solid = w->solid,
-                    .c = w->c,
-                    .surface = d->surface,
-                    .count = d->count,
-                    .truth = d->truth,
-                    .near_in = before == GRAZE_STATE_I || after == GRAZE_STATE_I,
-                    .near_out = before == GRAZE_STATE_O || after == GRAZE_STATE_O};
+static graze_status ask_state(graze_state *out, walker *w, const dependence *d, moment_field *f,
+                              graze_state before, graze_state after) {
+    state_query at = {.solid = w->solid,
+                      .c = w->c,
+                      .surface = d->surface,
+                      .count = d->count,
+                      .truth = d->truth,
+                      .near_in = before == GRAZE_STATE_I || after == GRAZE_STATE_I,
+                      .near_out = before == GRAZE_STATE_O || after == GRAZE_STATE_O};
     graze_status status = f->status;
     *out = GRAZE_STATE_UNDECIDED;
     if (!status && !d->too_many)
@@ -109,7 +109,7 @@ static graze_status decide_time(graze_state *out, walker *w, const dependence *d
         return GRAZE_OK;
     moment_field f;
     field_init(&f, w->r->context, w->pending, 0, &w->work);
-    graze_status status = ask_situation(out, w, d, &f, before, after);
+    graze_status status = ask_state(out, w, d, &f, before, after);
     field_clear(&f);
     return status;
 }
@@ -218,7 +218,7 @@ static graze_status walk_slide(walker *w, algebraic *low, algebraic *high) {
     if (!status && d.state)
         state = d.state;
     else if (!status)
-        status = ask_situation(&state, w, &d, &f, GRAZE_STATE_ABSENT, GRAZE_STATE_ABSENT);
+        status = ask_state(&state, w, &d, &f, GRAZE_STATE_ABSENT, GRAZE_STATE_ABSENT);
     if (!status && !w->limited)
         status = find_slide_cuts(&cuts, w, &f, low, high);
     if (!status)

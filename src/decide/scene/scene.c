@@ -168,7 +168,7 @@ graze_status scene_make(graze_scene *out, graze_context *context, const graze_so
     if (!status)
         status = make_memo(&out->memo, context);
     if (!status)
-        status = make_memo(&out->ground, context);
+        status = make_memo(&out->arc_maps, context);
     if (!status && solid->curved)
         status = surface_filter_make(&out->surfaces, context, solid->curved, motion,
                                      out->options.operation);
@@ -176,7 +176,7 @@ graze_status scene_make(graze_scene *out, graze_context *context, const graze_so
         status = filter_make(&out->filter, context, solid, motion, out->options.operation);
     if (status) {
         free_memo(out->memo);
-        free_memo(out->ground);
+        free_memo(out->arc_maps);
         filter_clear(&out->filter);
     }
     return status;
@@ -184,7 +184,7 @@ graze_status scene_make(graze_scene *out, graze_context *context, const graze_so
 
 void scene_clear(graze_scene *scene) {
     free_memo(scene->memo);
-    free_memo(scene->ground);
+    free_memo(scene->arc_maps);
     filter_clear(&scene->filter);
     surface_filter_free(scene->surfaces);
 }

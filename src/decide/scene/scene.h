@@ -32,7 +32,7 @@ struct graze_scene {
     surface_filter *surfaces;  /* that of a curved solid; or NULL */
     graze_ends ends;           /* whether S^0 and S^1 have a point in common */
     unsigned char sha256[32];  /* of the canonical text of solid and motion, see scene_hash */
-    scene_memo *memo, *ground; /* of topo and of distances */
+    scene_memo *memo, *arc_maps; /* of topo and of distances */
 };
 
 /**

@@ -18,7 +18,7 @@ int message_reserve(message *m, size_t length) {
     return array_reserve(&m->bytes, &m->capacity, length, 1);
 }
 
-/* Nothing is added to a message of which a part could not be: `good` stays 0. */
+/* After a part that could not be added, nothing more is: `good` stays 0. */
 static void pack_bytes(message *m, int *good, const void *from, size_t length) {
     /* MPI counts bytes in an int */
     *good = *good && length <= INT_MAX - m->length && message_reserve(m, m->length + length);

@@ -29,7 +29,7 @@ class Greatest:
     mesh at which it is at least `low`, of `sweep` one near the sweep's boundary, from which the nearest place of
     that is at least `low` away from the mesh; `t` is a time at which the solid is nearest to it, or it deepest in the solid;
     both None where `low` is 0; `open` is a point near which it is perhaps `high`, None if the
-    width was reached. `stuck`: nothing more can be told there, perhaps as a seam of the sweep is there."""
+    width was reached. `stuck`: the search cannot refine there, perhaps as a seam of the sweep is there."""
 
     low: float
     high: float

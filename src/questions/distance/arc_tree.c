@@ -46,7 +46,7 @@ static int has_even_weight(const carrier *map) {
 
 /* The box of S during an arc: everything, where the weight's coefficients say nothing.
  * @return 0 without memory */
-static int bound_arc_world(box *out, const ground *g, const arc *a) {
+static int bound_arc_world(box *out, const arc_maps *g, const arc *a) {
     const motion_piece *piece = &g->scene->motion->piece[a->piece];
     const graze_solid *solid = g->scene->solid;
     carrier map;
@@ -68,7 +68,7 @@ static int bound_arc_world(box *out, const ground *g, const arc *a) {
 }
 
 /* The node of arcs [first, last), and those below it; 0 without memory. */
-static int make_arc_node(arc_tree *t, const ground *g, uint32_t index, uint32_t first,
+static int make_arc_node(arc_tree *t, const arc_maps *g, uint32_t index, uint32_t first,
                          uint32_t last) {
     arc_node *here = &t->node[index];
     *here = (arc_node){.first = first, .last = last};
@@ -95,7 +95,7 @@ static void free_arc_tree(void *value) {
     free(t);
 }
 
-static arc_tree *make_arc_tree(const ground *g) {
+static arc_tree *make_arc_tree(const arc_maps *g) {
     arc_tree *t = calloc(1, sizeof *t);
     if (!t || !(t->node = calloc(2 * g->arc_count, sizeof *t->node))) {
         free_arc_tree(t);
@@ -108,7 +108,7 @@ static arc_tree *make_arc_tree(const ground *g) {
     return NULL;
 }
 
-graze_status arc_tree_of(const arc_tree **out, graze_context *context, const ground *base) {
+graze_status arc_tree_of(const arc_tree **out, graze_context *context, const arc_maps *base) {
     scene_memo *memo = base->tree;
     graze_status status = GRAZE_OK;
     pthread_mutex_lock(&memo->lock);

@@ -7,7 +7,7 @@
 #ifndef GRAZE_DISTANCE_ARC_TREE_H
 #define GRAZE_DISTANCE_ARC_TREE_H
 
-#include "questions/distance/ground.h"
+#include "questions/distance/arc_maps.h"
 
 /** Arcs [first, last): S is in the box during all of them. An inner node has its children at
  * `child` and `child` + 1; a leaf, one arc, has child 0. */
@@ -22,8 +22,8 @@ typedef struct arc_tree {
     size_t count;
 } arc_tree;
 
-/** The tree of a ground, made at the first call. @return GRAZE_ESYSTEM */
-graze_status arc_tree_of(const arc_tree **out, graze_context *context, const ground *base);
+/** The tree of these maps, made at the first call. @return GRAZE_ESYSTEM */
+graze_status arc_tree_of(const arc_tree **out, graze_context *context, const arc_maps *base);
 
 /** No place of S during the arcs of a node is nearer than this to a point of a box of d
  * coordinates. */

@@ -36,7 +36,7 @@ typedef struct moment {
 } moment;
 
 /* The last arc of a piece that begins at u or before, and doubles about v. */
-static size_t find_arc(double *low, double *high, graze_context *context, const ground *base,
+static size_t find_arc(double *low, double *high, graze_context *context, const arc_maps *base,
                        size_t piece, const fmpq_t u) {
     fmpq *from = _fmpq_vec_init(3), *length = from + 1, *v = from + 2;
     size_t k = base->first[piece + 1];
@@ -53,7 +53,7 @@ static size_t find_arc(double *low, double *high, graze_context *context, const 
     return k;
 }
 
-static graze_status enclose_moment(moment *out, graze_context *context, const ground *base,
+static graze_status enclose_moment(moment *out, graze_context *context, const arc_maps *base,
                                    const graze_time *time) {
     fmpq *low = _fmpq_vec_init(2), *high = low + 1;
     double unused;
@@ -86,7 +86,7 @@ static graze_status add_stay(stretch_of_time **list, size_t *count, graze_contex
 
 /* All stretches at which the trace has the wanted state. */
 static graze_status find_stays(stretch_of_time **list, size_t *count, graze_context *context,
-                               const ground *base, const graze_trace *trace, graze_state wanted) {
+                               const arc_maps *base, const graze_trace *trace, graze_state wanted) {
     size_t last = base->arc_count - 1;
     moment from = {0, 0, 0, 0}, to;
     graze_status status = GRAZE_OK;
@@ -147,7 +147,7 @@ static graze_status find_off(distance *out, search *s, const graze_scene *scene,
 
 graze_status distance_find(distance *out, graze_context *context, const graze_scene *scene,
                            const fmpq *point, const graze_trace *trace, double tolerance) {
-    const ground *base;
+    const arc_maps *base;
     search s;
     double low[3], high[3];
     *out = (distance){.low = 0};
@@ -155,7 +155,7 @@ graze_status distance_find(distance *out, graze_context *context, const graze_sc
         set_on(out, trace);
         return GRAZE_OK;
     }
-    graze_status status = ground_of(&base, context, scene);
+    graze_status status = arc_maps_of(&base, context, scene);
     if (status)
         return status;
     for (int k = 0; k < scene->motion->dimension; k++)

@@ -1,4 +1,4 @@
-/* What both searches share. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Common parts of both searches. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "questions/distance/time_search.h"
 
 #include <math.h>
@@ -7,7 +7,7 @@
 
 enum { MOST_VISITS = 1 << 22, VISIT_WORK = 64 };
 
-void search_begin(search *s, graze_context *context, const ground *base, const double *low,
+void search_begin(search *s, graze_context *context, const arc_maps *base, const double *low,
                   const double *high, double tolerance) {
     *s = (search){.context = context,
                   .base = base,

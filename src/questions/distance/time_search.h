@@ -31,7 +31,7 @@ typedef struct window_aside {
  * show at a time is met at `time` of the arc. */
 typedef struct search {
     graze_context *context;
-    const ground *base;
+    const arc_maps *base;
     const double *point_low, *point_high;
     double tolerance;
     double low, high;
@@ -49,7 +49,7 @@ typedef struct search {
 } search;
 
 /** Begin: no bound is known. */
-void search_begin(search *s, graze_context *context, const ground *base, const double *low,
+void search_begin(search *s, graze_context *context, const arc_maps *base, const double *low,
                   const double *high, double tolerance);
 void search_end(search *s);
 

@@ -23,9 +23,9 @@ static double largest_size(const double *c, int n) {
     return most;
 }
 
-graze_status point_arc_make(point_arc *out, graze_context *context, const ground *base,
+graze_status point_arc_make(point_arc *out, graze_context *context, const arc_maps *base,
                             size_t index, const double *low, const double *high) {
-    const carrier *map = ground_tracing(base, index);
+    const carrier *map = arc_maps_tracing(base, index);
     int d = map->dimension, n = map->degree;
     out->base = base;
     out->arc = index;
@@ -69,7 +69,7 @@ graze_status point_arc_make(point_arc *out, graze_context *context, const ground
 /* The linear part of the tracing map. */
 static void restrict_linear(window *w) {
     const point_arc *p = w->of;
-    const carrier *map = ground_tracing(p->base, p->arc);
+    const carrier *map = arc_maps_tracing(p->base, p->arc);
     int d = p->dimension, n = map->degree;
     double most = 0;
     for (int i = 0; i < d; i++)

@@ -4,7 +4,7 @@
 #ifndef GRAZE_DISTANCE_WINDOW_H
 #define GRAZE_DISTANCE_WINDOW_H
 
-#include "questions/distance/ground.h"
+#include "questions/distance/arc_maps.h"
 
 /** Coefficients of one polynomial, at most. */
 enum { WINDOW_ROOM = CARRIER_DEGREE + 1, WINDOW_MAPS = POINT_MAP_ENTRIES + 1 };
@@ -12,7 +12,7 @@ enum { WINDOW_ROOM = CARRIER_DEGREE + 1, WINDOW_MAPS = POINT_MAP_ENTRIES + 1 };
 /** A query point on one arc: the coefficients of X_0 ... X_(d-1), W on [0, 1], each of X within
  * error_x of the exact one and at most size_x, and error_w, size_w for W. */
 typedef struct point_arc {
-    const ground *base;
+    const arc_maps *base;
     size_t arc;
     int dimension, degree, rigid;
     double point[3], point_error; /* the point in doubles, each coordinate within point_error */
@@ -40,7 +40,7 @@ typedef struct window {
 } window;
 
 /** Coordinates of the point; fails with GRAZE_ELIMIT past the range. */
-graze_status point_arc_make(point_arc *out, graze_context *context, const ground *base,
+graze_status point_arc_make(point_arc *out, graze_context *context, const arc_maps *base,
                             size_t index, const double *low, const double *high);
 
 /** The window [from, to] of a path, 0 <= from <= to <= 1; 0 if W is not certainly positive. */

@@ -152,8 +152,8 @@ static graze_status find_cuts(joining *j) {
             status = cuts_add(&j->cuts, j->context, j->p->item[j->place[k].patch].to);
     }
     if (!status && j->place->is_edge)
-        status = concern_edge(&j->cuts, j->context, &j->p->changes, &j->p->envelope->cells,
-                              j->place->cell);
+        status = cuts_add_of_edge(&j->cuts, j->context, &j->p->changes, &j->p->envelope->cells,
+                                  j->place->cell);
     if (!status)
         cuts_sort(&j->cuts);
     return status;

@@ -4,7 +4,7 @@
 #ifndef GRAZE_ENVELOPE_PATCH_H
 #define GRAZE_ENVELOPE_PATCH_H
 
-#include "questions/envelope/concern.h"
+#include "questions/envelope/cell_events.h"
 
 /** A patch between two moments. `number` is that of its facet, edge or vertex. Its sample is at
  * time t at the point `body` of the solid's frame, `world` in that of the query points. */
@@ -28,7 +28,7 @@ typedef struct patch_joint {
 struct graze_patches {
     const graze_envelope *envelope;
     moment_list moments;
-    concern_list changes;
+    cell_event_list changes;
     size_t count, capacity;
     patch *item;
     size_t joint_count, joint_capacity, member_count, member_capacity;

@@ -16,8 +16,8 @@
 /* A kind of cell: its parts at a time, and the moments that concern it. */
 typedef graze_status add_parts(graze_curve *c, graze_context *context, const snapshot *s,
                                size_t number);
-typedef graze_status add_concern(moment_cuts *cuts, graze_context *context,
-                                 const concern_list *list, const cell_complex *c, size_t number);
+typedef graze_status add_moments(moment_cuts *cuts, graze_context *context,
+                                 const cell_event_list *list, const cell_complex *c, size_t number);
 
 /* The cell that an end is named by: its vertex; the edge on which a slice ends; the facet whose
  * slice bounds a run. */
@@ -98,13 +98,13 @@ static graze_status patches_between(graze_patches *p, graze_context *context, ad
 
 /* The patches of all cells of one kind. */
 static graze_status patches_of_cells(graze_patches *p, graze_context *context, add_parts *find,
-                                     add_concern *concern, size_t count) {
+                                     add_moments *add, size_t count) {
     moment_cuts cuts = {.count = 0};
     graze_status status = GRAZE_OK;
     for (size_t number = 0; number < count && !status; number++) {
         status = cuts_start(&cuts, context, &p->moments);
         if (!status)
-            status = concern(&cuts, context, &p->changes, &p->envelope->cells, number);
+            status = add(&cuts, context, &p->changes, &p->envelope->cells, number);
         if (!status)
             cuts_sort(&cuts);
         for (size_t k = 1; k < cuts.count && !status; k++)
@@ -123,13 +123,14 @@ graze_status patches_make(graze_patches *out, graze_context *context,
     out->envelope = envelope;
     graze_status status = moments_make(&out->moments, context, envelope);
     if (!status)
-        status = concerns_make(&out->changes, context, envelope, &out->moments);
+        status = cell_events_make(&out->changes, context, envelope, &out->moments);
     if (!status)
-        status = patches_of_cells(out, context, parts_of_facet, concern_facet, c->facet_count);
+        status = patches_of_cells(out, context, parts_of_facet, cuts_add_of_facet, c->facet_count);
     if (!status && c->dimension == 3)
-        status = patches_of_cells(out, context, parts_of_edge, concern_edge, c->edge_count);
+        status = patches_of_cells(out, context, parts_of_edge, cuts_add_of_edge, c->edge_count);
     if (!status)
-        status = patches_of_cells(out, context, parts_add_vertex, concern_vertex, c->vertex_count);
+        status =
+            patches_of_cells(out, context, parts_add_vertex, cuts_add_of_vertex, c->vertex_count);
     if (!status)
         status = joints_find(out, context);
     if (status)
@@ -147,6 +148,6 @@ void patches_clear(graze_patches *p) {
     free(p->item);
     free(p->joint);
     free(p->member);
-    concerns_clear(&p->changes);
+    cell_events_clear(&p->changes);
     moments_clear(&p->moments);
 }

@@ -1,8 +1,8 @@
-/* What distances need of a scene beside its filter: the maps that place the solid, in doubles, and
+/* Data of a scene for distances, beside its filter: the maps that place the solid, in doubles, and
  * which pieces are rigid. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#ifndef GRAZE_DISTANCE_GROUND_H
-#define GRAZE_DISTANCE_GROUND_H
+#ifndef GRAZE_DISTANCE_ARC_MAPS_H
+#define GRAZE_DISTANCE_ARC_MAPS_H
 
 #include "decide/filter/course.h"
 #include "decide/scene/scene.h"
@@ -21,7 +21,7 @@ typedef struct arc {
 } arc;
 
 /** Immutable once made; belongs to the scene. */
-typedef struct ground {
+typedef struct arc_maps {
     const graze_scene *scene;
     const course *whole; /* the filter's */
     size_t arc_count, arc_capacity;
@@ -29,16 +29,16 @@ typedef struct ground {
     size_t *first;    /* arc of each piece, and their number behind the last */
     ulong deepest;    /* the shortest arc is 2^-deepest of its piece */
     scene_memo *tree; /* the arc_tree, made at need */
-} ground;
+} arc_maps;
 
 /**
- * The ground of a scene, made at the first call.
+ * The maps of a scene, made at the first call.
  * @return GRAZE_ESYSTEM; GRAZE_ELIMIT a number of solid or motion is beyond doubles, or a degree
  * beyond CARRIER_DEGREE, beyond SQUARED on a piece that is not rigid
  */
-graze_status ground_of(const ground **out, graze_context *context, const graze_scene *scene);
+graze_status arc_maps_of(const arc_maps **out, graze_context *context, const graze_scene *scene);
 
 /** The tracing map of an arc. */
-const carrier *ground_tracing(const ground *g, size_t index);
+const carrier *arc_maps_tracing(const arc_maps *g, size_t index);
 
 #endif

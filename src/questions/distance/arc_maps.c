@@ -1,7 +1,7 @@
-/* The ground is made under the lock of the scene's memo.
+/* The maps are made under the lock of the scene's memo.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/distance/ground.h"
+#include "questions/distance/arc_maps.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -36,7 +36,7 @@ static const double MOST_VARIATION = 0x1p10;
 /* Arcs are no shorter than 2^-DEEPEST, and begin at multiples of their length that doubles hold. */
 enum { DEEPEST = 900, MOST_BITS = 52 };
 
-const carrier *ground_tracing(const ground *g, size_t index) {
+const carrier *arc_maps_tracing(const arc_maps *g, size_t index) {
     const arc *a = &g->arc[index];
     return a->tracing.entry ? &a->tracing : &g->whole->piece[a->piece];
 }
@@ -47,7 +47,7 @@ static void clear_arc(arc *a) {
 }
 
 static void free_ground(void *value) {
-    ground *g = value;
+    arc_maps *g = value;
     for (size_t k = 0; k < g->arc_count; k++)
         clear_arc(&g->arc[k]);
     if (g->tree->value)
@@ -86,7 +86,7 @@ static graze_status check_arc(graze_context *context, const arc *a, const carrie
     return GRAZE_OK;
 }
 
-static graze_status keep_arc(ground *g, graze_context *context, const arc *a, ulong depth) {
+static graze_status keep_arc(arc_maps *g, graze_context *context, const arc *a, ulong depth) {
     graze_status status = array_grow(context, &g->arc, &g->arc_capacity, g->arc_count + 1,
                                      sizeof *g->arc, "the maps of a motion");
     if (status)
@@ -96,10 +96,10 @@ static graze_status keep_arc(ground *g, graze_context *context, const arc *a, ul
     return context_poll(context);
 }
 
-static graze_status make_arcs(ground *g, graze_context *context, size_t piece, int rigid,
+static graze_status make_arcs(arc_maps *g, graze_context *context, size_t piece, int rigid,
                               const dyadic_interval *part);
 
-static graze_status make_halves(ground *g, graze_context *context, size_t piece, int rigid,
+static graze_status make_halves(arc_maps *g, graze_context *context, size_t piece, int rigid,
                                 const dyadic_interval *part) {
     if (part->exponent == DEEPEST || fmpz_bits(part->low) >= MOST_BITS)
         return context_fail(context, GRAZE_ELIMIT,
@@ -119,7 +119,7 @@ static graze_status make_halves(ground *g, graze_context *context, size_t piece,
 }
 
 /* Append the arcs of a part of a piece: itself or those of its halves. */
-static graze_status make_arcs(ground *g, graze_context *context, size_t piece, int rigid,
+static graze_status make_arcs(arc_maps *g, graze_context *context, size_t piece, int rigid,
                               const dyadic_interval *part) {
     const motion_piece *of = &g->scene->motion->piece[piece];
     graze_operation operation = g->scene->options.operation;
@@ -140,7 +140,7 @@ static graze_status make_arcs(ground *g, graze_context *context, size_t piece, i
     return status ? status : make_halves(g, context, piece, rigid, part);
 }
 
-static graze_status make_pieces(ground *g, graze_context *context) {
+static graze_status make_pieces(arc_maps *g, graze_context *context) {
     const graze_motion *motion = g->scene->motion;
     graze_operation operation = g->scene->options.operation;
     graze_status status = GRAZE_OK;
@@ -163,7 +163,7 @@ static graze_status make_ground(scene_memo *memo, graze_context *context,
         return context_fail(context, GRAZE_ELIMIT,
                             "a coordinate of the solid is too large for distances; expected at "
                             "most 2^200");
-    ground *made = calloc(1, sizeof *made);
+    arc_maps *made = calloc(1, sizeof *made);
     size_t *first = calloc(scene->motion->piece_count + 1, sizeof *first);
     scene_memo *tree = calloc(1, sizeof *tree);
     if (!made || !first || !tree) {
@@ -187,8 +187,8 @@ static graze_status make_ground(scene_memo *memo, graze_context *context,
     return GRAZE_OK;
 }
 
-graze_status ground_of(const ground **out, graze_context *context, const graze_scene *scene) {
-    scene_memo *memo = scene->ground;
+graze_status arc_maps_of(const arc_maps **out, graze_context *context, const graze_scene *scene) {
+    scene_memo *memo = scene->arc_maps;
     graze_status status = GRAZE_OK;
     pthread_mutex_lock(&memo->lock);
     if (!memo->value)

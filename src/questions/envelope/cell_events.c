@@ -1,5 +1,5 @@
 /* Moments by the cells that their events name. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/envelope/concern.h"
+#include "questions/envelope/cell_events.h"
 
 #include <stdlib.h>
 #include "base/context/array.h"
@@ -7,13 +7,13 @@
 
 static const graze_cell NO_SECOND = {0, 0, 0};
 
-static int compare_keys(const concern *a, const concern *b) {
+static int compare_keys(const cell_event *a, const cell_event *b) {
     int order = cell_compare(&a->first, &b->first);
     return order ? order : cell_compare(&a->second, &b->second);
 }
 
-static int compare_concerns(const void *left, const void *right) {
-    const concern *a = left, *b = right;
+static int compare_cell_events(const void *left, const void *right) {
+    const cell_event *a = left, *b = right;
     int order = compare_keys(a, b);
     return order ? order : a->moment < b->moment ? -1 : a->moment > b->moment;
 }
@@ -21,29 +21,29 @@ static int compare_concerns(const void *left, const void *right) {
 /* A `reach` concerns facet, vertex, and the edges of both; a saddle or meet its cell; else the
  * facet.
  */
-static void list_event(concern_list *list, const found_event *event, size_t moment) {
+static void list_event(cell_event_list *list, const found_event *event, size_t moment) {
     int by_cell = event->kind == GRAZE_EVENT_SADDLE || event->kind == GRAZE_EVENT_MEET;
     if (!by_cell)
-        list->item[list->count++] = (concern){event->facet, NO_SECOND, moment};
+        list->item[list->count++] = (cell_event){event->facet, NO_SECOND, moment};
     if (by_cell || event->kind == GRAZE_EVENT_REACH)
-        list->item[list->count++] = (concern){event->cell, NO_SECOND, moment};
+        list->item[list->count++] = (cell_event){event->cell, NO_SECOND, moment};
     if (event->kind == GRAZE_EVENT_REACH)
-        list->item[list->count++] = (concern){event->facet, event->cell, moment};
+        list->item[list->count++] = (cell_event){event->facet, event->cell, moment};
 }
 
-graze_status concerns_make(concern_list *out, graze_context *context, const graze_envelope *e,
-                           const moment_list *moments) {
+graze_status cell_events_make(cell_event_list *out, graze_context *context, const graze_envelope *e,
+                              const moment_list *moments) {
     const event_list *events = &e->events;
-    *out = (concern_list){.item = malloc((3 * events->count + 1) * sizeof *out->item)};
+    *out = (cell_event_list){.item = malloc((3 * events->count + 1) * sizeof *out->item)};
     if (!out->item)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for the events of cells");
     for (size_t k = 0; k < events->count; k++)
         list_event(out, &events->item[k], moments->of_event[events->item[k].time]);
-    qsort(out->item, out->count, sizeof *out->item, compare_concerns);
+    qsort(out->item, out->count, sizeof *out->item, compare_cell_events);
     return GRAZE_OK;
 }
 
-void concerns_clear(concern_list *list) {
+void cell_events_clear(cell_event_list *list) {
     free(list->item);
 }
 
@@ -78,10 +78,10 @@ void cuts_sort(moment_cuts *cuts) {
 }
 
 /* Add the moments of one key. */
-static graze_status add_concerns(moment_cuts *cuts, graze_context *context,
-                                 const concern_list *list, const graze_cell *first,
-                                 const graze_cell *second) {
-    concern key = {*first, *second, 0};
+static graze_status add_moments(moment_cuts *cuts, graze_context *context,
+                                const cell_event_list *list, const graze_cell *first,
+                                const graze_cell *second) {
+    cell_event key = {*first, *second, 0};
     size_t low = 0, high = list->count;
     while (low < high) {
         size_t middle = low + (high - low) / 2;
@@ -96,26 +96,26 @@ static graze_status add_concerns(moment_cuts *cuts, graze_context *context,
     return status;
 }
 
-graze_status concern_facet(moment_cuts *cuts, graze_context *context, const concern_list *list,
-                           const cell_complex *c, size_t facet) {
-    return add_concerns(cuts, context, list, &c->facet[facet].name, &NO_SECOND);
+graze_status cuts_add_of_facet(moment_cuts *cuts, graze_context *context,
+                               const cell_event_list *list, const cell_complex *c, size_t facet) {
+    return add_moments(cuts, context, list, &c->facet[facet].name, &NO_SECOND);
 }
 
-graze_status concern_edge(moment_cuts *cuts, graze_context *context, const concern_list *list,
-                          const cell_complex *c, size_t edge) {
+graze_status cuts_add_of_edge(moment_cuts *cuts, graze_context *context,
+                              const cell_event_list *list, const cell_complex *c, size_t edge) {
     const cell_edge *side = &c->edge[edge];
-    graze_status status = add_concerns(cuts, context, list, &side->name, &NO_SECOND);
+    graze_status status = add_moments(cuts, context, list, &side->name, &NO_SECOND);
     for (size_t j = c->edge_facets.start[edge]; j < c->edge_facets.start[edge + 1]; j++) {
         const graze_cell *facet = &c->facet[c->edge_facets.item[j]].name;
         if (!status)
-            status = add_concerns(cuts, context, list, facet, &c->vertex[side->u].name);
+            status = add_moments(cuts, context, list, facet, &c->vertex[side->u].name);
         if (!status)
-            status = add_concerns(cuts, context, list, facet, &c->vertex[side->v].name);
+            status = add_moments(cuts, context, list, facet, &c->vertex[side->v].name);
     }
     return status;
 }
 
-graze_status concern_vertex(moment_cuts *cuts, graze_context *context, const concern_list *list,
-                            const cell_complex *c, size_t vertex) {
-    return add_concerns(cuts, context, list, &c->vertex[vertex].name, &NO_SECOND);
+graze_status cuts_add_of_vertex(moment_cuts *cuts, graze_context *context,
+                                const cell_event_list *list, const cell_complex *c, size_t vertex) {
+    return add_moments(cuts, context, list, &c->vertex[vertex].name, &NO_SECOND);
 }
