@@ -34,7 +34,7 @@ typedef struct graze_draw_options {
                                      else NULL; or NULL */
     int surface;                /**< .html: level of the sweep's surface (graze_boundary_options,
                                      depth), 1 to 19; 0: 5, in E^2 8; -1: none */
-    graze_draw_by by;           /**< .svg, .png: by distance 120 cells, or 180 for a wide box, where
+    graze_draw_by by;           /**< pictures: by distance 120 cells, or 180 for a wide box, where
                                      grid is 0 */
     graze_rationals normal;     /**< E^3: three rationals, not all 0: the plane of the cells is
                                      normal . x = *plane, or with plane NULL through the middle of
@@ -58,8 +58,8 @@ GRAZE_API unsigned graze_class_colour(graze_class class_);
  * trajectory of the one that is clicked on, and the sentences of `graze explain` for it. It begins
  * with the first point that has an entry in `answers`. `grid`, `plane`, `normal` and
  * `view` have no effect.
- * @param file    the picture to write: .svg, .html, or .png, which needs libgraze-png; `-.svg`, and
- *                so on, is standard output
+ * @param file    the picture to write: .svg, .html, or .png and .pdf, which need libgraze-png;
+ * `-.svg`, and so on, is standard output
  * @param options may be NULL for the defaults
  * @return GRAZE_EUSE an option out of range, a normal's plane outside the box, or another
  * extension; GRAZE_ELIMIT more cells than the limit `grid`, by distance also as in graze_distances;
@@ -75,8 +75,8 @@ GRAZE_API GRAZE_CHECKED graze_status graze_draw(graze_context *context, const gr
  * first order (proofs/topology.md C46): a ring of sectors for each contact at rest and for each of
  * its sides, one for what all leave open, and the direction of the witness. Sectors of a solid that
  * turns about the point end at a border of another contact or at one of 128 more directions.
- * @param file  the picture to write: .svg, or .png, which needs libgraze-png; `-.svg` and `-.png`
- * are standard output
+ * @param file  the picture to write: .svg, or .png and .pdf, which need libgraze-png; `-.svg`, and
+ * so on, are standard output
  * @param point d canonical rationals
  * @param trace trace of the point
  * @return GRAZE_EUSE a NULL, a scene of E^3, a point that is not `on` a sweep, or another

@@ -143,8 +143,9 @@ graze_status graze_draw(graze_context *context, const graze_scene *scene, const 
 /* Fault of the call, or NULL. */
 static const char *misused_cones(const graze_scene *scene, const char *file,
                                  const graze_trace *trace) {
-    if (!file_has_extension(file, "svg") && !file_has_extension(file, "png"))
-        return "the extension is that of no picture; expected .svg or .png";
+    if (!file_has_extension(file, "svg") && !file_has_extension(file, "png") &&
+        !file_has_extension(file, "pdf"))
+        return "the extension is that of no picture; expected .svg, .png or .pdf";
     if (scene->motion->dimension != 2)
         return "cones are drawn in scenes of dimension 2";
     if (scene->options.operation != GRAZE_SWEEP)

@@ -43,7 +43,7 @@ static void pictures_refused(void **state) {
                wrong[k].says);
     expect(graze_draw(s.context, s.scene, NULL, NULL), GRAZE_EUSE, &s, "must not be NULL");
     expect(graze_draw(s.context, s.scene, "x.svg.txt", NULL), GRAZE_EUSE, &s,
-           ".svg, .png or .html");
+           ".svg, .png, .pdf or .html");
     mpq_clears(low[0], low[1], high[0], high[1], NULL);
     scene_close(&s);
 }

@@ -28,7 +28,7 @@ from exact import Fraction as F, to_double  # noqa: E402
 from harness import ROOT, Checks, options  # noqa: E402
 
 SVG = "{http://www.w3.org/2000/svg}"
-COLOURS = {"regular": "#56b4e9", "fold": "#e69f00", "fold_boundary": "#0072b2", "boundary": "#d55e00",
+COLOURS = {"regular": "#56b4e9", "fold": "#e69f00", "fold_boundary": "#009e73", "boundary": "#d55e00",
            "exterior": "#ffffff", "in": "#56b4e9", "on": "#d55e00", "out": "#ffffff"}
 RECTANGLE = re.compile(r"M([\d.]+) ([\d.]+)H([\d.]+)V([\d.]+)H\1z")
 ENVIRONMENT = dict(os.environ)
@@ -299,9 +299,10 @@ def check_without_png(graze, folder):
     program = shutil.copy(graze, alone)
     solid, motion, _ = files("figure4")
     picture = os.path.join(alone, "picture")
-    done = run(program, "draw", solid, motion, "--grid", "4", "-o", picture + ".png")
-    check(done.returncode == 5 and b"PNG pictures need libgraze-png-" in done.stderr, "no PNG library",
-          done.returncode, done.stderr)
+    for kind in (".png", ".pdf"):
+        done = run(program, "draw", solid, motion, "--grid", "4", "-o", picture + kind)
+        check(done.returncode == 5 and b"PNG and PDF pictures need libgraze-png-" in done.stderr and b"libcairo2-dev" in done.stderr,
+              "no PNG library", kind, done.returncode, done.stderr)
     check(run(program, "draw", solid, motion, "--grid", "4", "-o", picture + ".svg").returncode == 0, "SVG alone")
     check(sorted(os.listdir(alone)) == ["graze", "picture.svg"], "files of the program alone", os.listdir(alone))
 

@@ -1,7 +1,7 @@
 /* A surface to draw on, in pixels from the upper left corner; made of paths, circles and texts.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * There are two kinds, an SVG text and a PNG image. Drawing never fails half-way: a failure is
+ * There are an SVG text, a PNG image and a page of PDF. Drawing never fails half-way: a failure is
  * kept and returned by canvas_finish.
  */
 #ifndef GRAZE_DRAW_CANVAS_H

@@ -6,6 +6,7 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/number/decimal.h"
 #include "decide/verdict/classify.h"
 
 tone tone_of(const graze_verdict *v) {
@@ -130,6 +131,26 @@ graze_status cells_classify(cells *c, graze_context *context, const graze_scene 
     }
     _fmpq_vec_clear(point, 3);
     return status;
+}
+
+void cells_plane(text *out, const cells *c, int axis) {
+    enum { LONG = 13, SHORT_DIGITS = 6, DIGITS = 10 };
+    int exact;
+    if (c->section) {
+        section_equation(out, c->section);
+        return;
+    }
+    size_t start = out->length;
+    text_format(out, "%c = ", "xyz"[axis]);
+    text_rational(out, c->low + axis);
+    int is_long = out->length - start > LONG + 4;
+    char *near = decimal_of_rational(&exact, c->low + axis, is_long ? DIGITS : SHORT_DIGITS);
+    if (is_long)
+        out->length = start + 1;
+    if (is_long || !fmpz_is_one(fmpq_denref(c->low + axis)))
+        text_format(out, exact ? " = %s" : " ≈ %s", near ? near : "");
+    out->failed |= !near;
+    free(near);
 }
 
 extent cells_extent(const cells *c) {

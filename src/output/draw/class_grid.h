@@ -78,6 +78,9 @@ void cells_centre(fmpq *out, const cells *c, size_t parts, size_t i, size_t j);
 /** Classify all centres. */
 graze_status cells_classify(cells *c, graze_context *context, const graze_scene *scene);
 
+/** The plane of the cells in E^3, on `axis` or a section's: `z = 3`, `z = 7/2 = 3.5`, a long ratio
+ * as a decimal alone. */
+void cells_plane(text *out, const cells *c, int axis);
 /** Letters of the coordinates along which `axis` counts. */
 const char *cells_axes(const cells *c);
 /** The rectangle of the plane that the cells cover. */

@@ -11,7 +11,7 @@
 #include "output/draw/levels.h"
 #include "output/draw/picture_kind.h"
 #include "output/draw/request_cells.h"
-#include "output/draw/views.h"
+#include "output/draw/trajectories.h"
 
 /* S at times spread evenly over the motion, both ends included. */
 static graze_status make_positions(picture *p, graze_context *context) {
@@ -80,16 +80,9 @@ static graze_status make_legend(picture *p, graze_context *context) {
     l->by_distance = p->request->by_distance;
     for (int t = TONE_INNER; l->by_distance && t < TONE_COUNT; t++)
         made &= band_text(l->band[t - TONE_INNER], &p->cells, (tone)t);
-    l->plane = p->scene->motion->dimension == 3;
-    l->trails = p->request->point_count > 0;
-    for (size_t k = 0; k < p->request->point_count; k++) {
-        const trail *c = &p->trails[k];
-        l->tones[c->tone] = 1;
-        for (size_t j = 0; j < c->contact_count; j++)
-            l->contacts[c->contact[j].kind][c->contact[j].cell] = 1;
-        for (size_t j = 0; j < c->span_count; j++)
-            l->slides |= c->span[j].state == GRAZE_STATE_B && c->span[j].count > 1;
-    }
+    views_seen(l, p);
+    if (p->has_trajectories)
+        trajectories_seen(l, p);
     return made ? GRAZE_OK : context_fail(context, GRAZE_ESYSTEM, "out of memory for a picture");
 }
 
@@ -191,9 +184,9 @@ graze_status draw_picture(graze_context *context, const graze_scene *scene, cons
     if (!status)
         status = make_trails(&p, context);
     if (!status)
-        status = make_legend(&p, context);
-    if (!status)
         status = views_fit(&p, context);
+    if (!status)
+        status = make_legend(&p, context);
     if (!status)
         status = draw_all(&p, context, file);
     for (size_t k = 0; k < request->times && p.moved; k++)

@@ -63,8 +63,26 @@ static void add_label(labels *l, obstacle o) {
             add_link(l, &l->first[row][column]);
 }
 
+static obstacle square_about(double x, double y, double radius, int kind) {
+    return (obstacle){x - radius, y - radius, 2 * radius, 2 * radius, kind};
+}
+
 void labels_avoid(labels *l, double x, double y, double radius) {
-    add_label(l, (obstacle){x - radius, y - radius, 2 * radius, 2 * radius, 0});
+    add_label(l, square_about(x, y, radius, OBSTACLE_MARK));
+}
+
+int labels_meet_mark(const labels *l, double x, double y, double radius) {
+    obstacle o = square_about(x, y, radius, OBSTACLE_MARK);
+    bin_range bins = bins_of(l, &o);
+    for (int row = bins.low[1]; row <= bins.high[1]; row++)
+        for (int column = bins.low[0]; column <= bins.high[0]; column++)
+            for (size_t k = l->first[row][column]; k; k = l->link[k - 1].next) {
+                const obstacle *m = &l->item[l->link[k - 1].item - 1];
+                if (m->kind == OBSTACLE_MARK && o.x < m->x + m->width && m->x < o.x + o.width &&
+                    o.y < m->y + m->height && m->y < o.y + o.height)
+                    return 1;
+            }
+    return 0;
 }
 
 /* Small squares along the line, so that a slanting one does not keep its whole box free. */
@@ -80,7 +98,8 @@ void labels_avoid_path(labels *l, const drawn_path *p) {
         int parts = (int)ceil(sqrt(dx * dx + dy * dy) / apart);
         int first = (int)fmax(share[0] * parts, 1), last = (int)fmin(share[1] * parts + 1, parts);
         for (int j = first; j <= last; j++)
-            labels_avoid(l, a->x + dx * j / parts, a->y + dy * j / parts, 2);
+            add_label(l,
+                      square_about(a->x + dx * j / parts, a->y + dy * j / parts, 2, OBSTACLE_LINE));
     }
 }
 
@@ -140,7 +159,8 @@ static int crosses_name(const labels *l, const leader *line) {
         size_t k = l->first[bin_of(l, 1, y)][bin_of(l, 0, x)];
         for (; k; k = l->link[k - 1].next) {
             const obstacle *n = &l->item[l->link[k - 1].item - 1];
-            if (n->name && x > n->x && x < n->x + n->width && y > n->y && y < n->y + n->height)
+            if (n->kind == OBSTACLE_NAME && x > n->x && x < n->x + n->width && y > n->y &&
+                y < n->y + n->height)
                 return 1;
         }
     }
@@ -169,16 +189,16 @@ static obstacle box_beside(double x, double y, double away, const double directi
     double share_x = direction[0] > .1 ? 0 : direction[0] < -.1 ? 1 : .5;
     double share_y = direction[1] > .1 ? 0 : direction[1] < -.1 ? 1 : .5;
     return (obstacle){x + away * direction[0] - share_x * width,
-                      y + away * direction[1] - share_y * height, width, height, 1};
+                      y + away * direction[1] - share_y * height, width, height, OBSTACLE_NAME};
 }
 
 int labels_place(labels *l, canvas *c, labelled_point at, const char *name) {
     static const double rings[] = {7, 14, 24, 36, 52, 72, 96, 124};
     static const double around[][2] = {{.7, -.7}, {.7, .7}, {-.7, -.7}, {-.7, .7},
                                        {0, -1},   {1, 0},   {0, 1},     {-1, 0}};
-    const lettering letters = {.size = 12, .halo = 1};
-    double width = canvas_text_width(name, letters.size), height = 13, least = INFINITY;
-    obstacle best = {at.x, at.y, width, height, 1};
+    const lettering letters = {.size = 13, .halo = 1};
+    double width = canvas_text_width(name, letters.size), height = 14, least = INFINITY;
+    obstacle best = {at.x, at.y, width, height, OBSTACLE_NAME};
     for (int r = 0; r < 8 && least > 0 && rings[r] <= at.reach; r++)
         for (int k = 0; k < 8 && least > 0; k++) {
             obstacle o = box_beside(at.x, at.y, rings[r], around[k], width, height);
@@ -193,7 +213,7 @@ int labels_place(labels *l, canvas *c, labelled_point at, const char *name) {
         return 0;
     leader line = leader_to(at.x, at.y, &best);
     draw_leader(l, c, &line, at.sign);
-    canvas_text(c, best.x, best.y + 10.5, &letters, name);
+    canvas_text(c, best.x, best.y + 11.3, &letters, name);
     add_label(l, best);
     c->failed |= l->failed;
     return 1;

@@ -9,7 +9,7 @@
 /** A rectangle of pixels that names keep off. */
 typedef struct obstacle {
     double x, y, width, height;
-    int name; /* which no line may cross */
+    enum { OBSTACLE_LINE, OBSTACLE_MARK, OBSTACLE_NAME } kind; /* no line may cross a name */
 } obstacle;
 
 /** An obstacle in one bin, and the next one there. Both numbers count from 1; 0 ends the chain. */
@@ -35,6 +35,8 @@ void labels_init(labels *l, const panel *p);
 void labels_clear(labels *l);
 /** Keep off a disk, such as a marker. */
 void labels_avoid(labels *l, double x, double y, double radius);
+/** 1 if a square of half the side `radius` about a pixel meets a disk that was kept free. */
+int labels_meet_mark(const labels *l, double x, double y, double radius);
 /** Keep off a line through pixels. */
 void labels_avoid_path(labels *l, const drawn_path *p);
 /** A place to be named. */

@@ -3,11 +3,13 @@
  */
 #include "output/draw/marks.h"
 
+enum { SLIDE = 0xcc79a7 };
+
 static const struct {
     const char *name;
     unsigned colour;
 } tones[TONE_COUNT] = {{"undecided", 0xffffff}, {"regular", 0x56b4e9},
-                       {"fold", 0xe69f00},      {"fold_boundary", 0x0072b2},
+                       {"fold", 0xe69f00},      {"fold_boundary", 0x009e73},
                        {"boundary", 0xd55e00},  {"exterior", 0xffffff},
                        {"in", 0x56b4e9},        {"on", 0xd55e00},
                        {"out", 0xffffff},       {"inner-1", 0xc6e2f5},
@@ -21,10 +23,10 @@ static const struct {
 const style outline_start = {.stroke = PAINT(INK), .width = 2};
 const style outline_end = {.stroke = PAINT(INK), .width = 2, .dash = 5};
 const style outline_between = {.stroke = PAINT(0x666666), .width = .8};
-const style outline_plane = {.stroke = PAINT(0x009e73), .width = 1.2, .dash = 6};
+const style outline_plane = {.stroke = PAINT(0x0072b2), .width = 1.2, .dash = 6};
 const style trail_outside = {.stroke = PAINT(INK), .width = 1};
 const style trail_inside = {.stroke = PAINT(INK), .width = 2.4};
-const style trail_sliding = {.stroke = PAINT(0xcc79a7), .width = 5};
+const style trail_sliding = {.stroke = PAINT(SLIDE), .width = 5};
 
 const style line_level = {.stroke = PAINT(0x444444), .width = .7};
 const style line_border = {.stroke = PAINT(0xd55e00), .width = 3};
@@ -47,27 +49,34 @@ void mark_point(canvas *c, double x, double y, double radius, tone t) {
     canvas_circle(c, x, y, radius, &disk);
 }
 
+/* A circle on a face, a square on an edge, a triangle on a vertex; 1 is the size of a contact's. */
+static void put_sign(canvas *c, double x, double y, double size, graze_cell_kind cell,
+                     const style *s) {
+    static const double corners[2][4][2] = {{{-3.6, -3.6}, {3.6, -3.6}, {3.6, 3.6}, {-3.6, 3.6}},
+                                            {{0, -5.4}, {5, 3.4}, {-5, 3.4}}};
+    drawn_path sign = {NULL, 0, 0, 0};
+    if (cell == GRAZE_CELL_FACE) {
+        canvas_circle(c, x, y, 4 * size, s);
+        return;
+    }
+    for (int k = 0; k < (cell == GRAZE_CELL_EDGE ? 4 : 3); k++) {
+        const double *corner = corners[cell != GRAZE_CELL_EDGE][k];
+        drawn_path_to(&sign, k ? 'L' : 'M', x + size * corner[0], y + size * corner[1]);
+    }
+    drawn_path_to(&sign, 'z', 0, 0);
+    canvas_path(c, &sign, s, NULL);
+    drawn_path_clear(&sign);
+}
+
 void mark_contact(canvas *c, double x, double y, graze_kind kind, graze_cell_kind cell) {
     const style full = {.fill = PAINT(INK), .stroke = PAINT(0xffffff), .width = .8};
     const style hollow = {.fill = PAINT(0xffffff), .stroke = PAINT(0xd55e00), .width = 1.8};
-    const style *s = kind == GRAZE_INTERSECTION ? &full : &hollow;
-    drawn_path sign = {NULL, 0, 0, 0};
-    if (cell == GRAZE_CELL_FACE) {
-        canvas_circle(c, x, y, 4, s);
-    } else if (cell == GRAZE_CELL_EDGE) {
-        drawn_path_to(&sign, 'M', x - 3.6, y - 3.6);
-        drawn_path_to(&sign, 'L', x + 3.6, y - 3.6);
-        drawn_path_to(&sign, 'L', x + 3.6, y + 3.6);
-        drawn_path_to(&sign, 'L', x - 3.6, y + 3.6);
-    } else {
-        drawn_path_to(&sign, 'M', x, y - 5.4);
-        drawn_path_to(&sign, 'L', x + 5, y + 3.4);
-        drawn_path_to(&sign, 'L', x - 5, y + 3.4);
-    }
-    drawn_path_to(&sign, 'z', 0, 0);
-    if (cell != GRAZE_CELL_FACE)
-        canvas_path(c, &sign, s, NULL);
-    drawn_path_clear(&sign);
+    put_sign(c, x, y, 1, cell, kind == GRAZE_INTERSECTION ? &full : &hollow);
+}
+
+void mark_slide_end(canvas *c, double x, double y, graze_cell_kind cell) {
+    const style small = {.fill = PAINT(SLIDE), .stroke = PAINT(INK), .width = .8};
+    put_sign(c, x, y, .8, cell, &small);
 }
 
 /* The legend is laid out once; without a canvas it is only measured. */
@@ -77,6 +86,11 @@ typedef struct writer {
 } writer;
 
 enum { LINE = 20, SIGN = 34 };
+
+typedef struct legend_line {
+    const char *name;
+    const style *style;
+} legend_line;
 
 static void put_heading(writer *w, const char *text) {
     const lettering heading = {.size = 12, .bold = 1};
@@ -166,24 +180,45 @@ static void put_classes(writer *w, const legend *l) {
             put_swatch(w, (tone)t, tone_name((tone)t));
 }
 
+/* Rows of lines that the picture has, under a heading if there are any. */
+static void put_lines(writer *w, const char *heading, const int *shown, const legend_line *line) {
+    for (int k = 0, some = 0; line[k].name; k++) {
+        if (!shown[k])
+            continue;
+        if (!some++)
+            put_heading(w, heading);
+        put_legend_line(w, line[k].style, line[k].name);
+    }
+}
+
+static void put_slide_ends(writer *w, const legend *l) {
+    static const char *const names[] = {NULL, "end of a slide, face", "end of a slide, edge",
+                                        "end of a slide, vertex"};
+    for (int cell = GRAZE_CELL_FACE; cell <= GRAZE_CELL_VERTEX; cell++) {
+        if (!l->slide_ends[cell])
+            continue;
+        put_legend_entry(w, names[cell]);
+        if (w->canvas)
+            mark_slide_end(w->canvas, w->x + 13, w->y - 4, (graze_cell_kind)cell);
+    }
+}
+
 static void put_legend(writer *w, const legend *l) {
+    static const legend_line positions[] = {{"at the start", &outline_start},
+                                            {"between", &outline_between},
+                                            {"at the end", &outline_end},
+                                            {"plane of the cells", &outline_plane},
+                                            {NULL, NULL}};
+    static const legend_line spans[] = {{"outside S", &trail_outside},
+                                        {"inside S", &trail_inside},
+                                        {"sliding on S", &trail_sliding},
+                                        {NULL, NULL}};
     if (l->by_distance)
         put_scale(w, l);
     put_classes(w, l);
-    put_heading(w, "Positions of S");
-    put_legend_line(w, &outline_start, "at the start");
-    if (!l->by_distance)
-        put_legend_line(w, &outline_between, "between");
-    put_legend_line(w, &outline_end, "at the end");
-    if (l->plane)
-        put_legend_line(w, &outline_plane, "plane of the cells");
-    if (l->trails) {
-        put_heading(w, "Trajectories");
-        put_legend_line(w, &trail_outside, "outside S");
-        put_legend_line(w, &trail_inside, "inside S");
-        if (l->slides)
-            put_legend_line(w, &trail_sliding, "sliding on S");
-    }
+    put_lines(w, "Positions of S", l->positions, positions);
+    put_lines(w, "Trajectories", l->spans, spans);
+    put_slide_ends(w, l);
     put_contacts(w, l);
 }
 

@@ -23,6 +23,8 @@ enum { MARK_RADIUS = 5, MARK_LARGE = 8 };
 /** A contact: full for an intersection, hollow for a tangency; a circle on a face, a square on an
  * edge, a triangle on a vertex. */
 void mark_contact(canvas *c, double x, double y, graze_kind kind, graze_cell_kind cell);
+/** Where an interval of contact ends: the same signs, small, in the colour of sliding. */
+void mark_slide_end(canvas *c, double x, double y, graze_cell_kind cell);
 
 /** Outlines of S at the start, at the end and between. */
 extern const style outline_start, outline_end, outline_between;
@@ -33,14 +35,15 @@ extern const style outline_plane;
 /** A trajectory outside, inside and on the boundary of S. */
 extern const style trail_outside, trail_inside, trail_sliding;
 
-/** Contents of a picture, for its legend. */
+/** Contents of a picture that can be seen, for its legend. */
 typedef struct legend {
     int tones[TONE_COUNT];
     int by_distance;
     char band[TONE_COUNT - TONE_INNER][64]; /* distances of bands */
-    int plane;                              /* the cells lie in a plane of space */
-    int trails, slides;
+    int positions[4];   /* at the start, between, at the end; the plane of the cells */
+    int spans[3];       /* of trajectories, outside S, inside, sliding on it */
     int contacts[3][4]; /* by kind and cell */
+    int slide_ends[4];  /* by cell */
 } legend;
 
 /** Draw the legend from (x, y) on. */

@@ -112,6 +112,21 @@ int panel_clip_segment(double share[2], const panel *p, const double from[2], co
     return share[0] <= share[1];
 }
 
+int panel_holds(const panel *p, double x, double y) {
+    return x >= p->x && y >= p->y && x <= p->x + p->width && y <= p->y + p->height;
+}
+
+int panel_shows(const panel *p, const drawn_path *line) {
+    double share[2];
+    for (size_t k = 1; k < line->count; k++) {
+        const path_node *a = &line->node[k - 1], *b = &line->node[k];
+        const double from[2] = {a->x, a->y}, to[2] = {b->x, b->y};
+        if (b->verb == 'L' && panel_clip_segment(share, p, from, to))
+            return 1;
+    }
+    return 0;
+}
+
 double panel_span(const panel *p) {
     return fmax(p->width, canvas_text_width(p->title, TITLE_SIZE + 1)); /* bold is wider */
 }

@@ -50,6 +50,10 @@ void panel_map_plane(double *x, double *y, const panel *p, double horizontal, do
 /** The part of the segment between two pixels that lies in the frame, as shares of it; 0 if there
  * is none. */
 int panel_clip_segment(double share[2], const panel *p, const double from[2], const double to[2]);
+/** 1 if a pixel lies in the frame. */
+int panel_holds(const panel *p, double x, double y);
+/** 1 if some segment of a line through pixels does in part. */
+int panel_shows(const panel *p, const drawn_path *line);
 
 /** Room above and below the frame; that on its left is `left`. */
 enum { PANEL_ABOVE = 26, PANEL_BELOW = 24 };

@@ -19,13 +19,13 @@ int file_has_extension(const char *file, const char *extension) {
 }
 
 graze_status canvas_check(graze_context *context, const char *file) {
-    if (file_has_extension(file, "png"))
+    if (file_has_extension(file, "png") || file_has_extension(file, "pdf"))
         return canvas_check_png(context);
     if (file_has_extension(file, "svg"))
         return GRAZE_OK;
-    return context_fail(context, GRAZE_EUSE,
-                        "%s: the extension is that of no picture; expected .svg, .png or .html",
-                        file);
+    return context_fail(
+        context, GRAZE_EUSE,
+        "%s: the extension is that of no picture; expected .svg, .png, .pdf or .html", file);
 }
 
 graze_status canvas_create(canvas **out, graze_context *context, const char *file, double width,
@@ -34,6 +34,7 @@ graze_status canvas_create(canvas **out, graze_context *context, const char *fil
     graze_status status = canvas_check(context, file);
     if (status)
         return status;
-    return (file_has_extension(file, "png") ? canvas_create_png : canvas_create_svg)(out, context,
-                                                                                     width, height);
+    if (file_has_extension(file, "svg"))
+        return canvas_create_svg(out, context, width, height);
+    return canvas_create_png(out, context, width, height, file_has_extension(file, "pdf"));
 }

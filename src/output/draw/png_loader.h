@@ -1,4 +1,4 @@
-/* PNG canvases, made by a shared object of the same version that is loaded at need.
+/* PNG and PDF canvases, made by a shared object of the same version that is loaded at need.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_DRAW_PNG_LOADER_H
@@ -10,10 +10,11 @@
 #define PNG_LIBRARY "libgraze-png-" GRAZE_VERSION ".so"
 
 /** Its function: a new canvas of a size in pixels, or NULL without memory. */
-canvas *graze_png_create(double width, double height);
+canvas *graze_png_create(double width, double height, int pdf);
 
 /** Check that canvas_create_png finds the shared object and memory. */
 graze_status canvas_check_png(graze_context *context);
-graze_status canvas_create_png(canvas **out, graze_context *context, double width, double height);
+graze_status canvas_create_png(canvas **out, graze_context *context, double width, double height,
+                               int pdf);
 
 #endif

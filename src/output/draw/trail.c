@@ -23,6 +23,7 @@ typedef struct follower {
     trail *out;
     graze_context *context;
     int dimension;
+    const graze_solid *solid;
     trajectory *piece;
     double fineness;
     int failed;
@@ -120,16 +121,46 @@ static moment moment_of(graze_time *time) {
     return m;
 }
 
+static void vertex_place(double out[3], const graze_solid *solid, size_t vertex) {
+    size_t d = (size_t)solid->input.dimension;
+    out[2] = 0;
+    memcpy(out, solid->low + d * vertex, d * sizeof *out);
+}
+
+/* The smallest cell of a contact at a place, to the picture's fineness; else `inside`. */
+static graze_cell_kind cell_near(const follower *f, const contact *from, graze_cell_kind inside,
+                                 const double at[3]) {
+    double a[3], b[3];
+    for (size_t k = 0; k < from->cell_count; k++) {
+        const graze_cell *cell = &from->cell[k];
+        if (cell->kind <= inside || cell->kind == GRAZE_CELL_PRIMITIVE)
+            continue;
+        vertex_place(a, f->solid, cell->a);
+        vertex_place(b, f->solid, cell->kind == GRAZE_CELL_EDGE ? cell->b : cell->a);
+        if (distance(at, a, b) <= f->fineness)
+            inside = cell->kind;
+    }
+    return inside;
+}
+
 static void add_contact(follower *f, const contact *from) {
     trail *c = f->out;
     const trail_span *span = &c->span[c->span_count - 1];
     trail_contact *to = &c->contact[c->contact_count++];
-    to->kind = verdict_kind(from->left, from->right);
-    to->cell = GRAZE_CELL_FACE;
-    for (size_t k = 0; k < from->cell_count; k++)
-        if (from->cell[k].kind > to->cell && from->cell[k].kind != GRAZE_CELL_PRIMITIVE)
+    *to = (trail_contact){.kind = verdict_kind(from->left, from->right),
+                          .cell = from->cell_count ? from->cell[0].kind : GRAZE_CELL_FACE,
+                          .lasts = from->from != from->to};
+    for (size_t k = 1; k < from->cell_count; k++)
+        if ((from->cell[k].kind < to->cell) == to->lasts)
             to->cell = from->cell[k].kind;
+    if (to->cell == GRAZE_CELL_PRIMITIVE)
+        to->cell = GRAZE_CELL_FACE;
     memcpy(to->at, c->at + 3 * (span->first + span->count / 2), sizeof to->at);
+    for (size_t k = 0; k < 2; k++) {
+        size_t place = span->first + (k ? span->count - 1 : 0);
+        memcpy(to->end[k], c->at + 3 * place, sizeof to->end[k]);
+        to->end_cell[k] = cell_near(f, from, to->cell, to->end[k]);
+    }
 }
 
 /* The word has one letter for each span. */
@@ -157,7 +188,7 @@ static void follow_word(follower *f, const graze_trace *trace, size_t piece_coun
 static graze_status follow_trace(trail *out, graze_context *context, const graze_scene *scene,
                                  const fmpq *point, const graze_trace *trace, double fineness) {
     const graze_motion *motion = scene->motion;
-    follower f = {out, context, motion->dimension, NULL, fineness, 0};
+    follower f = {out, context, motion->dimension, scene->solid, NULL, fineness, 0};
     out->span = calloc(strlen(trace->word), sizeof *out->span);
     out->contact = calloc(trace->contact_count + 1, sizeof *out->contact);
     f.piece = calloc(motion->piece_count, sizeof *f.piece);

@@ -18,8 +18,12 @@ typedef struct trail_span {
 
 typedef struct trail_contact {
     graze_kind kind;
-    graze_cell_kind cell; /* of the smallest dimension among those met */
-    double at[3];         /* of an interval the middle one of its places */
+    graze_cell_kind
+        cell;     /* of the smallest dimension at an instant, inside an interval the largest */
+    double at[3]; /* of an interval the middle one of its places */
+    int lasts;    /* an interval: */
+    graze_cell_kind end_cell[2];
+    double end[2][3];
 } trail_contact;
 
 typedef struct trail {

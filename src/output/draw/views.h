@@ -29,13 +29,15 @@ typedef struct picture {
 /** Choose the windows and sizes of the panels, not yet their places.
  * @return GRAZE_ELIMIT a window beyond what doubles can draw (range.h) */
 graze_status views_fit(picture *p, graze_context *context);
+/** Note what the panels show; after views_fit. */
+void views_seen(legend *out, const picture *p);
+/** 1 in E^2. */
+int picture_is_plane(const picture *p);
 /** How many points lie outside the panel that shows points where they are; after views_fit. */
 size_t views_outside(const picture *p);
 /** The classes of the cells, with the positions of S and the points in their plane. */
 graze_status view_classes(canvas *c, graze_context *context, const picture *p);
 /** The positions of S in space, seen from the onlooker. */
 graze_status view_positions(canvas *c, graze_context *context, const picture *p);
-/** The trajectories through the standing S. */
-graze_status view_trajectories(canvas *c, graze_context *context, const picture *p);
 
 #endif

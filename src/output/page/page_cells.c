@@ -20,18 +20,6 @@ static void put_corners(text *out, const cells *c) {
     text_put(out, "]");
 }
 
-/* The equation of the plane of space; an empty string in E^2. */
-static void put_plane(text *out, const cells *c, const draw_request *request) {
-    text_put(out, "\"");
-    if (c->section)
-        section_equation(out, c->section);
-    else if (c->dimension == 3) {
-        text_format(out, "%c = ", "xyz"[request->plane_axis]);
-        text_rational(out, c->low + request->plane_axis);
-    }
-    text_put(out, "\"");
-}
-
 static void put_bytes(text *out, const unsigned char *bytes, size_t count) {
     encoder e;
     encode_begin(&e, out);
@@ -45,9 +33,10 @@ static void put_cells_of(text *out, const cells *c, const draw_request *request)
     size_t count = c->count[0] * c->count[1];
     text_put(out, "{\"corners\":");
     put_corners(out, c);
-    text_put(out, ",\"plane\":");
-    put_plane(out, c, request);
-    text_format(out, ",\"count\":[%zu,%zu],\"parts\":%zu,\"tones\":", c->count[0], c->count[1],
+    text_put(out, ",\"plane\":\"");
+    if (c->section || c->dimension == 3)
+        cells_plane(out, c, request->plane_axis);
+    text_format(out, "\",\"count\":[%zu,%zu],\"parts\":%zu,\"tones\":", c->count[0], c->count[1],
                 c->parts);
     put_bytes(out, c->tone, count);
     text_put(out, ",\n\"split\":");

@@ -1,10 +1,10 @@
-/* A canvas that is a PNG image, two of its pixels to one of the canvas.
+/* A canvas that is a PNG image, two of its pixels to one of the canvas, or a page of PDF.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A shared object of its own, which output/draw/png_loader.c loads when a picture asks for it:
  * cairo brings a window system's libraries along, which nothing else of Graze needs.
  */
-#include <cairo/cairo.h>
+#include <cairo/cairo-pdf.h>
 #include <stdlib.h>
 #include "output/draw/png_loader.h"
 
@@ -12,9 +12,12 @@ typedef struct png_canvas {
     canvas base;
     cairo_surface_t *surface;
     cairo_t *to;
+    int pdf; /* the surface records what is drawn */
 } png_canvas;
 
+/* Of an image in pixels, of a page in points, 72 to the 96 pixels of an inch. */
 static const int scale = 2;
+static const double page_scale = .75;
 
 static void set_paint(png_canvas *p, unsigned paint, double faintness) {
     cairo_set_source_rgba(p->to, (paint >> 16 & 255) / 255.0, (paint >> 8 & 255) / 255.0,
@@ -121,13 +124,31 @@ static cairo_status_t png_keep(void *closure, const unsigned char *data, unsigne
                                                      : CAIRO_STATUS_NO_MEMORY;
 }
 
+/* No date is written, so that equal pictures are equal files. */
+static cairo_status_t write_page(const png_canvas *p, sink *s) {
+    cairo_surface_t *page = cairo_pdf_surface_create_for_stream(
+        png_keep, s, p->base.width * page_scale, p->base.height * page_scale);
+    cairo_pdf_surface_set_metadata(page, CAIRO_PDF_METADATA_CREATE_DATE, "");
+    cairo_t *to = cairo_create(page);
+    cairo_scale(to, page_scale, page_scale);
+    cairo_set_source_surface(to, p->surface, 0, 0);
+    cairo_paint(to);
+    cairo_status_t status = cairo_status(to);
+    cairo_destroy(to);
+    cairo_surface_finish(page);
+    status = status ? status : cairo_surface_status(page);
+    cairo_surface_destroy(page);
+    return status;
+}
+
 static void png_finish(canvas *c, canvas_put *put, void *to) {
     png_canvas *p = (png_canvas *)c;
     sink s = {put, to};
     c->failed |= cairo_status(p->to) != CAIRO_STATUS_SUCCESS;
     if (!c->failed)
-        c->failed =
-            cairo_surface_write_to_png_stream(p->surface, png_keep, &s) != CAIRO_STATUS_SUCCESS;
+        c->failed = (p->pdf ? write_page(p, &s)
+                            : cairo_surface_write_to_png_stream(p->surface, png_keep, &s)) !=
+                    CAIRO_STATUS_SUCCESS;
 }
 
 static void png_destroy(canvas *c) {
@@ -140,15 +161,19 @@ static void png_destroy(canvas *c) {
 static const canvas_kind png_kind = {png_begin,  png_end,  png_clip,   png_unclip, png_path,
                                      png_circle, png_text, png_finish, png_destroy};
 
-__attribute__((visibility("default"))) canvas *graze_png_create(double width, double height) {
+__attribute__((visibility("default"))) canvas *graze_png_create(double width, double height,
+                                                                int pdf) {
     png_canvas *p = calloc(1, sizeof *p);
     if (!p)
         return NULL;
     p->base = (canvas){&png_kind, width, height, 0};
-    p->surface =
-        cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)(width * scale), (int)(height * scale));
+    p->pdf = pdf;
+    p->surface = pdf ? cairo_recording_surface_create(CAIRO_CONTENT_COLOR, NULL)
+                     : cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)(width * scale),
+                                                  (int)(height * scale));
     p->to = cairo_create(p->surface);
-    cairo_scale(p->to, scale, scale);
+    if (!pdf)
+        cairo_scale(p->to, scale, scale);
     cairo_set_fill_rule(p->to, CAIRO_FILL_RULE_EVEN_ODD);
     cairo_set_line_join(p->to, CAIRO_LINE_JOIN_ROUND);
     set_paint(p, PAINT(0xffffff), 0);

@@ -18,14 +18,15 @@ enum { TITLE_MOST = 512 };
 static const char draw_help[] =
     "graze draw SOLID MOTION [POINTS] -o FILE: a picture of classes, positions and trajectories\n"
     "\n"
-    "FILE is .svg, .png or .html. Square cells, split at borders, are coloured by the exact class\n"
+    "FILE is .svg, .png, .pdf or .html. Square cells, split at borders, are coloured by the exact "
+    "class\n"
     "of their centres, under outlines of S at some times; in 3D in a plane, beside a view of S.\n"
     "POINTS (a CSV file or -) are drawn with their inverted trajectories through S and all\n"
     "contacts; a column id names them. A page, .html, shows S, its sweep, the points and their\n"
     "trajectories in a browser, to be turned, filtered and asked; it needs no network.\n"
     "\n"
     "  -o, --output FILE     the picture; - is standard output,\n"
-    "  --format svg|png|html    in that format (svg)\n"
+    "  --format svg|png|pdf|html    in that format (svg)\n"
     "  -p X,Y[,Z]            one more point; may be given several times\n"
     "  --grid N              cells along the longer side (240, or 360 of a wide box; by distance "
     "half)\n"
@@ -183,7 +184,7 @@ static int run_draw(void *options, const operands *given) {
                         given->count);
     if (!o->output)
         return complain(EXIT_USAGE,
-                        "draw needs -o FILE, a name in .svg, .png or .html; see graze draw "
+                        "draw needs -o FILE, a name in .svg, .png, .pdf or .html; see graze draw "
                         "--help");
     o->output = output_name(o->output, o->format ? o->format : "-.svg");
     if (o->format && o->output != o->format)

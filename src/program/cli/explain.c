@@ -20,7 +20,7 @@ static const char explain_help[] =
     "  --sdf TOL            the signed distance too, as in graze classify\n"
     "  --topo               the position relative to the closed sweep too\n"
     "  --regular            of an unsweep: is the point in the closure of its interior, too\n"
-    "  --svg FILE           2D, a point that is on a sweep: draw, as .svg or .png, which "
+    "  --svg FILE           2D, a point that is on a sweep: draw, as .svg, .png or .pdf, which "
     "directions\n"
     "                       about it each contact covers, which are left, and a\n"
     "                       witness's direction\n"

@@ -25,9 +25,9 @@ int value_output(void *to, const char *name, const char *value) {
 }
 
 int value_standard(void *to, const char *name, const char *value) {
-    static const char *const words[] = {"svg", "png", "html", "ply", "vtk", "stl", "csv"};
+    static const char *const words[] = {"svg", "png", "pdf", "html", "ply", "vtk", "stl", "csv"};
     static char standard[8];
-    int chosen = 0, status = value_choice(&chosen, name, value, words, 7);
+    int chosen = 0, status = value_choice(&chosen, name, value, words, 8);
     snprintf(standard, sizeof standard, "-.%s", words[chosen]);
     return value_text(to, name, standard) | status;
 }

@@ -1,0 +1,229 @@
+/* The panel of trajectories: lines, arrowheads, contacts and names, that keep clear of one another.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "output/draw/trajectories.h"
+
+#include <math.h>
+#include "output/draw/labels.h"
+#include "output/draw/shape_paint.h"
+
+/* The visible part of a trajectory: its beginning, and the place after a length with the direction
+ * there. */
+typedef struct seen_part {
+    int any;
+    double start[2], length;
+    double place[2], direction[2];
+} seen_part;
+
+static seen_part see_trail(const panel *at, const trail *from, double until) {
+    seen_part out = {0, {0, 0}, 0, {0, 0}, {0, 0}};
+    double last[2], next[2], share[2];
+    for (size_t k = 0; k < from->place_count; k++) {
+        panel_map(&next[0], &next[1], at, from->at + 3 * k);
+        if (k && panel_clip_segment(share, at, last, next)) {
+            double d[2] = {next[0] - last[0], next[1] - last[1]};
+            double length = sqrt(d[0] * d[0] + d[1] * d[1]), seen = (share[1] - share[0]) * length;
+            for (int i = 0; i < 2 && !out.any; i++)
+                out.start[i] = last[i] + share[0] * d[i];
+            if (out.length < until && out.length + seen >= until)
+                for (int i = 0; i < 2; i++) {
+                    out.place[i] = last[i] + (share[0] + (until - out.length) / length) * d[i];
+                    out.direction[i] = d[i];
+                }
+            out.any = 1;
+            out.length += seen;
+        }
+        last[0] = next[0];
+        last[1] = next[1];
+    }
+    if (from->place_count && !out.any) {
+        out.start[0] = last[0];
+        out.start[1] = last[1];
+        out.any = panel_holds(at, last[0], last[1]);
+    }
+    return out;
+}
+
+static void span_path(drawn_path *out, const panel *at, const trail *from, const trail_span *span) {
+    for (size_t k = 0; k < span->count; k++) {
+        double x, y;
+        panel_map(&x, &y, at, from->at + 3 * (span->first + k));
+        drawn_path_to(out, k ? 'L' : 'M', x, y);
+    }
+}
+
+static void draw_trail(canvas *c, const panel *at, const trail *from, labels *names) {
+    for (int lines = 0; lines < 2; lines++)
+        for (size_t k = 0; k < from->span_count; k++) {
+            const trail_span *span = &from->span[k];
+            drawn_path line = {NULL, 0, 0, 0};
+            span_path(&line, at, from, span);
+            if (!lines && span->state == GRAZE_STATE_B)
+                canvas_path(c, &line, &trail_sliding, NULL);
+            if (lines)
+                canvas_path(c, &line, span->state == GRAZE_STATE_I ? &trail_inside : &trail_outside,
+                            NULL);
+            if (lines)
+                labels_avoid_path(names, &line);
+            drawn_path_clear(&line);
+        }
+}
+
+/* An arrowhead as near the middle as it keeps clear of contacts, beginnings and other arrowheads;
+ * none where there is no room. */
+static void draw_arrow(canvas *c, const panel *at, const trail *from, labels *names) {
+    enum { SIZE = 9, CLEAR = 7, PLACES = 24 };
+    double length = see_trail(at, from, INFINITY).length;
+    for (int k = 1; k < 2 * PLACES && length > 24; k++) {
+        double share = .5 + .5 * (k / 2 * (k % 2 ? 1 : -1)) / PLACES;
+        seen_part spot = see_trail(at, from, share * length);
+        double along = hypot(spot.direction[0], spot.direction[1]);
+        double dx = spot.direction[0] * SIZE / along, dy = spot.direction[1] * SIZE / along;
+        double x = spot.place[0] - dx / 2, y = spot.place[1] - dy / 2;
+        if (labels_meet_mark(names, x, y, CLEAR))
+            continue;
+        draw_arrow_head(c, spot.place[0], spot.place[1], dx, dy, SIZE);
+        labels_avoid(names, x, y, CLEAR);
+        return;
+    }
+}
+
+/* The pixels of a contact and of its ends that are to be seen, those of the ends where they are
+ * apart from the middle. */
+typedef struct seen_contact {
+    int middle, end[2];
+    double at[3][2];
+} seen_contact;
+
+static seen_contact see_contact(const panel *at, const trail_contact *met) {
+    enum { APART = 9 };
+    seen_contact out = {0, {0, 0}, {{0}}};
+    panel_map(&out.at[2][0], &out.at[2][1], at, met->at);
+    out.middle = panel_holds(at, out.at[2][0], out.at[2][1]);
+    for (int k = 0; k < 2 && met->lasts; k++) {
+        double *end = out.at[k];
+        panel_map(&end[0], &end[1], at, met->end[k]);
+        out.end[k] = panel_holds(at, end[0], end[1]) &&
+                     hypot(end[0] - out.at[2][0], end[1] - out.at[2][1]) > APART;
+    }
+    return out;
+}
+
+static void draw_contacts(canvas *c, const panel *at, const trail *from, labels *names) {
+    for (size_t k = 0; k < from->contact_count; k++) {
+        const trail_contact *met = &from->contact[k];
+        seen_contact seen = see_contact(at, met);
+        for (int e = 0; e < 2; e++)
+            if (seen.end[e]) {
+                mark_slide_end(c, seen.at[e][0], seen.at[e][1], met->end_cell[e]);
+                labels_avoid(names, seen.at[e][0], seen.at[e][1], MARK_RADIUS);
+            }
+        if (seen.middle) {
+            mark_contact(c, seen.at[2][0], seen.at[2][1], met->kind, met->cell);
+            labels_avoid(names, seen.at[2][0], seen.at[2][1], MARK_RADIUS);
+        }
+    }
+}
+
+void trajectories_seen(legend *out, const picture *p) {
+    const panel *at = &p->trajectories;
+    for (size_t k = 0; k < p->request->point_count; k++) {
+        const trail *c = &p->trails[k];
+        double x, y;
+        panel_map(&x, &y, at, c->at);
+        out->tones[c->tone] |= panel_holds(at, x, y);
+        for (size_t j = 0; j < c->span_count; j++) {
+            drawn_path line = {NULL, 0, 0, 0};
+            span_path(&line, at, c, &c->span[j]);
+            int *row = &out->spans[c->span[j].state == GRAZE_STATE_B   ? 2
+                                   : c->span[j].state == GRAZE_STATE_I ? 1
+                                                                       : 0];
+            *row |= panel_shows(at, &line);
+            drawn_path_clear(&line);
+        }
+        for (size_t j = 0; j < c->contact_count; j++) {
+            seen_contact seen = see_contact(at, &c->contact[j]);
+            out->contacts[c->contact[j].kind][c->contact[j].cell] |= seen.middle;
+            for (int e = 0; e < 2; e++)
+                out->slide_ends[c->contact[j].end_cell[e]] |= seen.end[e];
+        }
+    }
+}
+
+/* The disk stands where the trajectory begins, if that is to be seen. */
+static void draw_start(canvas *c, const panel *at, const trail *from, labels *names) {
+    double x, y;
+    panel_map(&x, &y, at, from->at);
+    if (!panel_holds(at, x, y))
+        return;
+    mark_point(c, x, y, MARK_LARGE, from->tone);
+    labels_avoid(names, x, y, MARK_LARGE);
+}
+
+/* A name next to where the trajectory comes into sight or next to it farther along; else at a
+ * distance from one of these places. */
+static void name_trail(canvas *c, const panel *at, const trail *from, const char *name,
+                       labels *names) {
+    static const double shares[] = {0, .12, .3, .7, .88};
+    static const double reaches[] = {REACH_NEAR, REACH_FAR};
+    seen_part seen = see_trail(at, from, INFINITY);
+    double x, y;
+    panel_map(&x, &y, at, from->at);
+    int placed = !seen.any, starts = panel_holds(at, x, y);
+    for (int k = 0; k < 10 && !placed; k++) {
+        seen_part along = see_trail(at, from, shares[k % 5] * seen.length);
+        const double *spot = k % 5 ? along.place : seen.start;
+        labelled_point here = {spot[0], spot[1], starts && k % 5 == 0 ? MARK_LARGE : 0,
+                               reaches[k / 5]};
+        placed = (k % 5 == 0 || seen.length > 0) && labels_place(names, c, here, name);
+    }
+    names->left_out += !placed;
+}
+
+static graze_status draw_standing(canvas *c, graze_context *context, const picture *p) {
+    const style body = {.fill = PAINT(0xe4e4e4), .stroke = PAINT(INK), .width = 1.6};
+    const finish how = {0xe4e4e4, .25, 1};
+    if (!picture_is_plane(p))
+        return shapes_paint(c, context, &p->standing, &how, 1, &p->trajectories);
+    drawn_path rings = {NULL, 0, 0, 0};
+    shape_rings(&rings, &p->standing, &p->trajectories);
+    canvas_path(c, &rings, &body, NULL);
+    drawn_path_clear(&rings);
+    return GRAZE_OK;
+}
+
+graze_status view_trajectories(canvas *c, graze_context *context, const picture *p) {
+    const panel *at = &p->trajectories;
+    size_t n = p->request->point_count;
+    labels names;
+    labels_init(&names, at);
+    canvas_begin(c, "trajectories", NULL);
+    canvas_clip(c, at->x, at->y, at->width, at->height);
+    graze_status status = draw_standing(c, context, p);
+    for (size_t k = 0; k < n && !status; k++) {
+        draw_trail(c, at, &p->trails[k], &names);
+        status = context_poll(context);
+    }
+    canvas_unclip(c);
+    for (size_t k = 0; k < n; k++)
+        draw_start(c, at, &p->trails[k], &names);
+    for (size_t k = 0; k < n; k++)
+        draw_contacts(c, at, &p->trails[k], &names);
+    for (size_t k = 0; k < n; k++)
+        draw_arrow(c, at, &p->trails[k], &names);
+    panel_frame(c, at);
+    if (picture_is_plane(p)) {
+        panel_ticks(c, at, 'x', 'y');
+    } else {
+        panel_triad(c, at);
+        panel_scale_bar(c, at);
+    }
+    for (size_t k = 0; k < n && !status; k++) {
+        name_trail(c, at, &p->trails[k], p->request->names[k], &names);
+        status = context_poll(context);
+    }
+    labels_tell(&names, c);
+    labels_clear(&names);
+    canvas_end(c);
+    return status;
+}
