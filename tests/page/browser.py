@@ -16,6 +16,7 @@ import os
 import subprocess
 import sys
 import tempfile
+import time
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
@@ -352,6 +353,60 @@ def test_compare(browser, graze, folder):
     check(browser.value("graze.shown()") == [7, 31], browser.value("graze.shown()"))
     browser.value("document.getElementById('next').click()")
     check(browser.value("graze.chosen()") == 31, "the next wrong row", browser.value("graze.chosen()"))
+    browser.value("(e => { e.value = 'all'; e.dispatchEvent(new Event('change')); })(document.getElementById('wrong'))")
+    (right, small), (bad, large), _ = browser.value("graze.sizes()")
+    check((right, bad) == (len(rows) - 2, 2) and large >= 3 * small, "wrong points are large, right ones small", right, small, bad, large)
+    named = {text for text, *_ in browser.value(f"{WRITTEN}('space')")}
+    check({"8", "32"} <= named and not {str(k) for k in range(41, len(rows) + 1)} & named, "names of wrong rows alone", named)
+
+
+def test_loading(browser, graze, folder):
+    """Before the script has run the page says so, over all else; then no longer."""
+    solid, motion, points = case("figures-5-7-8")
+    page = os.path.join(folder, "loading.html")
+    run(graze, "draw", solid, motion, points, "--grid", 20, "-o", page)
+    top = "(e => e && [e.innerText, e === document.elementFromPoint(innerWidth / 2, innerHeight / 2)])(document.getElementById('loading'))"
+    browser.call("Emulation.setScriptExecutionDisabled", value=True)
+    browser.call("Page.navigate", url="file://" + page)
+    until = time.monotonic() + 60
+    while browser.value("location.pathname + document.readyState") != page + "complete" and time.monotonic() < until:
+        time.sleep(.05)
+    check(browser.value(top) == ["loading", True], "without a script", browser.value(top))
+    browser.call("Emulation.setScriptExecutionDisabled", value=False)
+    opened(browser, page)
+    check(browser.value(top) is None, "with the script", browser.value(top))
+
+
+def test_rings(browser, graze, folder):
+    """A disk in the hole of a ring, 1 < r < 2 and r < 1/2, is filled where it is solid."""
+    solid, motion, page = (os.path.join(folder, name) for name in ("ring.csg.json", "ring.json", "ring.html"))
+    with open(solid, "w", encoding="utf-8") as file:
+        file.write('{"dimension": 2, "solid": {"union": [{"difference": [{"ball": {"radius": 2}}, {"ball": {"radius": 1}}]}, {"ball": {"radius": "1/2"}}]}}')
+    with open(motion, "w", encoding="utf-8") as file:
+        file.write('{"dimension": 2, "pieces": [{"t": ["0", "1"], "transform": {"translate": ["8*t", "0"]}}]}')
+    run(graze, "draw", solid, motion, "--grid", 20, "-o", page)
+    opened(browser, page)
+    paper, filled = browser.value("['paper', 'solid'].map(n => getComputedStyle(document.documentElement).getPropertyValue('--' + n).trim())")
+    for radius, want in ((0, filled), (.4, filled), (.75, paper), (1.2, filled), (1.8, filled), (2.2, paper)):
+        for way in ((1, 0), (0, 1), (-.6, .8)):
+            got = browser.value(COLOUR.replace("graze.space", "graze.standing") + f"([{[radius * x for x in way]}])")[0]
+            off = max(abs(int(got[k:k + 2], 16) - int(want[k:k + 2], 16)) for k in (1, 3, 5))
+            check(off <= 3, "the colour at", radius, way, got, want)
+
+
+def test_slides(browser, graze, folder):
+    """The U: (6, 3) slides along two edges between vertices, (6, 1) crosses, slides along one and crosses again."""
+    solid, motion, page = (os.path.join(folder, name) for name in ("u.wkt", "u.json", "u.html"))
+    with open(solid, "w", encoding="utf-8") as file:
+        file.write("POLYGON ((0 0, 4 0, 4 3, 3 3, 3 1, 1 1, 1 3, 0 3, 0 0))")
+    with open(motion, "w", encoding="utf-8") as file:
+        file.write('{"dimension": 2, "pieces": [{"t": ["0", "1"], "transform": {"translate": ["8*t", "0"]}}]}')
+    run(graze, "draw", solid, motion, "-p", "6,3", "-p", "6,1", "--grid", 20, "-o", page)
+    opened(browser, page)
+    for k, want in enumerate((["Sv", "Sv", "Te", "Sv", "Sv", "Te"], ["Xe", "Sv", "Sv", "Te", "Xe"])):
+        browser.value(f"graze.choose({k})")
+        got = browser.value("graze.trails.children.map(e => e.name).filter(Boolean)")
+        check(got == want, "signs of the trajectory", k, got, want)
 
 
 NOTEBOOK = """
@@ -445,7 +500,7 @@ def main():
             for name in ("bracket", "figures-5-7-8", "curved-plate-hole"):
                 test_clicks(browser, args.graze, folder, name)
                 shoot(name)
-            for test in (test_root, test_late, test_fill, test_texts, test_theme_and_keys, test_phone):
+            for test in (test_loading, test_rings, test_slides, test_root, test_late, test_fill, test_texts, test_theme_and_keys, test_phone):
                 test(browser, args.graze, folder)
                 shoot(test.__name__)
             test_filters(browser, args.graze, folder)

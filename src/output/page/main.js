@@ -28,7 +28,8 @@ standing.scene.add(floors[1], standingSolid, trails, here);
 const pointName = (k) => nameOf(k) || String(k + 1);
 
 function namePoints(view, labels) {
-  const index = chosen ? chosen.index : -1, names = drawn.length <= MOST_NAMED ? drawn.filter((k) => k !== index) : [];
+  const index = chosen ? chosen.index : -1, named = wrongCount ? drawn.filter((k) => answerOf(k)) : drawn;
+  const names = named.length <= MOST_NAMED ? named.filter((k) => k !== index) : [];
   const spots = names.map((k) => view.spot(world(k)));
   for (const [x, y] of spots) labels.avoid(x, y, 4);
   if (index >= 0) {
@@ -89,7 +90,7 @@ function passing() {
   return out;
 }
 
-/** Draw the points of `drawn`; those on which the candidate is wrong are square, the chosen one is large. */
+/** Draw the points of `drawn`; those on which the candidate is wrong are large and square, the others then small, the chosen one is large. */
 function drawPoints() {
   dispose(marks);
   const size = drawn.length > 5000 ? 6 : drawn.length > 1000 ? 9 : 12;
@@ -97,12 +98,13 @@ function drawPoints() {
     const some = drawn.filter((k) => Boolean(answerOf(k)) === wrong);
     const paints = scene.tones.map(([, tint]) => colour(tint).toArray());
     if (some.length)
-      marks.add(signs(some.flatMap(world), some.flatMap((k) => paints[tones[k]]), wrong ? wrongDisk : disk, wrong ? size + 4 : size, 1));
+      marks.add(signs(some.flatMap(world), some.flatMap((k) => paints[tones[k]]), wrong ? wrongDisk : disk, sizeOf(wrong, size), wrong ? 2 : 1));
   }
   if (chosen) marks.add(signs(world(chosen.index), colour(scene.tones[chosen.tone][1]).toArray(), chosen.answer ? wrongDisk : disk, 22, 3));
   space.ask();
 }
 
+const sizeOf = (wrong, size) => (wrong ? Math.max(16, size) : wrongCount ? 5 : size);
 const grouped = (n) => String(n).replace(/\B(?=(\d{3})+$)/g, ",");
 
 /** Show the points that pass, and say which. */
@@ -276,10 +278,12 @@ function begin() {
   filter();
   const wrong = shown.find((k) => answerOf(k));
   choose(wrong !== undefined ? wrong : shown.length ? shown[0] : -1);
+  $("loading").remove();
   document.documentElement.dataset.ready = "yes";
 }
 
 window.graze = {count: pointCount, point: pointAt, errors, choose, setTime, moving, sweep, cells, trails, space, standing, shown: () => shown,
   drawn: () => drawn, chosen: () => (chosen ? chosen.index : -1), pixelOf: (k) => space.pixel(world(k)),
+  sizes: () => marks.children.map((some) => [some.geometry.attributes.position.count, some.material.size]),
   frame: () => space.measure() + standing.measure()};
-begin();
+setTimeout(begin);

@@ -55,9 +55,48 @@ function ringSides(polygons) {
   return Uint32Array.from(out);
 }
 
+/** Rings of an outline of sides in no order, as vertex numbers. */
+function chained(sides) {
+  const beside = new Map(), out = [];
+  const link = (from, to) => beside.set(from, [...(beside.get(from) || []), to]);
+  for (let k = 0; k < sides.length; k += 2) {
+    link(sides[k], sides[k + 1]);
+    link(sides[k + 1], sides[k]);
+  }
+  const take = (from) => {
+    const to = (beside.get(from) || []).pop();
+    if (to !== undefined) beside.get(to).splice(beside.get(to).indexOf(from), 1);
+    return to;
+  };
+  for (const first of beside.keys())
+    for (let at = take(first); at !== undefined; at = take(first)) {
+      const ring = [first];
+      for (; at !== undefined && at !== first; at = take(at)) ring.push(at);
+      out.push(ring);
+    }
+  return out;
+}
+
+const corner = (v) => [vertices[2 * v], vertices[2 * v + 1]];
+
+function isWithin(ring, [x, y]) {
+  return ring.reduce((odd, v, k) => {
+    const [x0, y0] = corner(v), [x1, y1] = corner(ring[(k + 1) % ring.length]);
+    return y0 > y !== y1 > y && x < x0 + ((y - y0) / (y1 - y0)) * (x1 - x0) ? !odd : odd;
+  }, false);
+}
+
+/** Polygons of rings: a ring within an even number of others, with those right within it as holes. */
+function nested(rings) {
+  const around = rings.map((ring) => rings.filter((other) => other !== ring && isWithin(other, corner(ring[0]))));
+  const outer = rings.filter((_, k) => around[k].length % 2 === 0);
+  return outer.map((ring) => [ring, ...rings.filter((_, k) => around[k].includes(ring) && around[k].length === around[rings.indexOf(ring)].length + 1)]);
+}
+
 const solid = (() => {
   const array = centred(vertices, bodyCentre);
-  const faces = shell(array, d === 3 ? counts(scene.solid.triangles) : filled(scene.solid.polygons));
+  const polygons = d === 2 && scene.solid.edges !== undefined ? nested(chained(counts(scene.solid.edges))) : scene.solid.polygons;
+  const faces = shell(array, d === 3 ? counts(scene.solid.triangles) : filled(polygons));
   const edges = shell(array, scene.solid.edges !== undefined ? counts(scene.solid.edges) : ringSides(scene.solid.polygons));
   return {faces, edges};
 })();
@@ -165,6 +204,7 @@ function makeSigns() {
   for (const [name, shape] of [["f", "circle"], ["e", "square"], ["v", "triangle"]]) {
     signsOf["X" + name] = signTexture(shape, tint("ink"), tint("paper"));
     signsOf["T" + name] = signTexture(shape, tint("paper"), "#d55e00");
+    signsOf["S" + name] = signTexture(shape, tint("slide"), tint("ink"));
   }
 }
 
@@ -190,7 +230,30 @@ function trajectory(group, p) {
     from = to;
   });
   for (const c of p.contacts) {
-    const smallest = c.cells.some((x) => x[0] === "v") ? "v" : c.cells.some((x) => x[0] === "e") ? "e" : "f";
-    group.add(signs(contactPlace(p, c), null, signsOf[(c.crossing ? "X" : "T") + smallest], 16, 3));
+    const kinds = ["v", "e", "f"].filter((kind) => c.cells.some((x) => x[0] === kind)), met = (c.instant ? kinds[0] : kinds.pop()) || "f";
+    if (!c.instant) slideEnds(group, p, c, met);
+    addSign(group, contactPlace(p, c), (c.crossing ? "X" : "T") + met, 16);
   }
+}
+
+function addSign(group, place, name, size) {
+  group.add(Object.assign(signs(place, null, signsOf[name], size, 3), {name}));
+}
+
+/** Small signs of the cells at both ends of a slide, that of its inside where it ends at no smaller one. */
+function slideEnds(group, p, c, inside) {
+  const size = Math.hypot(...bodyBounds[1].map((x, k) => x - bodyBounds[0][k]));
+  for (const time of [c.from, c.to]) {
+    const place = carry(mapAt("trace", timeValue(time)), p.place);
+    const met = c.cells.filter((cell) => "fp".indexOf(cell[0]) < 0 && farFrom(place, cell) < size / 2000).map((cell) => cell[0]);
+    addSign(group, body(place), "S" + (met.includes("v") ? "v" : met.includes("e") && inside === "f" ? "e" : inside), 11);
+  }
+}
+
+/** The distance of a place from an edge or a vertex of the standing S. */
+function farFrom(place, cell) {
+  const [a, b] = `${cell.slice(1)}-${cell.slice(1)}`.split("-").map((v) => [0, 1, 2].map((k) => (k < d ? vertices[d * Number(v) + k] : 0)));
+  const way = b.map((x, k) => x - a[k]), off = place.map((x, k) => x - a[k]), dot = (u, v) => u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+  const share = Math.min(1, Math.max(0, dot(off, way) / (dot(way, way) || 1)));
+  return Math.hypot(...off.map((x, k) => x - share * way[k]));
 }
