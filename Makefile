@@ -133,7 +133,8 @@ $B/%.o: %.cpp | $B/.packages-build
 	@mkdir -p $(@D)
 	@$(call say,CXX,$<)
 	$Q$(CXX) $(ALL_CXXFLAGS) -c -o $@ $<
-# The library holds the files of a page.
+# The library holds the files of a page, and the sentences of explanations.
+$B/src/output/report/sentences.o: src/output/report/sentences.json
 $B/src/output/page/assets.o: $(wildcard src/output/page/*.html src/output/page/*.js src/output/page/three/*)
 $B/src/program/mpi/%.o: src/program/mpi/%.c | $B/.packages-build
 	@mkdir -p $(@D)

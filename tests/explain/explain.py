@@ -7,6 +7,7 @@ Counts, case, definition and class come from the printed definitions (agree/lib/
 the motion as generate/jets.py reads it, times and cells from the README. At most POINTS points a case, more with --scale.
 """
 import decimal
+import json
 import os
 import re
 import sys
@@ -66,10 +67,6 @@ def place(values):
     return text + (f" = ({decimals})" if all(exact for _, exact in near) else f", about ({decimals}),")
 
 
-def plural(count, one, many):
-    return f"{count} {one if count == 1 else many}"
-
-
 def phrase(word, k):
     """When the letter number k, which is I or O, holds."""
     if len(word) == 1:
@@ -116,8 +113,10 @@ class Point:
     def counts(self):
         i, t = int(self.fields["i"]), int(self.fields["t"])
         first, last = (int(self.word[k] == "I") for k in (0, -1))
-        return (f"  i = {plural(i, 'intersection', 'intersections')}, t = {plural(t, 'tangency', 'tangencies')}\n"
-                f"  k = (i + [P in iS^0] + [P in iS^1]) / 2 = ({i} + {first} + {last}) / 2 = {(i + first + last) // 2}:\n")
+        k = (i + first + last) // 2
+        return (f"  i = {i}: the number of intersections\n  t = {t}: the number of tangencies\n"
+                f"  k = {k}: the number of visits of P to the interior of S\n"
+                f"  k = (i + a + b) / 2 = ({i} + {first} + {last}) / 2, where a is 1 if ")
 
     def rule(self):
         """A pattern of the class's two or three lines."""
@@ -125,8 +124,8 @@ class Point:
         name = self.fields["class"].replace("_", " ") if self.fields["class"] != "boundary" else "sweep boundary"
         cited = r"\d+" if number == "ext" else number
         case = self.fields["case"]
-        where = (rf"\.\n  The definition leaves case {case} out, .*\n.*`ext`\n" if number == "ext" else rf" in case {case}\n")
-        return rf"The class\n  k .* an? {name} point.* \(Definition {cited}\){where}  pmc `{self.pmc}` by \[EI\] eq\. 7: "
+        where = (rf"\.\n  \[EI\] leaves out case {case}, .*\n  .*`ext`\.\n" if number == "ext" else rf" in case {case}\n")
+        return rf"The class\n  k .*: P is an? {name} point \(Definition {cited}\){where}  pmc `{self.pmc}` by \[EI\] eq\. 7: "
 
 
 def check_line(checks, at, text):
@@ -198,10 +197,49 @@ def check_clock(checks, graze, folder):
         checks.holds(f'"{CLOCK}' in rows or f'"{CLOCK * 3 + 1}/3' in rows or f'"{CLOCK + 1}' in rows, "JSON Lines", rows)
 
 
+def check_long_path(checks, graze, folder):
+    """The unit square in 30 pieces of one unit along x: (x, 1/2) is met at x - 1 and x. Told are the first and the last piece and those
+    of contacts, both at a time that two share."""
+    files = [os.path.join(folder, name) for name in ("square.wkt", "long.json")]
+    with open(files[0], "w", encoding="utf-8") as file:
+        file.write("POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))")
+    with open(files[1], "w", encoding="utf-8") as file:
+        json.dump({"dimension": 2, "pieces": [{"t": [str(k), str(k + 1)], "transform": {"translate": ["t", "0"]}} for k in range(30)]}, file)
+    for x, y, told in (("21/2", "1/2", (0, 9, 10, 29)), ("10", "1/2", (0, 8, 9, 10, 29)), ("21/2", "1", (0, 9, 10, 29)),
+                       ("7/2", "1/2", (0, 2, 3, 29)), ("1/2", "3", (0, 29)), ("30", "1/2", (0, 28, 29))):
+        said = run([graze, "explain", *files, x, y]).stdout
+        got = re.findall(r"^  for t from (\d+) to |^  \[(\d+) pieces? without a contact left out\]$", said, re.M)
+        want = [("0", "")]
+        for before, piece in zip(told, told[1:]):
+            want += [("", str(piece - before - 1))] * (piece > before + 1) + [(str(piece), "")]
+        checks.equal(got, want, x, y, "pieces", said)
+        checks.equal("[1 piece without" in said, ("", "1") in want, x, y, said)
+
+
+def check_one_source(checks):
+    """Sentences stand in one file: no part of them in a source of C or a script."""
+    output = os.path.join(HERE, "..", "..", "src", "output")
+    with open(os.path.join(output, "report", "sentences.json"), encoding="utf-8") as file:
+        sentences = json.load(file)
+    sources = {}
+    for folder in ("report", "page"):
+        for name in os.listdir(os.path.join(output, folder)):
+            if name.endswith((".c", ".js")):
+                with open(os.path.join(output, folder, name), encoding="utf-8") as file:
+                    sources[name] = re.sub(r'"\s*\n\s*"', "", file.read())
+    checks.holds(len(sources) > 20 and len(sentences) > 40, "sources", len(sources), len(sentences))
+    for key, sentence in sentences.items():
+        for part in re.split(r"[%#$\n]+", sentence):
+            if len(part.strip()) > 14:
+                checks.equal([name for name, text in sources.items() if part.strip() in text], [], key, part)
+
+
 def main():
     args, checks, words = options(__doc__, ONLY), Checks(), set()
     with tempfile.TemporaryDirectory() as folder:
         check_clock(checks, args.graze, folder)
+        check_long_path(checks, args.graze, folder)
+    check_one_source(checks)
     for name in casefile.names():
         if args.only not in name:
             continue

@@ -20,6 +20,18 @@ void drawn_path_to(drawn_path *p, char verb, double x, double y) {
         p->node[p->count++] = (path_node){verb, x, y};
 }
 
+void drawn_path_line(drawn_path *p, double x0, double y0, double x1, double y1) {
+    drawn_path_to(p, 'M', x0, y0);
+    drawn_path_to(p, 'L', x1, y1);
+}
+
+void drawn_path_box(drawn_path *p, double x0, double y0, double x1, double y1) {
+    drawn_path_line(p, x0, y0, x1, y0);
+    drawn_path_to(p, 'L', x1, y1);
+    drawn_path_to(p, 'L', x0, y1);
+    drawn_path_to(p, 'z', 0, 0);
+}
+
 static int append_bytes(void *to, const char *data, size_t length) {
     text *bytes = to;
     text_bytes(bytes, data, length);
@@ -59,10 +71,11 @@ void canvas_unclip(canvas *c) {
     c->kind->unclip(c);
 }
 
-void canvas_path(canvas *c, const drawn_path *p, const style *s, const char *name) {
+void canvas_path(canvas *c, drawn_path *p, const style *s, const char *name) {
     c->failed |= p->failed;
     if (p->count)
         c->kind->path(c, p, s, name);
+    drawn_path_clear(p);
 }
 
 void canvas_circle(canvas *c, double x, double y, double radius, const style *s) {

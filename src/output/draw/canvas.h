@@ -36,6 +36,9 @@ typedef struct drawn_path {
 
 void drawn_path_clear(drawn_path *p);
 void drawn_path_to(drawn_path *p, char verb, double x, double y);
+/** Add a segment, and a rectangle by two of its corners. */
+void drawn_path_line(drawn_path *p, double x0, double y0, double x1, double y1);
+void drawn_path_box(drawn_path *p, double x0, double y0, double x1, double y1);
 
 /** Where the text's anchor is: at its start, middle or end. */
 typedef enum text_anchor { ANCHOR_START, ANCHOR_MIDDLE, ANCHOR_END } text_anchor;
@@ -59,8 +62,8 @@ void canvas_end(canvas *c);
 /** Draw only inside a rectangle until canvas_unclip. */
 void canvas_clip(canvas *c, double x, double y, double width, double height);
 void canvas_unclip(canvas *c);
-/** Draw a path; even-odd. `name` is the class of the element, or NULL. */
-void canvas_path(canvas *c, const drawn_path *p, const style *s, const char *name);
+/** Draw a path, even-odd, and clear it. `name` is the class of the element, or NULL. */
+void canvas_path(canvas *c, drawn_path *p, const style *s, const char *name);
 void canvas_circle(canvas *c, double x, double y, double radius, const style *s);
 /** A line of UTF-8 on its baseline. Control characters and bytes that are no character become
  * question marks. */

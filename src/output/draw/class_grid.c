@@ -179,11 +179,7 @@ void cells_rectangle(drawn_path *out, const cells *c, const panel *p, size_t par
     double cell_x = p->width / (double)(c->count[0] * parts);
     double cell_y = p->height / (double)(c->count[1] * parts);
     double x = p->x + (double)i * cell_x, y = p->y + p->height - (double)(j + 1) * cell_y;
-    drawn_path_to(out, 'M', x, y);
-    drawn_path_to(out, 'L', x + (double)length * cell_x, y);
-    drawn_path_to(out, 'L', x + (double)length * cell_x, y + cell_y);
-    drawn_path_to(out, 'L', x, y + cell_y);
-    drawn_path_to(out, 'z', 0, 0);
+    drawn_path_box(out, x, y, x + (double)length * cell_x, y + cell_y);
 }
 
 void cells_path(drawn_path *out, const cells *c, const panel *p, tone t) {

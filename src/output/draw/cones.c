@@ -103,9 +103,7 @@ static void draw_sector(cones_maker *m, const style *s, double from, double to, 
         drawn_path_to(&p, 'z', 0, 0);
     path_arc(&p, whole ? 'M' : 'L', to, from, radius);
     drawn_path_to(&p, 'z', 0, 0);
-    m->canvas->failed |= p.failed;
     canvas_path(m->canvas, &p, s, whole ? "turn" : "sector");
-    drawn_path_clear(&p);
 }
 
 static style style_of(const ring *r) {
@@ -189,15 +187,10 @@ static void draw_legend(cones_maker *m) {
         text line;
         text_init(&line);
         put_legend_words(&line, m, &m->ring[k]);
-        drawn_path_to(&box, 'M', LEGEND_X, y - 10);
-        drawn_path_to(&box, 'L', LEGEND_X + 22, y - 10);
-        drawn_path_to(&box, 'L', LEGEND_X + 22, y + 1);
-        drawn_path_to(&box, 'L', LEGEND_X, y + 1);
-        drawn_path_to(&box, 'z', 0, 0);
+        drawn_path_box(&box, LEGEND_X, y - 10, LEGEND_X + 22, y + 1);
         canvas_path(m->canvas, &box, &s, NULL);
         canvas_text(m->canvas, LEGEND_X + 30, y, &plain, line.failed ? "" : line.data);
-        m->canvas->failed |= line.failed | box.failed;
-        drawn_path_clear(&box);
+        m->canvas->failed |= line.failed;
         text_clear(&line);
     }
     canvas_end(m->canvas);
@@ -222,13 +215,11 @@ static void draw_witness(cones_maker *m, const fmpq *point) {
     path_at(&p, 'M', angle + spread, far - head);
     path_at(&p, 'L', angle, far);
     path_at(&p, 'L', angle - spread, far - head);
-    m->canvas->failed |= p.failed;
     canvas_path(m->canvas, &p, &s, "direction");
     canvas_text(m->canvas, MIDDLE_X + (far + 22) * cos(angle),
                 MIDDLE_Y - (far + 16) * sin(angle) + 4, &letters,
                 on_ray ? "witness" : "a point that is out");
     canvas_end(m->canvas);
-    drawn_path_clear(&p);
     _fmpz_vec_clear(direction, 2);
     _fmpq_vec_clear(way, 2);
 }

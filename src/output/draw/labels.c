@@ -175,12 +175,10 @@ static void draw_leader(labels *l, canvas *c, const leader *line, double sign) {
     if (length < beside + least)
         return;
     drawn_path drawn = {NULL, 0, 0, 0};
-    drawn_path_to(&drawn, 'M', line->x + line->dx * beside / length,
-                  line->y + line->dy * beside / length);
-    drawn_path_to(&drawn, 'L', line->x + line->dx, line->y + line->dy);
-    canvas_path(c, &drawn, &thin, NULL);
+    drawn_path_line(&drawn, line->x + line->dx * beside / length,
+                    line->y + line->dy * beside / length, line->x + line->dx, line->y + line->dy);
     labels_avoid_path(l, &drawn);
-    drawn_path_clear(&drawn);
+    canvas_path(c, &drawn, &thin, NULL);
 }
 
 /* A box in one of eight directions from a pixel, its nearest point so far away along both axes. */

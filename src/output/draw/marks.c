@@ -65,7 +65,6 @@ static void put_sign(canvas *c, double x, double y, double size, graze_cell_kind
     }
     drawn_path_to(&sign, 'z', 0, 0);
     canvas_path(c, &sign, s, NULL);
-    drawn_path_clear(&sign);
 }
 
 void mark_contact(canvas *c, double x, double y, graze_kind kind, graze_cell_kind cell) {
@@ -113,13 +112,8 @@ static void put_swatch(writer *w, tone t, const char *name) {
     if (!w->canvas)
         return;
     drawn_path box = {NULL, 0, 0, 0};
-    drawn_path_to(&box, 'M', w->x, w->y - 11);
-    drawn_path_to(&box, 'L', w->x + 26, w->y - 11);
-    drawn_path_to(&box, 'L', w->x + 26, w->y + 2);
-    drawn_path_to(&box, 'L', w->x, w->y + 2);
-    drawn_path_to(&box, 'z', 0, 0);
+    drawn_path_box(&box, w->x, w->y - 11, w->x + 26, w->y + 2);
     canvas_path(w->canvas, &box, &area, NULL);
-    drawn_path_clear(&box);
 }
 
 static void put_legend_line(writer *w, const style *s, const char *text) {
@@ -127,10 +121,8 @@ static void put_legend_line(writer *w, const style *s, const char *text) {
     if (!w->canvas)
         return;
     drawn_path line = {NULL, 0, 0, 0};
-    drawn_path_to(&line, 'M', w->x, w->y - 4);
-    drawn_path_to(&line, 'L', w->x + 26, w->y - 4);
+    drawn_path_line(&line, w->x, w->y - 4, w->x + 26, w->y - 4);
     canvas_path(w->canvas, &line, s, NULL);
-    drawn_path_clear(&line);
 }
 
 static void put_contacts(writer *w, const legend *l) {

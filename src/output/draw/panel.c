@@ -135,13 +135,8 @@ void panel_frame(canvas *c, const panel *p) {
     const lettering heading = {.size = TITLE_SIZE, .bold = 1};
     const style line = {.stroke = PAINT(0x888888), .width = 1};
     drawn_path frame = {NULL, 0, 0, 0};
-    drawn_path_to(&frame, 'M', p->x - .5, p->y - .5);
-    drawn_path_to(&frame, 'L', p->x + p->width + .5, p->y - .5);
-    drawn_path_to(&frame, 'L', p->x + p->width + .5, p->y + p->height + .5);
-    drawn_path_to(&frame, 'L', p->x - .5, p->y + p->height + .5);
-    drawn_path_to(&frame, 'z', 0, 0);
+    drawn_path_box(&frame, p->x - .5, p->y - .5, p->x + p->width + .5, p->y + p->height + .5);
     canvas_path(c, &frame, &line, NULL);
-    drawn_path_clear(&frame);
     canvas_text(c, p->x, p->y - 9, &heading, p->title);
 }
 
@@ -244,10 +239,8 @@ static void draw_tick(canvas *c, const panel *p, int axis, long index, const tic
     double x, y, at = (double)index * s->size;
     tick_text(number, sizeof number, index, s);
     panel_map_plane(&x, &y, p, axis ? p->window.low[0] : at, axis ? at : p->window.low[1]);
-    drawn_path_to(&mark, 'M', x, y);
-    drawn_path_to(&mark, 'L', axis ? x - 4 : x, axis ? y : y + 4);
+    drawn_path_line(&mark, x, y, axis ? x - 4 : x, axis ? y : y + 4);
     canvas_path(c, &mark, &line, NULL);
-    drawn_path_clear(&mark);
     canvas_text(c, axis ? x - 7 : x, axis ? y + 4 : y + 16, axis ? &beside : &below, number);
 }
 
@@ -274,7 +267,6 @@ void draw_arrow_head(canvas *c, double x, double y, double dx, double dy, double
     drawn_path_to(&head, 'L', x - dx - dy * .4, y - dy + dx * .4);
     drawn_path_to(&head, 'z', 0, 0);
     canvas_path(c, &head, &solid, NULL);
-    drawn_path_clear(&head);
 }
 
 void panel_triad(canvas *c, const panel *p) {
@@ -287,10 +279,8 @@ void panel_triad(canvas *c, const panel *p) {
         if (dx * dx + dy * dy < .01)
             continue; /* the axis points at the onlooker */
         drawn_path axis = {NULL, 0, 0, 0};
-        drawn_path_to(&axis, 'M', x, y);
-        drawn_path_to(&axis, 'L', x + 20 * dx, y + 20 * dy);
+        drawn_path_line(&axis, x, y, x + 20 * dx, y + 20 * dy);
         canvas_path(c, &axis, &line, NULL);
-        drawn_path_clear(&axis);
         draw_arrow_head(c, x + 22 * dx, y + 22 * dy, dx, dy, 5);
         canvas_text(c, x + 30 * dx, y + 30 * dy + 4, &letter, names[k]);
     }
@@ -306,13 +296,9 @@ void panel_scale_bar(canvas *c, const panel *p) {
     if (!(length < p->width / 2))
         return;
     tick_text(text, sizeof text, 1, &step);
-    drawn_path_to(&bar, 'M', right - length, y);
-    drawn_path_to(&bar, 'L', right, y);
-    for (int k = 0; k < 2; k++) {
-        drawn_path_to(&bar, 'M', right - k * length, y - 4);
-        drawn_path_to(&bar, 'L', right - k * length, y + 4);
-    }
+    drawn_path_line(&bar, right - length, y, right, y);
+    for (int k = 0; k < 2; k++)
+        drawn_path_line(&bar, right - k * length, y - 4, right - k * length, y + 4);
     canvas_path(c, &bar, &line, "scale");
-    drawn_path_clear(&bar);
     canvas_text(c, right - length / 2, y - 7, &number, text);
 }

@@ -131,7 +131,6 @@ void raster_draw(canvas *c, const raster *r, const panel *p) {
             drawn_path_to(&some, 'L', p->x + runs[next].end, y);
         }
         canvas_path(c, &some, &line, NULL);
-        drawn_path_clear(&some);
     }
     free(runs);
 }

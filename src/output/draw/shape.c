@@ -79,8 +79,7 @@ static double nodes_apart(size_t count) {
     return count < DENSE ? 0 : .4;
 }
 
-/* Segments in no order, of an outline. */
-static void chain_segments(drawn_path *out, const shape *s, const panel *p) {
+void shape_rings(drawn_path *out, const shape *s, const panel *p) {
     const simplices *cut = &s->solid->cut;
     chain_segment *segments = calloc(cut->count + 1, sizeof *segments);
     out->failed |= !segments;
@@ -91,26 +90,8 @@ static void chain_segments(drawn_path *out, const shape *s, const panel *p) {
                       s->at + 3 * (size_t)cut->item[f].vertex[k]);
         }
     if (segments)
-        chain_path(out, segments, cut->count, 0);
+        chain_path(out, segments, cut->count, nodes_apart(cut->count));
     free(segments);
-}
-
-void shape_rings(drawn_path *out, const shape *s, const panel *p) {
-    const soup *input = &s->solid->input;
-    if (input->cycle_count == 0)
-        chain_segments(out, s, p);
-    double apart = nodes_apart(input->index_count);
-    for (size_t c = 0; c < input->cycle_count; c++) {
-        for (size_t k = input->cycle_start[c]; k < input->cycle_start[c + 1]; k++) {
-            double x, y;
-            panel_map(&x, &y, p, s->at + 3 * (size_t)input->index[k]);
-            if (k == input->cycle_start[c])
-                drawn_path_to(out, 'M', x, y);
-            else
-                chain_to(out, x, y, apart);
-        }
-        drawn_path_to(out, 'z', 0, 0);
-    }
 }
 
 static double height_over(const double normal[3], const double *a) {

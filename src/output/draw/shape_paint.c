@@ -81,14 +81,10 @@ static void paint_path(const brush *b, const style *plain, const style *line, co
         drawn_path_to(&area, k ? 'L' : 'M', x[k], y[k]);
     drawn_path_to(&area, 'z', 0, 0);
     for (int k = 0; k < 3; k++)
-        if (sides >> k & 1) {
-            drawn_path_to(&edges, 'M', x[k], y[k]);
-            drawn_path_to(&edges, 'L', x[(k + 1) % 3], y[(k + 1) % 3]);
-        }
+        if (sides >> k & 1)
+            drawn_path_line(&edges, x[k], y[k], x[(k + 1) % 3], y[(k + 1) % 3]);
     canvas_path(b->canvas, &area, plain, NULL);
     canvas_path(b->canvas, &edges, line, NULL);
-    drawn_path_clear(&area);
-    drawn_path_clear(&edges);
 }
 
 static void paint_pixels(brush *b, const style *plain, const style *line, double x[3], double y[3],

@@ -57,15 +57,15 @@ static void draw_trail(canvas *c, const panel *at, const trail *from, labels *na
         for (size_t k = 0; k < from->span_count; k++) {
             const trail_span *span = &from->span[k];
             drawn_path line = {NULL, 0, 0, 0};
-            span_path(&line, at, from, span);
-            if (!lines && span->state == GRAZE_STATE_B)
-                canvas_path(c, &line, &trail_sliding, NULL);
-            if (lines)
-                canvas_path(c, &line, span->state == GRAZE_STATE_I ? &trail_inside : &trail_outside,
-                            NULL);
+            if (lines || span->state == GRAZE_STATE_B)
+                span_path(&line, at, from, span);
             if (lines)
                 labels_avoid_path(names, &line);
-            drawn_path_clear(&line);
+            canvas_path(c, &line,
+                        !lines                         ? &trail_sliding
+                        : span->state == GRAZE_STATE_I ? &trail_inside
+                                                       : &trail_outside,
+                        NULL);
         }
 }
 
@@ -188,7 +188,6 @@ static graze_status draw_standing(canvas *c, graze_context *context, const pictu
     drawn_path rings = {NULL, 0, 0, 0};
     shape_rings(&rings, &p->standing, &p->trajectories);
     canvas_path(c, &rings, &body, NULL);
-    drawn_path_clear(&rings);
     return GRAZE_OK;
 }
 

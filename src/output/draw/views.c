@@ -140,7 +140,6 @@ static void draw_cells(canvas *c, const picture *p) {
         if (t != TONE_EXTERIOR && t != TONE_OUT)
             cells_path(&runs, &p->cells, &p->classes, (tone)t);
         canvas_path(c, &runs, &area, tone_name((tone)t));
-        drawn_path_clear(&runs);
     }
     canvas_end(c);
     canvas_begin(c, "parts", NULL);
@@ -149,7 +148,6 @@ static void draw_cells(canvas *c, const picture *p) {
         drawn_path runs = {NULL, 0, 0, 0};
         parts_path(&runs, &p->cells, &p->classes, (tone)t);
         canvas_path(c, &runs, &area, tone_name((tone)t));
-        drawn_path_clear(&runs);
     }
     canvas_end(c);
 }
@@ -162,12 +160,10 @@ static void draw_levels(canvas *c, const picture *p) {
         if (k)
             level_path(&line, &p->cells, &p->classes, k);
         canvas_path(c, &line, &line_level, "level");
-        drawn_path_clear(&line);
     }
     drawn_path border = {NULL, 0, 0, 0};
     border_path(&border, &p->cells, &p->classes);
     canvas_path(c, &border, &line_border, "border");
-    drawn_path_clear(&border);
     canvas_end(c);
 }
 
@@ -190,7 +186,6 @@ static drawn_path outline_path(const picture *p, size_t k) {
 static void draw_outline(canvas *c, const picture *p, size_t k, const style *s) {
     drawn_path line = outline_path(p, k);
     canvas_path(c, &line, s, NULL);
-    drawn_path_clear(&line);
 }
 
 static int is_in_plane(const picture *p, size_t point) {
@@ -267,7 +262,6 @@ static drawn_path plane_path(const picture *p) {
 static void draw_plane(canvas *c, const picture *p) {
     drawn_path frame = plane_path(p);
     canvas_path(c, &frame, &outline_plane, NULL);
-    drawn_path_clear(&frame);
 }
 
 /* 1 if a line is to be seen in a panel; clears it. */

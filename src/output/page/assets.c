@@ -4,16 +4,9 @@
 #include "output/page/assets.h"
 
 #include <stddef.h>
+#include "output/report/sentences.h"
 
-#define FILE_AS(name, path)                                                                        \
-    __asm__(".section .rodata\n"                                                                   \
-            ".globl " #name "\n"                                                                   \
-            ".hidden " #name "\n"                                                                  \
-            ".type " #name ", %object\n" #name ":\n"                                               \
-            ".incbin \"src/output/page/" path "\"\n"                                               \
-            ".byte 0\n"                                                                            \
-            ".size " #name ", . - " #name "\n"                                                     \
-            ".previous\n")
+#define FILE_AS(name, path) ASSET_FILE(name, "src/output/page/" path)
 
 FILE_AS(asset_template, "page.html");
 FILE_AS(asset_three, "three/three.min.js");
@@ -33,6 +26,7 @@ extern const char asset_numbers[] ASSET, asset_motion[] ASSET, asset_points[] AS
 extern const char asset_sentences[] ASSET, asset_paper[] ASSET, asset_axes[] ASSET;
 extern const char asset_view[] ASSET, asset_world[] ASSET, asset_panel[] ASSET, asset_main[] ASSET;
 
-const char *const asset_program[] = {asset_numbers, asset_motion, asset_points, asset_sentences,
-                                     asset_paper,   asset_axes,   asset_view,   asset_world,
-                                     asset_panel,   asset_main,   NULL};
+const char *const asset_program[] = {"const SAYS = ", sentences,    ";\n",           asset_numbers,
+                                     asset_motion,    asset_points, asset_sentences, asset_paper,
+                                     asset_axes,      asset_view,   asset_world,     asset_panel,
+                                     asset_main,      NULL};

@@ -4,8 +4,9 @@
 #ifndef GRAZE_PAGE_ASSETS_H
 #define GRAZE_PAGE_ASSETS_H
 
+#include "output/report/asset.h"
+
 /** Texts, each ended by a NUL: page.html, three.js, and its licence. */
-#define ASSET __attribute__((visibility("hidden")))
 extern const char asset_template[] ASSET, asset_three[] ASSET, asset_licence[] ASSET;
 /** The page's own scripts in their order, ended by NULL. */
 extern const char *const asset_program[];

@@ -36,15 +36,13 @@ function putSection([heading, ...rest]) {
   for (const line of rest) putLine($("says"), line);
 }
 
-const LETTERS = {I: "inside S", B: "on the boundary of S", O: "outside S", "?": "not decided"};
-
 /** The word as letters; those of contacts lead to their times. */
 function putWord(p, go) {
   const row = put($("says"), "div", "word");
   row.title = "the word: what the trajectory meets, in order of time";
   for (const {letter, time} of timeLines(p).slice(0, 200)) {
     const out = put(row, time === undefined ? "span" : "button", "letter " + letter, letter);
-    out.title = LETTERS[letter] + (time === undefined ? "" : ", go there");
+    out.title = (letter === "?" ? "not decided" : SAYS[letter] + " S") + (time === undefined ? "" : ", go there");
     if (time !== undefined) out.addEventListener("click", () => go(time));
   }
 }
@@ -58,7 +56,7 @@ function say(p, go) {
   putWord(p, go);
   putLine($("says"), answerLine(p));
   if (p.answer) putLine($("says"), `The candidate says ${p.answer}.`, "wrong");
-  put($("says"), "h4", "line", "The time line: I inside S, B on its boundary, O outside");
+  put($("says"), "h4", "line", sentenceLines("line")[0]);
   for (const {letter, lines, time} of timeLines(p)) {
     const first = putLine($("says"), lines[0], "time " + letter);
     if (time !== undefined) {

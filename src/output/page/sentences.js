@@ -1,4 +1,4 @@
-// What `graze explain` says of a point: lines of texts and of values, which show a decimal until they are opened.
+// The sentences of `graze explain`, from SAYS (report/sentences.json): lines of texts and of values, which show a decimal until they are opened.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /** A number with its middle digits left out where it is long. */
@@ -52,21 +52,26 @@ function cellText(cell) {
 
 function cellsText(cells) {
   const shown = cells.length <= 24 ? cells.length : 20;
-  const rest = cells.length > shown ? ` [and ${cells.length - shown} more cells]` : "";
-  return "it meets " + cells.slice(0, shown).map(cellText).join(", ") + rest;
+  return sentence("meets") + cells.slice(0, shown).map(cellText).join(", ") + (cells.length > shown ? sentence("meets-more", cells.length - shown) : "");
 }
+
+/** A sentence of SAYS: % and # are filled by texts and numbers, $ by the sentence of a key. */
+function sentence(key, ...fillings) {
+  return SAYS[key].replace(/[%#$]/g, (kind) => {
+    if (kind !== "$") return fillings.shift();
+    const inner = fillings.shift(), used = (SAYS[inner].match(/[%#]/g) || []).length;
+    return sentence(inner, ...fillings.splice(0, used));
+  });
+}
+
+/** Its lines, without their blanks before. */
+const sentenceLines = (...of) => sentence(...of).split("\n").map((line) => line.trim()).filter(Boolean);
 
 function reason(c) {
   if (c.left === "?" || c.right === "?") return "a state beside it is not decided";
-  let out = `${c.crossing ? "intersection" : "tangency"}: `;
-  if (!c.left && !c.right) out += "the trajectory never leaves the boundary";
-  else if (!c.left) out += `the motion begins here, and ${c.right} follows`;
-  else if (!c.right) out += `the motion ends here, and ${c.left} came before`;
-  else if (c.crossing) out += `${c.left} before and ${c.right} after, so the trajectory passes through the boundary`;
-  else out += `${c.left} before and after, so the trajectory touches the boundary from ${c.left === "I" ? "inside" : "outside"}`;
-  if (!unsweep && !(c.left && c.right))
-    out += ` ([EI] ${c.left ? "Definition 3" : c.right ? "Definition 4" : "Definitions 3 and 4"})`;
-  return out;
+  const at = c.left ? (c.right ? "" : "ends") : c.right ? "begins" : "always";
+  return sentence("reason", c.crossing ? "intersection" : "tangency",
+    "reason-" + (at || (c.crossing ? "through" : c.left === "I" ? "inside" : "outside")), c.left || c.right, c.right) + (at && !unsweep ? sentence("by-" + at) : "");
 }
 
 /** The stays and contacts in order of time: {letter, lines}, of a contact with its {time}. */
@@ -78,54 +83,31 @@ function timeLines(p) {
       const when = c.instant ? [["B  at t = ", timeText(c.from)]] : [["B  from t = ", timeText(c.from)], ["to t = ", timeText(c.to)]];
       return {letter, lines: [...when, cellsText(c.cells), reason(c)], time: timeValue(c.from)};
     }
-    const last = k + 1 === p.word.length;
-    const when = last && k === 0 ? "all the time" : last ? "until the end" : k === 0 ? "from the start" : "between";
-    return {letter, lines: [`${letter}  ${when}`]};
+    const first = k === 0, last = k + 1 === p.word.length;
+    return {letter, lines: sentenceLines("letter", letter, "line-" + (last ? (first ? "all" : "last") : first ? "first" : "between"))};
   });
 }
 
 /** Where the rules end, of a point of a curved solid that is undecided. */
-const openLines = (p) => ["The state is not decided", ["at t = ", timeText(p.open.from)],
-  ...(p.open.cells.length ? [cellsText(p.open.cells)] : []), p.open.why];
+const openLines = (p) => [...sentenceLines("open"), ["at t = ", timeText(p.open.from)],
+  ...(p.open.cells.length ? [cellsText(p.open.cells)] : []), p.open.why, ...(p.pmc === "undecided" ? [] : sentenceLines("open-pmc", p.pmc))];
 
 function countLines(p) {
-  const plural = (name, n, one, many) => `${name} = ${n} ${n === 1 ? one : many}`;
   const first = p.word[0] === "I" ? 1 : 0, last = p.word[p.word.length - 1] === "I" ? 1 : 0;
-  return ["The counts",
-    plural("i", p.i, "intersection", "intersections") + ", " + plural("t", p.t, "tangency", "tangencies"),
-    `k = (i + [P in iS^0] + [P in iS^1]) / 2 = (${p.i} + ${first} + ${last}) / 2 = ${(p.i + first + last) / 2}:`,
-    "so often the solid's interior comes to P and goes, touching in between not counted"];
-}
-
-function rule(p) {
-  const combined = scene.folds === "combined";
-  return {regular: "k = 1 and t = 0 make a regular point (Definition 5)",
-    fold: combined ? "k >= 2 makes a fold point, whatever t is (Definition 10)" : "k >= 2 and t = 0 make a fold point (Definition 6)",
-    fold_boundary: combined ? "k = 1 and t >= 1 make a fold boundary point (Definition 11)"
-      : "k >= 1 and t >= 1 make a fold boundary point (Definition 7)",
-    boundary: "k = 0 and t >= 1 make a sweep boundary point (Definition 8)",
-    exterior: "k = 0 and t = 0 make an exterior point (Definition 9)"}[p.class];
+  return sentenceLines("counts", p.i, p.t, (p.i + first + last) / 2, p.i, first, last);
 }
 
 function ruleLines(p) {
-  if (unsweep)
-    return ["The rule of the unsweep ([IS] eqs 12, 13, 35)", `pmc \`${p.pmc}\`: ` +
-      {in: "the word is I: the trajectory stays in the interior of S", out: "the word holds an O: the trajectory leaves S",
-        on: "the word holds no O but a B: the trajectory stays in S and reaches its boundary"}[p.pmc]];
-  const out = ["The class", rule(p) + (p.definition ? ` in case ${p.case}` : ".")];
-  if (!p.definition)
-    out.push(`The definition leaves case ${p.case} out, since it needs S^0 and S^1 to meet; the same rule is`,
-      "extended to it and cited as `ext`");
-  out.push(`pmc \`${p.pmc}\` by [EI] eq. 7: ` + {in: "P is in the interior of S^t for some t",
-    on: "P is on the boundary of S^t for some t, but in the interior of none", out: "no S^t reaches P"}[p.pmc]);
-  return out;
+  if (unsweep) return sentenceLines("unsweep", p.pmc, "unsweep-" + p.pmc);
+  const other = scene.folds === "combined" && p.class.startsWith("fold") ? "-combined" : "";
+  return sentenceLines("class", p.class + other, p.definition ? "class-case" : "class-ext", p.case, p.pmc, "pmc-" + p.pmc);
 }
 
 /** The first line: the point and its answer. */
 function answerLine(p) {
-  const what = unsweep ? `is \`${p.pmc}\` for the unsweep` : `is \`${p.pmc}\` for the sweep, class \`${p.class}\``;
-  const exact = `(${p.at.map(shortened).join(", ")})`, decimals = near(p.at);
-  return ["P = ", decimals ? closed(decimals.brief, exact + decimals.full) : exact, ` ${what}. Its word is ${p.word}.`];
+  const exact = `(${p.at.map(shortened).join(", ")})`, decimals = near(p.at), at = decimals ? closed(decimals.brief, exact + decimals.full) : exact;
+  const [before, after] = sentence(unsweep ? "answer-unsweep" : "answer-sweep", "\n", p.pmc, ...(unsweep ? [] : [p.class]), p.word).split("\n");
+  return [before, at, after];
 }
 
 /** Coordinates as decimals, where the ratios have more than 12 digits. */
@@ -136,22 +118,11 @@ function near(at) {
 }
 
 function endLines(p) {
-  const phrase = {I: "in the interior of", B: "on the boundary of", O: "outside"};
-  const out = ["At the two ends of the motion"];
+  const out = sentenceLines("ends");
   [[start, p.word[0], 0], [end, p.word[p.word.length - 1], 1]].forEach(([t, state, k]) => {
     const at = carry(mapAt("trace", t), p.place).slice(0, d).map((x) => Number(x.toPrecision(9)));
-    const then = unsweep ? "" : `, so P is ${phrase[state]} S^${k}`;
-    out.push(`${unsweep ? "x" : "c"}(t${k}), near (${at.join(", ")}), is ${phrase[state]} S${then}`);
+    out.push(...sentenceLines(unsweep ? "end-unsweep" : "end-sweep", `${unsweep ? "x" : "c"}(t${k}) ≈ (${at.join(", ")})`, state, state, k));
   });
-  if (!unsweep) out.push(`This is case ${p.case} of Table 1 in [EI].`, ...meetLines());
+  if (!unsweep) out.push(...sentenceLines("case", p.case, scene.meet === null ? "meet-open" : scene.meet ? "meet-yes" : "meet-no"));
   return out;
-}
-
-/** What the places of S at the two ends have to do with [EI]. */
-function meetLines() {
-  if (scene.meet === null)
-    return ["Whether S at the start (S^0) and S at the end (S^1) have points in common is not decided.", "The answer is no less certain."];
-  return scene.meet ? ["S at the start (S^0) and S at the end (S^1) have points in common. The answer is no less certain:",
-    "[EI] speaks of motions without such points, and Graze cites `ext` where it goes beyond them."]
-    : ["S at the start (S^0) and S at the end (S^1) have no point in common, as [EI] assumes."];
 }

@@ -7,6 +7,7 @@
 #include "output/report/closings.h"
 
 #include <flint/fmpz_vec.h>
+#include "output/report/sentences.h"
 #include "output/report/time_text.h"
 #include "questions/topo/cover.h"
 #include "questions/topo/directions.h"
@@ -65,14 +66,6 @@ void closings_place(text *t, const graze_scene *scene, const germ *g) {
     fmpq_clear(time);
 }
 
-void closings_vector(text *t, const fmpz *v, int dimension) {
-    for (int k = 0; k < dimension; k++) {
-        text_put(t, k ? ", " : "(");
-        text_integer(t, v + k);
-    }
-    text_put(t, ")");
-}
-
 /* Does one germ alone cover a direction? */
 static graze_status covers(int *out, const closings_maker *m, germ *g, const fmpz *direction) {
     germ_list alone = {.count = 1, .capacity = 1, .item = g, .bounded = 1};
@@ -104,9 +97,9 @@ static graze_status put_in_plane(const closings_maker *m, germ *g) {
     graze_status status = sectors_find(&found, m->context, &asked);
     for (size_t k = 0; k < found.count && !status; k++) {
         text_put(m->t, k ? ", and from " : "counter-clockwise from ");
-        closings_vector(m->t, found.ray + 4 * k, 2);
+        sentence_vector(m->t, found.ray + 4 * k, 2);
         text_put(m->t, " to ");
-        closings_vector(m->t, found.ray + 4 * k + 2, 2);
+        sentence_vector(m->t, found.ray + 4 * k + 2, 2);
     }
     text_put(m->t, found.all ? "all directions" : found.count ? "" : "no sector");
     sectors_clear(&found);
@@ -165,20 +158,10 @@ static graze_status put_hint(const closings_maker *m, const fmpq *point) {
     fmpq near[3] = {{0, 1}, {0, 1}, {0, 1}};
     const char *beyond = of_unsweep(m->scene) ? "in" : "out";
     graze_status status = hint_find(&found, near, &places, m->context, m->scene, point, m->topo);
-    if (!status && !found)
-        text_format(m->t,
-                    "Probing about P found no point that is %s. That is a hint, no verdict.\n",
-                    beyond);
     if (!status && found)
-        text_format(m->t, "The nearest point found that is %s is (", beyond);
-    for (int k = 0; k < 3 && !status && found; k++) {
-        text_put(m->t, k ? ", " : "");
-        text_rational(m->t, near + k);
-    }
-    if (!status && found)
-        text_format(m->t,
-                    "), about 2^-%lu times\nthe solid's width away. That is a hint, no verdict.\n",
-                    places);
+        sentence_put(m->t, "hint-found", beyond, near, 3, places);
+    else if (!status)
+        sentence_put(m->t, "hint-none", beyond);
     for (int k = 0; k < 3; k++)
         fmpq_clear(near + k);
     return status;

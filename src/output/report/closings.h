@@ -12,9 +12,6 @@
 /** Append a linear form of a direction, such as `dx + -2 dy`. */
 void closings_form(text *t, const fmpz *normal, int dimension);
 
-/** Append integers as a vector, `(1, -2)`. */
-void closings_vector(text *t, const fmpz *v, int dimension);
-
 /** Append the time of a contact, and the cell in which it is. */
 void closings_place(text *t, const graze_scene *scene, const germ *g);
 

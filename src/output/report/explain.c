@@ -10,19 +10,15 @@
 #include "output/report/explain.h"
 
 #include <flint/fmpq_vec.h>
+#include <stdio.h>
 #include "base/number/decimal.h"
 #include "decide/verdict/verdict.h"
 #include "output/report/enclosure.h"
 #include "output/report/formula.h"
+#include "output/report/sentences.h"
 #include "output/report/time_text.h"
 
 enum { DECIMAL_DIGITS = 12 };
-
-static const char *state_phrase(graze_state state) {
-    return state == GRAZE_STATE_I   ? "in the interior of"
-           : state == GRAZE_STATE_B ? "on the boundary of"
-                                    : "outside";
-}
 
 /* A ratio of more than 12 digits. */
 static int is_long(const fmpq_t value) {
@@ -66,12 +62,14 @@ static void put_answer(text *out, const graze_scene *scene, const fmpq *point,
                        const graze_trace *trace) {
     const graze_verdict *v = &trace->verdict;
     int unsweep = scene->options.operation == GRAZE_UNSWEEP;
-    text_put(out, "P = ");
-    put_point(out, point, scene->motion->dimension);
-    text_format(out, " is `%s` for the %s", graze_pmc_name(v->pmc), unsweep ? "unsweep" : "sweep");
-    if (!unsweep)
-        text_format(out, ", class `%s`", graze_class_name(v->class_));
-    text_format(out, ". Its word is %s.", trace->word);
+    text at;
+    text_init(&at);
+    put_point(&at, point, scene->motion->dimension);
+    const char *place = at.failed ? "" : at.data, *pmc = graze_pmc_name(v->pmc);
+    sentence_put(out, unsweep ? "answer-unsweep" : "answer-sweep", place, pmc,
+                 unsweep ? trace->word : graze_class_name(v->class_), trace->word);
+    out->failed |= at.failed;
+    text_clear(&at);
     tell_time_origin(out, scene->motion);
     text_put(out, "\n");
 }
@@ -101,7 +99,7 @@ static void put_end(text *out, const graze_scene *scene, const fmpq *point,
     const graze_motion *motion = scene->motion;
     const motion_piece *piece = motion->piece + (last ? motion->piece_count - 1 : 0);
     int unsweep = scene->options.operation == GRAZE_UNSWEEP;
-    graze_state state = last ? trace->last : trace->first;
+    const char state[] = {(char)(last ? trace->last : trace->first), 0};
     text_format(out, "  t%d = ", last);
     if (last)
         tell_rational_time(out, motion, piece->hi);
@@ -109,62 +107,77 @@ static void put_end(text *out, const graze_scene *scene, const fmpq *point,
         formula_rational(out, piece->lo);
     text_format(out, "  %s(t%d) = ", unsweep ? "x" : "c", last);
     put_end_point(out, scene, point, piece, (ulong)last);
-    text_format(out, " is %s S", state_phrase(state));
-    if (!unsweep)
-        text_format(out, ", so P is %s S^%d", state_phrase(state), last);
-    text_put(out, "\n");
+    sentence_put(out, unsweep ? "end-unsweep" : "end-sweep", "", state, state, (ulong)last);
 }
 
 static void put_ends(text *out, const graze_scene *scene, const fmpq *point,
                      const graze_trace *trace) {
-    text_put(out, "\nAt the two ends of the motion\n");
+    sentence_put(out, "ends");
     put_end(out, scene, point, trace, 0);
     put_end(out, scene, point, trace, 1);
-    if (scene->options.operation == GRAZE_UNSWEEP)
-        return;
-    text_format(out, "  This is case %d of Table 1 in [EI].\n", trace->verdict.case_);
-    text_put(
-        out,
-        scene->ends == GRAZE_ENDS_MEET
-            ? "  S at the start (S^0) and S at the end (S^1) have points in common. The answer is "
-              "no less certain:\n  [EI] speaks of motions without such points, and Graze cites "
-              "`ext` where it goes beyond them.\n"
-        : scene->ends == GRAZE_ENDS_APART
-            ? "  S at the start (S^0) and S at the end (S^1) have no point in common, as [EI] "
-              "assumes.\n"
-            : "  Whether S at the start (S^0) and S at the end (S^1) have points in common is not "
-              "decided.\n  The answer is no less certain.\n");
+    if (scene->options.operation == GRAZE_SWEEP)
+        sentence_put(out, "case", (ulong)trace->verdict.case_,
+                     scene->ends == GRAZE_ENDS_MEET    ? "meet-yes"
+                     : scene->ends == GRAZE_ENDS_APART ? "meet-no"
+                                                       : "meet-open");
 }
 
-static void put_trajectory(text *out, const graze_scene *scene, const fmpq *point) {
-    const graze_motion *motion = scene->motion;
+static int is_in_piece(const graze_time *time, size_t piece) {
+    return time->piece == piece || (time->piece + 1 == piece && time_is_piece_end(time));
+}
+
+/* 1 for a piece in which a contact begins or ends. Contacts before `first` end before the piece. */
+static int has_contact(const graze_trace *trace, size_t *first, size_t piece) {
+    const contact *c = trace->contact;
+    while (*first < trace->contact_count && c[*first].to->piece + 1 < piece)
+        ++*first;
+    for (size_t k = *first; k < trace->contact_count && c[k].from->piece <= piece; k++)
+        if (is_in_piece(c[k].from, piece) || is_in_piece(c[k].to, piece))
+            return 1;
+    return trace->undecided && is_in_piece(trace->undecided->where.from, piece);
+}
+
+static void put_piece(text *out, const graze_scene *scene, const motion_piece *piece,
+                      const fmpq *point) {
+    text_put(out, "  for t from ");
+    tell_rational_time(out, scene->motion, piece->lo);
+    text_put(out, " to ");
+    tell_rational_time(out, scene->motion, piece->hi);
+    text_put(out, "\n");
+    for (int k = 0; k < scene->motion->dimension; k++) {
+        text_format(out, "    %c = ", "xyz"[k]);
+        formula_coordinate(out, piece, motion_tracing(piece, scene->options.operation), k, point);
+        text_put(out, "\n");
+    }
+}
+
+/* Of many pieces those with contacts, the first and the last. */
+static void put_trajectory(text *out, const graze_scene *scene, const fmpq *point,
+                           const graze_trace *trace) {
+    enum { ALL = 12 };
+    size_t count = scene->motion->piece_count, first = 0, left = 0;
     int unsweep = scene->options.operation == GRAZE_UNSWEEP;
     text_put(out, unsweep ? "\nThe trajectory x(t) = M(t) P, seen against the standing solid "
                             "([IS] eq. 13)\n"
                           : "\nThe inverted trajectory c(t) = M(t)^-1 P; P is in S^t where c(t) is "
                             "in S ([EI] eqs 4-6)\n");
-    size_t shown = motion->piece_count <= 12 ? motion->piece_count : 8;
-    for (size_t p = 0; p < shown; p++) {
-        const motion_piece *piece = &motion->piece[p];
-        text_put(out, "  for t from ");
-        tell_rational_time(out, motion, piece->lo);
-        text_put(out, " to ");
-        tell_rational_time(out, motion, piece->hi);
-        text_put(out, "\n");
-        for (int k = 0; k < motion->dimension; k++) {
-            text_format(out, "    %c = ", "xyz"[k]);
-            formula_coordinate(out, piece, motion_tracing(piece, scene->options.operation), k,
-                               point);
-            text_put(out, "\n");
-        }
+    for (size_t p = 0; p < count; p++) {
+        int told = count <= ALL || p == 0 || p + 1 == count || has_contact(trace, &first, p);
+        if (told && left)
+            text_format(out,
+                        left == 1 ? "  [%zu piece without a contact left out]\n"
+                                  : "  [%zu pieces without a contact left out]\n",
+                        left);
+        if (told)
+            put_piece(out, scene, &scene->motion->piece[p], point);
+        left = told ? 0 : left + 1;
     }
-    if (shown < motion->piece_count)
-        text_format(out, "  [%zu more pieces left out]\n", motion->piece_count - shown);
 }
 
 static void put_cells(text *out, const graze_scene *scene, const contact *c) {
     size_t shown = c->cell_count <= 24 ? c->cell_count : 20;
-    text_put(out, "       it meets ");
+    text_put(out, "       ");
+    sentence_put(out, "meets");
     for (size_t k = 0; k < shown; k++) {
         const graze_cell *cell = &c->cell[k];
         text_put(out, k ? ", " : "");
@@ -176,43 +189,36 @@ static void put_cells(text *out, const graze_scene *scene, const contact *c) {
             text_format(out, "%s %zu", cell->kind == GRAZE_CELL_FACE ? "face" : "vertex", cell->a);
     }
     if (shown < c->cell_count)
-        text_format(out, " [and %zu more cells]", c->cell_count - shown);
+        sentence_put(out, "meets-more", c->cell_count - shown);
     text_put(out, "\n");
 }
 
 /* The reason for the kind of a contact: the states beside it, and at an end of the motion the
  * Definition that needs only one. */
 static void put_reason(text *out, const graze_scene *scene, const contact *c) {
+    static const char *const reasons[] = {"reason-always",  "reason-begins", "reason-ends",
+                                          "reason-through", "reason-inside", "reason-outside"};
+    static const char *const rules[] = {"by-always", "by-begins", "by-ends"};
     int crossing = verdict_kind(c->left, c->right) == GRAZE_INTERSECTION;
-    int unsweep = scene->options.operation == GRAZE_UNSWEEP;
-    text_format(out, "       %s: ", crossing ? "intersection" : "tangency");
-    if (!c->left && !c->right) {
-        text_put(out, "the trajectory never leaves the boundary");
-    } else if (!c->left) {
-        text_format(out, "the motion begins here, and %c follows", c->right);
-    } else if (!c->right) {
-        text_format(out, "the motion ends here, and %c came before", c->left);
-    } else if (crossing) {
-        text_format(out, "%c before and %c after, so the trajectory passes through the boundary",
-                    c->left, c->right);
-    } else {
-        text_format(out, "%c before and after, so the trajectory touches the boundary from %s",
-                    c->left, c->left == GRAZE_STATE_I ? "inside" : "outside");
-    }
-    if (!unsweep && !(c->left && c->right))
-        text_format(out, " ([EI] %s)",
-                    c->left    ? "Definition 3"
-                    : c->right ? "Definition 4"
-                               : "Definitions 3 and 4");
+    const char left[] = {(char)c->left, 0}, right[] = {(char)c->right, 0};
+    int end = 2 * (c->left != 0) + (c->right != 0), from_inside = c->left == GRAZE_STATE_I;
+    text_put(out, "       ");
+    sentence_put(out, "reason", crossing ? "intersection" : "tangency",
+                 reasons[end < 3 || crossing ? end
+                         : from_inside       ? 4
+                                             : 5],
+                 c->left ? left : right, right);
+    if (end < 3 && scene->options.operation == GRAZE_SWEEP)
+        sentence_put(out, rules[end]);
     text_put(out, "\n");
 }
 
 static void put_contact(text *out, const graze_scene *scene, const contact *c) {
     if (c->from == c->to) {
-        text_put(out, "  B  at t = ");
+        text_put(out, "B  at t = ");
         tell_time(out, c->from);
     } else {
-        text_put(out, "  B  from t = ");
+        text_put(out, "B  from t = ");
         tell_time(out, c->from);
         text_put(out, "\n     to t = ");
         tell_time(out, c->to);
@@ -223,102 +229,62 @@ static void put_contact(text *out, const graze_scene *scene, const contact *c) {
 }
 
 static void put_time_line(text *out, const graze_scene *scene, const graze_trace *trace) {
-    text_put(out, "\nThe time line: I inside S, B on its boundary, O outside\n");
+    sentence_put(out, "line");
     size_t next = 0;
     for (const char *letter = trace->word; *letter; letter++) {
+        const char state[] = {*letter, 0};
+        int first = letter == trace->word, last = !letter[1];
+        text_put(out, "  ");
         if (*letter == 'B' && next < trace->contact_count)
             put_contact(out, scene, &trace->contact[next++]);
         else
-            text_format(out, "  %c  %s\n", *letter,
-                        !letter[1] && letter == trace->word ? "all the time"
-                        : !letter[1]                        ? "until the end"
-                        : letter == trace->word             ? "from the start"
-                                                            : "between");
+            sentence_put(out, "letter", state,
+                         last ? (first ? "line-all" : "line-last")
+                              : (first ? "line-first" : "line-between"));
     }
 }
 
-static void put_plural(text *out, const char *name, unsigned long count, const char *one,
-                       const char *many) {
-    text_format(out, "%s = %lu %s", name, count, count == 1 ? one : many);
-}
-
-static unsigned long visits(const graze_trace *trace) {
-    unsigned long twice = trace->verdict.i;
-    twice += (trace->first == GRAZE_STATE_I) + (trace->last == GRAZE_STATE_I);
-    return twice / 2;
-}
-
-static void explain_counts(text *out, const graze_trace *trace) {
+static void put_counts(text *out, const graze_trace *trace) {
     const graze_verdict *v = &trace->verdict;
-    text_put(out, "\nThe counts\n  ");
-    put_plural(out, "i", v->i, "intersection", "intersections");
-    text_put(out, ", ");
-    put_plural(out, "t", v->t, "tangency", "tangencies");
-    text_format(out,
-                "\n  k = (i + [P in iS^0] + [P in iS^1]) / 2 = (%lu + %d + %d) / 2 = %lu:\n"
-                "  so often the solid's interior comes to P and goes, touching in between not "
-                "counted\n",
-                v->i, trace->first == GRAZE_STATE_I, trace->last == GRAZE_STATE_I, visits(trace));
+    ulong first = trace->first == GRAZE_STATE_I, last = trace->last == GRAZE_STATE_I;
+    sentence_put(out, "counts", v->i, v->t, (v->i + first + last) / 2, v->i, first, last);
 }
 
-static const char *class_rule(const graze_verdict *v, graze_folds folds) {
-    int combined = folds == GRAZE_FOLDS_COMBINED;
-    switch (v->class_) {
-    case GRAZE_REGULAR:
-        return "k = 1 and t = 0 make a regular point (Definition 5)";
-    case GRAZE_FOLD:
-        return combined ? "k >= 2 makes a fold point, whatever t is (Definition 10)"
-                        : "k >= 2 and t = 0 make a fold point (Definition 6)";
-    case GRAZE_FOLD_BOUNDARY:
-        return combined ? "k = 1 and t >= 1 make a fold boundary point (Definition 11)"
-                        : "k >= 1 and t >= 1 make a fold boundary point (Definition 7)";
-    case GRAZE_BOUNDARY:
-        return "k = 0 and t >= 1 make a sweep boundary point (Definition 8)";
-    default:
-        return "k = 0 and t = 0 make an exterior point (Definition 9)";
-    }
+/* The sentences of an answer: `begin` and its name. */
+static const char *pmc_key(char key[24], const char *begin, graze_pmc pmc) {
+    snprintf(key, 24, "%s-%s", begin, graze_pmc_name(pmc));
+    return key;
 }
 
 static void put_sweep_rule(text *out, const graze_scene *scene, const graze_trace *trace) {
     const graze_verdict *v = &trace->verdict;
-    text_format(out, "\nThe class\n  %s", class_rule(v, scene->options.folds));
-    if (v->definition)
-        text_format(out, " in case %d\n", v->case_);
-    else
-        text_format(out,
-                    ".\n  The definition leaves case %d out, since it needs S^0 and S^1 to meet; "
-                    "the same rule is\n  extended to it and cited as `ext`\n",
-                    v->case_);
-    text_format(out, "  pmc `%s` by [EI] eq. 7: %s\n", graze_pmc_name(v->pmc),
-                v->pmc == GRAZE_IN ? "P is in the interior of S^t for some t"
-                : v->pmc == GRAZE_ON
-                    ? "P is on the boundary of S^t for some t, but in the interior "
-                      "of none"
-                    : "no S^t reaches P");
+    int combined = scene->options.folds == GRAZE_FOLDS_COMBINED;
+    char key[24];
+    sentence_put(out, "class",
+                 combined && v->class_ == GRAZE_FOLD            ? "fold-combined"
+                 : combined && v->class_ == GRAZE_FOLD_BOUNDARY ? "fold_boundary-combined"
+                                                                : graze_class_name(v->class_),
+                 v->definition ? "class-case" : "class-ext", (ulong)v->case_,
+                 graze_pmc_name(v->pmc), pmc_key(key, "pmc", v->pmc));
 }
 
 static void put_unsweep_rule(text *out, const graze_verdict *v) {
-    text_format(out, "\nThe rule of the unsweep ([IS] eqs 12, 13, 35)\n  pmc `%s`: %s\n",
-                graze_pmc_name(v->pmc),
-                v->pmc == GRAZE_IN ? "the word is I: the trajectory stays in the interior of S"
-                : v->pmc == GRAZE_OUT
-                    ? "the word holds an O: the trajectory leaves S"
-                    : "the word holds no O but a B: the trajectory stays in S and "
-                      "reaches its boundary");
+    char key[24];
+    sentence_put(out, "unsweep", graze_pmc_name(v->pmc), pmc_key(key, "unsweep", v->pmc));
 }
 
 /* The place where the rules end, and pmc where the other states tell it. */
 static void put_undecided_place(text *out, const graze_scene *scene, const graze_trace *trace) {
     const undecided_place *place = trace->undecided;
-    text_put(out, "\nThe state is not decided\n  at t = ");
+    sentence_put(out, "open");
+    text_put(out, "  at t = ");
     tell_time(out, place->where.from);
     text_put(out, "\n");
     if (place->where.cell_count)
         put_cells(out, scene, &place->where);
     text_format(out, "       %s\n", place->reason);
     if (trace->verdict.pmc != GRAZE_PMC_UNDECIDED)
-        text_format(out, "The other states tell that P is `%s` all the same\n",
-                    graze_pmc_name(trace->verdict.pmc));
+        sentence_put(out, "open-pmc", graze_pmc_name(trace->verdict.pmc));
 }
 
 graze_status report_explain(char **out, graze_context *context, const row *r) {
@@ -329,15 +295,15 @@ graze_status report_explain(char **out, graze_context *context, const row *r) {
     text_init(&t);
     put_answer(&t, scene, r->point, r->trace);
     if (r->trace->undecided) {
-        put_trajectory(&t, scene, r->point);
+        put_trajectory(&t, scene, r->point, r->trace);
         put_undecided_place(&t, scene, r->trace);
         return text_finish(out, context, &t);
     }
     put_ends(&t, scene, r->point, r->trace);
-    put_trajectory(&t, scene, r->point);
+    put_trajectory(&t, scene, r->point, r->trace);
     put_time_line(&t, scene, r->trace);
     if (sweep) {
-        explain_counts(&t, r->trace);
+        put_counts(&t, r->trace);
         put_sweep_rule(&t, scene, r->trace);
     } else {
         put_unsweep_rule(&t, &r->trace->verdict);
