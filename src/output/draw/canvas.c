@@ -3,10 +3,12 @@
  */
 #include "output/draw/canvas.h"
 
+#include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include "base/context/array.h"
-#include "output/draw/save.h"
 
 void drawn_path_clear(drawn_path *p) {
     free(p->node);
@@ -38,6 +40,22 @@ static int append_bytes(void *to, const char *data, size_t length) {
     return !bytes->failed;
 }
 
+graze_status save_file(graze_context *context, const char *file, const text *bytes) {
+    int standard = strncmp(file, "-.", 2) == 0 && !strchr(file, '/');
+    const char *name = standard ? "standard output" : file;
+    FILE *stream = standard ? fdopen(dup(STDOUT_FILENO), "wb") : fopen(file, "wb");
+    if (!stream)
+        return context_fail_in(context, GRAZE_ESYSTEM, name, 0, "cannot be opened for writing: %s",
+                               strerror(errno));
+    int wrong = fwrite(bytes->data, 1, bytes->length, stream) != bytes->length ? errno : 0;
+    if (fclose(stream) != 0 && !wrong)
+        wrong = errno;
+    if (wrong)
+        return context_fail_in(context, GRAZE_ESYSTEM, name, 0, "writing failed: %s",
+                               strerror(wrong));
+    return GRAZE_OK;
+}
+
 graze_status canvas_finish(canvas *c, graze_context *context, const char *file, int write) {
     if (!c)
         return GRAZE_OK;
@@ -56,11 +74,13 @@ graze_status canvas_finish(canvas *c, graze_context *context, const char *file, 
 }
 
 void canvas_begin(canvas *c, const char *name, const char *attributes) {
-    c->kind->begin(c, name, attributes);
+    if (c->kind->begin)
+        c->kind->begin(c, name, attributes);
 }
 
 void canvas_end(canvas *c) {
-    c->kind->end(c);
+    if (c->kind->end)
+        c->kind->end(c);
 }
 
 void canvas_clip(canvas *c, double x, double y, double width, double height) {

@@ -102,4 +102,8 @@ struct canvas {
 /** Dark ink, used for texts. */
 #define INK 0x222222u
 
+/** Write bytes into a file, or, for `-.svg` and other names that are `-` and an ending, to standard
+ * output. @return GRAZE_ESYSTEM */
+graze_status save_file(graze_context *context, const char *file, const text *bytes);
+
 #endif

@@ -12,6 +12,7 @@
 #include "output/draw/marks.h"
 #include "output/draw/picture_kind.h"
 #include "output/report/closings.h"
+#include "output/report/sentences.h"
 #include "questions/topo/directions.h"
 #include "questions/topo/first_order.h"
 #include "questions/topo/sectors.h"
@@ -228,13 +229,8 @@ static void draw_heading(cones_maker *m, const fmpq *point) {
     const lettering heading = {.size = 16, .bold = 1}, plain = {.size = 11};
     text t;
     text_init(&t);
-    text_put(&t, "P = (");
-    text_rational(&t, point);
-    text_put(&t, ", ");
-    text_rational(&t, point + 1);
-    text_format(&t, "): %s", graze_topo_name(m->topo->position));
-    if (m->topo->level != GRAZE_LEVEL_NONE)
-        text_format(&t, ", by %s", graze_topo_level_name(m->topo->level));
+    sentence_put(&t, m->topo->level ? "cones-by" : "cones", point, 2,
+                 graze_topo_name(m->topo->position), graze_topo_level_name(m->topo->level));
     canvas_text(m->canvas, 18, 26, &heading, t.failed ? "" : t.data);
     canvas_text(m->canvas, 18, 46, &plain,
                 "directions about P that the contacts cover to first order · graze " GRAZE_VERSION);

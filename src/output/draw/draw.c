@@ -131,40 +131,44 @@ static graze_status draw_panels(canvas *c, graze_context *context, picture *p) {
     return status;
 }
 
+/* The picture's cells, and its gaps, in one line. */
+static void put_remark(text *out, const picture *p) {
+    const cells *c = &p->cells;
+    size_t outside = views_outside(p);
+    text_format(out, "%zu × %zu cells", c->count[0], c->count[1]);
+    if (c->split_count)
+        text_format(out, ", at borders in %zu × %zu parts", c->parts, c->parts);
+    text_put(out, p->request->by_distance ? ", each on the exact side and by the distance"
+                                          : ", each in the exact class");
+    text_put(out, c->section ? " of its centre · " : " of its centre");
+    if (c->section)
+        section_describe(out, c->section);
+    if (p->undecided)
+        text_format(out, " · cells undecided and blank: %zu", p->undecided);
+    if (outside)
+        text_format(out, " · %zu of %zu points outside the picture", outside,
+                    p->request->point_count);
+    text_put(out, p->scene->solid->curved ? " · S is drawn as it was made for the eye" : "");
+    text_put(out, " · graze " GRAZE_VERSION);
+}
+
 static graze_status draw_all(picture *p, graze_context *context, const char *file) {
     const lettering heading = {.size = 16, .bold = 1}, plain = {.size = 11};
     const char *title = p->request->title ? p->request->title : "";
-    size_t outside = views_outside(p);
-    char missing[64] = "", parts[64] = "", open[64] = "", remark[480];
-    text plane;
-    text_init(&plane);
-    if (p->cells.section) {
-        text_put(&plane, " · ");
-        section_describe(&plane, p->cells.section);
-    }
-    if (outside)
-        snprintf(missing, sizeof missing, " · %zu of %zu points outside the picture", outside,
-                 p->request->point_count);
-    if (p->cells.split_count)
-        snprintf(parts, sizeof parts, ", at borders in %zu × %zu parts", p->cells.parts,
-                 p->cells.parts);
-    if (p->undecided)
-        snprintf(open, sizeof open, " · cells undecided and blank: %zu", p->undecided);
-    snprintf(remark, sizeof remark,
-             "%zu × %zu cells%s, each %s of its centre%s%s%s%s · graze " GRAZE_VERSION,
-             p->cells.count[0], p->cells.count[1], parts,
-             p->request->by_distance ? "on the exact side and by the distance"
-                                     : "in the exact class",
-             plane.failed || !p->cells.section ? "" : plane.data, open, missing,
-             p->scene->solid->curved ? " · S is drawn as it was made for the eye" : "");
-    text_clear(&plane);
+    text says;
+    text_init(&says);
+    put_remark(&says, p);
+    const char *remark = says.failed ? "" : says.data;
     layout l = lay_out(p, title, remark);
     canvas *c;
     graze_status status = canvas_create(&c, context, file, l.width, l.height);
+    if (!status) {
+        canvas_text(c, MARGIN, 26, &heading, title);
+        canvas_text(c, MARGIN, 44, &plain, remark);
+    }
+    text_clear(&says);
     if (status)
         return status;
-    canvas_text(c, MARGIN, 26, &heading, title);
-    canvas_text(c, MARGIN, 44, &plain, remark);
     status = draw_panels(c, context, p);
     canvas_begin(c, "legend", NULL);
     legend_draw(c, &p->legend, l.legend_x, HEAD + PANEL_ABOVE);

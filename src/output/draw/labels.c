@@ -71,20 +71,6 @@ void labels_avoid(labels *l, double x, double y, double radius) {
     add_label(l, square_about(x, y, radius, OBSTACLE_MARK));
 }
 
-int labels_meet_mark(const labels *l, double x, double y, double radius) {
-    obstacle o = square_about(x, y, radius, OBSTACLE_MARK);
-    bin_range bins = bins_of(l, &o);
-    for (int row = bins.low[1]; row <= bins.high[1]; row++)
-        for (int column = bins.low[0]; column <= bins.high[0]; column++)
-            for (size_t k = l->first[row][column]; k; k = l->link[k - 1].next) {
-                const obstacle *m = &l->item[l->link[k - 1].item - 1];
-                if (m->kind == OBSTACLE_MARK && o.x < m->x + m->width && m->x < o.x + o.width &&
-                    o.y < m->y + m->height && m->y < o.y + o.height)
-                    return 1;
-            }
-    return 0;
-}
-
 /* Small squares along the line, so that a slanting one does not keep its whole box free. */
 void labels_avoid_path(labels *l, const drawn_path *p) {
     const double apart = 6, far = 1e5;
@@ -110,6 +96,7 @@ static const double FREE = 12;
 typedef struct overlap {
     const obstacle *of;
     double area;
+    int marks_only;
 } overlap;
 
 /* Add what obstacles of a bin have in common with the rectangle, each in one bin alone, that of the
@@ -121,24 +108,34 @@ static void add_overlaps(overlap *sum, const labels *l, int row, int column) {
         double x = fmax(o->x, other->x), y = fmax(o->y, other->y);
         double w = fmin(o->x + o->width, other->x + other->width) - x;
         double h = fmin(o->y + o->height, other->y + other->height) - y;
-        if (w > 0 && h > 0 && bin_of(l, 0, x) == column && bin_of(l, 1, y) == row)
+        if (w > 0 && h > 0 && bin_of(l, 0, x) == column && bin_of(l, 1, y) == row &&
+            !(sum->marks_only && other->kind != OBSTACLE_MARK))
             sum->area += w * h;
     }
 }
 
-/* The area that a name's box has in common with the obstacles; no more than some area past FREE.
- * What leaves the panel is not free. */
-static double cost(const labels *l, const obstacle *o) {
-    const panel *p = l->panel;
-    overlap sum = {o, 0};
-    if (o->x < p->x || o->y < p->y || o->x + o->width > p->x + p->width ||
-        o->y + o->height > p->y + p->height)
-        return INFINITY;
+/* The area that a box has in common with the obstacles; no more than some area past FREE. */
+static double common_area(const labels *l, const obstacle *o, int marks_only) {
+    overlap sum = {o, 0, marks_only};
     bin_range bins = bins_of(l, o);
     for (int row = bins.low[1]; row <= bins.high[1]; row++)
         for (int column = bins.low[0]; column <= bins.high[0]; column++)
             add_overlaps(&sum, l, row, column);
     return sum.area;
+}
+
+int labels_meet_mark(const labels *l, double x, double y, double radius) {
+    obstacle o = square_about(x, y, radius, OBSTACLE_MARK);
+    return common_area(l, &o, 1) > 0;
+}
+
+/* Nothing outside the panel is free. */
+static double cost(const labels *l, const obstacle *o) {
+    const panel *p = l->panel;
+    return o->x < p->x || o->y < p->y || o->x + o->width > p->x + p->width ||
+                   o->y + o->height > p->y + p->height
+               ? INFINITY
+               : common_area(l, o, 0);
 }
 
 /* The line from a pixel to the nearest point of a name's box. */

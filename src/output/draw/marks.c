@@ -68,14 +68,11 @@ static void put_sign(canvas *c, double x, double y, double size, graze_cell_kind
 }
 
 void mark_contact(canvas *c, double x, double y, graze_kind kind, graze_cell_kind cell) {
-    const style full = {.fill = PAINT(INK), .stroke = PAINT(0xffffff), .width = .8};
-    const style hollow = {.fill = PAINT(0xffffff), .stroke = PAINT(0xd55e00), .width = 1.8};
-    put_sign(c, x, y, 1, cell, kind == GRAZE_INTERSECTION ? &full : &hollow);
-}
-
-void mark_slide_end(canvas *c, double x, double y, graze_cell_kind cell) {
-    const style small = {.fill = PAINT(SLIDE), .stroke = PAINT(INK), .width = .8};
-    put_sign(c, x, y, .8, cell, &small);
+    static const style styles[] = {
+        {.fill = PAINT(SLIDE), .stroke = PAINT(INK), .width = .8},
+        [GRAZE_INTERSECTION] = {.fill = PAINT(INK), .stroke = PAINT(0xffffff), .width = .8},
+        [GRAZE_TANGENCY] = {.fill = PAINT(0xffffff), .stroke = PAINT(0xd55e00), .width = 1.8}};
+    put_sign(c, x, y, kind ? 1 : .8, cell, &styles[kind]);
 }
 
 /* The legend is laid out once; without a canvas it is only measured. */
@@ -125,23 +122,22 @@ static void put_legend_line(writer *w, const style *s, const char *text) {
     canvas_path(w->canvas, &line, s, NULL);
 }
 
+/* Ends of slides, below their line, then contacts. */
 static void put_contacts(writer *w, const legend *l) {
     static const char *const names[3][4] = {
-        {NULL, NULL, NULL, NULL},
+        {NULL, "end of a slide, face", "end of a slide, edge", "end of a slide, vertex"},
         {NULL, "intersection, face", "intersection, edge", "intersection, vertex"},
         {NULL, "tangency, face", "tangency, edge", "tangency, vertex"}};
-    int some = 0;
-    for (int kind = GRAZE_INTERSECTION; kind <= GRAZE_TANGENCY; kind++)
-        for (int cell = GRAZE_CELL_FACE; cell <= GRAZE_CELL_VERTEX; cell++) {
-            if (!l->contacts[kind][cell])
-                continue;
-            if (!some++)
-                put_heading(w, "Contacts");
-            put_legend_entry(w, names[kind][cell]);
-            if (w->canvas)
-                mark_contact(w->canvas, w->x + 13, w->y - 4, (graze_kind)kind,
-                             (graze_cell_kind)cell);
-        }
+    for (int k = 0, some = 0; k < 12; k++) {
+        int kind = k / 4, cell = k % 4;
+        if (!l->contacts[kind][cell])
+            continue;
+        if (kind && !some++)
+            put_heading(w, "Contacts");
+        put_legend_entry(w, names[kind][cell]);
+        if (w->canvas)
+            mark_contact(w->canvas, w->x + 13, w->y - 4, (graze_kind)kind, (graze_cell_kind)cell);
+    }
 }
 
 /* The scale of distances, from the deepest band inside to the farthest outside. */
@@ -183,18 +179,6 @@ static void put_lines(writer *w, const char *heading, const int *shown, const le
     }
 }
 
-static void put_slide_ends(writer *w, const legend *l) {
-    static const char *const names[] = {NULL, "end of a slide, face", "end of a slide, edge",
-                                        "end of a slide, vertex"};
-    for (int cell = GRAZE_CELL_FACE; cell <= GRAZE_CELL_VERTEX; cell++) {
-        if (!l->slide_ends[cell])
-            continue;
-        put_legend_entry(w, names[cell]);
-        if (w->canvas)
-            mark_slide_end(w->canvas, w->x + 13, w->y - 4, (graze_cell_kind)cell);
-    }
-}
-
 static void put_legend(writer *w, const legend *l) {
     static const legend_line positions[] = {{"at the start", &outline_start},
                                             {"between", &outline_between},
@@ -210,7 +194,6 @@ static void put_legend(writer *w, const legend *l) {
     put_classes(w, l);
     put_lines(w, "Positions of S", l->positions, positions);
     put_lines(w, "Trajectories", l->spans, spans);
-    put_slide_ends(w, l);
     put_contacts(w, l);
 }
 

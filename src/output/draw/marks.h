@@ -20,12 +20,9 @@ unsigned mark_colour(size_t k);
 /** A query point: a disk in its colour. A larger one stays to be seen under a contact. */
 void mark_point(canvas *c, double x, double y, double radius, tone t);
 enum { MARK_RADIUS = 5, MARK_LARGE = 8 };
-/** A contact: full for an intersection, hollow for a tangency; a circle on a face, a square on an
- * edge, a triangle on a vertex. */
+/** A contact: full for an intersection, hollow for a tangency, small in the colour of sliding for
+ * kind 0, the end of a slide; a circle on a face, a square on an edge, a triangle on a vertex. */
 void mark_contact(canvas *c, double x, double y, graze_kind kind, graze_cell_kind cell);
-/** Where an interval of contact ends: the same signs, small, in the colour of sliding. */
-void mark_slide_end(canvas *c, double x, double y, graze_cell_kind cell);
-
 /** Outlines of S at the start, at the end and between. */
 extern const style outline_start, outline_end, outline_between;
 /** Level lines of the distance, and the border between cells of different answers. */
@@ -42,8 +39,7 @@ typedef struct legend {
     char band[TONE_COUNT - TONE_INNER][64]; /* distances of bands */
     int positions[4];   /* at the start, between, at the end; the plane of the cells */
     int spans[3];       /* of trajectories, outside S, inside, sliding on it */
-    int contacts[3][4]; /* by kind and cell */
-    int slide_ends[4];  /* by cell */
+    int contacts[3][4]; /* by kind and cell, of kind 0 ends of slides */
 } legend;
 
 /** Draw the legend from (x, y) on. */

@@ -74,4 +74,8 @@ void panel_triad(canvas *c, const panel *p);
 /** Draw an arrow's head with its tip at a pixel. (dx, dy) is where it points, not zero. */
 void draw_arrow_head(canvas *c, double x, double y, double dx, double dy, double size);
 
+/** Can doubles hold a box of `count` coordinates, and differences in it to less than a pixel?
+ * @return GRAZE_ELIMIT if not */
+graze_status range_check(graze_context *context, const double *low, const double *high, int count);
+
 #endif

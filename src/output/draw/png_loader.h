@@ -12,9 +12,4 @@
 /** Its function: a new canvas of a size in pixels, or NULL without memory. */
 canvas *graze_png_create(double width, double height, int pdf);
 
-/** Check that canvas_create_png finds the shared object and memory. */
-graze_status canvas_check_png(graze_context *context);
-graze_status canvas_create_png(canvas **out, graze_context *context, double width, double height,
-                               int pdf);
-
 #endif

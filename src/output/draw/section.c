@@ -255,13 +255,11 @@ void section_describe(text *out, const section *s) {
 }
 
 void section_attributes(text *out, const section *s) {
-    static const char *const names[] = {" data-u=\"", " data-v=\""};
     text_put(out, " data-origin=\"");
     describe_vector(out, s->origin, 1);
-    for (int i = 0; i < 2; i++) {
-        text_put(out, "\"");
-        text_put(out, names[i]);
-        describe_vector(out, s->way[i], 1);
-    }
+    text_put(out, "\" data-u=\"");
+    describe_vector(out, s->way[0], 1);
+    text_put(out, "\" data-v=\"");
+    describe_vector(out, s->way[1], 1);
     text_put(out, "\"");
 }

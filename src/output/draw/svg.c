@@ -8,6 +8,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 typedef struct svg_canvas {
     canvas base;
@@ -41,23 +42,12 @@ static void put_pixels(text *t, const char *before, double value) {
 }
 
 static void put_escaped(text *t, const char *string) {
-    for (; *string; string++)
-        switch (*string) {
-        case '<':
-            text_put(t, "&lt;");
-            break;
-        case '&':
-            text_put(t, "&amp;");
-            break;
-        case '"':
-            text_put(t, "&quot;");
-            break;
-        case '>':
-            text_put(t, "&gt;");
-            break;
-        default:
-            text_bytes(t, string, 1);
-        }
+    static const char marks[] = "<&\">";
+    static const char *const names[] = {"&lt;", "&amp;", "&quot;", "&gt;"};
+    for (; *string; string++) {
+        const char *mark = strchr(marks, *string);
+        text_bytes(t, mark ? names[mark - marks] : string, mark ? strlen(names[mark - marks]) : 1);
+    }
 }
 
 static void put_style(text *t, const style *s) {
@@ -84,14 +74,8 @@ static void put_style(text *t, const style *s) {
 
 static void svg_begin(canvas *c, const char *name, const char *attributes) {
     text *t = out_of(c);
-    text_put(t, "<g class=\"");
-    text_put(t, name);
-    text_put(t, "\"");
-    if (attributes) {
-        text_put(t, " ");
-        text_put(t, attributes);
-    }
-    text_put(t, ">\n");
+    text_format(t, "<g class=\"%s\"%s%s>\n", name, attributes ? " " : "",
+                attributes ? attributes : "");
 }
 
 static void svg_end(canvas *c) {
@@ -139,11 +123,8 @@ static void put_nodes(text *t, const drawn_path *p) {
 static void svg_path(canvas *c, const drawn_path *p, const style *s, const char *name) {
     text *t = out_of(c);
     text_put(t, "<path");
-    if (name) {
-        text_put(t, " class=\"");
-        text_put(t, name);
-        text_put(t, "\"");
-    }
+    if (name)
+        text_format(t, " class=\"%s\"", name);
     put_style(t, s);
     if (s->fill)
         text_put(t, " fill-rule=\"evenodd\"");

@@ -88,40 +88,35 @@ static void draw_arrow(canvas *c, const panel *at, const trail *from, labels *na
     }
 }
 
-/* The pixels of a contact and of its ends that are to be seen, those of the ends where they are
- * apart from the middle. */
-typedef struct seen_contact {
-    int middle, end[2];
-    double at[3][2];
-} seen_contact;
+/* A contact as it is marked: the ends of a slide, if they are apart from its middle, and that. */
+typedef struct seen_mark {
+    int shown;
+    double x, y;
+    graze_kind kind;
+    graze_cell_kind cell;
+} seen_mark;
 
-static seen_contact see_contact(const panel *at, const trail_contact *met) {
+static void see_contact(seen_mark out[3], const panel *at, const trail_contact *met) {
     enum { APART = 9 };
-    seen_contact out = {0, {0, 0}, {{0}}};
-    panel_map(&out.at[2][0], &out.at[2][1], at, met->at);
-    out.middle = panel_holds(at, out.at[2][0], out.at[2][1]);
-    for (int k = 0; k < 2 && met->lasts; k++) {
-        double *end = out.at[k];
-        panel_map(&end[0], &end[1], at, met->end[k]);
-        out.end[k] = panel_holds(at, end[0], end[1]) &&
-                     hypot(end[0] - out.at[2][0], end[1] - out.at[2][1]) > APART;
+    for (int k = 2; k >= 0; k--) {
+        seen_mark *m = &out[k];
+        *m = (seen_mark){.kind = k == 2 ? met->kind : (graze_kind)0,
+                         .cell = k == 2 ? met->cell : met->end_cell[k]};
+        panel_map(&m->x, &m->y, at, k == 2 ? met->at : met->end[k]);
+        m->shown = panel_holds(at, m->x, m->y) &&
+                   (k == 2 || (met->lasts && hypot(m->x - out[2].x, m->y - out[2].y) > APART));
     }
-    return out;
 }
 
 static void draw_contacts(canvas *c, const panel *at, const trail *from, labels *names) {
+    seen_mark seen[3];
     for (size_t k = 0; k < from->contact_count; k++) {
-        const trail_contact *met = &from->contact[k];
-        seen_contact seen = see_contact(at, met);
-        for (int e = 0; e < 2; e++)
-            if (seen.end[e]) {
-                mark_slide_end(c, seen.at[e][0], seen.at[e][1], met->end_cell[e]);
-                labels_avoid(names, seen.at[e][0], seen.at[e][1], MARK_RADIUS);
+        see_contact(seen, at, &from->contact[k]);
+        for (const seen_mark *m = seen; m < seen + 3; m++)
+            if (m->shown) {
+                mark_contact(c, m->x, m->y, m->kind, m->cell);
+                labels_avoid(names, m->x, m->y, MARK_RADIUS);
             }
-        if (seen.middle) {
-            mark_contact(c, seen.at[2][0], seen.at[2][1], met->kind, met->cell);
-            labels_avoid(names, seen.at[2][0], seen.at[2][1], MARK_RADIUS);
-        }
     }
 }
 
@@ -142,10 +137,10 @@ void trajectories_seen(legend *out, const picture *p) {
             drawn_path_clear(&line);
         }
         for (size_t j = 0; j < c->contact_count; j++) {
-            seen_contact seen = see_contact(at, &c->contact[j]);
-            out->contacts[c->contact[j].kind][c->contact[j].cell] |= seen.middle;
-            for (int e = 0; e < 2; e++)
-                out->slide_ends[c->contact[j].end_cell[e]] |= seen.end[e];
+            seen_mark seen[3];
+            see_contact(seen, at, &c->contact[j]);
+            for (const seen_mark *m = seen; m < seen + 3; m++)
+                out->contacts[m->kind][m->cell] |= m->shown;
         }
     }
 }

@@ -8,7 +8,6 @@
 #include "output/draw/cell_parts.h"
 #include "output/draw/labels.h"
 #include "output/draw/levels.h"
-#include "output/draw/range.h"
 #include "output/draw/shape_paint.h"
 
 int picture_is_plane(const picture *p) {
@@ -38,6 +37,15 @@ static double longer_side(const extent *e) {
     return fmax(e->high[0] - e->low[0], e->high[1] - e->low[1]);
 }
 
+static graze_status fit_panel(panel *out, graze_context *context, const projection *look,
+                              const extent *all, const char *title, int numbered) {
+    *out = panel_fit(look, all, 480);
+    graze_status status = range_check(context, out->window.low, out->window.high, 2);
+    if (!status)
+        panel_name(out, title, numbered);
+    return status;
+}
+
 /* Around the standing solid; trajectories may come from far and go far. */
 static graze_status fit_trajectories(picture *p, graze_context *context, const projection *look) {
     extent solid = extent_empty(), all, near;
@@ -48,15 +56,10 @@ static graze_status fit_trajectories(picture *p, graze_context *context, const p
     for (size_t k = 0; k < p->request->point_count; k++)
         trail_extent(&all, &p->trails[k], look, &near);
     extent_grow(&all, .1 * size);
-    p->trajectories = panel_fit(look, &all, 480);
-    graze_status status =
-        range_check(context, p->trajectories.window.low, p->trajectories.window.high, 2);
-    if (!status)
-        panel_name(&p->trajectories,
-                   is_unsweep(p) ? "Trajectories M(t)P through S"
-                                 : "Inverted trajectories M(t)⁻¹P through S",
-                   picture_is_plane(p));
-    return status;
+    return fit_panel(&p->trajectories, context, look, &all,
+                     is_unsweep(p) ? "Trajectories M(t)P through S"
+                                   : "Inverted trajectories M(t)⁻¹P through S",
+                     picture_is_plane(p));
 }
 
 /* The plane of the cells, but for an equation that is long. */
@@ -89,12 +92,8 @@ static graze_status fit_positions(picture *p, graze_context *context, const proj
     for (size_t k = 0; k < p->request->times; k++)
         shape_extent(&all, &p->moved[k], look);
     extent_grow(&all, .06 * longer_side(&all));
-    p->positions = panel_fit(look, &all, 480);
-    graze_status status =
-        range_check(context, p->positions.window.low, p->positions.window.high, 2);
-    if (!status)
-        panel_name(&p->positions, "S at the start (yellow) to the end (pink)", 0);
-    return status;
+    return fit_panel(&p->positions, context, look, &all,
+                     "S at the start (yellow) to the end (pink)", 0);
 }
 
 graze_status views_fit(picture *p, graze_context *context) {
@@ -134,20 +133,19 @@ static void draw_cells(canvas *c, const picture *p) {
     c->failed |= layout.failed;
     canvas_begin(c, "cells", layout.failed ? NULL : layout.data);
     text_clear(&layout);
-    for (int t = TONE_REGULAR; t < TONE_COUNT; t++) {
-        const style area = {.fill = PAINT(tone_colour((tone)t)), .crisp = 1};
+    for (int k = 0; k < 2 * TONE_COUNT; k++) {
+        tone t = (tone)(k % TONE_COUNT);
+        const style area = {.fill = PAINT(tone_colour(t)), .crisp = k < TONE_COUNT};
         drawn_path runs = {NULL, 0, 0, 0};
-        if (t != TONE_EXTERIOR && t != TONE_OUT)
-            cells_path(&runs, &p->cells, &p->classes, (tone)t);
-        canvas_path(c, &runs, &area, tone_name((tone)t));
-    }
-    canvas_end(c);
-    canvas_begin(c, "parts", NULL);
-    for (int t = TONE_REGULAR; t < TONE_COUNT; t++) {
-        const style area = {.fill = PAINT(tone_colour((tone)t))};
-        drawn_path runs = {NULL, 0, 0, 0};
-        parts_path(&runs, &p->cells, &p->classes, (tone)t);
-        canvas_path(c, &runs, &area, tone_name((tone)t));
+        if (k == TONE_COUNT) {
+            canvas_end(c);
+            canvas_begin(c, "parts", NULL);
+        }
+        if (t != TONE_NONE && k >= TONE_COUNT)
+            parts_path(&runs, &p->cells, &p->classes, t);
+        else if (t != TONE_NONE && t != TONE_EXTERIOR && t != TONE_OUT)
+            cells_path(&runs, &p->cells, &p->classes, t);
+        canvas_path(c, &runs, &area, tone_name(t));
     }
     canvas_end(c);
 }

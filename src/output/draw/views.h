@@ -27,7 +27,7 @@ typedef struct picture {
 } picture;
 
 /** Choose the windows and sizes of the panels, not yet their places.
- * @return GRAZE_ELIMIT a window beyond what doubles can draw (range.h) */
+ * @return GRAZE_ELIMIT a window beyond what doubles can draw (range_check) */
 graze_status views_fit(picture *p, graze_context *context);
 /** Note what the panels show; after views_fit. */
 void views_seen(legend *out, const picture *p);

@@ -4,7 +4,7 @@
 #ifndef GRAZE_PAGE_ASSETS_H
 #define GRAZE_PAGE_ASSETS_H
 
-#include "output/report/asset.h"
+#include "output/report/sentences.h"
 
 /** Texts, each ended by a NUL: page.html, three.js, and its licence. */
 extern const char asset_template[] ASSET, asset_three[] ASSET, asset_licence[] ASSET;

@@ -42,8 +42,9 @@ static void put_triple(encoder *e) {
     memset(e->rest, 0, sizeof e->rest);
 }
 
-void encode_begin(encoder *e, text *out) {
+void encode_begin(encoder *e, text *out, const char *before) {
     *e = (encoder){.out = out};
+    text_put(out, before);
     text_put(out, "\"");
 }
 

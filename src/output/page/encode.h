@@ -20,7 +20,8 @@ typedef struct encoder {
     int held;
 } encoder;
 
-void encode_begin(encoder *e, text *out);
+/** Begin an array behind a text. */
+void encode_begin(encoder *e, text *out, const char *before);
 void encode_byte(encoder *e, unsigned char byte);
 void encode_double(encoder *e, double value);
 void encode_float(encoder *e, float value);

@@ -22,7 +22,7 @@ static void put_corners(text *out, const cells *c) {
 
 static void put_bytes(text *out, const unsigned char *bytes, size_t count) {
     encoder e;
-    encode_begin(&e, out);
+    encode_begin(&e, out, "");
     for (size_t k = 0; k < count; k++)
         encode_byte(&e, bytes[k]);
     encode_end(&e);
@@ -39,8 +39,7 @@ static void put_cells_of(text *out, const cells *c, const draw_request *request)
     text_format(out, "\",\"count\":[%zu,%zu],\"parts\":%zu,\"tones\":", c->count[0], c->count[1],
                 c->parts);
     put_bytes(out, c->tone, count);
-    text_put(out, ",\n\"split\":");
-    encode_begin(&e, out);
+    encode_begin(&e, out, ",\n\"split\":");
     for (size_t k = 0; k < count; k++)
         if (c->split[k])
             encode_count(&e, (uint32_t)k);

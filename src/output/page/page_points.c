@@ -175,8 +175,8 @@ graze_status page_rows(text *out, graze_context *context, const graze_scene *sce
     static const char *const name[3] = {"{\"places\":", ",\n\"tones\":", ",\n\"lines\":"};
     for (int k = 0; k < 3; k++)
         text_init(part[k]);
-    encode_begin(&l.place, &l.places);
-    encode_begin(&l.tone, &l.tones);
+    encode_begin(&l.place, &l.places, "");
+    encode_begin(&l.tone, &l.tones, "");
     text_put(&l.lines, "[");
     for (size_t k = 0; k < count && !status; k++)
         status = put_page_point(&l, context, scene, request, k, centre);

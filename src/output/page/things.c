@@ -10,40 +10,13 @@
 #include "questions/boundary/bisect.h"
 #include "questions/boundary/boundary.h"
 
-static void put_triangles(text *out, const graze_solid *solid) {
+/* The triangles of the boundary; in E^2 its sides. */
+static void put_simplices(text *out, const graze_solid *solid) {
     encoder e;
-    encode_begin(&e, out);
+    int d = solid->input.dimension;
+    encode_begin(&e, out, d == 2 ? ",\"edges\":" : ",\"triangles\":");
     for (size_t k = 0; k < solid->cut.count; k++)
-        for (int i = 0; i < 3; i++)
-            encode_count(&e, solid->cut.item[k].vertex[i]);
-    encode_end(&e);
-}
-
-/* The polygons of E^2: for each its rings, the outer one first. */
-static void put_polygons(text *out, const soup *s) {
-    text_put(out, "[");
-    for (size_t f = 0; f < s->facet_count; f++) {
-        text_put(out, f ? ",[" : "[");
-        for (uint32_t c = s->facet_start[f]; c < s->facet_start[f + 1]; c++) {
-            text_put(out, c > s->facet_start[f] ? ",[" : "[");
-            for (uint32_t k = s->cycle_start[c]; k < s->cycle_start[c + 1]; k++) {
-                text_put(out, k > s->cycle_start[c] ? "," : "");
-                text_count(out, s->index[k]);
-            }
-            text_put(out, "]");
-        }
-        text_put(out, "]");
-    }
-    text_put(out, "]");
-}
-
-/* The outline of a curved solid of E^2, which has no polygons. */
-static void put_segments(text *out, const graze_solid *solid) {
-    encoder e;
-    text_put(out, ",\"edges\":");
-    encode_begin(&e, out);
-    for (size_t k = 0; k < solid->cut.count; k++)
-        for (int i = 0; i < 2; i++)
+        for (int i = 0; i < d; i++)
             encode_count(&e, solid->cut.item[k].vertex[i]);
     encode_end(&e);
 }
@@ -53,23 +26,15 @@ graze_status page_solid(text *out, graze_context *context, const graze_solid *so
     size_t d = (size_t)s->dimension;
     encoder e;
     graze_status status = GRAZE_OK;
-    text_put(out, "{\"vertices\":");
-    encode_begin(&e, out);
+    encode_begin(&e, out, "{\"vertices\":");
     for (size_t k = 0; k < s->vertex_count * d; k++)
         encode_double(&e, solid->low[k]);
     encode_end(&e);
-    if (d == 2) {
-        text_put(out, ",\"polygons\":");
-        put_polygons(out, s);
-        if (!s->cycle_count)
-            put_segments(out, solid);
-    } else {
+    put_simplices(out, solid);
+    if (d == 3) {
         edge_list edges;
-        text_put(out, ",\"triangles\":");
-        put_triangles(out, solid);
         status = edges_make(&edges, context, solid);
-        text_put(out, ",\"edges\":");
-        encode_begin(&e, out);
+        encode_begin(&e, out, ",\"edges\":");
         for (size_t k = 0; k < edges.count && !status; k++) {
             encode_count(&e, edges.item[k].from);
             encode_count(&e, edges.item[k].to);
@@ -135,17 +100,16 @@ static void put_surface(text *out, const struct graze_boundary *b, const double 
     encoder e;
     int d = b->dimension;
     fmpq *point = _fmpq_vec_init(d);
-    text_format(out, "{\"level\":%u,\"closed\":%s,\"complete\":%s,\"vertices\":", b->reached,
+    text_format(out, "{\"level\":%u,\"closed\":%s,\"complete\":%s", b->reached,
                 b->closed ? "true" : "false", b->complete ? "true" : "false");
-    encode_begin(&e, out);
+    encode_begin(&e, out, ",\"vertices\":");
     for (size_t v = 0; v < bisect_count(b); v++) {
         bisect_vertex(point, b, v);
         for (int k = 0; k < d; k++)
             encode_float(&e, (float)(fmpq_get_d(point + k) - centre[k]));
     }
     encode_end(&e);
-    text_put(out, ",\"faces\":");
-    encode_begin(&e, out);
+    encode_begin(&e, out, ",\"faces\":");
     for (size_t k = 0; k < b->face_count * (size_t)d; k++)
         encode_count(&e, (uint32_t)b->corners[k]);
     encode_end(&e);
@@ -183,18 +147,15 @@ void page_mesh(text *out, const draw_request *request, const double *centre) {
         text_put(out, "null");
         return;
     }
-    text_put(out, "{\"vertices\":");
-    encode_begin(&e, out);
+    encode_begin(&e, out, "{\"vertices\":");
     for (size_t k = 0; k < 3 * m->vertex_count; k++)
         encode_float(&e, (float)(fmpq_get_d(m->vertices + k) - centre[k % 3]));
     encode_end(&e);
-    text_put(out, ",\"faces\":");
-    encode_begin(&e, out);
+    encode_begin(&e, out, ",\"faces\":");
     for (size_t k = 0; k < 3 * m->triangle_count; k++)
         encode_count(&e, m->corners[k]);
     encode_end(&e);
-    text_put(out, ",\"distances\":");
-    encode_begin(&e, out);
+    encode_begin(&e, out, ",\"distances\":");
     for (size_t k = 0; k < m->vertex_count; k++)
         encode_double(&e, m->distance[k]);
     encode_end(&e);

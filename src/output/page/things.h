@@ -8,7 +8,7 @@
 #include "decide/scene/scene.h"
 #include "output/draw/request.h"
 
-/** The solid as an object of JSON: vertices, triangles (E^2: rings), edges. */
+/** The solid as an object of JSON: vertices, triangles (E^2: none), edges. */
 graze_status page_solid(text *out, graze_context *context, const graze_solid *solid);
 /** The motion's pieces as an array of JSON: coefficients as doubles, which only draw. */
 void page_motion(text *out, const graze_motion *motion, graze_operation operation);

@@ -49,12 +49,6 @@ function filled(polygons) {
   return Uint32Array.from(out);
 }
 
-function ringSides(polygons) {
-  const out = [];
-  for (const ring of polygons.flat()) ring.forEach((v, k) => out.push(v, ring[(k + 1) % ring.length]));
-  return Uint32Array.from(out);
-}
-
 /** Rings of an outline of sides in no order, as vertex numbers. */
 function chained(sides) {
   const beside = new Map(), out = [];
@@ -88,17 +82,16 @@ function isWithin(ring, [x, y]) {
 
 /** Polygons of rings: a ring within an even number of others, with those right within it as holes. */
 function nested(rings) {
-  const around = rings.map((ring) => rings.filter((other) => other !== ring && isWithin(other, corner(ring[0]))));
+  const middleOf = ([v, w]) => corner(v).map((x, k) => (x + corner(w)[k]) / 2);
+  const around = rings.map((ring) => rings.filter((other) => other !== ring && isWithin(other, middleOf(ring))));
   const outer = rings.filter((_, k) => around[k].length % 2 === 0);
   return outer.map((ring) => [ring, ...rings.filter((_, k) => around[k].includes(ring) && around[k].length === around[rings.indexOf(ring)].length + 1)]);
 }
 
 const solid = (() => {
   const array = centred(vertices, bodyCentre);
-  const polygons = d === 2 && scene.solid.edges !== undefined ? nested(chained(counts(scene.solid.edges))) : scene.solid.polygons;
-  const faces = shell(array, d === 3 ? counts(scene.solid.triangles) : filled(polygons));
-  const edges = shell(array, scene.solid.edges !== undefined ? counts(scene.solid.edges) : ringSides(scene.solid.polygons));
-  return {faces, edges};
+  const sides = counts(scene.solid.edges);
+  return {faces: shell(array, d === 3 ? counts(scene.solid.triangles) : filled(nested(chained(sides)))), edges: shell(array, sides)};
 })();
 
 /** Fill a group with S as faces and edges, to be put where a matrix says. */

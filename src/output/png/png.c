@@ -1,7 +1,7 @@
 /* A canvas that is a PNG image, two of its pixels to one of the canvas, or a page of PDF.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * A shared object of its own, which output/draw/png_loader.c loads when a picture asks for it:
+ * A shared object of its own, which output/draw/picture_kind.c loads when a picture asks for it:
  * cairo brings a window system's libraries along, which nothing else of Graze needs.
  */
 #include <cairo/cairo-pdf.h>
@@ -22,14 +22,6 @@ static const double page_scale = .75;
 static void set_paint(png_canvas *p, unsigned paint, double faintness) {
     cairo_set_source_rgba(p->to, (paint >> 16 & 255) / 255.0, (paint >> 8 & 255) / 255.0,
                           (paint & 255) / 255.0, 1 - faintness);
-}
-
-static void png_begin(canvas *c, const char *name, const char *attributes) {
-    (void)c, (void)name, (void)attributes;
-}
-
-static void png_end(canvas *c) {
-    (void)c;
 }
 
 static void png_clip(canvas *c, double x, double y, double width, double height) {
@@ -158,7 +150,7 @@ static void png_destroy(canvas *c) {
     free(p);
 }
 
-static const canvas_kind png_kind = {png_begin,  png_end,  png_clip,   png_unclip, png_path,
+static const canvas_kind png_kind = {NULL,       NULL,     png_clip,   png_unclip, png_path,
                                      png_circle, png_text, png_finish, png_destroy};
 
 __attribute__((visibility("default"))) canvas *graze_png_create(double width, double height,

@@ -106,12 +106,6 @@ static graze_status put_in_plane(const closings_maker *m, germ *g) {
     return status;
 }
 
-/* The planes between which an edge or a vertex of E^3 has its cone. */
-static void put_planes(const closings_maker *m, const germ *g) {
-    text_format(m->t, "the cone between %lu planes and what its way sweeps",
-                (unsigned long)g->cone.count);
-}
-
 /* Which sides of the open plane it closes. */
 static graze_status put_sides(const closings_maker *m, germ *g) {
     int side[2] = {0, 0};
@@ -141,7 +135,8 @@ static graze_status put_germ(const closings_maker *m, germ *g) {
     else if (m->dimension == 2)
         status = put_in_plane(m, g);
     else
-        put_planes(m, g);
+        text_format(m->t, "the cone between %lu planes and what its way sweeps",
+                    (unsigned long)g->cone.count);
     if (!status && m->topo->has_across)
         status = put_sides(m, g);
     text_put(m->t, "\n");

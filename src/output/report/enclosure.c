@@ -4,6 +4,7 @@
 #include <math.h>
 #include <mpfr.h>
 #include "output/report/decimal_time.h"
+#include "output/report/sentences.h"
 #include "output/report/time_text.h"
 
 /* Of an irrational time. */
@@ -69,10 +70,9 @@ void explain_distance(text *out, const graze_scene *scene, const distance *found
     char low[BOUND_ROOM], high[BOUND_ROOM];
     report_bound(low, found->low, 0);
     report_bound(high, found->high, 1);
-    text_format(out, "\nThe signed distance to the %s lies in [%s, %s]%s.\n",
-                scene->options.operation == GRAZE_SWEEP ? "sweep" : "unsweep", low, high,
-                found->wide ? ", which is wider than was asked for" : "");
-    text_put(out, found->at ? "The boundary is met at t = " : "This is shown by the time t = ");
+    sentence_put(out, "distance", scene->options.operation == GRAZE_SWEEP ? "sweep" : "unsweep",
+                 low, high, found->wide ? ", which is wider than was asked for" : "",
+                 found->at ? "distance-met" : "distance-shown");
     fmpq_t time;
     fmpq_init(time);
     if (rational_time(time, scene, found))

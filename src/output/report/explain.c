@@ -27,35 +27,24 @@ static int is_long(const fmpq_t value) {
     return !fmpz_is_one(fmpq_denref(value)) && digits > 12;
 }
 
-/* The same coordinates as decimals between commas. */
-static void put_near(text *out, const fmpq *point, int d) {
+/* Coordinates; behind a long ratio all of them as decimals too. */
+static void put_point(text *out, const fmpq *point, int d) {
+    int any = 0, all = 1, exact;
     text near;
-    int all = 1;
     text_init(&near);
     for (int k = 0; k < d; k++) {
-        int exact;
-        char *decimal = decimal_of_rational(&exact, point + k, DECIMAL_DIGITS);
-        all &= exact;
-        text_put(&near, k ? ", " : "");
-        text_owned(&near, decimal);
-    }
-    text_format(out, all ? " = (%s)" : ", about (%s),", near.failed ? "" : near.data);
-    out->failed |= near.failed;
-    text_clear(&near);
-}
-
-static void put_point(text *out, const fmpq *point, int d) {
-    int any = 0;
-    text_put(out, "(");
-    for (int k = 0; k < d; k++) {
-        if (k)
-            text_put(out, ", ");
+        text_put(out, k ? ", " : "(");
         formula_rational(out, point + k);
         any |= is_long(point + k);
+        text_put(&near, k ? ", " : "");
+        text_owned(&near, decimal_of_rational(&exact, point + k, DECIMAL_DIGITS));
+        all &= exact;
     }
     text_put(out, ")");
     if (any)
-        put_near(out, point, d);
+        text_format(out, all ? " = (%s)" : ", about (%s),", near.failed ? "" : near.data);
+    out->failed |= near.failed;
+    text_clear(&near);
 }
 
 static void put_answer(text *out, const graze_scene *scene, const fmpq *point,
@@ -127,7 +116,7 @@ static int is_in_piece(const graze_time *time, size_t piece) {
 }
 
 /* 1 for a piece in which a contact begins or ends. Contacts before `first` end before the piece. */
-static int has_contact(const graze_trace *trace, size_t *first, size_t piece) {
+static int is_met_in(const graze_trace *trace, size_t *first, size_t piece) {
     const contact *c = trace->contact;
     while (*first < trace->contact_count && c[*first].to->piece + 1 < piece)
         ++*first;
@@ -137,8 +126,8 @@ static int has_contact(const graze_trace *trace, size_t *first, size_t piece) {
     return trace->undecided && is_in_piece(trace->undecided->where.from, piece);
 }
 
-static void put_piece(text *out, const graze_scene *scene, const motion_piece *piece,
-                      const fmpq *point) {
+static void tell_piece(text *out, const graze_scene *scene, const motion_piece *piece,
+                       const fmpq *point) {
     text_put(out, "  for t from ");
     tell_rational_time(out, scene->motion, piece->lo);
     text_put(out, " to ");
@@ -156,20 +145,13 @@ static void put_trajectory(text *out, const graze_scene *scene, const fmpq *poin
                            const graze_trace *trace) {
     enum { ALL = 12 };
     size_t count = scene->motion->piece_count, first = 0, left = 0;
-    int unsweep = scene->options.operation == GRAZE_UNSWEEP;
-    text_put(out, unsweep ? "\nThe trajectory x(t) = M(t) P, seen against the standing solid "
-                            "([IS] eq. 13)\n"
-                          : "\nThe inverted trajectory c(t) = M(t)^-1 P; P is in S^t where c(t) is "
-                            "in S ([EI] eqs 4-6)\n");
+    sentence_put(out, scene->options.operation == GRAZE_UNSWEEP ? "path-unsweep" : "path-sweep");
     for (size_t p = 0; p < count; p++) {
-        int told = count <= ALL || p == 0 || p + 1 == count || has_contact(trace, &first, p);
+        int told = count <= ALL || p == 0 || p + 1 == count || is_met_in(trace, &first, p);
         if (told && left)
-            text_format(out,
-                        left == 1 ? "  [%zu piece without a contact left out]\n"
-                                  : "  [%zu pieces without a contact left out]\n",
-                        left);
+            sentence_put(out, left == 1 ? "path-left-one" : "path-left", left);
         if (told)
-            put_piece(out, scene, &scene->motion->piece[p], point);
+            tell_piece(out, scene, &scene->motion->piece[p], point);
         left = told ? 0 : left + 1;
     }
 }
@@ -244,7 +226,7 @@ static void put_time_line(text *out, const graze_scene *scene, const graze_trace
     }
 }
 
-static void put_counts(text *out, const graze_trace *trace) {
+static void tell_counts(text *out, const graze_trace *trace) {
     const graze_verdict *v = &trace->verdict;
     ulong first = trace->first == GRAZE_STATE_I, last = trace->last == GRAZE_STATE_I;
     sentence_put(out, "counts", v->i, v->t, (v->i + first + last) / 2, v->i, first, last);
@@ -303,7 +285,7 @@ graze_status report_explain(char **out, graze_context *context, const row *r) {
     put_trajectory(&t, scene, r->point, r->trace);
     put_time_line(&t, scene, r->trace);
     if (sweep) {
-        put_counts(&t, r->trace);
+        tell_counts(&t, r->trace);
         put_sweep_rule(&t, scene, r->trace);
     } else {
         put_unsweep_rule(&t, &r->trace->verdict);

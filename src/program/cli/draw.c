@@ -1,8 +1,6 @@
 /* graze draw: a picture of a scene.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <ctype.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include "program/cli/commands.h"
 #include "program/cli/marks.h"
@@ -87,11 +85,7 @@ static int read_frame(graze_draw_options *out, frame *f, const draw_given *o, in
 /* A whole number from 2 to `most`; nothing where there is no text. */
 static int read_picture_size(unsigned long *out, const char *option, const char *text,
                              unsigned long most) {
-    char *end = NULL;
-    if (!text)
-        return EXIT_DONE;
-    *out = isdigit((unsigned char)*text) ? strtoul(text, &end, 10) : 0;
-    if (!end || *end || *out < 2 || *out > most)
+    if (text && (!numbers_count(out, text, 2) || *out > most))
         return complain(EXIT_USAGE, "%s %s: expected a whole number from 2 to %lu", option, text,
                         most);
     return EXIT_DONE;
