@@ -115,7 +115,7 @@ class Point:
         first, last = (int(self.word[k] == "I") for k in (0, -1))
         k = (i + first + last) // 2
         return (f"  i = {i}: the number of intersections\n  t = {t}: the number of tangencies\n"
-                f"  k = {k}: the number of visits of P to the interior of S\n"
+                f"  k = {k}: the number of visits of P to the interior of S; a tangency from inside ends none\n"
                 f"  k = (i + a + b) / 2 = ({i} + {first} + {last}) / 2, where a is 1 if ")
 
     def rule(self):

@@ -44,7 +44,7 @@ UNREACHED = {
     "cannot be waited for": "the system refuses to poll",
     "a rank cannot begin": "needs a machine that lacks a file which another one has",
     "MPI cannot begin": "the system refuses a pipe",
-    "PNG pictures need ": "tests/draw hides the library",
+    "PNG and PDF pictures need ": "tests/draw hides the library",
     "a VTK file numbers its points": "needs 2^31 rows",
     "the crossings of a ray with the solid do not add up": "a fault of Graze itself",
     "the motion's end maps are singular": "a fault of Graze itself",

@@ -465,7 +465,8 @@ static void explanation(void **state) {
         ("  B  from t = about 2.41421356237, the one root of t^2 - 2*t - 1 between 2 and 3\n"
          "     to t = 3\n       it meets edge 1-2, vertex 7\n"),
         "intersection: the motion ends here, and I came before ([EI] Definition 3)\n",
-        "  k = 1: the number of visits of P to the interior of S\n  k = (i + a + b) / 2 = (2 + 0 + 0) / 2,",
+        "  k = 1: the number of visits of P to the interior of S; a tangency from inside ends "
+        "none\n  k = (i + a + b) / 2 = (2 + 0 + 0) / 2,",
         "k = 1 and t = 0: P is a regular point (Definition 5) in case 2\n",
     };
     for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
