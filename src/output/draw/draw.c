@@ -80,10 +80,11 @@ static graze_status make_legend(picture *p, graze_context *context) {
     l->by_distance = p->request->by_distance;
     for (int t = TONE_INNER; l->by_distance && t < TONE_COUNT; t++)
         made &= band_text(l->band[t - TONE_INNER], &p->cells, (tone)t);
-    views_seen(l, p);
+    views_seen(p);
     if (p->has_trajectories)
-        trajectories_seen(l, p);
-    return made ? GRAZE_OK : context_fail(context, GRAZE_ESYSTEM, "out of memory for a picture");
+        trajectories_seen(p);
+    return made && !p->failed ? GRAZE_OK
+                              : context_fail(context, GRAZE_ESYSTEM, "out of memory for a picture");
 }
 
 /* Places of the parts: panels in rows from the left, the legend on the right of them all. */
@@ -165,6 +166,7 @@ static graze_status draw_all(picture *p, graze_context *context, const char *fil
     if (!status) {
         canvas_text(c, MARGIN, 26, &heading, title);
         canvas_text(c, MARGIN, 44, &plain, remark);
+        c->failed |= says.failed;
     }
     text_clear(&says);
     if (status)

@@ -120,7 +120,8 @@ static void draw_contacts(canvas *c, const panel *at, const trail *from, labels 
     }
 }
 
-void trajectories_seen(legend *out, const picture *p) {
+void trajectories_seen(picture *p) {
+    legend *out = &p->legend;
     const panel *at = &p->trajectories;
     for (size_t k = 0; k < p->request->point_count; k++) {
         const trail *c = &p->trails[k];
@@ -134,6 +135,7 @@ void trajectories_seen(legend *out, const picture *p) {
                                    : c->span[j].state == GRAZE_STATE_I ? 1
                                                                        : 0];
             *row |= panel_shows(at, &line);
+            p->failed |= line.failed;
             drawn_path_clear(&line);
         }
         for (size_t j = 0; j < c->contact_count; j++) {
@@ -217,6 +219,7 @@ graze_status view_trajectories(canvas *c, graze_context *context, const picture 
         status = context_poll(context);
     }
     labels_tell(&names, c);
+    c->failed |= names.failed;
     labels_clear(&names);
     canvas_end(c);
     return status;

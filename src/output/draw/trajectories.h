@@ -8,7 +8,7 @@
 
 /** Draw the trajectories through the standing S. */
 graze_status view_trajectories(canvas *c, graze_context *context, const picture *p);
-/** Note what it shows; after views_fit. */
-void trajectories_seen(legend *out, const picture *p);
+/** Note in the legend what it shows; after views_fit. */
+void trajectories_seen(picture *p);
 
 #endif

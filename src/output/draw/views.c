@@ -71,6 +71,7 @@ static void tell_plane(text *out, const picture *p) {
     int told = !p->cells.section || plane.failed || strlen(plane.data) <= LONG;
     text_format(out, told ? " in the plane %s" : " in an oblique plane",
                 plane.failed ? "" : plane.data);
+    out->failed |= plane.failed;
     text_clear(&plane);
 }
 
@@ -84,6 +85,7 @@ static void name_classes(picture *p) {
     if (!picture_is_plane(p))
         tell_plane(&title, p);
     panel_name(&p->classes, title.failed ? "" : title.data, 1);
+    p->failed |= title.failed;
     text_clear(&title);
 }
 
@@ -263,8 +265,9 @@ static void draw_plane(canvas *c, const picture *p) {
 }
 
 /* 1 if a line is to be seen in a panel; clears it. */
-static int shows_line(const panel *at, drawn_path line) {
+static int shows_line(picture *p, const panel *at, drawn_path line) {
     int shown = panel_shows(at, &line);
+    p->failed |= line.failed;
     drawn_path_clear(&line);
     return shown;
 }
@@ -275,15 +278,16 @@ static int shows_point(const picture *p, const panel *at, size_t k) {
     return panel_holds(at, x, y);
 }
 
-void views_seen(legend *out, const picture *p) {
+void views_seen(picture *p) {
+    legend *out = &p->legend;
     size_t last = p->request->times - 1;
     for (size_t k = 0; k <= last; k++) {
         int *row = &out->positions[k == 0 ? 0 : k < last ? 1 : 2];
         if (!*row && (k == 0 || k == last || !p->request->by_distance))
-            *row = shows_line(&p->classes, outline_path(p, k));
+            *row = shows_line(p, &p->classes, outline_path(p, k));
     }
     if (p->has_positions)
-        out->positions[3] = shows_line(&p->positions, plane_path(p));
+        out->positions[3] = shows_line(p, &p->positions, plane_path(p));
     for (size_t k = 0; k < p->request->point_count; k++)
         if ((is_in_plane(p, k) && shows_point(p, &p->classes, k)) ||
             (p->has_positions && shows_point(p, &p->positions, k)))

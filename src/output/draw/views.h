@@ -23,14 +23,14 @@ typedef struct picture {
     double *points; /* three coordinates each */
     legend legend;
     panel classes, positions, trajectories;
-    int has_positions, has_trajectories;
+    int has_positions, has_trajectories, failed; /* without memory */
 } picture;
 
 /** Choose the windows and sizes of the panels, not yet their places.
  * @return GRAZE_ELIMIT a window beyond what doubles can draw (range_check) */
 graze_status views_fit(picture *p, graze_context *context);
-/** Note what the panels show; after views_fit. */
-void views_seen(legend *out, const picture *p);
+/** Note in the legend what the panels show; after views_fit. */
+void views_seen(picture *p);
 /** 1 in E^2. */
 int picture_is_plane(const picture *p);
 /** How many points lie outside the panel that shows points where they are; after views_fit. */

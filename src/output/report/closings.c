@@ -95,12 +95,9 @@ static graze_status put_in_plane(const closings_maker *m, germ *g) {
     sector_list found = {0, 0, NULL};
     sector_question asked = {.germ = g, .part = GERM_WHOLE};
     graze_status status = sectors_find(&found, m->context, &asked);
-    for (size_t k = 0; k < found.count && !status; k++) {
-        text_put(m->t, k ? ", and from " : "counter-clockwise from ");
-        sentence_vector(m->t, found.ray + 4 * k, 2);
-        text_put(m->t, " to ");
-        sentence_vector(m->t, found.ray + 4 * k + 2, 2);
-    }
+    for (size_t k = 0; k < found.count && !status; k++)
+        sentence_put(m->t, k ? "sector-more" : "sector", found.ray + 4 * k, 2,
+                     found.ray + 4 * k + 2, 2);
     text_put(m->t, found.all ? "all directions" : found.count ? "" : "no sector");
     sectors_clear(&found);
     return status;

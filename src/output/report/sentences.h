@@ -22,8 +22,6 @@
 /** That file. */
 extern const char sentences[] ASSET;
 
-/** Add integers as a vector, `(1, -2)`. */
-void sentence_vector(text *out, const fmpz *v, int dimension);
 /** Add a sentence, each % filled by a text, # by an unsigned long, @ by a rational, ~ by a point
  * and & by a vector with their dimensions, $ by the sentence of a key, whose own fillings follow.
  */
