@@ -98,13 +98,14 @@ typedef struct seen_mark {
 
 static void see_contact(seen_mark out[3], const panel *at, const trail_contact *met) {
     enum { APART = 9 };
-    for (int k = 2; k >= 0; k--) {
+    double x, y;
+    panel_map(&x, &y, at, met->at);
+    out[2] = (seen_mark){panel_holds(at, x, y), x, y, met->kind, met->cell};
+    for (int k = 0; k < 2; k++) {
         seen_mark *m = &out[k];
-        *m = (seen_mark){.kind = k == 2 ? met->kind : (graze_kind)0,
-                         .cell = k == 2 ? met->cell : met->end_cell[k]};
-        panel_map(&m->x, &m->y, at, k == 2 ? met->at : met->end[k]);
-        m->shown = panel_holds(at, m->x, m->y) &&
-                   (k == 2 || (met->lasts && hypot(m->x - out[2].x, m->y - out[2].y) > APART));
+        *m = (seen_mark){.cell = met->end_cell[k]};
+        panel_map(&m->x, &m->y, at, met->end[k]);
+        m->shown = met->lasts && panel_holds(at, m->x, m->y) && hypot(m->x - x, m->y - y) > APART;
     }
 }
 
