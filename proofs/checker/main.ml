@@ -74,7 +74,9 @@ let rec rows d unsweep number check = function
       let v, r = row d unsweep line intervals in
       if not (check v r) then refuted (Printf.sprintf "row %d is not proved" number);
       rows d unsweep (number + 1) check rest
-  | [ [ "complete"; n ] ] -> if count_of n <> number then refuted "the number of rows is another" else number
+  | [ [ "complete"; n ] ] ->
+      if count_of n = number then number
+      else refuted (Printf.sprintf "'complete' says %d rows; the certificate has %d" (count_of n) number)
   | _ -> refuted "'row' or 'complete', the last line, is expected"
 
 let sha256 path =

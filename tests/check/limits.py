@@ -62,6 +62,8 @@ def check_numbers(b):
     for number, wanted in (("1", VERIFIED), ("001", VERIFIED), ("1.0", REFUTED), ("+1", REFUTED), ("x", REFUTED),
                            ("1000000000", REFUTED), ("0000000001", REFUTED), ("000000001", VERIFIED), ("-1", REFUTED)):
         b.ends((wanted,), f"a number of rows {number}", change=lambda t: t.replace("complete 1", f"complete {number}"))
+    b.ends((REFUTED,), "another number of rows", change=lambda t: t.replace("complete 1", "complete 2"))
+    b.tally.holds("'complete' says 2 rows; the certificate has 1" in b.error, "another number of rows", b.error)
 
 
 def check_files(b):

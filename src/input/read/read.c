@@ -59,8 +59,8 @@ graze_status soup_read_any(soup *s, graze_context *context, const char *path) {
     const struct format *format = format_of(path);
     if (format == NULL) {
         return context_fail_in(context, GRAZE_EINPUT, path, 0,
-                               "the extension is of no format of solids; expected .off, .obj, "
-                               ".ply, .stl, .nef3, .wkt, .csg or .csg.json%s",
+                               "unknown solid format; expected .off, .obj, .ply, .stl, .nef3, "
+                               ".wkt, .csg or .csg.json%s",
                                advice_of(path));
     }
     char *text;
