@@ -1,4 +1,5 @@
-/* graze.h - exact point classification against swept solids: the whole public interface.
+/** @file
+ * graze.h - exact point classification against swept solids: the whole public interface.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A solid S moves by M(t), t in [t0, t1]. The inverted trajectory c(t) = M(t)^-1 P of a query point
@@ -54,9 +55,9 @@
  *     GMP, MPFR and FLINT, which print and abort (FLINT to standard output); the limits act first.
  *     A program that wants another end sets its own functions before its first call, with
  *     mp_set_memory_functions and __flint_set_memory_functions; Graze changes neither.
- *  6. A struct of options begins with its `size`: sizeof the struct, for members may be added at
- * its end. Zeros of the others are the defaults, and NULL, where it is allowed, stands for all of
- * them. Members that the library does not know must be zero.
+ *  6. A struct of options begins with its `size`, sizeof the struct, since later versions may add
+ *     members at its end. Zeros of the others are the defaults, and NULL, where it is allowed,
+ *     stands for all of them. Members that the library does not know must be zero.
  *
  * The interface has a core and parts that build on it. Each file compiles on its own as C11 and
  * C++17; graze.h includes all of them, in the order in which to read them.

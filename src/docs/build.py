@@ -24,20 +24,30 @@ REDIRECT = f"""<!doctype html>
 """
 
 
-def run_page(page, source):
-    """Run the commands of a page in a folder of its own; the number of those that did not do what the page says."""
+def environment(source):
+    """Programs, libraries and module of source/build, as where they are installed."""
+    build = os.path.join(source, "build")
+    with open(os.path.join(build, "graze.pc"), "w", encoding="utf-8") as file:
+        file.write(f"Name: graze\nDescription: as it is built\nVersion: 0\nRequires: gmp\nCflags: -I{source}/include\n"
+                   f"Libs: -L{build} -lgraze\n")
+    return dict(os.environ, PATH=f"{build}:{os.environ['PATH']}", PYTHONPATH=os.path.join(source, "src", "python"),
+                GRAZE_LIBRARY=os.path.join(build, "libgraze.so"), GRAZE_SOURCE=source, PKG_CONFIG_PATH=build, LD_LIBRARY_PATH=build)
+
+
+def run_page(page, source, change=lambda command: command):
+    """Run the commands of a page, as `change` makes them, in a folder of its own; the number of those that did not do what
+    the page says."""
     name = os.path.splitext(os.path.basename(page))[0]
     folder = os.path.join(source, "build", "pages", name)
     os.makedirs(folder)
-    build, wrong = os.path.join(source, "build"), 0
-    environment = dict(os.environ, PATH=f"{build}:{os.environ['PATH']}", PYTHONPATH=os.path.join(source, "src", "python"),
-                       GRAZE_LIBRARY=os.path.join(build, "libgraze.so"), GRAZE_SOURCE=source)
+    wrong, installed = 0, environment(source)
     with open(page, encoding="utf-8") as file:
         shown = blocks.blocks(file.read())
     for language, command, output in shown:
         if language != "sh" or blocks.changes_system(command):
             continue
-        done = subprocess.run(["/bin/sh", "-ec", command], cwd=folder, env=environment, text=True, timeout=600,
+        command = change(command)
+        done = subprocess.run(["/bin/sh", "-ec", command], cwd=folder, env=installed, text=True, timeout=600,
                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         if done.returncode if output is None else not blocks.prints(output, done.stdout):
             wrong += 1

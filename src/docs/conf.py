@@ -34,6 +34,8 @@ html_title = f"Graze {release}"
 html_show_sourcelink = False
 html_copy_source = False
 html_theme_options = {"navigation_with_keys": True}
+html_static_path = ["site.css"]  # beside this file
+html_css_files = ["site.css"]
 
 
 LINK = re.compile(r"(?<!!)\[([^\]]*)\]\(([^)#:]+)\)")

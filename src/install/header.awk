@@ -14,7 +14,7 @@ function inner(line) {
 }
 
 function intro(line) {
-    if (line ~ /SPDX/)
+    if (line ~ /SPDX|^@file/)
         return
     if (!named) {
         sub(/^graze\.h - /, "", line)

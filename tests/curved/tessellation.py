@@ -49,8 +49,8 @@ def check_readme(checks, n, designed, words):
     """The line of README's first screen."""
     with open(os.path.join(HERE, "..", "..", "README.md"), encoding="utf-8") as file:
         said = " ".join(file.read().split())
-    checks.holds(f"of {designed} designed points of a [moving disk](cases/curved-parabola/README.md) an inscribed polygon gives {words} "
-                 f"another word, with {SIDES[-1]} sides as with {SIDES[0]}" in said, "README.md", n, designed, words)
+    checks.holds("an inscribed polygon in place of a [moving disk](cases/curved-parabola/README.md) changes the answer for "
+                 f"{words} of {designed} points, with {SIDES[0]} sides and with {SIDES[-1]}." in said, "README.md", n, designed, words)
 
 
 def check_disks(graze, checks, args):

@@ -3,7 +3,7 @@
 """The numbers of claims: each stands once and in order, is cited somewhere, and none is cited that is not there;
 each claim says whether it is machine-checked, by theorems that exist and are among the printed statements. The
 index has each claim once, under its heading, with sources that cite it and exactly the suites whose rows in
-tests/README.md do; README.md and the index count them as they are.
+tests/README.md do; src/README.md and the index count them as they are.
 
 Needs no Coq; make proofs checks the theorems themselves.
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -137,7 +137,7 @@ def check_index(checks, claims):
     kinds = [check_row(checks, int(n), line, claims[int(n)], suites, holders) for line, n in rows if int(n) in claims]
     counts = str(len(claims)), str(kinds.count("whole")), str(kinds.count("in part"))
     for page, form in (("proofs/index.md", r"The (\d+) claims by subject.*: (\d+) whole and (\d+) in part"),
-                       ("README.md", r"(\d+) claims by subject, (\d+) \[machine-checked\]\S* whole, (\d+) in part")):
+                       ("src/README.md", r"(\d+) claims by subject, (\d+) \[machine-checked\]\S* whole, (\d+) in part")):
         checks.equal(re.findall(form, read(page)), [counts], f"{page} counts the claims")
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # suite
 """Does what the documents show, README.md and then src/program/cli/README.md, and compares: the commands, their
-output, the C and the Python example, the names.
+output, the names; then pages of the site that have programs in C and Python.
 
 Works in a temporary folder into which the repository's paths are linked; build/ there is a folder of
 its own that holds the program and the libraries. The blocks are taken in their order:
@@ -9,15 +9,15 @@ its own that holds the program and the libraries. The blocks are taken in their 
 - `sh`: run by /bin/sh, unless it calls make or git. A `text` block next to it is what it prints, both
   streams; a line `...` there stands for any lines. It must end with status 0 unless a `text` block
   shows otherwise.
-- `c`: written to build/example.c. The block that compiles it is run again as strict C11, against the
-  static and the shared library, and with one call after another failing: it must say so.
-- `python`: written to build/example.py, run by the block after it, and once more without numpy.
 
-The command in the head of cases/example.c is run in the same ways as that of the `c` block. Links must
-lead to a file and a heading, every target, option and command named must exist, every command that
-`graze --help` lists must be described, and README.md must stay short.
+Pages are run as `make docs` runs them (src/docs/build.py), with programs compiled as strict C11 and Python without
+numpy. The command in the head of cases/example.c is run as it is, as strict C11, against the static and the shared
+library, and with one file after another missing: it must say so. Links must lead to a file and a heading, every target,
+option and command named must exist, here and on the pages of the site, every command that `graze --help` lists must be
+described, and README.md keeps its bounds: installation before the first command of Graze, one picture, few and short lines.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import glob
 import os
 import re
 import subprocess
@@ -27,13 +27,15 @@ import tempfile
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "src", "docs"))
 
+import build as site  # noqa: E402
 import harness  # noqa: E402
-from blocks import BLOCK, blocks, link_into, prints  # noqa: E402
+from blocks import blocks, link_into, prints  # noqa: E402
 from harness import ROOT, Checks, options  # noqa: E402
 
-DOCUMENTS = ("README.md", "src/program/cli/README.md")
-# Words of the README outside its blocks.
-MOST_WORDS = 1650
+COMMANDS = "src/program/cli/README.md"
+DOCUMENTS = ("README.md", COMMANDS)
+PAGES = ("unit-tests", "reference-python")
+MOST_LINES, WIDEST = 150, 120  # of README.md
 # Options of the compiler if the libraries were built with a sanitizer.
 SANITIZERS = {b"__asan_init": "address", b"__ubsan_handle": "undefined", b"__tsan_init": "thread"}
 # The point fb-graze-slide of cases/bracket: its row, and the times and cells its README derives, the times
@@ -66,7 +68,7 @@ class Runner:
         with open(os.path.join(build, "libgraze.a"), "rb") as file:
             library = file.read()
         self.kinds = [kind for symbol, kind in SANITIZERS.items() if symbol in library]
-        self.ran = {"sh": 0, "c": 0, "python": 0}
+        self.ran = 0
 
     def run(self, command, **environment):
         if "graze-check" in command:  # it keeps solid and motion until it ends
@@ -90,63 +92,51 @@ class Runner:
             command = re.sub(r"^cc ", flags, command, flags=re.M)
         strict = command.replace("-std=c11", "-std=c11 -Wall -Wextra -pedantic -Werror")
         check(strict != command, "the example is compiled as C11")
-        shared = strict.replace("libgraze.a", "libgraze.so")
-        check(shared != strict, "the example is linked with libgraze.a")
-        return [command, strict, shared]
+        return [command, strict, strict.replace("libgraze.a", "libgraze.so")]
 
-    def show_c(self, command, output):
-        for program in self.programs(command):
-            self.show(program, output, LD_LIBRARY_PATH="build")
-        source = os.path.join(self.folder, "build", "example.c")
-        with open(source, encoding="utf-8") as file:
-            text = file.read()
-        # A name that is not there for each file read: status 1, and the message of the context.
-        for path in re.findall(r'"(build/[^"]*)"', text):
-            write(text.replace(path, path + ".gone"), source)
-            got, status = self.run(self.programs(command)[1])
-            check(status == 1 and f"{path}.gone" in got, f"{path} missing: status {status}, {got}")
-        write(text, source)
+    def page(self, name):
+        """A page of the site, with strict C11, the library's sanitizers, and Python that finds no numpy."""
+        without = os.path.join(self.folder, "build", "without")
 
-    def show_python(self, command, output):
-        if self.kinds:  # the interpreter cannot load a library with a sanitizer's calls
-            return
-        self.show(command, output)
-        blocked = os.path.join(self.folder, "build", "without")
-        os.makedirs(blocked, exist_ok=True)
-        write("raise ImportError('numpy is hidden')\n", blocked, "numpy.py")
-        hidden = command.replace("PYTHONPATH=src/python", "PYTHONPATH=build/without:src/python")
-        check(hidden != command, "the example names the module's folder")
-        self.show(hidden, output)
+        def change(command):
+            if self.kinds and re.search(r"^python3 ", command, re.M):
+                return "true"  # the interpreter cannot load a library with a sanitizer's calls
+            command = self.programs(command)[1] if "-std=c11" in command else command
+            return re.sub("^python3 ", f"PYTHONPATH={without}:$PYTHONPATH python3 ", command, flags=re.M)
+
+        os.makedirs(without, exist_ok=True)
+        write("raise ImportError('numpy is hidden')\n", without, "numpy.py")
+        wrong = site.run_page(os.path.join(ROOT, "src", "docs", f"{name}.md"), self.folder, change)
+        check(wrong == 0 or self.kinds, f"{name}.md: {wrong} blocks do not do what the page shows")
 
     def example_file(self):
         """cases/example.c by the command in its head."""
         head = re.search(r"^ \*   (cc .*?)\n \*\n", read("cases", "example.c"), re.M | re.S)
         if not check(head, "cases/example.c says how to compile it"):
             return
-        for program in self.programs(re.sub(r"^ \* *", "", head[1], flags=re.M) + "\n"):
+        command = re.sub(r"^ \* *", "", head[1], flags=re.M) + "\n"
+        check("libgraze.a" in command, "the example is linked with libgraze.a")
+        for program in self.programs(command):
             got, status = self.run(program, LD_LIBRARY_PATH="build")
             check(status == 0 and re.fullmatch(EXAMPLE_OUTPUT, got), f"cases/example.c: {status}, {got}")
+        text = read("cases", "example.c")
+        paths = re.findall(r'"(cases/[^"]*)"', text)
+        check(len(paths) == 2, f"files that cases/example.c reads: {paths}")
+        for path in paths:  # status 1 and the message of the context
+            write(text.replace(path, path + ".gone"), self.folder, "build", "changed.c")
+            got, status = self.run(self.programs(command.replace("cases/example.c", "build/changed.c"))[1])
+            check(status == 1 and f"{path}.gone" in got, f"{path} missing: status {status}, {got}")
 
     def examples(self, text):
-        """Run every block."""
+        """Run every block of commands, unless it builds."""
         for language, body, output in blocks(text):
-            suffix = {"c": "c", "python": "py"}.get(language)
-            if suffix:
-                write(body, self.folder, "build", f"example.{suffix}")
-                self.ran[language] += 1
-            if language != "sh" or re.search(r"^(make|git)\b", body, re.M):
-                continue
-            self.ran["sh"] += 1
-            if "build/example.c" in body:
-                self.show_c(body, output)
-            elif "build/example.py" in body:
-                self.show_python(body, output)
-            else:
+            if language == "sh" and not re.search(r"^(make|git)\b", body, re.M):
+                self.ran += 1
                 self.show(body, output)
 
 
-# Options of GNU parallel and Slurm in the recipes.
-OF_OTHERS = {"--sshloginfile", "--workdir", "--array", "--cpus-per-task", "--requeue"}
+# Options of pkg-config, GNU parallel and Slurm.
+OF_OTHERS = {"--cflags", "--libs", "--sshloginfile", "--workdir", "--array", "--cpus-per-task", "--requeue"}
 
 
 def slug(heading):
@@ -167,20 +157,34 @@ def names(texts, graze):
     """Everything the documents name exists, and every command is described."""
     for name, text in texts.items():
         links(name, text)
-    text = "\n".join(texts.values())
+    pages = sorted(glob.glob(os.path.join(ROOT, "src", "docs", "*.md")))
+    check(len(pages) > 10, f"pages of the site: {pages}")
+    text = "\n".join([*texts.values(), *map(read, pages)])
     targets = set(re.findall(r"^([a-z-]+):", read("Makefile"), re.M))
     for target in sorted(set(re.findall(r"(?:`|^)make ([a-z-]+)", text, re.M))):
         check(target in targets, f"make {target}: no such target")
     overview = asked(graze, "--help")
     commands = re.findall(r"^  graze ([a-z]+)", overview, re.M)
     check(len(commands) >= 3, "graze --help lists the commands")
-    described = set(re.findall(r"^\| `graze ([a-z]+)", texts["README.md"], re.M))
+    described = set(re.findall(r"^\| `graze ([a-z]+)", texts[COMMANDS], re.M))
     check(described == set(commands), f"commands: {sorted(commands)}, described: {sorted(described)}")
     helps = overview + "".join(asked(graze, command, "--help") for command in commands)
     helps += asked(graze + "-check", "--help")
     known = set(re.findall(r"--[a-z][a-z-]*", helps)) | {"--help"} | OF_OTHERS
     for option in sorted(set(re.findall(r"(?<![\w-])--[a-z][a-z-]*", text))):
         check(option in known, f"{option} is in no --help")
+
+
+def bounds(readme):
+    """What README.md promises a reader who has a minute."""
+    lines = readme.splitlines()
+    check(len(lines) <= MOST_LINES, f"README.md: {len(lines)} lines, expected at most {MOST_LINES}")
+    for number, line in enumerate(lines, 1):
+        check(len(line) <= WIDEST, f"README.md:{number}: {len(line)} characters, expected at most {WIDEST}")
+    check(len(re.findall(r"^!\[", readme, re.M)) == 1, "README.md: one picture")
+    commands = [body for language, body, _ in blocks(readme) if language == "sh"]
+    check(commands and commands[0].startswith("make "), "README.md: installation before the first command of Graze")
+    check(0 < readme.find("\n## Install\n") < readme.find("build/graze "), "README.md: the heading of the installation comes first")
 
 
 def asked(*command):
@@ -208,11 +212,11 @@ def main():
         for text in texts.values():
             runner.examples(text)
         runner.example_file()
-    check(runner.ran["sh"] >= 10, f"only {runner.ran['sh']} blocks of commands were run")
-    check((runner.ran["c"], runner.ran["python"]) == (1, 1), f"examples: {runner.ran}")
+        for name in PAGES:
+            runner.page(name)
+    check(runner.ran >= 13, f"only {runner.ran} blocks of commands were run")
     names(texts, graze)
-    words = sum(bool(re.search(r"\w", word)) for word in BLOCK.sub("", texts["README.md"]).split())
-    check(words <= MOST_WORDS, f"README.md has {words} words outside its blocks, expected at most {MOST_WORDS}")
+    bounds(texts["README.md"])
     checks.finish()
 
 
