@@ -25,9 +25,7 @@ static const char merge_help[] =
     "  -o, --output FILE    write there instead of to standard output\n"
     "  --quiet              no progress on the terminal, and no notes\n"
     "\n"
-    "A part is the table or the certificate that graze classify, contact or certify writes for "
-    "one\n"
-    "shard.\n"
+    "A part is a table or certificate that graze classify, contact or certify wrote for a shard.\n"
     "\n"
     "Example: graze merge part-1.csv part-2.csv part-3.csv > table.csv\n";
 
