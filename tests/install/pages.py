@@ -125,6 +125,9 @@ def check_header(page):
     words = set(re.findall(r"\w+", page))
     for name in functions | set(re.findall(r"\bGRAZE_[A-Z0-9_]+ =", header)):
         check(name.split()[0] in words, f"graze(3) lacks {name}")
+    # The page has the first lines of graze.h as its name, and the headings there in capitals.
+    header = re.sub(r"/\*\* @file\n.*\n.*SPDX.*\n", "/**\n", header, count=1)
+    header = re.sub(r"^ \* (Example|Rules of use)$", lambda heading: heading[0].upper(), header, flags=re.M)
     for comment in re.findall(r"/\*\*(?!<)(.*?)\*/", header, re.S):
         lost = set(re.findall(r"\w+", re.sub(r"@(param(\[out\])?|return)", "", comment))) - words
         check(not lost, f"graze(3) lacks {lost} of the comment {comment[:60]!r}")
