@@ -73,9 +73,9 @@ def main():
     graze = Graze(args, checks)
     tool = os.path.join(os.path.dirname(args.graze), "tests", "minkowski")
     seen = Counter()
-    for name, solid, path in scenes():
+    for _, (name, solid, path) in args.cycle(scenes()):
         motion = legs(path)
-        points = mixed(solid, motion, args.random, POINTS * args.scale) + SEAM.get(name, [])
+        points = mixed(solid, motion, args.random, POINTS) + SEAM.get(name, [])
         if not os.path.exists(tool):
             checks.skip(name, f"{tool} is not built", len(points))
             continue

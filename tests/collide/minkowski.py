@@ -123,20 +123,19 @@ def check(checks, collide, tool, rng, name, scene, seen):
     seen["times"] += len(times)
 
 
-def scenes(rng, scale):
-    solids = pool()
+def scenes(args):
+    rng, solids = args.random, pool()
     all_, summed = sorted(solids), sorted(set(solids) - {TIP})
-    for k in range((STRAIGHT + TURNING) * scale):
-        straight = k < STRAIGHT * scale
-        (one, moving), (other, fixed) = drawn(rng, solids, summed if straight else all_), drawn(rng, solids, all_)
-        if straight:
-            ends = (0, 0, 0), way(rng)
-            motion = legs(ends)
-            fixed = met(rng, moving, motion, fixed)
-            yield f"{one} {other} {k}", (moving, motion, fixed, ends)
-        else:
-            motion = turning(rng)
-            yield f"turning {one} {other} {k}", (moving, motion, met(rng, moving, motion, fixed), None)
+    for k in args.rounds(STRAIGHT, "straight"):
+        (one, moving), (other, fixed) = drawn(rng, solids, summed), drawn(rng, solids, all_)
+        ends = (0, 0, 0), way(rng)
+        motion = legs(ends)
+        fixed = met(rng, moving, motion, fixed)
+        yield f"{one} {other} {k}", (moving, motion, fixed, ends)
+    for k in args.rounds(TURNING, "turning"):
+        (one, moving), (other, fixed) = drawn(rng, solids, all_), drawn(rng, solids, all_)
+        motion = turning(rng)
+        yield f"turning {one} {other} {k}", (moving, motion, met(rng, moving, motion, fixed), None)
 
 
 def main():
@@ -145,9 +144,9 @@ def main():
     collide = Collide(args, checks)
     tool = os.path.join(os.path.dirname(args.graze), "tests", "pairs")
     if not os.path.exists(tool):
-        checks.skip("all pairs", f"{tool} is not built", (STRAIGHT + TURNING) * args.scale)
+        checks.skip("all pairs", f"{tool} is not built", STRAIGHT + TURNING)
         checks.finish()
-    for name, scene in scenes(args.random, args.scale):
+    for name, scene in scenes(args):
         check(checks, collide, tool, args.random, name, scene, seen)
     print(", ".join(f"{n} {key}" for key, n in sorted(seen.items())))
     checks.holds(checks.skipped <= args.scale, "too many pairs without an answer by CGAL", checks.skipped)

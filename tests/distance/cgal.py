@@ -76,10 +76,10 @@ def check_sum(checks, where, found, place, square):
 
 def straight(checks, graze, tool, args):
     asked = 0
-    for name, solid, path in scenes():
+    for _, (name, solid, path) in args.cycle(scenes(), 1, "straight"):
         motion = legs(path)
-        points = [p for _, p in mixed(solid, motion, args.random, POINTS * args.scale // 3)]
-        points += around(args.random, points, POINTS * args.scale - len(points))
+        points = [p for _, p in mixed(solid, motion, args.random, POINTS // 3)]
+        points += around(args.random, points, POINTS - len(points))
         found = enclosures(checks, graze, name, solid, motion, points)
         pairs = list(zip(path, path[1:]))
         answers = ask(tool, solid, "sum", str(len(pairs)), rows_of([*p, *q] for p, q in pairs), str(len(points)), rows_of(points))
@@ -121,8 +121,9 @@ class Turn:
 
 def sampled(checks, graze, tool, args):
     ell = prism(polygons()["ell"].parts[0][0], 0, 2)
-    for name, solid, turn in (("ell turned", ell, Turn((3, 1, 2))), ("block turned", block(1, -1, 0, 3, 1, 2), Turn((0, 0, 4)))):
-        near = around(args.random, solid.vertices, SAMPLED * args.scale)
+    turns = ("ell turned", ell, Turn((3, 1, 2))), ("block turned", block(1, -1, 0, 3, 1, 2), Turn((0, 0, 4)))
+    for _, (name, solid, turn) in args.cycle(turns, 1, "sampled"):
+        near = around(args.random, solid.vertices, SAMPLED)
         points = [turn.at(F(args.random.randint(0, 8), 8), y) for y in near]
         found = enclosures(checks, graze, name, solid, turn, points)
         poses = rows_of(turn.back(k / (TIMES - 1)) for k in range(TIMES))

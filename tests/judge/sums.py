@@ -87,7 +87,7 @@ def main():
     checks = Checks()
     judge = Judge(args, checks)
     tool = os.path.join(os.path.dirname(args.graze), "tests", "minkowski")
-    for name, solid, path in scenes():
+    for name, solid, path in args.once(scenes()):
         if not os.path.exists(tool):
             checks.skip(name, f"{tool} is not built", 10)
             continue

@@ -5,11 +5,13 @@ Failed checks are printed with their operands, the first 40 of them.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import argparse
+import math
 import os
 import random
 import resource
 import subprocess
 import sys
+from fractions import Fraction
 
 import exact
 
@@ -61,6 +63,69 @@ class Checks:
         sys.exit(1 if self.failed or self.passed + self.skipped == 0 else 0)
 
 
+class Options(argparse.Namespace):
+    """The options of a suite. Its random part is a stream of rounds: of those at scale 1 a suite runs the share from `start` to `scale`,
+    each with the same random numbers whatever ran before, so that runs of 0 to 1/4 and of 1/4 to 1 are together one of 0 to 1."""
+
+    @property
+    def derived(self):
+        """Do checks run that are not random? They run once, where the stream begins, and in full."""
+        return self.start == 0
+
+    @property
+    def share(self):
+        """How much of the stream at scale 1 runs: bars for totals over the stream are multiplied by it."""
+        return self.scale - self.start
+
+    @property
+    def ample(self):
+        """Does enough of the stream run for totals that are seldom met?"""
+        return self.share >= Fraction(3, 4)
+
+    def rounds(self, count, name=""):
+        """The numbers of the rounds that run of a stream of `count` at scale 1. Streams of one suite have different names."""
+        for k in range(math.ceil(count * self.start), math.ceil(count * self.scale)):
+            self.random.seed(f"{self.seed} {name} {k}")
+            yield k
+
+    def cycle(self, items, passes=1, name=""):
+        """(k, item), round by round: so many passes over the items at scale 1, in an order in which neighbours are not alike."""
+        order = self.order(items)
+        for k in self.rounds(passes * len(order), name):
+            yield k, order[k % len(order)]
+
+    def once(self, items, name="", larger=()):
+        """Each item once at scale 1, as in `cycle`; at larger scales those of `larger` too."""
+        order = self.order(items)
+        every = order + list(larger)
+        for k in self.rounds(len(order), name):
+            if k < len(every):
+                yield every[k]
+
+    @staticmethod
+    def order(items):
+        """The items shuffled, the same way for every seed."""
+        items = list(items)
+        random.Random(len(items)).shuffle(items)
+        return items
+
+
+def positive(text):
+    """A fraction above 0, for `--scale`."""
+    value = Fraction(text)
+    if value <= 0:
+        raise ValueError(text)
+    return value
+
+
+def share(text):
+    """A fraction of 0 and more but less than 1, for `--from`."""
+    value = Fraction(text)
+    if not 0 <= value < 1:
+        raise ValueError(text)
+    return value
+
+
 def options(description, *more, seed=2008):
     """The options of every suite, and `more` as (name, arguments of add_argument).
 
@@ -69,18 +134,22 @@ def options(description, *more, seed=2008):
     """
     parser = argparse.ArgumentParser(description=description.split("\n\n")[0].replace("%", "%%"))
     parser.add_argument("--graze", default=os.path.join(ROOT, "build", "graze"), help="the program under test")
-    parser.add_argument("--scale", type=int, default=1, help="multiplies the random part")
+    parser.add_argument("--scale", type=positive, default=Fraction(1), help="multiplies the random part; a fraction: its beginning")
+    parser.add_argument("--from", dest="start", type=share, default=Fraction(0), metavar="F",
+                        help="begin at this share of the random part at scale 1, without what is not random")
     parser.add_argument("--seed", type=int, default=seed, help="of the random part")
     parser.add_argument("--sanitizers", action="store_true", help="the program is built with a sanitizer")
     for name, arguments in more:
         parser.add_argument(name, **arguments)
-    args = parser.parse_args()
+    args = parser.parse_args(namespace=Options())
+    if args.start >= args.scale:
+        parser.error(f"--from {args.start}: expected less than the scale, {args.scale}")
     args.graze = os.path.abspath(args.graze)
     args.random = random.Random(args.seed)
     if not args.sanitizers:
         hard = resource.getrlimit(resource.RLIMIT_AS)[1]
         resource.setrlimit(resource.RLIMIT_AS, (MEMORY if hard == resource.RLIM_INFINITY else min(MEMORY, hard), hard))
-    print(f"seed {args.seed}, scale {args.scale}")
+    print(f"seed {args.seed}, scale {args.scale}" + (f", from {args.start}" if args.start else ""))
     return args
 
 

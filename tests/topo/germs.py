@@ -31,7 +31,7 @@ from solids import Mesh, Polygon, joined, prism, ring  # noqa: E402
 
 SCENES = 120
 # The largest share of prisms that may be undecided.
-SPACE_LEFT = 0.05
+SPACE_LEFT = 0.1
 TINY = F(1, 2 ** 100)
 # The parts, above the origin; those below are turned over. True: flat.
 PARTS = [(ring((0, 0), (1, 2), (-1, 2)), False), (ring((0, 0), (1, 2), (-1, 3)), False),
@@ -197,17 +197,17 @@ def main():
     checks = Checks()
     graze = Graze(args, checks)
     seen = Counter()
-    for k in range(SCENES * args.scale):
+    for k in args.rounds(SCENES):
         chosen = passes(args.random)
         check_plane(checks, graze, seen, f"germ {k}", chosen)
         if k % 4 == 0 or args.scale > 1:
             check_space(checks, graze, seen, f"germ {k}", chosen)
     for key, n in sorted(seen.items()):
         print(*key, n)
-    checks.holds(sum(n for key, n in seen.items() if key[1] == "interior") > SCENES / 10, "few are interior")
+    checks.holds(sum(n for key, n in seen.items() if key[1] == "interior") > SCENES / 10 * args.share, "few are interior")
     space = [(key[2], n) for key, n in seen.items() if key[0] == "space"]
     left = sum(n for level, n in space if level == "undecided")
-    checks.holds(left <= SPACE_LEFT * sum(n for _, n in space), f"{left} undecided in space")
+    checks.holds(left <= max(1, SPACE_LEFT * sum(n for _, n in space)), f"{left} undecided in space")
     checks.finish()
 
 

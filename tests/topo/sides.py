@@ -63,34 +63,46 @@ def truth(l, u, sides_close, level):
 
 
 def scenes(rng, name, sides, along, closing, level, m):
+    """(name, parts, position or None, order of the sides)."""
     for l, u in ((F(1, 64) + TINY, F(1, 64)), (F(1, 64) - TINY, F(1, 64)), (-F(1, 64), F(1, 64)),
                  (F(rng.randint(-3, 3), 64), F(rng.randint(-3, 3), 64))):
         yield name, [*sides, *crossing(along, l, u)], truth(l, u, closing, level), m
 
 
-def chosen(rng, longer):
-    """(name, parts, position or None, order of the sides)."""
+def setups(longer):
+    """Name -> what gives its scenes, of a generator of random numbers."""
+    found = {}
+
+    def add(name, *how):
+        found[name] = lambda rng: scenes(rng, name, *how)
+
     for m, ends in ((2, False), (1, True), (3, True), *([(4, False), (2, True)] if longer else [])):
         for k, k2, w in ((F(1, 16), F(1, 8), F(0)), (F(1, 16), -F(1, 8), F(0)), (F(1, 16), F(1, 16), F(1, 16)),
                          *([(F(1, 16), F(0), F(0))] if longer else [])):
             sides = [on_side(m, k, w, -1, ends), on_side(m, k2, w, 1, ends)]
             closing = k and k2 if not ends else k > 0 and k2 > 0
-            yield from scenes(rng, f"edges {m} {ends} {k} {k2} {w}", sides, "x", closing, w == 0, m)
+            add(f"edges {m} {ends} {k} {k2} {w}", sides, "x", closing, w == 0, m)
     # a way that ends on one side alone, and one of even order on the other
     for m, side in ((1, -1), (1, 1), (3, 1)):
         sides = [on_side(m, F(1, 16), F(0), side, True), on_side(2, F(1, 8), F(0), -side, False)]
-        yield from scenes(rng, f"edges {m} and 2, {side}", sides, "x", True, True, m)
+        add(f"edges {m} and 2, {side}", sides, "x", True, True, m)
     # a roof above with its ridge along y, u x^2: one side alone leaves what is between 0 and u x^2 on the other
     for m, ends in ((1, True), (2, False)):
         both = [on_side(m, F(1, 8), F(0), side, ends) for side in (-1, 1)]
         others = [roof("x", 1, F(1, 64), F(0)), roof("y", 1, F(1, 64), F(0), False)]
-        yield f"edges {m} on both sides", [*both, *others], "interior", m
-        for side in both:
-            yield f"edges {m} on one side", [side, *others], "boundary", m
+        fixed = [("both sides", [*both, *others], "interior", m), *(("one side", [side, *others], "boundary", m) for side in both)]
+        found[f"edges {m} on a side"] = lambda rng, m=m, fixed=fixed: [(f"edges {m} on {where}", *scene) for where, *scene in fixed]
     for n, w in ((2, F(1, 4)), (3, -F(1, 8)), *([(4, F(1, 4)), (5, F(1, 8))] if longer else [])):
-        yield from scenes(rng, f"tops {n} {w}", [top(n, w), top(n, -w)], "y", True, True, n - 1)
+        add(f"tops {n} {w}", [top(n, w), top(n, -w)], "y", True, True, n - 1)
         sides = [top(n, w), on_side(2, F(1, 8), F(0), 1 if w > 0 else -1, False, "x")]
-        yield from scenes(rng, f"tops {n} {w} and an edge", sides, "y", True, True, n - 1)
+        add(f"tops {n} {w} and an edge", sides, "y", True, True, n - 1)
+    return found
+
+
+def chosen(args):
+    base, more = setups(False), setups(True)
+    for name in args.once(base, "sides", [name for name in more if name not in base]):
+        yield from more[name](args.random)
 
 
 def check_words(checks, graze, name, files):
@@ -120,7 +132,7 @@ def main():
     graze = Graze(args, checks)
     seen = Counter()
     origin = mapped((F(0), F(0), F(0)))
-    for number, (name, parts, want, m) in enumerate(chosen(args.random, args.scale > 1)):
+    for number, (name, parts, want, m) in enumerate(chosen(args)):
         solid, motion = orders.scene(parts)
         answers = graze.classify(f"sides {number}", solid, motion, [origin], "--topo")
         if not answers:
@@ -144,9 +156,9 @@ def main():
     for key, count in sorted(seen.items(), key=str):
         print(*key, count)
     by_sides = sum(n for key, n in seen.items() if key[3:] == ("interior", "leading_terms"))
-    checks.holds(by_sides >= 10, f"{by_sides} are interior by the sides")
+    checks.holds(by_sides >= 10 * args.share, f"{by_sides} are interior by the sides")
     by_paths = sum(n for key, n in seen.items() if key[0] == "edges" and key[2:4] == ("boundary", "boundary"))
-    checks.holds(by_paths >= 10, f"{by_paths} are on the boundary")
+    checks.holds(by_paths >= 10 * args.share, f"{by_paths} are on the boundary")
     checks.finish()
 
 
