@@ -125,7 +125,7 @@ def main():
     for name, solid in solids().items():
         path = graze.write(name + solid.suffix, solid.text())
         origin = (F(0),) * solid.dimension
-        for k in range(CURVES * args.scale):
+        for k in args.rounds(CURVES, name):
             motion = random_curve(solid, args.random)
             answers = graze.classify(f"{name} {k}", path, motion, [origin])
             if answers:

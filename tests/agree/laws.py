@@ -25,7 +25,7 @@ from motion import Motion, Piece, build, compose, constant, conjugated, cut, leg
 from motion import far, mobius, product, reversed_in_time, rotation, scaling, squared  # noqa: E402
 from motion import translate  # noqa: E402
 from points import mixed  # noqa: E402
-from scenes import plane_scenes, space_scenes  # noqa: E402
+from scenes import scenes  # noqa: E402
 from shells import shells_text  # noqa: E402
 from solids import extruded, meshes, polygons  # noqa: E402
 from times import irrational, negated, time_root  # noqa: E402
@@ -356,12 +356,12 @@ LAWS = [law_reversed, law_world, law_frame, law_cut, law_boundary, law_repeated,
 def repeated_in_fans(graze, checks, args):
     """The law of repeated corners where facets are not planar and have to be fanned."""
     motion = legs([(-9, 0, 0), (0, F(1, 3), 0), (2, 9, 1)])
-    for lift in (1, -1):
+    for _, lift in args.cycle((1, -1), 3, "fans"):
         solid = meshes()["cube"]
         solid.vertices[7] = (3, 3, 3 + F(lift, 2))
         points = [p for _, p in mixed(solid, motion, args.random, POINTS)]
         base = graze.classify(f"fans {lift}", solid, motion, points, "--triangulate")
-        for _ in range(3 if base else 0):
+        if base:
             scene = Scene(f"fans {lift}", solid, motion, points)
             law_repeated(Law(graze, checks, scene, base, args), "--triangulate")
 
@@ -370,8 +370,7 @@ def main():
     args = options(__doc__.splitlines()[0])
     checks, tally = Checks(), Tally()
     graze = Graze(args, checks)
-    scenes = plane_scenes(args.random, args.scale) + space_scenes(args.random, args.scale)
-    for name, solid, motion in scenes:
+    for name, solid, motion in scenes(args):
         points = [p for _, p in mixed(solid, motion, args.random, POINTS)]
         base = graze.classify(name, solid, motion, points)
         if base is None:
@@ -383,7 +382,7 @@ def main():
             one(law)
     repeated_in_fans(graze, checks, args)
     tally.report(checks)
-    print(f"{len(scenes)} scenes, {graze.runs} runs")
+    print(f"{graze.runs} runs")
     checks.finish()
 
 

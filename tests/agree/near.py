@@ -196,11 +196,11 @@ def main():
     args = options(__doc__.splitlines()[0])
     checks = Checks()
     graze = Graze(args, checks)
-    corners(graze, checks)
-    uneven(graze, checks)
-    for k in range(3 * args.scale):
-        for d in (2, 3):
-            facets(graze, checks, args.random, d, True)
+    if args.derived:
+        corners(graze, checks)
+        uneven(graze, checks)
+    for _, d in args.cycle((2, 3), 3):
+        facets(graze, checks, args.random, d, True)
     checks.finish()
 
 

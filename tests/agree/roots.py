@@ -71,16 +71,21 @@ def chebyshev(n):
     return "+".join(f"({x})*t^{k}" for k, x in enumerate(b))
 
 
-def spread(rng):
-    """Chebyshev's and Wilkinson's polynomials, and random ones near 1/2."""
+def spread():
+    """Chebyshev's and Wilkinson's polynomials."""
     for n in (15, 30):
         yield f"Chebyshev {n}", chebyshev(n)
     product = "*".join(f"(20*t-{k})" for k in range(1, 21))
     yield "Wilkinson", product
     yield "Wilkinson perturbed", f"{product}+1/2^100"
-    for k in range(4):
-        roots = [rng.randrange(1, 1 << 40) for _ in range(5)]
-        yield f"random {k}", "*".join(f"(2^41*t-2^40-{r})" for r in roots) + f"-1/{rng.randrange(2, 1 << 60)}"
+
+
+def polynomials(args):
+    """Name and f; random ones have their roots near 1/2."""
+    yield from args.once([*clusters(), *spread()], "clusters")
+    for k in args.rounds(4, "near 1/2"):
+        roots = [args.random.randrange(1, 1 << 40) for _ in range(5)]
+        yield f"random {k}", "*".join(f"(2^41*t-2^40-{r})" for r in roots) + f"-1/{args.random.randrange(2, 1 << 60)}"
 
 
 def classify(graze, f, wkt="POLYGON((0 0, 2 0, 2 2, 0 2, 0 0))", point="0,1", rise=0):
@@ -138,12 +143,13 @@ def passes(checks, args, n, x, word, edges, rise=0):
 def all_passes(checks, args):
     """T begins at -1 and ends at 1. Beside the plain case: the square stays at one side of the point
     and touches it with the left edge at each T = 1; the point is in the square at each T = -1."""
-    for n in (31, 199):
-        half = n // 2
-        passes(checks, args, n, F(1, 2), "O" + "BIBO" * n, (math.pi / 3, 2 * math.pi / 3))
-    passes(checks, args, n, F(1, 2), "O" + "BIBO" * n, (math.pi / 3, 2 * math.pi / 3), "1/3")
-    passes(checks, args, n, F(1), "O" + "BIBIBO" * half + "BIB", (0, math.pi / 2))
-    passes(checks, args, n, F(-1, 2), "I" + "BOBI" * half + "BO", (2 * math.pi / 3,))
+    thirds = math.pi / 3, 2 * math.pi / 3
+    if args.derived:
+        passes(checks, args, 31, F(1, 2), "O" + "BIBO" * 31, thirds)
+    crossed = F(1, 2), "O" + "BIBO" * 199, thirds
+    for case in args.once([crossed, (*crossed, "1/3"), (F(1), "O" + "BIBIBO" * 99 + "BIB", (0, math.pi / 2)),
+                           (F(-1, 2), "I" + "BOBI" * 99 + "BO", (2 * math.pi / 3,))], "degree 199"):
+        passes(checks, args, 199, *case)
 
 
 def main():
@@ -154,7 +160,7 @@ def main():
         checks.skip("gp", "PARI's gp is not installed (Debian package pari-gp)")
         checks.finish()
     script, names = GP, []
-    for name, f in list(clusters()) + list(spread(args.random)):
+    for name, f in polynomials(args):
         times, why = times_of(args.graze, f)
         if checks.holds(times is not None, name, f, why):
             names.append(name)

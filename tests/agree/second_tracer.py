@@ -15,7 +15,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 from agreement import Tally, compare  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
 from points import mixed  # noqa: E402
-from scenes import plane_scenes, space_scenes  # noqa: E402
+from scenes import scenes  # noqa: E402
 from tracer import trace  # noqa: E402
 
 PLANE_POINTS, SPACE_POINTS = 30, 9
@@ -25,8 +25,7 @@ def main():
     args = options(__doc__.splitlines()[0])
     checks, tally = Checks(), Tally()
     graze = Graze(args, checks)
-    scenes = plane_scenes(args.random, args.scale) + space_scenes(args.random, args.scale)
-    for name, solid, motion in scenes:
+    for name, solid, motion in scenes(args):
         count = PLANE_POINTS if motion.dimension == 2 else SPACE_POINTS
         points = mixed(solid, motion, args.random, count)
         answers = graze.classify(name, solid, motion, [p for _, p in points])

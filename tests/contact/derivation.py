@@ -19,7 +19,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import oracle  # noqa: E402
 from exact import Fraction as F, to_double  # noqa: E402
 from program import Checks, Graze, cell_set, options  # noqa: E402
-from scenes import plane_scenes, space_scenes  # noqa: E402
+from scenes import scenes  # noqa: E402
 from solids import Polygon, cross, minus  # noqa: E402
 from times import check_canonical, time_is  # noqa: E402
 from tracer import dot, trace  # noqa: E402
@@ -214,7 +214,7 @@ def main():
     args = options(__doc__.splitlines()[0])
     checks, tally = Checks(), Counter()
     graze = Graze(args, checks)
-    for name, solid, motion in plane_scenes(args.random, args.scale) + space_scenes(args.random, args.scale):
+    for name, solid, motion in scenes(args):
         count = PLANE_SITES if motion.dimension == 2 else SPACE_SITES
         run_scene(checks, tally, graze, args.random, name, solid, motion, count)
     for key, number in sorted(tally.items(), key=str):

@@ -20,7 +20,7 @@ from exact import Fraction as F  # noqa: E402
 from motion import Motion, Piece, constant, cut, mobius, product, reversed_in_time  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
 from refine import triangulated  # noqa: E402
-from scenes import plane_scenes, space_scenes  # noqa: E402
+from scenes import scenes  # noqa: E402
 from solids import Polygon  # noqa: E402
 
 SITES = {2: 16, 3: 8}
@@ -149,8 +149,7 @@ def main():
     checks = Checks()
     graze = Graze(args, checks)
     runs = Runs(checks, graze)
-    scenes = plane_scenes(args.random, args.scale) + space_scenes(args.random, args.scale)
-    for name, solid, motion in scenes:
+    for name, solid, motion in scenes(args):
         sides = oracle.sides_of(solid)
         chosen = sites(args.random, solid, motion, sides, SITES[solid.dimension])
         base = runs.rows(solid, motion, chosen, name)

@@ -20,7 +20,7 @@ from derivation import sites  # noqa: E402
 from exact import Fraction as F  # noqa: E402
 from laws import Runs  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
-from scenes import plane_scenes, space_scenes  # noqa: E402
+from scenes import scenes  # noqa: E402
 
 SITES = {2: 16, 3: 8}
 # Distances 2^-k; from index FAR on inner points must have no `out` point beside them.
@@ -83,11 +83,11 @@ def main():
     args = options(__doc__.split("\n\n")[0])
     checks, tally = Checks(), Counter()
     runs = Runs(checks, Graze(args, checks))
-    for name, solid, motion in plane_scenes(args.random, 1) + space_scenes(args.random, 1):
-        chosen = sites(args.random, solid, motion, oracle.sides_of(solid), SITES[solid.dimension] * args.scale)
+    for name, solid, motion in scenes(args):
+        chosen = sites(args.random, solid, motion, oracle.sides_of(solid), SITES[solid.dimension])
         check_scene(runs, tally, name, solid, motion, chosen)
     print(dict(tally))
-    checks.holds(tally["outer"] > 20 and tally["inner"] > 100, "probed", dict(tally))
+    checks.holds(tally["outer"] > 20 * args.share and tally["inner"] > 100 * args.share, "probed", dict(tally))
     checks.finish()
 
 

@@ -21,7 +21,7 @@ import oracle  # noqa: E402
 from exact import Fraction as F  # noqa: E402
 from hand import ALONG, BACK, BLOCK, L_PRISM, ON, RIGHT, SQUARE, moves, off, shift  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
-from scenes import plane_scenes, space_scenes  # noqa: E402
+from scenes import scenes  # noqa: E402
 from solids import Polygon, minus  # noqa: E402
 from tracer import dot  # noqa: E402
 
@@ -268,8 +268,9 @@ def main():
     args = options(__doc__.split("\n\n")[0])
     checks, tally = Checks(), Counter()
     graze = Graze(args, checks)
-    check_hand(checks, graze)
-    for name, solid, motion in plane_scenes(args.random, args.scale) + space_scenes(args.random, args.scale):
+    if args.derived:
+        check_hand(checks, graze)
+    for name, solid, motion in scenes(args):
         check_scene(checks, tally, graze, args.random, name, solid, motion, 12 if motion.dimension == 2 else 9)
     print({str(k): n for k, n in sorted(tally.items(), key=str)})
     kinds = {(2, "edge"), (2, "vertex"), (3, "face"), (3, "edge"), (3, "vertex")}

@@ -29,7 +29,7 @@ from exact import Fraction as F, to_double  # noqa: E402
 from motion import build, rotation, translate  # noqa: E402
 from points import mixed  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
-from scenes import plane_scenes, space_scenes  # noqa: E402
+from scenes import scenes  # noqa: E402
 from solids import Mesh, Polygon, block, box_ring, inside_out, joined, ring  # noqa: E402
 
 SCENES = 4
@@ -93,9 +93,10 @@ def worked(graze, checks):
             checks.holds(row["pmc"] == pmc and least <= low <= far, name, p, row["pmc"], to_double(low), f"expected {to_double(least)} to {to_double(far)}")
 
 
-def convex(graze, checks, rng):
+def convex(graze, checks, args):
     """Thin parallelograms and triangles far along a line; points within, in shares of the corners and of the way."""
-    for k in range(CONVEX):
+    rng = args.random
+    for k in args.rounds(CONVEX, "convex"):
         along, across, way = ([F(rng.randint(-8, 8)) for _ in range(2)] for _ in range(3))
         if 0 in (along[0] * across[1] - along[1] * across[0], along[0] * way[1] - along[1] * way[0]):
             continue
@@ -165,13 +166,13 @@ def main():
     args = options(__doc__.splitlines()[0])
     checks = Checks()
     graze = Graze(args, checks)
-    worked(graze, checks)
-    convex(graze, checks, args.random)
-    forms(graze, checks)
-    for scenes in (plane_scenes, space_scenes):
-        for scene in args.random.sample(scenes(args.random), min(SCENES * args.scale, 12)):
-            for operation in ("sweep", "unsweep"):
-                law(graze, checks, scene, args.random, operation)
+    if args.derived:
+        worked(graze, checks)
+        forms(graze, checks)
+    convex(graze, checks, args)
+    for scene in scenes(args, SCENES):
+        for operation in ("sweep", "unsweep"):
+            law(graze, checks, scene, args.random, operation)
     checks.finish()
 
 

@@ -24,7 +24,7 @@ from exact import Fraction as F, to_double  # noqa: E402
 from motion import build, compose, conjugated, cut, mobius, reversed_in_time, rotation, squared, translate  # noqa: E402
 from points import mixed  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
-from scenes import plane_scenes, space_scenes  # noqa: E402
+from scenes import scenes  # noqa: E402
 from solids import block, meshes, polygons  # noqa: E402
 
 SCENES = 5     # in the plane, and in space
@@ -158,13 +158,12 @@ def main():
     args = options(__doc__.splitlines()[0])
     checks = Checks()
     graze = Graze(args, checks)
-    for scenes in (plane_scenes, space_scenes):
-        for scene in args.random.sample(scenes(args.random), min(SCENES * args.scale, 12)):
-            for flags in ((), ("--operation", "unsweep")):
-                law = Law(graze, checks, scene, args.random, *flags)
-                for obey in (law_motion, law_rigid, law_scaled, law_lines, law_nested, *(() if flags else (law_parts,))):
-                    obey(law)
-    for scene in thin_slabs():
+    for scene in scenes(args, SCENES):
+        for flags in ((), ("--operation", "unsweep")):
+            law = Law(graze, checks, scene, args.random, *flags)
+            for obey in (law_motion, law_rigid, law_scaled, law_lines, law_nested, *(() if flags else (law_parts,))):
+                obey(law)
+    for _, scene in args.cycle(thin_slabs(), 1, "slabs"):
         for flags in ((), ("--operation", "unsweep")):
             law_nested(Law(graze, checks, scene, args.random, *flags))
     checks.finish()

@@ -20,7 +20,7 @@ from exact import Fraction as F  # noqa: E402
 from hand import moves, prism_of, shift  # noqa: E402
 from program import Checks, Graze, options  # noqa: E402
 from reading import named, sign, table  # noqa: E402
-from scenes import plane_scenes, space_scenes  # noqa: E402
+from scenes import scenes  # noqa: E402
 from solids import Mesh, Polygon, block, cross, joined, minus  # noqa: E402
 
 TIMES, POINTS = 2, 24
@@ -196,9 +196,10 @@ def main():
     args = options(__doc__.splitlines()[0])
     checks, tally = Checks(), Counter()
     graze = Graze(args, checks)
-    two_runs(checks, graze)
-    resting(checks, graze)
-    for name, solid, motion in plane_scenes(args.random, args.scale) + space_scenes(args.random, args.scale):
+    if args.derived:
+        two_runs(checks, graze)
+        resting(checks, graze)
+    for name, solid, motion in scenes(args):
         run_scene(checks, tally, graze, args.random, name, solid, motion)
     for key, number in sorted(tally.items(), key=str):
         print(key, number)

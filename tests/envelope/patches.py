@@ -16,10 +16,10 @@ from exact import Fraction as F
 from motion import cut, reversed_in_time
 from program import Checks, Graze, options
 from reading import When, between, table
-from scenes import plane_scenes, space_scenes
+from scenes import scenes
 from solids import Polygon
 
-SCENES, TIMES, POINTS, LIMITS = 14, 3, 12, 6
+SCENES, TIMES, POINTS, LIMITS = 7, 3, 12, 6  # scenes in the plane, and in space
 FACET_KINDS = ("reach", "cusp", "turn", "singular")
 
 
@@ -271,8 +271,7 @@ def main():
     args = options(__doc__.splitlines()[0])
     checks, tally = Checks(), Counter()
     graze = Graze(args, checks)
-    scenes = plane_scenes(args.random, args.scale) + space_scenes(args.random, args.scale)
-    for number, (name, solid, motion) in enumerate(args.random.sample(scenes, min(SCENES * args.scale, len(scenes)))):
+    for number, (name, solid, motion) in enumerate(scenes(args, SCENES)):
         check_scene(checks, tally, graze, args.random, number, name, solid, motion)
     for key, count in sorted(tally.items()):
         print(key, count)

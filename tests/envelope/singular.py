@@ -9,6 +9,7 @@ solved for in fractions, are a point, a line or nothing, and are asked for in th
 and between any two events of the facet at times spread there, where the answer may not change. The events are the same if the
 motion is cut, among others at the events, and if the body's axes are exchanged.
 """
+import itertools
 import os
 import sys
 from collections import Counter
@@ -172,10 +173,10 @@ def main():
     args = options(__doc__.splitlines()[0])
     checks, tally = Checks(), Counter()
     graze = Graze(args, checks)
-    scenes = [(prism(HEXAGON, F(0), F(1)), WORLD_AXIS),
-              (block(0, 0, 0, 4, 5, 2), (SHRINK, quaternion([[1], [0], [0, 1], [0, F(-1, 2)]], center=[F(1), F(1), F(1)])))]
-    scenes += [random_scene(args.random) for _ in range(RANDOM * args.scale)]
-    for number, (solid, transforms) in enumerate(scenes):
+    derived = [(prism(HEXAGON, F(0), F(1)), WORLD_AXIS),
+               (block(0, 0, 0, 4, 5, 2), (SHRINK, quaternion([[1], [0], [0, 1], [0, F(-1, 2)]], center=[F(1), F(1), F(1)])))]
+    drawn = (random_scene(args.random) for _ in args.rounds(RANDOM))
+    for number, (solid, transforms) in enumerate(itertools.chain(derived if args.derived else (), drawn)):
         motion = build([(0, 1, compose(*transforms))])
         check_scene(checks, tally, graze, args.random, solid, motion, f"s{number}")
     for key, number in sorted(tally.items()):

@@ -73,19 +73,19 @@ class Columns:
         return expected
 
     def cases(self):
-        for name in casefile.names():
+        for name in self.args.once(casefile.names(), "cases"):
             case = casefile.Case(name)
             scene = case.path(case.solid), case.path("motion.json")
             self.same(name, *scene, case.path("points.csv"), *case.answers)
             self.same(name, *scene, "--grid", "35,19" if case.dimension == 2 else "9,5,8", *case.answers, ways=[()])
 
     def scenes(self):
-        for scene in scenes():
+        for _, scene in self.args.cycle(scenes(), 1, "scenes"):
             tag = scene.name.replace(", ", "_").replace(" ", "-")
             solid, motion = scene.texts()
             solid = self.graze.write(tag + scene.solid.suffix, solid)
             motion = self.graze.write(tag + ".json", motion)
-            count = (HEAVY_POINTS if scene.heavy else POINTS) * self.args.scale
+            count = HEAVY_POINTS if scene.heavy else POINTS
             points = Maker(scene, self.args.random).points(count)
             path = self.graze.write(tag + ".csv", written(scene.d, points))
             self.same(scene.name, solid, motion, path, *scene.flags)
@@ -94,7 +94,7 @@ class Columns:
 
     def sizes(self, dimension, most):
         """A grid whose last bricks are not whole ones."""
-        each = most * self.args.scale if dimension == 3 else 4 * most * self.args.scale
+        each = most if dimension == 3 else 4 * most
         return ",".join(str(self.args.random.randrange(each // 2, each)) for _ in range(dimension))
 
     def grids(self):
@@ -219,14 +219,16 @@ class Columns:
 
 
 def main():
-    columns = Columns(options(__doc__.splitlines()[0]))
+    args = options(__doc__.splitlines()[0])
+    columns = Columns(args)
     columns.cases()
     columns.scenes()
-    columns.grids()
-    columns.vast()
-    columns.tip_of_a_hole()
-    columns.shallow_tip()
-    columns.tables()
+    if args.derived:
+        columns.grids()
+        columns.vast()
+        columns.tip_of_a_hole()
+        columns.shallow_tip()
+        columns.tables()
     print(f"{columns.rows} lines both ways, {columns.inside} of points inside")
     columns.checks.equal(columns.inside * 5 > columns.rows, True, "a fifth of the points is inside")
     columns.checks.finish()

@@ -93,9 +93,8 @@ def main():
                 continue
             sides = Sides(graze, checks, Way(f"contracted by {compiler}", program),
                           Way("exact", args.graze, ["--no-filter"]))
-            for scene in scenes()[k::2]:
-                if not scene.heavy:
-                    sides.scene(scene, args.random, POINTS * args.scale, args.seed)
+            for n, scene in args.cycle([scene for scene in scenes()[k::2] if not scene.heavy], 1, compiler):
+                sides.scene(scene, args.random, POINTS, args.seed + n)
             sides.summary()
     if not found:
         checks.skip("contraction", "no objects beside the program, or no fused operations here")

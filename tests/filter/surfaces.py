@@ -98,17 +98,17 @@ def main():
     args = options(__doc__.splitlines()[0])
     checks, rng = Checks(), args.random
     sides = Sides(Graze(args, checks), checks, *ways(args.graze))
-    for name in filter(casefile.is_curved, casefile.all_names()):
+    for name in args.once(filter(casefile.is_curved, casefile.all_names()), "cases"):
         case = casefile.Case(name)
         files = case.path(case.solid), case.path("motion.json"), case.path("points.csv")
         sides.table(name, *files, case.options, len(case.points))
         sides.records(name, *files, ["case"] * len(case.points), case.options)
-    for k, (name, node, motion, *_) in enumerate(words.SCENES):
+    for k, (name, node, motion, *_) in args.cycle(words.SCENES, 1, "words"):
         d = motion.dimension
-        points = [(F(0),) * d, *around(rng, (0,) * d, 8 * args.scale)]
+        points = [(F(0),) * d, *around(rng, (0,) * d, 8)]
         scene(sides, f"words {name}", Curved(d, node), motion, points, k % 4 == 0)
-    for name, node, motion, centre in HARD:
-        points = [centre, *around(rng, centre, POINTS * args.scale)]
+    for _, (name, node, motion, centre) in args.cycle(HARD, 1, "hard"):
+        points = [centre, *around(rng, centre, POINTS)]
         scene(sides, name, Curved(motion.dimension, node), motion, points)
     print(f"{sides.rows} points both ways")
     checks.finish()

@@ -6,6 +6,8 @@ Motions: legs with break points and turning points, polynomial and rational tran
 degree six, rotations by tan_half, turns, complex and quaternion keyframes, scalings, reflections,
 shears, and all of them run through squares, which makes rational contact times square roots.
 """
+import random
+
 from exact import Fraction as F
 
 from motion import build, compose, keyframes, legs, matrix, quaternion, rotation, scaling, squared
@@ -62,24 +64,29 @@ def space_motions():
     }
 
 
-def chosen(solids, motions, rng, rounds):
-    """(name, solid, motion): every solid and every motion at least once a round."""
-    names, tracks = list(solids), list(motions)
-    out = []
-    for k in range(rounds):
-        rng.shuffle(tracks)
-        for j in range(max(len(names), len(tracks))):
-            s, m = names[j % len(names)], tracks[j % len(tracks)]
-            motion = motions[m]
-            if (j + k) % 3 == 2:
-                m, motion = m + "_squared", squared(motion)[0]
-            out.append((f"{s} {m}", solids[s], motion))
-    return out
+def chosen(args, where, solids, motions, count):
+    """(name, solid, motion): so many at scale 1, or every solid and every motion at least once."""
+    every = max(len(solids), len(motions))
+    for k in args.rounds(count or every, where):
+        turn, j = divmod(k, every)
+        pairing = random.Random(f"{args.seed} {where} {turn}")
+        names, tracks = (pairing.sample(list(x), len(x)) for x in (solids, motions))
+        s, m = names[j % len(names)], tracks[j % len(tracks)]
+        motion = motions[m]
+        if (j + turn) % 3 == 2:
+            m, motion = m + "_squared", squared(motion)[0]
+        yield f"{s} {m}", solids[s], motion
 
 
-def plane_scenes(rng, rounds=1):
-    return chosen(polygons(), plane_motions(), rng, rounds)
+def plane_scenes(args, count=0):
+    return chosen(args, "plane", polygons(), plane_motions(), count)
 
 
-def space_scenes(rng, rounds=1):
-    return chosen(meshes(), space_motions(), rng, rounds)
+def space_scenes(args, count=0):
+    return chosen(args, "space", meshes(), space_motions(), count)
+
+
+def scenes(args, count=0):
+    """In the plane, and in space; so many each at scale 1."""
+    yield from plane_scenes(args, count)
+    yield from space_scenes(args, count)
