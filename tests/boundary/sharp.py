@@ -173,7 +173,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         for depth in ("3", "4"):
             test_box(graze, folder, depth)
-        for depth in ("3", "4", "5")[:2 if given.scale == 1 else 3]:
+        for depth in ("3", "4", "5")[:3 if given.scale > 1 else 2]:
             test_turned(graze, folder, depth, .9, .1)
         test_diagonal(graze, folder)
         test_plane(graze, folder)

@@ -108,31 +108,28 @@ def check(checks, case, answers):
             checks.equal(cells, want_cells, *where, "cells")
 
 
-def check_curved(checks, only):
+def check_curved(checks, args):
     points = 0
-    for name in casefile.all_names():
-        if casefile.is_curved(name) and only in name:
-            try:
-                case = casefile.Case(name)
-                check(checks, case, curved_answers(case))
-                points += len(case.points)
-            except (casefile.CaseError, ValueError, OSError, KeyError) as wrong:
-                checks.holds(False, str(wrong), name)
+    for name in args.once(n for n in casefile.all_names() if casefile.is_curved(n) and args.only in n):
+        try:
+            case = casefile.Case(name)
+            check(checks, case, curved_answers(case))
+            points += len(case.points)
+        except (casefile.CaseError, ValueError, OSError, KeyError) as wrong:
+            checks.holds(False, str(wrong), name)
     print(f"{points} points of curved solids")
     return points
 
 
 def main():
     args, checks = options(__doc__, ONLY), Checks()
-    curved = check_curved(checks, args.only)
+    curved = check_curved(checks, args)
     if not shutil.which("gp"):
         checks.skip("gp", "PARI's gp is not installed (Debian package pari-gp)")
         checks.finish()
     cases, text = [], ""
     text += "".join(f'read("{os.path.join(HERE, f)}");\n' for f in ("motion.gp", "trace.gp"))
-    for name in casefile.names():
-        if args.only not in name:
-            continue
+    for name in args.once(name for name in casefile.names() if args.only in name):
         try:
             case = casefile.Case(name)
             text += script(case, name)

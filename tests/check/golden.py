@@ -106,12 +106,11 @@ def main():
     chosen = options(__doc__, ONLY, ("--rows", {"type": int, "default": 0, "help": "generated rows a case"}))
     programs, tally = Programs(chosen.graze), Checks()
     with tempfile.TemporaryDirectory() as folder:
-        for n, name in enumerate(casefile.names()):
-            if chosen.only in name:
-                check_case(tally, programs, casefile.Case(name), folder, chosen.rows or min(300, 20 * chosen.scale),
-                           chosen.scale > 1 or n % 8 == 0)
-                if chosen.rows:
-                    print(name, f"{tally.passed} passed, {tally.failed} failed", flush=True)
+        for n, name in chosen.once((n, name) for n, name in enumerate(casefile.names()) if chosen.only in name):
+            check_case(tally, programs, casefile.Case(name), folder, chosen.rows or min(300, 20 * max(1, int(chosen.scale))),
+                       chosen.scale > 1 or n % 8 == 0)
+            if chosen.rows:
+                print(name, f"{tally.passed} passed, {tally.failed} failed", flush=True)
     tally.finish()
 
 

@@ -338,9 +338,9 @@ def main():
     scenes = 0
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(2) as pool:
         judge = Judge(programs, tally, folder)
-        for n, name in enumerate(casefile.names()):
-            if wanted.only not in name or (n % 2 and wanted.scale == 1 and not wanted.only):
-                continue
+        every = [(n, name) for n, name in enumerate(casefile.names()) if wanted.only in name]
+        some = every if wanted.only else every[::2]
+        for n, name in wanted.once(some, "cases", [pair for pair in every if pair not in some]):
             case = casefile.Case(name)
             place = os.path.join(folder, name)
             os.makedirs(place)
@@ -349,7 +349,7 @@ def main():
                                                        answer_options(case.options)))
             scenes += 1
             jobs = [(case, f"{n}-{r}-{k}", kind, text)
-                    for r, row in enumerate(chosen_rows(certificate, wanted.scale + 2))
+                    for r, row in enumerate(chosen_rows(certificate, max(1, int(wanted.scale)) + 2))
                     for k, (kind, text) in enumerate(mutants(certificate, row))
                     if wanted.scale > 1 or (k + n) % 12 == 0 or kind.startswith("forged")]
             for kind, accepted, failure in pool.map(lambda job: judge.judge(*job), jobs):
@@ -360,7 +360,7 @@ def main():
     for kind, count in sorted(judge.accepted.items()):
         print(f"  accepted, and true: {count} of {count + judge.refuted[kind]}, {kind}: {STILL_TRUE.get(kind)}")
     if not wanted.only:
-        tally.holds(total >= 1000 and scenes >= 30, "at least 1000 mutants over 30 scenes")
+        tally.holds(total >= 1000 * wanted.share and scenes >= 30 * wanted.share, "at least 1000 mutants over 30 scenes")
         tally.holds(len([k for k in judge.refuted if k.startswith("forged")]) >= 8, "each kind of forgery occurs")
     tally.finish()
 

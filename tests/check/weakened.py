@@ -157,7 +157,7 @@ def main():
     known, counts = equivalents(), collections.Counter()
     base = "/dev/shm" if os.path.isdir("/dev/shm") else None
     with tempfile.TemporaryDirectory(dir=base) as folder, concurrent.futures.ThreadPoolExecutor(2) as pool:
-        lines = chosen(record(folder, os.path.abspath(wanted.graze)), EACH * wanted.scale)
+        lines = chosen(record(folder, os.path.abspath(wanted.graze)), int(EACH * wanted.scale))
         bench = Bench(folder, lines)
         print(f"{len(lines.splitlines())} calls", flush=True)
         with open(bench.sources[0], encoding="utf-8") as file:

@@ -223,7 +223,7 @@ def main():
     checks, tally = Checks(), Counter()
     collide = Collide(args, checks)
     for d, count in PAIRS.items():
-        for k in range(count * args.scale):
+        for k in args.rounds(count, str(d)):
             name, *pair = placed(args.random, d)
             while d == 3 and name != "fans" and len(pair[0].parts) * len(pair[2].parts) > 2:        # too slow
                 name, *pair = placed(args.random, d)

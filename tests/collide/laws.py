@@ -258,13 +258,13 @@ def main():
     checks = Checks()
     collide = Collide(args, checks)
     for d, count in PAIRS.items():
-        for k in range(count * args.scale):
+        for k in args.rounds(count, str(d)):
             name, *pair = placed(args.random, d, {name: Solid(whole, []) for name, whole in SOLIDS[d]().items()})
             law = Law(collide, checks, args.random, f"{d} {k} {name}", *pair)
             if law.base is not None:
                 for one in LAWS:
                     one(law)
-    print(f"{sum(PAIRS.values()) * args.scale} pairs, {collide.graze.runs} runs")
+    print(f"{collide.graze.runs} runs")
     checks.finish()
 
 

@@ -252,12 +252,12 @@ def main():
     args = options(__doc__.splitlines()[0])
     checks, tally = Checks(), Counter()
     collide = Collide(args, checks)
-    for k in range(PAIRS * args.scale):
+    for k in args.rounds(PAIRS):
         one_pair(collide, checks, args.random, f"pair {args.seed} {k}", tally)
     touching = sum(n for word, n in tally.items() if "B" in word and "I" not in word)
     slid = sum(n for word, n in tally.items() if "OBO" in word or "IBI" in word or word[0] == "B" or word[-1] == "B")
     print(f"{len(tally)} words: " + ", ".join(f"{word} {n}" for word, n in tally.most_common(20)))
-    checks.holds(touching * 6 > PAIRS * args.scale and slid * 4 > PAIRS * args.scale, "too few pairs touch", touching, slid)
+    checks.holds(touching * 6 > PAIRS * args.share and slid * 4 > PAIRS * args.share, "too few pairs touch", touching, slid)
     checks.finish()
 
 

@@ -148,13 +148,13 @@ def along_directions(surfaces):
     return {tuple(s) for s in signs if all(s)}
 
 
-def germs(rng, scale):
-    kinds = [touching, touching, touching, at_an_edge, general, apex]
-    for _ in range(GERMS * scale):
+def germs(args):
+    rng, kinds = args.random, [touching, touching, touching, at_an_edge, general, apex]
+    for _ in args.rounds(GERMS, "germs"):
         name, surfaces = rng.choice(kinds)(rng)
         if all(f and f.degree() <= 4 for f in surfaces):
             yield name, surfaces, patterns(surfaces, rng)
-    for _ in range(CONES * scale):
+    for _ in args.rounds(CONES, "cones"):
         name, surfaces = cones(rng)
         yield name, surfaces, along_directions(surfaces)
 
@@ -290,7 +290,7 @@ def main():
     graze = Graze(args, checks)
     rng = args.random
     told = collections.defaultdict(collections.Counter)
-    for number, (name, surfaces, shown) in enumerate(germs(rng, args.scale)):
+    for number, (name, surfaces, shown) in enumerate(germs(args)):
         wanted = tuple(rng.choice([-1, 1]) for _ in surfaces)
         rest = [p for p in itertools.product((-1, 1), repeat=len(surfaces)) if p not in shown]
         if rest and rng.random() < 0.7:
@@ -319,11 +319,11 @@ def main():
         if name in DECIDED:
             # Away from the origin the path may run in a surface, and along another singularity.
             checks.holds(state != "?" or answers[0].record["undecided"]["t"] != "0", *what, "is undecided")
-    for number in range(PLANE * args.scale):
+    for number in args.rounds(PLANE, "plane"):
         in_the_plane(number, checks, graze, rng, told)
     for name in sorted(told):
         print(f"{name}: " + ", ".join(f"{count} {state}" for state, count in sorted(told[name].items())))
-    checks.holds(told["cones"]["B, not shown"] * 10 <= CONES * args.scale, "cones", dict(told["cones"]))
+    checks.holds(told["cones"]["B, not shown"] * 10 <= CONES * args.share, "cones", dict(told["cones"]))
     checks.finish()
 
 

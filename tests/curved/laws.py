@@ -134,9 +134,9 @@ def main():
             if "?" not in one.word + other.word:
                 checks.equal(other.word, change(one.word), name, law, *one.point if hasattr(one, "point") else ())
 
-    for name, node, motion, _, _ in words.SCENES:
+    for _, (name, node, motion, _, _) in args.cycle(words.SCENES):
         d = motion.dimension
-        points = points_of(d, rng, 4 * args.scale)
+        points = points_of(d, rng, 4)
         solid = Curved(d, node)
         want = graze.classify(name, solid, motion, points)
 
@@ -154,7 +154,7 @@ def main():
         opposite = Motion(d, [(a, b, {"translate": [f"-({x})" for x in m["translate"]]}) for a, b, m in motion.pieces])
         same("unsweep", Curved(d, without(node, d)), opposite, points, lambda word: word.translate(SWAP), "--operation", "unsweep")
     print(f"{seen} rows, {undecided} undecided")
-    checks.holds(seen >= 3000 and undecided * 50 < seen, f"{seen} rows, {undecided} undecided")
+    checks.holds(seen >= 3000 * args.share and undecided * 50 < seen, f"{seen} rows, {undecided} undecided")
     checks.finish()
 
 

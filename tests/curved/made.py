@@ -195,7 +195,7 @@ def dimension_at(solid, y, matter):
 class Suite:
     def __init__(self, args, checks, folder):
         self.graze, self.checks, self.folder = args.graze, checks, folder
-        self.seams = 0
+        self.seams, self.rows = 0, ROWS * max(1, int(args.scale))
 
     def generate(self, scene, count, seed, *more):
         done = run([self.graze, "generate", *scene.files, "-n", count, "--seed", seed, *more])
@@ -296,10 +296,10 @@ def check_rows(suite, scene, text, *more):
 
 
 def check_scene(suite, scene, args):
-    done = suite.generate(scene, ROWS * args.scale, args.seed)
+    done = suite.generate(scene, suite.rows, args.seed)
     table, depths = check_rows(suite, scene, done.stdout)
     checks = suite.checks
-    checks.equal(len(table.rows), ROWS * args.scale, scene.name, "rows")
+    checks.equal(len(table.rows), suite.rows, scene.name, "rows")
     named = {s for s, w in table.strata.items() if w}
     wanted = {"random", "start", "end", "crossing", "miss", *scene.made.split()}
     checks.equal(list(table.strata), STRATA, scene.name)
@@ -308,7 +308,7 @@ def check_scene(suite, scene, args):
     even, more = check_rows(suite, scene, suite.generate(scene, SHARE * len(wanted), args.seed, "--strata", alike).stdout, alike)
     made = Counter(row["stratum"] for row in even.rows)
     checks.equal(set(made), wanted, scene.name, "are made")
-    longer = suite.generate(scene, ROWS * args.scale + 10, args.seed).stdout
+    longer = suite.generate(scene, suite.rows + 10, args.seed).stdout
     checks.equal(longer[:len(done.stdout)], done.stdout, scene.name, "first rows of more")
     return depths | more
 
@@ -369,9 +369,8 @@ def main():
     depths, reached = set(), Counter()
     with tempfile.TemporaryDirectory() as folder:
         suite = Suite(args, checks, folder)
-        for name, (dimension, node, path, made) in SCENES.items():
-            if args.only not in name:
-                continue
+        for name in args.once(name for name in SCENES if args.only in name):
+            dimension, node, path, made = SCENES[name]
             scene = Scene(folder, name, dimension, node, path, made)
             depths |= check_scene(suite, scene, args)
             reached.update(made.split())
@@ -379,10 +378,11 @@ def main():
                 check_doubles(suite, scene, args.seed)
             if name in ("torus-across", "ellipse-plane"):
                 check_validate(suite, scene)
-        if not args.only:
+        if args.derived and not args.only:
             check_undecided(suite)
+        if args.ample and not args.only:
             checks.holds({4, 96} <= depths and len(depths) > 15, "displacements", depths)
-            checks.holds(suite.seams > 10, "seams", suite.seams)
+            checks.holds(suite.seams > 0, "seams", suite.seams)
             print("scenes by stratum:", dict(reached))
     checks.finish()
 

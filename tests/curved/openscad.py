@@ -95,7 +95,7 @@ class Bench:
             return f"a mesh of {len(triangles)} triangles"
         ends = [(min(c[i] for t in triangles for c in t), max(c[i] for t in triangles for c in t)) for i in range(3)]
         slack = 0.65 + max(max(map(abs, pair)) for pair in ends) / 60
-        points = [[round(self.args.random.uniform(a, b), 5) for a, b in ends] for _ in range(POINTS * self.args.scale)]
+        points = [[round(self.args.random.uniform(a, b), 5) for a, b in ends] for _ in range(int(POINTS * self.args.scale))]
         table = self.file("p.csv", "".join("%r,%r,%r\n" % tuple(p) for p in points))
         done = run([self.args.graze, "classify", solid, self.file("rest.json", REST % (3, '"0", "0", "0"')), table, "--columns", "pmc"])
         answers = [line.split(",")[3] for line in done.stdout.splitlines() if line[:1] not in "#x"]

@@ -67,7 +67,7 @@ def main():
     checks, rng = Checks(), args.random
     graze = Graze(args, checks)
     seen = {"in": 0, "on": 0, "out": 0}
-    for number in range(SCENES * args.scale):
+    for number in args.rounds(SCENES):
         d = rng.choice([2, 3])
         radius = F(rng.randint(1, 8), rng.choice([2, 3]))
         path, frames = some_path(rng, d)

@@ -85,6 +85,7 @@ def main():
             body = re.search(r"^--- s\.csg\.json\n(.*)$", case, re.M)
             if body and "\nexit: 3\n" in case and "graze check" in case and case.split("\n")[0] not in UNSEEN:
                 solids["refusal: " + case.split("\n")[0]] = json.loads(body[1])
+    solids = dict(args.once(solids.items()))
     with tempfile.TemporaryDirectory() as folder:
         valid = judged(checks, list(solids.values()), folder)
         if valid is None:

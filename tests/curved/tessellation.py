@@ -12,6 +12,7 @@ In space the same of a ball that turns along a curve and of polyhedra of `graze 
 are in the ball, and no facet's plane of the other is nearer than the radius. --space: this alone, 100,000 points at a scale of 250.
 """
 import csv
+import itertools
 import math
 import os
 import sys
@@ -58,8 +59,8 @@ def check_disks(graze, checks, args):
     for name in CASES:
         case = casefile.Case(name)
         motion = case.path("motion.json")
-        designed = [tuple(map(F, p)) for _, p in case.points]
-        some = [(F(rng.randint(-400, 400), 100), F(rng.randint(-300, 1000), 100)) for _ in range(RANDOM * args.scale)]
+        designed = [tuple(map(F, p)) for _, p in case.points] if args.derived else []
+        some = [(F(rng.randint(-400, 400), 100), F(rng.randint(-300, 1000), 100)) for _ in args.rounds(RANDOM, name)]
         points = designed + some
         exact = [a.record for a in graze.classify(name, case.path(case.solid), motion, points) or []]
         for n in SIDES:
@@ -80,7 +81,7 @@ def check_disks(graze, checks, args):
                 for p, a, b in zip(designed, exact, got):
                     if a["pmc"] == "on":
                         checks.equal(b["pmc"], "out" if kind == "inscribed" else "in", name, n, kind, *p)
-            if name == "curved-parabola":
+            if name == "curved-parabola" and args.derived:
                 check_readme(checks, n, len(designed), changed["inscribed"][0])
             print(f"{name}, {n} sides: of {len(designed)} designed points {changed['inscribed'][0]} words change (inscribed), "
                   f"{changed['circumscribed'][0]} (circumscribed); of {len(some)} random points {changed['inscribed'][1]} and "
@@ -133,10 +134,11 @@ def some_place(rng, radius):
 
 def check_ball(graze, checks, args):
     """The ball of [EI] Figure 11 along its space curve, turning."""
-    case, radius, between, total = casefile.Case("curved-space-curve"), 2, 0, SPACE * args.scale
+    case, radius, between, total = casefile.Case("curved-space-curve"), 2, 0, 0
     solids = polyhedra(graze, checks, radius)
-    for first in range(0, total, AROUND):
-        points = [some_place(args.random, radius) for _ in range(min(AROUND, total - first))]
+    places = (some_place(args.random, radius) for _ in args.rounds(SPACE, "space"))
+    while points := list(itertools.islice(places, AROUND)):
+        total += len(points)
         rows = graze.write("points.csv", "".join(",".join(map(str, p)) + "\n" for p in points))
         answers = []
         for solid in (solids[0], case.path(case.solid), solids[1]):

@@ -237,7 +237,7 @@ def main():
     args = options(__doc__.splitlines()[0])
     checks = Checks()
     graze = Graze(args, checks)   # its folder goes when it goes
-    everything = list(queries(graze, args.random, args.scale))
+    everything = list(queries(graze, args.random, max(1, int(args.scale))))
     everything.insert(-2, plate())  # the last two are for one site
     found = sites(args.graze, everything[0])
     if not checks.holds(found, "no decision sites: is this a build with -DGRAZE_FLIP_SITES?"):

@@ -171,7 +171,7 @@ def prism_mesh(n, radius):
                 + [f for k in range(n) for m in [(k + 1) % n] for f in ([k, m, m + n], [k, m + n, k + n])])
 
 
-def turning_box(judge):
+def turning_box(judge, _):
     solid = block(-3, -4, 0, 3, 4, 1)
     motion = '{"dimension": 3, "pieces": [{"t": ["0", "1"], "transform": {"turn": {"quarters": 2, "axis": ["0", "0", "1"]}}}]}'
     path = judge.graze.write("half_turn.json", motion)
@@ -205,8 +205,9 @@ def hull(points):
     return Mesh([points[v] for v in used], [[place[v] for v in f] for f in faces])
 
 
-def scenes_of_hulls(judge, rng, count):
-    for k in range(count):
+def scenes_of_hulls(judge, args):
+    rng = args.random
+    for k in args.rounds(1 if args.sanitizers else 4, "hulls"):
         points = [tuple(F(rng.randint(-64, 64), 16) for _ in range(3)) for _ in range(8)]
         b = [F(rng.randint(-64, 64), 8) + F(1, 3) for _ in range(3)]
         solid = hull(points)
@@ -500,11 +501,15 @@ def main():
     args = options("closed forms of distances between a mesh and a sweep")
     checks = Checks()
     judge = Judge(args, checks)
-    scenes_of_boxes(judge, checks, args.sanitizers)
-    perfect(judge, checks)
+    scenes_of_hulls(judge, args)
+    longer = [perfect, curved_seam, far_off]
     if not args.sanitizers:  # the same code as boxes, for longer
-        turning_box(judge)
-    scenes_of_hulls(judge, args.random, (1 if args.sanitizers else 4) * args.scale)
+        longer += [turning_box, jobs, laws, seam, axis]
+    for part in args.once(longer, "longer"):
+        part(judge, checks)
+    if not args.derived:
+        checks.finish()
+    scenes_of_boxes(judge, checks, args.sanitizers)
     budgets(judge, checks)
     fail_above(judge, checks)
     vertices(judge, checks)
@@ -513,13 +518,7 @@ def main():
     vtk(judge, checks)
     texts(judge, checks)
     if not args.sanitizers:
-        jobs(judge, checks)
-        laws(judge, checks)
-        seam(judge, checks)
-        axis(judge, checks)
         in_a_seam(judge, checks)
-    curved_seam(judge, checks)
-    far_off(judge, checks)
     empty(judge, checks)
     checks.finish()
 

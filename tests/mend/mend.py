@@ -118,8 +118,9 @@ def mend(graze, folder, mesh, *flags, status=0, named=True):
     return out, done.stdout, done.stderr
 
 
-def same_points(graze, folder, random, scale):
+def same_points(given, folder):
     """Damaged meshes bound the points of the good ones."""
+    graze, random = given.graze, given.random
     tetrahedron = ([(0, 0, 0), (6, 0, 0), (0, 6, 0), (0, 0, 6)], [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)])
     good = {"cube": CUBE, "tetrahedron": tetrahedron,
             "hollow": together(moved(CUBE, (0, 0, 0), 3), moved(CUBE, (1, 1, 1), 2, inward=True), moved(CUBE, (2, 2, 2))),
@@ -130,7 +131,7 @@ def same_points(graze, folder, random, scale):
         out, said, _ = mend(graze, folder, mesh)
         check(said == "nothing to mend\n" or name == "touching", name, said)
         check(answers(graze, folder, out) == want, name, "undamaged")
-        for _ in range(4 * scale):
+        for _ in given.rounds(4, name):
             damaged = mesh
             for _ in range(random.randint(1, 4)):
                 damaged = random.choice(DAMAGE)(damaged, random)
@@ -216,15 +217,16 @@ def corners(path):
     return [tuple(map(Fraction, line.split())) for line in lines[:int(counts.split()[0])]]
 
 
-def welded(graze, folder, random, scale):
+def welded(given, folder):
     """Corners that differ a little are one within EPS. No vertex moves further than the report says, which is what it
     says in three digits and no more than EPS. Points of the grid that are not on the good boundary are further from it, as
     their coordinates have denominator 3 and the scene's are whole: they stay in or out."""
+    graze, random = given.graze, given.random
     noise = Fraction(1, 10**5)  # so that copies of a corner are at most sqrt(12) noise apart, and corners 2 - 2 noise
     for mesh in (CUBE, together(CUBE, moved(CUBE, (3, 0, 0)))):
         write(folder / "good.off", mesh)
         want = memberships(answers(graze, folder, folder / "good.off"))
-        for _ in range(2 * scale):
+        for _ in given.rounds(2, f"weld {len(mesh[0])}"):
             damaged = noisy(mesh, random, noise)
             out, said, _ = mend(graze, folder, damaged, "--weld", "1e-4", status=0, named=False)
             stays = corners(out)
@@ -271,13 +273,14 @@ def main():
     given = options(__doc__)
     with tempfile.TemporaryDirectory(prefix="graze-mend-") as name:
         folder = pathlib.Path(name)
-        same_side(given.graze, folder)
-        same_fan(given.graze, folder)
-        said_by_hand(given.graze, folder)
-        not_mended(given.graze, folder)
-        welded_by_hand(given.graze, folder)
-        welded(given.graze, folder, given.random, given.scale)
-        same_points(given.graze, folder, given.random, given.scale)
+        if given.derived:
+            same_side(given.graze, folder)
+            same_fan(given.graze, folder)
+            said_by_hand(given.graze, folder)
+            not_mended(given.graze, folder)
+            welded_by_hand(given.graze, folder)
+        welded(given, folder)
+        same_points(given, folder)
     checks.finish()
 
 

@@ -286,15 +286,17 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         plane = write(folder, "s.wkt", SQUARE), write(folder, "plane.json", PLANE)
         space = write(folder, "s.off", cube()), write(folder, "space.json", SPACE)
-        for scene, expected in ((plane, PLANE_ROWS), (space, SPACE_ROWS)):
+        for scene, expected in ((plane, PLANE_ROWS), (space, SPACE_ROWS)) if args.derived else ():
             points, table = check_derived(args.graze, folder, scene, expected)
             check_forms(args.graze, folder, scene, points, table)
             check_certificate(args.graze, folder, scene, points, table)
-        check_curved(args.graze, folder)
-        check_logs(args.graze, folder)
+        if args.derived:
+            check_curved(args.graze, folder)
+            check_logs(args.graze, folder)
         for d in (2, 3):
-            seen = set().union(*(check_boxes(args.graze, folder, args.random, d) for _ in range(12 * args.scale)))
-            checks.equal(seen, {"root", "never", "start", "end", "touch"}, d)
+            seen = set().union(*(check_boxes(args.graze, folder, args.random, d) for _ in args.rounds(12, str(d))))
+            every = {"root", "never", "start", "end", "touch"}
+            checks.holds(seen == every if args.ample else seen <= every, d, seen)
     checks.finish()
 
 

@@ -34,7 +34,7 @@ def instrumented(library):
 def part(checks, python, way, args, library):
     """Count one run of all tests, whose output is passed on."""
     environment = dict(os.environ, GRAZE_LIBRARY=library, PYTHONDONTWRITEBYTECODE="1")
-    done = run([python, os.path.join(HERE, "part.py"), way, "--graze", args.graze, "--scale", args.scale,
+    done = run([python, os.path.join(HERE, "part.py"), way, "--graze", args.graze, "--scale", max(1, int(args.scale)),
                 "--seed", args.seed], 1500, stderr=subprocess.STDOUT, env=environment)
     print(done.stdout, end="")
     counts = SUMMARY.findall(done.stdout)

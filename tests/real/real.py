@@ -75,7 +75,7 @@ def main():
             done = graze(args.graze, "check", solid, motion)
             check(done.returncode == 0 and f" {facets} facets" in done.stdout,
                   f"{name}: {done.stdout}{done.stderr}")
-            reverse(args.graze, solid, folder, 20 * args.scale)
+            reverse(args.graze, solid, folder, 20 * max(1, int(args.scale)))
         for name, reason in ILLEGAL.items():
             done = graze(args.graze, "check", os.path.join(DATA, "refused", name), motion)
             check(done.returncode == 1 and reason in done.stderr,

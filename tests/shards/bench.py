@@ -21,7 +21,7 @@ class Bench:
     """The program, a folder for files, a random generator, and the counts."""
 
     def __init__(self, args, folder):
-        self.graze, self.folder, self.scale = args.graze, pathlib.Path(folder), args.scale
+        self.graze, self.folder, self.scale = args.graze, pathlib.Path(folder), max(1, int(args.scale))
         self.random, self.checks, self.sanitizers = args.random, harness.Checks(), args.sanitizers
 
     def check(self, holds, what, *seen):

@@ -44,7 +44,7 @@ def main():
     checks = Checks()
     graze = Graze(args, checks)
     tips = Polygon([[ring((0, 0), (-1, -2), (1, -2))], [ring((0, 6), (1, 8), (-1, 8))]])
-    for n, a, turns in WAYS + (LONGER if args.scale > 1 else []):
+    for n, a, turns in args.once(WAYS, "ways", LONGER):
         name = f"tips {n} {a} {turns}"
         answers = graze.classify(name, tips, motion(n, a, turns), [(F(0), F(0))], "--topo")
         if not answers:

@@ -10,6 +10,7 @@ an axis. The plane's answers are those derived in verdicts.py, a point that is `
 since a direction of space is on no account of any contact. Scenes with a cap at the point's height have no such
 direction: what is covered there is half of what the plane says, so a point is on the boundary.
 """
+import itertools
 import json
 import os
 import sys
@@ -135,24 +136,24 @@ def check_witness(checks, graze, name, point, witness):
     checks.equal([answer.record["pmc"] for answer in found], ["out"] * len(places), name, "witness towards the point")
 
 
-def check_pairs(checks, graze, seen, rng):
+def check_pairs(checks, graze, seen, args):
     """Every solid with every motion of the plane: what levels of the plane say of generated points, by the curves if
     need be, is what those of space say of the prism."""
-    for name in SOLIDS:
-        for motion_name in MOTIONS:
-            solid = os.path.join(EXAMPLES, "solids", name + ".wkt")
-            motion = os.path.join(EXAMPLES, "motions", motion_name + ".json")
-            on = generated(graze, solid, motion, rng.randrange(10 ** 6))
-            if not on:
-                continue
-            with open(solid, encoding="utf-8") as wkt, open(motion, encoding="utf-8") as file:
-                mesh, there = prisms(rings_of(wkt), -1, 1), carried(json.load(file))
-            points = [mapped([F(p[0]), F(p[1]), F(rng.randint(-9, 9), 10)]) for p, _, _ in on]
-            answers = graze.classify(f"pair {name} {motion_name}", mesh, there, points, "--topo") or []
-            for answer, (p, position, level) in zip(answers, on):
-                r = answer.record
-                checks.equal(r["topo"], position, name, motion_name, p, level, r.get("topo_level"), r.get("topo_reason"))
-                seen["pair", position, level, r.get("topo_level", "undecided")] += 1
+    rng = args.random
+    for _, (name, motion_name) in args.cycle(itertools.product(SOLIDS, MOTIONS), 1, "pairs"):
+        solid = os.path.join(EXAMPLES, "solids", name + ".wkt")
+        motion = os.path.join(EXAMPLES, "motions", motion_name + ".json")
+        on = generated(graze, solid, motion, rng.randrange(10 ** 6))
+        if not on:
+            continue
+        with open(solid, encoding="utf-8") as wkt, open(motion, encoding="utf-8") as file:
+            mesh, there = prisms(rings_of(wkt), -1, 1), carried(json.load(file))
+        points = [mapped([F(p[0]), F(p[1]), F(rng.randint(-9, 9), 10)]) for p, _, _ in on]
+        answers = graze.classify(f"pair {name} {motion_name}", mesh, there, points, "--topo") or []
+        for answer, (p, position, level) in zip(answers, on):
+            r = answer.record
+            checks.equal(r["topo"], position, name, motion_name, p, level, r.get("topo_level"), r.get("topo_reason"))
+            seen["pair", position, level, r.get("topo_level", "undecided")] += 1
 
 
 def main():
@@ -160,8 +161,8 @@ def main():
     checks = Checks()
     graze = Graze(args, checks)
     seen = Counter()
-    check_pairs(checks, graze, seen, args.random)
-    for name, rings, motion, point, want in plane_scenes():
+    check_pairs(checks, graze, seen, args)
+    for name, rings, motion, point, want in plane_scenes() if args.derived else ():
         there = [mapped([*point, 0])]
         for bottom, position in ((-1, want), (0, "boundary")):
             answers = graze.classify(f"prism {name} {bottom}", prisms(rings, bottom, 1), carried(motion), there, "--topo")

@@ -10,7 +10,6 @@ intersection, for the regularised one only towards `in`; 30 and 31 are false as 
 tested as unsweep(S, M1) ∩ M1(a1)^-1 unsweep(S, M2) ∩ ..., their counterexample is kept. A set's
 points are those that are not `out`, the points of its interior those that are `in`.
 """
-import itertools
 import os
 import sys
 from collections import Counter
@@ -345,9 +344,9 @@ def main():
     args = options(__doc__.splitlines()[0])
     checks, seen = Checks(), Counter()
     graze = Graze(args, checks)
-    for d in (2, 3):
+    for d in (2, 3) if args.derived else ():
         printed_30(graze, checks, d)
-    for number, d in zip(range(SCENES * args.scale), itertools.cycle((2, 3))):
+    for number, d in args.cycle((2, 3), SCENES // 2):
         try:
             s = Scene(graze, checks, args.random, d, number)
             for equation in EQUATIONS:

@@ -10,6 +10,7 @@ share one motion, hence one run, each word on a line of its own. Three ways to t
 contacts then lie in faces, on upright edges, on level edges or on vertices. Expected fields come
 from definitions.py, expected times from the construction.
 """
+import itertools
 import os
 import sys
 
@@ -117,30 +118,29 @@ def check_rows(checks, answers, words, combined, way, where):
         checks.equal(spans, times_of(word, way), where, word, "times")
 
 
-def batched(graze, checks, words):
+def batched(graze, checks, args, words):
     """All words, all ways, in the plane and in space, under both readings of folds."""
-    for (n, main), group in groups(words).items():
-        for way in ("edge", "corner", "slide"):
-            lines = [APART * k for k in range(len(group))]
-            parts = [p for w, y in zip(group, lines) for p in parts_of(w, y, way)]
-            parts.append(far_part(n))
-            flat = Polygon(parts)
-            for space, levels in (("plane", None), ("prism", [-1, 1]), ("layers", [-1, 0, 1])):
-                solid = flat if levels is None else extruded(flat, levels)[0]
-                zero = [] if levels is None else [F(0)]
-                motion = build([(0, 1, translate([[0, -n] if n else [0], [0]]
-                                                 + ([[0]] if zero else [])))])
-                points = [[F(0), F(y)] + zero for y in lines]
-                for folds in ("separate", "combined"):
-                    where = f"{space} {way} {n} {'main' if main else 'ext'} {folds}"
-                    flags = ["--folds", folds, "--overlap", "reject" if main else "extend"]
-                    answers = graze.classify(where, solid, motion, points, *flags, table=True)
-                    check_rows(checks, answers, group, folds == "combined", way, where)
+    spaces = ("plane", None), ("prism", [-1, 1]), ("layers", [-1, 0, 1])
+    every = itertools.product(groups(words).items(), ("edge", "corner", "slide"), spaces)
+    for ((n, main), group), way, (space, levels) in args.once(every, "batched"):
+        lines = [APART * k for k in range(len(group))]
+        parts = [p for w, y in zip(group, lines) for p in parts_of(w, y, way)]
+        parts.append(far_part(n))
+        flat = Polygon(parts)
+        solid = flat if levels is None else extruded(flat, levels)[0]
+        zero = [] if levels is None else [F(0)]
+        motion = build([(0, 1, translate([[0, -n] if n else [0], [0]] + ([[0]] if zero else [])))])
+        points = [[F(0), F(y)] + zero for y in lines]
+        for folds in ("separate", "combined"):
+            where = f"{space} {way} {n} {'main' if main else 'ext'} {folds}"
+            flags = ["--folds", folds, "--overlap", "reject" if main else "extend"]
+            answers = graze.classify(where, solid, motion, points, *flags, table=True)
+            check_rows(checks, answers, group, folds == "combined", way, where)
 
 
-def alone(graze, checks, words):
+def alone(graze, checks, args, words):
     """Each word with a solid and a run of its own; `reject` must refuse the extended cases."""
-    for word in words:
+    for word in args.once(words, "alone"):
         n, main = len(letters(word)), TABLE[word[0], word[-1]] in MAIN
         solid = Polygon(parts_of(word, 0, "edge") + [far_part(n)])
         motion = build([(0, 1, translate([[0, -n] if n else [0], [0]]))])
@@ -165,12 +165,13 @@ def main():
     args = options(__doc__.splitlines()[0])
     checks = Checks()
     graze = Graze(args, checks)
-    words = admissible(9 if args.scale == 1 else 9 + 2 * min(args.scale - 1, 3))
+    words = admissible(9 + 2 * min(max(0, int(args.scale) - 1), 3))
     nine = admissible(9)
     checks.equal(len(nine), 153, "number of words of up to nine letters: 1 + 4(2+4+8+16) + 32")
-    partition(checks, admissible(13))
-    batched(graze, checks, words)
-    alone(graze, checks, [w for w in nine if len(w) <= 7])
+    if args.derived:
+        partition(checks, admissible(13))
+    batched(graze, checks, args, words)
+    alone(graze, checks, args, [w for w in nine if len(w) <= 7])
     print(f"{len(words)} words, {graze.runs} runs")
     checks.finish()
 
