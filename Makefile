@@ -59,6 +59,8 @@ BENCH   := $B/tests/bench/inside $B/tests/bench/pairs $B/tests/bench/peers $(FCL
 FUZZ_O  := $(patsubst %.c,$B/%.o,$(filter-out %/entry.c %/replay.c,$(wildcard tests/fuzz/*.c))) $(filter-out %/main.o,$(CLI_O)) $B/tests/fuzz/checker.o
 CHECKER_O := $(patsubst src/check/%.c,$B/tests/fuzz/checker/%.o,$(filter-out %/main.c %/ends.c,$(wildcard src/check/*.c))) $B/tests/fuzz/checker/inside.o
 REPLAY  := $B/tests/fuzz/replay
+# In front of a program's main, so that it starts once a suite; without the sanitizers of the build.
+FORKS   := $B/tests/forks.so
 
 .PHONY: all
 all: $B/.packages-build $B/graze $B/graze-check $B/libgraze.a $B/libgraze.so $(MPI) $(PNG)
@@ -168,6 +170,10 @@ $B/tests/api/%: $B/tests/api/%.o $B/libgraze.a
 	@$(call say,LINK,$@)
 	$Q$(CXX) $(OPT) $(LDFLAGS) $(call RPATH,../..) -o $@ $^ -lcmocka $(LIBS)
 $(addsuffix .o,$(UNIT)): | $B/.packages-test
+$(FORKS): tests/lib/forks.c | $B/.packages-build
+	@mkdir -p $(@D)
+	@$(call say,CC,$<)
+	$Q$(CC) -std=c11 -O2 $(WARN) -fPIC -shared -o $@ $<
 # CGAL's side of the tests.
 $B/tests/minkowski: tests/agree/minkowski.cpp
 $B/tests/to_nef: tests/agree/to_nef.cpp
@@ -330,16 +336,16 @@ demo: all
 	@cases/demo.sh $B/graze
 
 .PHONY: test
-test: $B/.packages-test all $(UNIT) $(REPLAY) $(ORACLES) build/tests/locale/de_DE.UTF-8
+test: $B/.packages-test all $(UNIT) $(REPLAY) $(ORACLES) $(FORKS) build/tests/locale/de_DE.UTF-8
 	@$(MAKE) -s B=$B all # Open MPI and cairo are perhaps just installed
 	@python3 tests/run.py --build $B
 
 # The programs of the tests in another build folder, for the sanitizers.
 .PHONY: programs
-programs: all $(UNIT) $(REPLAY) $B/tests/graze-memory build/tests/locale/de_DE.UTF-8
+programs: all $(UNIT) $(REPLAY) $(FORKS) $B/tests/graze-memory build/tests/locale/de_DE.UTF-8
 
 .PHONY: cases
-cases: $B/.packages-test all
+cases: $B/.packages-test all $(FORKS)
 	@python3 tests/run.py --build $B --only tests/cases/
 
 # By hand, before a release: more random inputs than CI asks, of another seed, and CI's suites in other ways.

@@ -14,12 +14,14 @@ import sys
 from fractions import Fraction
 
 import exact
+import forks
 
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 SHOWN = 40              # failed checks that are printed
 SECONDS = 60            # of one run, thousands of times what most take
 MEMORY = 4 << 30        # bytes of address space of a suite, and of each run
 TOO_LATE = 124          # the exit status of a run that had to be ended, as `timeout` has it
+FORKED = {"input", "stdin", "stdout", "stderr", "cwd", "env"}  # what a run may be given and still be forked
 ONLY = ("--only", {"default": "", "help": "cases whose name contains this text"})
 
 
@@ -145,6 +147,7 @@ def options(description, *more, seed=2008):
     if args.start >= args.scale:
         parser.error(f"--from {args.start}: expected less than the scale, {args.scale}")
     args.graze = os.path.abspath(args.graze)
+    forks.serve(args.graze)
     args.random = random.Random(args.seed)
     if not args.sanitizers:
         hard = resource.getrlimit(resource.RLIMIT_AS)[1]
@@ -170,6 +173,11 @@ def run(command, seconds=SECONDS, text=True, **more):
     """One run of a program, as subprocess.CompletedProcess; status TOO_LATE if it had to be ended.
 
     Without `input` or `stdin` standard input is empty. Output is text, or bytes if `text` is false.
+
+    The program of --graze, and graze-check beside it, is started once and forks for each run (forks.py): where libraries lie in
+    memory, and all that happens before main, is then that of the first. By exec go commands of another program, one in front of
+    graze too (`bounded`, mpirun, a wrapper of the shell); runs with other arguments of subprocess.run than FORKED names; what a
+    suite starts by itself: runs that get signals, terminals or FIFOs, other users, what is installed; and all if GRAZE_EXEC=1.
     """
     command = [str(word) for word in command]
     form = {"encoding": "utf-8", "errors": "replace"} if text else {}
@@ -178,7 +186,8 @@ def run(command, seconds=SECONDS, text=True, **more):
         more.pop("input", None)
         pipes["stdin"] = subprocess.DEVNULL
     try:
-        return subprocess.run(command, timeout=seconds, check=False, **{**pipes, **form, **more})
+        done = forks.run(command, seconds, text, more) if FORKED.issuperset(more) else None
+        return done or subprocess.run(command, timeout=seconds, check=False, **{**pipes, **form, **more})
     except subprocess.TimeoutExpired as late:
         got = [part.decode("utf-8", "replace") if text and isinstance(part, bytes) else part
                for part in (late.stdout, late.stderr)]
