@@ -158,6 +158,12 @@ def pattern(message):
     return out
 
 
+def is_printed(message, lines):
+    """Is it part of a line? A message is of one line, and only lines that have its longest text are looked at closely."""
+    longest, whole = max(CONVERSION.split(message), key=len), re.compile(pattern(message))
+    return any(longest in line and whole.search(line) for line in lines)
+
+
 def says_something(message):
     """A format that is only places and values, such as `%s:%zu`, is part of another message."""
     return len(re.sub(r"[^a-z]", "", CONVERSION.sub("", message))) >= 4
@@ -165,14 +171,14 @@ def says_something(message):
 
 def account(printed):
     """(number reached, [(where, message) of those that are not])."""
-    reached, silent = 0, []
+    reached, silent, lines = 0, [], set(printed.split("\n"))
     for where, message in messages():
         file = where.split(":")[0]
         if not says_something(message) or file in LIBRARY:
             continue
         if any(part in message for part in UNREACHED):
             continue
-        if re.search(pattern(message), printed):
+        if is_printed(message, lines):
             reached += 1
         else:
             silent.append((where, message))

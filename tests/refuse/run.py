@@ -26,6 +26,8 @@ NAME restricts to case or topic names. A whole run also asks messages.py which m
 source no case has reached; each is a failure.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import concurrent.futures
+import contextlib
 import os
 import pathlib
 import resource
@@ -39,7 +41,7 @@ import time
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 import messages  # noqa: E402
-from harness import Checks, options  # noqa: E402
+from harness import Checks, options, run  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
 SECONDS, SLOWER = 30, 6  # sanitizers and counters of coverage are slower
@@ -117,57 +119,55 @@ def with_closed(case, words):
     return ["sh", "-c", 'exec "$@" ' + " ".join(closed), "sh", *words] if closed else words
 
 
-def open_stdout(case):
-    """Where standard output goes; a broken pipe has no reader."""
-    wanted = case.keys.get("stdout")
-    if wanted == "broken":
-        reader, writer = os.pipe()
-        os.close(reader)
-        return os.fdopen(writer, "wb")
-    if wanted and wanted != "closed":
-        return open(wanted, "wb")
-    return subprocess.PIPE
+def standard(case, folder, stack):
+    """Where its standard input and output go, if not to pipes: a broken pipe has no reader, an open one no writer that ends it."""
+    files, wanted = {}, case.keys.get("stdout")
+    name = case.keys.get("stdin")
+    if wanted == "broken" or name == "open":
+        reader, writer = (stack.enter_context(os.fdopen(end, mode)) for end, mode in zip(os.pipe(), ("rb", "wb")))
+        if name == "open":
+            files["stdin"] = reader
+        else:
+            reader.close()
+            files["stdout"] = writer
+    elif wanted not in (None, "closed"):
+        files["stdout"] = stack.enter_context(open(wanted, "wb"))
+    if name not in (None, "closed", "open"):
+        files["stdin"] = stack.enter_context(open(os.path.join(folder, name), "rb"))
+    return files
 
 
-def execute(case, graze, limited):
-    """Run a case in a fresh folder; (status, stdout, stderr)."""
-    seconds = SECONDS if limited else SLOWER * SECONDS
-    with tempfile.TemporaryDirectory(prefix="graze-refuse-") as folder:
-        for name, content in case.files.items():
-            path = pathlib.Path(folder, name)
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_bytes(content)
-        words = shlex.split(case.keys["run"])
-        words = [w.replace("{dir}", folder).replace("{common}", str(HERE / "common")) for w in words]
-        if words[0] != "graze":
-            raise SystemExit(f"{case.topic}: {case.name}: run must begin with graze")
-        words[0] = graze
-        environment = dict(os.environ, **dict(e.split("=", 1) for e in case.keys["env"]))
-        name = case.keys.get("stdin")
-        stdin = open(os.path.join(folder, name), "rb") if name not in (None, "closed", "open") else None
-        held = os.pipe() if name == "open" else None
-        stdout = open_stdout(case)
+def signaled(case, words, seconds, more):
+    """A run that gets the signal of its case."""
+    with subprocess.Popen(words, **{"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **more}) as child:
+        which, after = case.keys["signal"].split()
+        time.sleep(float(after))
+        child.send_signal(getattr(signal, which))
         try:
-            child = subprocess.Popen(with_closed(case, words), stdin=stdin or (held[0] if held else subprocess.DEVNULL),
-                                     stdout=stdout, stderr=subprocess.PIPE, env=environment,
-                                     cwd=folder)
-            if "signal" in case.keys:
-                which, after = case.keys["signal"].split()
-                time.sleep(float(after))
-                child.send_signal(getattr(signal, which))
-            try:
-                out, err = child.communicate(timeout=seconds)
-            except subprocess.TimeoutExpired:
-                child.kill()
-                out, err = child.communicate()
-                err = (err or b"") + f"\n[still running after {seconds} seconds]".encode()
-            return child.returncode, out or b"", err or b"", folder
-        finally:
-            for handle in (stdin, None if stdout is subprocess.PIPE else stdout):
-                if handle:
-                    handle.close()
-            for end in held or ():
-                os.close(end)
+            out, err = child.communicate(timeout=seconds)
+        except subprocess.TimeoutExpired:
+            child.kill()
+            out, err = child.communicate()
+            err = (err or b"") + f"\n[still running after {seconds} seconds]".encode()
+        return subprocess.CompletedProcess(words, child.returncode, out, err)
+
+
+def execute(case, graze, folder, limited):
+    """Run a case in a fresh folder; (status, stdout, stderr)."""
+    for name, content in case.files.items():
+        path = os.path.join(folder, name)
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        with open(path, "wb") as file:
+            file.write(content)
+    words = shlex.split(case.keys["run"])
+    if words[0] != "graze":
+        raise SystemExit(f"{case.topic}: {case.name}: run must begin with graze")
+    words = with_closed(case, [graze, *(w.replace("{dir}", folder).replace("{common}", str(HERE / "common")) for w in words[1:])])
+    seconds = SECONDS if limited else SLOWER * SECONDS
+    with contextlib.ExitStack() as stack:
+        more = dict(standard(case, folder, stack), env=dict(os.environ, **dict(e.split("=", 1) for e in case.keys["env"])), cwd=folder)
+        done = signaled(case, words, seconds, more) if "signal" in case.keys else run(words, seconds, text=False, **more)
+    return done.returncode, done.stdout or b"", done.stderr or b""
 
 
 def faults(case, status, out, err, folder):
@@ -204,8 +204,16 @@ def main():
             signal.signal(which, signal.SIG_DFL)
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     said = []
-    for case in cases:
-        status, out, err, folder = execute(case, args.graze, not args.sanitizers)
+    with tempfile.TemporaryDirectory(prefix="graze-refuse-") as whole, concurrent.futures.ThreadPoolExecutor(4) as pool:
+        def one(case):
+            folder = os.path.join(whole, f"{case.topic}-{case.name}")
+            os.mkdir(folder)
+            return *execute(case, args.graze, folder, not args.sanitizers), folder
+
+        waiting = {case: pool.submit(one, case) for case in cases if "signal" in case.keys}
+        done = [(case, one(case)) for case in cases if case not in waiting]
+        done += [(case, waiting[case].result()) for case in cases if case in waiting]
+    for case, (status, out, err, folder) in done:
         said.append(err.decode("utf-8", "replace"))
         found = faults(case, status, out, err, folder)
         if not checks.holds(not found, f"{case.topic}.txt:{case.line}: {case.name}: " + "; ".join(found)):
