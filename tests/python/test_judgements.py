@@ -4,6 +4,7 @@ The cube [0, 2]^3 moved by 8 along x sweeps [0, 10] x [0, 2]^2. A box that ends 
 inside, and the corners of x = 10 are 1 from it; one that ends at 11 has that face 1 outside.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
+import inspect
 import os
 import tempfile
 import unittest
@@ -84,7 +85,8 @@ class Judgements(unittest.TestCase):
         self.assertIsNotNone(found.inside.open)
 
     def test_empty(self):
-        found = self.scene.judge([], [])
+        found = self.scene.judge([], [], within="1e-1r")  # a finer width, as without it, takes a hundred times as long
+        self.assertEqual(inspect.signature(self.scene.judge).parameters["within"].default, "1e-2r")
         self.assertIsNone(found.sweep)
         self.assertEqual((found.outside.high, found.inside.high), (0, 0))
 

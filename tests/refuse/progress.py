@@ -7,6 +7,8 @@ And a row that comes through a pipe is answered before the next one is asked for
 The rows come slower than one a second, so that the line must appear before the end; the counts it
 shows are those of the rows sent so far. SPDX-License-Identifier: GPL-3.0-or-later
 """
+import concurrent.futures
+import itertools
 import os
 import pathlib
 import re
@@ -58,13 +60,17 @@ def answer_of_half(graze):
     return early, late
 
 
-def shown_on_terminal(graze, pair, plain_table):
-    """(what must hold, whether it does, what was seen) with a pseudo-terminal as standard error."""
+def on_terminal(graze, pair):
+    """(exit status, table, what is shown) with a pseudo-terminal as standard error."""
     try:
         status, table, _ = classify(graze, pair[1])
     finally:
         os.close(pair[1])
-    shown = read_terminal(pair[0])
+    return status, table, read_terminal(pair[0])
+
+
+def shown_on_terminal(status, table, shown, plain_table):
+    """(what must hold, whether it does, what was seen) of that run."""
     counts = [int(m[1]) for m in LINE.finditer(shown)]
     yield "a run on a terminal ends well", status == 0, status
     yield "nothing but progress is shown", LINE.sub(b"", shown) == b"\r\n", shown
@@ -101,15 +107,14 @@ def seconds_shown(graze, checks):
         rows = ["+".join(f"({(-1) ** k}/{k + i}{'7' * 30})*t^{k}" for k in range(1, 201)) for i in range(3)]
         with open(path["long"], "w", encoding="utf-8") as file:
             file.write('{"dimension": 3, "pieces": [{"t": [0, 1], "transform": {"translate": ["%s", "%s", "%s"]}}]}' % tuple(rows))
-        for name, line in LONG:
-            pair = terminal(checks)
-            if not pair:
-                return
-            try:
-                status, shown, seconds = work_and_end(graze, [word.format(**path) for word in line.split()], pair)
-            finally:
-                os.close(pair[1])
-                os.close(pair[0])
+        pairs = [terminal(checks) for _ in LONG]
+        if not all(pairs):
+            return
+        with concurrent.futures.ThreadPoolExecutor(len(LONG)) as pool:
+            ended = list(pool.map(lambda row, pair: work_and_end(graze, [word.format(**path) for word in row[1].split()], pair), LONG, pairs))
+        for end in itertools.chain(*pairs):
+            os.close(end)
+        for (name, _), (status, shown, seconds) in zip(LONG, ended):
             counts = [int(n) for n in re.findall(rb"\rworking, (\d+) s", shown)]
             yield f"{name} shows its seconds, from the second one on", len(counts) > 1 and counts[0] >= 2 and counts == sorted(set(counts)), shown
             yield f"a signal ends {name} within 3 s", status == -signal.SIGINT and seconds < 3, (status, seconds)
@@ -117,10 +122,12 @@ def seconds_shown(graze, checks):
 
 def promises(graze, checks):
     """The same of all runs."""
-    plain_status, plain_table, plain_shown = classify(graze, subprocess.PIPE)
     pair = terminal(checks)
-    if pair:
-        yield from shown_on_terminal(graze, pair, plain_table)
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:  # both wait for their rows
+        seen = pool.submit(on_terminal, graze, pair) if pair else None
+        plain_status, plain_table, plain_shown = classify(graze, subprocess.PIPE)
+    if seen:
+        yield from shown_on_terminal(*seen.result(), plain_table)
     yield "a run without a terminal ends well", plain_status == 0, plain_status
     yield "without a terminal nothing is shown", plain_shown == b"", plain_shown
     yield from seconds_shown(graze, checks)
