@@ -61,6 +61,8 @@ CHECKER_O := $(patsubst src/check/%.c,$B/tests/fuzz/checker/%.o,$(filter-out %/m
 REPLAY  := $B/tests/fuzz/replay
 # In front of a program's main, so that it starts once a suite; without the sanitizers of the build.
 FORKS   := $B/tests/forks.so
+# Programs beside those of tests/unit and tests/api that some suites ask.
+ASKED   := $(REPLAY) $(ORACLES) $(FORKS)
 
 .PHONY: all
 all: $B/.packages-build $B/graze $B/graze-check $B/libgraze.a $B/libgraze.so $(MPI) $(PNG)
@@ -69,9 +71,10 @@ all: $B/.packages-build $B/graze $B/graze-check $B/libgraze.a $B/libgraze.so $(M
 help:
 	@echo "make            build the program and both libraries under build/"
 	@echo "make demo       install what is missing, build, classify the points of cases/bracket"
-	@echo "make test       install what is missing, build, run every test (9 minutes on two idle cores)"
+	@echo "make try        suites of the rooms that have changed since @{upstream} or SINCE=REV (seconds to a minute)"
+	@echo "make test       install what is missing, build, run what is derived and a quarter of the random tests (9 minutes on two idle cores)"
 	@echo "make cases      check every case under cases/ and recompute it with PARI"
-	@echo "make test-long  more random inputs than CI asks, of SEED=n or the day's, before a release (an hour)"
+	@echo "make test-long  all in full and more random inputs than CI asks, of SEED=n or the day's, before a release (hours)"
 	@echo "make fuzz       every fuzz target for SECONDS=60 (FUZZ_ONLY=\"NAME ...\": some of them)"
 	@echo "make coverage   line and branch coverage by file, of most suites"
 	@echo "make docs       the site, with what its pages show, into build/docs/html/"
@@ -336,9 +339,14 @@ demo: all
 	@cases/demo.sh $B/graze
 
 .PHONY: test
-test: $B/.packages-test all $(UNIT) $(REPLAY) $(ORACLES) $(FORKS) build/tests/locale/de_DE.UTF-8
+test: $B/.packages-test all $(UNIT) $(ASKED) build/tests/locale/de_DE.UTF-8
 	@$(MAKE) -s B=$B all # Open MPI and cairo are perhaps just installed
-	@python3 tests/run.py --build $B
+	@python3 tests/run.py --build $B $(TEST_FLAGS)
+
+# The suites of the rooms that have changed since @{upstream}, else since the commit of tests/base.txt, or since SINCE=REV.
+.PHONY: try
+try: $B/.packages-test build/tests/locale/de_DE.UTF-8
+	@python3 tests/changed.py --build $B --programs "$(ASKED)" $(if $(SINCE),--since '$(SINCE)')
 
 # The programs of the tests in another build folder, for the sanitizers.
 .PHONY: programs
@@ -348,7 +356,7 @@ programs: all $(UNIT) $(REPLAY) $(FORKS) $B/tests/graze-memory build/tests/local
 cases: $B/.packages-test all $(FORKS)
 	@python3 tests/run.py --build $B --only tests/cases/
 
-# By hand, before a release: more random inputs than CI asks, of another seed, and CI's suites in other ways.
+# By hand, before a release: all in full, more random inputs than CI asks, of another seed, and CI's suites in other ways.
 .PHONY: test-long
 test-long: $B/.packages-all test
 	@python3 tests/stages.py long $(addprefix --seed ,$(SEED))
@@ -360,7 +368,7 @@ proofs: $B/.packages-proofs $B/tests/proofs/table $B/graze $B/graze-check
 	@python3 tests/proofs/table.py --build $B
 	@$(MAKE) -s $B/graze-check-coq
 	@python3 tests/proofs/checker.py --build $B
-	@python3 tests/proofs/broken.py --build $B
+	@python3 tests/proofs/broken.py --build $B $(BROKEN)
 # The checker that proofs/coq/extract.v writes, with its reader.
 CHECKER_ML := integer.ml checker.mli checker.ml $(addsuffix .ml,fraction text solid motion main)
 .PHONY: $B/graze-check-coq

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Mutation test of the rooms that decide: mutation/rooms.py names them, and who is asked about each.
+"""Mutation test of the rooms of src: mutation/rooms.py names them, and who is asked about each.
 
 A mutant has one comparison, connective, sign or call changed. Of each room some are drawn, anew with each seed, and put to
 the room's suites until one is red; last to some of them under AddressSanitizer. A mutant that none notices is printed. One that
 tests/mutants.txt explains is not drawn, one that gives the same code not counted. Fewer than --wanted of 100 noticed is a failure.
+With --changed so many are drawn of each file that has changed since the commit of tests/base.txt; none is asked where no file has.
 Wants a finished `make test`.
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -26,10 +27,11 @@ import time
 
 sys.path[:0] = [os.path.join(os.path.dirname(os.path.abspath(__file__)), folder) for folder in ("mutation", "lib")]
 
+import changed  # noqa: E402
 import changes  # noqa: E402
 import suitetimes  # noqa: E402
 from harness import MEMORY, bounded  # noqa: E402
-from rooms import BOUNDARIES, ROOMS, files  # noqa: E402
+from rooms import BOUNDARIES, OTHERS, ROOMS, files  # noqa: E402
 from run import interpreter  # noqa: E402
 
 RUN_SECONDS = 10    # of processor time, for one run of the program under a suite
@@ -77,13 +79,18 @@ class Parts:
         self.build, self.folder = os.path.abspath(build), folder
         self.archive = os.path.join(folder, "libgraze.a")
         subprocess.run(["strip", "-g", "-o", self.archive, f"{build}/libgraze.a"], check=True)
-        self.program = os.path.join(folder, "program.o")
-        subprocess.run(["ld", "-r", "-S", "-o", self.program, *(
-            f"{build}/{path[:-2]}.o" for path in glob.glob("src/program/cli/*.c") + glob.glob("src/program/run/*.c"))], check=True)
+        self.commands = glob.glob("src/program/cli/*.c") + glob.glob("src/program/run/*.c")
+        self.program = self.joined("program.o", self.commands)
         self.sound = set()  # those asked that are green without any mutant
         self.known = changes.record()
         self.python = interpreter()[0]
         self.seconds = {path.rsplit(".", 1)[0]: 30 + 10 * wall for path, (wall, _) in suitetimes.read().items()}
+
+    def joined(self, name, sources):
+        """One object of those of the commands' sources."""
+        out = os.path.join(self.folder, name)
+        subprocess.run(["ld", "-r", "-S", "-o", out, *(f"{self.build}/{path[:-2]}.o" for path in sources)], check=True)
+        return out
 
 
 class Worker:
@@ -137,15 +144,19 @@ class Worker:
         return is_red([self.parts.python, f"tests/{name}.py", "--graze", self.wrappers[flag, safe], *words,
                        *(["--sanitizers"] if safe else [])], self.parts.seconds[name])
 
-    def link_program(self, *more):
-        self.link(self.graze, [self.parts.program], *more)
+    def link_program(self, path, *more):
+        """The program with the object of a source for its own; of a command's source the others are joined without it."""
+        program = self.parts.program
+        if path in self.parts.commands:
+            program = self.parts.joined(f"{os.path.basename(self.folder)}.o", [other for other in self.parts.commands if other != path])
+        self.link(self.graze, [program], *more)
 
     def check_sound(self, asker, path):
         """A suite that is red without any mutant, too, ends the run."""
         if asker not in self.parts.sound:
             with open(path, encoding="utf-8") as file:
                 self.compiled(path, file.read())
-            self.link_program()
+            self.link_program(path)
             if self.is_noticed_by(asker):
                 raise SystemExit(f"{asker} is red without any mutant")
             self.parts.sound.add(asker)
@@ -161,7 +172,7 @@ class Worker:
         code = self.compiled(path, mutant.source())
         if code in (None, self.plain[path]):
             return "same code" if code else "void"
-        self.link_program()
+        self.link_program(path)
         for asker in ROOMS[room]:
             if time.time() > self.end:
                 return "late"
@@ -171,42 +182,46 @@ class Worker:
         if time.time() > self.end:
             return "late"
         self.compiled(path, mutant.source(), *SANITIZE)
-        self.link_program(SANITIZE[0])
+        self.link_program(path, SANITIZE[0])
         return next((f"{asker} under AddressSanitizer" for asker in ROOMS[room][:3] if self.is_noticed_by(asker, True)), None)
 
 
 def drawn(options, known):
-    """(room, mutant) by turns of the rooms, each drawn with the seed, without those that the record explains."""
+    """(room, mutant) by turns of the rooms, or of the files that have changed, each drawn with the seed, without those that the record
+    explains."""
     decks = []
-    for room in ROOMS:
-        if re.search(options.only, room):
-            moved = options.boundaries or room in BOUNDARIES
-            deck = [m for path in files(room) if re.search(options.file, path) for m in changes.mutants(path)
-                    if (moved or not m.is_moved) and not m.is_in(known)]
-            random.Random(f"{options.seed} {room}").shuffle(deck)
-            decks.append([(room, m) for m in deck])
+    those = [(room, path) for room in ROOMS if room not in OTHERS and re.search(options.only, room) for path in files(room)
+             if re.search(options.file, path) and (options.among is None or path in options.among)]
+    for _, group in itertools.groupby(those, lambda pair: pair[0] if options.among is None else pair):
+        group = list(group)
+        room = group[0][0]
+        moved = options.boundaries or room in BOUNDARIES
+        deck = [m for _, path in group for m in changes.mutants(path) if (moved or not m.is_moved) and not m.is_in(known)]
+        random.Random(f"{options.seed} {room}").shuffle(deck)
+        decks.append([(room, m) for m in deck])
     return [pair for turn in itertools.zip_longest(*decks) for pair in turn if pair]
 
 
 def judged(options, parts):
-    """(room, mutant, fate, seconds) of so many of each room, in the order of their ends."""
-    idle, left, lock = queue.Queue(), collections.Counter({room: options.each for room in ROOMS}), threading.Lock()
+    """(room, mutant, fate, seconds) of so many of each room or changed file, in the order of their ends."""
+    idle, left, lock = queue.Queue(), collections.defaultdict(lambda: options.each), threading.Lock()
     end = time.time() + 60 * options.minutes
     for k in range(options.jobs):
         idle.put(Worker(parts, f"worker-{k}", end))
 
     def one(room, mutant):
+        pile = room if options.among is None else mutant.path
         with lock:
-            if left[room] == 0 or time.time() > end:
+            if left[pile] == 0 or time.time() > end:
                 return room, mutant, "not asked", 0
-            left[room] -= 1
+            left[pile] -= 1
         worker, start = idle.get(), time.time()
         try:
             fate = worker.judge(room, mutant)
         finally:
             idle.put(worker)
         with lock:
-            left[room] += fate in ("void", "same code")
+            left[pile] += fate in ("void", "same code")
         return room, mutant, fate, time.time() - start
 
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
@@ -218,17 +233,24 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", default="build")
     parser.add_argument("--seed", default=time.strftime("%Y-%m-%d"), help="of the draw; the day if none is given")
-    parser.add_argument("--each", type=int, default=8, help="mutants of each room")
+    parser.add_argument("--each", type=int, default=8, help="mutants of each room, with --changed of each file")
     parser.add_argument("--minutes", type=float, default=600, help="after which none is asked any more")
     parser.add_argument("--wanted", type=int, default=95, help="of 100 mutants that must be noticed")
     parser.add_argument("--only", default="", help="rooms that meet this pattern")
     parser.add_argument("--file", default="", help="files that meet this pattern")
+    parser.add_argument("--changed", action="store_true", help="of files that have changed since the commit of tests/base.txt, or of all "
+                        "where git does not know it")
     parser.add_argument("--boundaries", action="store_true", help="move the boundaries of orders in every room")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="mutants at a time")
     parser.add_argument("--verbose", action="store_true", help="print the fate of each mutant")
     options = parser.parse_args()
+    since = changed.recorded() if options.changed else None
+    options.among = None if since is None else set(changed.files(since))
     print(f"seed {options.seed}", flush=True)
-    counts, noticed, asked = collections.defaultdict(collections.Counter), 0, 0
+    if options.among is not None and not drawn(options, changes.record()):
+        print("no file of these rooms has changed\n1 passed, 0 failed")
+        return
+    counts, noticed, asked, end = collections.defaultdict(collections.Counter), 0, 0, time.time() + 60 * options.minutes
     with tempfile.TemporaryDirectory() as folder:
         for room, mutant, fate, seconds in judged(options, Parts(options.build, folder)):
             kind = {None: "unnoticed", "void": "", "same code": "", "late": "", "not asked": ""}.get(fate, "noticed")
@@ -238,8 +260,10 @@ def main():
     for room, count in counts.items():
         print(f"{room}: {count['noticed']} noticed, {count['unnoticed']} not")
         noticed, asked = noticed + count["noticed"], asked + count["noticed"] + count["unnoticed"]
-    enough = 100 * noticed >= options.wanted * asked > 0
-    print(f"{noticed} of {asked} mutants noticed\n{noticed} passed, {0 if enough else asked - noticed} failed")
+    # A changed file may have no mutant but such as give the same code; one that was not reached in time is another thing.
+    nothing = options.among is not None and asked == 0 and time.time() < end
+    enough = nothing or 100 * noticed >= options.wanted * asked > 0
+    print(f"{noticed} of {asked} mutants noticed\n{noticed + nothing} passed, {0 if enough else max(1, asked - noticed)} failed")
     sys.exit(0 if enough else 1)
 
 

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """What is asked beside `make test`, stage by stage: of every submission (`ci`, in .ci/run), or by hand (`long`, as `make test-long`).
 
-The first stage that fails ends the run. At the end stands what each took: seconds of wall time, seconds of CPU of all its
-processes, its share of the CPU.
+CI asks what is costly and hangs on few rooms in full where a file of them has changed since the commit of tests/base.txt, else a
+sample. `long` asks it in full, and writes that commit when all has passed. The first stage that fails ends the run. At the end
+stands what each took: seconds of wall time, seconds of CPU of all its processes, its share of the CPU.
 """
 import argparse
 import collections
@@ -15,50 +16,92 @@ import time
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
 
+import changed  # noqa: E402
 import suitetimes  # noqa: E402
 
 # `beside`: one process; as many of these as there are cores run at a time.
 Stage = collections.namedtuple("Stage", "name command beside", defaults=(False,))
+# Suites that ask CGAL, whose answers are recorded.
+ORACLES = ["agree/minkowski", "agree/laws", "collide/hand", "collide/laws", "collide/minkowski", "distance/cgal", "judge/sums", "topo/straight",
+           "topo/duals"]
+CHECKER = ["src/check/", "tests/check/", "tests/fuzz/checker/"]
+CERTIFIED = [*CHECKER, "src/questions/certify/", "src/decide/trace/", "src/decide/verdict/", "src/input/solid/", "src/input/motion/"]
+PROVED = ["proofs/", "tests/proofs/", *CERTIFIED]
+WEAKENED = ["verdict.c", "trace.c", "legal.c"]  # what follows a row, and what tells a legal solid; the others read files
+
+
+def run_suites(*words):
+    return ["python3", "tests/run.py", "--build", "build", "--limit", "3000", *words]
 
 
 def suite(name, *more):
-    return ["python3", "tests/run.py", "--build", "build", "--limit", "3000", "--only", "tests/" + name, *more]
+    return run_suites("--only", "tests/" + name, *more)
 
 
 def script(path, *more):
     return ["python3", "tests/" + path, "--graze", "build/graze", *more]
 
 
-def ci(_):
+def touched():
+    """A function: the files of these places that have changed since the commit of tests/base.txt; where git does not know it, the
+    places themselves."""
+    since = changed.recorded()
+    names = None if since is None else changed.files(since)
+    return lambda places: list(places) if names is None else [name for name in names if name.startswith(tuple(places))]
+
+
+def ci(options):
+    of = touched()
+    weakened = sorted({*WEAKENED, *(os.path.basename(path) for path in of(["src/check/"]) if path.endswith(".c"))})
     return [
-        Stage("proofs", ["make", "-s", "proofs"]),
+        Stage("the rest of the suites", run_suites("--tier", "rest", *(["--record"] if options.record else []))),
         Stage("lint", ["tests/lint.sh"]),
-        Stage("address and undefined behaviour", ["tests/stages/sanitizers.sh"]),
+        Stage("sanitizers and coverage", ["tests/stages/sanitizers.sh"]),
+        Stage("proofs", ["make", "-s", "proofs", *([] if of(PROVED) else ["BROKEN=--sample"])]),
         Stage("threads", ["tests/stages/threads.sh", "test_threads.py"]),
-        Stage("coverage", ["make", "-s", "coverage"]),
-        Stage("the checker weakened", script("check/weakened.py", "--only", "verdict.c,trace.c,legal.c")),
+        Stage("the checker weakened", script("check/weakened.py", "--only", ",".join(weakened if of(CHECKER) else WEAKENED[:1]))),
         Stage("the site", ["make", "-s", "docs"], True),
         Stage("falsified decisions", ["bash", "-c", "make -s build/tests/graze-flips && "
                                       "python3 tests/filter/flip.py --graze build/tests/graze-flips"], True),
         Stage("pages in a browser", script("page/browser.py"), True),
-        Stage("forged certificates", script("check/forged.py"), True),
+        Stage("forged certificates", script("check/forged.py", *([] if of(CERTIFIED) else ["--only", "outside"])), True),
         Stage("candidates in pandas", script("compare/python_candidates.py", "--pandas"), True),
         Stage("packages of Python", script("python/packages.py"), True),
         Stage("mutants of the rules", ["python3", "tests/mutate.py", "--only", "decide/verdict", "--each", "1000"]),
+        Stage("mutants of changed files", ["python3", "tests/mutate.py", "--changed", "--each", "3", "--minutes", "4", "--wanted", "75", "--seed",
+                                           "2008"]),
     ]
 
 
-def long(seed):
-    """What gives more inputs to code that CI asks too, and what asks CI's suites in another way."""
+def long(options):
+    """What gives more inputs to code that CI asks too, what CI asks by samples alone, and CI's suites in another way."""
+    seed = ["--seed", options.seed]
     return [
-        Stage("with and without the filter, twice as many", suite("filter/equal", "--scale", "2", "--seed", seed), True),
-        Stage("1,000 contact points probed", suite("contact/probe", "--scale", "4", "--seed", seed), True),
-        Stage("certificates of 300 rows a case", suite("check/golden", "--scale", "15", "--seed", seed), True),
-        Stage("1,000 distances to Minkowski sums", suite("distance/cgal", "--scale", "4", "--seed", seed), True),
+        Stage("random suites at twice the scale", run_suites("--tier", "long", *seed, "--skip", "tests/memory/", "--skip", "tests/contact/probe",
+                                                             "--skip", "tests/check/golden", "--skip", "tests/distance/cgal")),
+        Stage("1,000 contact points probed", suite("contact/probe", "--scale", "4", *seed), True),
+        Stage("certificates of 300 rows a case", suite("check/golden", "--scale", "15", *seed), True),
+        Stage("1,000 distances to Minkowski sums", suite("distance/cgal", "--scale", "4", *seed), True),
+        Stage("forged certificates of all cases", script("check/forged.py", "--scale", "2"), True),
+        Stage("packages of Python", script("python/packages.py"), True),
+        Stage("CGAL's answers anew", ["env", "GRAZE_ORACLES=anew", *run_suites(*(word for name in ORACLES for word in ("--only", "tests/" + name)))]),
+        Stage("memory in full", script("memory/memory.py", "--scale", "2")),
+        Stage("proofs", ["make", "-s", "proofs"]),
+        Stage("the checker weakened", script("check/weakened.py")),
         Stage("threads of all of Python", ["tests/stages/threads.sh", "test_*.py"]),
-        Stage("Python's own fractions", ["env", "GRAZE_FRACTIONS=python", "python3", "tests/run.py", "--build", "build"]),
-        Stage("mutants of every room", ["python3", "tests/mutate.py", "--minutes", "30", "--wanted", "80", "--seed", seed]),
+        Stage("Python's own fractions", ["env", "GRAZE_FRACTIONS=python", *run_suites("--tier", "all")]),
+        Stage("mutants of every room", ["python3", "tests/mutate.py", "--minutes", "30", "--wanted", "80", *seed]),
+        Stage("fuzz targets, a minute each", ["make", "-s", "fuzz", "SECONDS=60"]),
     ]
+
+
+def keep_base():
+    """The commit at which all has passed becomes the base, if the tree is that of a commit."""
+    if changed.git("status", "--porcelain") != "":
+        return "tests/base.txt stays: this tree is not that of a commit"
+    with open(changed.BASE, "w", encoding="utf-8") as file:
+        file.write(changed.git("rev-parse", "HEAD") + "  make test-long passed\n")
+    return "tests/base.txt has this commit now"
 
 
 class Run:
@@ -125,14 +168,14 @@ def main():
     parser.add_argument("--took", nargs=3, action="append", default=[], metavar=("NAME", "WALL", "CPU"),
                         help="a stage that the caller ran, for the table")
     parser.add_argument("--from", dest="first", default="", metavar="NAME", help="begin at this stage, as after one that failed")
-    parser.add_argument("--record", action="store_true", help="write what `ci` took into tests/times.txt, if nothing failed")
+    parser.add_argument("--record", action="store_true", help="write what `ci` and its suites took into tests/times.txt, if nothing failed")
     options = parser.parse_args()
     os.chdir(os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
-    seed = options.seed or time.strftime("%Y%m%d")
+    options.seed = options.seed or time.strftime("%Y%m%d")
     began = time.time()
     if options.which == "long":
-        print(f"seed {seed}", flush=True)
-    stages = {"ci": ci, "long": long}[options.which](seed)
+        print(f"seed {options.seed}", flush=True)
+    stages = {"ci": ci, "long": long}[options.which](options)
     names = [stage.name for stage in stages]
     if options.first and options.first not in names:
         parser.error(f"--from {options.first}: expected one of {', '.join(names)}")
@@ -142,7 +185,9 @@ def main():
     wall = time.time() - began + sum(float(wall) for _, wall, _ in options.took)
     print(f"{wall:.0f} s in all")
     if options.record and options.which == "ci" and not run.failed:
-        suitetimes.write({suitetimes.CI: (wall, run.cpu())})
+        suitetimes.write({(suitetimes.CI, suitetimes.WHOLE): (wall, run.cpu())}, suitetimes.parts())
+    if options.which == "long" and not run.failed:
+        print(f"tests/base.txt stays: the run began at {options.first}" if options.first else keep_base())
     for name in run.failed:  # named once more at the end: of a long log often the end alone is read
         print(f"== {name} FAILED, see above")
     print(f"{run.passed} passed, {len(run.failed)} failed")

@@ -294,6 +294,9 @@ def check_text(graze, folder):
 
 def check_without_png(graze, folder):
     """The program where its PNG library is not: it says so before it draws, and SVG goes on."""
+    with open(graze, "rb") as file:
+        if file.read(2) == b"#!":  # mutate.py's script in front of a program that has its library beside it
+            return
     alone = os.path.join(folder, "alone")
     os.mkdir(alone)
     program = shutil.copy(graze, alone)

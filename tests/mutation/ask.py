@@ -24,7 +24,7 @@ sys.path[:0] = [os.path.join(HERE, ".."), os.path.join(HERE, "..", "lib")]
 
 import suitetimes  # noqa: E402
 from mutate import is_red  # noqa: E402
-from rooms import ROOMS  # noqa: E402
+from rooms import ROOMS, room_of  # noqa: E402
 from run import interpreter  # noqa: E402
 
 SECONDS = 900
@@ -102,8 +102,7 @@ class Tree:
 
 def askers(what, path, everyone):
     kind = what.split(": ")[0]
-    room = os.path.dirname(path).removeprefix("src/")
-    own = [*KINDS.get(kind, []), *(asker.removeprefix("exact ") for asker in ROOMS.get(room, []))]
+    own = [*KINDS.get(kind, []), *(asker.removeprefix("exact ") for asker in ROOMS.get(room_of(path), []))]
     if kind in SANITIZED:
         own += [f"sanitized {asker.split()[0]}" for asker in own if not asker.startswith("$ ")]
     others = [name.rsplit(".", 1)[0] for name, _ in sorted(suitetimes.read().items(), key=lambda row: row[1])

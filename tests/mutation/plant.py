@@ -86,7 +86,7 @@ def write(name, what, path, old, new):
 
 def plant_mutants(seed):
     """By turns of the rooms, of each the next that is one."""
-    options = argparse.Namespace(only="", file="", boundaries=False, seed=seed)
+    options = argparse.Namespace(only="", file="", boundaries=False, among=None, seed=seed)
     decks = collections.defaultdict(list)
     for room, mutant in drawn(options, changes.record()):
         decks[room].append(mutant)

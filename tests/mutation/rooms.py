@@ -1,5 +1,6 @@
-"""The rooms that decide, and who is asked about a mutant of each: suites by their names in tests/README.md, the cheapest and
-most telling first. `exact` before a suite asks it without the filter, words after it are its own.
+"""The rooms of src in the order in which their suites are asked about a mutant, the cheapest and most telling first: some of those whose
+rows of tests/README.md name the room, which runner.py compares. `exact` before a suite asks it without the filter, words after it are
+its own. SMOKE is asked where every room may be concerned.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -12,6 +13,8 @@ ROOMS = {
     "base/number": [*NUMBERS, "unit/test_rational", "unit/test_forms", "unit/test_text", "unit/test_eliminate", "unit/test_report",
                     "unit/test_motion_random", "exact cases/cases", "unit/test_clusters", "agree/roots", "agree/curves",
                     "motioncmd/poses", "inputs/coordinates", "agree/laws"],
+    "base/context": ["unit/test_slots", "unit/test_array", "unit/test_team", "api/test_place", "api/test_memory", "api/test_environment",
+                     "unit/test_readers", "api/test_input", "inputs/inputs"],
     "input/motion": ["unit/test_motion", "unit/test_expression", "unit/test_motion_random", "cases/cases", "refuse/run motion",
                      "refuse/run motion-limits", "agree/laws", "motioncmd/motion", "motioncmd/schema", "api/test_writing",
                      "api/test_exact_count"],
@@ -23,6 +26,7 @@ ROOMS = {
     "input/solid": ["unit/test_locate", "unit/test_winding", "unit/test_forms", "unit/test_locate_cells", "unit/test_slabs", "exact cases/cases",
                     "exact agree/near", "exact examples/examples", "api/test_writing", "api/test_handles", "agree/laws"],
     "input/convert": ["motioncmd/motion", "solid/tools", "motioncmd/poses", "api/test_writing", "refuse/run writing motion motion-limits"],
+    "input/scad": ["curved/scad"],
     "input/mend": ["mend/mend", "refuse/run convert"],
     "input/delimited": ["unit/test_stream", "inputs/forms", "inputs/columns", "refuse/run points", "motioncmd/poses"],
     "input/csg": ["curved/words", "refuse/run curved", "curved/ends", "cases/cases --only curved", "curved/polyhedra", "curved/schema"],
@@ -54,12 +58,43 @@ ROOMS = {
                        "refuse/run compare"],
     "output/table": ["api/test_export", "unit/test_compare", "filter/columns", "draw/draw", "shards/shards", "shards/resume",
                      "refuse/run points compare shards"],
+    "output/draw": ["api/test_pictures", "explain/cones", "draw/levels", "curved/pictures", "draw/sections", "draw/draw", "draw/dense"],
+    "output/page": ["page/page"],
+    "output/png": ["draw/levels", "draw/draw"],
+    "api": ["api/test_misuse", "api/test_handles", "api/test_place", "api/test_classify", "api/test_word", "api/test_reports", "api/test_grid",
+            "api/test_contact", "api/test_topo", "api/test_pair", "api/test_envelope", "api/test_certificate", "api/test_export",
+            "api/test_pictures", "api/test_memory", "api/test_writing", "api/test_distance", "api/test_judge", "install/abi", "refuse/run"],
+    "program": ["inputs/forms", "inputs/columns", "compare/advice", "topo/table", "distance/table", "shards/shards", "inputs/npy", "moments/moments",
+                "readme/formats", "refuse/run", "shards/resume", "shards/record", "refuse/onto"],
+    "check": ["check/rows", "check/solids", "check/limits", "check/golden", "check/mutants", "check/contacts"],
+    "python": ["install/abi", "python/run"],
 }
+# One of each wing, in half a minute: asked of a change of `base` or of what all suites share.
+SMOKE = ["cases/cases", "examples/examples", "api/test_classify", "api/test_word", "api/test_memory", "unit/test_rational", "unit/test_algebraic",
+         "unit/test_forms", "unit/test_motion", "unit/test_readers", "unit/test_validate", "curved/words", "agree/near", "words/words",
+         "contact/hand", "envelope/hand", "topo/verdicts", "collide/hand", "distance/golden", "generate/levels", "boundary/sharp", "check/rows",
+         "explain/cones", "draw/levels", "compare/values", "shards/shards", "inputs/forms", "motioncmd/logs", "solid/tools", "mend/mend"]
+# Rooms that mutate.py does not draw of: other programs than graze, weakened.py's, and what is no C.
+OTHERS = {"check", "output/png", "python"}
 # Here the boundaries of all orders have been gone through; elsewhere they are moved with --boundaries alone, since a value
 # that is never 0 is compared with 0 in every other line.
 BOUNDARIES = {"decide/trace", "decide/verdict", "input/solid"}
 
 
 def files(room):
-    """Its sources; flip.c is compiled into a program of its own alone."""
-    return [path for path in sorted(glob.glob(f"src/{room}/*.c") + glob.glob(f"src/{room}/*.cpp")) if not path.endswith("/flip.c")]
+    """Its sources; flip.c is compiled into a program of its own alone, program/mpi too."""
+    found = [path for kind in ("*.c", "*.cpp", "*.py") for path in glob.glob(f"src/{room}/**/{kind}", recursive=True)]
+    return sorted(path for path in found if not path.endswith("/flip.c") and "program/mpi/" not in path)
+
+
+def room_of(path):
+    """The room of a source or of a public header, None of another file."""
+    if path.startswith("include/"):
+        return "api"
+    return next((room for room in ROOMS if path.startswith(f"src/{room}/")), None)
+
+
+def suite(asker):
+    """The path under tests/ of a suite that is asked."""
+    name = asker.removeprefix("exact ").split()[0]
+    return name + (".c" if "/test_" in name else ".py")

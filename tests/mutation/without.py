@@ -75,7 +75,7 @@ def main():
                 source = file.read()
             if source.count(text) != 1 or worker.compiled(path, source.replace(text, without)) is None:
                 raise SystemExit(f"{path}: {claim}, {words}: the text is not there once, or does not compile without it")
-            worker.link_program()
+            worker.link_program(path)
             noticed = next((asker for asker in ROOMS[os.path.dirname(path)[len("src/"):]] if worker.is_noticed_by(asker)), None)
             print(f"{claim} {words}: {noticed or 'UNNOTICED'}", flush=True)
             passed, failed = passed + bool(noticed), failed + (not noticed)

@@ -140,6 +140,7 @@ def try_variant(build, number, files, variant):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--build", default="build")
+    parser.add_argument("--sample", action="store_true", help="one of six variants, where nothing has changed that the proofs are about")
     args = parser.parse_args()
     checks = Checks()
     files = order(os.path.join(args.build, "proofs"))
@@ -147,8 +148,9 @@ def main():
         checks.holds(os.path.exists(os.path.join(args.build, "proofs", name + "o")),
                      f"{name} is compiled unchanged")
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        found = pool.map(lambda v: try_variant(args.build, v[0], files, v[1]), enumerate(VARIANTS))
-        for variant, where in zip(VARIANTS, found):
+        asked = list(enumerate(VARIANTS))[::6 if args.sample else 1]
+        found = pool.map(lambda v: try_variant(args.build, v[0], files, v[1]), asked)
+        for (_, variant), where in zip(asked, found):
             what, _, _, _, file, lemma = variant
             if checks.holds(where == (file, lemma), f"{what}: expected a failure in {file}, {lemma}: {where}"):
                 print(f"{what}: fails in {file}, {lemma}")
