@@ -23,6 +23,7 @@ from rooms import SMOKE, suite  # noqa: E402
 
 ROOT, BASE = os.path.dirname(HERE), os.path.join(HERE, "base.txt")
 BUDGET = 100  # seconds of CPU that all may take by tests/times.txt, beyond which suites of tier `ci` are left to CI
+RUN = ("derived", "random", "ci")  # tiers
 # Files that are of no room and no suite's folder, and who is asked of them: beginnings of suites' paths. The first that fits.
 OTHERS = [
     (r"src/base/|tests/lib/|tests/\w+/lib/", [suite(asker) for asker in SMOKE]),
@@ -105,10 +106,10 @@ def asked_of(path, rows):
 
 def chosen(changed, rows):
     """Suite -> the first file that asks it; and the costly ones that are left to CI."""
-    why = {}
+    why = {name: "tests/" + name for name, row in rows.items() if "tests/" + name in changed and row.tier in RUN}
     for path in changed:
         for name in asked_of(path, rows):
-            if rows[name].tier in ("derived", "random", "ci"):
+            if rows[name].tier in RUN:
                 why.setdefault(name, path)
     known = suitetimes.parts()
 
