@@ -346,7 +346,7 @@ test: $B/.packages-test all $(UNIT) $(ASKED) build/tests/locale/de_DE.UTF-8
 # The suites of the rooms that have changed since @{upstream}, else since the commit of tests/base.txt, or since SINCE=REV.
 .PHONY: try
 try: $B/.packages-test build/tests/locale/de_DE.UTF-8
-	@python3 tests/changed.py --build $B --programs "$(ASKED)" $(if $(SINCE),--since '$(SINCE)')
+	+@python3 tests/changed.py --build $B --programs "$(ASKED)" $(if $(SINCE),--since '$(SINCE)')
 
 # The programs of the tests in another build folder, for the sanitizers.
 .PHONY: programs
