@@ -149,7 +149,8 @@ static void form_signs(int *out, const trace *r, const claim *c, mpz_t *form, si
     poly_clear(&f);
 }
 
-/* Meet a simplex that is not cleared: tests L4 and L5 on the sides that must be free of it, and the places and cells in which it holds the trajectory. */
+/* Meet a simplex that is not cleared: tests L4 and L5 on the sides that must be free of it, and the
+ * places and cells in which it holds the trajectory. */
 static void meet(trace *r, claim *c, const simplex *f, const signs *all) {
     int sign[PLACES], off[PLACES], on[PLACES];
     unsigned zero[PLACES] = {0, 0, 0};

@@ -28,10 +28,10 @@ struct graze_scene {
     const graze_solid *solid;
     const graze_motion *motion;
     graze_options options;
-    filter filter;             /* for the operation of the options; not of a curved solid */
-    surface_filter *surfaces;  /* that of a curved solid; or NULL */
-    graze_ends ends;           /* whether S^0 and S^1 have a point in common */
-    unsigned char sha256[32];  /* of the canonical text of solid and motion, see scene_hash */
+    filter filter;               /* for the operation of the options; not of a curved solid */
+    surface_filter *surfaces;    /* that of a curved solid; or NULL */
+    graze_ends ends;             /* whether S^0 and S^1 have a point in common */
+    unsigned char sha256[32];    /* of the canonical text of solid and motion, see scene_hash */
     scene_memo *memo, *arc_maps; /* of topo and of distances */
 };
 
