@@ -6,7 +6,6 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 import array
 import atexit
-import errno
 import functools
 import os
 import select
@@ -116,6 +115,8 @@ def run(command, seconds, text, more):
     until, given = time.monotonic() + seconds, more.get("input")
     try:
         process = Process(server_of(command[0], environment), command, environment, more.get("cwd") or ".", files)
+    except TooLong:
+        return None
     except ChildProcessError:
         if programs.pop(command[0], None):
             print(f"note: {command[0]} does not fork, its runs are by exec")
@@ -131,6 +132,10 @@ def run(command, seconds, text, more):
     return subprocess.CompletedProcess(command, process.status, *got)
 
 
+class TooLong(Exception):
+    """More words than the server takes, but perhaps not too many for exec."""
+
+
 class Process:
     """One run, with pipes for what it writes unless `files` has descriptors for it; `end` must be called."""
 
@@ -140,7 +145,7 @@ class Process:
         if text.count(b"\0") != len(words):
             raise ValueError("embedded null byte")
         if len(text) > MOST:
-            raise OSError(errno.E2BIG, os.strerror(errno.E2BIG))
+            raise TooLong
         self.open, self.status, self.number = [], None, 0
         try:
             self.ends = [self.pipe(k) if file is None else (None, file) for k, file in enumerate(files)]

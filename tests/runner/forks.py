@@ -65,6 +65,7 @@ def check_starts(b):
         b.same(b.probe, words, cwd="/usr", env={"A": "1", "B": "é", "ASAN_OPTIONS": "x=1"}, input="text\r\n")
         b.same(b.probe, words, env={"LD_PRELOAD": ""})
         b.same(b.probe, words, cwd=os.path.relpath(b.folder), env={}, text=False, input=b"\xff\x00" * 600000)
+    b.same(b.probe, ["show", *(str(k) * 1000 for k in range(100))])
     b.same(b.probe, ["exit", 3], text=False, input=b"nobody reads it" * 100000)
     for k, (name, most) in enumerate((("AS", 1 << 31), ("FSIZE", 1 << 20), ("NOFILE", 100))):
         which = getattr(resource, "RLIMIT_" + name)
