@@ -36,7 +36,7 @@ ROW = re.compile(r"^(src/\S+)\s+(\d+)\s+(\d+)\s+(\S.*)$")
 def run_suites():
     for old in glob.glob(BUILD + "/**/*.gcda", recursive=True):
         os.remove(old)
-    command = [sys.executable, "tests/run.py", "--build", BUILD, "--sanitizers", "--limit", "1500"]
+    command = [sys.executable, "tests/run.py", "--build", BUILD, "--tier", "all", "--sanitizers", "--limit", "1500"]
     for name in SKIPPED:
         command += ["--skip", name]
     memory = [sys.executable, "tests/memory/memory.py", "--graze", BUILD + "/graze", "--counted"]

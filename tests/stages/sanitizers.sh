@@ -9,4 +9,4 @@ build="build-asan"
 make -s B=$build CC=clang CXX=clang++ OPT="-O1 -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer" \
     CFLAGS=-g1 CXXFLAGS=-g1 $build/graze programs
 ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 \
-    exec python3 tests/run.py --build $build --limit 2400 --sanitizers "${left_out[@]/#/--skip=}"
+    exec python3 tests/run.py --build $build --tier sanitizers --limit 2400 --sanitizers "${left_out[@]/#/--skip=}"
