@@ -123,7 +123,7 @@ def check_memberships(bench):
             alone = bench.run("classify", *paths, "--operation", operation, "--columns", "pmc").stdout.splitlines()
             checks.equal(alone[-3:], [f"0,0,0,{pmc}", f"# undecided {int(pmc == 'undecided')}", "# complete 1"], name, operation)
             said = bench.run("explain", *paths[:2], "0", "0", "0", "--operation", operation).stdout
-            checks.equal((f"The other states tell that P is `{pmc}` all the same" in said, "The state is not decided" in said), (pmc != "undecided", True), said)
+            checks.equal((f"P is `{pmc}` whatever that state is" in said, "The state is not decided" in said), (pmc != "undecided", True), said)
     checks.equal(len(seen), 6, "in, on and undecided of a sweep, out, on and undecided of an unsweep", sorted(seen))
 
 
