@@ -7,6 +7,9 @@
  *
  * GRAZE_FAIL_LIST=FILE: nothing fails, and FILE gets 64 bits for each allocation, a number that is
  *   equal for equal ways through the program to it, as far as DEPTH calls tell them apart.
+ * FILE.calls gets a line for each number but 0, where it is met first: the number, and the calls
+ * from the innermost out, K+PLACE each, the place a call returns to in the K-th object; before that
+ * a line `object PATH` for each object, in order, without a path for the program itself.
  * GRAZE_FAIL_RUNS=FOLDER: standard input has lines `once N` and `from N`, for the N-th allocation
  *   alone and for all from it on. Each is a run in a process of its own, in the folder
  *   FOLDER/once-N or FOLDER/from-N, which gets its standard output and error as `out` and `err` and
@@ -20,6 +23,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <link.h>
+#include <pthread.h>
 #include <stdatomic.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -30,7 +34,7 @@
 #include <unistd.h>
 #include <unwind.h>
 
-enum { DEPTH = 12, SECONDS = 20, MOST = 1 << 20 };
+enum { DEPTH = 13, SECONDS = 20, MOST = 1 << 20, CALLS = 200, OBJECTS = 64, KNOWN = 1 << 16 };
 
 #ifdef WRAPPED
 #define NAME(function) __wrap_##function
@@ -51,6 +55,8 @@ static atomic_long count;
 static long fail_at;      /* 0: none fails */
 static int fails_on;      /* and all that come after */
 static uint64_t *ways;    /* where they are listed, or NULL */
+static uint64_t *known;   /* the ways whose calls are noted, by their last bits */
+static int calls = -1;    /* the file of them */
 static const char *spare; /* or NULL */
 static _Thread_local int looking __attribute__((tls_model("initial-exec")));
 
@@ -58,6 +64,11 @@ typedef struct way {
     uint64_t hash;
     int depth, spared;
 } way;
+
+static _Noreturn void die(const char *what) {
+    perror(what);
+    _exit(99);
+}
 
 static int is_spared(const char *path) {
     char name[64];
@@ -83,7 +94,7 @@ static _Unwind_Reason_Code add_call(struct _Unwind_Context *context, void *data)
     if (w->depth < DEPTH)
         w->hash = (w->hash ^ at) * 0x9e3779b97f4a7c15ULL;
     w->hash ^= w->hash >> 29;
-    return ++w->depth < DEPTH || (spare && w->depth < 200) ? _URC_NO_REASON : _URC_END_OF_STACK;
+    return ++w->depth < DEPTH || (spare && w->depth < CALLS) ? _URC_NO_REASON : _URC_END_OF_STACK;
 }
 
 static way way_here(void) {
@@ -96,10 +107,72 @@ static way way_here(void) {
     return w;
 }
 
+typedef struct line {
+    char text[CALLS * 24];
+    size_t used;
+    int depth;
+} line;
+
+static void note(const char *text, size_t size) {
+    if (write(calls, text, size) != (ssize_t)size)
+        die("GRAZE_FAIL_LIST");
+}
+
+/* The number of an object, which is noted when it is met first. */
+static int object_number(const struct link_map *object) {
+    static const struct link_map *met[OBJECTS];
+    int k = 0;
+    while (k < OBJECTS && met[k] && met[k] != object)
+        k++;
+    if (k < OBJECTS && !met[k]) {
+        char text[4200];
+        met[k] = object;
+        note(text, (size_t)snprintf(text, sizeof text, "object %s\n", object->l_name));
+    }
+    return k;
+}
+
+static _Unwind_Reason_Code add_place(struct _Unwind_Context *context, void *data) {
+    line *l = data;
+    uintptr_t at = (uintptr_t)_Unwind_GetIP(context);
+    struct dl_find_object in;
+    if (at && _dl_find_object((void *)at, &in) == 0)
+        l->used += (size_t)snprintf(l->text + l->used, sizeof l->text - l->used, " %d+%lx",
+                                    object_number(in.dlfo_link_map),
+                                    (unsigned long)(at - (uintptr_t)in.dlfo_map_start));
+    return ++l->depth < CALLS ? _URC_NO_REASON : _URC_END_OF_STACK;
+}
+
+/* Whether the way is new; from then on it is not. A full table forgets the rest. */
+static int is_new(uint64_t hash) {
+    for (size_t k = hash % KNOWN, tries = 0; tries < KNOWN; k = (k + 1) % KNOWN, tries++) {
+        if (known[k] == hash)
+            return 0;
+        if (!known[k]) {
+            known[k] = hash;
+            return 1;
+        }
+    }
+    return 0;
+}
+
 static void list(long n) {
+    static pthread_mutex_t one = PTHREAD_MUTEX_INITIALIZER;
     way w = way_here();
-    if (n <= MOST)
-        ways[n - 1] = w.spared ? 0 : w.hash;
+    if (n > MOST || looking)
+        return;
+    ways[n - 1] = w.spared ? 0 : w.hash;
+    looking = 1;
+    pthread_mutex_lock(&one);
+    if (ways[n - 1] && is_new(w.hash)) {
+        line l = {.used = 0};
+        l.used = (size_t)snprintf(l.text, sizeof l.text, "%016llx", (unsigned long long)w.hash);
+        _Unwind_Backtrace(add_place, &l);
+        l.text[l.used++] = '\n';
+        note(l.text, l.used);
+    }
+    pthread_mutex_unlock(&one);
+    looking = 0;
 }
 
 static int fails(void) {
@@ -186,11 +259,6 @@ void *__wrap__Znam(size_t size) {
 }
 #endif
 
-static _Noreturn void die(const char *what) {
-    perror(what);
-    _exit(99);
-}
-
 static void write_ways(void) {
     const char *path = getenv("GRAZE_FAIL_LIST");
     int file = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
@@ -259,8 +327,12 @@ __attribute__((constructor)) static void begin(void) {
     spare = getenv("GRAZE_FAIL_SPARE");
     unsetenv("LD_PRELOAD"); /* a program that is run by this one is on its own */
     if (getenv("GRAZE_FAIL_LIST")) {
+        char path[4096];
         uint64_t *room = REAL(calloc)(MOST, sizeof *room);
-        if (!room || atexit(write_ways) != 0)
+        known = REAL(calloc)(KNOWN, sizeof *known);
+        snprintf(path, sizeof path, "%s.calls", getenv("GRAZE_FAIL_LIST"));
+        calls = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+        if (!room || !known || calls < 0 || atexit(write_ways) != 0)
             die("GRAZE_FAIL_LIST");
         atomic_store(&count, 0);
         ways = room;

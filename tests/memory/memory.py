@@ -4,10 +4,10 @@
 
 fail.c stands in front of malloc, for every library. A run must end as without a failure, the same bytes written, or
 with status 5 and a last message about memory; then it leaves no file but whole lines of the beginning of a table. Which allocations
-fail: those that are reached on ways that differ, and some more; with --scale all of them.
+fail: a fixed eighth of those that are reached on ways that differ, at least one a scene, all ways through sources that were changed
+since the commit of tests/base.txt, and some more; from --scale 2 on all ways, from --scale 16 on every allocation.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
-import array
 import collections
 import concurrent.futures
 import os
@@ -22,6 +22,7 @@ import tempfile
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 import scenes  # noqa: E402
+import ways  # noqa: E402
 from harness import Checks, options  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -51,7 +52,7 @@ class Bench:
             self.graze = os.path.join(os.path.dirname(self.graze), "tests", "graze-memory")
         self.folder = pathlib.Path(folder)
         self.scale = args.scale
-        self.part = 7 if args.sanitizers else 1  # of the ways, one of so many is tried
+        self.changes = not self.wrapped  # whether ways through changed files are tried, all of them
         self.library = None if self.wrapped else build(folder)
 
     def environment(self, scene, **more):
@@ -140,37 +141,33 @@ def serve(bench, scene, folder, runs):
 
 
 def ways_of(bench, scene):
-    """The number of the way to each allocation of a run, 0 for those that are spared."""
+    """The number of the way to each allocation of a run, 0 for those that are spared, and the calls on each way."""
     folder = bench.folder / scene.name
     folder.mkdir()
     place = folder / "list"
     scene.lay_out(place)
     subprocess.run([bench.graze] + scene.arguments, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, cwd=place,
                    stdin=subprocess.DEVNULL, env=bench.environment(scene, GRAZE_FAIL_LIST=str(folder / "ways")), check=False)
-    ways = array.array("Q")
-    ways.frombytes((folder / "ways").read_bytes())
     shutil.rmtree(place)
-    return ways
+    return ways.read(str(folder / "ways"), bench.graze)
 
 
-def choose(ways, met, bench):
-    """The runs of a scene, (mode, N): one for each way that no scene before has met, and some of the others."""
-    numbers = []
-    for n, way in enumerate(ways, 1):
-        if way and way not in met:
-            numbers.append(n)
-        met.add(way)
-    if bench.scale > 1:
-        return [(mode, n) for n in range(1, len(ways) + 1) for mode in ("once", "from")]
-    numbers = numbers[::bench.part]
-    again = range(1, len(ways) + 1, max(2, len(ways) * bench.part // 25 | 1))
-    return [("once", n) for n in sorted({*numbers, *again})] + [("from", n) for n in sorted({*numbers[::11], *again})[::2]]
+def choose(bench, listed):
+    """The runs of each scene, (mode, N)."""
+    sources, base = ways.changed() if bench.changes else (set(), "not asked")
+    choice = ways.Choice(bench.scale, sources)
+    own = [choice.own(*found) for found in listed]
+    names = ways.Names(place for found in own for way in found for place in way.calls)
+    chosen = [choice.runs(numbers, found, names) for (numbers, _), found in zip(listed, own)]
+    print(f"{sum(map(len, own))} ways, {sum(n for _, n in chosen)} of them through {len(sources)} changed sources (base: {base}), "
+          f"{sum(len(runs) for runs, _ in chosen)} runs", flush=True)
+    return [runs for runs, _ in chosen]
 
 
-def test(bench, scene, ways, runs):
+def test(bench, scene, count, runs):
     """(runs, ends told, faults: kind -> list of runs) of a scene."""
     folder = bench.folder / scene.name
-    whole = next(serve(bench, scene, folder, [("once", len(ways) * 2 + 1000)]))[2]
+    whole = next(serve(bench, scene, folder, [("once", count * 2 + 1000)]))[2]
     faults, told = collections.defaultdict(list), 0
     if not os.WIFEXITED(whole.status) or os.WEXITSTATUS(whole.status) != scene.status:
         faults[f"does not run at all: status {whole.status}: {whole.err}"].append("")
@@ -190,14 +187,13 @@ def main():
     args = options(__doc__, ("names", {"nargs": "*", "help": "scenes; all if none is named"}),
                    ("--counted", {"action": "store_true", "help": "the build counts coverage"}))
     checks = Checks()
-    met = set()
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(2) as pool:
         bench = Bench(args, folder)
         every = [s for s in scenes.make(bench.graze, pathlib.Path(folder)) if (not args.names or s.name in args.names)
                  and not (bench.wrapped and "cairo" in s.spared)]
-        ways = list(pool.map(lambda s: ways_of(bench, s), every))
-        runs = [choose(w, met, bench) for w in ways]
-        for scene, tried, (told, faults) in zip(every, runs, pool.map(lambda *a: test(bench, *a), every, ways, runs)):
+        listed = list(pool.map(lambda s: ways_of(bench, s), every))
+        runs, counts = choose(bench, listed), [len(numbers) for numbers, _ in listed]
+        for scene, tried, (told, faults) in zip(every, runs, pool.map(lambda *a: test(bench, *a), every, counts, runs)):
             wrong = sum(len(which) for which in faults.values())
             checks.passed, checks.failed = checks.passed + max(len(tried) - wrong, 0), checks.failed + wrong
             print(f"{scene.name}: {len(tried)} runs, {told} with status 5, {wrong} wrong", flush=True)
