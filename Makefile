@@ -14,7 +14,7 @@ OPT ?= -O2
 # FLINT 2.9 takes a field of its fmpq for an array of the whole, at which gcc 12 stumbles.
 GCC_ONLY := $(if $(findstring clang,$(CC)),,-Wno-stringop-overread -Wno-stringop-overflow)
 WARN := -Wall -Wextra -Werror
-COMMON = $(OPT) -g $(WARN) -fPIC -fvisibility=hidden -pthread -Iinclude -Isrc -MMD -MP
+COMMON = $(OPT) $(COUNTED) -g $(WARN) -fPIC -fvisibility=hidden -pthread -Iinclude -Isrc -MMD -MP
 ALL_CFLAGS = -std=c11 -D_POSIX_C_SOURCE=200809L $(COMMON) $(GCC_ONLY) $(CFLAGS)
 # CGAL's interval arithmetic changes the rounding mode, which the compiler must respect. A unique symbol
 # would be shared with a program that uses CGAL too, and CGAL's settings with it.
@@ -24,7 +24,11 @@ ALL_CXXFLAGS = -std=c++17 -frounding-math $(NOT_UNIQUE) $(COMMON) $(CXXFLAGS)
 RPATH = -Wl,-rpath,'$$ORIGIN:$$ORIGIN/$(1)'
 VERSION := $(shell sed -n 's/.*define GRAZE_VERSION "\(.*\)"/\1/p' include/graze/version.h)
 SONAME := libgraze.so.0
-LIBS := -lyajl -lmd -lflint -lmpfr -lgmp -lstdc++ -lm -pthread
+LIBS := -lyajl -lmd -lflint -lmpfr -lgmp -lstdc++ -lm -pthread$(if $(COUNT), $(COUNT))
+
+# Rooms whose coverage is a gate, with COUNT= the flags by which clang counts what is run; counters elsewhere cost each process time.
+COUNTED =
+$B/src/decide/%.o $B/src/questions/%.o: COUNTED = $(COUNT)
 
 # All that differs between Debian 12 (CGAL 5.5, FLINT 2.9) and 13 (CGAL 6.0, FLINT 3.1).
 DEBIAN := $(firstword $(subst ., ,$(file < /etc/debian_version)))
@@ -37,7 +41,7 @@ PACKAGES_DEB   := $(PACKAGES_BUILD) dpkg-dev
 PACKAGES_TEST  := $(PACKAGES_DEB) $(PACKAGES_PNG) libcmocka-dev python3 python3-numpy pari-gp locales parallel openmpi-bin libopenmpi-dev pkgconf cmake groff-base python3-jsonschema python3-venv python3-gmpy2 mypy
 PACKAGES_PROOFS := $(PACKAGES_BUILD) coq ocaml-findlib libzarith-ocaml-dev python3
 PACKAGES_DOCS  := $(PACKAGES_BUILD) python3 python3-numpy python3-pandas python3-sphinx python3-myst-parser python3-sphinx-copybutton furo doxygen python3-breathe
-PACKAGES_ALL   := $(PACKAGES_TEST) $(PACKAGES_DOCS) python3-shapely python3-meshio chromium clang libclang-rt-$(CLANG)-dev clang-format cppcheck debootstrap gcovr
+PACKAGES_ALL   := $(PACKAGES_TEST) $(PACKAGES_DOCS) python3-shapely python3-meshio chromium clang libclang-rt-$(CLANG)-dev clang-format llvm cppcheck debootstrap
 
 comma   := ,
 LIB_C   := $(wildcard src/api/*.c) $(filter-out src/program/% src/output/png/%,$(wildcard src/*/*/*.c))
@@ -163,6 +167,12 @@ $B/graze: $(CLI_O) $B/libgraze.a
 $B/graze-check: $(wildcard src/check/*.[ch]) | $B/.packages-build
 	@$(call say,CC,$@)
 	$Q$(CC) -std=c11 $(OPT) -g $(WARN) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.c,$^) -lgmp -lm
+# The same with gcc's counts of each branch, beside the plain program, for the suites that ask both.
+$B/counted/graze-check: $(wildcard src/check/*.[ch]) | $B/graze
+	@mkdir -p $(@D)
+	@ln -sfn ../graze $(@D)/graze
+	@$(call say,CC,$@)
+	$Qgcc -std=c11 -O1 --coverage -g $(WARN) -o $@ $(filter %.c,$^) -lgmp -lm
 $B/graze-mpi: $(MPI_O) $B/libgraze.a
 	@$(call say,LINK,$@)
 	$Q$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $$(mpicc --showme:link) $(LIBS)
@@ -202,7 +212,7 @@ $B/tests/graze-flips: $(CLI_O) $(FLIP_O) $(filter-out $B/src/decide/filter/%,$(L
 	@$(call say,LINK,$@)
 	$Q$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)
 # The program whose own allocations fail (tests/memory/fail.c), for sanitizers, who bring a malloc.
-$B/tests/memory/fail.o: ALL_CFLAGS += -DWRAPPED $(if $(findstring --coverage,$(OPT)),-DCOUNTED) -fexceptions
+$B/tests/memory/fail.o: ALL_CFLAGS += -DWRAPPED -fexceptions
 $B/tests/graze-memory: $(CLI_O) $B/tests/memory/fail.o $B/libgraze.a
 	@$(call say,LINK,$@)
 	$Q$(CXX) $(OPT) $(LDFLAGS) $(addprefix -Wl$(comma)--wrap=,malloc calloc realloc _exit _Znwm _Znam) -o $@ $^ $(LIBS)
@@ -389,10 +399,10 @@ fuzz: $B/.packages-all
 	@$(MAKE) -s B=$(FUZZ_BUILD) CC=clang CXX=clang++ OPT="$(FUZZ_FLAGS)" $(FUZZ_BUILD)/tests/fuzz/fuzz $(FUZZ_BUILD)/tests/fuzz/replay
 	@python3 tests/fuzz/fuzz.py --build $(FUZZ_BUILD) --seconds $(SECONDS) $(FUZZ_ONLY)
 
+# Lines and branches by file of the rooms that decide and that check, of the suites under the sanitizers.
 .PHONY: coverage
-coverage: $B/.packages-all
-	@$(MAKE) -s B=build-coverage OPT="-O1 --coverage -fprofile-update=atomic" programs
-	@python3 tests/coverage.py
+coverage: $B/.packages-all all
+	@tests/stages/sanitizers.sh
 
 .PHONY: bench
 bench: all $(BENCH)

@@ -40,7 +40,7 @@ SKIPPED = re.compile(r"^ *SKIP ([\w-]+):", re.M)
 # that give many more inputs to code which other suites run too, as the coverage by file without them shows.
 PLAIN_ALONE = [
     "structure/", "install/", "readme/", "cases/recompute", "curved/schema", "motioncmd/schema",
-    "agree/", "words/", "unsweep/properties", "curved/germs", "curved/polyhedra", "check/contacts",
+    "agree/", "words/", "unsweep/properties", "curved/germs", "curved/polyhedra",
     "topo/germs", "topo/straight", "topo/orders", "topo/prisms",
     "filter/equal", "filter/columns", "filter/contraction", "envelope/derivation", "contact/derivation", "benchmark/", "judge/sums",
 ]

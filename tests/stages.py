@@ -56,8 +56,7 @@ def ci(options):
     return [
         Stage("the rest of the suites", run_suites("--tier", "rest", *(["--record"] if options.record else []))),
         Stage("lint", ["tests/lint.sh"]),
-        Stage("address and undefined behaviour", ["tests/stages/sanitizers.sh"]),
-        Stage("coverage", ["make", "-s", "coverage"]),
+        Stage("sanitizers and coverage", ["tests/stages/sanitizers.sh"]),
         Stage("proofs", ["make", "-s", "proofs", *([] if of(PROVED) else ["BROKEN=--sample"])]),
         Stage("threads", ["tests/stages/threads.sh", "test_threads.py"]),
         Stage("the checker weakened", script("check/weakened.py", "--only", ",".join(weakened if of(CHECKER) else WEAKENED[:1]))),
