@@ -80,7 +80,7 @@ help:
 	@echo "make cases      check every case under cases/ and recompute it with PARI"
 	@echo "make test-long  all in full and more random inputs than CI asks, of SEED=n or the day's, before a release (hours)"
 	@echo "make fuzz       every fuzz target for SECONDS=60 (FUZZ_ONLY=\"NAME ...\": some of them)"
-	@echo "make coverage   line and branch coverage by file, of most suites"
+	@echo "make coverage   the suites under the sanitizers; line and branch coverage of src/decide, questions, check"
 	@echo "make docs       the site, with what its pages show, into build/docs/html/"
 	@echo "make pictures   draws figures of the paper from the cases, into build/pictures/"
 	@echo "make proofs     check the proofs in proofs/coq by machine, the C functions against them"
