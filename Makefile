@@ -24,7 +24,10 @@ ALL_CXXFLAGS = -std=c++17 -frounding-math $(NOT_UNIQUE) $(COMMON) $(CXXFLAGS)
 RPATH = -Wl,-rpath,'$$ORIGIN:$$ORIGIN/$(1)'
 VERSION := $(shell sed -n 's/.*define GRAZE_VERSION "\(.*\)"/\1/p' include/graze/version.h)
 SONAME := libgraze.so.0
-LIBS := -lyajl -lmd -lflint -lmpfr -lgmp -lstdc++ -lm -pthread$(if $(COUNT), $(COUNT))
+LIBS := -lyajl -lmd -lflint -lmpfr -lgmp -lstdc++ -lm -pthread
+ifneq ($(COUNT),)
+LIBS += $(COUNT)
+endif
 
 # Rooms whose coverage is a gate, with COUNT= the flags by which clang counts what is run; counters elsewhere cost each process time.
 COUNTED =
