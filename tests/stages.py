@@ -23,7 +23,7 @@ import suitetimes  # noqa: E402
 Stage = collections.namedtuple("Stage", "name command beside", defaults=(False,))
 # Suites that ask CGAL, whose answers are recorded.
 ORACLES = ["agree/minkowski", "agree/laws", "collide/hand", "collide/laws", "collide/minkowski", "distance/cgal", "judge/sums", "topo/straight",
-           "topo/duals"]
+           "topo/duals", "benchmark/codes"]
 CHECKER = ["src/check/", "tests/check/", "tests/fuzz/checker/"]
 CERTIFIED = [*CHECKER, "src/questions/certify/", "src/decide/trace/", "src/decide/verdict/", "src/input/solid/", "src/input/motion/"]
 PROVED = ["proofs/", "tests/proofs/", *CERTIFIED]

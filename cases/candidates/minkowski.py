@@ -3,7 +3,7 @@
 
     python3 cases/candidates/minkowski.py PROGRAM SOLID MOTION POINTS OUT
 
-PROGRAM is tests/agree/minkowski.cpp, which the agreement tests ask too (`make programs`: build/tests/minkowski); this
+PROGRAM is tests/agree/minkowski.cpp, which the agreement tests ask too (`make build/tests/minkowski`); this
 writes its input and reads its answers. SOLID is OFF, MOTION a motion of the benchmark that is straight, POINTS a table
 with id, x, y, z. OUT gets id and pmc. Exit status 2: the motion is not straight.
 SPDX-License-Identifier: CC0-1.0

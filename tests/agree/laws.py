@@ -20,7 +20,8 @@ from agreement import Tally  # noqa: E402
 from algebra import compare as compare_roots  # noqa: E402
 from algebra import scale, sub, substitute  # noqa: E402
 from exact import Fraction as F  # noqa: E402
-from program import Checks, Graze, exchanged, merged, options, run  # noqa: E402
+from oracle import Oracle  # noqa: E402
+from program import Checks, Graze, exchanged, merged, options  # noqa: E402
 from motion import Motion, Piece, build, compose, constant, conjugated, cut, legs  # noqa: E402
 from motion import far, mobius, product, reversed_in_time, rotation, scaling, squared  # noqa: E402
 from motion import translate  # noqa: E402
@@ -43,9 +44,9 @@ class Scene:
 class Law:
     """What all laws need: the program, the checks, the base answers of one scene."""
 
-    def __init__(self, graze, checks, scene, base, args):
+    def __init__(self, graze, checks, scene, base, rng, oracle=None):
         self.graze, self.checks, self.scene, self.base = graze, checks, scene, base
-        self.rng, self.build = args.random, os.path.dirname(args.graze)
+        self.rng, self.oracle = rng, oracle
 
     def ask(self, law, solid, motion, points, *flags):
         return self.graze.classify(f"{self.scene.name} {law}", solid, motion, points, *flags)
@@ -207,17 +208,13 @@ def carried(new, old, motion, changes):
 
 
 def law_nef(law):
-    s, tool = law.scene, os.path.join(law.build, "tests", "to_nef")
+    s = law.scene
     if not s.space or "shared" in s.name:
         return
-    if not os.path.exists(tool):
-        law.checks.skip(s.name, f"{tool} is not built", len(s.points))
+    answer = law.oracle.ask(shells_text(s.solid), one_form=False)
+    if not answer or not law.checks.equal(answer.status, 0, s.name, "to_nef"):
         return
-    out = run([tool], 600, input=shells_text(s.solid))
-    if out.returncode:
-        law.checks.fail(s.name, "to_nef", out.stderr)
-        return
-    path = law.graze.write("nef.nef3", out.stdout)
+    path = law.graze.write("nef.nef3", answer.text)
     law.same("nef", law.ask("nef", path, s.motion, s.points))
 
 
@@ -363,13 +360,13 @@ def repeated_in_fans(graze, checks, args):
         base = graze.classify(f"fans {lift}", solid, motion, points, "--triangulate")
         if base:
             scene = Scene(f"fans {lift}", solid, motion, points)
-            law_repeated(Law(graze, checks, scene, base, args), "--triangulate")
+            law_repeated(Law(graze, checks, scene, base, args.random), "--triangulate")
 
 
 def main():
     args = options(__doc__.splitlines()[0])
     checks, tally = Checks(), Tally()
-    graze = Graze(args, checks)
+    graze, oracle = Graze(args, checks), Oracle(args, checks, "to_nef")
     for name, solid, motion in scenes(args):
         points = [p for _, p in mixed(solid, motion, args.random, POINTS)]
         base = graze.classify(name, solid, motion, points)
@@ -377,12 +374,13 @@ def main():
             continue
         for a in base:
             tally.add(a)
-        law = Law(graze, checks, Scene(name, solid, motion, points), base, args)
+        law = Law(graze, checks, Scene(name, solid, motion, points), base, args.random, oracle)
         for one in LAWS:
             one(law)
     repeated_in_fans(graze, checks, args)
     tally.report(checks)
     print(f"{graze.runs} runs")
+    oracle.finish()
     checks.finish()
 
 

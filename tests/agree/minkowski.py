@@ -16,7 +16,8 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
 from exact import Fraction as F  # noqa: E402
-from program import Checks, Graze, options, run  # noqa: E402
+from oracle import Oracle  # noqa: E402
+from program import Checks, Graze, options  # noqa: E402
 from motion import legs  # noqa: E402
 from points import mixed  # noqa: E402
 from shells import shells_text  # noqa: E402
@@ -57,30 +58,26 @@ def scenes():
     ]
 
 
-def oracle(tool, solid, path, points):
+def positions_of(oracle, solid, path, points):
     lines = [shells_text(solid), str(len(path) - 1)]
     lines += [" ".join(str(F(x)) for x in p + q) for p, q in zip(path, path[1:])]
     lines += [str(len(points))] + [" ".join(str(x) for x in p) for p in points]
-    out = run([tool], 600, input="\n".join(lines) + "\n")
-    if out.returncode:
-        raise RuntimeError(out.stderr)
-    return [line.split() for line in out.stdout.splitlines()]
+    answer = oracle.ask("\n".join(lines) + "\n")
+    return [line.split() for line in answer.text.splitlines()] if answer else []
 
 
 def main():
     args = options(__doc__.splitlines()[0])
     checks = Checks()
     graze = Graze(args, checks)
-    tool = os.path.join(os.path.dirname(args.graze), "tests", "minkowski")
+    oracle = Oracle(args, checks, "minkowski")
     seen = Counter()
     for _, (name, solid, path) in args.cycle(scenes()):
         motion = legs(path)
         points = mixed(solid, motion, args.random, POINTS) + SEAM.get(name, [])
-        if not os.path.exists(tool):
-            checks.skip(name, f"{tool} is not built", len(points))
-            continue
         answers = graze.classify(name, solid, motion, [p for _, p in points])
-        positions = oracle(tool, solid, path, [p for _, p in points])
+        positions = positions_of(oracle, solid, path, [p for _, p in points])
+        checks.equal(len(positions), len(points), name, "positions")
         for (kind, p), answer, (pmc, topological) in zip(points, answers or [], positions):
             where = (name, kind, ",".join(str(x) for x in p))
             checks.equal(answer.record["pmc"], pmc, *where, answer.word)
@@ -92,6 +89,7 @@ def main():
             seen[(kind, pmc, topological)] += 1
     for key, n in sorted(seen.items()):
         print(" ".join(f"{x:10}" for x in key), n)
+    oracle.finish()
     checks.finish()
 
 

@@ -9,7 +9,6 @@ all pairs are compared with those that meeting.py finds by clipping. `block` num
 x + 2 y + 4 z, its facets z0, z1, y0, y1, x0, x1; `box_ring` goes round from the lower left corner.
 """
 import json
-import os
 from collections import Counter
 
 from meeting import meeting_cells
@@ -17,8 +16,8 @@ from exact import Fraction as F, to_double
 from pairs import Checks, Collide, cell_pairs, first_agrees, kind_of, options, time_is
 
 from algebra import Root  # noqa: E402
-from harness import run  # noqa: E402
 from motion import build, compose, legs, matrix, rotation, scaling, translate, turn  # noqa: E402
+from oracle import Oracle  # noqa: E402
 from shells import shells_text  # noqa: E402
 from solids import Mesh, Polygon, block, box_ring, edge, extruded, inside_out, joined, prism, ring  # noqa: E402
 
@@ -349,20 +348,20 @@ def check_scene(collide, checks, name, moving, motion, fixed, word, contacts, fr
 
 def nef(collide, checks, args):
     """A cube as a Nef polyhedron, on either side: facets, edges and vertices as in `head on and through`."""
-    tool = os.path.join(os.path.dirname(args.graze), "tests", "to_nef")
-    if not os.path.exists(tool):
-        checks.skip("nef", f"{tool} is not built")
-        return
+    oracle = Oracle(args, checks, "to_nef")
     motion = moved(0, 5, [0, 1], [0], [0])
     for name, solids in (("moving", [CUBE, WALL]), ("fixed", [CUBE, WALL])):
         k = ("moving", "fixed").index(name)
-        text = run([tool], 600, input=shells_text(solids[k])).stdout
-        solids[k] = collide.graze.write(f"{name}.nef3", text)
+        text = oracle.ask(shells_text(solids[k]), one_form=False)
+        if not text or not checks.equal(text.status, 0, "nef", name, "to_nef"):
+            continue
+        solids[k] = collide.graze.write(f"{name}.nef3", text.text)
         answer = collide.ask(f"nef {name}", solids[0], motion, solids[1])
         if answer is not None:
             checks.equal((answer.word, answer.times()), ("OBIBO", [("2", "2"), ("4", "4")]), "nef", name)
             for c in answer.contacts:
                 checks.equal(Counter(x["type"] for x in c["cells"]), Counter(FULL_FACE), "nef", name)
+    oracle.finish()
 
 
 def text(collide, checks):

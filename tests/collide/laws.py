@@ -8,17 +8,15 @@ other facets, with corners repeated, or as Nef polyhedra, unions against their p
 pairs against prisms, points against boxes around them, `--inside` against complements and unsweeps. No law trusts the
 program: all compare one run of it with another one along a different path.
 """
-import os
-
 from pairs import Checks, Collide, exchanged_cells, larger, options, together, trace_of
 from exact import Fraction as F, to_double
 from placed import Solid, placed
 
 import refine  # noqa: E402
 from algebra import compare, scale  # noqa: E402
-from harness import run  # noqa: E402
 from motion import Motion, Piece, adjugate, build, cut, far, matrix, mobius, product, reversed_in_time, rotation  # noqa: E402
 from motion import squared  # noqa: E402
+from oracle import Oracle  # noqa: E402
 from points import mixed  # noqa: E402
 from shells import shells_text  # noqa: E402
 from solids import Polygon, block, box_ring, extruded, meshes, polygons  # noqa: E402
@@ -33,8 +31,8 @@ POINTS = 3
 class Law:
     """What all laws need: the pair, the command, the base answer."""
 
-    def __init__(self, collide, checks, rng, name, moving, motion, fixed):
-        self.collide, self.checks, self.rng, self.name = collide, checks, rng, name
+    def __init__(self, collide, oracle, rng, name, moving, motion, fixed):
+        self.collide, self.checks, self.oracle, self.rng, self.name = collide, collide.checks, oracle, rng, name
         self.moving, self.motion, self.fixed = moving, motion, fixed
         self.small = len(moving.whole.vertices) * len(fixed.whole.vertices) < SMALL
         self.base = self.ask("base", moving.whole, motion, fixed.whole)
@@ -157,11 +155,12 @@ def law_repeated(law):
 
 
 def law_nef(law):
-    tool = os.path.join(os.path.dirname(law.collide.graze.path), "tests", "to_nef")
-    if law.motion.dimension == 2 or "shared" in law.name or not os.path.exists(tool):      # its shells share no vertex
+    if law.motion.dimension == 2 or "shared" in law.name:      # its shells share no vertex
         return
-    text = run([tool], 600, input=shells_text(law.fixed.whole)).stdout
-    path = law.collide.graze.write("nef.nef3", text)
+    answer = law.oracle.ask(shells_text(law.fixed.whole), one_form=False)
+    if not answer or not law.checks.equal(answer.status, 0, law.name, "to_nef"):
+        return
+    path = law.collide.graze.write("nef.nef3", answer.text)
     law.same("nef", law.ask("nef", law.moving.whole, law.motion, path), None)
 
 
@@ -256,15 +255,16 @@ LAWS = [law_exchanged, law_world, law_reversed, law_cut, law_parameter, law_boun
 def main():
     args = options(__doc__.splitlines()[0])
     checks = Checks()
-    collide = Collide(args, checks)
+    collide, oracle = Collide(args, checks), Oracle(args, checks, "to_nef")
     for d, count in PAIRS.items():
         for k in args.rounds(count, str(d)):
             name, *pair = placed(args.random, d, {name: Solid(whole, []) for name, whole in SOLIDS[d]().items()})
-            law = Law(collide, checks, args.random, f"{d} {k} {name}", *pair)
+            law = Law(collide, oracle, args.random, f"{d} {k} {name}", *pair)
             if law.base is not None:
                 for one in LAWS:
                     one(law)
     print(f"{collide.graze.runs} runs")
+    oracle.finish()
     checks.finish()
 
 

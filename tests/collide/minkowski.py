@@ -21,7 +21,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 from algebra import Root, between  # noqa: E402
 from exact import Fraction as F  # noqa: E402
 from motion import build, compose, legs, rotation, scaling, translate  # noqa: E402
-from program import run  # noqa: E402
+from oracle import Oracle  # noqa: E402
 from shells import shells_text  # noqa: E402
 from solids import Mesh, block, meshes, prism, ring  # noqa: E402
 
@@ -85,13 +85,12 @@ def position(motion, t):
     return [x for i in range(3) for x in (*(c[i] - origin[i] for c in columns), origin[i])]
 
 
-def oracle(tool, moving, fixed, segment, positions):
-    """A letter for the segment, if there is one, and one for each position; None where CGAL gave up."""
+def letters_of(oracle, moving, fixed, segment, positions):
+    """A letter for the segment, if there is one, and one for each position, as an Answer; None after a failed check."""
     row = lambda numbers: " ".join(map(str, numbers))
     lines = ["pair", shells_text(moving) + shells_text(fixed) + str(int(segment is not None))]
     lines += [row((*segment[0], *segment[1]))] if segment else []
-    out = run([tool], SECONDS, input="\n".join([*lines, str(len(positions)), *map(row, positions)]) + "\n")
-    return None if out.returncode else out.stdout.split()
+    return oracle.ask("\n".join([*lines, str(len(positions)), *map(row, positions)]) + "\n", SECONDS)
 
 
 def moments(rng, trace, motion):
@@ -103,7 +102,7 @@ def moments(rng, trace, motion):
     return sorted(found)
 
 
-def check(checks, collide, tool, rng, name, scene, seen):
+def check(checks, collide, oracle, rng, name, scene, seen):
     moving, motion, fixed, segment = scene
     answer, first = (collide.ask(name, moving, motion, fixed, *flags) for flags in ((), ("--first",)))
     if answer is None or first is None:
@@ -111,10 +110,14 @@ def check(checks, collide, tool, rng, name, scene, seen):
     first_agrees(checks, first, answer, name)
     trace = trace_of(answer, motion.start, motion.end)
     times = moments(rng, trace, motion)
-    letters = oracle(tool, moving, fixed, segment, [position(motion, t) for t in times])
-    if letters is None:
+    said = letters_of(oracle, moving, fixed, segment, [position(motion, t) for t in times])
+    if said is None:
+        return
+    if said.status:
         checks.skip(name, "CGAL ended without an answer")
         return
+    letters = said.text.split()
+    checks.equal(len(letters), len(times) + bool(segment), name, "letters")
     if segment:
         checks.equal({"overlap": "I", "touch": "B", "clear": "O"}[answer.verdict], letters.pop(0), name, "sweep", answer.word)
     for t, letter in zip(times, letters):
@@ -142,14 +145,12 @@ def main():
     args = options(__doc__.splitlines()[0])
     checks, seen = Checks(), Counter()
     collide = Collide(args, checks)
-    tool = os.path.join(os.path.dirname(args.graze), "tests", "pairs")
-    if not os.path.exists(tool):
-        checks.skip("all pairs", f"{tool} is not built", STRAIGHT + TURNING)
-        checks.finish()
+    oracle = Oracle(args, checks, "pairs")
     for name, scene in scenes(args):
-        check(checks, collide, tool, args.random, name, scene, seen)
+        check(checks, collide, oracle, args.random, name, scene, seen)
     print(", ".join(f"{n} {key}" for key, n in sorted(seen.items())))
     checks.holds(checks.skipped <= args.scale, "too many pairs without an answer by CGAL", checks.skipped)
+    oracle.finish()
     checks.finish()
 
 

@@ -21,8 +21,9 @@ for folder in ("lib", os.path.join("agree", "lib"), "agree"):
 from exact import Fraction as F, to_double  # noqa: E402
 from minkowski import scenes  # noqa: E402
 from motion import legs  # noqa: E402
+from oracle import Oracle  # noqa: E402
 from points import mixed  # noqa: E402
-from program import Checks, Graze, options, run  # noqa: E402
+from program import Checks, Graze, options  # noqa: E402
 from shells import shells_text  # noqa: E402
 from solids import block, polygons, prism  # noqa: E402
 
@@ -44,11 +45,10 @@ def enclosures(checks, graze, name, solid, motion, points):
     return [(r["pmc"], F(r["sdf_low"]), F(r["sdf_high"])) for r in found]
 
 
-def ask(tool, solid, *words):
-    out = run([tool], 900, input="\n".join((shells_text(solid), *words)) + "\n")
-    if out.returncode:
-        raise RuntimeError(out.stderr)
-    return out.stdout.splitlines()
+def ask(oracle, solid, *words):
+    """Lines; those of sampled positions are doubles, whose last bits hang on the machine."""
+    answer = oracle.ask("\n".join((shells_text(solid), *words)) + "\n", 900, one_form=words[0] == "sum")
+    return answer.text.splitlines() if answer else []
 
 
 def rows_of(numbers):
@@ -74,7 +74,7 @@ def check_sum(checks, where, found, place, square):
         checks.holds(place != "exterior" and low == high == 0, *where, place)
 
 
-def straight(checks, graze, tool, args):
+def straight(checks, graze, oracle, args):
     asked = 0
     for _, (name, solid, path) in args.cycle(scenes(), 1, "straight"):
         motion = legs(path)
@@ -82,7 +82,7 @@ def straight(checks, graze, tool, args):
         points += around(args.random, points, POINTS - len(points))
         found = enclosures(checks, graze, name, solid, motion, points)
         pairs = list(zip(path, path[1:]))
-        answers = ask(tool, solid, "sum", str(len(pairs)), rows_of([*p, *q] for p, q in pairs), str(len(points)), rows_of(points))
+        answers = ask(oracle, solid, "sum", str(len(pairs)), rows_of([*p, *q] for p, q in pairs), str(len(points)), rows_of(points))
         checks.equal(len(answers), len(points), name, "answers")
         for p, row, answer in zip(points, found, answers):
             place, square = answer.split()
@@ -119,7 +119,7 @@ class Turn:
         return 2 * (math.hypot(*map(to_double, p)) + v) + v
 
 
-def sampled(checks, graze, tool, args):
+def sampled(checks, graze, oracle, args):
     ell = prism(polygons()["ell"].parts[0][0], 0, 2)
     turns = ("ell turned", ell, Turn((3, 1, 2))), ("block turned", block(1, -1, 0, 3, 1, 2), Turn((0, 0, 4)))
     for _, (name, solid, turn) in args.cycle(turns, 1, "sampled"):
@@ -127,7 +127,7 @@ def sampled(checks, graze, tool, args):
         points = [turn.at(F(args.random.randint(0, 8), 8), y) for y in near]
         found = enclosures(checks, graze, name, solid, turn, points)
         poses = rows_of(turn.back(k / (TIMES - 1)) for k in range(TIMES))
-        answers = ask(tool, solid, "poses", str(TIMES), poses, str(len(points)), rows_of(map(to_double, p) for p in points))
+        answers = ask(oracle, solid, "poses", str(TIMES), poses, str(len(points)), rows_of(map(to_double, p) for p in points))
         checks.equal(len(answers), len(points), name, "answers")
         for p, (pmc, low, high), answer in zip(points, found, map(to_double, answers)):
             where = (name, ",".join(map(str, p)), pmc)
@@ -140,12 +140,10 @@ def main():
     args = options(__doc__.splitlines()[0])
     checks = Checks()
     graze = Graze(args, checks)
-    tool = os.path.join(os.path.dirname(args.graze), "tests", "distances")
-    if not os.path.exists(tool):
-        checks.skip("CGAL", f"{tool} is not built")
-        checks.finish()
-    straight(checks, graze, tool, args)
-    sampled(checks, graze, tool, args)
+    oracle = Oracle(args, checks, "distances")
+    straight(checks, graze, oracle, args)
+    sampled(checks, graze, oracle, args)
+    oracle.finish()
     checks.finish()
 
 

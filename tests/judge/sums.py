@@ -15,7 +15,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(
 
 from exact import Fraction as F, to_double  # noqa: E402
 from motion import legs  # noqa: E402
-from program import run  # noqa: E402
+from oracle import Oracle  # noqa: E402
 from shells import shells_text  # noqa: E402
 from solidfile import read_off  # noqa: E402
 from solids import cross, minus, polygons, prism  # noqa: E402
@@ -71,27 +71,22 @@ def scenes():
     ]
 
 
-def boundary_of(judge, tool, name, solid, path):
-    """CGAL's boundary of the sweep."""
-    file = judge.graze.write(name.replace(" ", "_") + "_sum.off", "")
+def boundary_of(oracle, solid, path):
+    """CGAL's boundary of the sweep, None after a failed check."""
     lines = [shells_text(solid), str(len(path) - 1), *(" ".join(str(F(x)) for x in p + q) for p, q in zip(path, path[1:])), "0"]
-    out = run([tool, file], 600, input="\n".join(lines) + "\n")
-    if out.returncode:
-        raise RuntimeError(out.stderr)
-    with open(file, encoding="ascii") as text:
-        return Mesh(*read_off(text.read()))
+    answer = oracle.ask("\n".join(lines) + "\n", as_file=True, one_form=False)
+    return Mesh(*read_off(answer.text)) if answer and answer.text else None
 
 
 def main():
     args = options(__doc__.splitlines()[0])
     checks = Checks()
     judge = Judge(args, checks)
-    tool = os.path.join(os.path.dirname(args.graze), "tests", "minkowski")
+    oracle = Oracle(args, checks, "minkowski")
     for name, solid, path in args.once(scenes()):
-        if not os.path.exists(tool):
-            checks.skip(name, f"{tool} is not built", 10)
+        swept, motion = boundary_of(oracle, solid, path), legs(path)
+        if not checks.holds(swept, name, "CGAL has an answer"):
             continue
-        swept, motion = boundary_of(judge, tool, name, solid, path), legs(path)
         volume = volume_of(swept)
         report = judge.ask(name, solid, motion, swept, "--within", WITHIN)
         if report:
@@ -105,6 +100,7 @@ def main():
             report = judge.ask(name + " larger", solid, motion, large, "--within", WITHIN)
             if report:
                 judge.holds(name + " larger", report, (far, 0, None), to_double(volume), report["budget"]["within"])
+    oracle.finish()
     checks.finish()
 
 

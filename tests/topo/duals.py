@@ -29,6 +29,7 @@ import sides  # noqa: E402
 import straight  # noqa: E402
 import verdicts  # noqa: E402
 from exact import Fraction as F  # noqa: E402
+from oracle import Oracle  # noqa: E402
 from prisms import Text, has_hole, mapped, rings_of, turned_left  # noqa: E402
 from program import Checks, Graze, exchanged, options  # noqa: E402
 from refine import complement  # noqa: E402
@@ -151,7 +152,7 @@ def check_hint(checks, graze, where, files, point):
         checks.equal(found and found[0].record["pmc"], "in", *where, near[1])
 
 
-def check_straight(checks, graze, tool, args, seen):
+def check_straight(checks, graze, oracle, args, seen):
     """Points on a lattice about straight legs: positions by CGAL."""
     for name, solid, path in itertools.chain(straight.plane_scenes(args, F(1, 2)), straight.space_scenes(args, F(1, 2))):
         motion = straight.legs(path)
@@ -159,22 +160,19 @@ def check_straight(checks, graze, tool, args, seen):
         answers = graze.classify(name, solid, motion, points) or []
         points = [p for p, answer in zip(points, answers) if answer.record["pmc"] == "on"]
         if points:
-            positions = [position for _, position in straight.oracle(tool, solid, path, points)]
+            positions = [position for _, position in straight.positions_of(oracle, solid, path, points)]
+            checks.equal(len(positions), len(points), name, "positions")
             check(checks, graze, seen, "straight " + name, solid, motion, points, positions, WITNESSES)
 
 
 def main():
     args = options(__doc__.splitlines()[0])
     checks = Checks()
-    graze = Graze(args, checks)
+    graze, oracle = Graze(args, checks), Oracle(args, checks, "minkowski")
     seen = Counter()
     for name, solid, motion, point, position in scenes(args):
         check(checks, graze, seen, name, solid, motion, [point], [position], 1)
-    tool = os.path.join(os.path.dirname(args.graze), "tests", "minkowski")
-    if os.path.exists(tool):
-        check_straight(checks, graze, tool, args, seen)
-    else:
-        checks.skip("straight legs", f"{tool} is not built")
+    check_straight(checks, graze, oracle, args, seen)
     for key, n in sorted(seen.items(), key=str):
         print(key, n)
     checks.holds(seen["more curves"] <= MORE_CURVES * sum(n for key, n in seen.items() if key[0] == 3), "undecided by the box's curves", seen["more curves"])
@@ -182,6 +180,7 @@ def main():
                       (3, ("first_order", "closed_cones", "leading_terms", "section"))):
         for level in levels if args.derived else set(levels) - {"edges", "section"}:
             checks.holds(seen[d, "no", level] + seen[d, "yes", level], d, level, "is asked")
+    oracle.finish()
     checks.finish()
 
 

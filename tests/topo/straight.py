@@ -16,8 +16,9 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 
 from exact import Fraction as F  # noqa: E402
 from motion import legs  # noqa: E402
+from oracle import Oracle  # noqa: E402
 from points import degenerate  # noqa: E402
-from program import Checks, Graze, options, run  # noqa: E402
+from program import Checks, Graze, options  # noqa: E402
 from shells import shells_text  # noqa: E402
 from solids import Polygon, block, box_ring, extruded, joined, meshes, polygons, prism, ring  # noqa: E402
 from witnesses import check_witness  # noqa: E402
@@ -88,7 +89,7 @@ def space_scenes(args, passes):
         yield f"{name} {k}", solid, way()
 
 
-def oracle(tool, solid, path, points):
+def positions_of(oracle, solid, path, points):
     if solid.dimension == 2:
         holes = any(len(part) > 1 for part in solid.parts)
         solid = extruded(solid, [0, 2])[0] if holes else joined(*(prism(part[0], 0, 2) for part in solid.parts))
@@ -97,20 +98,20 @@ def oracle(tool, solid, path, points):
     lines = [shells_text(solid), str(len(path) - 1)]
     lines += [" ".join(str(F(x)) for x in p + q) for p, q in zip(path, path[1:])]
     lines += [str(len(points))] + [" ".join(str(x) for x in p) for p in points]
-    out = run([tool], 600, input="\n".join(lines) + "\n")
-    if out.returncode:
-        raise RuntimeError(f"{path} {out.stderr}")
-    return [line.split() for line in out.stdout.splitlines()]
+    answer = oracle.ask("\n".join(lines) + "\n")
+    return [line.split() for line in answer.text.splitlines()] if answer else []
 
 
-def check_scene(checks, graze, tool, rng, seen, name, solid, path):
+def check_scene(checks, graze, oracle, rng, seen, name, solid, path):
     motion = legs(path)
     points = lattice(rng, solid, path, POINTS) + degenerate(solid, motion, rng, POINTS // 3)
     points = [p for _, p in points]
     answers = graze.classify(name, solid, motion, points, "--topo")
     on = [(a.record, p) for a, p in zip(answers or [], points) if a.record["pmc"] == "on"]
     space = solid.dimension == 3
-    for (record, p), (pmc, position) in zip(on, oracle(tool, solid, path, [p for _, p in on])):
+    positions = positions_of(oracle, solid, path, [p for _, p in on])
+    checks.equal(len(positions), len(on), name, "positions")
+    for (record, p), (pmc, position) in zip(on, positions):
         where = (name, path, ",".join(str(x) for x in p), record["word"], record.get("topo_level"))
         checks.equal(pmc, "on", *where)
         seen[space, position, record.get("topo_level", "undecided")] += 1
@@ -139,18 +140,16 @@ def main():
     args = options(__doc__.splitlines()[0])
     checks = Checks()
     graze = Graze(args, checks)
-    tool = os.path.join(os.path.dirname(args.graze), "tests", "minkowski")
+    oracle = Oracle(args, checks, "minkowski")
     seen = Counter()
-    if not os.path.exists(tool):
-        checks.skip("straight legs", f"{tool} is not built")
-        checks.finish()
     for name, solid, path in plane_scenes(args, 2):
-        check_scene(checks, graze, tool, args.random, seen, name, solid, path)
+        check_scene(checks, graze, oracle, args.random, seen, name, solid, path)
     for name, solid, path in space_scenes(args, 1):
-        check_scene(checks, graze, tool, args.random, seen, "space " + name, solid, path)
+        check_scene(checks, graze, oracle, args.random, seen, "space " + name, solid, path)
     for (space, position, level), n in sorted(seen.items()):
         print("space" if space else "plane", f"{position:10} {level:10}", n)
     check_shares(checks, seen, args)
+    oracle.finish()
     checks.finish()
 
 
