@@ -222,7 +222,6 @@ void *memalign(size_t alignment, size_t size) {
 #endif
 
 #ifdef WRAPPED
-void __gcov_dump(void);
 _Noreturn void __real__exit(int status);
 _Noreturn void __wrap__exit(int status);
 
@@ -233,9 +232,6 @@ static void fail_no_more(void) {
 
 _Noreturn void __wrap__exit(int status) {
     fail_no_more();
-#ifdef COUNTED
-    __gcov_dump();
-#endif
     __real__exit(status);
 }
 

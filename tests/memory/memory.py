@@ -47,7 +47,7 @@ class Bench:
 
     def __init__(self, args, folder):
         self.graze = args.graze
-        self.wrapped = args.sanitizers or args.counted
+        self.wrapped = args.sanitizers
         if self.wrapped:
             self.graze = os.path.join(os.path.dirname(self.graze), "tests", "graze-memory")
         self.folder = pathlib.Path(folder)
@@ -184,8 +184,7 @@ def test(bench, scene, count, runs):
 
 
 def main():
-    args = options(__doc__, ("names", {"nargs": "*", "help": "scenes; all if none is named"}),
-                   ("--counted", {"action": "store_true", "help": "the build counts coverage"}))
+    args = options(__doc__, ("names", {"nargs": "*", "help": "scenes; all if none is named"}))
     checks = Checks()
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(2) as pool:
         bench = Bench(args, folder)
