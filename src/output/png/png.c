@@ -15,7 +15,7 @@ typedef struct png_canvas {
     int pdf; /* the surface records what is drawn */
 } png_canvas;
 
-/* Of an image in pixels, of a page in points, 72 to the 96 pixels of an inch. */
+/* Pixels of an image, and points of a page, for each pixel of the picture. */
 static const int scale = 2;
 static const double page_scale = .75;
 

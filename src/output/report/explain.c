@@ -140,7 +140,7 @@ static void tell_piece(text *out, const graze_scene *scene, const motion_piece *
     }
 }
 
-/* Of many pieces those with contacts, the first and the last. */
+/* Tell the pieces; if there are many, the first, the last and those with contacts. */
 static void put_trajectory(text *out, const graze_scene *scene, const fmpq *point,
                            const graze_trace *trace) {
     enum { ALL = 12 };
