@@ -237,15 +237,13 @@ def main():
     args = options(__doc__)
     graze = args.graze
     with tempfile.TemporaryDirectory() as folder:
-        if args.derived:
-            test_outline(graze, folder)
-            test_edges(graze, folder)
-            test_faces(graze, folder)
-            test_size(graze, folder)
-            test_pixels(graze, folder)
-            test_bar(graze, folder)
-        for _ in args.rounds(1):
-            test_names(graze, folder, args.random)
+        test_outline(graze, folder)
+        test_edges(graze, folder)
+        test_faces(graze, folder)
+        test_size(graze, folder)
+        test_pixels(graze, folder)
+        test_bar(graze, folder)
+        test_names(graze, folder, args.random)
     checks.finish()
 
 
