@@ -39,7 +39,7 @@ SKIPPED = re.compile(r"^ *SKIP ([\w-]+):", re.M)
 # Suites that run in the plain build alone, not with a sanitizer nor for coverage: those about sources and other programs, and those
 # that give many more inputs to code which other suites run too, as the coverage by file without them shows.
 PLAIN_ALONE = [
-    "structure/", "install/", "readme/", "cases/recompute", "curved/schema", "motioncmd/schema",
+    "structure/", "runner/runner", "runner/tries", "runner/rounds", "install/", "readme/", "cases/recompute", "curved/schema", "motioncmd/schema",
     "agree/", "words/", "unsweep/properties", "curved/germs", "curved/polyhedra",
     "topo/germs", "topo/straight", "topo/orders", "topo/prisms",
     "filter/equal", "filter/columns", "filter/contraction", "envelope/derivation", "contact/derivation", "benchmark/", "judge/sums",
