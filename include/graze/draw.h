@@ -45,13 +45,14 @@ typedef struct graze_draw_options {
 GRAZE_API unsigned graze_class_colour(graze_class class_);
 /**
  * Draw a scene. Square cells have the colour of the class of their centres, which are rationals and
- * classified exactly; over them, outlines of S at some times of the motion. In E^3 the cells are in
- * a plane, and a view of the positions of S is beside it. In a plane that is not one of the axes'
- * they are squares to within 2^-49, and centres are rational points of it. Points are drawn with
- * their inverted trajectories through the standing S; contacts are marked by kind and cell. For an
- * unsweep, colours show pmc and positions are those of the inverse motion. By distance, the side of
- * each centre is exact, and so is the line between cells of different answers; distances are within
- * 1/64 of a cell's side, level lines interpolated between centres.
+ * classified exactly; over them, outlines of S at some times of the motion. In E^3 the centres are
+ * in a plane, where regions of classes have contours between them that exact bisection finds to
+ * 1/32 of a pixel, and a view of the positions of S is beside it. In a plane that is not one of the
+ * axes' they are squares to within 2^-49, and centres are rational points of it. Points are drawn
+ * with their inverted trajectories through the standing S; contacts are marked by kind and cell.
+ * For an unsweep, colours show pmc and positions are those of the inverse motion. By distance, the
+ * side of each centre is exact, and such a contour is between the set and `out`; distances are
+ * within 1/64 of a cell's side, level lines interpolated between centres.
  *
  * A page of HTML shows the same scene in a browser, without a network: S at a time that a slider
  * chooses, the surface of the sweep as graze_boundary_create samples it, the points by class, the

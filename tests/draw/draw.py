@@ -4,8 +4,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 # suite
 
 An SVG picture says where its cells are, in exact numbers. The centre of every cell is computed here and
-classified by `graze classify` on its own, and must have the colour of its class, in the PNG too. Marks are
-counted against the counts that [EI] prints. VTK and npy files are read by small readers of this file, and must
+classified by `graze classify` on its own, and must have the colour of its class, in the PNG too; in space the region about
+the centre has it. Marks are counted against the counts that [EI] prints. VTK and npy files are read by small readers of this file, and must
 hold what the CSV table holds. The committed picture must be what `make pictures` draws.
 """
 import ast
@@ -67,8 +67,21 @@ def group(root, name):
     return next((g for g in root.iter(SVG + "g") if g.get("class") == name), None)
 
 
+def rings(path):
+    """The polygons of a path of M, L, H, V and z, as lists of pixels."""
+    out = []
+    for verb, numbers in re.findall(r"([MLHVz])([-\d. ]*)", path.get("d")):
+        n = [float(v) for v in numbers.split()]
+        if verb == "M":
+            out.append([])
+        if verb != "z":
+            at = out[-1][-1] if out[-1] else None
+            out[-1].append((n[0], at[1]) if verb == "H" else (at[0], n[0]) if verb == "V" else tuple(n))
+    return out
+
+
 class Cells:
-    """The layout an SVG picture states for its cells, and the rectangles it draws."""
+    """The layout an SVG picture states for its cells, and the rectangles or regions it draws."""
 
     def __init__(self, root):
         g = group(root, "cells")
@@ -82,6 +95,9 @@ class Cells:
         self.parts = int(g.get("data-parts"))
         self.colour, self.part = {}, {}
         for path in g.iter(SVG + "path"):
+            if not path.get("shape-rendering"):
+                self.paint(path)
+                continue
             for run in RECTANGLE.findall(path.get("d")):
                 self.fill(self.colour, 1, [float(n) for n in run], path.get("fill"))
         for path in group(root, "parts").iter(SVG + "path"):
@@ -100,6 +116,16 @@ class Cells:
         """The middle of a cell on the picture."""
         x, y, width, height = self.frame
         return (x + (i + .5) * width / self.count[0], y + height - (j + .5) * height / self.count[1])
+
+    def paint(self, path):
+        """Give the cells whose centres are in a region its colour."""
+        sides = [pair for ring in rings(path) for pair in zip(ring, ring[1:] + ring[:1])]
+        for j in range(self.count[1]):
+            _, y = self.pixel(0, j)
+            places = [a + (y - b) / (d - b) * (c - a) for (a, b), (c, d) in sides if (b < y) != (d < y)]
+            for i in range(self.count[0]):
+                if sum(x < self.pixel(i, j)[0] for x in places) % 2:
+                    self.colour[i, j] = path.get("fill")
 
     def fill(self, colours, parts, box, colour):
         """Give cells of the grid that is `parts` times as fine, whose centres are in the box, a colour."""
@@ -201,7 +227,8 @@ def check_cells(graze, folder, name, grid, options, unsweep=False, png=False):
     for place, colour in want.items():
         got = cells.colour.get(place, "#ffffff")
         check(got == colour, name, "cell", place, "centre", *map(str, cells.centre(*place)), got, "is not", colour)
-    check_parts(graze, cells, name, scene_options, "pmc" if unsweep else "class")
+    if group(root, "parts").find(SVG + "path") is not None:
+        check_parts(graze, cells, name, scene_options, "pmc" if unsweep else "class")
     if png:
         size = check_png(drawn["png"], cells, want, name)
         check(size == (2 * int(root.get("width")), 2 * int(root.get("height"))), name, "size of the PNG", size)

@@ -65,7 +65,7 @@ static graze_status classify_block(cells *c, graze_context *context, const graze
     graze_verdict verdict;
     graze_status status = context_poll(context);
     for (size_t k = 0; k < n * n && !status; k++) {
-        cells_centre(point, c, n, i + k % n, j + k / n);
+        cells_place(point, c, 2 * n, 2 * (i + k % n) + 1, 2 * (j + k / n) + 1);
         status = classify_verdict(&verdict, context, scene, (query_point){.rational = point});
         if (!status)
             block[k] = (unsigned char)part_tone(c, cell, &verdict);
@@ -88,10 +88,6 @@ static unsigned char tone_at(const cells *c, size_t i, size_t j) {
     if (!c->split[cell])
         return c->tone[cell];
     return c->part[((c->split[cell] - 1) * n + j % n) * n + i % n];
-}
-
-tone parts_side(const cells *c, size_t i, size_t j) {
-    return tone_side(tone_at(c, i, j));
 }
 
 /* A part of the tone whose cell has another one. */

@@ -16,10 +16,6 @@
  */
 graze_status parts_classify(cells *c, graze_context *context, const graze_scene *scene);
 
-/** The answer in the sense of pmc, where cells are measured, else the tone, of a cell of the grid
- * whose cells are the parts. */
-tone parts_side(const cells *c, size_t i, size_t j);
-
 /** Add the parts of a tone whose cells have another one as rectangles, one for each run. */
 void parts_path(drawn_path *out, const cells *c, const panel *p, tone t);
 

@@ -93,43 +93,46 @@ void cells_clear(cells *c) {
     memset(c, 0, sizeof *c);
 }
 
-/* low + (index + 1/2) side / parts along axis k */
-static void set_centre(fmpq_t out, const cells *c, int k, size_t parts, size_t index) {
-    fmpz_t halves;
-    fmpz_init_set_ui(halves, 2 * index + 1);
-    fmpq_mul_fmpz(out, c->side, halves);
-    fmpz_set_ui(halves, 2 * parts);
-    fmpq_div_fmpz(out, out, halves);
-    fmpq_add(out, out, c->low + c->axis[k]);
-    fmpz_clear(halves);
-}
-
-void cells_centre(fmpq *out, const cells *c, size_t parts, size_t i, size_t j) {
+void cells_place(fmpq *out, const cells *c, size_t parts, size_t i, size_t j) {
     fmpq *at = c->section ? _fmpq_vec_init(2) : out;
+    fmpq_t share;
+    fmpq_init(share);
     for (int k = 0; k < c->dimension; k++)
         fmpq_set(at + k, c->low + k);
-    set_centre(at + c->axis[0], c, 0, parts, i);
-    set_centre(at + c->axis[1], c, 1, parts, j);
+    for (int k = 0; k < 2; k++) {
+        fmpq_set_ui(share, k ? j : i, parts);
+        fmpq_mul(share, share, c->side);
+        fmpq_add(at + c->axis[k], at + c->axis[k], share);
+    }
+    fmpq_clear(share);
     if (!c->section)
         return;
     section_point(out, c->section, at);
     _fmpq_vec_clear(at, 2);
 }
 
-graze_status cells_classify(cells *c, graze_context *context, const graze_scene *scene) {
+graze_status cells_ask(tone *out, const cells *c, graze_context *context, const graze_scene *scene,
+                       size_t parts, size_t i, size_t j) {
     fmpq *point = _fmpq_vec_init(3);
     graze_verdict verdict;
+    cells_place(point, c, parts, i, j);
+    graze_status status =
+        classify_verdict(&verdict, context, scene, (query_point){.rational = point});
+    *out = status ? TONE_NONE : tone_of(&verdict);
+    _fmpq_vec_clear(point, 3);
+    return status;
+}
+
+graze_status cells_classify(cells *c, graze_context *context, const graze_scene *scene) {
     graze_status status = GRAZE_OK;
     for (size_t j = 0; j < c->count[1] && !status; j++) {
         status = context_poll(context);
         for (size_t i = 0; i < c->count[0] && !status; i++) {
-            cells_centre(point, c, 1, i, j);
-            status = classify_verdict(&verdict, context, scene, (query_point){.rational = point});
-            if (!status)
-                c->tone[j * c->count[0] + i] = (unsigned char)tone_of(&verdict);
+            tone found;
+            status = cells_ask(&found, c, context, scene, 2, 2 * i + 1, 2 * j + 1);
+            c->tone[j * c->count[0] + i] = (unsigned char)found;
         }
     }
-    _fmpq_vec_clear(point, 3);
     return status;
 }
 

@@ -2,7 +2,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The centres are rationals and the classification is exact; nothing is said about the rest of a
- * cell. Cells at borders are split into parts, each classified at its own centre (cell_parts.h).
+ * cell. In E^2 cells at borders are split into parts, each classified at its own centre
+ * (cell_parts.h); in E^3 regions have contours between the centres (contour.h).
  */
 #ifndef GRAZE_DRAW_CLASS_GRID_H
 #define GRAZE_DRAW_CLASS_GRID_H
@@ -71,9 +72,11 @@ graze_status cells_layout(cells *out, graze_context *context, int dimension, con
                           unsigned long longer, int coarse);
 void cells_clear(cells *c);
 
-/** The centre of cell (i, j) of the grid whose cells are `parts` times as small, in room for three
- * rationals. */
-void cells_centre(fmpq *out, const cells *c, size_t parts, size_t i, size_t j);
+/** The point low + (i, j) side / parts, in room for three rationals. */
+void cells_place(fmpq *out, const cells *c, size_t parts, size_t i, size_t j);
+/** The tone of that point, classified exactly. */
+graze_status cells_ask(tone *out, const cells *c, graze_context *context, const graze_scene *scene,
+                       size_t parts, size_t i, size_t j);
 
 /** Classify all centres. */
 graze_status cells_classify(cells *c, graze_context *context, const graze_scene *scene);

@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include "output/draw/cell_parts.h"
 #include "output/draw/eye_solid.h"
 #include "output/draw/levels.h"
 #include "output/draw/picture_kind.h"
@@ -136,16 +137,17 @@ static graze_status draw_panels(canvas *c, graze_context *context, picture *p) {
 static void put_remark(text *out, const picture *p) {
     const cells *c = &p->cells;
     size_t outside = views_outside(p);
-    text_format(out, "%zu × %zu cells", c->count[0], c->count[1]);
+    text_format(out, "%zu × %zu %s", c->count[0], c->count[1], c->split ? "cells" : "points");
     if (c->split_count)
         text_format(out, ", at borders in %zu × %zu parts", c->parts, c->parts);
-    text_put(out, p->request->by_distance ? ", each on the exact side and by the distance"
-                                          : ", each in the exact class");
-    text_put(out, c->section ? " of its centre · " : " of its centre");
+    text_put(out, !c->split ? " in their exact classes, contours bisected exactly"
+                  : p->request->by_distance
+                      ? ", each on the exact side and by the distance of its centre"
+                      : ", each in the exact class of its centre");
     if (c->section)
         section_describe(out, c->section);
     if (p->undecided)
-        text_format(out, " · cells undecided and blank: %zu", p->undecided);
+        text_format(out, " · undecided and blank: %zu", p->undecided);
     if (outside)
         text_format(out, " · %zu of %zu points outside the picture", outside,
                     p->request->point_count);
@@ -185,6 +187,8 @@ graze_status draw_picture(graze_context *context, const graze_scene *scene, cons
     graze_status status = canvas_check(context, file);
     if (!status)
         status = request_cells(&p.cells, &p.section, context, scene, request);
+    if (!status && (picture_is_plane(&p) || request->by_distance))
+        status = parts_classify(&p.cells, context, scene);
     if (!status)
         status = make_positions(&p, context);
     if (!status)

@@ -1,4 +1,4 @@
-/* Measures cells, and finds their level lines by squares between four centres.
+/* Measures cells, and writes the numbers of their levels.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "output/draw/levels.h"
@@ -8,7 +8,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include "decide/verdict/classify.h"
-#include "output/draw/cell_parts.h"
 #include "output/report/decimal_time.h"
 #include "questions/distance/distance.h"
 
@@ -63,7 +62,7 @@ graze_status cells_measure(cells *c, graze_context *context, const graze_scene *
     fmpq *point = _fmpq_vec_init(3);
     graze_status status = GRAZE_OK;
     for (size_t k = 0; k < count && !status; k++) {
-        cells_centre(point, c, 1, k % c->count[0], k / c->count[0]);
+        cells_place(point, c, 2, 2 * (k % c->count[0]) + 1, 2 * (k / c->count[0]) + 1);
         status = measure_point(&c->tone[k], &c->distance[k], context, scene, point, width);
         if (!status)
             status = context_poll(context);
@@ -73,68 +72,6 @@ graze_status cells_measure(cells *c, graze_context *context, const graze_scene *
     for (size_t k = 0; k < count && !status; k++)
         c->tone[k] = (unsigned char)band_of(c, (tone)c->tone[k], c->distance[k]);
     return status;
-}
-
-/* The pixel of a place among the centres: i and j count cells from the first one's centre. */
-static void level_pixel(double out[2], const cells *c, const panel *p, double i, double j) {
-    out[0] = p->x + (i + .5) * p->width / (double)c->count[0];
-    out[1] = p->y + p->height - (j + .5) * p->height / (double)c->count[1];
-}
-
-/* The places at which a value is crossed on the sides of the square of centres from (i, j) on. */
-static int cross_square(double out[4][2], const cells *c, const panel *p, size_t i, size_t j,
-                        double value) {
-    static const int corner[5][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
-    int found = 0;
-    for (int k = 0; k < 4; k++) {
-        const int *from = corner[k], *to = corner[k + 1];
-        double a = c->distance[(j + (size_t)from[1]) * c->count[0] + i + (size_t)from[0]];
-        double b = c->distance[(j + (size_t)to[1]) * c->count[0] + i + (size_t)to[0]];
-        if ((a < value) == (b < value))
-            continue;
-        double share = (value - a) / (b - a);
-        level_pixel(out[found++], c, p, (double)i + from[0] + share * (to[0] - from[0]),
-                    (double)j + from[1] + share * (to[1] - from[1]));
-    }
-    return found;
-}
-
-void level_path(drawn_path *out, const cells *c, const panel *p, int k) {
-    for (size_t j = 0; j + 1 < c->count[1]; j++)
-        for (size_t i = 0; i + 1 < c->count[0]; i++) {
-            double at[4][2];
-            int found = cross_square(at, c, p, i, j, k * c->step);
-            for (int m = 0; m < found; m++)
-                drawn_path_to(out, m % 2 ? 'L' : 'M', at[m][0], at[m][1]);
-        }
-}
-
-/* The corner at the lower left of cell (i, j) of the finer grid. */
-static void border_to(drawn_path *out, const cells *c, const panel *p, char verb, size_t i,
-                      size_t j) {
-    double at[2], parts = (double)c->parts;
-    level_pixel(at, c, p, (double)i / parts - .5, (double)j / parts - .5);
-    drawn_path_to(out, verb, at[0], at[1]);
-}
-
-/* The borders of a cell of the finer grid to its left and lower neighbour. */
-static void add_borders(drawn_path *out, const cells *c, const panel *p, size_t i, size_t j) {
-    tone side = parts_side(c, i, j);
-    if (i && parts_side(c, i - 1, j) != side) {
-        border_to(out, c, p, 'M', i, j);
-        border_to(out, c, p, 'L', i, j + 1);
-    }
-    if (j && parts_side(c, i, j - 1) != side) {
-        border_to(out, c, p, 'M', i, j);
-        border_to(out, c, p, 'L', i + 1, j);
-    }
-}
-
-void border_path(drawn_path *out, const cells *c, const panel *p) {
-    size_t n = c->parts;
-    for (size_t k = 0; k < c->count[0] * c->count[1]; k++)
-        for (size_t part = 0; c->split[k] && part < n * n; part++)
-            add_borders(out, c, p, k % c->count[0] * n + part % n, k / c->count[0] * n + part / n);
 }
 
 int level_text(char out[LEVEL_ROOM], const cells *c, int k) {

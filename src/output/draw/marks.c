@@ -151,7 +151,7 @@ static void put_scale(writer *w, const legend *l) {
     for (int t = TONE_OUTER; t < TONE_COUNT; t++)
         if (l->tones[t])
             put_swatch(w, (tone)t, l->band[t - TONE_INNER]);
-    put_legend_line(w, &line_border, "between in, on, out");
+    put_legend_line(w, &line_border, "border of the set");
     put_legend_line(w, &line_level, "level");
 }
 

@@ -6,7 +6,6 @@
 #include <flint/fmpq_vec.h>
 #include "decide/scene/box.h"
 #include "decide/scene/demand.h"
-#include "output/draw/cell_parts.h"
 #include "output/draw/levels.h"
 
 /* The scene's box with a margin of 1/16 of its longest side. */
@@ -100,5 +99,5 @@ graze_status request_cells(cells *out, section *oblique, graze_context *context,
                               "the cells of a picture");
     if (!status)
         status = (request->by_distance ? cells_measure : cells_classify)(out, context, scene);
-    return status ? status : parts_classify(out, context, scene);
+    return status;
 }

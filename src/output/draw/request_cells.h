@@ -8,7 +8,7 @@
 #include "output/draw/request.h"
 
 /**
- * Lay out, classify and split the cells of a request, and measure them where it is by distance.
+ * Lay out and classify the cells of a request, and measure them where it is by distance.
  * @param[out] out      cleared by cells_clear, also on failure
  * @param[out] oblique  the plane of a request with a normal; section_clear in any case, and not
  *                      before `out`. Zeroed before.

@@ -245,7 +245,7 @@ static void describe_vector(text *out, const fmpq *v, int exact) {
 }
 
 void section_describe(text *out, const section *s) {
-    text_put(out, "u from (");
+    text_put(out, " · u from (");
     describe_vector(out, s->origin, 0);
     text_put(out, ") along (");
     describe_vector(out, s->way[0], 0);

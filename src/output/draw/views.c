@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 #include "output/draw/cell_parts.h"
+#include "output/draw/contour.h"
 #include "output/draw/labels.h"
 #include "output/draw/levels.h"
 #include "output/draw/shape_paint.h"
@@ -128,43 +129,54 @@ size_t views_outside(const picture *p) {
     return outside;
 }
 
-static void draw_cells(canvas *c, const picture *p) {
+/* In E^3 by class, the region of each class and those after it, which are drawn over it. */
+static graze_status draw_cells(canvas *c, graze_context *context, const picture *p) {
+    graze_status status = GRAZE_OK;
     text layout;
     text_init(&layout);
     cells_attributes(&layout, &p->cells, &p->classes);
     c->failed |= layout.failed;
     canvas_begin(c, "cells", layout.failed ? NULL : layout.data);
     text_clear(&layout);
-    for (int k = 0; k < 2 * TONE_COUNT; k++) {
+    int regions = !p->cells.split;
+    for (int k = 0; k < 2 * TONE_COUNT && !status; k++) {
         tone t = (tone)(k % TONE_COUNT);
-        const style area = {.fill = PAINT(tone_colour(t)), .crisp = k < TONE_COUNT};
+        const style area = {.fill = PAINT(tone_colour(t)), .crisp = k < TONE_COUNT && !regions};
+        int filled = t != TONE_NONE && t != TONE_EXTERIOR && t != TONE_OUT;
         drawn_path runs = {NULL, 0, 0, 0};
         if (k == TONE_COUNT) {
             canvas_end(c);
             canvas_begin(c, "parts", NULL);
         }
-        if (t != TONE_NONE && k >= TONE_COUNT)
+        if (regions && k < TONE_COUNT && filled && p->legend.tones[t])
+            status = contour_path(&runs, context, p->scene, &p->cells, &p->classes, t, 0);
+        else if (!regions && t != TONE_NONE && k >= TONE_COUNT)
             parts_path(&runs, &p->cells, &p->classes, t);
-        else if (t != TONE_NONE && t != TONE_EXTERIOR && t != TONE_OUT)
+        else if (!regions && filled)
             cells_path(&runs, &p->cells, &p->classes, t);
         canvas_path(c, &runs, &area, tone_name(t));
     }
     canvas_end(c);
+    return status;
 }
 
-/* Level lines of the distance, and over them the borders between cells of different answers. */
-static void draw_levels(canvas *c, const picture *p) {
+/* Level lines of the distance, and over them the border of the set. */
+static graze_status draw_levels(canvas *c, graze_context *context, const picture *p) {
     canvas_begin(c, "levels", NULL);
-    for (int k = 1 - BANDS; k < BANDS; k++) {
+    graze_status status = GRAZE_OK;
+    for (int k = 1 - BANDS; k < BANDS && !status; k++) {
         drawn_path line = {NULL, 0, 0, 0};
         if (k)
-            level_path(&line, &p->cells, &p->classes, k);
+            status = contour_path(&line, context, NULL, &p->cells, &p->classes, TONE_NONE,
+                                  k * p->cells.step);
         canvas_path(c, &line, &line_level, "level");
     }
     drawn_path border = {NULL, 0, 0, 0};
-    border_path(&border, &p->cells, &p->classes);
+    if (!status)
+        status = contour_path(&border, context, p->scene, &p->cells, &p->classes, TONE_REGULAR, 0);
     canvas_path(c, &border, &line_border, "border");
     canvas_end(c);
+    return status;
 }
 
 /* The outline of S at time k, in the plane of the cells. */
@@ -229,9 +241,9 @@ graze_status view_classes(canvas *c, graze_context *context, const picture *p) {
     size_t last = p->request->times - 1;
     canvas_begin(c, "classes", NULL);
     canvas_clip(c, at->x, at->y, at->width, at->height);
-    draw_cells(c, p);
-    if (p->request->by_distance)
-        draw_levels(c, p);
+    graze_status status = draw_cells(c, context, p);
+    if (!status && p->request->by_distance)
+        status = draw_levels(c, context, p);
     /* They would be taken for level lines. */
     for (size_t k = 1; k < last && !p->request->by_distance; k++)
         draw_outline(c, p, k, &outline_between);
@@ -240,7 +252,8 @@ graze_status view_classes(canvas *c, graze_context *context, const picture *p) {
     canvas_unclip(c);
     panel_frame(c, at);
     panel_ticks(c, at, axes[p->cells.axis[0]], axes[p->cells.axis[1]]);
-    graze_status status = draw_points(c, context, p, at, 1);
+    if (!status)
+        status = draw_points(c, context, p, at, 1);
     canvas_end(c);
     return status;
 }

@@ -3,6 +3,7 @@
  */
 #include "output/page/page_cells.h"
 
+#include "output/draw/cell_parts.h"
 #include "output/draw/request_cells.h"
 #include "output/page/encode.h"
 
@@ -56,6 +57,8 @@ graze_status page_cells(text *out, graze_context *context, const graze_scene *sc
     cells c = {.low = NULL};
     section oblique = {.unit_height = 0};
     graze_status status = request_cells(&c, &oblique, context, scene, &by_class);
+    if (!status)
+        status = parts_classify(&c, context, scene);
     if (!status)
         put_cells_of(out, &c, request);
     cells_clear(&c);

@@ -16,9 +16,10 @@ enum { TITLE_MOST = 512 };
 static const char draw_help[] =
     "graze draw SOLID MOTION [POINTS] -o FILE: a picture of classes, positions and trajectories\n"
     "\n"
-    "FILE is .svg, .png, .pdf or .html. Square cells, split at borders, are coloured by the exact "
-    "class\n"
-    "of their centres, under outlines of S at some times; in 3D in a plane, beside a view of S.\n"
+    "FILE is .svg, .png, .pdf or .html. Square cells, split at borders, have the exact class of "
+    "their\n"
+    "centres, under outlines of S at some times; in 3D the regions of classes in a plane, with\n"
+    "contours found by exact bisection, beside a view of S.\n"
     "POINTS (a CSV file or -) are drawn with their inverted trajectories through S and all\n"
     "contacts; a column id names them. A page, .html, shows S, its sweep, the points and their\n"
     "trajectories in a browser, to be turned, filtered and asked; it needs no network.\n"
