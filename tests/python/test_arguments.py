@@ -57,9 +57,9 @@ class Files(unittest.TestCase):
     def test_endings(self):
         """SVG goes into .svg and HTML into .html, or nothing is written."""
         with tempfile.TemporaryDirectory() as folder:
-            for made, good, bad in ((graze.Picture("<svg/>", lambda: b""), "a.SVG", "a.gif"), (graze.Page("<html>"), "a.html", "a.svg")):
+            for made, good, bad in ((graze.Picture("<svg/>", lambda: b"", lambda: b""), "a.SVG", "a.gif"), (graze.Page("<html>"), "a.html", "a.svg")):
                 path = os.path.join(folder, bad)
-                with self.assertRaisesRegex(graze.UseError, r"a\.(gif|svg): what is saved is (SVG or PNG|HTML); expected a name that ends with"):
+                with self.assertRaisesRegex(graze.UseError, r"a\.(gif|svg): what is saved is (SVG, PNG or PDF|HTML); expected a name that ends with"):
                     made.save(path)
                 self.assertFalse(os.path.exists(path))
                 made.save(os.path.join(folder, good))

@@ -7,7 +7,10 @@ import html.parser
 import json
 import os
 import pathlib
+import re
+import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 import xml.etree.ElementTree
@@ -296,22 +299,40 @@ class Pictures(unittest.TestCase):
             with self.assertRaises((graze.UseError, graze.InputError)):
                 scene.draw(plane=wrong)
 
-    def test_png(self):
+    def test_png_pdf(self):
         """The same bytes as `graze draw` makes; a picture of directions too."""
         scene = common.cube_scene()
         flat = graze.Scene(common.SQUARE, common.moved("8*t", "0"))
         with tempfile.TemporaryDirectory() as folder:
-            path, kept = os.path.join(folder, "a.PNG"), os.path.join(folder, "b.png")
+            path = os.path.join(folder, "a.PNG")
             solid, motion = os.path.join(common.ROOT, "tests/refuse/common/cube.off"), os.path.join(folder, "move.json")
             with open(motion, "w", encoding="utf-8") as file:
                 file.write(scene.motion.json())
-            program("draw", solid, motion, "--grid", "8", "--title", "T", "--plane", "z=1/2", "-o", kept)
-            scene.draw(grid=8, title="T", plane="z=1/2").save(path)
-            with open(path, "rb") as made, open(kept, "rb") as wanted:
-                self.assertEqual(made.read(), wanted.read())
+            for name, kept in ((path, "b.png"), (os.path.join(folder, "a.Pdf"), "b.pdf")):
+                kept = os.path.join(folder, kept)
+                program("draw", solid, motion, "--grid", "8", "--title", "T", "--plane", "z=1/2", "-o", kept)
+                scene.draw(grid=8, title="T", plane="z=1/2").save(name)
+                with open(name, "rb") as made, open(kept, "rb") as wanted:
+                    self.assertEqual(made.read(), wanted.read())
             flat.cones((4, 1)).save(path)
             with open(path, "rb") as made:
                 self.assertEqual(made.read(8), b"\x89PNG\r\n\x1a\n")
+
+    def test_without_cairo(self):
+        """Where the library has no libgraze-png beside it, a PNG and a PDF are refused with what to install."""
+        tell = """import common, graze, sys
+for ending in ("png", "pdf", "svg"):
+    try:
+        common.cube_scene().draw(grid=4).save(sys.argv[1] + "/made." + ending)
+    except graze.MachineError as error:
+        print(error)
+"""
+        with tempfile.TemporaryDirectory() as folder:
+            library = shutil.copy(os.environ["GRAZE_LIBRARY"], folder)
+            done = subprocess.run([sys.executable, "-c", tell, folder], env={**os.environ, "GRAZE_LIBRARY": library, "PYTHONPATH": os.pathsep.join(sys.path)},
+                                  cwd=os.path.dirname(os.path.abspath(__file__)), stdout=subprocess.PIPE, text=True, check=True)
+            self.assertEqual(len(re.findall("PNG and PDF pictures need libgraze-png-.*libcairo2-dev", done.stdout)), 2, done.stdout)
+            self.assertEqual(sorted(os.listdir(folder)), sorted(["made.svg", os.path.basename(library)]))
 
     def test_page(self):
         """The same bytes as `graze draw -o scene.html`, in a frame for a notebook."""

@@ -29,25 +29,27 @@ class Picture(NamedTuple):
     Attributes:
         svg: its text.
         png: draws it again, as the bytes of a PNG image.
+        pdf: the same, of a page of PDF.
     """
 
     svg: str
     png: Callable[[], bytes]
+    pdf: Callable[[], bytes]
 
     def _repr_svg_(self) -> str:
         return self.svg
 
     def save(self, path: Any) -> None:
-        """Write it into a file, whose name ends with .svg or .png.
+        """Write it into a file, whose name ends with .svg, .png or .pdf.
 
         Raises:
             UseError: another ending.
-            MachineError: a PNG without libgraze-png.
+            MachineError: a PNG or a PDF without libgraze-png, which needs cairo.
         """
-        name = os.fsdecode(path).lower()
-        if not name.endswith(".png"):
-            _check_ending(path, ".svg", "SVG or PNG", " or .png")
-        data = self.png() if name.endswith(".png") else self.svg.encode()
+        drawn = {".png": self.png, ".pdf": self.pdf}.get(os.fsdecode(path)[-4:].lower())
+        if not drawn:
+            _check_ending(path, ".svg", "SVG, PNG or PDF", ", .png or .pdf")
+        data = drawn() if drawn else self.svg.encode()
         with open(path, "wb") as file:
             file.write(data)
 
@@ -90,7 +92,8 @@ def class_colours() -> Dict[str, str]:
 
 def picture(drawn: Callable[[str], bytes]) -> Picture:
     """The picture that a function draws into a file of a name."""
-    return Picture(drawn("picture.svg").decode(), lambda: drawn("picture.png"))
+    return Picture(drawn("picture.svg").decode(), lambda: drawn("picture.png"),
+                   lambda: drawn("picture.pdf"))
 
 
 def draw(name: str, context: Context, scene: Handle, points: Optional[Points],
