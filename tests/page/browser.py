@@ -289,6 +289,32 @@ def test_theme_and_keys(browser, graze, folder):
     check(browser.value("document.getElementById('keys').getBoundingClientRect().width") > 100, "the keys are shown")
 
 
+def check_names(browser, name):
+    """No name lies beneath the legend, the title or the button; some are written."""
+    parts, names = browser.value("""(box => [[...document.querySelectorAll('#world-view > :not(canvas)')].map(e => e.getBoundingClientRect())
+      .map(r => [r.left, r.top - box.top, r.right, r.bottom - box.top]), graze.space.labels.written])(graze.space.canvas.getBoundingClientRect())""")
+    check(len(parts) == 3 and len(names) > 6, name, "parts and names", parts, names)
+    for text, (x0, y0, x1, y1) in names:
+        check(0 <= x0 < x1 <= 400, name, text, "leaves the page", x0, x1)
+        for u0, v0, u1, v1 in parts:
+            check(x1 <= u0 or u1 <= x0 or y1 <= v0 or v1 <= y0, name, text, "is beneath a part", (x0, y0, x1, y1), (u0, v0, u1, v1))
+
+
+def test_narrow(browser, graze, folder):
+    """400 pixels wide: the legend is closed at first, and open it has no names beneath."""
+    browser.call("Emulation.setDeviceMetricsOverride", width=400, height=760, deviceScaleFactor=1, mobile=True)
+    for name in ("curved-parabola", "bracket"):
+        page = os.path.join(folder, "narrow.html")
+        run(graze, "draw", *case(name), "-o", page)
+        opened(browser, page)
+        check(not browser.value("document.querySelector('#world-view .legend').open"), name, "the legend is open")
+        check_names(browser, name)
+        browser.value("new Promise(done => { document.querySelector('#world-view summary').click(); setTimeout(() => requestAnimationFrame(done), 100); })")
+        check(browser.value("document.querySelector('#world-view .legend').open"), name, "the legend is closed")
+        check_names(browser, name)
+    browser.call("Emulation.setDeviceMetricsOverride", width=1400, height=800, deviceScaleFactor=1, mobile=False)
+
+
 def test_phone(browser, graze, folder):
     solid, motion, points = case("bracket")
     page = os.path.join(folder, "phone.html")
@@ -500,7 +526,7 @@ def main():
             for name in ("bracket", "figures-5-7-8", "curved-plate-hole"):
                 test_clicks(browser, args.graze, folder, name)
                 shoot(name)
-            for test in (test_loading, test_rings, test_slides, test_root, test_late, test_fill, test_texts, test_theme_and_keys, test_phone):
+            for test in (test_loading, test_rings, test_slides, test_root, test_late, test_fill, test_texts, test_theme_and_keys, test_phone, test_narrow):
                 test(browser, args.graze, folder)
                 shoot(test.__name__)
             test_filters(browser, args.graze, folder)

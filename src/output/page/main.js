@@ -249,8 +249,9 @@ function fillTexts() {
   if (d === 2 && high[0] - low[0] > 1.5 * (high[1] - low[1])) document.body.dataset.wide = "yes";
 }
 
-/** On a narrow window one part is seen at a time. */
+/** On a narrow window one part is seen at a time, and legends are closed at first. */
 function onTabs() {
+  if (matchMedia("(max-width: 820px)").matches) document.querySelectorAll(".legend").forEach((legend) => (legend.open = false));
   for (const tab of document.querySelectorAll("#tabs button"))
     tab.addEventListener("click", () => {
       document.body.dataset.tab = tab.value;

@@ -19,7 +19,7 @@ const CORNERS = [[1, -1], [-1, -1], [1, 1], [-1, 1], [0, -1], [0, 1], [1, 0], [-
 /** Texts that are placed one after the other, none over another. */
 class Labels {
   constructor(context, width, height) {
-    Object.assign(this, {context, width, height, taken: []});
+    Object.assign(this, {context, width, height, taken: [], written: []});
     context.font = '12px "DejaVu Sans", Verdana, sans-serif';
     context.textBaseline = "middle";
     context.lineJoin = "round";
@@ -47,6 +47,7 @@ class Labels {
     c.strokeText(text, box[0], (box[1] + box[3]) / 2);
     c.fillText(text, box[0], (box[1] + box[3]) / 2);
     this.taken.push(box);
+    this.written.push([text, box]);
   }
 
   /** Write beside a point, at the first of eight places that is free; false if none is. */

@@ -45,6 +45,7 @@ class View {
     this.controls.addEventListener("change", () => this.ask());
     this.canvas.addEventListener("keydown", (event) => this.turn(event));
     this.asked = false;
+    for (const legend of this.canvas.parentElement.querySelectorAll("details")) legend.addEventListener("toggle", () => this.ask());
     new ResizeObserver(() => this.resize()).observe(this.canvas.parentElement);
   }
 
@@ -140,6 +141,11 @@ class View {
     c.setTransform(this.sheet.width / width, 0, 0, this.sheet.height / height, 0, 0);
     c.clearRect(0, 0, width, height);
     this.labels = new Labels(c, width, height);
+    const box = this.canvas.getBoundingClientRect();
+    for (const part of this.canvas.parentElement.querySelectorAll(":scope > :not(canvas)")) {
+      const r = part.getBoundingClientRect();
+      this.labels.taken.push([r.left - box.left, r.top - box.top, r.right - box.left, r.bottom - box.top]);
+    }
     this.annotate(this, this.labels);
   }
 
