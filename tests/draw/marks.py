@@ -5,7 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 Scenes are a U and a square that move along x, so that places of contacts and their cells are read off. An arrowhead keeps
 clear of every mark, in pictures of the cases too. A row of the legend has a trace in the picture, and a trace a row. Colours of
-classes are compared as people without green or red cones see them.
+classes are compared as people without green or red cones see them. Names keep off scale bars.
 """
 import itertools
 import json
@@ -18,7 +18,7 @@ import xml.etree.ElementTree as ElementTree
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
-from draw import COLOURS, SVG, check, checks, excuse_fonts, files, group, run  # noqa: E402
+from draw import COLOURS, SVG, check, check_texts, checks, excuse_fonts, files, group, rings, run, text_box  # noqa: E402
 from harness import options  # noqa: E402
 
 SLIDE, HOLLOW, FULL = ("#cc79a7", "#222222"), ("#ffffff", "#d55e00"), ("#222222", "#ffffff")
@@ -218,6 +218,21 @@ def check_pdf(graze, folder):
     check(box and [float(n) for n in box.groups()] == [.75 * float(root.get(side)) for side in ("width", "height")], "size", box)
 
 
+def check_scale_bar(graze, folder):
+    """Names of a crowded picture keep off scale bars and their numbers."""
+    path = os.path.join(folder, "crowded.svg")
+    run(graze, "draw", *files("curved-plate-hole"), "--grid", "12", "-o", path)
+    root = ElementTree.parse(path).getroot()
+    check_texts(root, "crowded")
+    bars = [[xy for ring in rings(p) for xy in ring] for p in root.iter(SVG + "path") if p.get("class") == "scale"]
+    check(len(bars) == 2, "scale bars", len(bars))
+    for bar in bars:
+        (u0, u1), (v0, v1) = ((min(a), max(a)) for a in zip(*bar))
+        for text in root.iter(SVG + "text"):
+            x0, y0, x1, y1 = text_box(text)
+            check(x1 <= u0 or u1 <= x0 or y1 <= v0 or v1 <= y0, repr(text.text), "covers a scale bar")
+
+
 def main():
     args = options(__doc__)
     graze = args.graze
@@ -229,6 +244,7 @@ def main():
         check_colours()
         check_planes(graze, folder)
         check_pdf(graze, folder)
+        check_scale_bar(graze, folder)
         for point in ("6,1/2", "6,1", "6,2", "6,3", "6,4"):
             check_arrowheads(ElementTree.parse(draw(graze, folder, U, "8*t", "-p", point)).getroot(), point, 1)
         for name, least in (("figures-5-7-8", 18), ("figure4", 5), ("bracket", 20), ("disk-offset", 5)):

@@ -4,6 +4,7 @@
 #include "output/draw/contour.h"
 
 #include <stdlib.h>
+#include "base/context/array.h"
 #include "output/draw/chain.h"
 
 /* The grid with a ring of cells that are like their neighbours, from (1, 1) on, and beyond it
@@ -96,21 +97,17 @@ static size_t march_square(chain_segment *out, marching *m, size_t i, size_t j) 
 graze_status contour_path(drawn_path *out, graze_context *context, const graze_scene *scene,
                           const cells *c, const panel *p, tone least, double level) {
     marching m = {context, scene, c, p, least, level, 2, GRAZE_OK};
-    size_t most = 1, count = 0, across = c->count[0] + 3, up = c->count[1] + 3;
+    chain_segment *segments = NULL;
+    size_t room = 0, count = 0, across = c->count[0] + 3, squares = across * (c->count[1] + 3);
     while ((double)m.parts * (double)c->count[0] < CONTOUR_FINENESS * p->width)
         m.parts *= 2;
-    for (size_t k = 0; k < across * up; k++) {
-        int here = is_centre_in(&m, k % across, k / across);
-        most += here != is_centre_in(&m, k % across + 1, k / across);
-        most += here != is_centre_in(&m, k % across, k / across + 1);
-    }
-    chain_segment *segments = calloc(most, sizeof *segments);
-    out->failed |= !segments;
-    for (size_t k = 0; k < across * up && segments && !m.status; k++) {
-        count += march_square(segments + count, &m, k % across, k / across);
+    for (size_t k = 0; k < squares && !out->failed && !m.status; k++) {
+        out->failed |= !array_reserve(&segments, &room, count + 2, sizeof *segments);
+        if (!out->failed)
+            count += march_square(segments + count, &m, k % across, k / across);
         m.status = m.status || k % across ? m.status : context_poll(context);
     }
-    if (segments && !m.status)
+    if (!out->failed && !m.status)
         chain_path(out, segments, count, 0);
     free(segments);
     return m.status;

@@ -11,11 +11,10 @@ enum { CONTOUR_FINENESS = 32 };
 
 /**
  * Add the region of the points of the set (in or on) whose tone is `least` or one after it, as
- * closed polygons: marching squares between the cells' centres. On a side between two centres of
- * which one is in the region, the node is the middle of an interval that has such ends and is at
- * most 1 / CONTOUR_FINENESS of a pixel long. The middle of a square of four nodes is classified to
- * tell which nodes are neighbours. Undecided points are outside. Beyond the outermost centres
- * lines go straight on to the frame.
+ * closed polygons: marching squares between the cells' centres. A node is the middle of an interval
+ * on a side, at most 1 / CONTOUR_FINENESS of a pixel long, of whose ends one is in the region. The
+ * middle of a square of four nodes is classified to tell which are neighbours. Undecided points are
+ * outside. Beyond the outermost centres lines go straight on to the frame.
  * @param scene NULL: the region of distances below `level`, interpolated between the centres
  */
 graze_status contour_path(drawn_path *out, graze_context *context, const graze_scene *scene,

@@ -9,17 +9,6 @@
 #include <string.h>
 #include "base/context/array.h"
 
-void labels_init(labels *l, const panel *p) {
-    memset(l, 0, sizeof *l);
-    l->panel = p;
-}
-
-void labels_clear(labels *l) {
-    free(l->item);
-    free(l->link);
-    labels_init(l, NULL);
-}
-
 /* The bin along an axis, the first or last one for what lies outside. */
 static int bin_of(const labels *l, int axis, double pixel) {
     double low = axis ? l->panel->y : l->panel->x;
@@ -61,6 +50,21 @@ static void add_label(labels *l, obstacle o) {
     for (int row = bins.low[1]; row <= bins.high[1]; row++)
         for (int column = bins.low[0]; column <= bins.high[0]; column++)
             add_link(l, &l->first[row][column]);
+}
+
+void labels_init(labels *l, const panel *p, int has_scale_bar) {
+    memset(l, 0, sizeof *l);
+    l->panel = p;
+    if (has_scale_bar) { /* the axes' arrows, and the scale bar of at most 5/16 of the width */
+        add_label(l, (obstacle){p->x, p->y + p->height - 72, 72, 72, OBSTACLE_MARK});
+        add_label(l, (obstacle){p->x + p->width * 2 / 3, p->y + p->height - 32, p->width, 32,
+                                OBSTACLE_MARK});
+    }
+}
+
+void labels_clear(labels *l) {
+    free(l->item);
+    free(l->link);
 }
 
 static obstacle square_about(double x, double y, double radius, int kind) {

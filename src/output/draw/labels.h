@@ -31,7 +31,7 @@ typedef struct labels {
     int failed;
 } labels;
 
-void labels_init(labels *l, const panel *p);
+void labels_init(labels *l, const panel *p, int has_scale_bar);
 void labels_clear(labels *l);
 /** Keep off a disk, such as a marker. */
 void labels_avoid(labels *l, double x, double y, double radius);

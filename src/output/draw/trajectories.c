@@ -193,7 +193,7 @@ graze_status view_trajectories(canvas *c, graze_context *context, const picture 
     const panel *at = &p->trajectories;
     size_t n = p->request->point_count;
     labels names;
-    labels_init(&names, at);
+    labels_init(&names, at, !picture_is_plane(p));
     canvas_begin(c, "trajectories", NULL);
     canvas_clip(c, at->x, at->y, at->width, at->height);
     graze_status status = draw_standing(c, context, p);

@@ -214,7 +214,7 @@ static graze_status draw_points(canvas *c, graze_context *context, const picture
                                 const panel *at, int plane_only) {
     graze_status status = GRAZE_OK;
     labels names;
-    labels_init(&names, at);
+    labels_init(&names, at, !plane_only);
     for (int pass = 0; pass < 2; pass++)
         for (size_t k = 0; k < p->request->point_count && !status; k++) {
             double x, y;
