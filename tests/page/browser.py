@@ -315,6 +315,20 @@ def test_narrow(browser, graze, folder):
     browser.call("Emulation.setDeviceMetricsOverride", width=1400, height=800, deviceScaleFactor=1, mobile=False)
 
 
+def test_beside(browser, graze, folder):
+    """A point 1 above the box of a sweep 3 high and 12 wide is in sight, one 100 above is not."""
+    solid, motion, page = (os.path.join(folder, name) for name in ("beside.wkt", "beside.json", "beside.html"))
+    with open(solid, "w", encoding="utf-8") as file:
+        file.write("POLYGON ((0 0, 4 0, 4 3, 0 3, 0 0))")
+    with open(motion, "w", encoding="utf-8") as file:
+        file.write('{"dimension": 2, "pieces": [{"t": [0, 1], "transform": {"translate": ["8*t", 0]}}]}')
+    run(graze, "draw", solid, motion, "-p", "6,4", "-p", "6,103", "-p", "6,1", "-o", page)
+    opened(browser, page)
+    top = browser.value("graze.space.canvas.getBoundingClientRect().top")
+    seen = [browser.value(f"graze.pixelOf({k})")[1] - top > 6 for k in range(3)]
+    check(seen == [True, False, True], "points in sight", seen)
+
+
 def test_phone(browser, graze, folder):
     solid, motion, points = case("bracket")
     page = os.path.join(folder, "phone.html")
@@ -526,7 +540,7 @@ def main():
             for name in ("bracket", "figures-5-7-8", "curved-plate-hole"):
                 test_clicks(browser, args.graze, folder, name)
                 shoot(name)
-            for test in (test_loading, test_rings, test_slides, test_root, test_late, test_fill, test_texts, test_theme_and_keys, test_phone, test_narrow):
+            for test in (test_loading, test_rings, test_slides, test_root, test_late, test_fill, test_texts, test_theme_and_keys, test_phone, test_narrow, test_beside):
                 test(browser, args.graze, folder)
                 shoot(test.__name__)
             test_filters(browser, args.graze, folder)

@@ -148,8 +148,22 @@ function onClick(view) {
   });
 }
 
+/** A box grown to the points that are at most half its longest side off it. */
+function withPoints([low, high]) {
+  const off = Math.max(...high.map((x, i) => x - low[i])) / 2, grown = [[...low], [...high]];
+  for (let k = 0; k < pointCount; k++) {
+    const at = world(k);
+    if (!at.every((x, i) => x >= low[i] - off && x <= high[i] + off)) continue;
+    at.forEach((x, i) => {
+      grown[0][i] = Math.min(grown[0][i], x);
+      grown[1][i] = Math.max(grown[1][i], x);
+    });
+  }
+  return grown;
+}
+
 function fitBoth() {
-  space.fit(worldHome);
+  space.fit(withPoints(worldHome));
   const room = d === 3 ? 1.15 : 1.25;
   standing.fit(bodyHome.map((v) => v.map((x) => x * room)));
 }
