@@ -16,6 +16,9 @@ enum { TITLE_MOST = 512 };
 static const char draw_help[] =
     "graze draw SOLID MOTION [POINTS] -o FILE: a picture of classes, positions and trajectories\n"
     "\n"
+    "Example: graze draw cube.off move.json points.csv -o page.html\n"
+    "         graze draw cube.off move.json -p 5,1,2 -p 5,3,1 --times 9 -o picture.svg\n"
+    "\n"
     "FILE is .svg, .png, .pdf or .html. Square cells, split at borders, are coloured by the exact "
     "class\n"
     "of their centres, under outlines of S at some times; in 3D in a plane, beside a view of S.\n"
@@ -40,9 +43,7 @@ static const char draw_help[] =
     "  --surface N           page: level of the sweep's surface, or none (5, in the plane 8)\n"
     "  --title TEXT          the line above the picture (the files' names); 512 bytes\n"
     "  --operation sweep|unsweep, --folds, --overlap, --triangulate, --round, --limit NAME=V,\n"
-    "  --no-filter           as in graze classify\n"
-    "\n"
-    "Example: graze draw gear.wkt roll.json -p 1,2 -p 3,1/2 --times 9 -o gear.svg\n";
+    "  --no-filter           as in graze classify\n";
 
 typedef struct draw_given {
     scene_options scene;

@@ -9,6 +9,9 @@
 static const char generate_help[] =
     "graze generate SOLID MOTION -n N --seed K: query points, most of them degenerate\n"
     "\n"
+    "Example: graze generate cube.off move.json -n 1000 --seed 1 -o points.csv\n"
+    "         graze generate cube.off move.json -n 9 --seed 1 --representable binary64\n"
+    "\n"
     "A point is P = M(t) y with y on the boundary and t rational, so that its trajectory is at y "
     "at\n"
     "the time t. Columns: the point, id (its row), stratum, order of the contact (slide: in the\n"
@@ -23,6 +26,11 @@ static const char generate_help[] =
     "\n"
     "  -n N                 how many points (needed)\n"
     "  --seed K             any whole number (needed)\n"
+    "  -o, --output FILE    write there instead of to standard output\n"
+    "  --representable binary64     keep to points whose coordinates a double holds; strata of "
+    "which\n"
+    "                       a motion with other numbers than dyadic ones has none give their\n"
+    "                       weight to rounded\n"
     "  --strata NAME=W,...  these strata only, with these weights: random, near, face, face-odd,\n"
     "                       edge, vertex, crossing, start, end, break, slide, miss, level\n"
     "                       (not without its name): beside a contact, |signed distance| proved to\n"
@@ -32,22 +40,15 @@ static const char generate_help[] =
     "to\n"
     "                       them, named after its stratum, as rounded-edge, with the exact answer\n"
     "                       as side\n"
-    "  --representable binary64     keep to points whose coordinates a double holds; strata of "
-    "which\n"
-    "                       a motion with other numbers than dyadic ones has none give their\n"
-    "                       weight to rounded\n"
     "  --coordinates exact|decimal  of the points: integers and ratios (default), or finite\n"
     "                       decimals, which all points that a double holds have\n"
     "  --digits N           round these to N digits where they are longer\n"
     "  --plain              names and rows alone, no lines that begin with #\n"
-    "  -o, --output FILE    write there instead of to standard output\n"
     "  --round, --triangulate, --overlap, --operation, --limit, --quiet   as in graze classify\n"
     "\n"
     "Strata that the scene cannot have are named in the head of the table; their weight goes to "
     "the\n"
-    "others. No two points are equal; a stratum without other points is named on standard error.\n"
-    "\n"
-    "Example: graze generate cube.off move.json -n 1000 --seed 1 > points.csv\n";
+    "others. No two points are equal; a stratum without other points is named on standard error.\n";
 
 typedef struct generate_given {
     generate_options run;

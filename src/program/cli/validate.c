@@ -19,6 +19,9 @@
 static const char validate_help[] =
     "graze validate SOLID MOTION --candidate 'CMD {solid} {motion} {points} {out}'\n"
     "\n"
+    "Example: graze validate cube.off move.json --representable binary64 \\\n"
+    "             --candidate './mine {solid} {motion} {points} {out}'\n"
+    "\n"
     "Makes points (graze generate), classifies them, runs CMD on them, compares the table it "
     "wrote\n"
     "to {out} (see graze compare --help) and reports: figures, how deep errors are,\n"
@@ -37,24 +40,21 @@ static const char validate_help[] =
     "any order; else by order, if there are as many; else by coordinates.\n"
     "\n"
     "  -n N, --seed K       how many points (10000), and their seed (1)\n"
-    "  --strata, --representable   as in graze generate; with --candidate-has sdf also points\n"
-    "                       of the stratum level, unless strata are named\n"
-    "  --coordinates exact|decimal, --digits N   of the points: decimals with --representable,\n"
-    "                       which readers of CSV take for numbers; else integers and ratios\n"
-    "  --points FILE        these points instead; CMD gets FILE as it is\n"
-    "  --timeout V          seconds the candidate may take (3600)\n"
     "  --keep DIR           leave points.csv, golden.csv, candidate.csv there; golden.csv has\n"
     "                       sdf_low and sdf_high, where distances are known\n"
     "  -o, --output NAME    write NAME.md and NAME.json instead of to standard output\n"
     "  --question, --on-as, --candidate-has, --truth, --sdf-tolerance, --motion-error, --round,\n"
     "  --show, --format     as in graze compare\n"
+    "  --points FILE        these points instead; CMD gets FILE as it is\n"
+    "  --strata, --representable   as in graze generate; with --candidate-has sdf also points\n"
+    "                       of the stratum level, unless strata are named\n"
+    "  --coordinates exact|decimal, --digits N   of the points: decimals with --representable,\n"
+    "                       which readers of CSV take for numbers; else integers and ratios\n"
+    "  --timeout V          seconds the candidate may take (3600)\n"
     "  --sdf TOL            width of the enclosures that values are compared with (1e-10r), and\n"
     "                       of those that --keep leaves (1e-12r)\n"
     "  --overlap, --folds, --operation, --triangulate, --jobs, --limit,\n"
-    "  --quiet   as in graze classify\n"
-    "\n"
-    "Example: graze validate cube.off move.json --representable binary64 \\\n"
-    "             --candidate './mine {solid} {motion} {points} {out}'\n";
+    "  --quiet   as in graze classify\n";
 
 /* The weight of the stratum `level` among the default ones, where values are compared. */
 enum { LEVEL_WEIGHT = 30 };
