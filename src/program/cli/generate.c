@@ -12,17 +12,13 @@ static const char generate_help[] =
     "Example: graze generate cube.off move.json -n 1000 --seed 1 -o points.csv\n"
     "         graze generate cube.off move.json -n 9 --seed 1 --representable binary64\n"
     "\n"
-    "A point is P = M(t) y with y on the boundary and t rational, so that its trajectory is at y "
-    "at\n"
-    "the time t. Columns: the point, id (its row), stratum, order of the contact (slide: in the\n"
-    "facet's plane for good), cell of y, time t, and for displaced points k and side: by 2^-k "
-    "along\n"
-    "the normal, out or in. The same seed gives the same bytes everywhere. A curved solid needs a "
-    "box;\n"
-    "its faces are those of its primitives, edges where two of their surfaces meet, vertices "
-    "where\n"
-    "more do, apexes, and points where surfaces touch; points whose pmc is undecided are left "
-    "out.\n"
+    "A point is P = M(t) y with y on the boundary and t rational, so that its trajectory is at y\n"
+    "at the time t. Columns: the point, id (its row), stratum, order of the contact (slide: in\n"
+    "the facet's plane for good), cell of y, time t, and for displaced points k and side: by\n"
+    "2^-k along the normal, out or in. The same seed gives the same bytes everywhere. A curved\n"
+    "solid needs a box; its faces are those of its primitives, edges where two of their surfaces\n"
+    "meet, vertices where more do, apexes, and points where surfaces touch; points whose pmc is\n"
+    "undecided are left out.\n"
     "\n"
     "  -n N                 how many points (needed)\n"
     "  --seed K             any whole number (needed)\n"
@@ -46,9 +42,9 @@ static const char generate_help[] =
     "  --plain              names and rows alone, no lines that begin with #\n"
     "  --round, --triangulate, --overlap, --operation, --limit, --quiet   as in graze classify\n"
     "\n"
-    "Strata that the scene cannot have are named in the head of the table; their weight goes to "
-    "the\n"
-    "others. No two points are equal; a stratum without other points is named on standard error.\n";
+    "Strata that the scene cannot have are named in the head of the table; their weight goes to\n"
+    "the others. No two points are equal; a stratum without other points is named on standard\n"
+    "error.\n";
 
 typedef struct generate_given {
     generate_options run;

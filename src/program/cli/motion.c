@@ -214,10 +214,11 @@ static int read_turn(job *j, own_joint *w, int screw) {
     const char *const *own = j->o->own;
     int d = j->dimension;
     if (!own[DEGREES] || (d == 3) != (own[AXIS] != NULL) || (own[PITCH] && (!screw || d == 2)))
-        return complain(EXIT_USAGE,
-                        "%s takes --degrees, and in dimension 3 --axis%s; see graze "
-                        "motion --help",
-                        screw ? "screw" : "rotate", screw ? " and perhaps --pitch" : "");
+        return complain(
+            EXIT_USAGE,
+            "%s takes --degrees, and in dimension 3 --axis%s; the plane is --dimension 2; see "
+            "graze motion --help",
+            screw ? "screw" : "rotate", screw ? " and perhaps --pitch" : "");
     int status =
         numbers_read(w->number, j->context, "--degrees", own[DEGREES], strlen(own[DEGREES]), 1);
     if (!status && own[PITCH])
