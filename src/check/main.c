@@ -8,6 +8,10 @@
 static const char help[] =
     "graze-check SOLID MOTION CERTIFICATE [TABLE]: verify a certificate of graze certify\n"
     "\n"
+    "Example: graze convert move.json -o pieces.json\n"
+    "         graze classify cube.off pieces.json points.csv --certify proofs.txt -o table.csv\n"
+    "         graze-check cube.off pieces.json proofs.txt table.csv\n"
+    "\n"
     "Verifies each row's word, counts, case, class and pmc from SOLID (.off, .wkt), MOTION (plain\n"
     "pieces) and the certificate's hints alone; with TABLE, also that the table says the same, "
     "row\n"
@@ -19,9 +23,7 @@ static const char help[] =
     "  --jobs N          N processes follow the rows; 1 if not given\n"
     "  --help\n"
     "\n"
-    "Exit status: 0 verified; 1 refuted: the message names line, row and claim; 2 not checked.\n"
-    "\n"
-    "Example: graze-check cube.off move.json certificate.txt table.csv\n";
+    "Exit status: 0 verified; 1 refuted: the message names line, row and claim; 2 not checked.\n";
 
 enum { MOST_JOBS = 1000 };
 

@@ -6,6 +6,7 @@
 # status are taken from the overview, the rest from HELP. Without, the page is the overview itself.
 # HELP of a program of its own, graze-NAME, has both itself.
 # In a help text a line `  TAG   text` describes TAG, deeper lines go on with it, a blank line ends it.
+# `Example: ` begins lines of examples, up to a blank line: they stand in a section of their own near the end.
 
 # The line without its indentation, cut at the first wide gap: sets `tag` and `rest`.
 function cut(line) {
@@ -36,21 +37,19 @@ function paragraph(line) {
 # One line of either text. `pending` holds a tag whose description begins in a later line.
 function body(line, tagged) {
     if (line == "") {
+        example = 0
         fresh = 1
         block("")
         return
     }
-    if (line ~ /^Example: /) {
-        section("EXAMPLE")
-        block("nofill")
-        print roff(substr(line, 10))
+    if (example || line ~ /^Example: /) {
+        example = 1
+        examples = examples roff(substr(line, 10)) "\n"
         return
     }
     if (sub(/^Exit status: /, "", line))
         section("EXIT STATUS")
-    if (current == "EXAMPLE" && line ~ /^ /) {
-        print roff(substr(line, 10))
-    } else if (line ~ /^  [^ ]/ && (tagged != "OPTIONS" || line ~ /^  -/)) {
+    if (line ~ /^  [^ ]/ && (tagged != "OPTIONS" || line ~ /^  -/)) {
         cut(line)
         tag = pending tag
         pending = ""
@@ -111,7 +110,12 @@ NR != FNR && FNR == 1 {
 NR != FNR && FNR > 1 { body($0, "OPTIONS") }
 
 END {
-    block("")
+    if (examples != "") {
+        section("EXAMPLE")
+        block("nofill")
+        printf "%s", examples
+        block("")
+    }
     if (command != "" && !program)
         printf ".SH EXIT STATUS\n%s", exits
     print ".SH SEE ALSO"

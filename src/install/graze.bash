@@ -37,8 +37,8 @@ _graze() {
         words=$(_graze_help "$program" "$command" | sed -n 's/^  \([a-z][a-z]*\) .*/\1/p')
     fi
     if [ -z "$words" ] && [[ $word == -* ]]; then
-        # Whatever the help names before its example, in brackets too.
-        words="--help $(_graze_help "$program" "$command" | sed '/^Example/,$d' |
+        # Whatever the help names outside its examples, in brackets too.
+        words="--help $(_graze_help "$program" "$command" | sed '/^Example/,/^$/d' |
             grep -oE -- '(^|[ [])--?[a-z][a-z-]*' | tr -d ' [')"
     fi
     mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")

@@ -126,6 +126,17 @@ def strata(graze, folder):
         check(status == 0 and share["vertex"] > 30 and share["edge"] > 30 and "binary64" not in made["points"], motion, share)
 
 
+def ratios(graze, folder):
+    """A report on points that a reader of floats may misread says so, and no other does."""
+    motion, right = write(folder, "third.json", translation(["8*t", "1/3", "0"])), candidate_of(graze, "-e", "s/^$//")
+    points = write(folder, "own.csv", "x,y,z\n1/3,1,1\n")
+    for words, said in (((), True), (("--coordinates", "exact"), True), (("--coordinates", "decimal", "--digits", 9), False),
+                        (("--representable", "binary64"), False), (("--points", points), False)):
+        count = () if "--points" in words else ("-n", 20)
+        status, out, _ = run(graze, "validate", CUBE, motion, *count, "--candidate", right, *words)
+        check(status == 0 and ("\npoints: with ratios such as 1/3" in out) == said, words, status, out[:500])
+
+
 def gone(graze, folder):
     """Without --keep the report has the rows; with it, files and lines, which are there."""
     motion = write(folder, "move.json", translation(["8*t", "0", "0"]))
@@ -208,6 +219,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         rounded(graze, folder)
         strata(graze, folder)
+        ratios(graze, folder)
         gone(graze, folder)
         markdown(graze, folder)
         left(graze, folder)

@@ -37,12 +37,11 @@ def accepted(graze, command, folder):
 
 
 def check_help(graze, commands):
-    """Every help fits a screen and has an example."""
-    for command in [None] + commands:
-        text = output([graze, command, "--help"] if command else [graze, "--help"])
-        lines = text.splitlines()
-        check(len(lines) <= 40 and max(map(len, lines)) <= 100, f"help of {command}: {len(lines)} lines")
-        check(not command or f"\nExample: graze {command} " in text, f"help of {command} has no example")
+    """Every help fits a screen and begins with its usage, in a line, and examples; tests/readme/readme.py types these."""
+    for words in [[graze], [graze + "-check"]] + [[graze, command] for command in commands]:
+        lines = output([*words, "--help"]).splitlines()
+        check(len(lines) <= 40 and max(map(len, lines)) <= 100, f"help of {words}: {len(lines)} lines")
+        check(lines[1] == "" and lines[2].startswith("Example: graze"), f"help of {words}: its second paragraph is {lines[2]}")
 
 
 def check_completion(graze, script, commands, folder):

@@ -116,7 +116,7 @@ def number(text):
 
 def limits(page, program):
     output, _ = program.run("classify", "--help")
-    listed = re.search(r"--limit NAME=V(.*?)\n\n", output, re.S)[1]
+    listed = re.search(r"--limit NAME=V(.*?)(?:\n\n|\Z)", output, re.S)[1]
     program_has = {name: number(value) for name, value in re.findall(r"([a-z]+) ([\d*^]+)", listed)}
     table = page[page.index("## Limits"):]
     page_has = {name: number(value) for name, value in

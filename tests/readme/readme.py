@@ -15,6 +15,9 @@ numpy. The command in the head of cases/example.c is run as it is, as strict C11
 library, and with one file after another missing: it must say so. Links must lead to a file and a heading, every target,
 option and command named must exist, here and on the pages of the site, every command that `graze --help` lists must be
 described, and README.md keeps its bounds: installation before the first command of Graze, one picture, few and short lines.
+
+The examples of each `--help` are typed in one folder, those of `graze --help` first. They must write the files that they
+name, and do without any but those and OWN, which stand for the reader's.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import glob
@@ -187,6 +190,50 @@ def bounds(readme):
     check(0 < readme.find("\n## Install\n") < readme.find("build/graze "), "README.md: the heading of the installation comes first")
 
 
+def box():
+    """The sweep of the cube of `graze --help`, as STL: for each axis two facets, seen from outside."""
+    lines = ["solid box"]
+    for axis, end in ((axis, end) for axis in range(3) for end in (0, 1)):
+        ring = [(0, 0), (1, 0), (1, 1), (0, 1)][::1 if end else -1]
+        for corners in (ring[:3], [ring[0], *ring[2:]]):
+            places = [{axis: end, (axis + 1) % 3: u, (axis + 2) % 3: v} for u, v in corners]
+            lines += ["facet normal 0 0 0", "outer loop"]
+            lines += [f"vertex {10 * p[0]} {2 * p[1]} {2 * p[2]}" for p in places] + ["endloop", "endfacet"]
+    return "\n".join([*lines, "endsolid box", ""])
+
+
+OWN = {"part.stl": box(), "swept.stl": box(), "design.csg": "cube(size = [1, 1, 1], center = false);\n",
+       "log.csv": "t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,8,0,0,1,0,0,0\n",
+       "mine": '#!/bin/sh\nexec graze classify "$1" "$2" "$3" -o "$4"\n'}
+
+
+def examples_of_helps(runner, graze):
+    """The first paragraph after the usage of every help is examples, which do what they say."""
+    overview = asked(graze, "--help")
+    commands = ["motion"] + [name for name in re.findall(r"^  graze ([a-z]+)", overview, re.M) if name != "motion"]
+    helps = [overview] + [asked(graze, name, "--help") for name in commands] + [asked(graze + "-check", "--help")]
+    for name, text in OWN.items():
+        write(text, runner.folder, name)
+    os.chmod(os.path.join(runner.folder, "mine"), 0o755)
+    named = set()
+    for name, text in zip(["graze", *commands, "graze-check"], helps):
+        shown = re.match(r".*\n\nExample: (.*(?:\n {9}.*)*)\n\n", text)
+        if not check(shown, f"help of {name}: no examples after its usage"):
+            continue
+        lines = re.sub(r"\n {9}", "\n", shown[1]).replace("\\\n", "").split("\n")
+        check(len(lines) <= (4 if name == "graze" else 3), f"help of {name}: {len(lines)} examples")
+        check(name.startswith("graze") or any(line.startswith(f"graze {name}") for line in lines), f"help of {name}: examples of others")
+        for line in lines:
+            got, status = runner.run(f"PATH=$PWD/build:$PATH; {line}")
+            check(status == line.startswith("graze collide"), f"{line}: status {status}, it printed\n{got}")  # 1: they meet
+            files = set(re.findall(r"[\w-]+(?:\.[a-z]+)+|(?<=\./)mine", line))
+            check(all(os.path.getsize(os.path.join(runner.folder, file)) for file in files), f"{line}: an empty file")
+            named |= files
+        if name == "graze":  # a candidate's table has no comments
+            runner.show("grep -v '^#' table.csv > mine.csv", None)
+    check(set(OWN) | {"mine.csv"} <= named, f"files that no example reads: {set(OWN) - named}")
+
+
 def asked(*command):
     return harness.run(command).stdout
 
@@ -214,6 +261,7 @@ def main():
         runner.example_file()
         for name in PAGES:
             runner.page(name)
+        examples_of_helps(runner, graze)
     check(runner.ran >= 13, f"only {runner.ran} blocks of commands were run")
     names(texts, graze)
     bounds(texts["README.md"])

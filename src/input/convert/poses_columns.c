@@ -156,8 +156,8 @@ static graze_status refuse_name(const naming *n, field name) {
         context_fail_in(n->context, GRAZE_EINPUT, n->source, n->line,
                         "the column '%.*s' is unknown; expected t (time, timestamp), x,y,z "
                         "(tx, pos_x, position.x, ...), qw,qx,qy,qz (orientation.w, ...), i,j,k, "
-                        "or m00 to m33, in any order; other columns are named as one of these, "
-                        "or as ignored (`--ignore`)%s",
+                        "or m00 to m33, in any order; other columns are named as one of these "
+                        "(`--columns`), or as ignored (`--ignore`)%s",
                         FIELD_SHOWN(name), meant.data ? meant.data : "");
     text_clear(&meant);
     return status;

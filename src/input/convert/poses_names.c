@@ -146,7 +146,7 @@ void pose_name_meant(text *out, field name) {
     if (!meant)
         meant = near_in_list(is_axis ? before : last, is_axis ? positions : parts);
     if (code)
-        text_put(out, "; this is G-code: expected are rows of the positions that it leads to");
+        text_put(out, "; this is G-code: expected are rows x,y,z of its positions");
     else if (meant)
         text_format(out, is_axis ? "; did you mean %s.%.*s?" : "; did you mean %s?", meant,
                     FIELD_SHOWN(last));

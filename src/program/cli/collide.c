@@ -10,6 +10,10 @@
 static const char collide_help[] =
     "graze collide MOVING MOTION FIXED: does a moving solid meet a fixed one, when, with what\n"
     "\n"
+    "Example: graze solid box --size 2,2,2 --at 9,0,0 -o post.off\n"
+    "         graze collide cube.off move.json post.off\n"
+    "         graze collide cube.off move.json post.off --first --format json\n"
+    "\n"
     "Prints `clear`, `touch` or `overlap`, and the pair word: a letter for each state in order of\n"
     "time, O apart, B only the boundaries meet, I the interiors meet. Then each contact, a time "
     "or\n"
@@ -27,9 +31,7 @@ static const char collide_help[] =
     "  --motion-of-fixed MOTION   FIXED moves too; times are those that both motions have\n"
     "  --format text|json   json: one object, with all pairs of cells and exact times\n"
     "  -o, --output FILE    write there instead of to standard output\n"
-    "  --triangulate, --round, --limit NAME=V   as in graze classify\n"
-    "\n"
-    "Example: graze collide bar.off turn.json post.off --first\n";
+    "  --triangulate, --round, --limit NAME=V   as in graze classify\n";
 
 typedef struct collide_given {
     context_options context;

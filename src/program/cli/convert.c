@@ -10,23 +10,23 @@
 #include "program/run/output.h"
 
 static const char convert_help[] =
-    "graze convert SOLID -o FILE.off|.wkt, graze convert MOTION -o FILE.json: the forms that\n"
-    "graze-check reads; graze convert FILE.csg -o FILE.csg.json: of OpenSCAD\n"
+    "graze convert SOLID|MOTION -o FILE: the forms that graze-check reads, and of OpenSCAD\n"
     "\n"
-    "A solid becomes OFF, its facets cut into triangles, or in the plane WKT; a motion becomes\n"
-    "pieces with a matrix of polynomials in t or quotients of them. All numbers are exact, and\n"
-    "solid and motion are the same; facets and edges have new numbers.\n"
-    "Make tables and certificates from the converted files.\n"
+    "Example: graze convert part.stl -o part.off\n"
+    "         graze convert turn.json -o pieces.json\n"
+    "         graze convert design.csg -o design.csg.json\n"
     "\n"
+    "A solid becomes FILE.off, its facets cut into triangles, or in the plane FILE.wkt; one of\n"
+    "OpenSCAD becomes FILE.csg.json. A motion becomes FILE.json: pieces with a matrix of\n"
+    "polynomials in t or quotients of them. All numbers are exact, and solid and motion are the\n"
+    "same; facets and edges have new numbers. Make tables and certificates from these files.\n"
+    "\n"
+    "  -o, --output FILE    write there instead of to standard output\n"
     "  --smooth             FILE.csg: what has a number of sides, $fn, is meant round\n"
     "  --near-rotation TOL  FILE.csg: take the rotation, times a number, that each entry of a\n"
     "                       multmatrix over that number is within TOL of; how far that moves a\n"
     "                       point at most is on standard error\n"
-    "  -o, --output FILE    write there instead of to standard output\n"
-    "  --triangulate, --round binary64|binary32, --limit NAME=V   as in graze classify\n"
-    "\n"
-    "Example: graze convert solid.nef3 -o solid.off\n"
-    "         graze convert arm.json -o pieces.json\n";
+    "  --triangulate, --round binary64|binary32, --limit NAME=V   as in graze classify\n";
 
 typedef struct convert_options {
     const char *file, *output;

@@ -16,13 +16,15 @@ enum { TITLE_MOST = 512 };
 static const char draw_help[] =
     "graze draw SOLID MOTION [POINTS] -o FILE: a picture of classes, positions and trajectories\n"
     "\n"
-    "FILE is .svg, .png, .pdf or .html. Square cells, split at borders, have the exact class of "
-    "their\n"
-    "centres, under outlines of S at some times; in 3D the regions of classes in a plane, with\n"
-    "contours found by exact bisection, beside a view of S.\n"
-    "POINTS (a CSV file or -) are drawn with their inverted trajectories through S and all\n"
-    "contacts; a column id names them. A page, .html, shows S, its sweep, the points and their\n"
-    "trajectories in a browser, to be turned, filtered and asked; it needs no network.\n"
+    "Example: graze draw cube.off move.json points.csv -o page.html\n"
+    "         graze draw cube.off move.json -p 5,1,2 -p 5,3,1 --times 9 -o picture.svg\n"
+    "\n"
+    "FILE is .svg, .png, .pdf or .html. Square cells, split at borders, have the exact class of\n"
+    "their centres, under outlines of S at some times; in 3D the regions of classes in a plane,\n"
+    "with contours found by exact bisection, beside a view of S. POINTS (a CSV file or -) are\n"
+    "drawn with their inverted trajectories through S and all contacts; a column id names them.\n"
+    "A page, .html, shows S, its sweep, the points and their trajectories in a browser, to be\n"
+    "turned, filtered and asked; it needs no network.\n"
     "\n"
     "  -o, --output FILE     the picture; - is standard output,\n"
     "  --format svg|png|pdf|html    in that format (svg)\n"
@@ -41,9 +43,7 @@ static const char draw_help[] =
     "  --surface N           page: level of the sweep's surface, or none (5, in the plane 8)\n"
     "  --title TEXT          the line above the picture (the files' names); 512 bytes\n"
     "  --operation sweep|unsweep, --folds, --overlap, --triangulate, --round, --limit NAME=V,\n"
-    "  --no-filter           as in graze classify\n"
-    "\n"
-    "Example: graze draw gear.wkt roll.json -p 1,2 -p 3,1/2 --times 9 -o gear.svg\n";
+    "  --no-filter           as in graze classify\n";
 
 typedef struct draw_given {
     scene_options scene;

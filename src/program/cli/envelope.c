@@ -8,6 +8,9 @@
 static const char envelope_help[] =
     "graze envelope SOLID MOTION: when the contact of the moving solid with its envelope changes\n"
     "\n"
+    "Example: graze envelope cube.off turn.json\n"
+    "         graze envelope cube.off turn.json --events events.csv -n 100 --points contacts.csv\n"
+    "\n"
     "At a time the contact points are a slice of each facet, where the boundary's speed along its\n"
     "normal is 0, and runs on convex edges. Prints how many events there are of each kind, and\n"
     "whether the envelope is decomposable, yes, no or undecided, and why: whether every contact\n"
@@ -27,9 +30,7 @@ static const char envelope_help[] =
     "  --seed K             their seed (1)\n"
     "  -o, --output FILE    write there instead of to standard output\n"
     "  --operation sweep    the one that has an envelope; unsweep is refused\n"
-    "  --round, --triangulate, --overlap, --limit NAME=V   as in graze classify\n"
-    "\n"
-    "Example: graze envelope block.wkt turn.json --events events.csv\n";
+    "  --round, --triangulate, --overlap, --limit NAME=V   as in graze classify\n";
 
 typedef struct envelope_given {
     envelope_options run;

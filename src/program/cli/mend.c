@@ -12,6 +12,9 @@
 static const char mend_help[] =
     "graze mend SOLID -o FILE.off: a legal solid out of a mesh that is none\n"
     "\n"
+    "Example: graze mend part.stl -o part.off\n"
+    "         graze mend part.stl --weld 1e-6 -o part.off\n"
+    "\n"
     "Reads a mesh in .off, .obj, .ply or .stl and takes the steps that move no point: equal\n"
     "vertices become one, facets without area go, edges are split at vertices in their middle\n"
     "(T-junctions), and where the mesh is not legal yet, facets are turned so that shells face\n"
@@ -25,9 +28,7 @@ static const char mend_help[] =
     "  --weld EPS           make vertices one that lie within EPS, in units of the file; this\n"
     "                       changes the solid: a line says by how much at most, which graze\n"
     "                       classify and compare take as an error of the motion\n"
-    "  --triangulate, --round binary64|binary32, --limit NAME=V   as in graze classify\n"
-    "\n"
-    "Example: graze mend part.stl -o part.off\n";
+    "  --triangulate, --round binary64|binary32, --limit NAME=V   as in graze classify\n";
 
 typedef struct mend_options {
     const char *output;

@@ -17,6 +17,10 @@ static const char motion_help[] =
     "graze motion KIND ...: an exact motion file from angles or poses, its error proved and "
     "printed\n"
     "\n"
+    "Example: graze motion line --by 8,0,0 -o move.json\n"
+    "         graze motion rotate --degrees 90 --axis 0,0,1 -o turn.json\n"
+    "         graze motion poses log.csv -o path.json\n"
+    "\n"
     "  line --by X,Y,Z      a straight line, for t from 0 to 1; exact; --by X,Y in the plane\n"
     "  rotate --degrees A [--axis X,Y,Z] [--center ...]   a turn that ends near the angle; exact\n"
     "                       on the way, quarter turns exact; its speed is not uniform\n"
@@ -32,6 +36,8 @@ static const char motion_help[] =
     "                       TUM, or of 4x4 matrices, without names\n"
     "  dyadic MOTION        a motion file near MOTION; as --dyadic\n"
     "\n"
+    "  -o, --output FILE, --report FILE   the motion (standard output), the errors (standard "
+    "error)\n"
     "  --tolerance E        no point is off by more than E at any time (1e-9; screw, joints "
     "1e-6),\n"
     "  --radius R           if it is within R of the origin at t = 0 (1)\n"
@@ -52,15 +58,9 @@ static const char motion_help[] =
     "  --numbers binary64   poses: numbers are the doubles they were printed from (default)\n"
     "  --numbers written    poses: they are exactly what is written\n"
     "  --dimension 2|3      3, or 2: no axis; CENTER and WAY have two coordinates; not for poses\n"
-    "  -o, --output FILE, --report FILE   the motion (standard output), the errors (standard "
-    "error)\n"
     "  --limit NAME=V       pieces 10000 and others, as in graze check\n"
-    "  --examples           motion files with every key, each one line behind a # line, and no "
-    "more\n"
-    "\n"
-    "man 5 graze-motion has the motion file key by key, and lists of poses.\n"
-    "\n"
-    "Example: graze motion rotate --degrees 37.5 --axis 0,0,1 > move.json\n";
+    "  --examples           motion files with every key, one a line; man 5 graze-motion explains "
+    "them\n";
 
 /* Options that only some kinds take. */
 enum {
@@ -214,10 +214,11 @@ static int read_turn(job *j, own_joint *w, int screw) {
     const char *const *own = j->o->own;
     int d = j->dimension;
     if (!own[DEGREES] || (d == 3) != (own[AXIS] != NULL) || (own[PITCH] && (!screw || d == 2)))
-        return complain(EXIT_USAGE,
-                        "%s takes --degrees, and in dimension 3 --axis%s; see graze "
-                        "motion --help",
-                        screw ? "screw" : "rotate", screw ? " and perhaps --pitch" : "");
+        return complain(
+            EXIT_USAGE,
+            "%s takes --degrees, and in dimension 3 --axis%s; the plane is --dimension 2; see "
+            "graze motion --help",
+            screw ? "screw" : "rotate", screw ? " and perhaps --pitch" : "");
     int status =
         numbers_read(w->number, j->context, "--degrees", own[DEGREES], strlen(own[DEGREES]), 1);
     if (!status && own[PITCH])

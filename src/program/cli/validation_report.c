@@ -85,7 +85,11 @@ static void put_made_with(text *out, const validate_options *o, graze_comparison
     if (made && format == GRAZE_COMPARISON_JSON)
         put_json_text(out, "made-with", made);
     else if (made)
-        text_format(out, "made with: %s\n", made);
+        text_format(out, "made with: %s\n%s", made,
+                    o->generate.representable || o->generate.coordinates.form == COORDINATES_DECIMAL
+                        ? ""
+                        : "points: with ratios such as 1/3, which readers of floats misread; "
+                          "--representable binary64 has decimals\n");
     free(made);
 }
 

@@ -14,12 +14,12 @@
 static const char mpi_help[] =
     "mpirun -n N graze-mpi SOLID MOTION POINTS: graze classify on N ranks\n"
     "\n"
+    "Example: mpirun -n 17 graze-mpi cube.off move.json points.csv -o table.csv\n"
+    "\n"
     "Rank 0 reads the points and writes the table; the other ranks answer rows, a few at a time,\n"
     "so that none waits for a slower one. N is one more than the number of cores. The table has\n"
     "the bytes of graze classify; its options hold here too, but for --jobs.\n"
-    "SOLID and MOTION are read by every rank, POINTS and - by rank 0.\n"
-    "\n"
-    "Example: mpirun -n 17 graze-mpi cube.off move.json points.csv --output table.csv\n";
+    "SOLID and MOTION are read by every rank, POINTS and - by rank 0.\n";
 
 /* All ranks have the same words; the first one alone complains of them. */
 static int read_words(operands *given, classify_options *o, int *show_help, int rank, int argc,

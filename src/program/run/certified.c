@@ -154,7 +154,7 @@ static int compare_beside(const beside *b, const loaded *l, int is_solid) {
     int same = !status && strcmp(there, b->text) == 0;
     if (same)
         complain(EXIT_DONE,
-                 "note: %s: graze-check cannot read it; the certificate is of the same in %s",
+                 "note: %s: graze-check cannot read it; give it %s instead, which is the same",
                  b->original, b->path);
     else if (!status)
         status = complain(EXIT_INPUT,
