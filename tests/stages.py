@@ -88,7 +88,7 @@ def long(options):
         Stage("proofs", ["make", "-s", "proofs"]),
         Stage("the checker weakened", script("check/weakened.py")),
         Stage("threads of all of Python", ["tests/stages/threads.sh", "test_*.py"]),
-        Stage("Python's own fractions", ["env", "GRAZE_FRACTIONS=python", *run_suites("--tier", "all")]),
+        Stage("Python's own fractions, runs by exec", ["env", "GRAZE_FRACTIONS=python", "GRAZE_EXEC=1", *run_suites("--tier", "all")]),
         Stage("mutants of every room", ["python3", "tests/mutate.py", "--minutes", "30", "--wanted", "80", *seed]),
         Stage("fuzz targets, a minute each", ["make", "-s", "fuzz", "SECONDS=60"]),
     ]

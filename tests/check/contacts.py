@@ -3,8 +3,8 @@
 SPDX-License-Identifier: GPL-3.0-or-later
 # suite
 
-Certificates with --times of every golden case, of its points and 20 * --scale generated ones, are verified. Times and
-cells must be those that the case's README derives, cells where the solid's own file can be certified, whose numbers
+Certificates with --times of every golden case, of its points and 20 * --scale generated ones, are verified. Those of its points must have
+the times and cells that the case's README derives, cells where the solid's own file can be certified, whose numbers
 they have; and for all points those of JSON Lines. Each contact of some rows is then changed in every way that matters, and each time
 refuted.
 """
@@ -95,29 +95,34 @@ def check_points(tally, programs, name, files, folder, more):
     return certificate
 
 
-def check_case(tally, programs, case, folder, count):
-    """The certificates of its points with the solid as converted, and as it is."""
+def scenes_of(programs, case, folder):
+    """(the solid is the case's own, [solid, motion]): the solid as converted, and as it is where graze-check reads such files."""
     solid, motion = programs.convert(case, folder)
-    more = answer_options(case.options)
-    points = os.path.join(folder, "points.csv")
-    write(points, run(programs.graze, "generate", solid, motion, "-n", str(count), "--seed", "3", "--quiet",
-                      "--operation", case.option("--operation", "sweep"))[1])
-    made = None
-    for own in (False, True):
-        scene = [case.path(case.solid) if own else solid, motion]
-        if not scene[0].endswith((".off", ".wkt")):
-            continue
-        certificate = check_points(tally, programs, case.name, [*scene, case.path("points.csv")], folder, more)
+    yield False, [solid, motion]
+    if case.solid.endswith((".off", ".wkt")):
+        yield True, [case.path(case.solid), motion]
+
+
+def check_known(tally, programs, case, folder):
+    """The certificates of its points: words, times and cells are those of its README."""
+    for own, scene in scenes_of(programs, case, folder):
+        certificate = check_points(tally, programs, case.name, [*scene, case.path("points.csv")], folder, answer_options(case.options))
         if not certificate:
             continue
-        made = made or (scene, certificate)
         for row, (id, _) in zip(certificate.rows, case.points):
             word, spans, cells = case.table[id]
             tally.equal(row.word, word, case.name, id, "word")
             named = cells if cells and (own or case.dimension == 2) else [None] * len(spans)
             check_contacts(tally, row, [(*span, c) for span, c in zip(spans, named)], case.name, id)
-        check_points(tally, programs, case.name, [*scene, points], folder, more)
-    return made
+
+
+def check_generated(tally, programs, case, folder, count):
+    points = os.path.join(folder, "points.csv")
+    for own, scene in scenes_of(programs, case, folder):
+        if not own:
+            write(points, run(programs.graze, "generate", *scene, "-n", str(count), "--seed", "3", "--quiet",
+                              "--operation", case.option("--operation", "sweep"))[1])
+        check_points(tally, programs, case.name, [*scene, points], folder, answer_options(case.options))
 
 
 # ------------------------------------------------------------------------------------- wrong ones
@@ -229,9 +234,10 @@ def wrong_heads(certificate):
         yield "all contacts dropped", out.text()
 
 
-def check_wrong(tally, programs, name, made, folder, count, seen):
+def check_wrong(tally, programs, case, folder, count, seen):
     """Every change of some rows, of different words, is refuted."""
-    (solid, motion), certificate = made
+    name, (solid, motion) = case.name, programs.convert(case, folder)
+    certificate = Certificate(programs.certify(solid, motion, case.path("points.csv"), [*answer_options(case.options), "--times"]))
     by_word = {row.word: row for row in certificate.rows if len(row.intervals) <= 40}
     rows = sorted(by_word.values(), key=lambda r: -len(r.contacts))[:count]
     texts = [(kind, certificate.only([out]).text()) for row in rows for kind, out in wrong_rows(row)]
@@ -250,11 +256,14 @@ def main():
     wanted = options(__doc__, ONLY, ("--rows", {"type": int, "default": 0, "help": "generated rows a case"}))
     programs, tally, seen = Programs(wanted.graze), Checks(), collections.Counter()
     with tempfile.TemporaryDirectory() as folder:
-        many = max(1, int(wanted.scale))
-        for n, name in wanted.once((n, name) for n, name in enumerate(casefile.names()) if wanted.only in name):
-            made = check_case(tally, programs, casefile.Case(name), folder, wanted.rows or min(300, 20 * many))
+        many, named = max(1, int(wanted.scale)), [(n, name) for n, name in enumerate(casefile.names()) if wanted.only in name]
+        for _, name in named if wanted.derived else []:
+            check_known(tally, programs, casefile.Case(name), folder)
+        for n, name in wanted.once(named):
+            case = casefile.Case(name)
+            check_generated(tally, programs, case, folder, wanted.rows or min(300, 20 * many))
             if many > 1 or n % 4 == 0 or wanted.only:
-                check_wrong(tally, programs, name, made, folder, many + 1, seen)
+                check_wrong(tally, programs, case, folder, many + 1, seen)
             if wanted.rows:
                 print(name, f"{tally.passed} passed, {tally.failed} failed", flush=True)
     print(f"{sum(seen.values())} wrong contacts: " + ", ".join(f"{count} {kind}" for kind, count in sorted(seen.items())))

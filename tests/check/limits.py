@@ -6,8 +6,10 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 One certificate, of a point far from a cube (square) that moves, with the hashes of the files at hand.
 """
+import math
 import os
 import re
+import sys
 import tempfile
 
 from lib_certificate import Certificate, ENVIRONMENT, NOT_CHECKED, Programs, REFUTED, VERIFIED, run, sha256, write
@@ -16,6 +18,8 @@ from meshes import CUBE, MOVE, SQUARE, both, off, scaled, tetrahedron
 import harness
 from harness import ONLY, Checks, options
 
+if hasattr(sys, "set_int_max_str_digits"):
+    sys.set_int_max_str_digits(0)
 # Ways to write 1, and what is no number.
 ONE = ["1", "+1", "1.0", "1.", "01", "2/2", "10e-1", "0.1e1", ".1E+1", "100E-2", "0.01e2", "1e0"]
 NONE = ["1e", "1e+", "1e1.5", "/1", "1/", "1/0", "1/1/1", "1/-1", "1.0/1", "1/1.0", "1.0.0", "e1", ".", "-", "--1", "+-1", "0x1",
@@ -43,12 +47,12 @@ class Bench:
         out.set("motion-sha256", sha256(motion))
         return out
 
-    def ends(self, wanted, what, d=3, solid=None, motion=None, change=None):
-        """How graze-check ends with another solid, another motion, or a changed certificate."""
+    def ends(self, wanted, what, d=3, solid=None, motion=None, change=None, more=()):
+        """How graze-check ends with another solid, another motion, a changed certificate, more options."""
         solid, motion = solid or self.solid[d], motion or self.motion[d]
         text = self.certificate(d, solid, motion).text()
         path = self.file("certificate", change(text) if change else text)
-        status, out, self.error = self.programs.check(solid, motion, path)
+        status, out, self.error = self.programs.check(solid, motion, path, *more)
         self.tally.equal((status in wanted, bool(out)), (True, status == VERIFIED), what, status, self.error)
 
 
@@ -144,6 +148,21 @@ def check_caps(b):
     path = b.file("certificate", b.text[3].replace("complete", " " * (1 << 23) + "complete"))
     done = harness.run(harness.bounded([b.programs.check_program, b.solid[3], b.motion[3], path], 12 << 20), env=ENVIRONMENT)
     b.tally.holds(b.sanitizers or (done.returncode == NOT_CHECKED and "out of memory" in done.stderr), "no memory", done)
+
+
+def check_denominators(b):
+    """A polygon whose corners have powers of primes as denominators, all on one of its sides: the common one is their product, which takes
+    4 * 10^8 products of words. The side of a triangle that leaves this one takes 2^28 more; three sides of a square are past the 2^30 that a
+    call has, and the 2^20 that each side adds are not enough. The solid is not tested, which is more work."""
+    odd = [p ** int(66000 / math.log2(p)) for p in (3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53)]
+    rest = (1 << 20) - math.prod(odd).bit_length()  # of 2: a power of it makes a product longer by its exponent
+    cap, triangle, square = 1 << 20, "0 1", "1 1, 1/2 1, 0 1"
+    for bits, corners, says in ((cap, triangle, ""), (cap + 1, triangle, f"a common denominator of {cap + 1} bits"), (cap, square, "too much work")):
+        positions = [f"1/{n} 0" for n in sorted([*odd, 2 ** (rest + bits - cap)], reverse=True)]
+        text = f"POLYGON ((0 0, {', '.join(positions)}, {corners}, 0 0))"
+        b.ends((NOT_CHECKED if says else VERIFIED,), f"{bits} bits", 2, solid=b.file("bits.wkt", text), more=("--assume-legal",),
+               change=lambda t: t[:t.index("row")] + "complete 0\n")
+        b.tally.holds(says in b.error if says else b.error == "", bits, "its message", b.error)
 
 
 def check_sizes(b):
@@ -259,7 +278,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         b = Bench(Programs(chosen.graze), tally, folder)
         b.sanitizers = chosen.sanitizers  # they map more than the limit
-        for check in (check_numbers, check_files, check_tokens, check_caps, check_sizes, check_notes, check_tables, check_jobs):
+        for check in (check_numbers, check_files, check_tokens, check_caps, check_denominators, check_sizes, check_notes, check_tables, check_jobs):
             if chosen.only in check.__name__:
                 check(b)
     tally.finish()

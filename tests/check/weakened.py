@@ -5,8 +5,8 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 Records the calls of graze-check that the suites of this folder make, then builds mutants of src/check, one at a
 time: a condition in front of a refusal dropped; == and != exchanged, an order loosened, tightened or negated, && and
-|| exchanged, outside the heads of loops. Each must end some recorded call otherwise, or crash or hang, unless
-weakened.txt has a line FILE: MUTANT: REASON for it. Of each message of refusal so many calls are kept: --scale times
+|| exchanged, outside the heads of loops. Each must end some recorded call otherwise, note other columns, or crash or hang,
+unless weakened.txt has a line FILE | MUTANT | REASON for it; a line of no mutant is a failure too. Of each message of refusal so many calls are kept: --scale times
 EACH. Not touched: main.c, whose calls are a command line's, ends.c, sha256.c. Run from the top of the repository;
 --only A,B narrows to some files. CI asks the files that follow a row, the motion's, and those of the legal
 solid; the others, which read files, are asked by hand.
@@ -52,8 +52,9 @@ def record(folder, graze):
         if len(files) in (3, 4) and all(map(os.path.isfile, files)):
             message = re.sub(r"\S*/\S*|[-\d.]+|'.*?'", "", call["error"])
             assume = int("--assume-legal" in call["words"])
+            note = 0 if call["status"] else len(call["error"].encode())
             by_message[(call["status"], message)].append(
-                f"{call['status']} {assume} {' '.join(files[:3])} {files[3] if len(files) == 4 else '-'}")
+                f"{call['status']} {assume} {note} {' '.join(files[:3])} {files[3] if len(files) == 4 else '-'}")
     return by_message
 
 
@@ -170,7 +171,10 @@ def main():
                 continue
             with open(path, encoding="utf-8") as file:
                 text = file.read()
-            jobs += [(len(jobs) + k + 1, path, what, mutant) for k, (what, mutant) in enumerate(mutants(text))]
+            made = list(mutants(text))
+            jobs += [(len(jobs) + k + 1, path, what, mutant) for k, (what, mutant) in enumerate(made)]
+            for what in {what for file, what in known if file == name} - {what for what, _ in made}:
+                tally.fail("weakened.txt has a line of no mutant", name, what)
         results = pool.map(lambda job: (job, bench.judge(job[0], job[1], job[3])), jobs)
         for (_, path, what, _), result in results:
             name = os.path.basename(path)

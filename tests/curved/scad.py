@@ -267,15 +267,14 @@ def main():
     args = options(__doc__.splitlines()[0])
     checks = Checks()
     graze = Graze(args, checks)
+    if args.derived:
+        check_scenes(graze, checks)
+        with tempfile.TemporaryDirectory() as folder:
+            bench = Bench(args, checks, folder)
+            check_smooth(bench)
+            check_near(bench)
+            check_near_chain(bench)
     check_twins(graze, checks, args)
-    if not args.derived:
-        checks.finish()
-    check_scenes(graze, checks)
-    with tempfile.TemporaryDirectory() as folder:
-        bench = Bench(args, checks, folder)
-        check_smooth(bench)
-        check_near(bench)
-        check_near_chain(bench)
     checks.finish()
 
 

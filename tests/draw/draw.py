@@ -36,11 +36,11 @@ checks = Checks()
 check = checks.holds
 
 
-def excuse_fonts(folder, *libraries):
-    """Memory that fontconfig, behind cairo, or other libraries keep until the end is no leak of ours under a sanitizer."""
+def excuse_fonts(folder):
+    """Memory that fontconfig, behind cairo, keeps until the end is no leak of ours under a sanitizer."""
     path = os.path.join(folder, "suppressions")
     with open(path, "w", encoding="utf-8") as file:
-        file.write("".join(f"leak:{library}\n" for library in ("libfontconfig", *libraries)))
+        file.write("leak:libfontconfig\n")
     ENVIRONMENT["LSAN_OPTIONS"] = f"suppressions={path}:print_suppressions=0"
 
 

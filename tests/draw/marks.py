@@ -237,7 +237,7 @@ def main():
     args = options(__doc__)
     graze = args.graze
     with tempfile.TemporaryDirectory() as folder:
-        excuse_fonts(folder, "libcairo")  # keeps the fonts of a page of PDF
+        excuse_fonts(folder)
         check_slides(graze, folder)
         check_slide_of_half(graze, folder)
         check_legend(graze, folder)

@@ -501,25 +501,16 @@ def main():
     args = options("closed forms of distances between a mesh and a sweep")
     checks = Checks()
     judge = Judge(args, checks)
+    if args.derived:
+        scenes_of_boxes(judge, checks, args.sanitizers)
+        parts = [budgets, fail_above, vertices, answers, windings, vtk, texts, empty, perfect, curved_seam, far_off]
+        if not args.sanitizers:  # the same code as boxes, for longer
+            parts += [in_a_seam, turning_box, seam, axis]
+        for part in parts:
+            part(judge, checks)
     scenes_of_hulls(judge, args)
-    longer = [perfect, curved_seam, far_off]
-    if not args.sanitizers:  # the same code as boxes, for longer
-        longer += [turning_box, jobs, laws, seam, axis]
-    for part in args.once(longer, "longer"):
-        part(judge, checks)
-    if not args.derived:
-        checks.finish()
-    scenes_of_boxes(judge, checks, args.sanitizers)
-    budgets(judge, checks)
-    fail_above(judge, checks)
-    vertices(judge, checks)
-    answers(judge, checks)
-    windings(judge, checks)
-    vtk(judge, checks)
-    texts(judge, checks)
-    if not args.sanitizers:
-        in_a_seam(judge, checks)
-    empty(judge, checks)
+    for law in args.once([] if args.sanitizers else [jobs, laws], "laws"):
+        law(judge, checks)
     checks.finish()
 
 

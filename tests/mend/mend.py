@@ -118,19 +118,27 @@ def mend(graze, folder, mesh, *flags, status=0, named=True):
     return out, done.stdout, done.stderr
 
 
+TETRAHEDRON = ([(0, 0, 0), (6, 0, 0), (0, 6, 0), (0, 0, 6)], [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)])
+GOOD = {"cube": CUBE, "tetrahedron": TETRAHEDRON,
+        "hollow": together(moved(CUBE, (0, 0, 0), 3), moved(CUBE, (1, 1, 1), 2, inward=True), moved(CUBE, (2, 2, 2))),
+        "two": together(CUBE, moved(CUBE, (3, 0, 0))), "touching": together(CUBE, moved(CUBE, (2, 2, 0)))}
+
+
+def undamaged(graze, folder):
+    """A good mesh has nothing to mend, and bounds the same points when it is written again."""
+    for name, mesh in GOOD.items():
+        write(folder / "good.off", mesh)
+        out, said, _ = mend(graze, folder, mesh)
+        check(said == "nothing to mend\n" or name == "touching", name, said)
+        check(answers(graze, folder, out) == answers(graze, folder, folder / "good.off"), name, "undamaged")
+
+
 def same_points(given, folder):
     """Damaged meshes bound the points of the good ones."""
     graze, random = given.graze, given.random
-    tetrahedron = ([(0, 0, 0), (6, 0, 0), (0, 6, 0), (0, 0, 6)], [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)])
-    good = {"cube": CUBE, "tetrahedron": tetrahedron,
-            "hollow": together(moved(CUBE, (0, 0, 0), 3), moved(CUBE, (1, 1, 1), 2, inward=True), moved(CUBE, (2, 2, 2))),
-            "two": together(CUBE, moved(CUBE, (3, 0, 0))), "touching": together(CUBE, moved(CUBE, (2, 2, 0)))}
-    for name, mesh in good.items():
+    for name, mesh in GOOD.items():
         write(folder / "good.off", mesh)
         want = answers(graze, folder, folder / "good.off")
-        out, said, _ = mend(graze, folder, mesh)
-        check(said == "nothing to mend\n" or name == "touching", name, said)
-        check(answers(graze, folder, out) == want, name, "undamaged")
         for _ in given.rounds(4, name):
             damaged = mesh
             for _ in range(random.randint(1, 4)):
@@ -279,6 +287,7 @@ def main():
             said_by_hand(given.graze, folder)
             not_mended(given.graze, folder)
             welded_by_hand(given.graze, folder)
+            undamaged(given.graze, folder)
         welded(given, folder)
         same_points(given, folder)
     checks.finish()

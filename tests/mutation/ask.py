@@ -44,14 +44,27 @@ KINDS = {
 }
 # Kinds that sanitizers are for: the suites of the room are asked in a build with them too.
 SANITIZED = ("a leak", "an overflow", "a read out of bounds", "a value that is not initialised", "an allocation that is not checked")
-UNDER_SANITIZERS = """export ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=halt_on_error=1
-make -s B=build-asan CC=clang CXX=clang++ OPT="-O1 -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer" \
-    CFLAGS=-g1 CXXFLAGS=-g1 build-asan/graze {program} && python3 tests/run.py --build build-asan --sanitizers --limit 2400 --only tests/{suite}"""
+# How a tree builds with sanitizers stands in its stage; before it had one, so:
+STAGE = os.path.join("tests", "stages", "sanitizers.sh")
+BEFORE = """build="build-asan"
+make -s B=$build CC=clang CXX=clang++ OPT="-O1 -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer" \\
+    CFLAGS=-g1 CXXFLAGS=-g1 $build/graze programs
+"""
 
 
-def sanitized(name):
-    """The command that asks a suite in the build with sanitizers."""
-    return UNDER_SANITIZERS.format(suite=name, program=f"build-asan/tests/{name}" if "/test_" in name else "build-asan/graze-check")
+def sanitized(name, tree):
+    """The command that asks a suite in the build with sanitizers that the tree has: its folder, its flags, and what the suite runs."""
+    stage = BEFORE
+    if os.path.exists(os.path.join(tree, STAGE)):
+        with open(os.path.join(tree, STAGE), encoding="utf-8") as file:
+            stage = file.read()
+    folder = re.search(r'^build="(.+)"$', stage, re.M)[0]
+    made = re.search(r"^make -s B=\$build (?:.*\\\n)*.*?(?= \$build/graze programs$)", stage, re.M)[0]
+    goals = f"$build/tests/{name}" if "/test_" in name else "all $build/tests/graze-memory"
+    return f"""export ASAN_OPTIONS=detect_leaks=1 UBSAN_OPTIONS=halt_on_error=1
+{folder}
+export LLVM_PROFILE_FILE=/dev/null
+{made} {goals} && python3 tests/run.py --build $build --sanitizers --limit 2400 --only tests/{name}"""
 
 
 class Tree:
@@ -75,7 +88,7 @@ class Tree:
                 return is_red(["bash", "-c", asker[2:]], SECONDS)
             name, *words = asker.split()
             if name == "sanitized":
-                return is_red(["bash", "-c", sanitized(words[0])], SECONDS)
+                return is_red(["bash", "-c", sanitized(words[0], self.path)], SECONDS)
             if "/test_" in name:
                 return not self.build(f"build/tests/{name}") or is_red([f"build/tests/{name}"], SECONDS)
             return is_red([self.python, f"tests/{name}.py", "--graze", "build/graze", *words], SECONDS)

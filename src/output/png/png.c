@@ -94,13 +94,11 @@ static void png_text(canvas *c, double x, double y, const lettering *l, const ch
     cairo_move_to(p->to, x, y);
     cairo_text_path(p->to, string);
     if (l->halo) {
-        const style rim = {.stroke = PAINT(0xffffff), .width = 3};
-        png_draw(p, &rim);
+        png_draw(p, &(style){.stroke = PAINT(0xffffff), .width = 3});
         cairo_move_to(p->to, x, y);
         cairo_text_path(p->to, string);
     }
-    const style letters = {.fill = PAINT(INK)};
-    png_draw(p, &letters);
+    png_draw(p, &(style){.fill = PAINT(INK)});
     cairo_set_fill_rule(p->to, CAIRO_FILL_RULE_EVEN_ODD);
 }
 
@@ -160,7 +158,9 @@ __attribute__((visibility("default"))) canvas *graze_png_create(double width, do
         return NULL;
     p->base = (canvas){&png_kind, width, height, 0};
     p->pdf = pdf;
-    p->surface = pdf ? cairo_recording_surface_create(CAIRO_CONTENT_COLOR, NULL)
+    /* Without bounds cairo loses the record's memory; their ends would show at the page's edge. */
+    cairo_rectangle_t all = {-1, -1, width + 2, height + 2};
+    p->surface = pdf ? cairo_recording_surface_create(CAIRO_CONTENT_COLOR, &all)
                      : cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)(width * scale),
                                                   (int)(height * scale));
     p->to = cairo_create(p->surface);
