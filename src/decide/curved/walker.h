@@ -4,7 +4,7 @@
 #ifndef GRAZE_CURVED_WALKER_H
 #define GRAZE_CURVED_WALKER_H
 
-#include "decide/curved/letters.h"
+#include "decide/curved/word_builder.h"
 #include "decide/curved/pullbacks.h"
 #include "decide/curved/truth.h"
 #include "decide/trace/tracer.h"
@@ -13,7 +13,7 @@
 typedef struct walker {
     tracer *r;
     const csg *solid;
-    letters *word;
+    word_builder *word;
     expression expression;
     pullbacks at;
     size_t piece;
@@ -27,7 +27,7 @@ typedef struct walker {
 } walker;
 
 /** @return GRAZE_ESYSTEM; walker_clear in either case */
-graze_status walker_init(walker *w, tracer *r, letters *word);
+graze_status walker_init(walker *w, tracer *r, word_builder *word);
 void walker_clear(walker *w);
 
 /**

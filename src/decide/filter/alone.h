@@ -1,5 +1,5 @@
-/* Whether a certain crossing is the only contact near it, which proves a stay inside.
- * SPDX-License-Identifier: GPL-3.0-or-later
+/* Whether a certain crossing is the only contact near it, which proves that the point is inside
+ * beside it. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_FILTER_ALONE_H
 #define GRAZE_FILTER_ALONE_H

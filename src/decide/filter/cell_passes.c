@@ -245,7 +245,7 @@ static void pass_part(passing *p, uint32_t index, const near_simplices *around) 
 /* Contacts at an end of a piece: inside before it by the piece before, or after it by the next. */
 static int joint_is_certain(passing *p, size_t joint) {
     size_t pieces = p->curve->course->piece_count;
-    stay when = joint ? (stay){(uint32_t)(joint - 1), 1} : (stay){0, 0};
+    piece_time when = joint ? (piece_time){(uint32_t)(joint - 1), 1} : (piece_time){0, 0};
     near_simplices near = {.count = 0};
     box around;
     span wide;

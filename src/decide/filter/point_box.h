@@ -5,7 +5,7 @@
 #define GRAZE_FILTER_POINT_BOX_H
 
 #include "decide/filter/filter.h"
-#include "decide/filter/stay.h"
+#include "decide/filter/certain_times.h"
 
 /** A box of query points: coordinate i of each differs from the centre's by at most half[i]. */
 typedef struct point_box {
@@ -16,7 +16,7 @@ typedef struct point_box {
 /** At that time, some place of the box is in the state that decides a membership
  * (proofs/bricks.md C87). */
 typedef struct anchor {
-    stay when;
+    piece_time when;
     box around;
 } anchor;
 
@@ -38,7 +38,7 @@ int point_box_is_clear(curve *memory, const filter *f, const point_box *points);
  * An anchor where the cell's centre is at a time at which it is in that state.
  * @return 0 if there is no bound
  */
-int point_box_anchor(anchor *out, curve *memory, const filter *f, const stay *when);
+int point_box_anchor(anchor *out, curve *memory, const filter *f, const piece_time *when);
 
 /**
  * Whether at the time of the anchor nothing of the boundary can be between it and any point of the
@@ -62,7 +62,7 @@ int point_box_spread(double spread[3], const curve *memory, const point_box *poi
 
 /** A box of the places of the cell's points at a time, or of the centre's alone where `half` is
  * NULL; 0 if there is none. */
-int point_box_places(box *out, curve *memory, const filter *f, const stay *when,
+int point_box_places(box *out, curve *memory, const filter *f, const piece_time *when,
                      const double *half);
 
 /** A box, larger by the spread: a span as thick as that meets a box where the span meets this. */

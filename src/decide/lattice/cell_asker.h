@@ -18,7 +18,7 @@ typedef struct cell_asker {
 
 /** Places that the points of a cell are perhaps joined with. */
 typedef struct anchors {
-    anchor item[STAYS_MOST];
+    anchor item[CERTAIN_TIMES_MOST];
     int count;
 } anchors;
 
@@ -31,7 +31,8 @@ int cell_joins(cell_asker *a, const point_box *points, const anchors *near);
 
 /** Times at which the centre of a cell is in the state that decides a membership, as few as are
  * looked for (proofs/cells.md C76 (b)); returns how many are found. */
-int cell_stays(stay when[STAYS_MOST], const cell_asker *a, const point_box *points);
+int cell_certain_times(piece_time when[CERTAIN_TIMES_MOST], const cell_asker *a,
+                       const point_box *points);
 
 /** The membership that one time in the deciding state gives. */
 graze_pmc cell_membership_proved(const cell_asker *a);

@@ -60,14 +60,14 @@ static void add_position_planes(covering *c, const box *around, uint32_t node) {
 static int add_position(covering *c, const cube *of, const fmpq *point) {
     const graze_scene *scene = c->ask->scene;
     point_box cell = {.half = {0, 0, 0}};
-    stay when[STAYS_MOST];
+    piece_time when[CERTAIN_TIMES_MOST];
     box around;
     fmpq_t at;
     for (int i = 0; i < 3; i++) {
         double unused;
         rational_bounds(&cell.centre[i], &unused, point + i);
     }
-    if (c->count == POSITIONS || !cell_stays(when, c->ask, &cell))
+    if (c->count == POSITIONS || !cell_certain_times(when, c->ask, &cell))
         return 0;
     for (int i = 0; i < 3; i++) {
         cell.centre[i] = of->centre[i];
