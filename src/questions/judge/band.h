@@ -1,6 +1,6 @@
 /* Space cut into cubes that are certainly inside the sweep or certainly outside it, and a band of
- * undecided cubes, which holds its boundary (proofs/judging.md C117). SPDX-License-Identifier:
- * GPL-3.0-or-later
+ * undecided cubes, which holds its boundary (proofs/judging.md C117).
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_JUDGE_BAND_H
 #define GRAZE_JUDGE_BAND_H

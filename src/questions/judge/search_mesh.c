@@ -1,6 +1,8 @@
 /* The greatest distances of the mesh to the sweep and to its complement, by branch and bound over
- * parts of the mesh. SPDX-License-Identifier: GPL-3.0-or-later Both distances are 1-Lipschitz, so
- * the distance of a part's reference point plus the part's radius bounds the distances in the part.
+ * parts of the mesh. SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Both distances are 1-Lipschitz, so the distance of a part's reference point plus the part's
+ * radius bounds the distances in the part.
  */
 #include "questions/judge/search_mesh.h"
 

@@ -1,5 +1,6 @@
 /* Radii r = 2^-places about 0 within which polynomials have no root but 0.
  * SPDX-License-Identifier: GPL-3.0-or-later
+ *
  * The radius is made so small that a polynomial's terms cannot cancel its lowest one on [-r, r].
  */
 #ifndef GRAZE_TOPO_BINARY_PLACES_H

@@ -1,5 +1,6 @@
 /* The planes of germs, their common rays, and the cells around a ray.
  * SPDX-License-Identifier: GPL-3.0-or-later
+ *
  * More planes than needed do no harm, so the coordinate planes are added: then there are rays.
  */
 #include "questions/topo/borders.h"

@@ -1,6 +1,8 @@
 /* Local cones: a direction's state is that of a point beside the cone's point.
- * SPDX-License-Identifier: GPL-3.0-or-later The point beside it lies on the ray, nearer than every
- * facet's plane that does not pass through the cone's point: up to there the state is constant.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The point beside it lies on the ray, nearer than every facet's plane that does not pass through
+ * the cone's point: up to there the state is constant.
  */
 #include "questions/topo/cone.h"
 

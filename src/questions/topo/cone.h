@@ -1,5 +1,6 @@
 /* The local cone of a solid at a boundary point: the states of the directions there.
  * SPDX-License-Identifier: GPL-3.0-or-later
+ *
  * Vectors are d integers, up to a positive factor.
  */
 #ifndef GRAZE_TOPO_CONE_H

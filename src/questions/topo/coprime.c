@@ -1,4 +1,6 @@
-/* Squarefree and coprime parts of curves. SPDX-License-Identifier: GPL-3.0-or-later
+/* Squarefree and coprime parts of curves.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
  * If two polynomials have a common factor that depends on y, their values on each line x = c have
  * one, provided that the degree in y of one of them does not drop there; likewise with x. So one
  * line without a common factor, even modulo a prime, proves that there is none.

@@ -1,5 +1,6 @@
-/* Cover of directions by the sides of germs and by the solid at the time. SPDX-License-Identifier:
- * GPL-3.0-or-later */
+/* Cover of directions by the sides of germs and by the solid at the time.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
 #include "questions/topo/cover.h"
 
 #include <flint/fmpz_vec.h>

@@ -1,9 +1,10 @@
 /* Resultants by Chinese remainders, modulo 62-bit primes; a bound of the coefficients gives their
- * number. SPDX-License-Identifier: GPL-3.0-or-later The bound: a coefficient is at most the
- * greatest absolute value of the resultant on the unit circle, and by Hadamard this is at most
- * A^(deg b) B^(deg a), where A and B are the sums of the absolute values of all coefficients of a
- * and b. Modulo a prime the resultant is interpolated at places where no degree drops. The caller
- * can cancel between two primes.
+ * number. SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The bound: a coefficient is at most the greatest absolute value of the resultant on the unit
+ * circle, and by Hadamard this is at most A^(deg b) B^(deg a), where A and B are the sums of the
+ * absolute values of all coefficients of a and b. Modulo a prime the resultant is interpolated at
+ * places where no degree drops. The caller can cancel between two primes.
  */
 #include "questions/topo/eliminate.h"
 
@@ -146,8 +147,7 @@ static graze_status resultant_by_primes(fmpz_poly_t out, graze_context *context,
                                         const sliced_curve *a, const sliced_curve *b, slong n) {
     ulong bits = (ulong)b->degree * bits_of_sum(a) + (ulong)a->degree * bits_of_sum(b) + 2;
     ulong prime = (ulong)1 << 61;
-    ulong steps = (ulong)(a->degree + b->degree +
-                          2); /* each needs an inverse, which costs as much as 50 products */
+    ulong steps = (ulong)(a->degree + b->degree + 2); /* each has an inverse, like 50 products */
     ulong work = (ulong)n * (steps * steps + 50 * steps + (ulong)n);
     graze_status status = GRAZE_OK;
     fmpz_t modulus;

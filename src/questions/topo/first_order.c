@@ -1,4 +1,6 @@
-/* The germs of a trajectory's contacts. SPDX-License-Identifier: GPL-3.0-or-later
+/* The germs of a trajectory's contacts.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
  * A germ is made at each time at which the trajectory changes its boundary cell, and at one time in
  * each interval between them that it spends on the boundary; at a few more if the solid turns
  * during the interval.

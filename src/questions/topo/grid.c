@@ -1,5 +1,6 @@
 /* Discriminants and resultants with respect to time, interpolated on a triangular grid.
  * SPDX-License-Identifier: GPL-3.0-or-later
+ *
  * The coefficients of time are linear in x and y. The discriminant of degree n is homogeneous in
  * them of degree 2 n - 2, the resultant of degrees n and m of degree n + m. Its values at (z_i,
  * z_j), with i + j at most its degree and z = 0, 1, -1, 2, -2, ..., determine it, by Newton's

@@ -1,5 +1,6 @@
 /* Each cell of the arrangement is asked about, once for each ray in its closure.
  * SPDX-License-Identifier: GPL-3.0-or-later
+ *
  * A cell of full dimension that is not covered proves a boundary point. An interior point is proved
  * if each cell is covered with a neighbourhood, or all full cells around it lie in exact closed
  * cones.

@@ -1,5 +1,6 @@
 /* Shifts curves to a point, splits them into parts, and bounds the radius by their events.
  * SPDX-License-Identifier: GPL-3.0-or-later
+ *
  * A polynomial g with g(0, 0) = c not 0 has no zero where its other terms sum to less than |c| in
  * absolute value. For parts through the origin every event is a root of a polynomial in one
  * variable: a leading coefficient, a discriminant, a resultant, or the part on a diagonal

@@ -1,7 +1,8 @@
-/* The first part of a path, which meets no curve of its plane. SPDX-License-Identifier:
- * GPL-3.0-or-later The path has the coordinates x = s^m, y = s^(m + 1) p / q. Inserted into a
- * curve's polynomial they give a polynomial in s; below its first positive root the path does not
- * meet the curve.
+/* The first part of a path, which meets no curve of its plane.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The path has the coordinates x = s^m, y = s^(m + 1) p / q. Inserted into a curve's polynomial
+ * they give a polynomial in s; below its first positive root the path does not meet the curve.
  */
 #include "questions/topo/path.h"
 

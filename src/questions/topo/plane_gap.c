@@ -1,4 +1,6 @@
-/* Heights between leading terms. SPDX-License-Identifier: GPL-3.0-or-later
+/* Heights between leading terms.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
  * At x the leading terms have the height Q(x)^(1/m), of order 1 + 1/m in |x|, so a term with a
  * larger m is the larger one. A gap of order m lies between terms of order m, where those of
  * smaller orders count as 0.

@@ -1,5 +1,6 @@
 /* The facets that places of a ray can meet, as functions affine in the ray's parameter s.
  * SPDX-License-Identifier: GPL-3.0-or-later
+ *
  * A form at the place s of the ray, at time u, is at(u) + s slope(u). The facets that the place's
  * trajectory meets can change with s only at certain u: where a facet's form has a double root,
  * where it vanishes together with a side form, and at the ends of a piece. These u are finitely

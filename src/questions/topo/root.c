@@ -1,4 +1,6 @@
-/* Germs of contacts at irrational times. SPDX-License-Identifier: GPL-3.0-or-later
+/* Germs of contacts at irrational times.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
  * A number of the field Q(time) is a polynomial modulo the minimal polynomial. Several numbers are
  * rational up to a common factor if their residues are rational multiples of one residue.
  */

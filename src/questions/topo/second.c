@@ -1,5 +1,6 @@
 /* Do the halves of germs below and above a plane cover all of its directions?
  * SPDX-License-Identifier: GPL-3.0-or-later
+ *
  * Write a place near the point as x + z N, with x in the plane across N. A half germ of order m
  * with the form Q covers z < Q(x)^(1/m) below the plane, z > Q(x)^(1/m) above it, up to smaller
  * terms (half_germ.h). The plane's directions are covered if at each x the leading term of some

@@ -1,4 +1,6 @@
-/* Sectors between the borders of germs. SPDX-License-Identifier: GPL-3.0-or-later
+/* Sectors between the borders of germs.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
  * A germ's cover changes only at rays of its arrangement (proofs/topology.md C46). Successive rays
  * are less than half a turn apart, so their sum lies between them.
  */

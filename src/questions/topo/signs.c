@@ -1,4 +1,6 @@
-/* States of directions by their signs. SPDX-License-Identifier: GPL-3.0-or-later
+/* States of directions by their signs.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
  * Each cell of the arrangement of a cone's planes has a rational direction. Once these have been
  * asked, the state of each vector of signs is known.
  */
@@ -70,8 +72,7 @@ typedef struct root_sweep {
     germ *g;
     graze_context *context;
     size_t count;
-    fmpz_poly_struct *at,
-        *way; /* for each plane its value at u and along e; a side's sign applies to `way` */
+    fmpz_poly_struct *at, *way; /* each plane's values at u and along e, on the side 1 */
     signed char *at_sign, *way_sign, *sign;
     size_t *cut, cut_count; /* the planes that are crossed at a positive s, in order of s */
     int *rank;              /* of each cut; planes of equal rank are crossed at the same s */

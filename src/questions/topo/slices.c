@@ -1,5 +1,6 @@
 /* A few planes through a point of space, each examined as E^2 is.
  * SPDX-License-Identifier: GPL-3.0-or-later
+ *
  * The planes are askew, so that facets seldom come to lie in one. If the contacts do not depend on
  * a direction, one plane across it decides (proofs/topology.md C54); if they depend on it only at a
  * step, two planes decide (C128).

@@ -1,5 +1,6 @@
 /* One sample in each gap between the curves on the sides of a square.
  * SPDX-License-Identifier: GPL-3.0-or-later
+ *
  * Within the square the curves through the point cut each quarter between the diagonals into
  * sectors. A sector is connected and misses the closed sweep's boundary, so it lies in the interior
  * or in the exterior; every smaller square meets the same sectors (proofs/topology.md C49).

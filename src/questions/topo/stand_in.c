@@ -94,8 +94,7 @@ static void project(fmpz *x, const place_finder *f) {
         fmpz_neg(value, value);
         fmpq_set_fmpz_frac(fmpq_mat_entry(rest, i, 0), value, x + d);
     }
-    (void)fmpq_mat_solve(rest, gram,
-                         rest); /* the normals are independent, so there is a solution */
+    (void)fmpq_mat_solve(rest, gram, rest); /* independent normals: solvable */
     for (int i = 0; i < d; i++) {
         fmpq_set_fmpz_frac(moved + i, x + i, x + d);
         for (int k = 0; k < f->rank; k++) {

@@ -1,6 +1,6 @@
 /* The position of a point relative to the closed sweep, by the cheapest level that decides it
- * (proofs/topology.md C45 for the word; each other level cites its claim). SPDX-License-Identifier:
- * GPL-3.0-or-later
+ * (proofs/topology.md C45 for the word; each other level cites its claim).
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_TOPO_TOPO_H
 #define GRAZE_TOPO_TOPO_H
