@@ -7,8 +7,7 @@
 #include "decide/curved/series.h"
 #include "decide/curved/sign_germ.h"
 
-/**
- * Find the first term as probe_first does. Before high orders are computed, a common curve of all
+/** Find the first term as probe_first does. Before high orders are computed, a common curve of all
  * members of a set is sought: one through the point along which the rank of their gradients is
  * constant (proofs/flows.md C121).
  */

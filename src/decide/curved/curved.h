@@ -6,8 +6,7 @@
 
 #include "decide/trace/trace.h"
 
-/**
- * Trace a point as trace_point does, through a curved solid. If no rule decides a state the trace
+/** Trace a point as trace_point does, through a curved solid. If no rule decides a state the trace
  * is undecided, and its word has a `?`.
  * @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM, GRAZE_EINTERNAL
  */

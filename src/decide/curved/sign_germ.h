@@ -29,8 +29,7 @@ typedef struct sign_germ {
     int near_in, near_out;        /* the interior, and the exterior, come arbitrarily near */
 } sign_germ;
 
-/** Begin a germ: its members are the expansions of surfaces at the point; no pattern is known.
- */
+/** Begin a germ: its members are the expansions of surfaces at the point; no pattern is known. */
 void germ_init(sign_germ *g, moment_field *f, const trajectory *c, const csg *solid,
                const size_t *surface, int count);
 void germ_clear(sign_germ *g);

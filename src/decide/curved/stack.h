@@ -6,8 +6,7 @@
 
 #include "decide/curved/truth.h"
 
-/**
- * Decide the state in the plane at a time, or along a gap by its sample (proofs/curved.md C126,
+/** Decide the state in the plane at a time, or along a gap by its sample (proofs/curved.md C126,
  * C127).
  * @param[out] out I, B or O; UNDECIDED if the surfaces exceed the limit `work`
  * @param signs    signs of the surfaces that do not vanish there

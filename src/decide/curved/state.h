@@ -16,8 +16,7 @@ typedef struct state_query {
     int near_in, near_out; /* the interior, and the exterior, come arbitrarily near */
 } state_query;
 
-/**
- * Decide the state at a time, or on the part of a gap around the sample in which the polynomials
+/** Decide the state at a time, or on the part of a gap around the sample in which the polynomials
  * that the field keeps have no root (proofs/curved.md C100).
  * @param[out] out I, B, O, or GRAZE_STATE_UNDECIDED if no rule decides
  */

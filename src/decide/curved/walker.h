@@ -31,8 +31,7 @@ typedef struct walker {
 graze_status walker_init(walker *w, tracer *r, word_builder *word);
 void walker_clear(walker *w);
 
-/**
- * Put the states of a window into the word. If it ends with its piece, its last time becomes
+/** Put the states of a window into the word. If it ends with its piece, its last time becomes
  * pending.
  * @param asked the surfaces that may vanish in the window
  */

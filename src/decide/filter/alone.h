@@ -7,8 +7,7 @@
 #include "decide/filter/meet.h"
 #include "input/solid/solid.h"
 
-/**
- * Is it certain that no other simplex is met at the time of a certain crossing? Then the curve is
+/** Is it certain that no other simplex is met at the time of a certain crossing? Then the curve is
  * outside just before or after that time, and inside on the other side (proofs/membership.md C56).
  * @param at the window of the span in which meet_simplex found the crossing of `simplex`
  * @return 0 if that is not certain

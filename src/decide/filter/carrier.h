@@ -16,8 +16,7 @@ enum { CARRIER_DEGREE = 32 };
 /** Larger numbers are left to the exact path, so that no product leaves the range of doubles. */
 #define CARRIER_REACH 0x1p200
 
-/**
- * A point map on [0, 1], all its polynomials scaled by one positive number so that the largest
+/** A point map on [0, 1], all its polynomials scaled by one positive number so that the largest
  * Bernstein coefficient of the weight lies in [1/2, 1). Each number differs from the exact one by
  * at most 2^-52 of itself.
  */

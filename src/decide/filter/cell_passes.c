@@ -114,8 +114,7 @@ static void take_near_simplex(near_simplices *list, uint32_t node, uint32_t simp
             (near_simplex){.node = node, .simplex = simplex, .pierced = pierced};
 }
 
-/* Do the cell's walls keep corners of a simplex away in a part of a piece, or at its start?
- */
+/* Do the cell's walls keep corners of a simplex away in a part of a piece, or at its start? */
 static int are_held_out(const passing *p, const span *part, uint32_t simplex, unsigned mask) {
     return p->walls && (part->degree || part->level == INSTANT) &&
            walls_hold_out(p->walls, p->motion, p->filter->solid, part, simplex, mask);
@@ -145,8 +144,7 @@ static void find_near(near_simplices *out, passing *p, uint32_t node, const span
     }
 }
 
-/* Is a contact with all near simplices at their common places certain to be a passage?
- */
+/* Are contacts at common places of near simplices certain too? */
 static int contacts_are_certain(const passing *p, const near_simplices *near, const span *wide) {
     unsigned shared;
     for (int k = 0; k < near->count; k++) {

@@ -16,8 +16,7 @@ typedef struct cell_walls {
     unsigned sides;    /* bit k: the part is where plane k is positive */
 } cell_walls;
 
-/**
- * Are some corners of a moved simplex outside one of the planes at all times of a span
+/** Are some corners of a moved simplex outside one of the planes at all times of a span
  * (proofs/judging.md C123)? Exact.
  * @param motion of a sweep
  * @param part   of one piece; of degree 0: its beginning alone

@@ -7,8 +7,7 @@
 #include <stdint.h>
 #include "decide/filter/carrier.h"
 
-/**
- * Successive pieces. If `bounded`, each of their maps P -> A P + b is, entry by entry,
+/** Successive pieces. If `bounded`, each of their maps P -> A P + b is, entry by entry,
  * a mean of matrices first + s (last - first) + R with s in [0, 1] and |R| <= off (proofs/filter.md
  * C34); entry (i, j) stands at i (d + 1) + j, the translation at j = d.
  */

@@ -17,8 +17,7 @@ _Static_assert(FLT_EVAL_METHOD == 0, "the filter's bounds are those of arithmeti
 /** Windows of time are counted in units of 2^-WINDOW_LEVELS of a piece. */
 enum { WINDOW_LEVELS = 24, WINDOW_WHOLE = 1 << WINDOW_LEVELS };
 
-/**
- * The part [start, start + 2^(WINDOW_LEVELS - level)] of a piece, local parameter s in [0, 1].
+/** The part [start, start + 2^(WINDOW_LEVELS - level)] of a piece, local parameter s in [0, 1].
  * Its Bernstein coefficients are the curve's at index * stride, X_0 ... X_(d-1) and W one after the
  * other. Or, of degree 0, several pieces: then there are no coefficients, nor their errors. Where
  * `bounded`, the piece lies in the set { from + s along + r : 0 <= s <= 1, |r_i| <= thick_i }, and
@@ -55,8 +54,7 @@ typedef struct filter_point {
     double at[3];
 } filter_point;
 
-/** A curve with its spans; span 0 is all of it. One thread reuses it from query to query.
- */
+/** A curve with its spans; span 0 is all of it. One thread reuses it from query to query. */
 typedef struct curve {
     int dimension;
     filter_point point;
@@ -71,15 +69,13 @@ typedef struct curve {
 void curve_init(curve *c);
 void curve_clear(curve *c);
 
-/**
- * Set the curve that a course gives a point.
+/** Set the curve that a course gives a point.
  * @param course, corners of the motion and of the solid, kept
  * @return 0 if the numbers are beyond the filter, or without memory
  */
 int curve_set(curve *c, const course *course, const filter_point *point, const corners *corners);
 
-/**
- * Set the segment from a point to a point + direction, as a curve of degree 1.
+/** Set the segment from a point to a point + direction, as a curve of degree 1.
  * @param at   d + 1 homogeneous coordinates, at[d] > 0, each within error[i] of the exact one
  */
 int curve_set_segment(curve *c, int dimension, const double *at, const double *error,
@@ -97,8 +93,7 @@ int curve_cut(curve *c, uint32_t index);
  * where k is n. */
 double curve_blossom(const double *c, int n, int k, double from, double to);
 
-/**
- * The homogeneous point at s of a span, by de Casteljau's scheme.
+/** The homogeneous point at s of a span, by de Casteljau's scheme.
  * @param[out] error of each of the d + 1 coordinates
  */
 void curve_at(double *at, double *error, const curve *c, const span *piece, double s);
@@ -122,8 +117,7 @@ int span_meets(const span *piece, const box *b);
 /** Test as span_meets does, and find the part of the span's chord that can be in the box. */
 int span_window(double *from, double *to, const span *piece, const box *b);
 
-/**
- * Is a span so thick that it meets many boxes that its curve misses? It is if the box, enlarged by
+/** Is a span so thick that it meets many boxes that its curve misses? It is if the box, enlarged by
  * the thickness, has a much larger surface (in E^2: perimeter): the chance that a chord meets it is
  * proportional to that. 0 if a cut would not make the span thinner.
  */

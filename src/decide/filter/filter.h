@@ -17,8 +17,7 @@
 #include "input/solid/known.h"
 #include "input/solid/solid.h"
 
-/** Bricks; one thread lays them, under the lock, when memberships alone are first asked for.
- */
+/** Bricks; one thread lays them, under the lock, when memberships alone are first asked for. */
 typedef struct brick_memo {
     pthread_mutex_t lock;
     interior all;
@@ -62,8 +61,7 @@ filter_workspace *filter_workspace_of(graze_context *context);
 /** Forget the last point. */
 void filter_begin(filter_workspace *w);
 
-/**
- * Search all pieces. The findings stand in the workspace until the next search.
+/** Search all pieces. The findings stand in the workspace until the next search.
  * @param[out] settled NULL; or 1 if the point is somewhere in the state that decides its
  * membership: then there are no findings. Else 0
  * @param bricks  with `settled`: those that are asked; NULL: crossings alone settle it

@@ -4,8 +4,7 @@
 #ifndef GRAZE_FILTER_FLIP_H
 #define GRAZE_FILTER_FLIP_H
 
-/**
- * The places at which the filter says "certain" and an answer depends on it. Three of them have no
+/** The places at which the filter says "certain" and an answer depends on it. Three of them have no
  * number, because an error there does not show: that a window holds the one root (the guess in its
  * middle is near the root all the same), that a simplex's normal is not zero (the signs of its
  * sides have errors of their own and ask), that a ray ends outside (no scene makes that doubtful).

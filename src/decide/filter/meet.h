@@ -21,8 +21,7 @@ typedef enum meeting {
 meeting meet_simplex(meet_window *out, const curve *c, const span *piece, const double *corner,
                      double corner_error);
 
-/**
- * The sides of a simplex at the times of a window at which the curve is in its plane
+/** The sides of a simplex at the times of a window at which the curve is in its plane
  * (proofs/doubles.md C65).
  * @param[out] inside bit k: the curve is certainly on the inner side of side k
  * @return 0 if the curve is certainly beyond a side, and so off the simplex

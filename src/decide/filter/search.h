@@ -18,8 +18,7 @@ typedef struct early_end {
     int met;
 } early_end;
 
-/**
- * Find all certain crossings and candidates of a curve, unsorted.
+/** Find all certain crossings and candidates of a curve, unsorted.
  * @param early NULL: the search is complete; else `met` is set if it ends early
  * @return 0 without memory
  */

@@ -9,8 +9,7 @@
  */
 enum { PULLBACK_DEGREE = 56 };
 
-/** Coefficients 0 to `degree`, with bounds of all their errors and of their absolute values.
- */
+/** Coefficients 0 to `degree`, with bounds of all their errors and of their absolute values. */
 typedef struct pullback {
     int degree;
     double *at;

@@ -37,8 +37,7 @@ int cell_certain_times(piece_time when[CERTAIN_TIMES_MOST], const cell_asker *a,
 /** The membership that one time in the deciding state gives. */
 graze_pmc cell_membership_proved(const cell_asker *a);
 
-/**
- * The membership of all points of a cell; NONE if it is not known to be one (proofs/cells.md C76).
+/** The membership of all points of a cell; NONE if it is not known to be one (proofs/cells.md C76).
  * @param[in,out] near those of a cell around it; its own where it has some
  * @param smallest its points are next: then those around it must do, since a search costs as much
  * as some points
@@ -53,8 +52,7 @@ graze_pmc cell_decide(cell_asker *a, const point_box *points, anchors *near, int
  */
 graze_status cell_certain(graze_pmc *out, cell_asker *a, const point_box *points, anchors *near);
 
-/**
- * Whether a membership is certainly that of all points of a cell within walls (proofs/judging.md
+/** Whether a membership is certainly that of all points of a cell within walls (proofs/judging.md
  * C123), of a sweep in E^3.
  * @param inside one of them, three rationals
  * @return as cell_certain

@@ -17,8 +17,7 @@ int time_is_rational(const graze_time *time) {
     return fmpq_equal(time->low, time->high);
 }
 
-/* The digits of an interval's end, rounded to nearest, from its value in the given precision.
- */
+/* The digits of an interval's end, rounded to nearest, from its value in the given precision. */
 static char *end_digits(mpfr_exp_t *exponent, const fmpq_t end, mpfr_rnd_t direction,
                         mpfr_prec_t precision, int digits) {
     mpq_t exact;

@@ -7,10 +7,9 @@
 #include "base/number/text.h"
 #include "input/motion/motion.h"
 
-/**
- * Append a coordinate of the trajectory on a piece as a rational function of the motion's parameter
- * in lowest terms, such as `(2*t^2 - 1)/(t^2 + 1)`. A long one is shortened, with the number of
- * terms left out.
+/** Append a coordinate of the trajectory on a piece as a rational function of the motion's
+ * parameter in lowest terms, such as `(2*t^2 - 1)/(t^2 + 1)`. A long one is shortened, with the
+ * number of terms left out.
  */
 void formula_coordinate(text *out, const motion_piece *piece, const point_map *map, int coordinate,
                         const fmpq *point);

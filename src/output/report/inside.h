@@ -20,8 +20,7 @@ typedef struct inside_times {
     int undecided; /* a state of the trajectory is undecided, so neither time is given */
 } inside_times;
 
-/**
- * Find both times from a trace with contacts (proofs/claims.md C8); the times become canonical.
+/** Find both times from a trace with contacts (proofs/claims.md C8); the times become canonical.
  * @return GRAZE_ELIMIT, GRAZE_ECANCELED
  */
 graze_status inside_find(inside_times *out, graze_context *context, const graze_motion *motion,

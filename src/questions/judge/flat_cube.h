@@ -19,9 +19,9 @@ typedef struct cube_span {
 void cube_span_set(cube_span *out, const cube *c, const judged_mesh *mesh);
 
 /** Test whether the mesh is the sweep's boundary in a cube of the band (proofs/judging.md C123):
- * the planes of the triangles there, of which there must be few, cut it into cells each of which is
- * inside both mesh and sweep, or outside both. The cube becomes CUBE_FLAT; or CUBE_IN or CUBE_OUT
- * with `beside`, if all cells are alike.
+ * the planes of the few triangles there cut it into cells, and each cell is inside both mesh and
+ * sweep, or outside both. The cube becomes CUBE_FLAT; or CUBE_IN or CUBE_OUT with `beside`, if all
+ * cells are alike.
  * @return as cell_certain
  */
 graze_status flat_decide(cube *c, cell_asker *ask, const judged_mesh *mesh);

@@ -123,8 +123,8 @@ graze_status suprema_sample(cube_sample *out, suprema *s, uint32_t index) {
     return status;
 }
 
-/* Of the eight cubes from `child` on, the one of the band that is nearest to a place; UINT32_MAX if
- * none is of the band. */
+/* The cube of the band nearest to a place among the eight from `child` on; UINT32_MAX if none is of
+ * the band. */
 static uint32_t next_probe(const suprema *s, uint32_t child, const double *toward) {
     uint32_t nearest = UINT32_MAX;
     double least = INFINITY;

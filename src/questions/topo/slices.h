@@ -1,4 +1,4 @@
-/* The last level in space: planes through the point, in each of which the boundary can be proved.
+/* The last level in space: the boundary may be proved in a plane through the point.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_TOPO_SLICES_H
