@@ -14,8 +14,7 @@ typedef struct cell_pairs {
 
 /** Find all pairs of relatively open cells with a common point at the placing's time
  * (proofs/collision.md C109). At that time no edge of one solid passes through the other.
- * @param near all pairs of simplices that meet then, and perhaps others
- */
+ * @param near all pairs of simplices that meet then, and perhaps others */
 void cell_pairs_find(cell_pairs *out, placing *p, const near_list *near);
 
 #endif

@@ -38,8 +38,7 @@ void simplex_edge(uint32_t out[2], const graze_solid *solid, uint32_t simplex, i
 
 /** Do sides k and l of two triangles cross inside both? Their lines must lie in one plane.
  * @param plane signs of the moving triangle's corners at the fixed one's plane, then of the fixed
- * one's at the moving one's
- */
+ * one's at the moving one's */
 int edges_cross(placing *p, near_pair simplices, int k, int l, int plane[2][3]);
 
 #endif

@@ -14,8 +14,7 @@ typedef struct deep_interval {
 
 /** Find the longest such interval around the middle of `interval` that a few vertices of the pairs
  * give.
- * @param whole a placing on the whole piece
- */
+ * @param whole a placing on the whole piece */
 graze_status deep_vertex_find(deep_interval *out, placing *whole, size_t piece,
                               const near_list *near, const dyadic_interval *interval);
 

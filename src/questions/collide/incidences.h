@@ -12,8 +12,7 @@
  * point. A contact that lasts gives only times at which it changes (proofs/collision.md C110).
  * @param[out] out the times, ascending, without duplicates
  * @param p a placing on the whole piece
- * @param maps the motion during the interval, for tests in doubles
- */
+ * @param maps the motion during the interval, for tests in doubles */
 graze_status incidences_find(algebraic_list *out, placing *p, const near_list *near,
                              const control_maps *maps, const dyadic_interval *interval);
 

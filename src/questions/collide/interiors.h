@@ -11,8 +11,7 @@
  * invalid.
  * @param near all pairs of simplices that meet then, and perhaps others
  * @param before for an irrational time: a placing at a rational time such that no vertex changes
- * its state between both; else NULL
- */
+ * its state between both; else NULL */
 graze_state interiors_look(placing *p, const near_list *near, placing *before);
 
 #endif

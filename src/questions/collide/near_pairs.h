@@ -25,8 +25,7 @@ typedef struct node_list {
  * that do not move much further than they are large
  * @param[out] coarse pairs of nodes that move further than they are large are appended, for a
  * shorter interval; with `at_once` there are none
- * @return GRAZE_ESYSTEM, GRAZE_ECANCELED
- */
+ * @return GRAZE_ESYSTEM, GRAZE_ECANCELED */
 graze_status near_pairs_refine(node_list *near, node_list *coarse, graze_context *context,
                                const solid_pair *pair, const control_maps *maps,
                                const node_list *in, int at_once);

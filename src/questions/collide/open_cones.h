@@ -28,8 +28,7 @@ void sectors_about_clear(sectors_about *list);
 
 /** Append the sectors that a simplex of `side` has at one of its points, in the fixed solid's
  * space.
- * @param zero the sides of the simplex that hold the point
- */
+ * @param zero the sides of the simplex that hold the point */
 void sectors_about_add(sectors_about *list, placing *p, pair_side side, uint32_t simplex,
                        unsigned zero);
 

@@ -39,8 +39,7 @@ graze_status pair_walk_begin(pair_walk *walk);
 /** Walk to a time of a piece at which the boundaries meet. No time of incidences_find between the
  * last time and this one may be left out.
  * @param near pairs of leaves, with all that meet then
- * @param whole a placing on the whole piece
- */
+ * @param whole a placing on the whole piece */
 graze_status pair_walk_to(pair_walk *walk, placing *whole, size_t piece, const algebraic *time,
                           const node_list *near);
 

@@ -21,8 +21,7 @@ typedef struct star {
  * that solid.
  * @param edge the edge's ends, or a vertex twice: then that is the point
  * @param share two polynomials, positive at the time: the point is (share[0] first end + share[1]
- * second end) / (share[0] + share[1]); not used for a vertex
- */
+ * second end) / (share[0] + share[1]); not used for a vertex */
 void star_find(star *out, placing *p, pair_side side, const uint32_t edge[2],
                const fmpz_poly_struct share[2]);
 

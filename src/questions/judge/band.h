@@ -53,8 +53,7 @@ graze_pmc band_membership(const band *b, const double *point);
  * @param least cubes with a half side less than this are left out
  * @param[out] low, high bounds of the distance
  * @return the cube's number; UINT32_MAX for the space outside the root, or if there is no cube:
- * then `high` is infinite
- */
+ * then `high` is infinite */
 uint32_t band_nearest(double *low, double *high, band *b, const double *point, int kinds,
                       double least);
 

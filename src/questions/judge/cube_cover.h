@@ -10,8 +10,7 @@
 /** Try to cover a closed cube by positions of the solid (proofs/judging.md C124). At a seam several
  * positions are needed.
  * @param[out] done 1: all of the cube is in the sweep
- * @return GRAZE_ECANCELED, GRAZE_ESYSTEM
- */
+ * @return GRAZE_ECANCELED, GRAZE_ESYSTEM */
 graze_status cube_is_covered(int *done, cell_asker *ask, const cube *of);
 
 #endif

@@ -22,8 +22,7 @@ void cube_span_set(cube_span *out, const cube *c, const judged_mesh *mesh);
  * the planes of the few triangles there cut it into cells, and each cell is inside both mesh and
  * sweep, or outside both. The cube becomes CUBE_FLAT; or CUBE_IN or CUBE_OUT with `beside`, if all
  * cells are alike.
- * @return as cell_certain
- */
+ * @return as cell_certain */
 graze_status flat_decide(cube *c, cell_asker *ask, const judged_mesh *mesh);
 
 /** Classify a cube below a flat one: it is flat, or, if the mesh misses it, inside or outside; it

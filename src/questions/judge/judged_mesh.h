@@ -33,8 +33,7 @@ static inline skin judged_skin(const judged_mesh *m) {
  * @param input of E^3, borrowed as long as the mesh lives
  * @param flags GRAZE_SOLID_TRIANGULATE: facets that are not planar are cut into fans
  * @return GRAZE_EILLEGAL a facet that is not planar or not simple; GRAZE_ELIMIT;
- * GRAZE_ECANCELED; GRAZE_ESYSTEM; GRAZE_EINTERNAL; judged_mesh_clear in any case
- */
+ * GRAZE_ECANCELED; GRAZE_ESYSTEM; GRAZE_EINTERNAL; judged_mesh_clear in any case */
 graze_status judged_mesh_make(judged_mesh *out, graze_context *context, const soup *input,
                               unsigned flags);
 void judged_mesh_clear(judged_mesh *m);

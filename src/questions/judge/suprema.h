@@ -12,8 +12,7 @@
  * @param within the width wanted, positive
  * @param budget bound of the number of cubes and points asked
  * @param threads for the volumes; their number changes nothing but the time
- * @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM; suprema_clear in any case
- */
+ * @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM; suprema_clear in any case */
 graze_status suprema_find(suprema *out, graze_context *context, const graze_scene *scene,
                           const judged_mesh *mesh, double within, size_t budget, int threads);
 void suprema_clear(suprema *s);

@@ -17,8 +17,7 @@ typedef enum mesh_place {
 
 /** Locate a point exactly. Threads may use the same mesh at the same time.
  * @param[out] winding the winding number for GRAZE_MESH_WINDING at points off the mesh, else 0
- * @param point 3 canonical rationals
- */
+ * @param point 3 canonical rationals */
 mesh_place judged_place(long *winding, const judged_mesh *m, const fmpq *point);
 
 /** Set `least` and `most` from the exact winding numbers on both sides of some of the triangles;

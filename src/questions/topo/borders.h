@@ -36,8 +36,7 @@ graze_status borders_of_cone(borders *b, int *refused, graze_context *context,
 /** Give a direction in each cell around ray `r`, in order around the ray. In E^3 cell 2 k has
  * dimension 3, cell 2 k + 1 is the cell of dimension 2 after it. In E^2 there are the two cells of
  * dimension 2 beside the ray.
- * @param[out] out `*count` times d integers, for _fmpz_vec_clear with *count d
- */
+ * @param[out] out `*count` times d integers, for _fmpz_vec_clear with *count d */
 void borders_around(fmpz **out, size_t *count, const borders *b, size_t r);
 
 #endif

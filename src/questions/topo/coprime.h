@@ -11,8 +11,7 @@
  * little later. Of large ones, whose factors could take minutes, only common factors are split off;
  * a test modulo a prime excludes most of these.
  * @param[out] refused set to 1 if a polynomial with a common factor is beyond the context's limit
- * `bits`; else unchanged
- */
+ * `bits`; else unchanged */
 graze_status coprime_add(curve_list *parts, int *refused, graze_context *context,
                          const fmpz_mpoly_t curve);
 

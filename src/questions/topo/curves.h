@@ -17,8 +17,7 @@ enum { CURVE_COUNT = 100000, SLICE_CURVE_COUNT = 5000, SLICE_CURVE_DEGREE = 8 };
  * discriminants of the facets' pullbacks, and the paths of the vertices, in E^3 of the edges.
  * @param[out] refused NULL, or why the list is incomplete: a bound is exceeded, or (E^3) a facet or
  * an edge comes to lie in the plane
- * @param planes       of all facets of the scene's solid
- */
+ * @param planes       of all facets of the scene's solid */
 graze_status curves_of_scene(curve_list *list, const char **refused, graze_context *context,
                              const graze_scene *scene, const plane_list *planes,
                              const plane_view *view);

@@ -25,8 +25,7 @@ int sliced_at(fmpz_poly_t out, const sliced_curve *s, const fmpz_t at);
 
 /** The resultant of two curves of positive degree, as a polynomial in the other variable. A bound
  * of its degree follows from weights: every term of the resultant has the degree deg b in the
- * coefficients of a and deg a in those of b, and its indices sum up to deg a deg b.
- */
+ * coefficients of a and deg a in those of b, and its indices sum up to deg a deg b. */
 graze_status eliminate(fmpz_poly_t out, graze_context *context, const sliced_curve *a,
                        const sliced_curve *b);
 

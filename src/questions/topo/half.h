@@ -21,8 +21,7 @@ enum { HALF_WAYS = 5 };
 
 /** Find how a germ covers places below the plane (sign -1) or above it (sign 1).
  * @param[out] found 0 if this way proves no cover
- * @param[out] out   initialised
- */
+ * @param[out] out   initialised */
 graze_status half_of_germ(int *found, half_germ *out, const open_plane *h, graze_context *context,
                           germ *g, int sign, int way);
 

@@ -12,8 +12,7 @@
  * @param[out] found  1 if a place is out
  * @param[out] out 3 initialised rationals: a place that is out, of the nearest distance with one
  * @param[out] places the place's distance is about the solid's width times 2^-places; if none is
- * out, it belongs to the farthest distance tried
- */
+ * out, it belongs to the farthest distance tried */
 graze_status hint_find(int *found, fmpq *out, ulong *places, graze_context *context,
                        const graze_scene *scene, const fmpq *point, const topo_finding *topo);
 

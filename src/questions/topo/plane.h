@@ -23,8 +23,7 @@ void curves_clear(curve_list *list);
 graze_status curves_append(curve_list *list, graze_context *context, const fmpz_mpoly_t curve);
 
 /** Coordinates of a plane: x, y stand for the point `origin` + x a + y b. E^2 has its own
- * coordinates; in E^3 the plane passes through a point along two vectors.
- */
+ * coordinates; in E^3 the plane passes through a point along two vectors. */
 typedef struct plane_view {
     int dimension;
     fmpq origin[3];

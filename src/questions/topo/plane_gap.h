@@ -20,8 +20,7 @@ void gap_clear(plane_gap *gap);
 /** Set a gap in the direction that b is in the chart; `along` is that direction times b's
  * denominator. The order remains 0 if the leading terms leave no room.
  * @param item germs whose valid leading terms are consistent: each `above` term is at least each
- * `below` term
- */
+ * `below` term */
 graze_status gap_set(plane_gap *gap, const open_plane *h, graze_context *context,
                      const half_germ *item, size_t count, direction_chart chart, const fmpq_t b);
 

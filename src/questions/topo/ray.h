@@ -11,8 +11,7 @@
  * @param[out] found 0 if the ray meets facets in a special position or exceeds the limit `bits`;
  * another direction can be tried
  * @param[out] reach     positive, if found
- * @param direction      d integers, not all 0
- */
+ * @param direction      d integers, not all 0 */
 graze_status ray_find_reach(int *found, fmpq_t reach, graze_context *context,
                             const graze_scene *scene, const fmpq *point, const fmpz *direction);
 

@@ -24,8 +24,7 @@ int edge_keeps_direction(const germ *g, const point_map *map);
 /** Add the side after (sign 1) or before (sign -1) a germ's rational time, if the trajectory leaves
  * the cell there.
  * @param way the trajectory's displacement from its place at that time, times a positive function,
- * in powers of the time since then
- */
+ * in powers of the time since then */
 graze_status sides_add(germ *g, graze_context *context, const point_map *map, fmpq_poly_t *way,
                        int same_way, int sign);
 

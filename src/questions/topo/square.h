@@ -13,8 +13,7 @@
  * @param level the level that the finding gets; without a sample that is out, a plane of E^3 leaves
  * the finding unchanged unless this is GRAZE_LEVEL_SECTION
  * @param curves all curves of the scene in the view
- * @param point the point's 2 coordinates in the view
- */
+ * @param point the point's 2 coordinates in the view */
 graze_status square_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
                            const curve_list *curves, const plane_view *view, const fmpq *point,
                            graze_topo_level level);

@@ -22,8 +22,7 @@ typedef struct germ_place {
  * place.
  * @param[out] found 0 if no attempt succeeds
  * @param[out] x    d + 1 homogeneous integers, the last one positive
- * @param[out] near a rational time near `time`
- */
+ * @param[out] near a rational time near `time` */
 graze_status place_find(int *found, fmpz *x, fmpq_t near, const germ_place *place, algebraic *time);
 
 #endif

@@ -11,8 +11,7 @@
 
 /** Decide the position of a point. @param[out] out initialised
  * @param trace the point's trace, decided
- * @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM, GRAZE_EINTERNAL
- */
+ * @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM, GRAZE_EINTERNAL */
 graze_status topo_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
                          const fmpq *point, const graze_trace *trace);
 
