@@ -315,8 +315,8 @@ typedef struct graze_verdict {
 
 /** "in", "on", "out" or "undecided", else "none". Static. */
 GRAZE_API const char *graze_pmc_name(graze_pmc pmc);
-/** "regular", "fold", "fold_boundary", "boundary", "exterior" or "undecided", else "none". Static.
- */
+/** "regular", "fold", "fold_boundary", "boundary", "exterior" or
+ * "undecided", else "none". Static. */
 GRAZE_API const char *graze_class_name(graze_class class_);
 
 /** Answers wanted. For pmc alone the search ends at one time that is certainly inside. */

@@ -43,13 +43,13 @@ GRAZE_API GRAZE_CHECKED graze_status graze_number_decimal(char **out, graze_cont
 typedef enum graze_format {
     GRAZE_FORMAT_CSV = 0,
     GRAZE_FORMAT_JSONL = 1, /**< with every contact and its exact times */
-    GRAZE_FORMAT_VTK =
-        2, /**< binary rows, from which graze_report_export makes a file: a legacy VTK file, binary:
-              a grid as structured points, else vertices; all columns as point data. pmc, class and
-              definition (ext: 0) are numbers, texts are numbered by first occurrence, and the field
-              data COLUMN_texts has their bytes, each with a newline behind it */
-    GRAZE_FORMAT_NPY = 3 /**< the same rows, for a structured numpy array: float64, uint32
-                            (definition, case, i, t; ext: 0), and bytes */
+    GRAZE_FORMAT_VTK = 2,   /**< binary rows, from which graze_report_export makes a file: a legacy
+                               VTK file, binary: a grid as structured points, else vertices; all
+                               columns as point data. pmc, class and definition (ext: 0) are
+                               numbers, texts are numbered by first occurrence, and the field data
+                               COLUMN_texts has their bytes, each with a newline behind it */
+    GRAZE_FORMAT_NPY = 3    /**< the same rows, for a structured numpy array: float64, uint32
+                               (definition, case, i, t; ext: 0), and bytes */
 } graze_format;
 
 /** Columns and form of rows (rule 6). */

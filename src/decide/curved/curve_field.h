@@ -9,8 +9,7 @@
 
 /** Find the first term as probe_first does. Before high orders are computed, a common curve of all
  * members of a set is sought: one through the point along which the rank of their gradients is
- * constant (proofs/flows.md C121).
- */
+ * constant (proofs/flows.md C121). */
 int flow_first(int *order, sign_germ *g, probe *p, unsigned members, const taylor *of, int most);
 
 #endif

@@ -13,8 +13,7 @@ typedef fmpq_poly_struct value;
 
 /** A moment: a time, or a gap with a sample time. On a gap an element is zero iff it is the zero
  * polynomial, and its sign is that at the sample. Each non-constant polynomial whose sign was asked
- * for is kept: between the roots of these no answer changes (proofs/curved.md C101).
- */
+ * for is kept: between the roots of these no answer changes (proofs/curved.md C101). */
 typedef struct moment_field {
     graze_context *context;
     algebraic *time;

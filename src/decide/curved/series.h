@@ -8,8 +8,7 @@
 #include "decide/curved/taylor.h"
 
 /** A probe in the common zeros of `base_count` polynomials with independent gradients. The open
- * coordinates run along a direction, the others are solved for.
- */
+ * coordinates run along a direction, the others are solved for. */
 typedef struct probe {
     int dimension, base_count;
     const taylor *base[2];

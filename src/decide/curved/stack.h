@@ -12,8 +12,7 @@
  * @param signs    signs of the surfaces that do not vanish there
  * @param surface  the surfaces through the point on which the expression depends: two or more, or
  * one singular one
- * @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM
- */
+ * @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM */
 graze_status stack_decide(graze_state *out, const expression *signs, const trajectory *c,
                           const size_t *surface, size_t count, algebraic *time);
 

@@ -18,8 +18,7 @@ typedef struct state_query {
 
 /** Decide the state at a time, or on the part of a gap around the sample in which the polynomials
  * that the field keeps have no root (proofs/curved.md C100).
- * @param[out] out I, B, O, or GRAZE_STATE_UNDECIDED if no rule decides
- */
+ * @param[out] out I, B, O, or GRAZE_STATE_UNDECIDED if no rule decides */
 graze_status state_decide(graze_state *out, const state_query *at, moment_field *f);
 
 #endif

@@ -33,8 +33,7 @@ void walker_clear(walker *w);
 
 /** Put the states of a window into the word. If it ends with its piece, its last time becomes
  * pending.
- * @param asked the surfaces that may vanish in the window
- */
+ * @param asked the surfaces that may vanish in the window */
 graze_status walker_walk(walker *w, const exact_window *window, const candidate *asked);
 
 /** Put the state of the pending time, if there is one; the gap after it has the state `after`. */

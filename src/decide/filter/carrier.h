@@ -18,8 +18,7 @@ enum { CARRIER_DEGREE = 32 };
 
 /** A point map on [0, 1], all its polynomials scaled by one positive number so that the largest
  * Bernstein coefficient of the weight lies in [1/2, 1). Each number differs from the exact one by
- * at most 2^-52 of itself.
- */
+ * at most 2^-52 of itself. */
 typedef struct carrier {
     int usable;            /* 0: nothing below is set; degree or size is beyond the filter */
     int dimension, degree; /* degree >= 1 */

@@ -18,8 +18,7 @@ typedef enum cell_passage {
 /**
  * @param memory set to the cell (point_box_begin)
  * @param walls  NULL, or the part of the cell that is asked about (proofs/judging.md C123)
- * @param motion of the sweep; used with walls
- */
+ * @param motion of the sweep; used with walls */
 cell_passage cell_passes(curve *memory, const filter *f, const point_box *points,
                          const cell_walls *walls, const graze_motion *motion);
 

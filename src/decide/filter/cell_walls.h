@@ -20,8 +20,7 @@ typedef struct cell_walls {
  * (proofs/judging.md C123)? Exact.
  * @param motion of a sweep
  * @param part   of one piece; of degree 0: its beginning alone
- * @param mask   the corners, some
- */
+ * @param mask   the corners, some */
 int walls_hold_out(const cell_walls *walls, const graze_motion *motion, const graze_solid *solid,
                    const span *part, uint32_t simplex, unsigned mask);
 

@@ -18,8 +18,7 @@ enum { CERTAIN_TIMES_MOST = 2 };
 /** Find the middles of the longest stretches of time in which the point of a search is certainly
  * inside, with `outside` certainly outside (proofs/cells.md C76).
  * @param found the findings of filter_search
- * @return the number of times found; 0 also if a finding is not certain, or there is no crossing
- */
+ * @return the number of times found; 0 also if a finding is not certain, or there is no crossing */
 int certain_times_find(piece_time out[CERTAIN_TIMES_MOST], const findings *found,
                        size_t piece_count, int outside);
 

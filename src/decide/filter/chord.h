@@ -19,15 +19,13 @@ typedef enum chord_meeting {
 
 /**
  * @param corner d corners of d coordinates, outward oriented (validate.h)
- * @param corner_error each is within it of the exact coordinate
- */
+ * @param corner_error each is within it of the exact coordinate */
 chord_meeting chord_meets(const curve *c, const span *piece, const double *corner,
                           double corner_error);
 
 /**
  * 0 if it is certain that a bounded span meets no simplex of the slab (proofs/slabs.md C93).
- * @param wide the span's, or a larger one, for all curves that are that near its chord
- */
+ * @param wide the span's, or a larger one, for all curves that are that near its chord */
 static inline int chord_meets_slab(const span *piece, const double wide[3], const slab *s) {
     double first = 0, last = 0, bound = 0;
     for (int i = 0; i < 3; i++) {

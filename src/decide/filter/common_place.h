@@ -10,8 +10,7 @@
 /**
  * @param wide a bounded span, widened by the cell (point_box_widen); its set is tested
  * @return 0 if it is certain that no place of the set is on both closed simplices
- * (proofs/judging.md C116)
- */
+ * (proofs/judging.md C116) */
 int common_place_is_near(const graze_solid *solid, const span *wide, uint32_t a, uint32_t b);
 
 /** @return 0 if it is certain that b has no point in the relative interior of a (proofs/judging.md

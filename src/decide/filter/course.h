@@ -9,8 +9,7 @@
 
 /** Successive pieces. If `bounded`, each of their maps P -> A P + b is, entry by entry,
  * a mean of matrices first + s (last - first) + R with s in [0, 1] and |R| <= off (proofs/filter.md
- * C34); entry (i, j) stands at i (d + 1) + j, the translation at j = d.
- */
+ * C34); entry (i, j) stands at i (d + 1) + j, the translation at j = d. */
 typedef struct piece_group {
     uint32_t child; /* groups at child and child + 1; 0: one piece, and nothing below is set */
     uint32_t piece; /* the first */

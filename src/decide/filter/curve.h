@@ -21,8 +21,7 @@ enum { WINDOW_LEVELS = 24, WINDOW_WHOLE = 1 << WINDOW_LEVELS };
  * Its Bernstein coefficients are the curve's at index * stride, X_0 ... X_(d-1) and W one after the
  * other. Or, of degree 0, several pieces: then there are no coefficients, nor their errors. Where
  * `bounded`, the piece lies in the set { from + s along + r : 0 <= s <= 1, |r_i| <= thick_i }, and
- * `inverse` is 1 / along, coordinate by coordinate (proofs/filter.md C34).
- */
+ * `inverse` is 1 / along, coordinate by coordinate (proofs/filter.md C34). */
 typedef struct span {
     uint32_t piece; /* the first, for several */
     uint32_t group; /* of degree 0: the course's */
@@ -71,13 +70,11 @@ void curve_clear(curve *c);
 
 /** Set the curve that a course gives a point.
  * @param course, corners of the motion and of the solid, kept
- * @return 0 if the numbers are beyond the filter, or without memory
- */
+ * @return 0 if the numbers are beyond the filter, or without memory */
 int curve_set(curve *c, const course *course, const filter_point *point, const corners *corners);
 
 /** Set the segment from a point to a point + direction, as a curve of degree 1.
- * @param at   d + 1 homogeneous coordinates, at[d] > 0, each within error[i] of the exact one
- */
+ * @param at   d + 1 homogeneous coordinates, at[d] > 0, each within error[i] of the exact one */
 int curve_set_segment(curve *c, int dimension, const double *at, const double *error,
                       const double *direction, const corners *corners);
 
@@ -94,8 +91,7 @@ int curve_cut(curve *c, uint32_t index);
 double curve_blossom(const double *c, int n, int k, double from, double to);
 
 /** The homogeneous point at s of a span, by de Casteljau's scheme.
- * @param[out] error of each of the d + 1 coordinates
- */
+ * @param[out] error of each of the d + 1 coordinates */
 void curve_at(double *at, double *error, const curve *c, const span *piece, double s);
 
 /** Find a box around all places whose homogeneous coordinates differ from the given ones by at most
@@ -119,8 +115,7 @@ int span_window(double *from, double *to, const span *piece, const box *b);
 
 /** Is a span so thick that it meets many boxes that its curve misses? It is if the box, enlarged by
  * the thickness, has a much larger surface (in E^2: perimeter): the chance that a chord meets it is
- * proportional to that. 0 if a cut would not make the span thinner.
- */
+ * proportional to that. 0 if a cut would not make the span thinner. */
 static inline int span_is_thick(const curve *c, const span *piece, const box *b) {
     const double most = 1.2; /* measured: less cuts in vain, more tests long triangles in vain */
     double x = b->high[0] - b->low[0], y = b->high[1] - b->low[1], z = b->high[2] - b->low[2];

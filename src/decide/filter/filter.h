@@ -33,8 +33,7 @@ typedef struct filter {
 } filter;
 
 /**
- * @param operation which of the motion's point maps carries the query points
- */
+ * @param operation which of the motion's point maps carries the query points */
 graze_status filter_make(filter *out, graze_context *context, const graze_solid *solid,
                          const graze_motion *motion, graze_operation operation);
 void filter_clear(filter *f);
@@ -65,8 +64,7 @@ void filter_begin(filter_workspace *w);
  * @param[out] settled NULL; or 1 if the point is somewhere in the state that decides its
  * membership: then there are no findings. Else 0
  * @param bricks  with `settled`: those that are asked; NULL: crossings alone settle it
- * @return 0 if the filter cannot be used for this point, or without memory: ask the exact search
- */
+ * @return 0 if the filter cannot be used for this point, or without memory: ask the exact search */
 int filter_search(filter_workspace *w, int *settled, const interior *bricks, const filter *f,
                   const filter_point *point);
 

@@ -54,8 +54,7 @@ typedef struct exact_window {
 
 /** The crossings and the windows in order of time, disjoint within each piece; and, in order, the
  * pieces for which the filter cannot be used. At all other times the trajectory is off the
- * boundary.
- */
+ * boundary. */
 typedef struct findings {
     size_t crossing_count, crossing_capacity;
     crossing *crossing;

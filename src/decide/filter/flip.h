@@ -42,8 +42,7 @@ typedef enum flip_site {
 #ifdef GRAZE_FLIP_SITES
 /** Return the decision. At the site that GRAZE_FLIP_SITE names one in 10^4 of the calls with a
  * decision 0 returns 1, a false certainty; at FLIP_DIRECTION and FLIP_SPEED one in 10^4 of all
- * calls returns the contrary.
- */
+ * calls returns the contrary. */
 int flip(flip_site site, int decision);
 #else
 static inline int flip(flip_site site, int decision) {

@@ -19,8 +19,7 @@ typedef graze_state locate_function(void *data, const double middle[3]);
 
 /** Lay one brick per simplex, or some thousands.
  * @param locate the state at a place in doubles, or ABSENT
- * @return 0 without memory
- */
+ * @return 0 without memory */
 int interior_make(interior *out, const graze_solid *solid, locate_function *locate, void *data);
 void interior_clear(interior *m);
 

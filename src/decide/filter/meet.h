@@ -16,16 +16,14 @@ typedef enum meeting {
 
 /**
  * @param corner d corners of d coordinates, outward oriented (validate.h)
- * @param corner_error each is within it of the exact coordinate
- */
+ * @param corner_error each is within it of the exact coordinate */
 meeting meet_simplex(meet_window *out, const curve *c, const span *piece, const double *corner,
                      double corner_error);
 
 /** The sides of a simplex at the times of a window at which the curve is in its plane
  * (proofs/doubles.md C65).
  * @param[out] inside bit k: the curve is certainly on the inner side of side k
- * @return 0 if the curve is certainly beyond a side, and so off the simplex
- */
+ * @return 0 if the curve is certainly beyond a side, and so off the simplex */
 int sides_meet(unsigned *inside, const curve *c, const span *piece, const double *corner,
                double corner_error, const meet_window *at);
 

@@ -22,32 +22,27 @@ typedef struct anchor {
 
 /** Set a thread's memory to a cell's centre. All functions below take the memory of the cell they
  * ask about.
- * @return 0 if the filter cannot be used for it, or if memory runs out
- */
+ * @return 0 if the filter cannot be used for it, or if memory runs out */
 int point_box_begin(curve *memory, const filter *f, const point_box *points);
 
 /** Is it certain that no point of the cell meets the boundary at any time (proofs/cells.md C76)?
- * @return 0 if that is not certain
- */
+ * @return 0 if that is not certain */
 int point_box_is_clear(curve *memory, const filter *f, const point_box *points);
 
 /** Make an anchor around the place of the cell's centre, at a time at which the centre is in the
  * deciding state.
- * @return 0 if there is no bound
- */
+ * @return 0 if there is no bound */
 int point_box_anchor(anchor *out, curve *memory, const filter *f, const piece_time *when);
 
 /** Is it certain that at the anchor's time the boundary does not separate the anchor from any point
  * of the cell? Then all points of the cell have the anchor's state (proofs/bricks.md C87).
- * @return 0 if that is not certain
- */
+ * @return 0 if that is not certain */
 int point_box_joins(curve *memory, const filter *f, const point_box *points, const anchor *to);
 
 /** Is it certain that at some time all points of the cell are in the state that decides their
  * membership (proofs/bricks.md C86)?
  * @param[in,out] hint the time that is tried first; 0 for the first cell
- * @return 0 if that is not certain
- */
+ * @return 0 if that is not certain */
 int point_box_is_settled(curve *memory, const filter *f, const point_box *points, size_t *hint);
 
 /** Bound, by coordinates, the distance of a point's trajectory from the centre's during a span; 0

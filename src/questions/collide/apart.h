@@ -19,7 +19,8 @@ typedef struct corner_run {
 double error_of_places(const solid_pair *pair, const control_maps *maps);
 
 /** Are the convex hulls of some corners of the moving and of the fixed solid certainly disjoint
- * during the interval of the maps? @param error from error_of_places */
+ * during the interval of the maps?
+ * @param error from error_of_places */
 int corners_apart(const solid_pair *pair, const control_maps *maps, corner_run moving,
                   corner_run fixed, double error);
 

@@ -95,8 +95,8 @@ static int edges_sign(finder *f, int k, int l) {
     return placing_edges_sign(f->p, moving, fixed);
 }
 
-/* Does edge k pass through the relative interior of the other triangle? @param sign the signs of
- * the edge's determinants with the triangle's three sides */
+/* Does edge k pass through the relative interior of the other triangle?
+ * @param sign the signs of the edge's determinants with the triangle's three sides */
 static int passes_through(const int plane[3], int k, const int sign[3]) {
     return plane[k] * plane[(k + 1) % 3] < 0 && sign[0] && sign[0] == sign[1] && sign[1] == sign[2];
 }

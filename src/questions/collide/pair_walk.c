@@ -48,8 +48,8 @@ static graze_status lack_memory(graze_context *context) {
     return context_fail(context, GRAZE_ESYSTEM, "out of memory for a motion at a time");
 }
 
-/* Find the pairs that may meet then, of the given ones, or of all if `of` is NULL. @param made 0 if
- * there was no memory for the maps */
+/* Find the pairs that may meet then, of the given ones, or of all if `of` is NULL.
+ * @param made 0 if there was no memory for the maps */
 static graze_status take_near(scene_then *out, pair_walk *walk, int made, const node_list *of) {
     node_pair roots = {0, 0};
     const node_list all = {1, 1, &roots};

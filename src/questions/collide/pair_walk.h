@@ -43,8 +43,8 @@ graze_status pair_walk_begin(pair_walk *walk);
 graze_status pair_walk_to(pair_walk *walk, placing *whole, size_t piece, const algebraic *time,
                           const node_list *near);
 
-/** Find the gap after the last time, if that is a contact. @param u a time of a piece; no contact
- * is between the last time and u */
+/** Find the gap after the last time, if that is a contact.
+ * @param u a time of a piece; no contact is between the last time and u */
 graze_status pair_walk_on(pair_walk *walk, size_t piece, const fmpq_t u);
 
 /** Walk to a time of a piece at which, and for a while before which, the interiors meet. */

@@ -43,8 +43,8 @@ int cone_knows(graze_state *out, const local_cone *cone, const signed char *sign
 /** The dimension of the cell of the facets' planes that holds the point. */
 int cone_cell_dimension(const local_cone *cone);
 
-/** Is one of the directions u + s e, s >= 0, in the cone's interior, and is one in the cone? @param
- * ray if not NULL: ask the cone's own local cone at this direction instead */
+/** Is one of the directions u + s e, s >= 0, in the cone's interior, and is one in the cone?
+ * @param ray if not NULL: ask the cone's own local cone at this direction instead */
 graze_status cone_sweep(int *in_interior, int *in_cone, local_cone *cone, graze_context *context,
                         const fmpz *ray, const fmpz *u, const fmpz *e);
 

@@ -30,8 +30,8 @@ typedef struct half_germ {
 void half_init(half_germ *half);
 void half_clear(half_germ *half);
 
-/** Write a form in a chart, as a polynomial in b times a positive number. @param form the form of
- * this degree at h + b k, as a polynomial in b */
+/** Write a form in a chart, as a polynomial in b times a positive number.
+ * @param form the form of this degree at h + b k, as a polynomial in b */
 void half_in_chart(fmpz_poly_t out, const fmpq_poly_t form, slong degree, direction_chart chart);
 
 /** Is the germ's form valid at a parameter of the chart? */

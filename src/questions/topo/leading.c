@@ -129,8 +129,8 @@ static void note_open(leading_maker *m, const fmpz *direction) {
     fmpz_clear(volume);
 }
 
-/* Take a cell's cover into `is_interior`. @param all_exact all full cells around it lie in exact
- * cones */
+/* Take a cell's cover into `is_interior`.
+ * @param all_exact all full cells around it lie in exact cones */
 static int note_cell(leading_maker *m, const germ_cover *cell, int all_exact) {
     for (int by = 0; by < BY_COUNT; by++)
         m->is_interior[by] =

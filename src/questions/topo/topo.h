@@ -9,7 +9,8 @@
 #include "input/solid/planes.h"
 #include "questions/topo/finding.h"
 
-/** Decide the position of a point. @param[out] out initialised
+/** Decide the position of a point.
+ * @param[out] out initialised
  * @param trace the point's trace, decided
  * @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM, GRAZE_EINTERNAL */
 graze_status topo_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
