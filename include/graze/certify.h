@@ -47,7 +47,7 @@ GRAZE_API GRAZE_CHECKED graze_status graze_certificate_row(char **out, graze_con
                                                            const graze_certifier *certifier,
                                                            graze_rationals point);
 /**
- * Rows of a certificate, and of a table beside it, for n points, each of which is traced once.
+ * Rows of a certificate, and of a table beside it, for n points; each point is traced once.
  * @param[out] out    rows of the certificate for the first *done points as one text for
  * graze_free, also if a later point fails; NULL if *done is 0
  * @param[out] length bytes of the text

@@ -319,7 +319,7 @@ GRAZE_API const char *graze_pmc_name(graze_pmc pmc);
  * "undecided", else "none". Static. */
 GRAZE_API const char *graze_class_name(graze_class class_);
 
-/** Answers wanted. For pmc alone one certain stay inside ends the search. */
+/** Answers wanted. For pmc alone the search ends at one time that is certainly inside. */
 typedef enum graze_columns { GRAZE_COLUMNS_ALL = 0, GRAZE_COLUMNS_PMC = 1 } graze_columns;
 
 /**

@@ -43,7 +43,7 @@ GRAZE_API GRAZE_CHECKED graze_status graze_number_decimal(char **out, graze_cont
 typedef enum graze_format {
     GRAZE_FORMAT_CSV = 0,
     GRAZE_FORMAT_JSONL = 1, /**< with every contact and its exact times */
-    GRAZE_FORMAT_VTK = 2,   /**< binary rows, of which graze_report_export makes a file: a legacy
+    GRAZE_FORMAT_VTK = 2,   /**< binary rows, from which graze_report_export makes a file: a legacy
                                VTK file, binary: a grid as structured points, else vertices; all
                                columns as point data. pmc, class and definition (ext: 0) are
                                numbers, texts are numbered by first occurrence, and the field data

@@ -12,7 +12,7 @@ static const char seam[] =
     "{\"t\": [3, 4], \"transform\": {\"translate\": [\"12-6*s\", \"8-8*s\"]}}]}";
 /* The top side slides along (0, 0); later the corner (0, 0) passes it along y = x^2: between both
  * is a gap where x < 0, thinner than every cone. */
-static const char thin_gap[] =
+static const char plane_gap[] =
     "{\"dimension\": 2, \"pieces\": [{\"t\": [0, 1], \"transform\": {\"translate\": [\"8*t-5\", "
     "-2]}}, {\"t\": [1, 2], \"transform\": {\"translate\": [3, \"7*s-2\"]}},"
     "{\"t\": [2, 3], \"transform\": {\"translate\": [\"3-4*s\", 5]}},"
@@ -115,7 +115,7 @@ static void positions(void **state) {
     a = ask(&s, "6", "0"); /* below is nothing */
     assert_true(a.position == GRAZE_TOPO_BOUNDARY && a.has_witness && a.has_ray);
     scene_close(&s);
-    scene_open(&s, thin_gap, NULL);
+    scene_open(&s, plane_gap, NULL);
     a = ask(&s, "0", "0");
     assert_true(a.position == GRAZE_TOPO_BOUNDARY && a.level == GRAZE_LEVEL_CURVES);
     assert_true(a.has_witness && a.has_square && !a.has_ray);

@@ -31,7 +31,7 @@ ROOMS = {
     "input/delimited": ["unit/test_stream", "inputs/forms", "inputs/columns", "refuse/run points", "motioncmd/poses"],
     "input/csg": ["curved/words", "refuse/run curved", "curved/ends", "cases/cases --only curved", "curved/polyhedra", "curved/schema"],
     "decide/curved": ["curved/words", "cases/cases --only curved", "curved/undecided", "curved/germs", "curved/polyhedra", "curved/laws"],
-    "decide/filter": ["cases/cases", "unit/test_filter", "unit/test_course", "unit/test_stay", "unit/test_interior", "unit/test_velocity",
+    "decide/filter": ["cases/cases", "unit/test_filter", "unit/test_course", "unit/test_certain_times", "unit/test_interior", "unit/test_velocity",
                       "examples/examples", "api/test_exact_count", "api/test_grid", "agree/near", "words/words", "agree/laws",
                       "filter/equal", "filter/surfaces", "unit/test_band"],
     "decide/scene": ["unit/test_meeting", "curved/ends", "cases/cases", "examples/examples", "api/test_reports", "api/test_exact_count", "agree/laws"],

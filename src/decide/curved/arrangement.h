@@ -1,4 +1,4 @@
-/* The central arrangement of the tangent planes of some surfaces: its open cells, and rays.
+/* The central arrangement of the tangent planes of some surfaces: its open cells and its rays.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_CURVED_ARRANGEMENT_H
@@ -8,24 +8,24 @@
 
 enum { ARRANGEMENT_RAYS = (CSG_FREE_MOST + 3) * (CSG_FREE_MOST + 2) };
 
-/** Rays in which the planes of the members and of the coordinates meet, both ways. */
+/** The rays, in both directions, in which the planes of the members and of the coordinates meet. */
 typedef struct arrangement {
     int dimension, count, ray_count;
-    value *ray;                          /* dimension each */
-    uint32_t positive[ARRANGEMENT_RAYS]; /* members whose gradient is so along the ray */
+    value *ray;                          /* `dimension` elements each */
+    uint32_t positive[ARRANGEMENT_RAYS]; /* members whose gradient is positive along the ray */
     uint32_t negative[ARRANGEMENT_RAYS];
 } arrangement;
 
-/** Members of `mask`; their gradients are not zero. */
+/** Make the arrangement of the members in `mask`; their gradients are not zero. */
 void arrangement_init(arrangement *a, moment_field *f, const taylor *member, int count,
                       uint32_t mask);
 void arrangement_clear(arrangement *a);
 
-/** 1 if a ray lies in the closed cell of a pattern of the members in `mask`. */
+/** Does a ray lie in the closed cell that a pattern of the members in `mask` has? */
 int arrangement_in_cell(const arrangement *a, int ray, uint32_t mask, unsigned pattern);
 
-/** 1 if the pattern has an open cell: some vector has its sign with each gradient. The sum of the
- * rays in the closed cell is one. */
+/** Has the pattern an open cell, in which each member's gradient has the pattern's sign? The sum of
+ * the rays in the closed cell shows it. */
 int arrangement_has(const arrangement *a, uint32_t mask, unsigned pattern);
 
 /** out = a . b, a x b, of vectors of `dimension`, of three. */

@@ -257,7 +257,7 @@ static void ask_triples(sign_germ *g, const minors *m) {
                     ask_coplanar(g, m, i, j, k);
 }
 
-/* Four members in space, any three of which are independent: Cramer's rule. */
+/* Ask each four members in space with any three independent; Cramer's rule gives their relation. */
 static void ask_quadruples(sign_germ *g, const minors *m) {
     for (int l = 0; l < g->count && g->dimension == 3; l++)
         for (int k = 0; k < l; k++)

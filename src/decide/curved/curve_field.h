@@ -1,4 +1,4 @@
-/* First terms along a curve that some surfaces may have in common.
+/* First terms of polynomials along a curve that some surfaces may share.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_CURVED_CURVE_FIELD_H
@@ -7,11 +7,9 @@
 #include "decide/curved/series.h"
 #include "decide/curved/sign_germ.h"
 
-/**
- * As probe_first, along a curve that lies in all members of a set if any curve through the point
- * does along which the rank of their gradients stays: such a curve is looked for before high
- * orders are (proofs/flows.md C121).
- */
+/** Find the first term as probe_first does. Before high orders are computed, a common curve of all
+ * members of a set is sought: one through the point along which the rank of their gradients is
+ * constant (proofs/flows.md C121). */
 int flow_first(int *order, sign_germ *g, probe *p, unsigned members, const taylor *of, int most);
 
 #endif

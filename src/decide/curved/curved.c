@@ -15,7 +15,7 @@ typedef struct finding_walk {
     const surface_filter *filter;
     truths *truths;
     findings *found;
-    letters *word;
+    word_builder *word;
     walker walker; /* begun with the first window */
     int walks;
     graze_state state; /* of the gap in which the walk is */
@@ -38,9 +38,9 @@ static graze_status walk_crossing(finding_walk *f, const crossing *c) {
     truths_flip(f->truths, &f->filter->expression, c->simplex);
     graze_state after = state_now(f);
     if (!status && after != f->state)
-        status = letters_put_crossing(f->word);
+        status = word_put_crossing(f->word);
     f->state = after;
-    return status ? status : letters_put_gap(f->word, after);
+    return status ? status : word_put_gap(f->word, after);
 }
 
 static graze_status begin_walker(finding_walk *f) {
@@ -90,7 +90,7 @@ static graze_status walk_findings(finding_walk *f) {
     graze_status status = GRAZE_OK;
     f->state = state_now(f);
     if (!found->window_count || first->piece > 0 || first->from > 0)
-        status = letters_put_gap(f->word, f->state);
+        status = word_put_gap(f->word, f->state);
     while (!status && (c < found->crossing_count || w < found->window_count)) {
         if (w == found->window_count ||
             (c < found->crossing_count && is_before(&found->crossing[c], &found->window[w])))
@@ -106,7 +106,7 @@ static graze_status walk_findings(finding_walk *f) {
 }
 
 /* Each piece is a window for all surfaces. */
-static graze_status walk_pieces(tracer *r, letters *word) {
+static graze_status walk_pieces(tracer *r, word_builder *word) {
     walker w;
     size_t n = r->scene->solid->curved->surface_count;
     graze_status status = walker_init(&w, r, word);
@@ -124,7 +124,7 @@ static graze_status walk_pieces(tracer *r, letters *word) {
     return status;
 }
 
-static graze_status walk_point(tracer *r, letters *word) {
+static graze_status walk_point(tracer *r, word_builder *word) {
     const surface_filter *filter = r->scene->surfaces;
     graze_status status = context_poll(r->context);
     if (status || !r->workspace || !filter ||
@@ -145,11 +145,11 @@ graze_status curved_trace(graze_trace *out, graze_context *context, const graze_
                           query_point point, trace_detail detail) {
     *out = (graze_trace){.word = NULL};
     tracer r = {.out = out, .context = context, .scene = scene, .point = point, .detail = detail};
-    letters word = {.out = out, .context = context, .motion = scene->motion};
+    word_builder word = {.out = out, .context = context, .motion = scene->motion};
     tracer_begin(&r);
     graze_status status = walk_point(&r, &word);
     if (!status)
-        status = letters_finish(&word);
+        status = word_finish(&word);
     tracer_clear(&r);
     if (status)
         trace_clear(out);

@@ -6,11 +6,9 @@
 
 #include "decide/trace/trace.h"
 
-/**
- * As trace_point, in a scene whose solid is curved. A state that no rule decides makes the trace
- * undecided: then the word has a `?`.
- * @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM, GRAZE_EINTERNAL
- */
+/** Trace a point as trace_point does, through a curved solid. If no rule decides a state the trace
+ * is undecided, and its word has a `?`.
+ * @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM, GRAZE_EINTERNAL */
 graze_status curved_trace(graze_trace *out, graze_context *context, const graze_scene *scene,
                           query_point point, trace_detail detail);
 

@@ -1,5 +1,5 @@
-/* The surfaces of a curved solid along one piece of a trajectory: polynomials in the local time,
- * and their roots in order. SPDX-License-Identifier: GPL-3.0-or-later
+/* The surfaces of a curved solid along one piece of a trajectory: polynomials in the local time and
+ * their sorted roots. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_CURVED_PULLBACKS_H
 #define GRAZE_CURVED_PULLBACKS_H
@@ -14,12 +14,12 @@ typedef struct zero {
     size_t time, surface; /* time: an index, after pullbacks_set a rank */
 } zero;
 
-/** Times are both ends of a window and all roots in it; those of rank r are equal, and by_rank[r]
- * is one of them. */
+/** The times are both ends of a window and all roots in it. Times of equal rank r are equal;
+ * by_rank[r] is one of them. */
 typedef struct pullbacks {
     graze_context *context;
     const csg *solid;
-    fmpz_poly_struct *form; /* by surface, of those that are asked */
+    fmpz_poly_struct *form; /* by surface; set for those that are asked */
     size_t *asked;
     size_t asked_count, asked_capacity;
     algebraic_list time;
@@ -27,7 +27,7 @@ typedef struct pullbacks {
     size_t rank_count;
     zero *zero; /* by rank */
     size_t zero_count, zero_capacity;
-    size_t *slide; /* surfaces in which the whole piece lies */
+    size_t *slide; /* surfaces that contain the whole piece */
     size_t slide_count;
 } pullbacks;
 
@@ -39,8 +39,8 @@ void pullbacks_clear(pullbacks *p);
 graze_status pullback_surface(fmpz_poly_t out, graze_context *context, const trajectory *c,
                               const csg_surface *surface);
 
-/** Those of another trajectory, or of another window.
- * @param asked the window's count of them: surfaces, which may come twice */
+/** Set the polynomials and roots for a trajectory and a window.
+ * @param asked the window's candidates: surfaces, perhaps with duplicates */
 graze_status pullbacks_set(pullbacks *p, const trajectory *c, const exact_window *window,
                            const candidate *asked);
 

@@ -1,6 +1,5 @@
-/* The germ of a solid at a point of the trajectory: surfaces through the point, and which patterns
- * of their signs occur arbitrarily near it.
- * SPDX-License-Identifier: GPL-3.0-or-later
+/* The germ of a solid at a point of the trajectory: the surfaces through the point, and the
+ * patterns of signs that they have arbitrarily near it. SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The point is in the interior, outside or on the boundary iff the expression is true, false or
  * both over the patterns that occur (proofs/curved.md C95).
@@ -25,26 +24,26 @@ typedef struct sign_germ {
     const csg_surface *surface[CSG_FREE_MOST];
     taylor member[CSG_FREE_MOST]; /* their expansions */
     pattern_set truth;            /* of the expression */
-    pattern_set seen;             /* patterns that occur, */
-    pattern_set never;            /* and such as do not */
-    int near_in, near_out;        /* points of the interior, of the outside, are arbitrarily near */
+    pattern_set seen;             /* patterns that are known to occur, */
+    pattern_set never;            /* and not to occur */
+    int near_in, near_out;        /* the interior, and the exterior, come arbitrarily near */
 } sign_germ;
 
-/** Expand the surfaces at the point; the germ has no members, and nothing is known of it yet. */
+/** Begin a germ: its members are the expansions of surfaces at the point; no pattern is known. */
 void germ_init(sign_germ *g, moment_field *f, const trajectory *c, const csg *solid,
                const size_t *surface, int count);
 void germ_clear(sign_germ *g);
 
-/** Patterns of the members: 2^count. */
+/** The number of patterns of the members, 2^count. */
 unsigned germ_patterns(const sign_germ *g);
 
-/** I, B or O if what is known decides, else ABSENT. */
+/** The state I, B or O, if the known patterns decide it, else ABSENT. */
 graze_state germ_settled(const sign_germ *g);
 
-/** 1 if the gradient of a member is not zero. */
+/** Is the gradient of a member not zero? */
 int germ_is_smooth(const sign_germ *g, int k);
 
-/** Patterns that equal `want` at the members of `mask` do not occur. */
+/** Exclude all patterns that equal `want` at the members of `mask`. */
 void germ_exclude(sign_germ *g, unsigned mask, unsigned want);
 
 #endif

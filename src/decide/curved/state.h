@@ -6,21 +6,19 @@
 
 #include "decide/curved/sign_germ.h"
 
-/** A point c(u) of a trajectory and the expression there. */
+/** A point c(u) of a trajectory, and the expression over the surfaces there. */
 typedef struct state_query {
     const csg *solid;
     const trajectory *c;
-    const size_t *surface; /* those through the point, on which the expression depends */
+    const size_t *surface; /* surfaces through the point on which the expression depends */
     int count;             /* at most CSG_FREE_MOST */
     pattern_set truth;     /* the expression over their signs */
-    int near_in, near_out; /* points of the interior, of the outside, are arbitrarily near */
+    int near_in, near_out; /* the interior, and the exterior, come arbitrarily near */
 } state_query;
 
-/**
- * Decide the state at a time, or along the part of a gap in which the field's `asked` have no root
- * (proofs/curved.md C100).
- * @param[out] out I, B, O, or GRAZE_STATE_UNDECIDED where the rules end
- */
+/** Decide the state at a time, or on the part of a gap around the sample in which the polynomials
+ * that the field keeps have no root (proofs/curved.md C100).
+ * @param[out] out I, B, O, or GRAZE_STATE_UNDECIDED if no rule decides */
 graze_status state_decide(graze_state *out, const state_query *at, moment_field *f);
 
 #endif

@@ -1,8 +1,8 @@
-/* Polynomials in d coordinates that are 0 at a point of the trajectory, over the field of a moment.
+/* Expansions of polynomials that vanish at a point of the trajectory, over the field of a moment.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * With c = X / W and x = c + v / W, W^degree f(x) is a polynomial in v with coefficients in Z[u]:
- * positive factors, which change no sign near the point.
+ * the factors are positive and change no sign near the point.
  */
 #ifndef GRAZE_CURVED_TAYLOR_H
 #define GRAZE_CURVED_TAYLOR_H
@@ -11,10 +11,10 @@
 #include "decide/trace/trajectory.h"
 #include "input/csg/csg.h"
 
-/** Degree at most: that of a minor of the gradients of two surfaces. */
+/** Bound of the degree: that of a minor of the gradients of two surfaces. */
 enum { TAYLOR_DEGREE = 2 * CSG_DEGREE - 2, TAYLOR_TERMS = 84 };
 
-/** The sum of coefficient[k] v^power[k]; each power once, none for a coefficient zero. */
+/** The sum of coefficient[k] v^power[k]; powers are distinct and coefficients not zero. */
 typedef struct taylor {
     int dimension, degree; /* degree: a bound */
     size_t count;
@@ -22,7 +22,7 @@ typedef struct taylor {
     unsigned char power[TAYLOR_TERMS][3];
 } taylor;
 
-/** 0; without memory the field has failed. */
+/** Begin with 0; if memory runs out the field fails. */
 void taylor_init(taylor *t, moment_field *f, int dimension);
 void taylor_clear(taylor *t);
 
@@ -34,7 +34,7 @@ typedef struct taylor_point {
 
 void taylor_point_init(taylor_point *p, moment_field *f, const trajectory *c, int degree);
 void taylor_point_clear(taylor_point *p);
-/** The power k of X_i, or of W for i = d. */
+/** The k-th power of X_i, or of W for i = d. */
 const value *taylor_power(const taylor_point *p, int i, int k);
 
 /** The expansion of a surface, which vanishes at the point. */
@@ -44,10 +44,10 @@ void taylor_of_surface(taylor *out, moment_field *f, const taylor_point *p,
 /** Component i of the gradient at the point, a borrowed element. */
 const value *taylor_gradient(const taylor *t, int i);
 
-/** The lowest degree of its terms; 0 for none. */
+/** The lowest degree of a term; 0 without terms. */
 int taylor_order(const taylor *t);
 
-/** out = da/di db/dj - da/dj db/di, which vanishes at the point, too. */
+/** out = da/di db/dj - da/dj db/di, which vanishes at the point too. */
 void taylor_minor(taylor *out, moment_field *f, const taylor *a, const taylor *b, int i, int j);
 
 /** out = factor a - other b */

@@ -1,4 +1,4 @@
-/* The expression of a curved solid where some surfaces vanish: what it depends on.
+/* The expression of a curved solid where some surfaces vanish, as a function of their signs.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_CURVED_TRUTH_H
@@ -6,7 +6,7 @@
 
 #include "decide/curved/state.h"
 
-/** Signs of all surfaces, and room to evaluate the expression. */
+/** Signs of all surfaces, and scratch memory to evaluate the expression. */
 typedef struct expression {
     const csg *solid;
     graze_context *context;
@@ -19,18 +19,19 @@ typedef struct expression {
 graze_status expression_init(expression *e, graze_context *context, const csg *solid);
 void expression_clear(expression *e);
 
-/** Surfaces at which the expression was asked. */
+/** The surfaces, of those asked, on whose signs the expression depends. */
 typedef struct dependence {
-    graze_state state;   /* I or O whatever their signs; else ABSENT */
+    graze_state state;   /* I or O if it does not depend on any sign, else ABSENT */
     const size_t *asked; /* borrowed */
     size_t asked_count;
-    int too_many; /* more than CSG_FREE_MOST: nothing below is set */
+    int too_many; /* it depends on more than CSG_FREE_MOST: the members below are not set */
     int count;
-    size_t surface[CSG_FREE_MOST]; /* on which it depends */
+    size_t surface[CSG_FREE_MOST]; /* the surfaces it depends on */
     pattern_set truth;             /* over their signs */
 } dependence;
 
-/** Ask for all signs of some surfaces, the others as they are in e->sign, which stays. */
+/** Evaluate the expression for all signs of some surfaces; the other surfaces have the signs in
+ * e->sign, which is unchanged. */
 graze_status expression_ask(dependence *out, expression *e, const size_t *surface, size_t count);
 
 #endif

@@ -27,7 +27,7 @@ static graze_status name_primitives(walker *w, contact *to, const dependence *d)
     graze_status status = GRAZE_OK;
     for (size_t n = 0; n < w->solid->node_count && !status && w->r->detail == TRACE_CONTACTS; n++)
         if (node_meets(w->solid, &w->solid->node[n], d))
-            status = letters_add_cell(w->word, to, w->solid->node[n].primitive);
+            status = word_add_cell(w->word, to, w->solid->node[n].primitive);
     return status;
 }
 
@@ -125,7 +125,7 @@ graze_status walker_settle(walker *w, graze_state after) {
     if (!status && state == GRAZE_STATE_UNDECIDED)
         status = keep_undecided(w, &d, w->pending, w->before, after);
     if (!status)
-        status = letters_put_time(w->word, state, w->piece, w->pending);
+        status = word_put_time(w->word, state, w->piece, w->pending);
     if (!status && state == GRAZE_STATE_B)
         status = name_primitives(w, last_contact(w), &d);
     w->pending = NULL;
@@ -150,7 +150,7 @@ static graze_status put_whole_gap(walker *w, graze_state state, const dependence
     if (!status && state == GRAZE_STATE_UNDECIDED)
         status = keep_undecided(w, d, sample, GRAZE_STATE_ABSENT, GRAZE_STATE_ABSENT);
     if (!status)
-        status = letters_put_gap(w->word, state);
+        status = word_put_gap(w->word, state);
     if (!status && state == GRAZE_STATE_B)
         status = name_primitives(w, last_contact(w), d);
     w->before = state;
@@ -273,7 +273,7 @@ graze_status walker_walk(walker *w, const exact_window *window, const candidate 
     return status;
 }
 
-graze_status walker_init(walker *w, tracer *r, letters *word) {
+graze_status walker_init(walker *w, tracer *r, word_builder *word) {
     const csg *solid = r->scene->solid->curved;
     *w = (walker){.r = r, .solid = solid, .word = word, .before = GRAZE_STATE_ABSENT};
     graze_status status = expression_init(&w->expression, r->context, solid);

@@ -44,9 +44,8 @@ typedef struct passing {
     const cell_walls *walls; /* or NULL */
     const graze_motion *motion;
     int failed, pierced, visits;
-    uint32_t sloped; /* the piece, plus 1, of which these are: */
-    double
-        slope[3]; /* what the velocity of a point can differ by from the centre's, a piece long */
+    uint32_t sloped; /* 1 + the piece that `slope` belongs to; 0: none */
+    double slope[3]; /* bound of a point's velocity minus the centre's */
 } passing;
 
 /* The greatest change of the map from coefficient to coefficient, over the cell. */
@@ -115,8 +114,7 @@ static void take_near_simplex(near_simplices *list, uint32_t node, uint32_t simp
             (near_simplex){.node = node, .simplex = simplex, .pierced = pierced};
 }
 
-/* Whether the cell's walls keep corners of a simplex away in a part of one piece, or at its start.
- */
+/* Do the cell's walls keep corners of a simplex away in a part of a piece, or at its start? */
 static int are_held_out(const passing *p, const span *part, uint32_t simplex, unsigned mask) {
     return p->walls && (part->degree || part->level == INSTANT) &&
            walls_hold_out(p->walls, p->motion, p->filter->solid, part, simplex, mask);
@@ -146,8 +144,7 @@ static void find_near(near_simplices *out, passing *p, uint32_t node, const span
     }
 }
 
-/* Whether a contact with all simplices near, at places that they have in common, leaves no doubt.
- */
+/* Are contacts at common places of near simplices certain too? */
 static int contacts_are_certain(const passing *p, const near_simplices *near, const span *wide) {
     unsigned shared;
     for (int k = 0; k < near->count; k++) {
@@ -245,7 +242,7 @@ static void pass_part(passing *p, uint32_t index, const near_simplices *around) 
 /* Contacts at an end of a piece: inside before it by the piece before, or after it by the next. */
 static int joint_is_certain(passing *p, size_t joint) {
     size_t pieces = p->curve->course->piece_count;
-    stay when = joint ? (stay){(uint32_t)(joint - 1), 1} : (stay){0, 0};
+    piece_time when = joint ? (piece_time){(uint32_t)(joint - 1), 1} : (piece_time){0, 0};
     near_simplices near = {.count = 0};
     box around;
     span wide;

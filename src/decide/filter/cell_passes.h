@@ -1,5 +1,5 @@
-/* Whether all trajectories of a box of points go through the boundary, and none only touches it.
- * SPDX-License-Identifier: GPL-3.0-or-later
+/* Tests whether the trajectories of all points of a box cross the boundary, and none only touches
+ * it. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_FILTER_CELL_PASSES_H
 #define GRAZE_FILTER_CELL_PASSES_H
@@ -7,19 +7,18 @@
 #include "decide/filter/cell_walls.h"
 #include "decide/filter/point_box.h"
 
-/** Passages of trajectories from a cell that are certain (proofs/judging.md C116). */
+/** Results about the trajectories of a cell's points (proofs/judging.md C116). */
 typedef enum cell_passage {
-    CELL_DOUBTFUL, /* nothing */
-    CELL_PASSES,   /* no point of it is `on`, so all of them have one membership */
-    CELL_PIERCED   /* a facet goes through the whole cell: of a sweep all of them are `in`, of an
-                      unsweep `out` */
+    CELL_DOUBTFUL, /* nothing is certain */
+    CELL_PASSES,   /* no point of the cell is `on`, so all have one membership */
+    CELL_PIERCED /* a facet crosses the whole cell: all points are `in` a sweep, `out` of an unsweep
+                  */
 } cell_passage;
 
 /**
  * @param memory set to the cell (point_box_begin)
- * @param walls  NULL, or the part of it that counts (proofs/judging.md C123)
- * @param motion of the sweep; used with walls
- */
+ * @param walls  NULL, or the part of the cell that is asked about (proofs/judging.md C123)
+ * @param motion of the sweep; used with walls */
 cell_passage cell_passes(curve *memory, const filter *f, const point_box *points,
                          const cell_walls *walls, const graze_motion *motion);
 

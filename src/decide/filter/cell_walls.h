@@ -1,4 +1,4 @@
-/* Planes that cut a part out of a cell: what never comes beyond one of them cannot be near.
+/* Planes that cut a part out of a cell, and a test for simplices that never reach the part.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_FILTER_CELL_WALLS_H
@@ -13,16 +13,14 @@
 typedef struct cell_walls {
     int count;
     const fmpq *plane; /* four numbers each */
-    unsigned sides;    /* bit k: where plane k is positive */
+    unsigned sides;    /* bit k: the part is where plane k is positive */
 } cell_walls;
 
-/**
- * Whether corners of a simplex, moved, are not inside one of the planes at any time of a part,
- * exactly (proofs/judging.md C123).
+/** Are some corners of a moved simplex outside one of the planes at all times of a span
+ * (proofs/judging.md C123)? Exact.
  * @param motion of a sweep
  * @param part   of one piece; of degree 0: its beginning alone
- * @param mask   the corners, some
- */
+ * @param mask   the corners, some */
 int walls_hold_out(const cell_walls *walls, const graze_motion *motion, const graze_solid *solid,
                    const span *part, uint32_t simplex, unsigned mask);
 

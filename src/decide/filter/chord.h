@@ -1,5 +1,5 @@
-/* Whether a span's thick chord misses one simplex: what spares most pairs the Bernstein forms.
- * SPDX-License-Identifier: GPL-3.0-or-later
+/* Tests whether a span's thick chord misses a simplex; for most pairs this spares the Bernstein
+ * forms. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_FILTER_CHORD_H
 #define GRAZE_FILTER_CHORD_H
@@ -10,7 +10,7 @@
 #include "decide/filter/normal.h"
 #include "input/solid/slabs.h"
 
-/** Only CHORD_MISSES is a statement; the others say what is worth trying next. */
+/** Only CHORD_MISSES is proved; the others suggest the next test. */
 typedef enum chord_meeting {
     CHORD_MISSES,  /* no time of the closed span is on the closed simplex */
     CHORD_PIERCES, /* all of the thick chord seems to go through the interior */
@@ -19,15 +19,13 @@ typedef enum chord_meeting {
 
 /**
  * @param corner d corners of d coordinates, outward oriented (validate.h)
- * @param corner_error each is within it of the exact coordinate
- */
+ * @param corner_error each is within it of the exact coordinate */
 chord_meeting chord_meets(const curve *c, const span *piece, const double *corner,
                           double corner_error);
 
 /**
- * 0 if certainly no time of a bounded span is on a simplex of the slab (proofs/slabs.md C93).
- * @param wide the span's, or more, as for all curves that are so much further from its chord
- */
+ * 0 if it is certain that a bounded span meets no simplex of the slab (proofs/slabs.md C93).
+ * @param wide the span's, or a larger one, for all curves that are that near its chord */
 static inline int chord_meets_slab(const span *piece, const double wide[3], const slab *s) {
     double first = 0, last = 0, bound = 0;
     for (int i = 0; i < 3; i++) {

@@ -1,4 +1,4 @@
-/* All pieces of a motion in doubles, under a tree in time: what a filter carries query points with.
+/* All pieces of a motion in doubles, under a tree in time, which carry query points in the filter.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_FILTER_COURSE_H
@@ -7,11 +7,9 @@
 #include <stdint.h>
 #include "decide/filter/carrier.h"
 
-/**
- * Pieces that follow each other. Where `bounded`, each map P -> A P + b of them is, entry by entry,
+/** Successive pieces. If `bounded`, each of their maps P -> A P + b is, entry by entry,
  * a mean of matrices first + s (last - first) + R with s in [0, 1] and |R| <= off (proofs/filter.md
- * C34); entry (i, j) stands at i (d + 1) + j, the translation at j = d.
- */
+ * C34); entry (i, j) stands at i (d + 1) + j, the translation at j = d. */
 typedef struct piece_group {
     uint32_t child; /* groups at child and child + 1; 0: one piece, and nothing below is set */
     uint32_t piece; /* the first */
@@ -26,7 +24,7 @@ typedef struct course {
     piece_group *group; /* group 0 is the whole motion */
 } course;
 
-/** Convert the point maps that carry query points; 0 without memory. */
+/** Convert the point maps that carry query points; 0 if memory runs out. */
 int course_make(course *out, const graze_motion *motion, graze_operation operation);
 void course_clear(course *c);
 

@@ -1,4 +1,4 @@
-/* The expression of a curved solid as a tree that is told one change of sign at a time.
+/* The expression of a curved solid as a tree, updated by one change of sign at a time.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_FILTER_EXPRESSION_TREE_H
@@ -6,7 +6,8 @@
 
 #include "input/csg/csg.h"
 
-/** Nodes know their parents, surfaces their nodes; truths are those of positive surfaces. */
+/** The tree, with the parent of each node and the nodes of each surface; truths are for all
+ * surfaces positive. */
 typedef struct expression_tree {
     const csg *solid;       /* borrowed */
     uint32_t *first, *node; /* of surface k: node[first[k]] ... node[first[k + 1] - 1] */
@@ -15,7 +16,7 @@ typedef struct expression_tree {
     unsigned char *is_true; /* by node */
 } expression_tree;
 
-/** The truths of one thread, and the signs that they are of. */
+/** The truths of the nodes in one thread, and the surfaces' signs. */
 typedef struct truths {
     size_t node_room, sign_room;
     uint32_t *count;
@@ -23,18 +24,18 @@ typedef struct truths {
     signed char *sign; /* by surface: 1, -1 */
 } truths;
 
-/** 0 without memory; expression_tree_clear in either case. */
+/** Make the tree; 0 if memory runs out. The caller calls expression_tree_clear in either case. */
 int expression_tree_make(expression_tree *out, const csg *solid);
 void expression_tree_clear(expression_tree *t);
 
-/** All surfaces positive; 0 without memory. */
+/** Begin with all surfaces positive; 0 if memory runs out. */
 int truths_begin(truths *m, const expression_tree *t);
 void truths_clear(truths *m);
 
 /** Change the sign of a surface. */
 void truths_flip(truths *m, const expression_tree *t, size_t surface);
 
-/** Whether the expression is true. */
+/** Is the expression true? */
 int truths_all(const truths *m, const expression_tree *t);
 
 #endif

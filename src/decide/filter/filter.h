@@ -1,8 +1,9 @@
-/* The certified floating-point filter of a scene: which crossings of the boundary are certain, and
- * in which windows of time the exact path must be asked. SPDX-License-Identifier: GPL-3.0-or-later
+/* The certified floating-point filter of a scene: it finds the certain crossings of the boundary,
+ * and the windows of time for which the exact path must be asked.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * It may leave out a simplex, report one certain crossing, or ask; it never decides a tangency, an
- * edge, a vertex or an end (proofs/filter.md C36, C37).
+ * For a simplex it reports no contact, one certain crossing, or a question; it never decides a
+ * tangency, an edge, a vertex or an end (proofs/filter.md C36, C37).
  */
 #ifndef GRAZE_FILTER_FILTER_H
 #define GRAZE_FILTER_FILTER_H
@@ -16,12 +17,11 @@
 #include "input/solid/known.h"
 #include "input/solid/solid.h"
 
-/** Bricks that are laid when memberships alone are first asked for: by one thread, under the lock.
- */
+/** Bricks; one thread lays them, under the lock, when memberships alone are first asked for. */
 typedef struct brick_memo {
     pthread_mutex_t lock;
     interior all;
-    atomic_int laid; /* nothing of `all` changes from then on */
+    atomic_int laid; /* once set, `all` does not change */
 } brick_memo;
 
 /** Data of a scene for the filter; immutable but for the memo, shared by threads. */
@@ -29,19 +29,18 @@ typedef struct filter {
     const graze_solid *solid; /* borrowed */
     course course;
     brick_memo *bricks;
-    graze_state proves; /* somewhere in this state: that alone decides the membership */
+    graze_state proves; /* a time in this state decides the membership */
 } filter;
 
 /**
- * @param operation which of the motion's point maps carries the query points
- */
+ * @param operation which of the motion's point maps carries the query points */
 graze_status filter_make(filter *out, graze_context *context, const graze_solid *solid,
                          const graze_motion *motion, graze_operation operation);
 void filter_clear(filter *f);
 /** The bricks, or NULL if none are laid. */
 const interior *filter_bricks(const filter *f);
 
-/** Memory of one thread, used again from query to query. */
+/** Memory of one thread, reused from query to query. */
 typedef struct filter_workspace {
     int set; /* `curve` is that of the point */
     curve curve, ray;
@@ -52,22 +51,20 @@ typedef struct filter_workspace {
     truths truths;
 } filter_workspace;
 
-/** Set the workspace's curve, unless it is; 0 if the filter cannot be used for it. */
+/** Set the workspace's curve, unless it is set; 0 if the filter cannot be used for it. */
 int filter_set(filter_workspace *w, const filter *f, const filter_point *point);
 
-/** The context's workspace, made at the first call; NULL without memory. */
+/** The context's workspace, made at the first call; NULL if memory runs out. */
 filter_workspace *filter_workspace_of(graze_context *context);
 
-/** Forget the point before. */
+/** Forget the last point. */
 void filter_begin(filter_workspace *w);
 
-/**
- * Search all pieces. The findings stand in the workspace until the next search.
+/** Search all pieces. The findings stand in the workspace until the next search.
  * @param[out] settled NULL; or 1 if the point is somewhere in the state that decides its
  * membership: then there are no findings. Else 0
  * @param bricks  with `settled`: those that are asked; NULL: crossings alone settle it
- * @return 0 if the filter cannot be used for this point, or without memory: ask the exact search
- */
+ * @return 0 if the filter cannot be used for this point, or without memory: ask the exact search */
 int filter_search(filter_workspace *w, int *settled, const interior *bricks, const filter *f,
                   const filter_point *point);
 

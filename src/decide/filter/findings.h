@@ -25,13 +25,13 @@ typedef struct time_part {
     int level;
 } time_part;
 
-/** A window of a part's own parameter as one of the piece, outward. */
+/** Convert a window of a part's parameter to the piece's parameter, rounded outward. */
 candidate candidate_in(time_part part, uint32_t simplex, const meet_window *w);
 
-/** Append; 0 without memory. */
+/** Append a candidate; 0 if memory runs out. */
 int candidates_append(candidates *list, candidate item);
 
-/** Order by piece, simplex and time; windows of one simplex that touch become one. */
+/** Sort by piece, simplex and time, and join windows of one simplex that touch. */
 void candidates_join(candidates *list);
 
 /** A certain crossing: once, at some time of the window, which is in units of a piece, the curve
@@ -52,9 +52,9 @@ typedef struct exact_window {
     size_t first, count;
 } exact_window;
 
-/** Crossings and windows, each in order of time, none touching another in
- * one piece, and the pieces it cannot be used for, in order. All other times are off the boundary.
- */
+/** The crossings and the windows in order of time, disjoint within each piece; and, in order, the
+ * pieces for which the filter cannot be used. At all other times the trajectory is off the
+ * boundary. */
 typedef struct findings {
     size_t crossing_count, crossing_capacity;
     crossing *crossing;

@@ -4,10 +4,9 @@
 #ifndef GRAZE_FILTER_FLIP_H
 #define GRAZE_FILTER_FLIP_H
 
-/**
- * Every place at which the filter says "certain" and an answer hangs on it. Three certainties have
- * no number, because a falsified one does not show: that a window holds the one root (the guess in
- * its middle is near the root all the same), that a simplex's normal is not zero (the signs of its
+/** The places at which the filter says "certain" and an answer depends on it. Three of them have no
+ * number, because an error there does not show: that a window holds the one root (the guess in its
+ * middle is near the root all the same), that a simplex's normal is not zero (the signs of its
  * sides have errors of their own and ask), that a ray ends outside (no scene makes that doubtful).
  */
 typedef enum flip_site {
@@ -41,9 +40,9 @@ typedef enum flip_site {
 } flip_site;
 
 #ifdef GRAZE_FLIP_SITES
-/** The decision; but of the calls that would say no (FLIP_DIRECTION, FLIP_SPEED: of all) at the
- * site that GRAZE_FLIP_SITE names, one in 10^4 says yes (its contrary): a certainty that is none.
- */
+/** Return the decision. At the site that GRAZE_FLIP_SITE names one in 10^4 of the calls with a
+ * decision 0 returns 1, a false certainty; at FLIP_DIRECTION and FLIP_SPEED one in 10^4 of all
+ * calls returns the contrary. */
 int flip(flip_site site, int decision);
 #else
 static inline int flip(flip_site site, int decision) {

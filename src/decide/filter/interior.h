@@ -1,4 +1,4 @@
-/* Bricks of space that are certainly wholly inside the solid, or wholly outside.
+/* Bricks of space that are certainly inside the solid, or certainly outside it.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_FILTER_INTERIOR_H
@@ -11,21 +11,19 @@ typedef struct interior {
     int dimension;
     size_t count[3];
     double low[3], step[3];
-    unsigned char *state; /* of each brick a graze_state; ABSENT: not certain */
+    unsigned char *state; /* a graze_state for each brick; ABSENT: not certain */
 } interior;
 
-/** State that certainly holds in a whole brick; asked for bricks that no simplex meets. */
+/** Gives the certain state of a brick that no simplex meets, by the brick's middle. */
 typedef graze_state locate_function(void *data, const double middle[3]);
 
-/**
- * Lay one brick per simplex, or some thousands.
+/** Lay one brick per simplex, or some thousands.
  * @param locate the state at a place in doubles, or ABSENT
- * @return 0 without memory
- */
+ * @return 0 without memory */
 int interior_make(interior *out, const graze_solid *solid, locate_function *locate, void *data);
 void interior_clear(interior *m);
 
-/** The state of all places of a box, or ABSENT if that is not certain (proofs/bricks.md C86). */
+/** The state of all places of a box, or ABSENT if it is not certain (proofs/bricks.md C86). */
 graze_state interior_state(const interior *m, const box *b);
 
 #endif

@@ -7,10 +7,10 @@
 #include <math.h>
 #include "decide/filter/carrier.h"
 
-/** Covers the rounding of the error terms themselves. */
+/** Factor that covers the rounding of error terms. */
 #define FILTER_SLACK (1 + 0x1p-20)
 
-/** More than all that underflow and numbers too small to convert can add to a coefficient. */
+/** Bound of the error that underflow, and numbers too small to convert, add to a coefficient. */
 #define FILTER_FLOOR 0x1p-780
 
 /** The normal of a simplex's plane, outward, and a bound for the error of each coordinate
@@ -37,8 +37,8 @@ static inline void cross3(double *out, const double *a, const double *b) {
     out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/** The distance of two points, rounded up by more than the square and its root are rounded; not
- * what their differences are. */
+/** The distance of two points, rounded up to cover the errors of squares and root, but not those of
+ * the differences of coordinates. */
 static inline double distance_above(const double *a, const double *b) {
     double off[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
     return sqrt(dot3(off, off)) * (1 + 0x1p-48);

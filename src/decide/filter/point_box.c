@@ -186,7 +186,7 @@ int point_box_begin(curve *memory, const filter *f, const point_box *points) {
     return f->solid->corners.at && curve_set(memory, &f->course, &centre, &f->solid->corners);
 }
 
-int point_box_places(box *out, curve *memory, const filter *f, const stay *when,
+int point_box_places(box *out, curve *memory, const filter *f, const piece_time *when,
                      const double *half) {
     double place[4], off[4], spread[3] = {0, 0, 0};
     const span *whole = curve_piece(memory, when->piece);
@@ -208,7 +208,7 @@ int point_box_is_settled(curve *memory, const filter *f, const point_box *points
         return 0;
     for (size_t k = 0; k < pieces * each; k += step) {
         size_t time = (*hint + k) % (pieces * each);
-        stay when = {(uint32_t)(time / each), ((double)(time % each) + 0.5) / (double)each};
+        piece_time when = {(uint32_t)(time / each), ((double)(time % each) + 0.5) / (double)each};
         box around;
         if (point_box_places(&around, memory, f, &when, points->half) &&
             flip(FLIP_INTERIOR, interior_state(bricks, &around) == f->proves)) {
@@ -219,7 +219,7 @@ int point_box_is_settled(curve *memory, const filter *f, const point_box *points
     return 0;
 }
 
-int point_box_anchor(anchor *out, curve *memory, const filter *f, const stay *when) {
+int point_box_anchor(anchor *out, curve *memory, const filter *f, const piece_time *when) {
     out->when = *when;
     return point_box_places(&out->around, memory, f, when, NULL);
 }

@@ -1,5 +1,5 @@
-/* A brick is halved along its axes until all points of a cell go one way, or few are left, which
- * are asked one by one. SPDX-License-Identifier: GPL-3.0-or-later
+/* A brick is halved along its axes until all points of a cell have one membership, or the cell is
+ * small and its points are asked one by one. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "decide/lattice/brick.h"
 
@@ -10,7 +10,7 @@
 #include "decide/lattice/cell_asker.h"
 #include "decide/verdict/classify.h"
 
-/* Cells of fewer points along each axis are not tried. */
+/* Cells with fewer points along each axis are not asked as cells. */
 enum { LEAST_SIDE = 2 };
 
 typedef struct bricklayer {
@@ -18,7 +18,7 @@ typedef struct bricklayer {
     cell_asker ask;
     const brick *whole;
     int dimension;
-    fmpq *exact[3]; /* coordinates of the brick's points along each axis, and bounds of them */
+    fmpq *exact[3]; /* coordinates of the brick's points along each axis, and their bounds */
     double low[3][BRICK_SIDE_PLANE], high[3][BRICK_SIDE_PLANE];
 } bricklayer;
 
@@ -42,7 +42,7 @@ static unsigned char *byte_of(const bricklayer *b, const size_t at[3]) {
     return b->pmc + index;
 }
 
-/* The next point of a part of the brick; 0 behind the last. */
+/* Go to the next point of a part of the brick; 0 after the last one. */
 static int next_place(size_t at[3], const brick *part) {
     for (int k = 0; k < 3; k++) {
         if (++at[k] < part->end[k])
@@ -52,7 +52,7 @@ static int next_place(size_t at[3], const brick *part) {
     return 0;
 }
 
-/* One point; a limit or a fault is met again by who asks for it alone. */
+/* Ask one point; if it meets a limit or a fault, so will the caller that asks it alone. */
 static graze_status ask_point(bricklayer *b, const size_t at[3]) {
     fmpq point[3];
     graze_trace trace;
@@ -67,7 +67,7 @@ static graze_status ask_point(bricklayer *b, const size_t at[3]) {
     return GRAZE_OK;
 }
 
-/* Whether a point is joined with an anchor. */
+/* Is a point certainly joined with an anchor? */
 static int point_joins(bricklayer *b, const size_t at[3], const anchors *near) {
     brick alone = {{at[0], at[1], at[2]}, {at[0] + 1, at[1] + 1, at[2] + 1}};
     point_box point;
@@ -99,7 +99,7 @@ static void fill_part(bricklayer *b, const brick *part, graze_pmc pmc) {
     while (next_place(at, part));
 }
 
-/* Half `half` of a part, bit k telling which side of axis k; 0 if that is empty. */
+/* Take a half of a part; bit k of `half` is its side along axis k. 0 if it is empty. */
 static int take_half(brick *out, const brick *part, int half) {
     *out = *part;
     for (int k = 0; k < 3; k++) {

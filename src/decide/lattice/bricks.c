@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Rows are asked for in their order, by threads that are not far apart: of the layers of bricks
- * along the last axis, the current one and LAYERS_KEPT before it stay. */
+/* Rows are asked for in order, by threads that are not far apart. So only the current layer of
+ * bricks along the last axis, and LAYERS_KEPT layers before it, are kept. */
 enum { LAYERS_KEPT = 1 };
 
 int bricks_make(bricks *out, const graze_scene *scene, const lattice *l) {

@@ -1,4 +1,4 @@
-/* The bricks of a grid, each decided once, when one of its points is first asked for.
+/* The bricks of a grid; each is decided once, when one of its points is first asked for.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_LATTICE_BRICKS_H
@@ -7,21 +7,21 @@
 #include <pthread.h>
 #include "decide/lattice/brick.h"
 
-/** A brick that is decided has one membership, or one for each point. */
+/** A brick; once decided it has one membership for all points, or one for each point. */
 typedef struct brick_state {
-    int busy;             /* a thread is at it */
+    int busy;             /* a thread is deciding it */
     unsigned char common; /* 0: see pmc */
     unsigned char *pmc;   /* NULL: not decided, or `common` */
 } brick_state;
 
-/** Shared by threads. Bricks far behind the last one that was asked for are forgotten. */
+/** All bricks, shared by threads. Bricks far before the last one asked for are freed. */
 typedef struct bricks {
     const graze_scene *scene; /* borrowed */
     const lattice *lattice;
     size_t side, count[3];
     pthread_mutex_t lock;
     pthread_cond_t changed;
-    size_t kept; /* bricks before this one, along the last axis, are forgotten */
+    size_t kept; /* bricks before this one, along the last axis, are freed */
     brick_state *state;
 } bricks;
 
@@ -30,9 +30,9 @@ int bricks_make(bricks *out, const graze_scene *scene, const lattice *l);
 void bricks_clear(bricks *b);
 
 /**
- * Memberships of a point and of those behind it in its row of a brick, at most `most`.
+ * Give the memberships of a point and of the points after it in its row of a brick, at most `most`.
  * @param[out] pmc   as of brick_decide
- * @param[out] count how many there are
+ * @param[out] count the number of points
  * @return as brick_decide
  */
 graze_status bricks_row(unsigned char *pmc, size_t *count, graze_context *context, bricks *b,

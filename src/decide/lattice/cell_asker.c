@@ -44,17 +44,18 @@ static const findings *search_centre(const cell_asker *a, const point_box *point
     return w && filter_search(w, NULL, NULL, &a->scene->filter, &centre) ? &w->found : NULL;
 }
 
-int cell_stays(stay when[STAYS_MOST], const cell_asker *a, const point_box *points) {
+int cell_certain_times(piece_time when[CERTAIN_TIMES_MOST], const cell_asker *a,
+                       const point_box *points) {
     const findings *found = search_centre(a, points);
-    return found ? stays_find(when, found, a->scene->motion->piece_count,
-                              a->scene->options.operation == GRAZE_UNSWEEP)
+    return found ? certain_times_find(when, found, a->scene->motion->piece_count,
+                                      a->scene->options.operation == GRAZE_UNSWEEP)
                  : 0;
 }
 
 /* Those of the centre of a cell that have crossings; else nothing is changed. */
 static void find_anchors(anchors *out, cell_asker *a, const point_box *points) {
-    stay when[STAYS_MOST];
-    int count = cell_stays(when, a, points);
+    piece_time when[CERTAIN_TIMES_MOST];
+    int count = cell_certain_times(when, a, points);
     if (count)
         out->count = 0;
     for (int k = 0; k < count; k++)

@@ -1,4 +1,4 @@
-/* Rows of grid points: coordinates as text, most of them made once.
+/* Rows of grid points as text; most texts of coordinates are made once.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_LATTICE_GRID_ROWS_H
@@ -8,12 +8,12 @@
 #include "base/number/text.h"
 #include "decide/lattice/lattice.h"
 
-/** The first axis' coordinates as text, unless they are too many; shared by threads. */
+/** The texts of the first axis's coordinates, unless they are too many; shared by threads. */
 typedef struct axis_texts {
     pthread_mutex_t lock;
     int made;
     text all;
-    size_t *end; /* of each text; NULL: each is made when it is wanted */
+    size_t *end; /* the end of each text; NULL: texts are made when needed */
 } axis_texts;
 
 void axis_texts_init(axis_texts *a);

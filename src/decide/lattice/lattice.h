@@ -1,4 +1,4 @@
-/* Points of a grid: along each axis equal steps from one rational to another.
+/* The points of a grid: along each axis equal steps from one rational to another.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_LATTICE_LATTICE_H
@@ -23,7 +23,7 @@ void lattice_clear(lattice *l);
 /** Coordinate i of axis k. */
 void lattice_coordinate(fmpq_t out, const lattice *l, int k, size_t i);
 
-/** Place of point `index` along each axis; the first axis runs fastest. */
+/** Set the place of point `index` along each axis; the first axis runs fastest. */
 void lattice_place(size_t place[3], const lattice *l, size_t index);
 
 #endif

@@ -1,5 +1,5 @@
-/* Whether a curved solid certainly meets its image, or certainly does not (proofs/curved.md C103).
- * SPDX-License-Identifier: GPL-3.0-or-later
+/* Tests whether a curved solid certainly meets its image, or certainly does not (proofs/curved.md
+ * C103). SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_SCENE_COMMON_POINT_H
 #define GRAZE_SCENE_COMMON_POINT_H
@@ -8,7 +8,7 @@
 #include "input/csg/csg.h"
 
 /**
- * Look for boxes that are apart, then for an inner point of both sets.
+ * Test whether the boxes are disjoint; else look for a point in the interior of both sets.
  * @param map, inverse homogeneous matrices
  * @return GRAZE_ESYSTEM, GRAZE_ECANCELED
  */

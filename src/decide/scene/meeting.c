@@ -1,5 +1,5 @@
-/* Two descents of one tree at a time, the second through its image, leave out what is apart in
- * doubles; what is left is tested exactly, some simplices at a time.
+/* A simultaneous descent of the tree and of its image, in doubles, excludes pairs of simplices that
+ * are apart. The remaining simplices are tested exactly, in batches.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "decide/scene/meeting.h"
@@ -10,7 +10,7 @@
 #include "input/solid/box_image.h"
 #include "input/validate/overlap.h"
 
-/* Simplices tested together: few at first, since a meeting is often found at once. */
+/* Sizes of batches: the first one is small, since a meeting is often found at once. */
 enum { FEWEST = 16, MOST = 65536 };
 
 typedef struct finder {
@@ -70,8 +70,8 @@ static void hold(finder *f, uint32_t simplex) {
     f->held[simplex] = 1;
 }
 
-/* Certainly apart: a box, and the image of another. Comparisons that are false for NaN leave
- * nothing out. */
+/* Are a box and the image of another certainly disjoint? Comparisons with NaN are false, so they
+ * exclude nothing. */
 static int are_apart(const finder *f, const box *standing, const box *moving) {
     int d = f->solid->input.dimension;
     box image;

@@ -1,4 +1,4 @@
-/* Whether a solid's boundary meets its image under an affine map.
+/* Tests whether a solid's boundary meets its image under an affine map.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_SCENE_MEETING_H
@@ -7,7 +7,7 @@
 #include "input/solid/solid.h"
 
 /**
- * Decide whether two closed boundaries, S's and that of its image, have a point in common.
+ * Decide whether the boundary of S and its image have a common point.
  * @param map d*(d+1) rationals, row by row, invertible
  * @return GRAZE_ESYSTEM, GRAZE_ECANCELED
  */

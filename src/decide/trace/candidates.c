@@ -1,6 +1,6 @@
-/* Time and tree are subdivided together. Boxes only ever leave a pair out: what they leave is for
- * the exact tests to answer. Pieces of the curve are cut when first needed and kept for all
- * branches of the tree. SPDX-License-Identifier: GPL-3.0-or-later
+/* Time and tree are subdivided together. Boxes only exclude pairs; exact tests answer for the pairs
+ * that are left. Pieces of the curve are cut when first needed and kept for all branches of the
+ * tree. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "decide/trace/candidates.h"
 
@@ -16,8 +16,8 @@ typedef struct exact_span {
     int level;
     size_t child; /* the two halves stand at child and child + 1; 0: not cut yet */
     box box;
-    int bounded;          /* what trajectory_bound returned */
-    int broad;            /* the box is less wide by the curves than by the way between them */
+    int bounded; /* what trajectory_bound returned */
+    int broad;   /* the distance between the curves, not their length, makes the box wide */
     bernstein_form *form; /* of each curve d + 1 polynomials to its degree; NULL once cut */
 } exact_span;
 
@@ -41,9 +41,9 @@ static void lose_memory(searcher *s) {
         context_fail(s->context, GRAZE_ESYSTEM, "out of memory while a trajectory is searched");
 }
 
-/* Whether cutting a piece can still make its box smaller: not once it is broad, or the box is
- * hardly wider than what rounding outwards adds to it, or past the range of doubles. Without this,
- * solids that are far from the origin, huge or tiny would be cut for ever. */
+/* Can cutting a piece make its box smaller? Not once it is broad, or rounding outward makes up most
+ * of the box's width, or the box is beyond the range of doubles. Without this, solids that are far
+ * from the origin, huge or tiny would be cut for ever. */
 static int can_shrink(const exact_span *piece) {
     double reach = 0;
     if (piece->broad)
@@ -70,7 +70,7 @@ static int bound_curve(box *out, const searcher *s, const trajectory *c,
     return trajectory_bound(out, c, s->bernstein);
 }
 
-/* A box that holds both pieces of curves, and so all segments between them. */
+/* Enlarge a piece's box to the other curve's piece; it then holds all segments between both. */
 static void bound_other(exact_span *piece, const searcher *s) {
     box b;
     const bernstein_form *form = piece->form + polynomial_count(s) / 2;

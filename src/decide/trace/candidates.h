@@ -1,5 +1,5 @@
-/* Simplices that a trajectory can meet, with the times: a search of the solid's tree with pieces of
- * the curve. SPDX-License-Identifier: GPL-3.0-or-later
+/* The simplices that a trajectory may meet, with windows of time, by a search of the solid's tree
+ * with pieces of the curve. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_TRACE_CANDIDATES_H
 #define GRAZE_TRACE_CANDIDATES_H
@@ -10,15 +10,14 @@
 #include "input/solid/solid.h"
 
 /**
- * All candidates, ordered by simplex and time; windows of one simplex do not touch each
- * other.
+ * Find all candidates, sorted by simplex and time; windows of one simplex do not touch.
  * @param[out] out initialised to zero, or used before; freed by the caller
  */
 graze_status candidates_find(candidates *out, graze_context *context, const graze_solid *solid,
                              const trajectory *c);
 
-/** Candidates for all points of the segments between two trajectories, of one map, at each time;
- * both are given the same degree. */
+/** Find the candidates for all points between two trajectories of one map: at each time the segment
+ * between both places is searched. Both are raised to the same degree. */
 graze_status candidates_find_between(candidates *out, graze_context *context,
                                      const graze_solid *solid, trajectory *c, trajectory *other);
 

@@ -8,8 +8,9 @@
 
 #include "decide/trace/tracer.h"
 
-/** A certain crossing in `piece`, later than all before it. @return GRAZE_EINTERNAL if the state
- * before it is not what is found beside the exact window before it */
+/** Check a certain crossing in `piece`, which is later than all findings before it. @return
+ * GRAZE_EINTERNAL if the state before it differs from the state found after the last exact window
+ */
 graze_status crosscheck_crossing(tracer *r, size_t piece, int enters);
 
 /** An exact window [from, to], in 2^-WINDOW_LEVELS of `piece`, whose ends within the piece are off

@@ -22,18 +22,18 @@ struct graze_time {
     fmpq_t low, high;
 };
 
-/** A time of a piece, not canonical yet; NULL without memory. */
+/** Make a time of a piece, not yet canonical; NULL if memory runs out. */
 graze_time *time_create(const graze_motion *motion, size_t piece, const algebraic *u);
 /** NULL is harmless. */
 void time_destroy(graze_time *time);
 
-/** 1 if a time is t0, the end of its piece, t1; NULL is none of them. */
+/** Is a time t0; the end of its piece; t1? NULL is none of these. */
 int time_is_start(const graze_time *time);
 int time_is_piece_end(const graze_time *time);
 int time_is_end(const graze_time *time);
 
-/** The first piece of the motion that has the time, its ends included: a contact may begin at the
- * end of a piece, or at that time as the start of the next one. */
+/** The first piece that has the time, counting its ends: the end of a piece and the start of the
+ * next one are one time. */
 size_t time_first_piece(const graze_time *time);
 
 /** A rational time u of a piece strictly between two times, one after the other. */

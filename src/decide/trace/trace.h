@@ -12,13 +12,13 @@
 typedef struct contact {
     graze_state left, right; /* I, O, or ABSENT at an end of the motion */
     graze_time *from, *to;   /* the same pointer for an instant; owned by the trace; both NULL for a
-                                crossing whose time is not wanted */
+                                crossing whose time is not needed */
     graze_cell *cell;
     size_t cell_count, cell_capacity;
 } contact;
 
-/** States that are not decided: the first time at which one is not, the primitives it depends on
- * and the reason; and whether any of them may be I, or O (proofs/curved.md C125). */
+/** Undecided states: the time of the first one, the primitives it depends on, and the reason; and
+ * whether any undecided state may be I, or O (proofs/curved.md C125). */
 typedef struct undecided_place {
     contact where;
     const char *reason; /* static */
@@ -36,23 +36,23 @@ struct graze_trace {
     graze_verdict verdict; /* filled by the verdict stage */
 };
 
-/** A query point: d rationals, or d finite doubles that are meant exactly; the other is NULL. */
+/** A query point: d rationals, or d finite doubles, which are exact; the other member is NULL. */
 typedef struct query_point {
     const fmpq *rational;
     const double *value;
 } query_point;
 
-/** Wanted part of a trace. */
+/** The part of a trace that is wanted. */
 typedef enum trace_detail {
-    TRACE_CONTACTS, /* contacts with times and cells */
-    TRACE_WORD,     /* states and the word */
-    TRACE_PMC, /* where a certain crossing or a brick is met, that there is one, else the word */
-    TRACE_PMC_BESIDE /* the same for points next to the sweep's boundary, which asks no bricks */
+    TRACE_CONTACTS,  /* contacts with times and cells */
+    TRACE_WORD,      /* states and the word */
+    TRACE_PMC,       /* that a certain crossing or a brick is met, if so; else the word */
+    TRACE_PMC_BESIDE /* as TRACE_PMC, without bricks: for points near the sweep's boundary */
 } trace_detail;
 
 void trace_clear(graze_trace *trace);
 
-/** Make those of all times of a trace; the trace means the same afterwards. */
+/** Make all times of a trace canonical, which does not change its meaning. */
 graze_status trace_canonicalise(const graze_trace *trace, graze_context *context);
 
 #endif

@@ -13,8 +13,8 @@ graze_kind verdict_kind(graze_state left, graze_state right);
 /** Position case of [EI] Table 1 from the states at t0 and t1. */
 int verdict_case(graze_state first, graze_state last);
 
-/** k of the rule: the components of the preimage of S that meet its interior. Whole, by parity
- * (proofs/claims.md C10, C11). */
+/** The k of the rule: the number of components of the preimage of S that meet its interior; an
+ * integer by parity (proofs/claims.md C10, C11). */
 unsigned long verdict_k(graze_state first, graze_state last, unsigned long i);
 
 /** The verdict of a sweep from the states at t0 and t1 and the counts
@@ -31,8 +31,8 @@ graze_verdict verdict_unsweep(const char *word, size_t length, unsigned long i, 
 int verdict_of_word(graze_verdict *out, const char *word, size_t length,
                     const graze_options *options);
 
-/** Count the contacts of a trace and set trace->verdict; of one that is `settled` the pmc alone, of
- * one with states that are not decided an undecided class and, where the others tell, the pmc
+/** Count the contacts of a trace and set trace->verdict. A `settled` trace gets only pmc. A trace
+ * with undecided states gets an undecided class and, if the other states decide it, pmc
  * (proofs/curved.md C125). */
 void verdict_decide(graze_trace *trace, const graze_options *options);
 

@@ -10,8 +10,8 @@
 #include "output/draw/class_grid.h"
 
 /**
- * Split the cells at borders, of measured cells those at borders between answers. The parts are as
- * many as keep a part no smaller than 1/2600 of the longer side of the grid, and at most 7.
+ * Split the cells at borders; of measured cells, those at borders between answers. A cell is split
+ * into at most 7 parts, none smaller than 1/2600 of the grid's longer side.
  * @return GRAZE_ELIMIT more parts than the limit `grid`
  */
 graze_status parts_classify(cells *c, graze_context *context, const graze_scene *scene);

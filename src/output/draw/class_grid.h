@@ -13,7 +13,7 @@
 #include "output/draw/panel.h"
 #include "output/draw/section.h"
 
-/** A grid more than so many times as wide as high is drawn wide. */
+/** A grid is drawn wide if its width exceeds its height by more than this factor. */
 #define CELLS_WIDE 1.6
 
 /** Bands of the distance on each side. */
@@ -63,7 +63,7 @@ typedef struct cells {
  * @param[out] out    cleared by cells_clear, also on failure
  * @param low, high   d rationals each, low < high on both axes; the two of another axis have no
  * effect
- * @param longer      0: as many as give each two pixels, or with `coarse` four
+ * @param longer      0: the number at which a cell has two pixels, with `coarse` four
  * @param plane       the place on the axis that is left, in E^3
  * @return GRAZE_ELIMIT more cells than the limit `grid`
  */

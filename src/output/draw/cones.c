@@ -75,7 +75,7 @@ static const char *name_of_side(const ring *r) {
     return sign_of_ring(r) > 0 ? "after" : sign_of_ring(r) < 0 ? "before" : "at";
 }
 
-/* Of a ray of large integers too. */
+/* The angle of a ray, whose integers may be large. */
 static double angle_of(const fmpz *ray) {
     slong x_places, y_places;
     double x = fmpz_get_d_2exp(&x_places, ray), y = fmpz_get_d_2exp(&y_places, ray + 1);
@@ -160,7 +160,7 @@ static graze_status draw_ring(cones_maker *m, size_t k) {
     return status ? status : context_poll(m->context);
 }
 
-/* What a ring's line in the legend says. */
+/* Append the text of a ring's line in the legend. */
 static void put_legend_words(text *t, const cones_maker *m, const ring *r) {
     char name[32];
     name_ring(name, sizeof name, r);

@@ -20,11 +20,11 @@ typedef struct eye_field {
 graze_status eye_field_make(eye_field *out, graze_context *context, const csg *solid);
 void eye_field_clear(eye_field *field);
 
-/** 1 if the expression holds at a place, whose coordinates are as many as the solid has. */
+/** Does the expression hold at a place? `at` has a coordinate for each dimension of the solid. */
 int eye_field_holds(eye_field *field, const double *at);
 
-/** The unit normal of the boundary between two near places of which one is in the solid: that of
- * the first surface between them, 0 where there is none. It looks from `from` to `to`.
+/** The unit normal of the boundary between two near places, one of them in the solid: that of the
+ * first surface between them, 0 if there is none. It points from `from` to `to`.
  * @param step a length that is small beside the picture's details */
 void eye_field_normal(double out[3], eye_field *field, const double *from, const double *to,
                       double step);

@@ -93,7 +93,7 @@ void labels_avoid_path(labels *l, const drawn_path *p) {
     }
 }
 
-/* So many square pixels in common with others do not make a name illegible. */
+/* A name remains legible if it shares at most this number of square pixels with others. */
 static const double FREE = 12;
 
 /* A rectangle and the area that it has in common with obstacles. */

@@ -76,7 +76,7 @@ void raster_line(raster *r, const double from[2], const double to[2], unsigned p
     }
 }
 
-/* A colour of so many bits a channel. */
+/* Round a colour to `bits` bits a channel. */
 static unsigned rounded(unsigned paint, int bits) {
     unsigned out = 0, most = (1u << bits) - 1;
     for (int shift = 16; paint && shift >= 0; shift -= 8) {
@@ -86,7 +86,7 @@ static unsigned rounded(unsigned paint, int bits) {
     return paint ? PAINT(out) : 0;
 }
 
-/* The runs of colours of so many bits; only counted where `out` is NULL. */
+/* Find the runs of equal colours, rounded to `bits` bits a channel; `out` NULL: only count them. */
 static size_t find_runs(pixel_run *out, const raster *r, int bits) {
     size_t n = 0;
     for (int y = 0; y < r->height; y++)

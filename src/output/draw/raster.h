@@ -21,7 +21,7 @@ void raster_triangle(raster *r, const double x[3], const double y[3], unsigned p
                      double faintness);
 void raster_line(raster *r, const double from[2], const double to[2], unsigned paint,
                  double faintness);
-/** Draw the pixels as runs of one colour, with as many shades as keep them few. */
+/** Draw the pixels as runs of one colour; shades are merged until the runs are few. */
 void raster_draw(canvas *c, const raster *r, const panel *p);
 
 #endif

@@ -148,7 +148,8 @@ static void meet_edge(fmpq *out, const section *s, const fmpq *a, const fmpq *b)
     _fmpq_vec_clear(from, 3);
 }
 
-/* Let an interval end in multiples of a power of two of which it has 2^12 to 2^13: short numbers.
+/* Enlarge an interval to multiples of a power of two, with 2^12 to 2^13 of them in its length: its
+ * ends become short numbers.
  */
 static void round_extent(fmpq_t low, fmpq_t high) {
     enum { PARTS = 12 };

@@ -9,8 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* From so many triangles on a mesh is dense; its edges are shown where the surface bends by more
- * than 30 degrees, those of others where it bends at all. */
+/* A mesh with DENSE triangles or more is dense: its edges are shown where the surface bends by more
+ * than 30 degrees. Other meshes show all edges at which the surface bends. */
 enum { DENSE = 2000 };
 static const double cosine_dense = 0.866, cosine_flat = 1 - 1e-12;
 

@@ -14,7 +14,7 @@
 #include "output/report/decimal_time.h"
 
 enum { DECIMAL_DIGITS = 12 };
-/* So many points have their roots exactly: of more, first those that are wrong or `on`. */
+/* Bound of the number of points with exact roots; points that are wrong or `on` come first. */
 enum { EXACT_MOST = 20000 };
 
 /* As many digits of a time as leave DECIMAL_DIGITS of what it is later than the motion's start. */
@@ -153,7 +153,7 @@ static void put_page_texts(text *out, const char *key, const char *const *texts,
     text_put(out, texts ? "]" : "");
 }
 
-/* Answers, most of which are missing, by the numbers of their points. */
+/* Put the answers, most of them missing, by the numbers of their points. */
 static void put_page_answers(text *out, const char *const *answers, size_t count) {
     const char *before = "";
     text_put(out, ",\n\"answers\":{");

@@ -4,7 +4,7 @@
 #include "output/report/closings.h"
 #include "output/report/sentences.h"
 
-/* The sentence on each level, by whether a witness shows that the contacts leave a gap. */
+/* The sentences for each level: the contacts cover a neighbourhood, or a witness shows a gap. */
 static const char *const meanings[][2] = {
     [GRAZE_LEVEL_FIRST_ORDER] = {"covered-first-order", "gap-first-order"},
     [GRAZE_LEVEL_CLOSED_CONES] = {"covered-closed-cones", "covered-closed-cones"},
@@ -22,7 +22,7 @@ static void put_undecided(text *t, const topo_finding *topo) {
     sentence_put(t, "closed-gap");
 }
 
-/* The witness, and what is known of the points between. */
+/* Append the witness, and the statement about the points between it and the point. */
 static void put_witness(text *t, const topo_finding *topo, graze_pmc pmc, int dimension) {
     sentence_put(t, "closed-point", graze_pmc_name(pmc), topo->witness, dimension);
     switch (finding_witness(topo)) {

@@ -1,8 +1,8 @@
-/* Contacts as cones. SPDX-License-Identifier: GPL-3.0-or-later
+/* The cover by each contact, in words. SPDX-License-Identifier: GPL-3.0-or-later
  *
- * In E^2 what a contact covers to first order is a few sectors between rays of its own arrangement
- * (proofs/topology.md C46); in E^3 a facet's half-space is told, and of the plane that first order
- * leaves open, if there is one, the sides that the contact closes.
+ * In E^2 a contact covers, to first order, a few sectors between rays of its own arrangement
+ * (proofs/topology.md C46). In E^3 a facet's half-space is given and, if first order leaves a plane
+ * open, the sides of this plane that the contact covers.
  */
 #include "output/report/closings.h"
 
@@ -66,7 +66,7 @@ void closings_place(text *t, const graze_scene *scene, const germ *g) {
     fmpq_clear(time);
 }
 
-/* Does one germ alone cover a direction? */
+/* Does a germ alone cover a direction? */
 static graze_status covers(int *out, const closings_maker *m, germ *g, const fmpz *direction) {
     germ_list alone = {.count = 1, .capacity = 1, .item = g, .bounded = 1};
     germ_cover cover;
@@ -75,7 +75,7 @@ static graze_status covers(int *out, const closings_maker *m, germ *g, const fmp
     return status;
 }
 
-/* A facet's half-space about the point. */
+/* Append a facet's half-space about the point. */
 static graze_status put_half_space(const closings_maker *m, germ *g) {
     int d = m->dimension, inside = 0;
     fmpz *normal = _fmpz_vec_init(d);
@@ -90,7 +90,7 @@ static graze_status put_half_space(const closings_maker *m, germ *g) {
     return status;
 }
 
-/* The sectors that a germ of E^2 covers. */
+/* Append the sectors that a germ of E^2 covers. */
 static graze_status put_in_plane(const closings_maker *m, germ *g) {
     sector_list found = {0, 0, NULL};
     sector_question asked = {.germ = g, .part = GERM_WHOLE};
@@ -103,7 +103,7 @@ static graze_status put_in_plane(const closings_maker *m, germ *g) {
     return status;
 }
 
-/* Which sides of the open plane it closes. */
+/* Append the sides of the open plane that a germ covers. */
 static graze_status put_sides(const closings_maker *m, germ *g) {
     int side[2] = {0, 0};
     fmpz *normal = _fmpz_vec_init(3);

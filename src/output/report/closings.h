@@ -1,4 +1,4 @@
-/* What each contact of a point closes about it, for a person.
+/* Explains to a person the directions about a point that each of its contacts covers.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_REPORT_CLOSINGS_H
@@ -12,11 +12,11 @@
 /** Append a linear form of a direction, such as `dx + -2 dy`. */
 void closings_form(text *t, const fmpz *normal, int dimension);
 
-/** Append the time of a contact, and the cell in which it is. */
+/** Append the time of a contact, and its boundary cell. */
 void closings_place(text *t, const graze_scene *scene, const germ *g);
 
-/** Append a line for each contact of an `on` point, of an unsweep of what is outside the solid; and
- * where the position is undecided, the nearest point found that is beyond it. */
+/** Append a line for each contact of an `on` point; for an unsweep the solid's complement is what
+ * covers. If the position is undecided, append the nearest point found that is out. */
 graze_status closings_explain(text *t, graze_context *context, const graze_scene *scene,
                               const fmpq *point, const topo_finding *topo);
 

@@ -12,12 +12,12 @@
 #include "base/number/refine.h"
 
 int time_is_rational(const graze_time *time) {
-    /* Without a context it cannot be canceled. */
+    /* Without a context there is neither a limit nor a cancel. */
     (void)time_canonicalise((graze_time *)time, NULL);
     return fmpq_equal(time->low, time->high);
 }
 
-/* The digits of one end, rounded to nearest, of a value held to the given precision. */
+/* The digits of an interval's end, rounded to nearest, from its value in the given precision. */
 static char *end_digits(mpfr_exp_t *exponent, const fmpq_t end, mpfr_rnd_t direction,
                         mpfr_prec_t precision, int digits) {
     mpq_t exact;
@@ -32,7 +32,7 @@ static char *end_digits(mpfr_exp_t *exponent, const fmpq_t end, mpfr_rnd_t direc
     return text;
 }
 
-/* The isolating interval of the time's local parameter, carried to the motion's parameter. */
+/* The isolating interval of a time, converted from the piece's parameter to the motion's. */
 static void bounds_in_t(fmpq_t low, fmpq_t high, const algebraic *u, const motion_piece *piece) {
     fmpq_t length;
     fmpq_init(length);
@@ -45,7 +45,7 @@ static void bounds_in_t(fmpq_t low, fmpq_t high, const algebraic *u, const motio
     fmpq_clear(length);
 }
 
-/* Digits that both ends round to; NULL if they differ. */
+/* The digits that both ends round to; NULL if they round differently. */
 static char *common_digits(const fmpq_t low, const fmpq_t high, mpfr_prec_t precision, int digits) {
     mpfr_exp_t low_exponent, high_exponent;
     char *from = end_digits(&low_exponent, low, MPFR_RNDD, precision, digits);

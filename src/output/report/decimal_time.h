@@ -7,21 +7,24 @@
 #include "base/number/text.h"
 #include "decide/trace/trace.h"
 
-/** decimal_of_rational for a time, in the motion's parameter. Makes the time canonical. */
+/** The decimal of a time in the motion's parameter, as decimal_of_rational makes it. The time
+ * becomes canonical. */
 char *decimal_of_time(int *exact, const graze_time *time, int digits);
-/** The same of what a time is later than another one. */
+/** The decimal of a time minus `since`, likewise. */
 char *decimal_of_time_since(int *exact, const graze_time *time, const fmpq_t since, int digits);
 
-/** The time from which texts tell times: the motion's start where it is large beside the motion's
- * length, such as seconds since 1970, and 1 is returned; else 0 and 0. `origin` may be NULL. */
+/** Find the origin of times in texts: the motion's start, if it is large compared with the motion's
+ * length, as seconds since 1970 are; then 1 is returned. Else the origin is 0, and 0 is returned.
+ * `origin` may be NULL. */
 int time_origin(fmpq *origin, const graze_motion *motion);
 
-/** 1 if the time is rational; makes it canonical, and then its value is time->low. */
+/** Is a time rational? Makes it canonical; the value of a rational time is time->low. */
 int time_is_rational(const graze_time *time);
 
-/** A canonical time: a ratio, or root(c0 c1 ...;a;b); nothing for NULL. */
+/** Append a canonical time: a ratio, or root(c0 c1 ...;a;b); nothing for NULL. */
 void report_put_time(text *t, const graze_time *time);
-/** A rational or a canonical time, a comma, and its decimal of 17 digits; a comma alone for NULL.
+/** Append a rational or a canonical time, a comma, and its decimal of 17 digits; only a comma for
+ * NULL.
  */
 void report_put_rational_near(text *t, const fmpq_t value);
 void report_put_time_near(text *t, const graze_time *time);

@@ -7,7 +7,7 @@
 #include "output/report/sentences.h"
 #include "output/report/time_text.h"
 
-/* Of an irrational time. */
+/* Digits of an irrational time. */
 enum { DECIMAL_DIGITS = 17 };
 
 void report_bound(char out[BOUND_ROOM], double bound, int up) {
@@ -33,7 +33,7 @@ void report_width(char out[BOUND_ROOM], double value, int up) {
     mpfr_clear(read);
 }
 
-/* The time where it is rational, else 0. */
+/* Set the time of an enclosure and return 1, if it is rational; else return 0. */
 static int rational_time(fmpq_t out, const graze_scene *scene, const distance *found) {
     if (found->at && !time_is_rational(found->at))
         return 0;

@@ -7,27 +7,27 @@
 #include "base/number/text.h"
 #include "questions/distance/distance.h"
 
-/** A bound as a decimal of at most 17 digits that is a bound too: not below the double if `up`,
- * else not above it. */
+/** Round a bound to a decimal of at most 17 digits that is a bound too: at least the double if
+ * `up`, else at most the double. */
 enum { BOUND_ROOM = 40 };
 void report_bound(char out[BOUND_ROOM], double bound, int up);
 
-/** The shortest decimal between a positive double and the next one, above it if `up`, else below
- * it: read towards the double it is that double again. */
+/** Find the shortest decimal between a positive double and the next one, above it if `up`, else
+ * below it. Rounded towards the double, it gives the double again. */
 void report_width(char out[BOUND_ROOM], double value, int up);
 
-/** The time of an enclosure: a ratio, or a decimal of 17 digits where it is irrational, of a
+/** Append the time of an enclosure: a ratio, or a decimal of 17 digits for an irrational time of a
  * contact.
  */
 void report_distance_time(text *out, const graze_scene *scene, const distance *found);
 
-/** Does the answer stay with every motion within the error? "yes", or "undecided". Static. */
+/** Does every motion within the error have the same answer? "yes" or "undecided"; static. */
 const char *report_certainty(const distance *found, double motion_error);
 
-/** Three columns, a comma before each. */
+/** Append the three columns of an enclosure, a comma before each. */
 void report_distance(text *out, const graze_scene *scene, const distance *found);
 
-/** A paragraph for a person. */
+/** Append a paragraph about an enclosure for a person. */
 void explain_distance(text *out, const graze_scene *scene, const distance *found);
 
 #endif

@@ -20,14 +20,14 @@
 
 enum { DECIMAL_DIGITS = 12 };
 
-/* A ratio of more than 12 digits. */
+/* Has a ratio more than 12 digits? */
 static int is_long(const fmpq_t value) {
     size_t digits =
         fmpz_sizeinbase(fmpq_numref(value), 10) + fmpz_sizeinbase(fmpq_denref(value), 10);
     return !fmpz_is_one(fmpq_denref(value)) && digits > 12;
 }
 
-/* Coordinates; behind a long ratio all of them as decimals too. */
+/* Append coordinates; if one is a long ratio, append all of them as decimals too. */
 static void put_point(text *out, const fmpq *point, int d) {
     int any = 0, all = 1, exact;
     text near;
@@ -63,7 +63,7 @@ static void put_answer(text *out, const graze_scene *scene, const fmpq *point,
     text_put(out, "\n");
 }
 
-/* The trajectory's point at u = 0 or 1 of a piece. */
+/* Append the trajectory's point at the end u = 0 or 1 of a piece. */
 static void put_end_point(text *out, const graze_scene *scene, const fmpq *point,
                           const motion_piece *piece, ulong u) {
     int d = scene->motion->dimension;
@@ -115,7 +115,7 @@ static int is_in_piece(const graze_time *time, size_t piece) {
     return time->piece == piece || (time->piece + 1 == piece && time_is_piece_end(time));
 }
 
-/* 1 for a piece in which a contact begins or ends. Contacts before `first` end before the piece. */
+/* Does a contact begin or end in a piece? Contacts before `first` end before the piece. */
 static int is_met_in(const graze_trace *trace, size_t *first, size_t piece) {
     const contact *c = trace->contact;
     while (*first < trace->contact_count && c[*first].to->piece + 1 < piece)
@@ -140,7 +140,7 @@ static void tell_piece(text *out, const graze_scene *scene, const motion_piece *
     }
 }
 
-/* Tell the pieces; if there are many, the first, the last and those with contacts. */
+/* Append the pieces of the trajectory; of many only the first, the last and those with contacts. */
 static void put_trajectory(text *out, const graze_scene *scene, const fmpq *point,
                            const graze_trace *trace) {
     enum { ALL = 12 };
@@ -175,8 +175,8 @@ static void put_cells(text *out, const graze_scene *scene, const contact *c) {
     text_put(out, "\n");
 }
 
-/* The reason for the kind of a contact: the states beside it, and at an end of the motion the
- * Definition that needs only one. */
+/* Append the reason for the kind of a contact: the states beside it or, at an end of the motion,
+ * the Definition that needs only one. */
 static void put_reason(text *out, const graze_scene *scene, const contact *c) {
     static const char *const reasons[] = {"reason-always",  "reason-begins", "reason-ends",
                                           "reason-through", "reason-inside", "reason-outside"};
@@ -232,7 +232,7 @@ static void tell_counts(text *out, const graze_trace *trace) {
     sentence_put(out, "counts", v->i, v->t, (v->i + first + last) / 2, v->i, first, last);
 }
 
-/* The sentences of an answer: `begin` and its name. */
+/* The key of the sentence for an answer: `begin` and the answer's name. */
 static const char *pmc_key(char key[24], const char *begin, graze_pmc pmc) {
     snprintf(key, 24, "%s-%s", begin, graze_pmc_name(pmc));
     return key;
@@ -255,7 +255,7 @@ static void put_unsweep_rule(text *out, const graze_verdict *v) {
     sentence_put(out, "unsweep", graze_pmc_name(v->pmc), pmc_key(key, "unsweep", v->pmc));
 }
 
-/* The place where the rules end, and pmc where the other states tell it. */
+/* Append the first undecided state, and pmc if the other states decide it. */
 static void put_undecided_place(text *out, const graze_scene *scene, const graze_trace *trace) {
     const undecided_place *place = trace->undecided;
     sentence_put(out, "open");

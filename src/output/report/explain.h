@@ -1,4 +1,4 @@
-/* The reasoning for one point, for a person.
+/* Explains the answer for one point to a person.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_REPORT_EXPLAIN_H
@@ -6,7 +6,7 @@
 
 #include "output/report/table_row.h"
 
-/** The whole reasoning; the times of the row's trace are canonical. */
+/** Write the whole explanation; the times of the row's trace are canonical. */
 graze_status report_explain(char **out, graze_context *context, const row *r);
 
 #endif

@@ -7,15 +7,15 @@
 #include "base/number/text.h"
 #include "input/motion/motion.h"
 
-/**
- * The trajectory's coordinate under a piece's map, as a rational function of the motion's parameter
- * in lowest terms, such as `(2*t^2 - 1)/(t^2 + 1)`. What is left out of a long one is said.
+/** Append a coordinate of the trajectory on a piece as a rational function of the motion's
+ * parameter in lowest terms, such as `(2*t^2 - 1)/(t^2 + 1)`. A long one is shortened, with the
+ * number of terms left out.
  */
 void formula_coordinate(text *out, const motion_piece *piece, const point_map *map, int coordinate,
                         const fmpq *point);
-/** An integer polynomial in t, highest power first; shortened like a coordinate. */
+/** Append an integer polynomial in t, highest power first; shortened like a coordinate. */
 void formula_polynomial(text *out, const fmpz_poly_t polynomial);
-/** A rational, its middle digits left out and their number said where there are many. */
+/** Append a rational; if it has many digits, the middle ones are replaced by their number. */
 void formula_rational(text *out, const fmpq_t value);
 
 #endif

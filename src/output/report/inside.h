@@ -7,32 +7,32 @@
 #include "base/number/json.h"
 #include "decide/trace/trace.h"
 
-/** One of them: an end of the motion, or else an end of a contact, and the piece. */
+/** The first or last such time: an end of the motion or of a contact, and its piece. */
 typedef struct inside_end {
     const fmpq *end;        /* t0 or t1; borrowed from the motion */
-    const graze_time *time; /* NULL beside an end, and where the point is never inside; borrowed */
-    size_t piece;           /* the first, or the last, one that has the time, its ends too */
+    const graze_time *time; /* NULL if `end` is set, or if the point is never inside; borrowed */
+    size_t piece;           /* the first, or the last, piece that has the time, counting its ends */
 } inside_end;
 
-/** Both, or neither. */
+/** Both times, or neither. */
 typedef struct inside_times {
     inside_end first, last;
-    int undecided; /* a state of the trajectory is not decided, so neither is said */
+    int undecided; /* a state of the trajectory is undecided, so neither time is given */
 } inside_times;
 
-/**
- * Find them by a trace with contacts (proofs/claims.md C8), whose times of them become canonical.
+/** Find both times from a trace with contacts (proofs/claims.md C8); the times become canonical.
  * @return GRAZE_ELIMIT, GRAZE_ECANCELED
  */
 graze_status inside_find(inside_times *out, graze_context *context, const graze_motion *motion,
                          const graze_trace *trace);
 
-/** Add the names of their columns, each with a comma before it: with rows where pieces have such.
+/** Append the names of their columns, a comma before each; with columns for rows if the motion's
+ * pieces have rows.
  */
 void inside_columns(text *out, const graze_motion *motion);
-/** Add their fields, each with a comma before it. */
+/** Append their fields, a comma before each. */
 void inside_csv(text *out, const inside_times *m, const graze_motion *motion);
-/** Add them to an object. */
+/** Add them to a JSON object. */
 void inside_json(json_writer *w, const inside_times *m, const graze_motion *motion);
 
 #endif

@@ -6,9 +6,9 @@
 
 #include "base/number/json.h"
 
-/** A count, or null. */
+/** Write a count, or null unless `is_there`. */
 void json_index(json_writer *w, const char *key, int is_there, size_t value);
-/** A cell as an object. */
+/** Write a cell as an object. */
 void json_cell(json_writer *w, const char *key, const graze_cell *cell);
 /** "intersection" or "tangency"; null for 0. */
 void json_kind(json_writer *w, const char *key, graze_kind kind);

@@ -12,7 +12,7 @@ const char *pair_verdict_name(graze_pair_verdict verdict);
 /** "vertex-facet" and so on, the moving one first; "" for none. Static. */
 const char *cell_pair_name(const graze_cell_pair *cells);
 
-/** Add the object. */
+/** Append the object of a pair. */
 void pair_json(text *out, const graze_pair *pair);
 
 #endif

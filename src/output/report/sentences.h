@@ -8,7 +8,8 @@
 
 #define ASSET __attribute__((visibility("hidden")))
 
-/** Define a text that is ended by a NUL: a file by its path from the repository's root. */
+/** Define a text that ends in NUL: the content of a file, given by its path from the repository's
+ * root. */
 #define ASSET_FILE(name, path)                                                                     \
     __asm__(".section .rodata\n"                                                                   \
             ".globl " #name "\n"                                                                   \
@@ -19,11 +20,12 @@
             ".size " #name ", . - " #name "\n"                                                     \
             ".previous\n")
 
-/** That file. */
+/** The content of sentences.json. */
 extern const char sentences[] ASSET;
 
-/** Add a sentence, each % filled by a text, # by an unsigned long, @ by a rational, ~ by a point
- * and & by a vector with their dimensions, $ by the sentence of a key, whose own fillings follow.
+/** Append the sentence of a key. The arguments replace its marks in order: a text for %, an
+ * unsigned long for #, a rational for @, a point or a vector with its dimension for ~ or &, a key
+ * for $, whose sentence is inserted and takes the arguments after it.
  */
 void sentence_put(text *out, const char *key, ...);
 

@@ -1,4 +1,4 @@
-/* A row: the answer for one point, a value until it is written.
+/* A row: the answer for one point, before it is written as text.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_REPORT_TABLE_ROW_H
@@ -10,7 +10,7 @@
 #include "questions/distance/distance.h"
 #include "questions/topo/finding.h"
 
-/** All but the findings is borrowed. */
+/** A row; `topo` and `regular` are owned, all else is borrowed. */
 typedef struct row {
     const graze_scene *scene;
     const graze_row_options *shown; /* checked */
@@ -24,11 +24,11 @@ typedef struct row {
     inside_times inside;  /* where it has moments */
 } row;
 
-/** How much of a trace such rows need. */
+/** The detail of traces that rows with these options need. */
 trace_detail row_detail(const graze_row_options *shown);
 
-/** Answer a point that was traced: what else `shown` wants of it, contact times made canonical
- * where they are written. row_clear frees the findings in either case. */
+/** Answer a point that was traced: find everything else that `shown` asks for, and make contact
+ * times canonical if they are written. row_clear frees the row in either case. */
 graze_status row_answer(row *out, graze_context *context, const graze_scene *scene,
                         const graze_row_options *shown, const fmpq *point,
                         const graze_trace *trace);

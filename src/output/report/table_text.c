@@ -19,7 +19,7 @@ static void put_hash(text *t, const char *key, const unsigned char sha256[32]) {
     text_put(t, given ? "\n" : "none\n");
 }
 
-/* A line of a number that is not 0. */
+/* Append a `#` line with a number, unless that is 0. */
 static void put_width(text *t, const char *name, double width, int up) {
     char number[BOUND_ROOM];
     if (!(width > 0))
@@ -28,7 +28,7 @@ static void put_width(text *t, const char *name, double width, int up) {
     text_format(t, "# %s %s\n", name, number);
 }
 
-/* The `#` lines. */
+/* Append the `#` lines. */
 static void put_notes(text *t, graze_context *context, const graze_scene *scene, const char *notes,
                       const graze_row_options *shown) {
     const graze_options *options = &scene->options;
@@ -141,7 +141,7 @@ static void put_boundary(text *t, double low) {
     text_format(t, ",%s", decimal);
 }
 
-/* What stands behind the answers, each column with a comma before it. */
+/* Append the columns behind the answers, a comma before each. */
 static void put_further(text *out, const row *r) {
     if (r->texts.rest) {
         text_put(out, ",");

@@ -6,15 +6,17 @@
 
 #include "output/report/table_row.h"
 
-/** The head of another table: `#` lines and names. @param notes further `# key value` lines, or
- * NULL. @param further names behind `names`, comma-joined, or NULL */
+/** Write the head of a table of another kind: `#` lines and names.
+ * @param notes further `# key value` lines, or NULL.
+ * @param further names behind `names`, comma-joined, or NULL */
 graze_status table_head(char **out, graze_context *context, const graze_scene *scene,
                         const char *notes, const char *names, const char *further);
 
-/** The head of a table of points. `notes` as above; `columns`: names of further ones, or NULL. */
+/** Write the head of a table of points; `notes` as above.
+ * @param columns names of further columns, or NULL */
 graze_status report_header(char **out, graze_context *context, const graze_scene *scene,
                            const char *notes, const char *columns, const graze_row_options *shown);
-/** Add its names of columns. */
+/** Append the names of that table's columns. */
 void table_columns(text *out, const graze_scene *scene, const char *columns,
                    const graze_row_options *shown);
 

@@ -1,4 +1,4 @@
-/* A time is t0 and a difference where that is easier to read.
+/* Times are given relative to t0 if that is easier to read.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "output/report/time_text.h"
@@ -10,7 +10,7 @@
 
 enum { DECIMAL_DIGITS = 12 };
 
-/* t0 and what a time is later, `number` being its text. */
+/* Append t0 and the text `number` of the difference of a time from t0. */
 static void put_later(text *out, const char *number) {
     int negative = number[0] == '-';
     text_put(out, "t0");
@@ -27,7 +27,8 @@ static void put_later_ratio(text *out, const fmpq_t later) {
     text_clear(&ratio);
 }
 
-/* A decimal that is not the number stands behind the ratio, where it is asked for. */
+/* Append a time as its decimal, if that is exact; else as a ratio, with the decimal behind it if
+ * `with_near`. */
 static void put_told(text *out, const graze_motion *motion, const fmpq_t time, int with_near) {
     fmpq *origin = _fmpq_vec_init(2), *later = origin + 1;
     int exact;

@@ -13,10 +13,10 @@ void tell_rational_time(text *out, const graze_motion *motion, const fmpq_t time
  * with its polynomial and interval. */
 void tell_time(text *out, const graze_time *time);
 
-/** A time that is irrational as a decimal of so many digits. */
+/** Append an irrational time as a decimal with `digits` digits. */
 void tell_near_time(text *out, const graze_time *time, int digits);
 
-/** The value of t0, where times are told from it, as a sentence; else nothing. */
+/** Append a sentence with the value of t0, if times are given relative to it. */
 void tell_time_origin(text *out, const graze_motion *motion);
 
 #endif

@@ -29,7 +29,7 @@ static const char *plural(size_t count, const char *one, const char *many) {
     return count == 1 ? one : many;
 }
 
-/* The power of ten of which 10^4 to 10^6 fit the box's longest side. */
+/* Set the step to a power of ten, so that the box's longest side is 10^4 to 10^6 steps. */
 static void set_step(mpz_t up, mpz_t down, mpq_t *low, mpq_t *high, int d) {
     mpq_t side;
     long most = 0;

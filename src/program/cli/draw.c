@@ -113,7 +113,7 @@ static int value_title(void *to, const char *name, const char *value) {
     return value_text(to, name, value);
 }
 
-/* What of a picture takes no curved solid; NULL: nothing. */
+/* The option given that does not go with a curved solid; NULL: none. */
 static const char *straight_part(const draw_given *o) {
     return o->surface > 0                    ? "draw --surface"
            : o->by == GRAZE_DRAW_BY_DISTANCE ? "draw --by distance"

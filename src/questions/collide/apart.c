@@ -1,11 +1,11 @@
-/* Directions are any vectors: they are chosen so that they part much, and proved is what they part.
- * SPDX-License-Identifier: GPL-3.0-or-later
+/* A separation is proved by the extents along a direction. Any vector may be tried, so directions
+ * are chosen that separate often. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/collide/apart.h"
 
 #include "decide/filter/normal.h"
 
-/* Sizes below which products stay in the range of doubles. */
+/* Bounds that keep products in the range of doubles. */
 #define MOST_BOUND 0x1p950
 #define MOST_SLOPE 0x1p200
 
@@ -13,7 +13,7 @@ static double size1(const double *n) {
     return fabs(n[0]) + fabs(n[1]) + fabs(n[2]);
 }
 
-/** From `low` to `high` along a direction. */
+/** An extent along a direction. */
 typedef struct extent {
     double low, high;
 } extent;
@@ -23,17 +23,17 @@ static void take_place(extent *e, double x) {
     e->high = larger(e->high, x);
 }
 
-/* Is one extent beyond the other by more than both err? */
+/* Are two extents disjoint by more than their errors? */
 static int extents_apart(extent a, extent b, const double n[3], double error) {
     double bound = size1(n) * error + 0x1p-800;
     return bound < MOST_BOUND && (a.low - b.high > bound || b.low - a.high > bound);
 }
 
-/* One to three points under some maps: three coordinates each, in E^2 the last 0. */
+/* The images of one to three points under some maps: three coordinates each, in E^2 a last 0. */
 typedef struct point_group {
     size_t maps;
     int count;
-    const double *at; /* maps * count points, those of one map side by side */
+    const double *at; /* maps * count points, map by map */
 } point_group;
 
 static const double *run_corner(const corners *of, corner_run run, int k, int d) {
@@ -88,7 +88,7 @@ static int divides(const divider *d, const double n[3]) {
     return extents_apart(group_extent(d->moved, n), group_extent(d->standing, n), n, d->error);
 }
 
-/* The edges between points that a group has under a map in the middle. @return how many */
+/* The edges between a group's points under the middle map. @return their number */
 static int edges_of(double out[3][3], const point_group *g) {
     const double *x = g->at + g->maps / 2 * (size_t)(3 * g->count);
     int edges = g->count == 3 ? 3 : g->count - 1;
@@ -98,7 +98,7 @@ static int edges_of(double out[3][3], const point_group *g) {
     return edges;
 }
 
-/* Within a plane across `normal`, across each edge. */
+/* Try the directions perpendicular to `normal` and to an edge, for each edge. */
 static int divides_in_plane(const divider *d, const double normal[3], double edge[][3], int count) {
     double n[3];
     for (int k = 0; k < count; k++) {
@@ -109,7 +109,7 @@ static int divides_in_plane(const divider *d, const double normal[3], double edg
     return 0;
 }
 
-/* By the planes of triangles, and those that hold the directions of two edges. */
+/* Try the normals of the triangles, and the directions perpendicular to an edge of each. */
 static int divides_in_space(double normal[3], const divider *d, double a[][3], int edges_a,
                             double b[][3], int edges_b) {
     if (edges_b == 3) {
@@ -148,13 +148,14 @@ int corners_apart(const solid_pair *pair, const control_maps *maps, corner_run m
     return divides_in_plane(&d, normal, a, edges_a) || divides_in_plane(&d, normal, b, edges_b);
 }
 
-/* A node: its box, in E^2 of no height, and its slab. */
+/* A node: its box, without height in E^2, and its slab. */
 typedef struct flat_box {
     const box *box;
     const slab *slab;
 } flat_box;
 
-/* Extent along n of the intersection of a box and a slab: n = share * the slab's normal + rest. */
+/* A bound of the extent along n of the intersection of a box and a slab, from n = share * the
+ * slab's normal + rest. */
 static extent flat_extent(const flat_box *f, const double n[3]) {
     const double *normal = f->slab->normal;
     double length = dot3(normal, normal), share = length > 0 ? dot3(n, normal) / length : 0;
@@ -170,7 +171,7 @@ static extent flat_extent(const flat_box *f, const double n[3]) {
     return (extent){centre - half + smaller(one, other), centre + half + larger(one, other)};
 }
 
-/* Extent of the image along n: n . (A x + b) = (A^T n) . x + n . b. */
+/* A bound of the extent of the images along n, from n . (A x + b) = (A^T n) . x + n . b. */
 static extent moved_extent(const flat_box *f, const control_maps *maps, const double n[3]) {
     extent all = {INFINITY, -INFINITY};
     int d = maps->dimension;
@@ -189,7 +190,7 @@ static extent moved_extent(const flat_box *f, const control_maps *maps, const do
     return all;
 }
 
-/* The direction across the images of planes across n, under a map in the middle. */
+/* The normal, under the middle map, of the image of a plane with the normal n. */
 static void carry_normal(double out[3], const control_maps *maps, const double n[3]) {
     int d = maps->dimension;
     const double *m = maps->entry + maps->count / 2 * (size_t)(d * (d + 1));
@@ -206,7 +207,7 @@ static void carry_normal(double out[3], const control_maps *maps, const double n
     }
 }
 
-/* Slabs without bounds have no normal. */
+/* Do the extents along n separate two nodes? n is 0 for a slab without bounds. */
 static int slabs_apart_along(const flat_box *moved, const flat_box *standing,
                              const control_maps *maps, const double n[3], double error) {
     return size1(n) > 0 &&

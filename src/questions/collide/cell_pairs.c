@@ -1,16 +1,18 @@
-/* A mean of some corners of a common part lies on the sides that hold all of them, and every pair
- * of cells that meets holds such a mean. SPDX-License-Identifier: GPL-3.0-or-later
+/* The mean of some corners of a common part lies on exactly the sides that hold all of these
+ * corners; each pair of cells that meet contains such a mean.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/collide/cell_pairs.h"
 
 #include <stdlib.h>
 #include "base/context/array.h"
 
-/** Sides that hold a point: of the moving simplex the low three bits, then the fixed one's. */
+/** The sides that hold a point: three bits for the moving simplex, then three for the fixed one. */
 typedef unsigned side_mask;
 enum { SIDE_MASKS = 64, FIXED_SHIFT = 3 };
 
-/* Mark the means of all sets of corners: the masks, closed under intersection. */
+/* Mark the masks of the means of all sets of corners: the corners' masks, closed under
+ * intersection. */
 static void close_masks(unsigned char held[SIDE_MASKS], const common_points *points) {
     for (int k = 0; k < points->count; k++) {
         side_mask corner = points->item[k].zero[0] | points->item[k].zero[1] << FIXED_SHIFT;
@@ -29,7 +31,7 @@ static void add_cell_pair(cell_pairs *out, placing *p, graze_cell moving, graze_
         out->item[out->count++] = (graze_cell_pair){moving, fixed};
 }
 
-/* All names that the input has for the two cells. */
+/* Append the pairs of all names that the input has for two cells. */
 static void add_names(cell_pairs *out, placing *p, near_pair simplices, side_mask mask) {
     const graze_solid *a = p->pair->moving, *b = p->pair->fixed;
     graze_cell moving = solid_cell(a, simplices.moving, mask & 7);

@@ -1,4 +1,6 @@
-/* Pairs of boundary cells that meet at a time. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Pairs of boundary cells, one of each solid, that meet at a time.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
 #ifndef GRAZE_COLLIDE_CELL_PAIRS_H
 #define GRAZE_COLLIDE_CELL_PAIRS_H
 
@@ -7,14 +9,12 @@
 
 typedef struct cell_pairs {
     size_t count, capacity;
-    graze_cell_pair *item; /* sorted, each once */
+    graze_cell_pair *item; /* sorted, without duplicates */
 } cell_pairs;
 
-/**
- * All pairs of relatively open cells that have a point in common at the placing's time, at which no
- * edge of one solid passes through the other (proofs/collision.md C109).
- * @param near all pairs of simplices that meet then, perhaps others
- */
+/** Find all pairs of relatively open cells with a common point at the placing's time
+ * (proofs/collision.md C109). At that time no edge of one solid passes through the other.
+ * @param near all pairs of simplices that meet then, and perhaps others */
 void cell_pairs_find(cell_pairs *out, placing *p, const near_list *near);
 
 #endif

@@ -1,10 +1,12 @@
-/* The word, its contacts and what follows. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Answers pairs: the word, its contacts, and their consequences.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
 #include "questions/collide/collide.h"
 
 #include <string.h>
 #include "questions/collide/pair_search.h"
 
-/* t0, where the motion begins in state I. */
+/* Set `start` to t0 if the motion begins in state I. */
 static graze_status mark_start(graze_pair *pair, graze_context *context) {
     algebraic zero;
     if (pair->walk.word[0] != GRAZE_STATE_I)

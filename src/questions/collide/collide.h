@@ -1,5 +1,5 @@
-/* How a moving solid meets a fixed one (proofs/collision.md).
- * SPDX-License-Identifier: GPL-3.0-or-later
+/* The answer of a pair: the word and the contacts of a moving and a fixed solid
+ * (proofs/collision.md). SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_COLLIDE_COLLIDE_H
 #define GRAZE_COLLIDE_COLLIDE_H
@@ -9,24 +9,24 @@
 struct graze_pair {
     solid_pair pair;
     pair_walk walk;
-    graze_motion *own; /* the relative motion where both move, else NULL */
-    graze_time *start; /* t0, where the word begins with I; else NULL */
+    graze_motion *own; /* the relative motion if both solids move, else NULL */
+    graze_time *start; /* t0 if the word begins with I, else NULL */
     graze_pair_options options;
 };
 
-/** Answer a pair whose solids, motion and options are set; collide_clear in any case. Times of
- * contacts become canonical. */
+/** Answer a pair with its solids, motion and options set. The caller calls collide_clear in any
+ * case. Times of contacts become canonical. */
 graze_status collide_answer(graze_pair *pair, graze_context *context);
 void collide_clear(graze_pair *pair);
 
-/** The verdict of a word, or that it is one of the first contact alone. */
+/** The verdict of the word; GRAZE_PAIR_CONTACT if only the first contact was asked for and found.
+ */
 graze_pair_verdict collide_verdict(const graze_pair *pair);
 
-/** The letter of the gap after the first instant of the first contact, where that alone is asked
- * for; else ABSENT. */
+/** The state just after the first contact begins, if no more was asked for; else ABSENT. */
 graze_state collide_next(const graze_pair *pair);
 
-/** The time at which the first I begins, or NULL. */
+/** The time at which the interiors begin to meet, or NULL. */
 const graze_time *collide_overlap_time(const graze_pair *pair);
 
 #endif

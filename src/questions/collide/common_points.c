@@ -1,4 +1,4 @@
-/* Corners of common parts by the signs of planes, sides and pairs of edges.
+/* Corners of common parts, from signs of planes, sides and pairs of edges.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/collide/common_points.h"
@@ -7,7 +7,7 @@ typedef struct finder {
     common_points *out;
     placing *p;
     near_pair simplices;
-    int plane[2][3]; /* of each one's corners, at the plane of the other */
+    int plane[2][3]; /* signs of each simplex's corners at the other's plane */
 } finder;
 
 static uint32_t corner_vertex(const finder *f, pair_side side, int k) {
@@ -36,7 +36,8 @@ static void note_corner(finder *f, common_corner corner) {
     f->out->item[f->out->count++] = corner;
 }
 
-/* The corners' signs at the other one's plane; 0 if all are on one side of it. */
+/* Set the signs of a simplex's corners at the other simplex's plane; 0 if all are on one side of
+ * it. */
 static int look_at_plane(finder *f, pair_side side) {
     int d = f->p->pair->motion->dimension, above = 0, below = 0;
     pair_side other = (pair_side)!side;
@@ -49,7 +50,7 @@ static int look_at_plane(finder *f, pair_side side) {
     return above < d && below < d && !f->p->status;
 }
 
-/* Corners of one that are in the other. */
+/* Add the corners of one simplex that are in the other. */
 static void add_vertex_corners(finder *f, pair_side side) {
     int d = f->p->pair->motion->dimension;
     pair_side other = (pair_side)!side;
@@ -66,9 +67,9 @@ static void add_vertex_corners(finder *f, pair_side side) {
     }
 }
 
-/* Does side k of one pass the line of side l of the other strictly between its ends, if the two
- * lines meet? It does where its ends are on different sides of the other's plane, or, in that
- * plane, of that line. */
+/* Does side k of one simplex cross the line of side l of the other strictly between its ends, given
+ * that both lines are coplanar? It does if its ends are on different sides of the other's plane or,
+ * within that plane, of the line. */
 static int passes(placing *p, near_pair simplices, pair_side side, int k, int l,
                   const int plane[3]) {
     pair_side other = (pair_side)!side;
@@ -94,13 +95,13 @@ static int edges_sign(finder *f, int k, int l) {
     return placing_edges_sign(f->p, moving, fixed);
 }
 
-/* Does an edge pass strictly through the triangle of the other side? `sign` are those of the
- * determinants with its three sides. */
+/* Does edge k pass through the relative interior of the other triangle?
+ * @param sign the signs of the edge's determinants with the triangle's three sides */
 static int passes_through(const int plane[3], int k, const int sign[3]) {
     return plane[k] * plane[(k + 1) % 3] < 0 && sign[0] && sign[0] == sign[1] && sign[1] == sign[2];
 }
 
-/* Where an edge is about the other one's plane. */
+/* The place of an edge relative to the other triangle's plane. */
 typedef enum edge_place { EDGE_BESIDE, EDGE_WITHIN, EDGE_THROUGH } edge_place;
 
 static edge_place place_edge(const finder *f, pair_side side, int k) {
@@ -108,8 +109,8 @@ static edge_place place_edge(const finder *f, pair_side side, int k) {
     return first * second < 0 ? EDGE_THROUGH : first || second ? EDGE_BESIDE : EDGE_WITHIN;
 }
 
-/* The sign of the determinant is asked for where an edge passes a plane; it is 0 where one is in
- * the other one's plane. */
+/* Add the crossings of edges, and set `crossing`. Two lines are tested for being coplanar only if
+ * one edge crosses the other's plane; if one lies in the other's plane they are. */
 static void add_edge_corners(finder *f) {
     int sign[3][3], turned[3][3];
     for (int k = 0; k < 3 && !f->p->status; k++)

@@ -1,4 +1,4 @@
-/* Convex hulls of control points. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Control maps from Bernstein coefficients. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "questions/collide/control_maps.h"
 
 #include <flint/fmpz_vec.h>
@@ -33,7 +33,7 @@ void map_forms_split(map_forms *forms, map_forms *right) {
         bernstein_form_split(&forms->form[k], &right->form[k]);
 }
 
-/* Entries, and behind them the room. */
+/* Allocate the entries with the scratch memory behind them. */
 static int make_map_room(control_maps *out, size_t count, int d) {
     size_t entries = count * (size_t)(d * (d + 1));
     double *grown = realloc(out->entry, (entries + 9 * count) * sizeof *grown);
@@ -60,7 +60,7 @@ static void measure_maps(control_maps *maps) {
         }
 }
 
-/* x / w for w > 0, within 2^-48 of its size. */
+/* x / w for w > 0, with a relative error of at most 2^-48. */
 static double quotient(const fmpz_t x, const fmpz_t w) {
     slong ex, ew;
     double m = fmpz_get_d_2exp(&ex, x) / fmpz_get_d_2exp(&ew, w);

@@ -1,5 +1,5 @@
-/* Contacts of a vertex's trajectory with the other boundary, before and after a time.
- * SPDX-License-Identifier: GPL-3.0-or-later
+/* A vertex is inside between its trajectory's last contact with the other boundary before a time
+ * and its first one after it. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/collide/deep_vertex.h"
 
@@ -8,10 +8,10 @@
 #include "base/number/order.h"
 #include "decide/trace/touch.h"
 
-/* Vertices of each solid that are tried, and trajectories that are traced. */
+/* Bounds of the numbers of vertices tried for each solid, and of trajectories traced. */
 enum { MOST_TRIED = 16, MOST_TRACED = 4 };
 
-/* The contacts next to a time narrow [low, high]. */
+/* Narrow [low, high] to the times between the contacts next to a time. */
 static graze_status narrow_interval(fmpq_t low, fmpq_t high, graze_context *context, touches *t,
                                     algebraic *time) {
     graze_status status = GRAZE_OK;
@@ -29,7 +29,8 @@ static graze_status narrow_interval(fmpq_t low, fmpq_t high, graze_context *cont
     return status;
 }
 
-/* The vertex is in the other one's interior at `time`: until when, and since when? */
+/* Find the interval of a vertex that is in the other solid's interior at `time`; keep it if it is
+ * longer than `out`. */
 static graze_status trace_vertex(deep_interval *out, placing *whole, pair_side side,
                                  uint32_t vertex, algebraic *time) {
     const graze_solid *other = placing_solid(whole, (pair_side)!side);

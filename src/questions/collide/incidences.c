@@ -1,7 +1,7 @@
-/* Roots of planes at vertices, and of determinants of edges.
+/* The times are roots of plane forms at vertices, and of determinants of edges.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Neighbouring simplices share vertices and edges, so these are brought together first.
+ * Adjacent simplices share vertices and edges, so duplicates are removed first.
  */
 #include "questions/collide/incidences.h"
 
@@ -12,11 +12,12 @@
 #include "base/number/rootless.h"
 #include "questions/collide/apart.h"
 
-/** A vertex against a simplex of `side`, or two edges; with the pair that it was found in. */
+/** A vertex and a simplex of the other solid, or two edges, with a pair of simplices around them.
+ */
 typedef struct meeting_cells {
     uint32_t key[4];
     near_pair simplices;
-    int k, l; /* the corner, or the sides */
+    int k, l; /* the corner's number, or the sides' */
 } meeting_cells;
 
 typedef struct cell_list {
@@ -25,11 +26,11 @@ typedef struct cell_list {
 } cell_list;
 
 typedef struct finder {
-    algebraic_list found; /* in no order */
+    algebraic_list found; /* unordered */
     placing *p;
     const near_list *near;
     const control_maps *maps;
-    double error; /* of places in doubles */
+    double error; /* of error_of_places */
     const dyadic_interval *interval;
 } finder;
 
@@ -59,7 +60,7 @@ static void leave_each_once(cell_list *list) {
     list->count = kept;
 }
 
-/* The vertices of each pair's simplex that is not of `side`, with the one that is. */
+/* Gather, for each pair, the vertices of one simplex with the other simplex, which is of `side`. */
 static void gather_vertices(cell_list *out, finder *f, pair_side side) {
     const graze_solid *of = placing_solid(f->p, (pair_side)!side);
     for (size_t i = 0; i < f->near->count; i++)
@@ -93,13 +94,13 @@ static void note_time(finder *f, const algebraic *time) {
     algebraic_set(algebraic_list_append(&f->found), time);
 }
 
-/* Are corners of the two simplices certainly apart all the time? */
+/* Are some corners of both simplices certainly apart during the whole interval? */
 static int runs_apart(const finder *f, corner_run moving, corner_run fixed) {
     return corners_apart(f->p->pair, f->maps, moving, fixed, f->error);
 }
 
-/* Times at which the vertex is in the simplex, or, if it stays in its plane, at which it may change
- * its cell there. */
+/* Note the times at which the vertex is in the simplex or, if it is always in the simplex's plane,
+ * those at which it may change its cell there. */
 static void meet_vertex(finder *f, pair_side side, const meeting_cells *m) {
     int d = f->p->pair->motion->dimension;
     near_pair s = m->simplices;
@@ -130,8 +131,8 @@ static void meet_vertex(finder *f, pair_side side, const meeting_cells *m) {
     fmpz_poly_clear(q);
 }
 
-/* Do two edges, whose lines lie in one plane at the time, cross inside both? The signs of their
- * ends at the other triangle's plane, where they are needed. */
+/* Do two edges, whose lines are coplanar at the time, cross inside both? The signs of their ends at
+ * the other triangle's plane are found as needed. */
 static int cross_then(placing *p, const meeting_cells *m) {
     int plane[2][3] = {{0}, {0}};
     near_pair s = m->simplices;
@@ -173,7 +174,7 @@ static void meet_two_edges(finder *f, const meeting_cells *m) {
     fmpz_poly_clear(q);
 }
 
-/* Move the times found into `out`, in order, each once. */
+/* Append the found times to `out`, sorted, without duplicates. */
 static void order_times(algebraic_list *out, finder *f) {
     size_t n = f->found.count;
     algebraic **order = malloc((n ? n : 1) * sizeof(algebraic *));

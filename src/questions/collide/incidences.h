@@ -1,5 +1,5 @@
-/* Times of an interval at which a vertex of one solid is in a simplex of the other, or two edges
- * cross, and this can change. SPDX-License-Identifier: GPL-3.0-or-later
+/* Times of an interval at which an incidence can begin or end: a vertex of one solid in a simplex
+ * of the other, or a crossing of two edges. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_COLLIDE_INCIDENCES_H
 #define GRAZE_COLLIDE_INCIDENCES_H
@@ -7,14 +7,12 @@
 #include "questions/collide/common_points.h"
 #include "questions/collide/near_pairs.h"
 
-/**
- * Find times in a closed interval of a piece between which, for each of the pairs, nothing that
- * common_points_find says changes; at each of them some pair has a common point. Contacts that last
- * have times where they change alone (proofs/collision.md C110).
- * @param[out] out   the times, ascending, each once
- * @param p          on the whole piece
- * @param maps       the motion during the interval, for what is certain in doubles
- */
+/** Find times in a closed interval of a piece such that between two of them the result of
+ * common_points_find does not change for any pair, and at each of them some pair has a common
+ * point. A contact that lasts gives only times at which it changes (proofs/collision.md C110).
+ * @param[out] out the times, ascending, without duplicates
+ * @param p a placing on the whole piece
+ * @param maps the motion during the interval, for tests in doubles */
 graze_status incidences_find(algebraic_list *out, placing *p, const near_list *near,
                              const control_maps *maps, const dyadic_interval *interval);
 

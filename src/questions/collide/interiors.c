@@ -1,5 +1,5 @@
-/* Edges that pass through, bodies inside one another, and cones at common points.
- * SPDX-License-Identifier: GPL-3.0-or-later
+/* The interiors meet if an edge passes through a simplex, a component is inside the other solid, or
+ * the open cones at a common point meet. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/collide/interiors.h"
 
@@ -9,7 +9,7 @@
 #include "questions/collide/open_cones.h"
 #include "questions/collide/star.h"
 
-/** A common point: the vertex or the two edges, with a pair that has it as a corner. */
+/** A common point: its vertex or its two edges, and a pair of simplices with it as a corner. */
 typedef struct meeting_point {
     corner_kind kind;
     uint32_t key[4];
@@ -19,7 +19,7 @@ typedef struct meeting_point {
 
 typedef struct looker {
     placing *p;
-    int crossing; /* an edge of one passes a simplex of the other: nothing below is whole */
+    int crossing; /* an edge passes through a simplex: the points are incomplete */
     size_t count, capacity;
     meeting_point *point;
 } looker;
@@ -58,7 +58,7 @@ static void add_meeting_point(looker *l, near_pair simplices, const common_corne
     set_key(m, l->p);
 }
 
-/* Common points of all pairs, up to an edge that passes through. */
+/* Gather the common points of all pairs, until an edge passes through a simplex. */
 static void gather_points(looker *l, const near_list *near) {
     common_points found;
     for (size_t k = 0; k < near->count && !l->p->status; k++) {
@@ -83,8 +83,8 @@ static int is_common(const looker *l, pair_side side, uint32_t vertex) {
     return l->count && bsearch(&m, l->point, l->count, sizeof *l->point, compare_meetings) != NULL;
 }
 
-/* Has a component of a boundary, one that meets the other boundary nowhere, a vertex in the other
- * one's interior? */
+/* Is a component of one boundary, which does not meet the other boundary, in the other solid's
+ * interior? Its first vertex tells. */
 static int finds_inside(looker *l, placing *rational, pair_side side) {
     const simplices *cut = &placing_solid(l->p, side)->cut;
     unsigned char *seen = calloc(cut->component_count, 1);
@@ -107,8 +107,9 @@ static int finds_inside(looker *l, placing *rational, pair_side side) {
     return found;
 }
 
-/* The shares of the ends of an edge in its crossing with another: the distances of the other end
- * from what it crosses, the other one's plane, or in that plane the other edge. */
+/* Set the barycentric shares of an edge's ends at its crossing with another edge: the share of one
+ * end is the other end's distance from the other triangle's plane or, within that plane, from the
+ * other edge. */
 static void set_shares(fmpz_poly_struct share[2], placing *p, const meeting_point *m,
                        pair_side side, const uint32_t end[2]) {
     pair_side other = (pair_side)!side;
@@ -120,7 +121,7 @@ static void set_shares(fmpz_poly_struct share[2], placing *p, const meeting_poin
         if (placing_sign(p, &share[!k]) < 0)
             fmpz_poly_neg(&share[!k], &share[!k]);
     }
-    /* Forms are values times the weights of the ends. */
+    /* A form at a vertex is its value times the vertex's weight. */
     for (int k = 0; k < 2; k++) {
         const trajectory *c = placing_vertex(p, side, end[k]);
         if (c)
@@ -128,7 +129,7 @@ static void set_shares(fmpz_poly_struct share[2], placing *p, const meeting_poin
     }
 }
 
-/* The sectors of a side at a common point. */
+/* Gather the sectors of one solid at a common point. */
 static void gather_sectors(sectors_about *out, placing *p, const meeting_point *m, pair_side side) {
     star about = {0};
     uint32_t end[2];
@@ -148,7 +149,8 @@ static void gather_sectors(sectors_about *out, placing *p, const meeting_point *
     free(about.item);
 }
 
-/* The sectors at a vertex of the other side: simplices that have the vertex are in a pair each. */
+/* Gather the sectors of one solid at a vertex of the other: each simplex that holds the vertex is
+ * in some pair with it. */
 static void gather_sectors_of_pairs(sectors_about *out, placing *p, const meeting_point *m,
                                     size_t count, pair_side side) {
     for (size_t k = 0; k < count && !p->status; k++) {
@@ -161,7 +163,7 @@ static void gather_sectors_of_pairs(sectors_about *out, placing *p, const meetin
     }
 }
 
-/* Do the open cones meet at a common point, with which `count` entries of the list begin? */
+/* Do the open cones meet at a common point, given by the first `count` entries of the list? */
 static int cones_meet_at(placing *p, const meeting_point *m, size_t count) {
     sectors_about about[2] = {{0}, {0}};
     for (int side = 0; side < 2; side++)

@@ -1,4 +1,4 @@
-/* Whether the interiors of the two solids meet at a time at which their boundaries may.
+/* The state of a pair at one time, at which the boundaries may meet.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_COLLIDE_INTERIORS_H
@@ -6,14 +6,12 @@
 
 #include "questions/collide/common_points.h"
 
-/**
- * State of the pair at the placing's time, a rational one, or an irrational one at which the
- * boundaries meet: I, B or O (proofs/collision.md C109, C111). Without GRAZE_OK in the placing it
- * means nothing.
- * @param near   all pairs of simplices that meet then, perhaps others
- * @param before for an irrational time a placing at a rational one, such that no vertex changes its
- * state between the two; else NULL
- */
+/** The state of the pair at the placing's time: I, B or O (proofs/collision.md C109, C111). The
+ * time is rational, or the boundaries meet at it. After a failure of the placing the result is
+ * invalid.
+ * @param near all pairs of simplices that meet then, and perhaps others
+ * @param before for an irrational time: a placing at a rational time such that no vertex changes
+ * its state between both; else NULL */
 graze_state interiors_look(placing *p, const near_list *near, placing *before);
 
 #endif

@@ -1,5 +1,5 @@
-/* A descent of two trees at a time, the moving one through the images of its boxes.
- * SPDX-License-Identifier: GPL-3.0-or-later
+/* A simultaneous descent of both trees; the moving tree's boxes are replaced by bounds of their
+ * images. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/collide/near_pairs.h"
 
@@ -31,14 +31,14 @@ graze_status near_pairs_take(near_list *out, graze_context *context, const solid
 typedef struct refiner {
     const solid_pair *pair;
     const control_maps *maps;
-    double error; /* of places in doubles */
+    double error; /* of error_of_places */
     node_list *near, *coarse;
     int at_once;
     graze_context *context;
     graze_status status;
 } refiner;
 
-/* A node of the moving tree during the interval: its box, and how large it is at one time. */
+/* A node of the moving tree: a box around its images in the interval, its size at one time. */
 typedef struct moved_node {
     uint32_t node;
     box box;

@@ -1,5 +1,5 @@
-/* Pairs of simplices that may meet during an interval, by two trees of boxes and by directions
- * along which they are apart, in doubles with proved bounds (proofs/collision.md C108).
+/* Pairs of simplices that may meet during an interval: two trees of boxes and separating directions
+ * exclude all others, in doubles with proved bounds (proofs/collision.md C108).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_COLLIDE_NEAR_PAIRS_H
@@ -8,7 +8,7 @@
 #include "questions/collide/control_maps.h"
 #include "questions/collide/solid_pair.h"
 
-/** Nodes of the two solids' trees, or leaves. */
+/** A node of each solid's tree. */
 typedef struct node_pair {
     uint32_t moving, fixed;
 } node_pair;
@@ -18,21 +18,19 @@ typedef struct node_list {
     node_pair *item;
 } node_list;
 
-/**
- * Cut pairs of nodes down to leaves, and leave out those that are certainly apart.
+/** Refine pairs of nodes down to leaves; drop pairs that are certainly apart.
  * @param maps    the motion during the interval
- * @param in      pairs of nodes
- * @param[out] near   pairs of leaves are appended that are about as large as their way, or all if
- *                    `at_once`
- * @param[out] coarse pairs of nodes are appended whose way is longer than both: a shorter interval
- *                    tells more; none if `at_once`
- * @return GRAZE_ESYSTEM, GRAZE_ECANCELED
- */
+ * @param in the pairs of nodes to refine
+ * @param[out] near the pairs of leaves that are left are appended; without `at_once` only those
+ * that do not move much further than they are large
+ * @param[out] coarse pairs of nodes that move further than they are large are appended, for a
+ * shorter interval; with `at_once` there are none
+ * @return GRAZE_ESYSTEM, GRAZE_ECANCELED */
 graze_status near_pairs_refine(node_list *near, node_list *coarse, graze_context *context,
                                const solid_pair *pair, const control_maps *maps,
                                const node_list *in, int at_once);
 
-/** The simplices of pairs of leaves. */
+/** Take the simplices of pairs of leaves. */
 graze_status near_pairs_take(near_list *out, graze_context *context, const solid_pair *pair,
                              const node_list *leaves);
 

@@ -1,8 +1,8 @@
-/* Arcs of one cone, cut where they pass the other one's planes, and located in it.
- * SPDX-License-Identifier: GPL-3.0-or-later
+/* The sectors of each cone are cut by the planes of the other cone's sectors; each part is located
+ * in the other cone. SPDX-License-Identifier: GPL-3.0-or-later
  *
- * The common interior of two open sets on the sphere is bounded by parts of their arcs, so it is
- * enough to look at a point of each part.
+ * On the sphere, parts of the cones' arcs bound the intersection of both open sets, so one point of
+ * each part is enough.
  */
 #include "questions/collide/open_cones.h"
 
@@ -42,7 +42,7 @@ static void dot_moving(fmpz_poly_t out, const moving_vector *a, const moving_vec
     fmpz_poly_clear(term);
 }
 
-/* out is neither. */
+/* out = a x b; `out` is neither. */
 static void cross_moving(moving_vector *out, const moving_vector *a, const moving_vector *b) {
     fmpz_poly_t term;
     fmpz_poly_init(term);
@@ -64,7 +64,7 @@ static int dot_sign(placing *p, const moving_vector *a, const moving_vector *b) 
     return sign;
 }
 
-/* The sign of (a x b) . n: is b to the left of a, seen against n? */
+/* The sign of (a x b) . n: positive if b is to the left of a, seen against n. */
 static int turn_about(placing *p, const moving_vector *a, const moving_vector *b,
                       const moving_vector *n) {
     moving_vector cross;
@@ -75,7 +75,7 @@ static int turn_about(placing *p, const moving_vector *a, const moving_vector *b
     return sign;
 }
 
-/* out = i a + j b with small numbers; out may be a. */
+/* out = i a + j b with small integers; `out` may be a. */
 static void combine_moving(moving_vector *out, slong i, const moving_vector *a, slong j,
                            const moving_vector *b) {
     fmpz_poly_t term;
@@ -88,8 +88,8 @@ static void combine_moving(moving_vector *out, slong i, const moving_vector *a, 
     fmpz_poly_clear(term);
 }
 
-/* On the arc from a to b the ray of the plane with normal n, that passes between them: the signs of
- * n . a and n . b differ, and are not 0. */
+/* The ray in which the arc from a to b crosses the plane with normal n; the signs of n . a and n .
+ * b are opposite. */
 static void ray_between(moving_vector *out, placing *p, const moving_vector *a,
                         const moving_vector *b, const moving_vector *n) {
     fmpz_poly_t at_a, at_b, term;
@@ -138,7 +138,7 @@ static void add_sector(sectors_about *list, placing *p, const moving_vector *fro
     cross_moving(&s->normal, from, to);
 }
 
-/* The edge from corner a to corner b of a simplex, in the fixed solid's space. */
+/* The vector from corner a to corner b of a simplex, in the fixed solid's space. */
 static void edge_vector(moving_vector *out, placing *p, pair_side side, uint32_t simplex, int a,
                         int b) {
     const graze_solid *solid = placing_solid(p, side);
@@ -167,14 +167,15 @@ static void edge_vector(moving_vector *out, placing *p, pair_side side, uint32_t
     _fmpq_vec_clear(difference, d);
 }
 
-/* A sector, turned where the motion or the complement turns outside in. */
+/* Append a sector, with its orientation reversed if the motion mirrors or the solid is a
+ * complement. */
 static void add_oriented(sectors_about *list, placing *p, pair_side side, const moving_vector *from,
                          const moving_vector *to) {
     int turned = side == SIDE_MOVING ? p->mirrored : p->pair->complement;
     add_sector(list, p, turned ? to : from, turned ? from : to);
 }
 
-/* Half of a plane, beyond the line of `along`, to the side of `across`. */
+/* Append the half plane bounded by the line of `along`, on the side of `across`, as two sectors. */
 static void add_half_plane(sectors_about *list, placing *p, pair_side side, moving_vector *along,
                            moving_vector *across) {
     add_oriented(list, p, side, along, across);
@@ -183,7 +184,7 @@ static void add_half_plane(sectors_about *list, placing *p, pair_side side, movi
     moving_negate(along);
 }
 
-/* A segment of the plane stands for a strip of all heights: outward is to the right of it. */
+/* Append the strip of all heights over a ray of E^2; outward is to the right of a segment. */
 static void add_upright(sectors_about *list, placing *p, pair_side side, moving_vector *ray,
                         int backward) {
     moving_vector up;
@@ -193,7 +194,7 @@ static void add_upright(sectors_about *list, placing *p, pair_side side, moving_
     moving_clear(&up);
 }
 
-/* In E^2: the rays to the ends of a segment that the point is not at. */
+/* In E^2: append the rays from the point to those ends of a segment that are not the point. */
 static void add_segment(sectors_about *list, placing *p, pair_side side, uint32_t simplex,
                         unsigned zero) {
     moving_vector ray;
@@ -235,13 +236,13 @@ void sectors_about_add(sectors_about *list, placing *p, pair_side side, uint32_t
     moving_clear(&across);
 }
 
-/* Is a direction, which lies in the plane of a sector, strictly inside it? */
+/* Is a direction in a sector's plane strictly inside the sector? */
 static int is_in_sector(placing *p, const sector *s, const moving_vector *v) {
     return turn_about(p, &s->from, v, &s->normal) > 0 && turn_about(p, v, &s->to, &s->normal) > 0;
 }
 
-/* How the way from a direction to one strictly inside a sector passes another sector: 0 not at all,
- * 1 strictly inside it, -1 in a special position. */
+/* Does the arc between two directions cross a sector? 0: no; 1: once, in the sector's relative
+ * interior; -1: it is in a special position. */
 static int passes_sector(placing *p, const moving_vector *from, const moving_vector *to,
                          const sector *s) {
     int before = dot_sign(p, &s->normal, from), after = dot_sign(p, &s->normal, to);
@@ -258,8 +259,8 @@ static int passes_sector(placing *p, const moving_vector *from, const moving_vec
     return left > 0 && right > 0 ? 1 : left < 0 || right < 0 ? 0 : -1;
 }
 
-/* Locate a direction by the way to one in sector `last`: -1 if that is in a special position, else
- * whether it is in the open cone. */
+/* Locate a direction by the arc from it to a direction in sector `last`: 1 if it is in the open
+ * cone, 0 if not, -1 if the arc is in a special position. */
 static int locate_by(placing *p, const sectors_about *cone, const moving_vector *v, size_t last,
                      const moving_vector *to) {
     int side = dot_sign(p, &cone->item[last].normal, v), inside = side < 0;
@@ -271,9 +272,9 @@ static int locate_by(placing *p, const sectors_about *cone, const moving_vector 
     return side ? inside : -1;
 }
 
-/* Is a direction that is in no sector in the open cone? Of the ways to a sector only a few are in a
- * special position: those in the planes of the direction and the ends of sectors, at most three for
- * each other sector. */
+/* Is a direction that is in no sector in the open cone? Arcs to several directions of a sector are
+ * tried. Only those in a plane through the direction and an end of another sector, or in that
+ * sector's plane, are special: at most three for each sector. */
 static int is_in_cone(placing *p, const sectors_about *cone, const moving_vector *v) {
     int found = -1;
     moving_vector to;
@@ -291,13 +292,13 @@ static int is_in_cone(placing *p, const sectors_about *cone, const moving_vector
     return found > 0;
 }
 
-/* Rays on a sector, ascending from its first end to its last. */
+/* Rays inside a sector, in order from its first end to its last. */
 typedef struct ray_list {
     size_t count, capacity;
     moving_vector *item;
 } ray_list;
 
-/* Insert a ray that is strictly inside the sector, unless it is there. */
+/* Insert a ray that is strictly inside the sector, unless the list has it. */
 static void insert_ray(ray_list *list, placing *p, const sector *s, const moving_vector *ray) {
     size_t at = list->count;
     int turn = -1;
@@ -317,7 +318,8 @@ static void insert_ray(ray_list *list, placing *p, const sector *s, const moving
     list->count++;
 }
 
-/* Where a sector passes another one's plane, or, in that plane, the other one's ends. */
+/* Cut a sector where it crosses another sector's plane or, if both planes are equal, at the other's
+ * ends. */
 static void cut_by(ray_list *list, placing *p, const sector *s, const sector *by) {
     int first = dot_sign(p, &by->normal, &s->from), last = dot_sign(p, &by->normal, &s->to);
     if (first == 0 && last == 0) {
@@ -334,7 +336,7 @@ static void cut_by(ray_list *list, placing *p, const sector *s, const sector *by
     }
 }
 
-/* Is the part of a sector with this ray inside it next to both open cones? */
+/* Is the part of a sector that has this ray inside it on the boundary of the common interior? */
 static int part_meets(placing *p, const sector *s, const moving_vector *ray,
                       const sectors_about *other) {
     for (size_t k = 0; k < other->count && !p->status; k++)

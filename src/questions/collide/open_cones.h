@@ -1,7 +1,7 @@
-/* Whether the cones of two solids at a common point have interior points in common: two open cones,
- * given by the sectors that bound them. SPDX-License-Identifier: GPL-3.0-or-later
+/* Do the interiors of two solids' local cones at a common point meet? A cone is given by the
+ * sectors that bound it. SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Vectors are polynomials of u; only their direction at the placing's time matters.
+ * Vectors are polynomials in u; only their directions at the placing's time matter.
  */
 #ifndef GRAZE_COLLIDE_OPEN_CONES_H
 #define GRAZE_COLLIDE_OPEN_CONES_H
@@ -12,13 +12,13 @@ typedef struct moving_vector {
     fmpz_poly_struct c[3];
 } moving_vector;
 
-/** Positive combinations of `from` and `to`, which are independent; `normal` = from x to points out
- * of the cone. */
+/** The positive combinations of `from` and `to`, which are independent; `normal` = from x to points
+ * out of the cone. */
 typedef struct sector {
     moving_vector from, to, normal;
 } sector;
 
-/** Sectors that meet in their ends alone, and bound a cone that is regular closed. */
+/** The sectors that bound a regular closed cone; they meet only in their ends. */
 typedef struct sectors_about {
     size_t count, capacity;
     sector *item;
@@ -26,14 +26,13 @@ typedef struct sectors_about {
 
 void sectors_about_clear(sectors_about *list);
 
-/**
- * Append the sectors of a simplex of `side` at a point of it, in the fixed solid's space.
- * @param zero the sides of the simplex that hold the point
- */
+/** Append the sectors that a simplex of `side` has at one of its points, in the fixed solid's
+ * space.
+ * @param zero the sides of the simplex that hold the point */
 void sectors_about_add(sectors_about *list, placing *p, pair_side side, uint32_t simplex,
                        unsigned zero);
 
-/** Have the two open cones a direction in common (proofs/collision.md C111)? 0 after a failure. */
+/** Do two open cones have a common direction (proofs/collision.md C111)? 0 after a failure. */
 int open_cones_meet(placing *p, const sectors_about *a, const sectors_about *b);
 
 #endif

@@ -1,5 +1,5 @@
-/* Intervals are halved while pairs of boxes move further than they are large; what is left of pairs
- * is asked exactly. SPDX-License-Identifier: GPL-3.0-or-later
+/* Intervals of time are halved as long as pairs of boxes move further than they are large; the
+ * remaining pairs are asked exactly. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/collide/pair_search.h"
 
@@ -8,26 +8,27 @@
 #include "questions/collide/deep_vertex.h"
 #include "questions/collide/incidences.h"
 
-/* Halvings of a piece; beyond them pairs are asked whatever their way is. From MANY_PAIRS on a
- * vertex that is deep in the other solid is looked for. */
+/* Bound of the halvings of a piece: then pairs are asked however far they move. With MANY_PAIRS
+ * pairs or more a vertex deep in the other solid is sought. */
 enum { MOST_HALVINGS = 60, MANY_PAIRS = 24 };
-/* Before a first contact intervals with more than FEW_PAIRS are halved while PATIENCE halvings
- * halve the pairs: those that meet later are in intervals that are never looked at. */
+/* If only the first contact is asked for, intervals with more than FEW_PAIRS pairs are halved
+ * further, as long as PATIENCE halvings halve the number of pairs: pairs that meet later lie in
+ * intervals that are never searched. */
 enum { FEW_PAIRS = 8, PATIENCE = 3 };
 
 typedef struct searcher {
     pair_walk *walk;
     size_t piece;
-    placing whole; /* on the piece */
+    placing whole; /* on the whole piece */
     deep_interval deep;
 } searcher;
 
-/* An interval of the piece, with what is known of the motion in it. */
+/* An interval of the piece, and the motion during it. */
 typedef struct stretch_forms {
     dyadic_interval interval;
     int level;
-    size_t pairs; /* number of leaves when they had last become half of those before, */
-    int patience; /* and halvings left since then; 0: they were not counted yet */
+    size_t pairs; /* number of pairs of leaves when it was last halved, */
+    int patience; /* and halvings left since then; 0: not counted yet */
     map_forms motion;
 } stretch_forms;
 
@@ -36,7 +37,7 @@ static void forms_clear(stretch_forms *s) {
     map_forms_clear(&s->motion);
 }
 
-/* The interval becomes its left half. */
+/* Restrict an interval to its left half, and make the right half. */
 static void forms_split(stretch_forms *s, stretch_forms *right) {
     dyadic_interval_init(&right->interval);
     dyadic_interval_halves(&s->interval, &right->interval, &s->interval);
@@ -52,7 +53,8 @@ static void ends_of(fmpq_t low, fmpq_t high, const dyadic_interval *interval) {
     dyadic_value(high, interval->high, interval->exponent);
 }
 
-/* How much of an interval the known deep one covers: 2 all of it, 1 a quarter at least, 0 less. */
+/* The part of an interval that the known deep interval covers: 2 all of it, 1 at least a quarter, 0
+ * less. */
 static int is_deep(const searcher *s, const dyadic_interval *interval) {
     fmpq *low = _fmpq_vec_init(3), *high = low + 1, *part = low + 2;
     ends_of(low, high, interval);
@@ -69,8 +71,7 @@ static int is_deep(const searcher *s, const dyadic_interval *interval) {
     return deep;
 }
 
-/* Go on to the end of an interval: during all of it the interiors meet, or all of its times are
- * walked to. */
+/* Walk to the end of an interval, by pair_walk_pass or pair_walk_on. */
 static graze_status go_over(searcher *s, const dyadic_interval *interval,
                             graze_status (*walk)(pair_walk *, size_t, const fmpq_t)) {
     fmpq *low = _fmpq_vec_init(2), *high = low + 1;
@@ -92,7 +93,8 @@ static graze_status search_halves(searcher *s, stretch_forms *during, const node
     return status;
 }
 
-/* Search the interval once more, where a part of it at least can be passed over. */
+/* Search the halves of an interval if a deep interval covers a part of it, which can be passed
+ * over. */
 static graze_status search_deep(int *done, searcher *s, stretch_forms *during,
                                 const near_list *near, const node_list *leaves) {
     *done = 0;
@@ -106,7 +108,7 @@ static graze_status search_deep(int *done, searcher *s, stretch_forms *during,
     return *done ? search_halves(s, during, leaves) : status;
 }
 
-/* Ask for the times at which the boundaries of pairs of leaves meet, and walk to each. */
+/* Find the times at which the boundaries of pairs of leaves meet, and walk to each. */
 static graze_status ask_exactly(searcher *s, stretch_forms *during, const control_maps *maps,
                                 const node_list *leaves) {
     near_list near = {0};
@@ -127,7 +129,7 @@ static graze_status ask_exactly(searcher *s, stretch_forms *during, const contro
     return status;
 }
 
-/* Do halvings make the pairs of leaves few? */
+/* Is it worth halving on: are there many pairs of leaves, and do halvings reduce them? */
 static int becomes_less(stretch_forms *during, size_t pairs) {
     during->patience--;
     if (during->patience < 0 || pairs <= during->pairs / 2) {
@@ -137,7 +139,8 @@ static int becomes_less(stretch_forms *during, size_t pairs) {
     return pairs > FEW_PAIRS && during->patience > 0;
 }
 
-/* Pairs of leaves stand first in `left`, then those that a shorter interval tells more of. */
+/* Search an interval for contacts of pairs of nodes: refine them, then halve it or ask exactly.
+ * `left` has pairs of leaves first, then coarse pairs. */
 static graze_status search_stretch(searcher *s, stretch_forms *during, const node_list *of) {
     node_list left = {0}, coarse = {0};
     if (is_deep(s, &during->interval) == 2)

@@ -1,8 +1,8 @@
-/* States at rational times between, and at the times themselves.
+/* The states at contact times, and at rational times between them.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * The interiors meet in an open set of times and the closed solids in a closed one: so a time next
- * to O or B is B, and one next to I is I or B.
+ * The interiors meet in an open set of times, the closed solids in a closed set. So a time at which
+ * the boundaries meet has the state B if a gap beside it has O or B, and I or B if beside I.
  */
 #include "questions/collide/pair_walk.h"
 
@@ -13,10 +13,10 @@
 #include "base/number/refine.h"
 #include "questions/collide/interiors.h"
 
-/* The gap after a first contact is looked into after this power of 1/2: few pairs meet yet. */
+/* The gap after a first contact is examined at 2^-SOON of the way on, where few pairs meet yet. */
 enum { SOON = 8 };
 
-/* The scene at one time: the pairs that may meet, and exact places. */
+/* The pair at one time: the simplices that may meet, and exact places. */
 typedef struct scene_then {
     control_maps maps;
     node_list leaves;
@@ -48,7 +48,8 @@ static graze_status lack_memory(graze_context *context) {
     return context_fail(context, GRAZE_ESYSTEM, "out of memory for a motion at a time");
 }
 
-/* Pairs that may meet then, of those given, or of all for NULL. `made`: the doubles are there. */
+/* Find the pairs that may meet then, of the given ones, or of all if `of` is NULL.
+ * @param made 0 if there was no memory for the maps */
 static graze_status take_near(scene_then *out, pair_walk *walk, int made, const node_list *of) {
     node_pair roots = {0, 0};
     const node_list all = {1, 1, &roots};
@@ -59,7 +60,7 @@ static graze_status take_near(scene_then *out, pair_walk *walk, int made, const 
     return status ? status : near_pairs_take(&out->near, walk->context, walk->pair, &out->leaves);
 }
 
-/* Doubles and pairs at a rational time. */
+/* Set the maps and the pairs at a rational time. */
 static graze_status find_near_at(scene_then *out, pair_walk *walk, size_t piece, const fmpq_t u,
                                  const node_list *of) {
     int d = walk->pair->motion->dimension;
@@ -79,7 +80,8 @@ static graze_status place_both_at(scene_then *out, pair_walk *walk, size_t piece
     return status;
 }
 
-/* Find the pairs at an irrational time, which is narrowed: by the motion during its interval. */
+/* Set the maps and the pairs at an irrational time, from the motion during its isolating interval,
+ * which is narrowed first. */
 static graze_status find_near_root(scene_then *out, pair_walk *walk, size_t piece, algebraic *time,
                                    const node_list *of) {
     graze_status status = GRAZE_OK;
@@ -110,7 +112,7 @@ static graze_status add_letter(pair_walk *walk, graze_state state) {
     return status;
 }
 
-/* Keep a time, as the last one. */
+/* Keep a time as the last one. */
 static graze_status keep_time(pair_walk *walk, size_t piece, const algebraic *u) {
     graze_status status =
         array_grow(walk->context, &walk->time, &walk->time_capacity, walk->time_count + 1,
@@ -133,7 +135,7 @@ static graze_status keep_rational(pair_walk *walk, size_t piece, const fmpq_t u)
     return status;
 }
 
-/* A contact begins at the last time, with the cells that meet at a placing. */
+/* Begin a contact at the last time, with the cells that meet at a placing. */
 static graze_status open_contact(pair_walk *walk, graze_state left, placing *p,
                                  const near_list *near) {
     graze_status status =
@@ -148,7 +150,7 @@ static graze_status open_contact(pair_walk *walk, graze_state left, placing *p,
     return p->status;
 }
 
-/* The state of a gap is known: a contact goes on or has ended. */
+/* Enter a gap with its state: in B an open contact goes on, else it has ended. */
 static graze_status enter_gap(pair_walk *walk, graze_state state) {
     walk->gap = state;
     if (walk->open && state != GRAZE_STATE_B) {
@@ -159,7 +161,8 @@ static graze_status enter_gap(pair_walk *walk, graze_state state) {
     return add_letter(walk, state);
 }
 
-/* At t0, where no incidence is: of a gap that slides the contact begins there. */
+/* Enter the gap after t0, where there is no incidence; if it has the state B the contact begins at
+ * t0. */
 static graze_status enter_start(pair_walk *walk, graze_state state, scene_then *then) {
     graze_status status = GRAZE_OK;
     if (state == GRAZE_STATE_B) {
@@ -173,7 +176,7 @@ static graze_status enter_start(pair_walk *walk, graze_state state, scene_then *
     return status ? status : enter_gap(walk, state);
 }
 
-/* Look at the solids at a rational time, and enter the gap that has it. */
+/* Find the state at a rational time, and enter the gap around it. */
 static graze_status look_into_gap(pair_walk *walk, size_t piece, const fmpq_t u) {
     scene_then then = {0};
     graze_state state = GRAZE_STATE_ABSENT;
@@ -196,7 +199,7 @@ graze_status pair_walk_begin(pair_walk *walk) {
     graze_status status = look_into_gap(walk, 0, zero);
     fmpq_clear(zero);
     walk->done = walk->gap == GRAZE_STATE_I;
-    if (walk->gap == GRAZE_STATE_B) { /* perhaps for an instant */
+    if (walk->gap == GRAZE_STATE_B) { /* the contact may last only an instant */
         walk->gap = GRAZE_STATE_ABSENT;
         walk->contact[0].to = walk->last;
     }
@@ -219,7 +222,7 @@ graze_status pair_walk_on(pair_walk *walk, size_t piece, const fmpq_t u) {
     return status;
 }
 
-/* A rational time between the last one, or t0, and another one. */
+/* A rational time between the last time and another one, or t0 if there is no last time. */
 static graze_status time_before(size_t *piece, fmpq_t u, pair_walk *walk, graze_time *next) {
     if (walk->last)
         return time_between(piece, u, walk->context, walk->last, next);
@@ -228,13 +231,13 @@ static graze_status time_before(size_t *piece, fmpq_t u, pair_walk *walk, graze_
     return GRAZE_OK;
 }
 
-/* Know the gap before `next`; and its time, for what is asked there. */
+/* Find the gap before `next` unless it is known, and give a time u inside it. */
 static graze_status know_gap(pair_walk *walk, size_t *piece, fmpq_t u, graze_time *next) {
     graze_status status = time_before(piece, u, walk, next);
     return status || walk->gap ? status : look_into_gap(walk, *piece, u);
 }
 
-/* The state at a time at which the boundaries meet, after a gap in state I or none. */
+/* Find the state at a time at which the boundaries meet, after a gap in state I or at t0. */
 static graze_status look_at_contact(graze_state *out, pair_walk *walk, scene_then *then, placing *p,
                                     int at_start, size_t before, const fmpq_t u) {
     placing rational;
@@ -251,7 +254,7 @@ static graze_status look_at_contact(graze_state *out, pair_walk *walk, scene_the
     return p->status;
 }
 
-/* The last time, just reached, is in a state. */
+/* Enter the state at the last time, which was just reached. */
 static graze_status enter_time(pair_walk *walk, graze_state left, graze_state state, placing *p,
                                const near_list *near) {
     graze_status status = add_letter(walk, state);
@@ -263,7 +266,7 @@ static graze_status enter_time(pair_walk *walk, graze_state left, graze_state st
     return status;
 }
 
-/* The time itself, with the gap before it known. */
+/* Find and enter the state at the last time; the gap before it is known. */
 static graze_status walk_into(pair_walk *walk, placing *whole, graze_state left, size_t before,
                               const fmpq_t u, const node_list *near) {
     scene_then then = {0};
@@ -282,7 +285,7 @@ static graze_status walk_into(pair_walk *walk, placing *whole, graze_state left,
     return status;
 }
 
-/* Is a time the last one? Also where one piece ends and the next begins. */
+/* Is a time equal to the last one? The end of a piece is the begin of the next one. */
 static graze_status is_last(int *out, pair_walk *walk, size_t piece, algebraic *time) {
     int order = 1;
     graze_status status = GRAZE_OK;
@@ -336,7 +339,7 @@ graze_status pair_walk_end(pair_walk *walk) {
         return GRAZE_OK;
     fmpq_init(end);
     if (!walk->last && !walk->gap)
-        status = look_into_gap(walk, 0, end); /* t0: a contact that lasts begins there */
+        status = look_into_gap(walk, 0, end); /* a contact that lasts begins at t0 */
     fmpq_one(end);
     if (!status && !walk->gap)
         status = look_into_gap(walk, piece, end);

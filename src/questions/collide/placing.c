@@ -1,4 +1,5 @@
-/* Forms pulled back to vertices. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Values of forms at carried vertices, and their signs. SPDX-License-Identifier: GPL-3.0-or-later
+ */
 #include "questions/collide/placing.h"
 
 #include <flint/fmpq_vec.h>
@@ -8,7 +9,7 @@
 #include "base/number/sign.h"
 #include "input/solid/locate.h"
 
-/* Does the motion turn outside in? Its determinant never vanishes. */
+/* Does the motion reverse orientation? Its determinant never vanishes, so one time tells. */
 static int is_mirrored(const point_map *map) {
     int n = map->dimension * (map->dimension + 1);
     fmpq *value = _fmpq_vec_init(n);
@@ -34,7 +35,7 @@ void placing_init(placing *p, graze_context *context, const solid_pair *pair, si
     p->map[SIDE_FIXED] = &pair->motion->piece[piece].inverse;
 }
 
-/* The map at u, as one without u. */
+/* The map at u, as constants. */
 static void freeze(point_map *out, const point_map *map, const fmpq_t u) {
     int n = map->dimension * (map->dimension + 1);
     fmpq *value = _fmpq_vec_init(n);
@@ -86,7 +87,7 @@ const graze_solid *placing_solid(const placing *p, pair_side side) {
     return side == SIDE_MOVING ? p->pair->moving : p->pair->fixed;
 }
 
-/* Room for one more vertex: the index, the array and the trajectory. */
+/* Append a vertex to a cache: to its index and its array, with a new trajectory. */
 static trajectory *add_vertex(placing *p, pair_side side, uint32_t vertex) {
     placed_vertices *v = &p->vertices[side];
     size_t count = v->index.count, capacity = v->capacity;
@@ -142,14 +143,14 @@ void placing_side(fmpz_poly_t out, placing *p, pair_side side, uint32_t simplex,
     _fmpz_vec_clear(plane, 8);
 }
 
-/* d + 1 homogeneous integers of a vertex, the last one positive. */
+/* A vertex as d + 1 homogeneous integers, the last one positive. */
 static void homogeneous_vertex(fmpz *out, const graze_solid *solid, uint32_t vertex) {
     slong d = solid->input.dimension;
     _fmpq_vec_get_fmpz_vec_fmpz(out, out + d, solid->input.coordinates + vertex * (size_t)d, d);
 }
 
-/* det(a, b, p, q) = sum over i < j of (a_i b_j - a_j b_i) k_ij, with k_ij the complementary minor
- * of p and q; that is a K b for the skew matrix K. */
+/* det(a, b, p, q) is the sum over i < j of (a_i b_j - a_j b_i) k_ij, where k_ij is the
+ * complementary minor of p and q; this is a K b with a skew matrix K. */
 void placing_edges(fmpz_poly_t out, placing *p, const uint32_t moving[2], const uint32_t fixed[2]) {
     static const int other[4][4][2] = {{{0, 0}, {2, 3}, {3, 1}, {1, 2}},
                                        {{3, 2}, {0, 0}, {0, 3}, {2, 0}},
@@ -177,8 +178,8 @@ void placing_edges(fmpz_poly_t out, placing *p, const uint32_t moving[2], const 
     _fmpz_vec_clear(end, 12);
 }
 
-/* Each sign that is 0 narrows the time a little; at most this number of places is kept, as there
- * may be thousands of signs at one time. */
+/* Each zero sign narrows the time a little, and a time may have thousands of them, so it is not
+ * narrowed beyond MOST_PLACES binary places. */
 enum { MOST_PLACES = 200 };
 
 static int sign_at_root(placing *p, const fmpz_poly_t q) {
@@ -193,7 +194,7 @@ static int sign_at_root(placing *p, const fmpz_poly_t q) {
     return sign;
 }
 
-/* Sign of a primitive polynomial with a positive leading coefficient. */
+/* The sign of a primitive polynomial with a positive leading coefficient, through the cache. */
 static int known_sign(placing *p, const fmpz_poly_t q) {
     known_signs *known = &p->known;
     size_t kept = known->count < KNOWN_SIGNS ? known->count : KNOWN_SIGNS;
@@ -219,7 +220,7 @@ int placing_sign(placing *p, const fmpz_poly_t q) {
     return fmpz_sgn(fmpz_poly_lead(q)) * sign;
 }
 
-/* The sign of a polynomial that is cleared. */
+/* Return the sign of a polynomial, and clear the polynomial. */
 static int sign_and_clear(placing *p, fmpz_poly_t q) {
     int sign = placing_sign(p, q);
     fmpz_poly_clear(q);

@@ -5,14 +5,14 @@
 #include "input/motion/motion.h"
 #include "input/solid/solid.h"
 
-/** Borrowed: the motion carries `moving`; nothing carries `fixed`. All have one dimension. */
+/** Two solids and the motion of `moving`, all borrowed, of one dimension; `fixed` does not move. */
 typedef struct solid_pair {
     const graze_solid *moving, *fixed;
     const graze_motion *motion;
-    int complement; /* 1: in place of `fixed` the closure of its complement */
+    int complement; /* 1: the closure of its complement takes the place of `fixed` */
 } solid_pair;
 
-/** Simplices of the two boundaries that may meet. */
+/** A simplex of each boundary that may meet. */
 typedef struct near_pair {
     uint32_t moving, fixed;
 } near_pair;

@@ -1,4 +1,4 @@
-/* A search of the tree with the box of the edge, then signs of planes and sides.
+/* The tree is searched with the edge's box; then signs of planes and sides decide.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/collide/star.h"
@@ -56,7 +56,8 @@ static void descend_star(finder *f, uint32_t node) {
     descend_star(f, n->child + 1);
 }
 
-/* The point as d + 1 polynomials: the ends, over one denominator, times their shares. */
+/* Set the point as d + 1 polynomials: the sum of the ends, over a common denominator, times their
+ * shares. */
 static void place_point(finder *f, const uint32_t edge[2], const fmpz_poly_struct share[2]) {
     slong d = f->solid->input.dimension;
     int ends = edge[0] == edge[1] ? 1 : 2;

@@ -7,8 +7,7 @@
 #include "questions/contact/nearby.h"
 #include "questions/contact/speed.h"
 
-/** Try the nearest point of the contact set of a simplex of the boundary (proofs/snap.md C75).
- */
+/** Try the nearest point of the contact set of a simplex of the boundary (proofs/snap.md C75). */
 void facet_slice_try(nearby *n, const graze_solid *solid, size_t simplex, const speed *s);
 
 #endif

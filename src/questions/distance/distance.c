@@ -64,9 +64,9 @@ static graze_status enclose_moment(moment *out, graze_context *context, const ar
     return status;
 }
 
-/* The stretches of a stay between two moments, arc by arc. */
-static graze_status add_stay(stretch_of_time **list, size_t *count, graze_context *context,
-                             const moment *from, const moment *to) {
+/* Append the stretches of a visit between two moments, one for each arc. */
+static graze_status add_visit(stretch_of_time **list, size_t *count, graze_context *context,
+                              const moment *from, const moment *to) {
     size_t arcs = to->high_arc - from->low_arc + 1;
     stretch_of_time *grown = realloc(*list, (*count + arcs) * sizeof *grown);
     if (!grown)
@@ -84,9 +84,10 @@ static graze_status add_stay(stretch_of_time **list, size_t *count, graze_contex
     return GRAZE_OK;
 }
 
-/* All stretches at which the trace has the wanted state. */
-static graze_status find_stays(stretch_of_time **list, size_t *count, graze_context *context,
-                               const arc_maps *base, const graze_trace *trace, graze_state wanted) {
+/* The stretches of all gaps between contacts at which the trace has the wanted state. */
+static graze_status find_visits(stretch_of_time **list, size_t *count, graze_context *context,
+                                const arc_maps *base, const graze_trace *trace,
+                                graze_state wanted) {
     size_t last = base->arc_count - 1;
     moment from = {0, 0, 0, 0}, to;
     graze_status status = GRAZE_OK;
@@ -97,7 +98,7 @@ static graze_status find_stays(stretch_of_time **list, size_t *count, graze_cont
         if (next)
             status = enclose_moment(&to, context, base, next->from);
         if (!status && state == wanted)
-            status = add_stay(list, count, context, &from, &to);
+            status = add_visit(list, count, context, &from, &to);
         if (!status && next)
             status = enclose_moment(&from, context, base, next->to);
     }
@@ -107,15 +108,15 @@ static graze_status find_stays(stretch_of_time **list, size_t *count, graze_cont
 static graze_status find_greatest(search *s, const graze_trace *trace, graze_state wanted) {
     stretch_of_time *list = NULL;
     size_t count = 0;
-    graze_status status = find_stays(&list, &count, s->context, s->base, trace, wanted);
+    graze_status status = find_visits(&list, &count, s->context, s->base, trace, wanted);
     if (!status)
         status = search_greatest(s, list, count);
     free(list);
     return status;
 }
 
-/* A time of contact at an end of a stay: where no double is certainly in one. */
-static const graze_time *end_of_stay(const graze_trace *trace, graze_state wanted) {
+/* The contact that ends the first visit, for a visit that no double is certain to be in. */
+static const graze_time *end_of_visit(const graze_trace *trace, graze_state wanted) {
     for (size_t k = 0; k < trace->contact_count; k++)
         if (trace->contact[k].left == wanted)
             return trace->contact[k].from;
@@ -141,7 +142,7 @@ static graze_status find_off(distance *out, search *s, const graze_scene *scene,
     out->from = of->from;
     out->length = of->length;
     out->v = s->time;
-    out->at = greatest && !s->met ? end_of_stay(trace, wanted) : NULL;
+    out->at = greatest && !s->met ? end_of_visit(trace, wanted) : NULL;
     return status;
 }
 

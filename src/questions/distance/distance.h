@@ -13,7 +13,7 @@ typedef struct distance {
     size_t piece; /* a time at which the solid is as near as the bound says: the piece's */
     double from, length, v; /* parameter from + length v, exactly, or */
     const graze_time *at; /* a contact, borrowed from the trace: the first of an `on` point, or one
-                             at the end of a stay in which no double is certain to lie */
+                             at the end of a visit in which no double is certain to lie */
 } distance;
 
 /**

@@ -1,4 +1,4 @@
-/* The greatest distance to the boundary over stays of the trajectory.
+/* The greatest distance to the boundary over the visits of the trajectory to a state.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Invariant (proofs/distance.md C72): at every time of the stretches that is in no window under way

@@ -6,8 +6,8 @@
 
 #include "questions/distance/time_search.h"
 
-/** A stretch of one arc whose times [sure_from, sure_to] are certainly of a stay; none if sure_from
- * > sure_to. */
+/** A stretch of one arc whose times [sure_from, sure_to] are certainly of a visit; none if
+ * sure_from > sure_to. */
 typedef struct stretch_of_time {
     size_t arc;
     double from, to, sure_from, sure_to;

@@ -1,5 +1,5 @@
-/* Cubes are asked for as cells, by what joins them with a place of the solid, what misses them, and
- * what goes through them. SPDX-License-Identifier: GPL-3.0-or-later
+/* A cube is classified as a cell of a grid is (decide/lattice/cell_asker.h), then tested for being
+ * flat. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/judge/band.h"
 
@@ -12,10 +12,11 @@
 #include "decide/scene/box.h"
 #include "questions/judge/flat_cube.h"
 
-/* Distances between doubles err by less than this share of themselves. */
+/* The relative rounding error of a computed distance is less than 2^-48. */
 static const double ROUND_UP = 1 + 0x1p-48, ROUND_DOWN = 1 - 0x1p-48;
 
-/* After so many cubes of the band that are not flat, one in so many must be to go on trying. */
+/* The test for flat cubes is given up once more than ROUGH_MOST cubes are in the band and the flat
+ * ones are less than 1 / FLAT_SHARE of these. */
 enum { ROUGH_MOST = 1000, FLAT_SHARE = 16 };
 
 /* The root's half side has few bits, and its centre few more, so that cubes below are exact. */
@@ -82,7 +83,7 @@ static graze_status decide_cube(cell_asker *ask, const judged_mesh *mesh, int fl
     return status;
 }
 
-/* What is below the cubes around one that was cut. */
+/* Set the kind of a cut cube, and of those that contain it, to the kinds of the cubes below. */
 static void tell_parents(band *b, uint32_t index) {
     for (;;) {
         unsigned char below = 0;
@@ -103,7 +104,7 @@ void band_settle(band *b, uint32_t index, unsigned char kind) {
         tell_parents(b, c->parent);
 }
 
-/* Whether the halves are exact. */
+/* Do doubles hold the cubes of half the side exactly? */
 static int can_cut(const cube *c) {
     double quarter = 0.5 * c->half;
     for (int k = 0; k < 3; k++)
@@ -113,7 +114,7 @@ static int can_cut(const cube *c) {
     return c->level < CUBE_LEVELS;
 }
 
-/* The eight cubes of one, after all others; they are not counted yet. */
+/* Append the eight cubes of a cube; count_children counts them once they are classified. */
 static void place_children(band *b, uint32_t index) {
     const cube *whole = &b->item[index];
     uint32_t child = (uint32_t)b->count;
@@ -143,7 +144,7 @@ static void count_children(band *b, uint32_t child) {
         b->rough += b->item[k].kind == CUBE_BAND;
     }
     if (b->rough > ROUGH_MOST && FLAT_SHARE * b->flat < b->rough)
-        b->gave_up = 1; /* it is curved, or not the boundary */
+        b->gave_up = 1; /* the boundary is curved, or is not the mesh */
     tell_parents(b, index);
 }
 
@@ -170,14 +171,14 @@ graze_status band_cut(int *done, band *b, uint32_t index) {
     return GRAZE_OK;
 }
 
-/* Cubes that are cut by a team. */
+/* Cubes that a team of threads cuts. */
 typedef struct cut_run {
     const cell_asker *like;
     const judged_mesh *mesh;
-    cube *child; /* eight for each */
+    cube *child; /* eight for each cube */
 } cut_run;
 
-/* What helped with the cube before would tell differently in another order. */
+/* No state is reused between cubes, so the result does not depend on their order. */
 static graze_status cut_one(void *data, graze_context *context, int member, size_t index) {
     const cut_run *r = data;
     cell_asker ask;
@@ -212,7 +213,7 @@ graze_status band_cut_large(size_t *next, band *b, double radius, size_t most, i
     return status;
 }
 
-/* Corners are exact. */
+/* Is a point in the closed cube? The corners are exact. */
 static int holds_point(const cube *c, const double *point) {
     for (int i = 0; i < 3; i++)
         if (!(point[i] >= c->centre[i] - c->half && point[i] <= c->centre[i] + c->half))
@@ -233,7 +234,7 @@ graze_pmc band_membership(const band *b, const double *point) {
     return c->kind == CUBE_IN ? GRAZE_IN : c->kind == CUBE_OUT ? GRAZE_OUT : GRAZE_PMC_NONE;
 }
 
-/* The squared distance of a point to a cube, but for rounding. */
+/* The squared distance from a point to a cube, with rounding errors. */
 static double square_to_cube(const cube *c, const double *point) {
     double sum = 0;
     for (int i = 0; i < 3; i++) {
@@ -268,7 +269,7 @@ static void search_cubes(nearest_cube *s, uint32_t index) {
         }
         return;
     }
-    /* The part that the point is in, or nearest to, first. */
+    /* Search the child that holds the point, or is nearest to it, first. */
     uint32_t first = 0;
     for (int i = 0; i < 3; i++)
         first |= (uint32_t)(s->point[i] > c->centre[i]) << i;
@@ -290,7 +291,7 @@ uint32_t band_nearest(double *low, double *high, band *b, const double *point, i
     search_cubes(&s, 0);
     *low = s.square == INFINITY ? 0 : sqrt(s.square) * ROUND_DOWN;
     *high = sqrt(s.square) * ROUND_UP;
-    /* Differences err by u of the coordinates. */
+    /* The rounding errors of differences are relative to the coordinates. */
     double blur = 0x1p-50 * (root->half + fabs(root->centre[0]) + fabs(root->centre[1]) +
                              fabs(root->centre[2]));
     *low = fmax(*low - blur, 0);

@@ -1,5 +1,5 @@
-/* Space cut into cubes of which it is certain that they are inside the sweep, or outside; what is
- * left is a band that holds its boundary (proofs/judging.md C117).
+/* Space cut into cubes that are certainly inside the sweep or certainly outside it, and a band of
+ * undecided cubes, which holds its boundary (proofs/judging.md C117).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_JUDGE_BAND_H
@@ -9,50 +9,51 @@
 #include "questions/judge/cube.h"
 #include "questions/judge/judged_mesh.h"
 
-/** Levels of cubes, at most. */
+/** Bound of the level of a cube; the root has level 0. */
 enum { CUBE_LEVELS = 48 };
 
-/** Cube 0 is the root, outside of which all is outside the sweep. */
+/** An octree of cubes. Cube 0 is the root; it contains the sweep. */
 typedef struct band {
     cell_asker ask;
-    const judged_mesh *mesh; /* of which cubes may be flat, or NULL */
+    const judged_mesh *mesh; /* cubes may be flat relative to it; NULL: none is */
     size_t count, capacity;
     cube *item;
-    size_t flat, rough; /* cubes found flat, or of the band */
-    int gave_up;        /* no more are tried */
-    size_t decided;     /* cubes asked about */
-    size_t seen;        /* cubes looked at for the nearest one, or for volumes */
+    size_t flat, rough; /* counts of cubes found flat, and of the band */
+    int gave_up;        /* no further cube is tested for being flat */
+    size_t decided;     /* cubes that were classified */
+    size_t seen;        /* cubes visited by band_nearest and by volumes_find */
 } band;
 
-/** The root of a scene's sweep. @return GRAZE_ELIMIT it is beyond doubles */
+/** Make the root, a cube around the scene's sweep. @return GRAZE_ELIMIT doubles do not hold it */
 graze_status band_init(band *b, graze_context *context, const graze_scene *scene);
 void band_clear(band *b);
 
-/** Cut an uncut cube of the band, or a flat one; those below it are decided.
- * @param[out] done 0 if doubles hold no smaller one: then nothing has changed
+/** Cut an uncut cube of the band, or a flat one, into eight, and classify these.
+ * @param[out] done 0 if doubles do not hold smaller cubes: then nothing has changed
  * @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM */
 graze_status band_cut(int *done, band *b, uint32_t index);
 
-/** Cut those cubes of the band from the number `next` on, of them that there are, that have more
- * than a radius, at most so many; in threads, which change nothing but the time.
- * @param[in,out] next where to go on
+/** Cut the uncut cubes of the band, from number `next` on, whose radius exceeds `radius`. The
+ * number of threads changes nothing but the time.
+ * @param[in,out] next the first cube to look at; then the cube to go on with
+ * @param most bound of the number of cubes that are cut
  * @return as band_cut */
 graze_status band_cut_large(size_t *next, band *b, double radius, size_t most, int threads);
 
-/** Say what is certain of a cube of the band, as was found otherwise. */
+/** Set the kind of a cube of the band that the caller has proved. */
 void band_settle(band *b, uint32_t index, unsigned char kind);
 
-/** The membership of a point of doubles where its cube tells, else NONE. */
+/** The membership of a point of doubles if its cube is inside or outside the sweep, else NONE. */
 graze_pmc band_membership(const band *b, const double *point);
 
-/**
- * The uncut cube of one of some kinds that is nearest to a point; outside the root is CUBE_OUT. Of
- * those that are flat, without the band, the one of which all points are nearest.
- * @param least half a side, at least
- * @param[out] low, high of its distance, or of that of all its points
- * @return its number; UINT32_MAX where it is the outside of the root, or none: then high is
- * infinite
- */
+/** Find the uncut cube of some kinds that is nearest to a point. The space outside the root counts
+ * as CUBE_OUT. If `kinds` has CUBE_FLAT without CUBE_BAND, the distance to a flat cube is that to
+ * its farthest point.
+ * @param kinds CUBE_ flags
+ * @param least cubes with a half side less than this are left out
+ * @param[out] low, high bounds of the distance
+ * @return the cube's number; UINT32_MAX for the space outside the root, or if there is no cube:
+ * then `high` is infinite */
 uint32_t band_nearest(double *low, double *high, band *b, const double *point, int kinds,
                       double least);
 

@@ -4,16 +4,17 @@
 
 #include <stdint.h>
 
-/** Certain of all points of a closed cube; of one that is cut, which of them are below. In
- * a flat one the mesh is the boundary, which cuts it (questions/judge/flat_cube.h). */
+/** Kinds of a closed cube: all of its points are in the sweep, all are out, undecided, or flat,
+ * where the mesh is the sweep's boundary (questions/judge/flat_cube.h). A cut cube has the flags of
+ * all cubes below it. */
 enum { CUBE_IN = 1, CUBE_OUT = 2, CUBE_BAND = 4, CUBE_FLAT = 8 };
 
-/** Centre and half a side are exact. */
+/** A cube with exact centre and half side. */
 typedef struct cube {
     double centre[3], half;
     uint32_t parent, child; /* the first of 8; 0: not cut */
     unsigned char kind, level;
-    unsigned char beside; /* its border may hold the boundary, which is the mesh there */
+    unsigned char beside; /* the sweep's boundary may meet its surface, and is the mesh there */
 } cube;
 
 /** Half the diagonal of a cube, rounded up. */

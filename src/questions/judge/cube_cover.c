@@ -1,5 +1,6 @@
-/* Planes of facets near the cube at some times cut it into cells, each inside a position or outside
- * it; a cell that none covers tells the next time. SPDX-License-Identifier: GPL-3.0-or-later
+/* The planes of the facets that are near the cube, at a few times, cut the cube into cells; each
+ * cell is inside or outside each position. A cell that no position covers gives the next time.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/judge/cube_cover.h"
 
@@ -10,18 +11,19 @@
 #include "input/solid/locate.h"
 #include "questions/judge/cube_cells.h"
 
-/* Positions, at most. */
+/* Bound of the number of positions. */
 enum { POSITIONS = 8 };
 
-/* Any time will do: those of so many to a piece have short numbers. */
+/* Times are rounded to multiples of 1 / TIMES of a piece, so that their numbers are short; the
+ * proof holds with any time. */
 static const double TIMES = 0x1p16;
 
 typedef struct covering {
     cell_asker *ask;
     cube_cells cells;
     int count;
-    fmpq *map; /* of each position, to the standing solid */
-    span near; /* places of the cube at a time */
+    fmpq *map; /* for each position the map into the solid's own space */
+    span near; /* places of the cube's points at the current time */
 } covering;
 
 /* The plane of a facet at a position, in the space of query points. */
@@ -56,18 +58,18 @@ static void add_position_planes(covering *c, const box *around, uint32_t node) {
     }
 }
 
-/* The position at a time at which a point is inside; 0 if there is none. */
+/* Add a position that has the point inside; 0 if none is found. */
 static int add_position(covering *c, const cube *of, const fmpq *point) {
     const graze_scene *scene = c->ask->scene;
     point_box cell = {.half = {0, 0, 0}};
-    stay when[STAYS_MOST];
+    piece_time when[CERTAIN_TIMES_MOST];
     box around;
     fmpq_t at;
     for (int i = 0; i < 3; i++) {
         double unused;
         rational_bounds(&cell.centre[i], &unused, point + i);
     }
-    if (c->count == POSITIONS || !cell_stays(when, c->ask, &cell))
+    if (c->count == POSITIONS || !cell_certain_times(when, c->ask, &cell))
         return 0;
     for (int i = 0; i < 3; i++) {
         cell.centre[i] = of->centre[i];
@@ -102,7 +104,7 @@ static int is_in_position(const covering *c, const fmpq *point, const fmpq *map)
     return inside;
 }
 
-/* A point of a cell that no position covers; NULL if there is none. */
+/* A point of a cell that no position covers; NULL if positions cover all cells. */
 static const fmpq *find_uncovered(const covering *c) {
     for (size_t k = 0; k < c->cells.count; k++) {
         int covered = 0;

@@ -1,4 +1,4 @@
-/* Whether a few positions of the solid cover a cube together.
+/* Test whether a few positions of the solid together cover a cube.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_JUDGE_CUBE_COVER_H
@@ -7,12 +7,10 @@
 #include "decide/lattice/cell_asker.h"
 #include "questions/judge/cube.h"
 
-/**
- * Try to cover a closed cube by positions of the solid (proofs/judging.md C124): at seams none of
- * them does it alone.
+/** Try to cover a closed cube by positions of the solid (proofs/judging.md C124). At a seam several
+ * positions are needed.
  * @param[out] done 1: all of the cube is in the sweep
- * @return GRAZE_ECANCELED, GRAZE_ESYSTEM
- */
+ * @return GRAZE_ECANCELED, GRAZE_ESYSTEM */
 graze_status cube_is_covered(int *done, cell_asker *ask, const cube *of);
 
 #endif

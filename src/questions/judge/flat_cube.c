@@ -1,5 +1,5 @@
-/* Planes of the mesh's triangles, and what the mesh and the sweep say of the cells between them.
- * SPDX-License-Identifier: GPL-3.0-or-later
+/* The planes of triangles cut a cube into cells; a point of each is asked of the mesh and of the
+ * sweep. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/judge/flat_cube.h"
 
@@ -9,7 +9,7 @@
 #include "questions/judge/cube_cells.h"
 #include "questions/judge/winding.h"
 
-/* Triangles in a cube, and their planes, at most. */
+/* Bounds of the numbers of triangles in a cube and of their planes. */
 enum { FLAT_TRIANGLES = 32, FLAT_PLANES = 6 };
 
 typedef struct flat {
@@ -75,7 +75,7 @@ static int side_of_form(const fmpz *form, const fmpq *point) {
     return sign;
 }
 
-/* Whether a triangle is beyond the plane of another, or beyond a side of it. */
+/* Is a triangle certain to have no area in common with another: off its plane, or beyond a side? */
 static int is_beyond(const skin *s, size_t of, size_t other) {
     const fmpq *corner[3];
     int beyond = 0;
@@ -94,7 +94,7 @@ static int is_beyond(const skin *s, size_t of, size_t other) {
     return beyond;
 }
 
-/* Whether no two triangles have a common area. */
+/* Is it certain that no two triangles of the cube have an area in common? */
 static int have_no_common_area(const flat *f) {
     skin s = judged_skin(f->mesh);
     for (int k = 0; k < f->count; k++)
@@ -105,7 +105,7 @@ static int have_no_common_area(const flat *f) {
     return 1;
 }
 
-/* Its kind, by those of its cells, inside both or outside both. */
+/* Set the cube's kind from the kinds of its cells. */
 static void take_kinds(cube *c, unsigned char kinds) {
     c->beside = kinds == CUBE_IN || kinds == CUBE_OUT;
     c->kind = c->beside ? kinds : CUBE_FLAT;

@@ -9,7 +9,7 @@
 #include "questions/judge/cube.h"
 #include "questions/judge/judged_mesh.h"
 
-/** A cube as a box and a span, of which chord_meets says whether it misses triangles of a mesh. */
+/** A cube as a box and as a span; chord_meets tests the span against triangles of a mesh. */
 typedef struct cube_span {
     curve shape; /* dimension and corners alone */
     box space;
@@ -18,19 +18,18 @@ typedef struct cube_span {
 
 void cube_span_set(cube_span *out, const cube *c, const judged_mesh *mesh);
 
-/**
- * Make a cube of the band CUBE_FLAT, or of one kind and `beside`, if planes of few triangles of the
- * mesh cut it into cells that are inside both the mesh and the sweep, or outside both
- * (proofs/judging.md C123).
- * @return as cell_certain
- */
+/** Test whether the mesh is the sweep's boundary in a cube of the band (proofs/judging.md C123):
+ * the planes of the few triangles there cut it into cells, and each cell is inside both mesh and
+ * sweep, or outside both. The cube becomes CUBE_FLAT; or CUBE_IN or CUBE_OUT with `beside`, if all
+ * cells are alike.
+ * @return as cell_certain */
 graze_status flat_decide(cube *c, cell_asker *ask, const judged_mesh *mesh);
 
-/** Decide a part of a flat cube: flat too, or inside or outside where the mesh misses it; of the
- * band where its cells are too many. */
+/** Classify a cube below a flat one: it is flat, or, if the mesh misses it, inside or outside; it
+ * is of the band if it has too many cells. */
 graze_status flat_child(cube *c, graze_context *context, const judged_mesh *mesh);
 
-/** Add the volume that is inside the mesh in a flat cube. */
+/** Add the volume of a flat cube's part inside the mesh. */
 graze_status flat_volume(fmpq_t sum, graze_context *context, const cube *c,
                          const judged_mesh *mesh);
 

@@ -1,4 +1,4 @@
-/* A mesh judged against a sweep: what reports show.
+/* The comparison of a mesh with a sweep, as reports show it.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_JUDGE_JUDGE_H

@@ -1,4 +1,4 @@
-/* Facts of a mesh: its rule, and its volume.
+/* The rule of a mesh, by which it has an inside, and its volume.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/judge/judged_mesh.h"
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Six times the signed volume of the tetrahedron of the origin and a triangle. */
+/* Add six times the signed volume of the tetrahedron of the origin and a triangle. */
 static void add_tetrahedron(fmpq_t sum, const skin *s, size_t simplex) {
     const fmpq *p[3];
     skin_vertices(p, s, simplex);
@@ -22,7 +22,7 @@ static void add_tetrahedron(fmpq_t sum, const skin *s, size_t simplex) {
     _fmpq_vec_clear(minor, 2);
 }
 
-/* Halves keep numbers short whose denominators are all different. */
+/* Add tetrahedra by halves: sums of few terms have short denominators. */
 static void add_tetrahedra(fmpq_t sum, const skin *s, size_t first, size_t count) {
     fmpq_t half;
     if (count <= 1) {

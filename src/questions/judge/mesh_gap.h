@@ -9,11 +9,12 @@
 /** low <= distance <= high. */
 typedef struct mesh_gap {
     double low, high;
-    uint32_t simplex; /* a triangle at most `high` away; UINT32_MAX: the mesh has none */
+    uint32_t
+        simplex; /* a triangle at a distance of at most `high`; UINT32_MAX: the mesh has none */
 } mesh_gap;
 
-/** The distance from a point of doubles to the nearest triangle (proofs/judging.md C118); infinite
- * from an empty mesh. */
+/** Bounds of the distance from a point to the nearest triangle (proofs/judging.md C118); infinite
+ * for an empty mesh. */
 mesh_gap mesh_gap_of(const judged_mesh *mesh, const double *point);
 
 /** An upper bound of the distances from all points of a cube to one triangle. */

@@ -1,4 +1,4 @@
-/* Nodes by their children, triangles by the middle of their longest side.
+/* A node is cut into its children, a triangle through the middle of its longest side.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/judge/mesh_part.h"
@@ -7,15 +7,16 @@
 #include <string.h>
 #include "decide/filter/normal.h"
 
-/* More than three coordinates' errors make of a distance, and than rounding adds to it. */
+/* Bound of the error of a distance, over the error of each of three coordinates: above the root of
+ * 3, with rounding. */
 static const double WIDER = 1.75;
 
-/* What errs in a difference of two coordinates of the mesh. */
+/* Bound of the rounding error of a distance between points of the mesh. */
 static double rounding_of(const judged_mesh *mesh) {
     return WIDER * 4 * UNIT_ROUNDING * mesh->corners.reach;
 }
 
-/* x and the radius of a triangle. */
+/* Set a triangle's x and radius, and enlarge its error by rounding. */
 static void finish_triangle(mesh_part *p, const judged_mesh *mesh) {
     const double *v = p->corner;
     for (int i = 0; i < 3; i++)
@@ -34,7 +35,8 @@ static void part_of_simplex(mesh_part *out, const judged_mesh *mesh, uint32_t si
     finish_triangle(out, mesh);
 }
 
-/* A corner below the node, found by going to the child whose box is nearer to the middle. */
+/* A corner of the mesh near the middle of a node's box: each step goes to the child whose box is
+ * nearer to it. */
 static const double *corner_near_middle(const judged_mesh *mesh, uint32_t node) {
     const tree_node *all = mesh->boxes.node;
     double middle[3];

@@ -1,4 +1,4 @@
-/* Parts of a mesh, cut again and again: nodes of its tree, then triangles.
+/* Parts of a mesh in a recursive subdivision: nodes of its tree, then triangles and parts of them.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_JUDGE_MESH_PART_H
@@ -8,16 +8,16 @@
 
 enum { PART_OF_TRIANGLE = UINT32_MAX };
 
-/** A part of the mesh, and a point of doubles near one of its points. */
+/** A part of the mesh with its reference point x, which is near a point of the part. */
 typedef struct mesh_part {
     uint32_t node;    /* of the tree, or PART_OF_TRIANGLE */
-    double corner[9]; /* then a triangle, each corner within `error` of that of an exact one */
-    double error;     /* also: x is within it of a point of the mesh */
+    double corner[9]; /* of a triangle: its corners, each within `error` of the exact one */
+    double error;     /* x too is within `error` of a point of the mesh */
     double x[3];
-    double radius; /* no point of the part is further from x, errors included */
+    double radius; /* bound of the distance of x to points of the exact part */
 } mesh_part;
 
-/** Make the part of a node. */
+/** Make the part below a node of the mesh's tree. */
 void mesh_part_of_node(mesh_part *out, const judged_mesh *mesh, uint32_t node);
 
 /** Cut a part in two. */

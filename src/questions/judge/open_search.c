@@ -1,4 +1,5 @@
-/* Points by their cube, the trace and the distance. SPDX-License-Identifier: GPL-3.0-or-later */
+/* A point is asked of its cube, else of the classification; then for its distance.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "questions/judge/open_search.h"
 
 #include <flint/fmpq_vec.h>
@@ -10,22 +11,22 @@
 #include "questions/distance/distance.h"
 #include "questions/judge/cube_cover.h"
 
-/* Distances of points are asked to this share of the width that is wanted. */
+/* The tolerance of a point's distance, as a share of the width wanted. */
 static const double POINT_SHARE = 0.0625;
 
-/* But no finer than this share of the coordinates: doubles tell no more. */
+/* The least tolerance, as a share of the coordinates: doubles resolve no finer one. */
 static const double FINEST_SHARE = 0x1p-42;
 
-/* Cubes of at most this share of it are probed no further. */
+/* Cubes with a radius of at most this share of the width are not probed further. */
 static const double STUCK_SHARE = 0x1p-9;
 
-/* Looking at so many cubes takes as long as asking about one. */
+/* Visiting SEEN_CUBES cubes costs as much as asking about one. */
 enum { SEEN_CUBES = 2048 };
 
-/* Cubes that positions are tried in vain to cover, at most. */
+/* cube_is_covered is not asked any more after this number of failures. */
 enum { UNCOVERED_MOST = 64 };
 
-/* Points around a cube are so much further out than its corners. */
+/* The points around a cube are the corners of the cube that is AROUND times as large. */
 static const double AROUND = 1.5;
 
 size_t suprema_spent(const suprema *s) {
@@ -122,8 +123,8 @@ graze_status suprema_sample(cube_sample *out, suprema *s, uint32_t index) {
     return status;
 }
 
-/* The cube of the band nearest to a place of the eight of one that was cut; UINT32_MAX if there is
- * none. */
+/* The cube of the band nearest to a place among the eight from `child` on; UINT32_MAX if none is of
+ * the band. */
 static uint32_t next_probe(const suprema *s, uint32_t child, const double *toward) {
     uint32_t nearest = UINT32_MAX;
     double least = INFINITY;

@@ -1,8 +1,8 @@
-/* The greatest distances of the mesh to the sweep and to its complement: parts of the mesh, the one
- * first that can hold the greatest. SPDX-License-Identifier: GPL-3.0-or-later
+/* The greatest distances of the mesh to the sweep and to its complement, by branch and bound over
+ * parts of the mesh. SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Both distances change by no more than the way from a point to the next, so that of a part's point
- * bounds them in the part.
+ * Both distances are 1-Lipschitz, so the distance of a part's reference point plus the part's
+ * radius bounds the distances in the part.
  */
 #include "questions/judge/search_mesh.h"
 
@@ -13,14 +13,14 @@
 #include "decide/filter/normal.h"
 #include "questions/judge/flat_cube.h"
 
-/* Half sides of cubes that are cut, as shares of the width. Parts of less than the last are stuck.
- */
+/* Shares of the width: the largest and the least half side of cubes that are preferred for cutting,
+ * and the radius below which a part is not cut. */
 static const double LARGE_SHARE = 0.5, SMALL_SHARE = 0x1p-8, STUCK_PART = 0x1p-9;
 
-/* Of those so small beside the error of their point most is rounding: they are stuck too. */
+/* A part is not cut if its radius is at most this times the error of its reference point. */
 static const double ROUNDED_PART = 8;
 
-/* Cubes that are perhaps not in the sweep. */
+/* Kinds of cubes that may have points outside the sweep. */
 enum { NOT_INSIDE = CUBE_OUT | CUBE_BAND | CUBE_FLAT };
 
 static void raise_low(supremum *of, double low, const double *at) {
@@ -30,7 +30,8 @@ static void raise_low(supremum *of, double low, const double *at) {
     }
 }
 
-/* Where a part's point is so far inside that all of the part is, nothing of it is outside. */
+/* An upper bound of the distances of a part's points to the sweep: 0 if the reference point is so
+ * deep inside that the whole part is in the sweep. */
 static double outside_bound(suprema *s, const asked_part *a) {
     double low = 0, unused;
     if (a->known.pmc == GRAZE_OUT)
@@ -40,7 +41,7 @@ static double outside_bound(suprema *s, const asked_part *a) {
     return larger(a->part.radius - low, 0);
 }
 
-/* Whether a triangle meets flat cubes alone, of those below one. */
+/* Does a triangle meet none but flat cubes, or cubes beside these, of the cubes below one? */
 static int is_part_flat_below(const suprema *s, const mesh_part *part, const box *around,
                               uint32_t index) {
     const cube *c = &s->space.item[index];
@@ -55,7 +56,7 @@ static int is_part_flat_below(const suprema *s, const mesh_part *part, const box
     return flat;
 }
 
-/* Whether a part is of the boundary. */
+/* Is a part proved to lie in the sweep's boundary? */
 static int is_part_flat(const suprema *s, const mesh_part *part) {
     const cube *root = &s->space.item[0];
     int within = part->node == PART_OF_TRIANGLE && root->kind & CUBE_FLAT;
@@ -70,7 +71,7 @@ static int is_part_flat(const suprema *s, const mesh_part *part) {
     return within && is_part_flat_below(s, part, &around, 0);
 }
 
-/* Whether a part's point is. */
+/* Is a part's reference point proved to? */
 static int is_at_flat(const suprema *s, const mesh_part *part) {
     mesh_part point = *part;
     for (int k = 0; k < 9; k++)
@@ -79,8 +80,9 @@ static int is_at_flat(const suprema *s, const mesh_part *part) {
     return is_part_flat(s, &point);
 }
 
-/* The distance from a part's point to the complement of the sweep: to what is certainly outside at
- * most, to what is not certainly inside at least. */
+/* An upper bound of the distances of a part's points to the sweep's complement. From the reference
+ * point the distance to cubes outside is an upper bound; that to cubes not certainly inside is a
+ * lower bound, which raises `low`. */
 static double inside_bound(suprema *s, const asked_part *a) {
     double low, high, unused;
     if (a->known.pmc == GRAZE_OUT)
@@ -95,7 +97,7 @@ static double inside_bound(suprema *s, const asked_part *a) {
     return high + a->part.radius;
 }
 
-/* Take a part up: ask its point, unless that of the part it is from is the same. */
+/* Append a part: ask its reference point, unless the part it is cut from has the same point. */
 static graze_status take_mesh_part(suprema *s, const mesh_part *part, const asked_part *from) {
     graze_status status = array_grow(s->context, &s->part, &s->part_capacity, s->part_count + 1,
                                      sizeof *s->part, "parts of a mesh");
@@ -146,8 +148,8 @@ static graze_status look_outside(suprema *s) {
     return priority_add(&s->outer, s->context, first.bound, first.number);
 }
 
-/* The cube of the band, or flat, nearest to a part's point, no further than `most`, of those that
- * are largest but for some powers of two: so all around it shrinks alike. */
+/* The cube of the band, or flat, that is nearest to a part's reference point and at most `most`
+ * away. Large cubes are tried first, so that all cubes around the point shrink alike. */
 static uint32_t nearest_large(suprema *s, const asked_part *a, double most) {
     double low, high;
     for (double share = LARGE_SHARE; share >= SMALL_SHARE; share *= 0.5) {
@@ -159,8 +161,8 @@ static uint32_t nearest_large(suprema *s, const asked_part *a, double most) {
     return UINT32_MAX;
 }
 
-/* Cut it, unless nothing around it is outside and it is settled; once cubes are small, see first
- * whether the nearest of all is perhaps in a seam. */
+/* Settle the cube, if no point around it is outside, or else cut it. Once cubes are small, the
+ * nearest one is probed first: the point may be near a seam. */
 static graze_status cut_nearest(suprema *s, uint32_t number, uint32_t index) {
     asked_part *a = &s->part[number];
     int *stuck = &s->found[GRAZE_JUDGED_INSIDE].stuck, done = 0;
@@ -184,7 +186,7 @@ static graze_status cut_nearest(suprema *s, uint32_t number, uint32_t index) {
     return status;
 }
 
-/* How much of a part's bound is the space around its point. */
+/* The share of a part's bound that comes from undecided space around its reference point. */
 static double open_space(suprema *s, const asked_part *a, double bound) {
     double low = 0, unused;
     if (a->known.pmc == GRAZE_OUT)
@@ -193,7 +195,7 @@ static double open_space(suprema *s, const asked_part *a, double bound) {
     return bound - a->part.radius - low;
 }
 
-/* The part may be cut, or the space around it, whichever leaves more open. */
+/* Cut the part with the greatest bound or the space around it, whichever contributes more. */
 static graze_status look_inside(suprema *s) {
     uint32_t number = priority_take(&s->inner).number;
     asked_part a = s->part[number];
@@ -213,7 +215,7 @@ static graze_status look_inside(suprema *s) {
     return status ? status : priority_add(&s->inner, s->context, bound, number);
 }
 
-/* Parts that were cut for the other search have left their place to others. */
+/* Drop parts that were cut for the other search, whose halves wait; then set both results. */
 static void finish_mesh(suprema *s) {
     priority *waits[2] = {&s->outer, &s->inner};
     supremum *found[2] = {&s->found[GRAZE_JUDGED_OUTSIDE], &s->found[GRAZE_JUDGED_INSIDE]};

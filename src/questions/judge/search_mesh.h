@@ -6,9 +6,9 @@
 
 #include "questions/judge/open_search.h"
 
-/** Begin with all of the mesh, which has triangles. */
+/** Begin with one part, the whole mesh; it has triangles. */
 graze_status search_mesh_begin(suprema *s);
-/** A step of either: the part that waits first is taken up. */
+/** Do a step of one of the searches: process the part with the greatest bound. */
 graze_status search_outside_step(suprema *s);
 graze_status search_inside_step(suprema *s);
 

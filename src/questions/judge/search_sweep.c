@@ -1,29 +1,30 @@
-/* The greatest distance of the sweep's boundary to the mesh: cubes of the band, the one first in
- * which it can be greatest. SPDX-License-Identifier: GPL-3.0-or-later
+/* The greatest distance of the sweep's boundary to the mesh, by branch and bound over cubes of the
+ * band. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/judge/search_sweep.h"
 
 #include <string.h>
 #include "decide/filter/normal.h"
 
-/* Points that bracket the boundary are sought around cubes of at most this share of the width that
- * is wanted, or of what is open, and brought together to this share of the width or the cube. */
+/* Two points that bracket the boundary are sought around cubes with a radius of at most
+ * BRACKET_CUBE of the width wanted, or OPEN_CUBE of the width open. They are bisected to
+ * BRACKET_LENGTH of the width wanted or of the radius. */
 static const double BRACKET_CUBE = 0.75, OPEN_CUBE = 0.0625, BRACKET_LENGTH = 0.0625;
 
-/* No place of the boundary in the cube is further from the mesh. */
+/* An upper bound of the distances to the mesh from the boundary's places in a cube. */
 static double cube_bound(const suprema *s, const cube *c) {
     mesh_gap gap = mesh_gap_of(s->mesh, c->centre);
     double round = gap.high + cube_radius(c);
     return smaller(round, mesh_gap_of_cube(s->mesh, gap.simplex, c->centre, c->half));
 }
 
-/* It is in a cube of which `most` is a bound too. */
+/* Queue a cube with its bound, or with the bound `most` of a cube that contains it. */
 static graze_status add_cube(suprema *s, uint32_t index, double most) {
     double bound = smaller(cube_bound(s, &s->space.item[index]), most);
     return priority_add(&s->cubes, s->context, bound, index);
 }
 
-/* A place of the boundary is at most `off` from the point: how far it is from the mesh at least. */
+/* Raise `low` by a point that is at most `off` away from a place of the boundary. */
 static void take_low(suprema *s, const double *point, double off) {
     double low = mesh_gap_of(s->mesh, point).low - off;
     if (low > s->found[GRAZE_JUDGED_SWEEP].low) {
@@ -32,7 +33,7 @@ static void take_low(suprema *s, const double *point, double off) {
     }
 }
 
-/* Between a point in the sweep and one outside it is a place of the boundary. */
+/* Raise `low` by a place of the boundary between a point in the sweep and one outside. */
 static graze_status take_bracket(suprema *s, const cube_sample *ends, double length) {
     double a[3], b[3], middle[3];
     graze_status status = GRAZE_OK;
@@ -53,8 +54,8 @@ static graze_status take_bracket(suprema *s, const cube_sample *ends, double len
     return status;
 }
 
-/* Where all is out, the place of the sweep that is nearest to the centre is of its boundary; if it
- * is far, the cube holds none. */
+/* For a cube with no sample in the sweep: the sweep's place nearest to the centre is on the
+ * boundary and raises `low`; if it is outside the ball around the cube, the cube is out. */
 static graze_status take_nearest(int *done, suprema *s, uint32_t index) {
     const cube c = s->space.item[index];
     known_point known;
@@ -67,9 +68,9 @@ static graze_status take_nearest(int *done, suprema *s, uint32_t index) {
     return status;
 }
 
-/* What points of a small cube and around it tell.
+/* Ask the samples of a small cube, and use what they show.
  * @param[out] done   the cube is settled
- * @param[out] hidden all of them are in */
+ * @param[out] hidden 1: all samples are in the sweep */
 static graze_status ask_around_cube(int *done, int *hidden, suprema *s, uint32_t index) {
     cube_sample around;
     double radius = cube_radius(&s->space.item[index]);
@@ -82,7 +83,7 @@ static graze_status ask_around_cube(int *done, int *hidden, suprema *s, uint32_t
     return around.has_in ? suprema_settle(done, s, index) : take_nearest(done, s, index);
 }
 
-/* The eight cubes of one that was cut. */
+/* Queue those of the eight cubes of a cut cube that are of the band. */
 static graze_status add_below(suprema *s, uint32_t child, double most) {
     graze_status status = GRAZE_OK;
     for (uint32_t k = child; !status && k < child + 8; k++)
@@ -91,7 +92,8 @@ static graze_status add_below(suprema *s, uint32_t child, double most) {
     return status;
 }
 
-/* Take up the cube with the greatest bound; where it was cut, others take its place. */
+/* Process the cube with the greatest bound: sample it if it is small; else, or in vain, cut it or
+ * probe it. */
 static graze_status look_at_cube(suprema *s) {
     waiting_part first = priority_take(&s->cubes);
     const cube c = s->space.item[first.number];
@@ -114,7 +116,8 @@ static graze_status look_at_cube(suprema *s) {
     return status ? status : priority_add(&s->cubes, s->context, first.bound, first.number);
 }
 
-/* Those of the other searches may have cut the first cube, or settled it: others take its place. */
+/* Bring the queue up to date: other searches may have cut or settled its first cube. Then set the
+ * result. */
 static graze_status finish_sweep(suprema *s) {
     graze_status status = GRAZE_OK;
     const cube *first = NULL;

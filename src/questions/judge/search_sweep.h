@@ -6,9 +6,9 @@
 
 #include "questions/judge/open_search.h"
 
-/** Begin with all of space; the mesh has triangles. */
+/** Begin with one cube, the root; the mesh has triangles. */
 graze_status search_sweep_begin(suprema *s);
-/** A step: the cube that waits first is taken up. */
+/** Do a step: process the cube with the greatest bound. */
 graze_status search_sweep_step(suprema *s);
 
 #endif

@@ -1,4 +1,4 @@
-/* The searches by turns, that of which most is open next, in one band.
+/* The three searches take turns in one band; the search whose enclosure is widest is next.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/judge/suprema.h"
@@ -10,12 +10,10 @@
 #include "questions/judge/search_sweep.h"
 #include "questions/judge/volumes.h"
 
-/* Cubes that are cut together, at most. */
+/* Bound of the number of cubes that one call cuts. */
 enum { TOGETHER = 4096 };
 
-/* The distance of which most is open; its number, or GRAZE_JUDGED_COUNT where none can be searched
- * on.
- */
+/* The distance with the widest enclosure; GRAZE_JUDGED_COUNT if no search can go on. */
 static int most_open(const suprema *s) {
     int most = GRAZE_JUDGED_COUNT;
     double open = 0;
@@ -29,8 +27,8 @@ static int most_open(const suprema *s) {
     return most;
 }
 
-/* Cut what is left of the band until no cube is larger than the width that is wanted, for the sake
- * of the volume. */
+/* Cut the cubes of the band until none has a radius larger than the width wanted: the volumes need
+ * it. */
 static graze_status thin_band(suprema *s) {
     graze_status status = GRAZE_OK;
     for (size_t next = 0; next < s->space.count && !status && !suprema_is_over(s);) {
@@ -41,7 +39,7 @@ static graze_status thin_band(suprema *s) {
     return status;
 }
 
-/* From an empty mesh all is infinitely far. */
+/* The distance of the sweep's boundary to an empty mesh is infinite. */
 static graze_status judge_empty(suprema *s) {
     for (int k = 0; k < GRAZE_JUDGED_COUNT; k++)
         s->found[k].reached = 1;

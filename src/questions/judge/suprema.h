@@ -1,4 +1,4 @@
-/* The greatest distances between a mesh and the boundary of a sweep, each way, enclosed.
+/* Enclosures of the greatest distances between a mesh and the boundary of a sweep, each way.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_JUDGE_SUPREMA_H
@@ -6,13 +6,13 @@
 
 #include "questions/judge/open_search.h"
 
-/**
- * Search (proofs/judging.md C119): over the mesh the greatest distance to the sweep of its points
- * outside, and to the complement of those inside; over the sweep's boundary that to the mesh.
- * @param within positive
- * @param threads for the volume; they change nothing but the time
- * @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM; suprema_clear in any case
- */
+/** Enclose three greatest distances (proofs/judging.md C119): of the mesh's points outside the
+ * sweep to the sweep, of its points inside to the complement, and of the sweep's boundary to the
+ * mesh. Enclose the volumes too.
+ * @param within the width wanted, positive
+ * @param budget bound of the number of cubes and points asked
+ * @param threads for the volumes; their number changes nothing but the time
+ * @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM; suprema_clear in any case */
 graze_status suprema_find(suprema *out, graze_context *context, const graze_scene *scene,
                           const judged_mesh *mesh, double within, size_t budget, int threads);
 void suprema_clear(suprema *s);

@@ -1,5 +1,5 @@
-/* Cubes that the mesh misses are inside it or outside it; others are halved down to the width.
- * SPDX-License-Identifier: GPL-3.0-or-later
+/* A cube that the mesh misses is inside or outside the mesh; other cubes are cut down to the width
+ * wanted. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/judge/volumes.h"
 
@@ -9,14 +9,15 @@
 #include "questions/judge/flat_cube.h"
 #include "questions/judge/winding.h"
 
-/* The root is doubled so often, at most, until it holds the mesh. */
+/* Bounds: of the doublings of the root until it holds the mesh, and of the levels of cubes. */
 enum { DOUBLINGS = 60, LEVELS = DOUBLINGS + 256 };
 
-/* Counts of cubes. Each is MESH_IN, MESH_OUT, or MESH_UNTOLD where the mesh is perhaps in it. */
+/* Counts of cubes. Relative to the mesh a cube is MESH_IN, MESH_OUT, or MESH_UNTOLD if the mesh may
+ * meet it. */
 typedef struct measuring {
     suprema *s;
     int has_inside;
-    fmpq_t flat;                           /* volume inside, in flat cubes */
+    fmpq_t flat;                           /* volume inside the mesh in flat cubes */
     size_t count[VOLUME_COUNT][2][LEVELS]; /* cubes by level, for bounds below and above */
 } measuring;
 
@@ -30,7 +31,7 @@ static int meets_below(const judged_mesh *m, const cube_span *c, uint32_t node) 
                        m->corners.error) != CHORD_MISSES;
 }
 
-/* Whether the mesh certainly misses a closed cube. */
+/* Is the mesh certain to miss a closed cube? */
 static int mesh_misses_cube(const judged_mesh *m, const cube *c) {
     cube_span here;
     cube_span_set(&here, c, m);
@@ -85,7 +86,9 @@ static graze_status measure_cube(measuring *r, const cube *c, int level, mesh_pl
     return status ? status : context_poll(s->context);
 }
 
-/* Outside the root, as far as the mesh: cubes of which the last one is a part. 0: it is too far. */
+/* Measure the space outside the root that the mesh reaches: the root is doubled towards the mesh,
+ * and each time the seven new cubes are measured. has_inside becomes 0 if the mesh is too far away.
+ */
 static graze_status measure_around(measuring *r) {
     const box *reach = &r->s->mesh->boxes.node[0].box;
     cube last = r->s->space.item[0];
@@ -114,7 +117,7 @@ static graze_status measure_around(measuring *r) {
     return status;
 }
 
-/* Add the cubes of all levels, as parts of the root. */
+/* Add the volumes of the cubes of all levels; `root` is the volume of the root. */
 static void add_volumes(fmpq_t sum, const fmpq_t root, const size_t *count) {
     fmpq_t term;
     fmpz_t number;

@@ -1,4 +1,4 @@
-/* Volumes of the sweep and of its difference to a mesh, enclosed.
+/* Enclosures of the volumes of the sweep and of its differences to a mesh.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_JUDGE_VOLUMES_H
@@ -6,8 +6,8 @@
 
 #include "questions/judge/open_search.h"
 
-/** Set the volumes, from the cubes as they are; IN_SWEEP alone where the mesh has no inside, or is
- * too far away (proofs/judging.md C117).
+/** Enclose the volumes from the band's cubes (proofs/judging.md C117); IN_SWEEP alone if the mesh
+ * has no inside, or is too far away.
  * @return GRAZE_ECANCELED */
 graze_status volumes_find(suprema *s);
 

@@ -1,4 +1,4 @@
-/* Memberships from crossings of a ray. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Places from the crossings of a ray. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "questions/judge/winding.h"
 
 #include <flint/fmpq_vec.h>
@@ -24,7 +24,8 @@ mesh_place judged_place(long *winding, const judged_mesh *m, const fmpq *point) 
     return inside ? MESH_IN : MESH_OUT;
 }
 
-/* Triangles whose sides are asked, at most, and how far from them, as a share of their size. */
+/* Bound of the number of triangles whose sides are sampled, and the samples' distance from them as
+ * a share of their size. */
 enum { WINDING_SAMPLES = 128 };
 static const double BESIDE = 0x1p-20;
 

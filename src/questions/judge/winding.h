@@ -1,4 +1,4 @@
-/* What a mesh says of a point: its winding number there, and whether it has the point inside.
+/* The place of a point relative to a mesh, and its winding number.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_JUDGE_WINDING_H
@@ -6,24 +6,22 @@
 
 #include "questions/judge/judged_mesh.h"
 
-/** Where a point is. Inside is where the winding number is not 0, or odd, by the mesh's rule
+/** The place of a point: it is inside if the winding number is not 0, or is odd, by the mesh's rule
  * (proofs/mesh.md C114). */
 typedef enum mesh_place {
     MESH_IN,
     MESH_ON, /* on a triangle with area, whatever the rule */
     MESH_OUT,
-    MESH_UNTOLD /* GRAZE_MESH_NONE: off the mesh, and the mesh has no inside */
+    MESH_UNTOLD /* off a mesh that has no inside (GRAZE_MESH_NONE) */
 } mesh_place;
 
-/**
- * Locate a point exactly. Threads may share the mesh.
+/** Locate a point exactly. Threads may use the same mesh at the same time.
  * @param[out] winding the winding number for GRAZE_MESH_WINDING at points off the mesh, else 0
- * @param point 3 canonical rationals
- */
+ * @param point 3 canonical rationals */
 mesh_place judged_place(long *winding, const judged_mesh *m, const fmpq *point);
 
-/** Set the least and the greatest winding number beside some triangles of the mesh, on both sides
- * of each: exact, but more may be elsewhere. */
+/** Set `least` and `most` from the exact winding numbers on both sides of some of the triangles;
+ * elsewhere there may be other ones. */
 void judged_windings(judged_mesh *m);
 
 #endif

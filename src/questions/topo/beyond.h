@@ -1,4 +1,4 @@
-/* Points beyond the closed set that positions are relative to: the witnesses of its boundary.
+/* Points outside the closed set that positions are relative to: witnesses of its boundary.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_TOPO_BEYOND_H
@@ -6,8 +6,8 @@
 
 #include "decide/scene/scene.h"
 
-/** Whether a point is `out` of a sweep, or `in` an unsweep, whose complement is the sweep of the
- * solid's complement (proofs/dangling.md C113).
+/** Is a point `out` of a sweep; for an unsweep: is it `in`? The complement of an unsweep is the
+ * sweep of the solid's complement (proofs/dangling.md C113).
  * @return as classify_verdict */
 graze_status beyond_closed(int *out, graze_context *context, const graze_scene *scene,
                            const fmpq *point);

@@ -1,7 +1,7 @@
 /* The planes of germs, their common rays, and the cells around a ray.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Planes may be added to an arrangement at will, so those of the coordinates are: then it has rays.
+ * More planes than needed do no harm, so the coordinate planes are added: then there are rays.
  */
 #include "questions/topo/borders.h"
 
@@ -29,13 +29,13 @@ void borders_clear(borders *b) {
     clear_vectors(b->ray, b->ray_count, b->dimension);
 }
 
-/* a turned to the left by a quarter, in E^2; `out` is not a. */
+/* out = a turned by a right angle counter-clockwise, in E^2; `out` is not a. */
 static void turn_quarter(fmpz *out, const fmpz *a) {
     fmpz_neg(out, a + 1);
     fmpz_set(out + 1, a);
 }
 
-/* Append a copy unless it is there. */
+/* Append a copy of a vector unless the list has it. */
 static graze_status add_vector(fmpz **list, size_t *count, size_t *capacity, graze_context *context,
                                const fmpz *v, int d) {
     for (size_t k = 0; k < *count; k++)
@@ -51,7 +51,7 @@ static graze_status add_vector(fmpz **list, size_t *count, size_t *capacity, gra
     return GRAZE_OK;
 }
 
-/* Add the plane with a normal, which is changed; none for 0. */
+/* Add the plane with a normal, which is reduced in place; 0 adds none. */
 static graze_status add_border(borders *b, graze_context *context, fmpz *normal) {
     int d = b->dimension, sign = 0;
     direction_reduce(normal, d);
@@ -64,7 +64,7 @@ static graze_status add_border(borders *b, graze_context *context, fmpz *normal)
     return add_vector(&b->plane, &b->plane_count, &b->plane_capacity, context, normal, d);
 }
 
-/* Add a plane of a germ, from the body's directions to those about P. */
+/* Add a plane given in the germ's body, carried to directions about P. */
 static graze_status add_body_border(borders *b, graze_context *context, const germ *g,
                                     const fmpz *normal) {
     int d = b->dimension;
@@ -77,8 +77,8 @@ static graze_status add_body_border(borders *b, graze_context *context, const ge
     return status;
 }
 
-/* The planes that the edges of the cone sweep along e. A ray in which two planes of the cone meet
- * holds no edge if neither it nor its opposite is on the boundary. */
+/* Add the planes that the edges of the cone sweep along e. Two planes of the cone meet in an edge
+ * only if their common ray or its opposite is on the cone's boundary. */
 static graze_status add_swept_edges(borders *b, graze_context *context, germ *g, const fmpz *e) {
     int d = b->dimension;
     fmpz *ray = _fmpz_vec_init(d), *normal = _fmpz_vec_init(d);
@@ -104,7 +104,7 @@ static graze_status add_swept_edges(borders *b, graze_context *context, germ *g,
     return status;
 }
 
-/* The plane of a ray of the cone that is an edge and of the way that leaves it, in E^3. */
+/* Add the plane along an edge of the cone and along the direction that leaves the edge, in E^3. */
 static graze_status add_swept_ray(borders *b, graze_context *context, const germ *g,
                                   const fmpz *ray, const fmpz *way) {
     fmpz *normal = _fmpz_vec_init(3);
@@ -139,7 +139,7 @@ static graze_status add_axes(borders *b, graze_context *context) {
     return status;
 }
 
-/* Both rays in which planes i and j meet; in E^2 those of line i. */
+/* Add both rays in which planes i and j meet; in E^2 both rays of line i. */
 static graze_status add_rays(borders *b, graze_context *context, size_t i, size_t j) {
     int d = b->dimension;
     graze_status status = GRAZE_OK;
@@ -157,7 +157,7 @@ static graze_status add_rays(borders *b, graze_context *context, size_t i, size_
     return status;
 }
 
-/* The rays of an arrangement; in E^2 each line has two. */
+/* Find all rays of an arrangement. */
 static graze_status find_rays(borders *b, int *refused, graze_context *context) {
     graze_status status = GRAZE_OK;
     for (size_t i = 0; i < b->plane_count && !status && !*refused; i++) {
@@ -196,7 +196,7 @@ graze_status borders_of_cone(borders *b, int *refused, graze_context *context,
     return status ? status : find_rays(b, refused, context);
 }
 
-/* Add those planes of `all` that contain a direction, and what spans all planes that do. */
+/* Add the planes of `all` that contain a direction, and planes that make the others complete. */
 static graze_status keep_planes_through(borders *b, graze_context *context, const borders *all,
                                         const fmpz *direction) {
     graze_status status = GRAZE_OK;
@@ -237,7 +237,8 @@ graze_status borders_about(borders *b, graze_context *context, germ *g, const fm
     return status;
 }
 
-/* v + s w for a positive s so small that no plane off v is reached; times its denominator. */
+/* out = v + s w, times a denominator, with s > 0 so small that no plane is crossed but those
+ * through v. */
 static void step_from_ray(fmpz *out, const borders *b, const fmpz *v, const fmpz *w) {
     int d = b->dimension;
     fmpq *s = _fmpq_vec_init(2), *most = s + 1;
@@ -274,8 +275,8 @@ static int turn_about_ray(const fmpz *v, const fmpz *a, const fmpz *b) {
     return sign;
 }
 
-/* The next of `count` directions across the ray v after `from`, by the angle. At least two of them
- * are independent, and with each there is its opposite. */
+/* The direction that follows number `from` by angle, of `count` directions across the ray v. Two of
+ * them are independent, and each has its opposite among them. */
 static size_t next_around(const fmpz *v, const fmpz *across, size_t count, size_t from) {
     size_t best = from;
     for (size_t k = 0; k < count; k++)
@@ -285,7 +286,7 @@ static size_t next_around(const fmpz *v, const fmpz *across, size_t count, size_
     return best;
 }
 
-/* Directions in the planes through the ray v, across it; room for two of each plane. */
+/* The directions across the ray v in each plane through it; `out` has room for two a plane. */
 static size_t directions_across(fmpz *out, const borders *b, const fmpz *v) {
     size_t count = 0;
     fmpz_t at;

@@ -1,4 +1,4 @@
-/* The central arrangement of the planes (E^2: lines) at which what germs cover can change.
+/* The central arrangement of the planes (E^2: lines) at which the cover of directions can change.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_TOPO_BORDERS_H
@@ -6,11 +6,12 @@
 
 #include "questions/topo/germ.h"
 
-/** Most planes and rays of an arrangement that is looked at. */
+/** Bounds of the numbers of planes and rays of an arrangement. */
 enum { BORDER_PLANES = 60, BORDER_RAYS = 3000 };
 
-/** Normals of the planes, d integers each, no two parallel; they span all directions. `rays` are
- * those in which d - 1 of the planes meet, each once: every cell has one in its closure. */
+/** An arrangement. `plane`: the planes' normals, d integers each, no two parallel; they span all
+ * directions. `ray`: the rays in which d - 1 planes meet, each once; the closure of every cell has
+ * one of them. */
 typedef struct borders {
     int dimension;
     size_t plane_count, plane_capacity, ray_count, ray_capacity;
@@ -20,24 +21,22 @@ typedef struct borders {
 void borders_init(borders *b, int dimension);
 void borders_clear(borders *b);
 
-/** The planes of all germs and their sides, in directions about P, and the rays.
- * @param[out] refused 1 if there are too many: then the arrangement is not whole */
+/** Make the arrangement of the planes of all germs and of their sides, in directions about P.
+ * @param[out] refused 1 if a bound is exceeded: then the arrangement is incomplete */
 graze_status borders_find(borders *b, int *refused, graze_context *context, germ_list *germs);
 
-/** The arrangement of planes in the directions of a germ's body that contain one direction, at
- * which what the germ covers can change, as seen along that direction (E^3). That is ray 0. */
+/** Make the arrangement of those planes of one germ that contain a direction, in directions of the
+ * body (E^3). It shows where the germ's cover changes around the direction, which is ray 0. */
 graze_status borders_about(borders *b, graze_context *context, germ *g, const fmpz *direction);
 
-/** The arrangement of a cone's own planes, with its rays. */
+/** Make the arrangement of a cone's own planes. */
 graze_status borders_of_cone(borders *b, int *refused, graze_context *context,
                              const local_cone *cone);
 
-/**
- * A direction in each cell of dimension d, and (E^3) d - 1, whose closure has ray `r` in it, in
- * order around the ray: cell 2 k has dimension d, cell 2 k + 1 lies between it and the next.
- * In E^2 there are two, and nothing between them.
- * @param[out] out `*count` times d integers, for _fmpz_vec_clear with *count d
- */
+/** Give a direction in each cell around ray `r`, in order around the ray. In E^3 cell 2 k has
+ * dimension 3, cell 2 k + 1 is the cell of dimension 2 after it. In E^2 there are the two cells of
+ * dimension 2 beside the ray.
+ * @param[out] out `*count` times d integers, for _fmpz_vec_clear with *count d */
 void borders_around(fmpz **out, size_t *count, const borders *b, size_t r);
 
 #endif

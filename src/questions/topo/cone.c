@@ -1,7 +1,8 @@
-/* Local cones, by location next to the point. SPDX-License-Identifier: GPL-3.0-or-later
+/* Local cones: a direction's state is that of a point beside the cone's point.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Next to the point means: nearer than where the ray first meets a plane of a facet that does not
- * pass through the point. The state is constant up to there.
+ * The point beside it lies on the ray, nearer than every facet's plane that does not pass through
+ * the cone's point: up to there the state is constant.
  */
 #include "questions/topo/cone.h"
 
@@ -15,7 +16,7 @@
 #include "input/solid/forms.h"
 #include "input/solid/locate.h"
 
-/* Does a facet of the plane contain the point, at which the plane's form is 0? */
+/* Does a facet in the plane contain the cone's point? The point is in the plane. */
 static int plane_holds_point(const local_cone *cone, size_t plane) {
     int d = cone->dimension, found = 0;
     const plane_list *list = cone->planes;
@@ -32,7 +33,7 @@ static int plane_holds_point(const local_cone *cone, size_t plane) {
     return found;
 }
 
-/* 2^-nearest times a direction of b bits reaches no plane if b is taken from it. */
+/* Raise `nearest` for a plane off the point: the value of its form there, and its normal. */
 static void note_distance(local_cone *cone, const fmpz_t value, const fmpz *normal) {
     slong bits = FLINT_ABS(_fmpz_vec_max_bits(normal, cone->dimension));
     cone->nearest = FLINT_MAX(cone->nearest, bits + 3 - (slong)fmpz_bits(value));
@@ -83,8 +84,8 @@ int cone_cell_dimension(const local_cone *cone) {
     return cone->dimension - rank;
 }
 
-/* A point on the ray before any plane that does not pass through the cone's point. The ray meets
- * one whose form has the value v there at |v| / |n . direction|, counted in units of the last
+/* A point on the ray nearer than every plane off the cone's point. If a plane's form has the value
+ * v at the cone's point, the ray meets it at |v| / |n . direction|, in units of the last
  * coordinate, and |n . direction| < 2^(2 + bits of n + bits of direction). */
 static void point_beside(fmpz *out, const local_cone *cone, const fmpz *direction) {
     slong d = cone->dimension, places = cone->nearest + FLINT_ABS(_fmpz_vec_max_bits(direction, d));
@@ -145,7 +146,8 @@ static int compare_cuts(const void *a, const void *b) {
     return fmpq_cmp(a, b);
 }
 
-/* Add so much of the ray to w that its sign decides at every plane which is not along it. */
+/* Add a multiple of the ray to w that is so large that w has the ray's sign at every plane but
+ * those along the ray. */
 static void add_ray(fmpz *w, const local_cone *cone, const fmpz *ray) {
     slong d = cone->dimension;
     fmpz_t at, most;
@@ -162,7 +164,7 @@ static void add_ray(fmpz *w, const local_cone *cone, const fmpz *ray) {
     fmpz_clear(most);
 }
 
-/* The direction u + s e, times the denominator of s. */
+/* Ask the state of the direction u + s e, times the denominator of s. */
 static graze_status look_along(int *in_interior, int *in_cone, local_cone *cone,
                                graze_context *context, const fmpz *ray, const fmpz *u,
                                const fmpz *e, const fmpq_t s) {
@@ -180,11 +182,11 @@ static graze_status look_along(int *in_interior, int *in_cone, local_cone *cone,
     return status;
 }
 
-/* The signs of u + s e change at the cuts alone: each cut, and a number in each gap. */
+/* The signs of u + s e change only at cuts, so each cut is asked and a number between each two. */
 graze_status cone_sweep(int *in_interior, int *in_cone, local_cone *cone, graze_context *context,
                         const fmpz *ray, const fmpz *u, const fmpz *e) {
     slong d = cone->dimension, count = 1;
-    fmpq *cut = _fmpq_vec_init((slong)cone->count + 1); /* 0 first */
+    fmpq *cut = _fmpq_vec_init((slong)cone->count + 1); /* the first one is 0 */
     fmpz *a = _fmpz_vec_init(2), *b = a + 1;
     fmpq_t between;
     fmpq_init(between);

@@ -1,8 +1,9 @@
-/* Parts of curves. SPDX-License-Identifier: GPL-3.0-or-later
+/* Squarefree and coprime parts of curves.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Two polynomials have a factor in common that depends on y only if they do so on each line x = c
- * on which the degree in y of one of them does not drop; the same with x. Where a line shows none,
- * modulo a prime, there is none.
+ * If two polynomials have a common factor that depends on y, their values on each line x = c have
+ * one, provided that the degree in y of one of them does not drop there; likewise with x. So one
+ * line without a common factor, even modulo a prime, proves that there is none.
  */
 #include "questions/topo/coprime.h"
 
@@ -10,11 +11,11 @@
 #include "base/number/modular.h"
 #include "questions/topo/eliminate.h"
 
-/* Square of the degree times bits of the coefficients up to which a curve is factored: a tenth of a
- * second. */
+/* A curve is factored if its degree squared times the bits of its coefficients is at most this,
+ * which takes a tenth of a second. */
 enum { FACTORED = 100000 };
 
-/* The line on which common factors are looked for. */
+/* The c of the line on which common factors are excluded. */
 enum { LINE = 1000003 };
 
 static ulong largest_bits(const fmpz_mpoly_t g) {
@@ -22,8 +23,8 @@ static ulong largest_bits(const fmpz_mpoly_t g) {
     return (ulong)FLINT_ABS(bits);
 }
 
-/* Has a curve with another one, or with its own derivative, certainly no common factor that depends
- * on a variable? */
+/* Is it certain that a curve has no common factor that depends on a variable with another curve, or
+ * with its own derivative? */
 static int is_coprime_in(const fmpz_mpoly_t a, const fmpz_mpoly_t b, int variable,
                          const fmpz_mpoly_ctx_t ring) {
     sliced_curve s, other;
@@ -55,14 +56,15 @@ static int is_coprime(const fmpz_mpoly_t a, const fmpz_mpoly_t b, const fmpz_mpo
     return is_coprime_in(a, b, RING_X, ring) && is_coprime_in(a, b, RING_Y, ring);
 }
 
-/* Is an exact common factor of this curve found in a fraction of a second? */
+/* Is a curve small enough for the limit, so that its common factors are found in a fraction of a
+ * second? */
 static int is_bounded(const graze_context *context, const fmpz_mpoly_t g,
                       const fmpz_mpoly_ctx_t ring) {
     ulong degree = (ulong)fmpz_mpoly_total_degree_si(g, ring);
     return degree * largest_bits(g) <= context->limits[GRAZE_LIMIT_BITS];
 }
 
-/* Squarefree parts of one curve, without common factors. */
+/* Append the squarefree, pairwise coprime parts of one curve. */
 static graze_status split_curve(curve_list *out, int *refused, graze_context *context,
                                 const fmpz_mpoly_t curve) {
     const fmpz_mpoly_ctx_struct *ring = out->ring;
@@ -86,8 +88,8 @@ static graze_status split_curve(curve_list *out, int *refused, graze_context *co
     return status;
 }
 
-/* Take the common factor d out of part k and out of a curve coprime to all parts before it; d
- * becomes a part. */
+/* Divide part k and a curve by their common factor d, which becomes a part. The curve is coprime to
+ * all parts before k. */
 static graze_status take_common(curve_list *parts, graze_context *context, size_t k,
                                 fmpz_mpoly_t curve, const fmpz_mpoly_t d) {
     fmpz_mpoly_struct *part = &parts->item[k];
@@ -100,7 +102,7 @@ static graze_status take_common(curve_list *parts, graze_context *context, size_
     return GRAZE_OK;
 }
 
-/* Add a squarefree curve. */
+/* Add a squarefree curve to the parts. */
 static graze_status refine(curve_list *parts, int *refused, graze_context *context,
                            fmpz_mpoly_t curve) {
     size_t count = parts->count;

@@ -1,4 +1,4 @@
-/* Curves as squarefree parts without common factors.
+/* Plane curves as squarefree, pairwise coprime polynomials.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_TOPO_COPRIME_H
@@ -6,14 +6,12 @@
 
 #include "questions/topo/plane.h"
 
-/**
- * Add a curve to a list of squarefree, pairwise coprime polynomials with the same zeros as all that
- * was added. Small ones are factored, since factors that stay away from a point are cheap;
- * factoring large ones can take minutes, so only their common factors are looked for, and most of
- * these are excluded modulo a prime.
- * @param[out] refused 1 if a polynomial with a common factor has more digits than that is bounded
- *                     for (the context's limit `bits`); else as it was
- */
+/** Add a curve to a list of squarefree, pairwise coprime polynomials, whose zeros are those of all
+ * curves added. Small polynomials are factored, since factors without zeros near a point cost
+ * little later. Of large ones, whose factors could take minutes, only common factors are split off;
+ * a test modulo a prime excludes most of these.
+ * @param[out] refused set to 1 if a polynomial with a common factor is beyond the context's limit
+ * `bits`; else unchanged */
 graze_status coprime_add(curve_list *parts, int *refused, graze_context *context,
                          const fmpz_mpoly_t curve);
 

@@ -1,11 +1,13 @@
-/* Directions against germs. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Cover of directions by the sides of germs and by the solid at the time.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
 #include "questions/topo/cover.h"
 
 #include <flint/fmpz_vec.h>
 #include "questions/topo/signs.h"
 
-/* Is u + s e for a positive s a direction of the cell? Then u lies opposite to e; with e zero, is u
- * such a direction itself? The first plane that e is not along gives s = -p / q. */
+/* Is u + s e a direction of the cone's cell for some s > 0, which means that u is opposite to e;
+ * for e = 0, is u one? The first plane that e is not parallel to gives s = -p / q. */
 static int is_opposite(const local_cone *cone, const fmpz *u, const fmpz *e) {
     slong d = cone->dimension;
     int sign = -1, has_s = 0;
@@ -31,7 +33,7 @@ static int is_opposite(const local_cone *cone, const fmpz *u, const fmpz *e) {
     return sign < 0;
 }
 
-/* Add what one side covers. */
+/* Add the cover by one side. */
 static graze_status cover_by_side(germ_cover *out, germ *g, const germ_side *side,
                                   graze_context *context, const fmpz *u) {
     int in_interior = 0, in_cone = 0;
@@ -48,7 +50,7 @@ static graze_status cover_by_side(germ_cover *out, germ *g, const germ_side *sid
     return status;
 }
 
-/* Add what the solid covers at the time. */
+/* Add the cover by the solid at the time itself. */
 static graze_status cover_at_rest(germ_cover *out, germ *g, graze_context *context, const fmpz *u) {
     graze_state state = GRAZE_STATE_O;
     graze_status status = cone_state(&state, &g->cone, context, u);

@@ -1,4 +1,4 @@
-/* Directions about the point that germs cover.
+/* Cover of directions about the point by germs.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_TOPO_COVER_H
@@ -6,20 +6,20 @@
 
 #include "questions/topo/germ.h"
 
-/** Cover of a direction by the germs. */
+/** Statements about a direction; each is 1 if it is proved, `covered` is 0 if its opposite is. */
 typedef struct germ_cover {
-    int open;     /* it is covered, and so is a neighbourhood */
-    int edge_way; /* the same, by the way of a trajectory through a pinch, or along an edge */
+    int open;     /* the direction has a neighbourhood that is covered, to first order */
+    int edge_way; /* it has one by a trajectory's way through a pinch or along an edge */
     int exact;    /* it lies in a closed cone that is covered */
-    int covered;  /* it lies in a cone that holds all that is covered */
+    int covered;  /* it lies in a closed cone that bounds the cover */
 } germ_cover;
 
-/** Add what one germ covers of a direction of its body, with all sides or with those alone that
- * keep the edge. */
+/** Add the cover of a direction of its body by one germ: by all sides or, if `keeping_edge`, only
+ * by sides that keep the edge. */
 graze_status germ_cover_body(germ_cover *out, germ *g, graze_context *context, const fmpz *u,
                              int keeping_edge);
 
-/** Add what a part of a germ covers of a direction about the point. */
+/** Add the cover of a direction about the point by a part of a germ. */
 graze_status germ_cover_part(germ_cover *out, germ *g, graze_context *context,
                              const fmpz *direction, int part);
 

@@ -29,7 +29,7 @@ static graze_status meets_piece(int *out, graze_context *context, const fmpz_pol
     return status;
 }
 
-/* Common data of the walk over pieces, lines and vertices. */
+/* State of the loops over pieces, facets and vertices. */
 typedef struct curve_maker {
     curve_list *list;
     const char *refused;
@@ -40,7 +40,7 @@ typedef struct curve_maker {
 
 static const char in_plane[] = "facets or edges come to lie in a plane through the point";
 
-/* Why a list is not whole: more curves, or a higher degree, than the limit. */
+/* The reason of a list that exceeds a bound: the number of curves, or a degree. */
 static const char *too_many(const plane_view *view) {
     return view->dimension == 2 ? "the scene has more than the 100000 curves that are looked at"
                                 : "the scene has more curves in a plane than are looked at";
@@ -55,7 +55,7 @@ static void refuse_degree(curve_maker *m, slong degree) {
                          : "a curve in a plane has a higher degree than is looked at";
 }
 
-/* The line at u = 0 or 1. */
+/* Add the line at the end u = 0 or u = 1 of a piece. */
 static graze_status add_line_at(curve_maker *m, const pullback_form *f, slong u) {
     fmpz_mpoly_t curve;
     fmpz_t when;
@@ -68,7 +68,7 @@ static graze_status add_line_at(curve_maker *m, const pullback_form *f, slong u)
     return status;
 }
 
-/* Where the pullback, of degree n >= 2 in time, has a double root, or vanishes. */
+/* Add the curve where the pullback, of degree n >= 2 in time, has a double root or vanishes. */
 static graze_status add_discriminant(curve_maker *m, const pullback_form *f, slong n) {
     fmpz_mpoly_t curve;
     fmpz_mpoly_init(curve, m->list->ring);
@@ -82,8 +82,8 @@ static graze_status add_discriminant(curve_maker *m, const pullback_form *f, slo
     return status;
 }
 
-/* The pullback of a form without the factor that its coefficients share, and its degree in time. In
- * E^2 the factor has no root on the piece. */
+/* Make the pullback of a form, divided by the common factor of its coefficients, and its degree in
+ * time. In E^2 the factor has no root on the piece. */
 static graze_status make_pullback(pullback_form *f, slong *degree, curve_maker *m,
                                   const motion_piece *piece, const fmpz *form) {
     int meets = 0;
@@ -116,7 +116,7 @@ static graze_status add_curves_of_plane(curve_maker *m, const motion_piece *piec
     return status;
 }
 
-/* Where two irreducible functions of x, y and time vanish at one time. */
+/* Add the curve where two irreducible functions of x, y and time vanish at the same time. */
 static graze_status add_common_zeros(curve_maker *m, const pullback_form *f, const slong *degree) {
     const fmpz_mpoly_ctx_struct *ring = m->list->ring;
     graze_status status = GRAZE_OK;
@@ -130,14 +130,15 @@ static graze_status add_common_zeros(curve_maker *m, const pullback_form *f, con
     fmpz_mpoly_init(curve, ring);
     status = grid_resultant(curve, m->context, f, degree[0], f + 1, degree[1], ring);
     if (!status && fmpz_mpoly_is_zero(curve, ring))
-        m->refused = in_plane; /* one function twice, in E^3 alone */
+        m->refused = in_plane; /* both are the same function, which E^3 alone admits */
     else if (!status)
         status = curves_append(m->list, m->context, curve);
     fmpz_mpoly_clear(curve, ring);
     return status;
 }
 
-/* The path of a vertex of E^2: x W - X and y W - Y, each without its factor in time alone. */
+/* Add the path of a vertex of E^2: the common zeros of x W - X and y W - Y, each divided by its
+ * factor in time alone. */
 static graze_status add_path(curve_maker *m, const motion_piece *piece, const fmpq *vertex) {
     const point_map *map = motion_placing(piece, m->scene->options.operation);
     fmpz scale[3] = {0, 0, 0};
@@ -163,8 +164,8 @@ static graze_status add_path(curve_maker *m, const motion_piece *piece, const fm
     return status;
 }
 
-/* The path of side k of a triangle of E^3, in the plane of the triangle and in that of its side
- * form. */
+/* Add the path of side k of a triangle of E^3: the common zeros of the triangle's plane and of the
+ * side's form. */
 static graze_status add_edge_path(curve_maker *m, const motion_piece *piece, size_t triangle,
                                   int k) {
     fmpz *form = _fmpz_vec_init(8); /* two of 4 */
@@ -190,7 +191,7 @@ static graze_status add_paths_of(curve_maker *m, const motion_piece *piece, size
     const graze_solid *solid = m->scene->solid;
     size_t first = solid->cut.item[s].vertex[0];
     graze_status status = GRAZE_OK;
-    /* Each vertex is where some facet begins. */
+    /* Each vertex is the first one of some facet. */
     if (m->view->dimension == 2)
         return add_path(m, piece, solid->input.coordinates + 2 * first);
     for (int k = 0; k < 3 && !status && !m->refused; k++)

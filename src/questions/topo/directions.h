@@ -9,13 +9,13 @@
 /** out = a x b in E^3; `out` is neither. */
 void directions_cross(fmpz *out, const fmpz *a, const fmpz *b);
 
-/** In E^3: is one a multiple of the other? */
+/** In E^3: is one vector a multiple of the other? */
 int directions_parallel(const fmpz *a, const fmpz *b);
 
-/** In E^3: h and k span the vectors across v, which is not 0. */
+/** In E^3: find h and k that span the vectors perpendicular to v, which is not 0. */
 void directions_basis(fmpz *h, fmpz *k, const fmpz *v);
 
-/** Divide by the greatest common divisor. */
+/** Divide n integers by their greatest common divisor. */
 void direction_reduce(fmpz *v, slong n);
 
 /** Coprime integers in the ratio of n rationals, times a positive number. */

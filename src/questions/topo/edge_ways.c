@@ -1,5 +1,5 @@
-/* Ways through pinches and along edges: directions in circles about a leading direction, or about
- * an edge. SPDX-License-Identifier: GPL-3.0-or-later
+/* Ways through pinches and along edges, by the directions around a leading direction or an edge.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/topo/edge_ways.h"
 
@@ -8,7 +8,7 @@
 #include "questions/topo/cover.h"
 #include "questions/topo/directions.h"
 
-/* Across a line, or a plane, in which e lies: a normal of it and its opposite. */
+/* Ask about a normal of a line or plane that contains e, and about its opposite. */
 static graze_status look_to_both_sides(int *out, germ *g, graze_context *context,
                                        const fmpz *normal, const fmpz *e) {
     slong d = g->cone.dimension;
@@ -21,7 +21,7 @@ static graze_status look_to_both_sides(int *out, germ *g, graze_context *context
     return status;
 }
 
-/* Around e, at a vertex of E^3: each cell of the circle of directions across it. */
+/* Ask about each cell of the circle of directions around e, at a vertex of E^3. */
 static graze_status look_about(int *out, germ *g, graze_context *context, const fmpz *e) {
     borders b;
     fmpz *cell;
@@ -39,15 +39,15 @@ static graze_status look_about(int *out, germ *g, graze_context *context, const 
     return status;
 }
 
-/* A direction of the cell, an edge of E^3. */
+/* A direction along the cell, which is an edge of E^3. */
 static void direction_of_edge(fmpz *out, const local_cone *cone) {
     _fmpz_vec_zero(out, 3);
     for (size_t j = 1; j < cone->count && _fmpz_vec_is_zero(out, 3); j++)
         directions_cross(out, cone->normal, cone->normal + 3 * j);
 }
 
-/* Do the lines along e and the cell meet the interior of the cone wherever they are off the one
- * through the point? */
+/* Set `edge_way`: does every line or plane parallel to e and the cell, but the one through the
+ * point, meet the cone's interior? */
 static graze_status find_edge_way(germ *g, germ_side *side, graze_context *context, int cell) {
     int d = g->cone.dimension;
     fmpz *edge = _fmpz_vec_init(6), *normal = edge + 3;
@@ -67,7 +67,7 @@ static graze_status find_edge_way(germ *g, germ_side *side, graze_context *conte
     return status;
 }
 
-/* Are all directions across the edge covered by what does not depend on the way along it? */
+/* Set `covers_edge`: are all directions around the edge covered by sides that keep it? */
 static graze_status find_covered_edge(germ *g, graze_context *context) {
     borders b;
     fmpz *cell = NULL, *edge = _fmpz_vec_init(3);
@@ -79,7 +79,7 @@ static graze_status find_covered_edge(germ *g, graze_context *context) {
     graze_status status = borders_about(&b, context, g, edge);
     if (!status)
         borders_around(&cell, &count, &b, 0);
-    /* full cells at even places; once around and the first of them again */
+    /* full cells have even numbers; the first one is visited again at the end */
     for (size_t k = 0; k < count + 2 && !status && covered; k += 2) {
         germ_cover between = {0, 0, 0, 0};
         last = here;

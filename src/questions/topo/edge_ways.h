@@ -1,4 +1,4 @@
-/* Cover by a germ opposite to its leading directions, and along an edge.
+/* Cover by a germ of the direction opposite to a leading direction, and of those along an edge.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_TOPO_EDGE_WAYS_H

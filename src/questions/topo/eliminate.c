@@ -1,17 +1,17 @@
-/* Resultants modulo primes of 62 bits, whose number follows from a bound on the coefficients.
- * SPDX-License-Identifier: GPL-3.0-or-later
+/* Resultants by Chinese remainders, modulo 62-bit primes; a bound of the coefficients gives their
+ * number. SPDX-License-Identifier: GPL-3.0-or-later
  *
- * A coefficient of the resultant is at most the resultant's absolute value somewhere on the unit
- * circle, and that, by Hadamard, at most A^(deg b) B^(deg a), where A and B are the sums of the
- * absolute values of all coefficients of a and b. Modulo each prime it is the polynomial through
- * its values, at places where no degree drops. Between two primes the caller may cancel.
+ * The bound: a coefficient is at most the greatest absolute value of the resultant on the unit
+ * circle, and by Hadamard this is at most A^(deg b) B^(deg a), where A and B are the sums of the
+ * absolute values of all coefficients of a and b. Modulo a prime the resultant is interpolated at
+ * places where no degree drops. The caller can cancel between two primes.
  */
 #include "questions/topo/eliminate.h"
 
 #include <flint/nmod_poly.h>
 #include <flint/ulong_extras.h>
 
-/* Resultants of this many products of words, or fewer, are found at once. */
+/* A resultant that takes at most this number of products of words is computed without polling. */
 enum { FEW_PRODUCTS = 20000 };
 
 static void sliced_allocate(sliced_curve *out, slong degree, slong total) {
@@ -44,7 +44,7 @@ void sliced_init_derivative(sliced_curve *out, const sliced_curve *s) {
         fmpz_poly_scalar_mul_si(out->coefficient + k - 1, s->coefficient + k, k);
 }
 
-/* A polynomial as a curve that does not depend on the other variable. */
+/* Make a curve of a polynomial; it does not depend on the other variable. */
 static void sliced_init_constant(sliced_curve *out, const fmpz_poly_t f) {
     sliced_allocate(out, fmpz_poly_degree(f), fmpz_poly_degree(f));
     for (slong k = 0; k <= out->degree; k++)
@@ -72,7 +72,7 @@ int sliced_at(fmpz_poly_t out, const sliced_curve *s, const fmpz_t at) {
 /* A curve modulo a prime. */
 typedef struct reduced_curve {
     slong degree;
-    nmod_poly_struct *coefficient, at[1]; /* `at`: where the other variable is some number */
+    nmod_poly_struct *coefficient, at[1]; /* `at`: its value at a number */
 } reduced_curve;
 
 static void reduced_init(reduced_curve *out, const sliced_curve *s, ulong prime) {
@@ -92,7 +92,7 @@ static void reduced_clear(reduced_curve *r) {
     nmod_poly_clear(r->at);
 }
 
-/* 0 if the degree drops there. */
+/* Evaluate a reduced curve; 0 if the degree drops there. */
 static int reduced_at(reduced_curve *r, ulong at) {
     nmod_poly_zero(r->at);
     for (slong k = r->degree; k >= 0; k--)
@@ -100,7 +100,7 @@ static int reduced_at(reduced_curve *r, ulong at) {
     return nmod_poly_degree(r->at) == r->degree;
 }
 
-/* The resultant modulo a prime by n values; 0 if one of the leading coefficients is 0. */
+/* The resultant modulo a prime from n values; 0 if a leading coefficient vanishes modulo it. */
 static int resultant_modulo(nmod_poly_t out, const sliced_curve *a, const sliced_curve *b, slong n,
                             ulong prime) {
     ulong *at = flint_malloc((size_t)n * sizeof *at), *value = flint_malloc((size_t)n * sizeof *at);
@@ -125,7 +125,7 @@ static int resultant_modulo(nmod_poly_t out, const sliced_curve *a, const sliced
     return whole;
 }
 
-/* Bits of the sum of the absolute values of all coefficients. */
+/* The number of bits of the sum of the absolute values of all coefficients. */
 static ulong bits_of_sum(const sliced_curve *s) {
     fmpz_t sum;
     fmpz_init(sum);
@@ -142,12 +142,12 @@ static ulong bits_of_sum(const sliced_curve *s) {
     return bits;
 }
 
-/* By n values, more than the degree of the resultant. */
+/* The resultant from n values modulo each prime; n exceeds the resultant's degree. */
 static graze_status resultant_by_primes(fmpz_poly_t out, graze_context *context,
                                         const sliced_curve *a, const sliced_curve *b, slong n) {
     ulong bits = (ulong)b->degree * bits_of_sum(a) + (ulong)a->degree * bits_of_sum(b) + 2;
     ulong prime = (ulong)1 << 61;
-    ulong steps = (ulong)(a->degree + b->degree + 2); /* each with an inverse, like 50 products */
+    ulong steps = (ulong)(a->degree + b->degree + 2); /* each has an inverse, like 50 products */
     ulong work = (ulong)n * (steps * steps + 50 * steps + (ulong)n);
     graze_status status = GRAZE_OK;
     fmpz_t modulus;

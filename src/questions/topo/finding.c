@@ -1,4 +1,4 @@
-/* Findings, and their names. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Results and the names of their levels. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "questions/topo/finding.h"
 
 #include "base/context/names.h"

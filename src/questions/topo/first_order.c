@@ -1,8 +1,9 @@
-/* Germs of contacts. SPDX-License-Identifier: GPL-3.0-or-later
+/* The germs of a trajectory's contacts.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * The times at which the trajectory's cell changes, each with its cone and its two sides, and one
- * time in each stretch between them during which it stays on the boundary; a few more where the
- * solid turns meanwhile.
+ * A germ is made at each time at which the trajectory changes its boundary cell, and at one time in
+ * each interval between them that it spends on the boundary; at a few more if the solid turns
+ * during the interval.
  */
 #include "questions/topo/first_order.h"
 
@@ -16,7 +17,7 @@
 #include "questions/topo/root.h"
 #include "questions/topo/sides.h"
 
-/* One piece of the motion. */
+/* State of making the germs of one piece of the motion. */
 typedef struct germ_maker {
     germ_list *list;
     graze_context *context;
@@ -26,13 +27,12 @@ typedef struct germ_maker {
     trajectory path;
 } germ_maker;
 
-/* The complement of an unsweep is swept by the complement of the solid (proofs/dangling.md C113).
- */
+/* The solid's complement sweeps the complement of an unsweep (proofs/dangling.md C113). */
 static int sweeps_outside(const germ_maker *m) {
     return m->scene->options.operation == GRAZE_UNSWEEP;
 }
 
-/* The linear part of the inverse map at a time; its positive weight is left out. */
+/* Set the linear part of the inverse map at a time, up to its positive weight. */
 static void set_to_body(germ *g, const germ_maker *m, const fmpq_t u) {
     int d = m->map->dimension;
     fmpq *entry = _fmpq_vec_init(d * d);
@@ -42,8 +42,8 @@ static void set_to_body(germ *g, const germ_maker *m, const fmpq_t u) {
     _fmpq_vec_clear(entry, d * d);
 }
 
-/* Way of the trajectory from its place x at time u, times a positive function, in powers of the
- * time that has passed. */
+/* The displacement of the trajectory from its place x at time u, times a positive function, in
+ * powers of the time since u. */
 static void ways_from(fmpq_poly_t *way, const germ_maker *m, const fmpz *x, const fmpq_t u) {
     int d = m->path.dimension;
     fmpz_poly_t p;
@@ -62,7 +62,7 @@ static void ways_from(fmpq_poly_t *way, const germ_maker *m, const fmpz *x, cons
     fmpq_poly_clear(later);
 }
 
-/* Both sides inside [0, 1], and what they cover together. */
+/* Add the sides of a germ that are inside [0, 1], and the cover by both together. */
 static graze_status add_sides(germ_maker *m, germ *g, const fmpz *x, const fmpq_t u) {
     int d = m->path.dimension, same_way = 0;
     graze_status status = GRAZE_OK;
@@ -80,7 +80,7 @@ static graze_status add_sides(germ_maker *m, germ *g, const fmpz *x, const fmpq_
     return status;
 }
 
-/* A germ at a rational time. */
+/* Append a germ at a rational time. */
 static graze_status add_germ(germ_maker *m, const fmpq_t u) {
     int d = m->path.dimension;
     germ *g = NULL;
@@ -100,7 +100,7 @@ static graze_status add_germ(germ_maker *m, const fmpq_t u) {
     return status;
 }
 
-/* A germ at an irrational time. */
+/* Append a germ at an irrational time. */
 static graze_status add_root(germ_maker *m, const algebraic *time, const fmpz_poly_t minimal) {
     germ *g = NULL;
     int found = 0;
@@ -116,7 +116,7 @@ static graze_status add_root(germ_maker *m, const algebraic *time, const fmpz_po
     return status;
 }
 
-/* At a rational or an irrational time; at one of a high degree what is covered is not known. */
+/* Append a germ at any time; at an algebraic number of a high degree the cover remains unknown. */
 static graze_status add_germ_at(germ_maker *m, const algebraic *time) {
     fmpz_poly_t minimal;
     fmpq_t u;
@@ -136,13 +136,13 @@ static graze_status add_germ_at(germ_maker *m, const algebraic *time) {
     return status;
 }
 
-/* A germ between two times; `*u` is its time. */
+/* Append a germ at a time `*u` between two times. */
 static graze_status add_germ_between(fmpq_t u, germ_maker *m, algebraic *from, algebraic *to) {
     graze_status status = algebraic_between(u, m->context, from, to);
     return status ? status : add_germ(m, u);
 }
 
-/* Two more in a stretch in which the solid turns. */
+/* Append a turning stretch and two more germs in it. */
 static graze_status add_turn(germ_maker *m, const fmpq_t u, algebraic *from, algebraic *to) {
     graze_status status = germs_append_turn(m->list, m->context, from, to);
     algebraic middle;
@@ -159,7 +159,7 @@ static graze_status add_turn(germ_maker *m, const fmpq_t u, algebraic *from, alg
     return status;
 }
 
-/* A stretch between two neighbouring times, in one cell. */
+/* Add the germs of an interval between two successive times, in which the cell does not change. */
 static graze_status add_stretch(germ_maker *m, algebraic *from, algebraic *to) {
     fmpq_t u;
     fmpq_init(u);
@@ -170,7 +170,7 @@ static graze_status add_stretch(germ_maker *m, algebraic *from, algebraic *to) {
     return status;
 }
 
-/* Does a touch last from one rank to another? */
+/* Does some touch contain all times from one rank to another? */
 static int is_touched(const touches *t, size_t from, size_t to) {
     for (size_t k = 0; k < t->count; k++)
         if (t->item[k].from <= from && t->item[k].to >= to)
@@ -178,7 +178,7 @@ static int is_touched(const touches *t, size_t from, size_t to) {
     return 0;
 }
 
-/* Ranks are those of touches_order. */
+/* Add the germs of all touches; touches_order has given their ends ranks. */
 static graze_status add_touches(germ_maker *m, const touches *t) {
     size_t ranks = 0;
     graze_status status = GRAZE_OK;
@@ -210,7 +210,7 @@ static graze_status add_contacts_of_piece(germ_maker *m) {
     return status;
 }
 
-/* Go on with another piece. */
+/* Turn to another piece. */
 static void take_piece(germ_maker *m, size_t piece, const fmpq *point) {
     m->map = motion_tracing(&m->scene->motion->piece[piece], m->scene->options.operation);
     trajectory_set(&m->path, m->map, point);

@@ -1,30 +1,29 @@
-/* Discriminants and resultants in time, by their values at places of a triangle.
+/* Discriminants and resultants with respect to time, interpolated on a triangular grid.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * A discriminant in time of degree n is homogeneous of degree 2 n - 2 in the coefficients, which
- * are linear in x and y, and a resultant of degrees n and m of degree n + m. Such a polynomial is
- * known by its values at (z_i, z_j), i + j at most its degree, z = 0, 1, -1, 2, -2, ...: Newton's
- * divided differences, first in y, then in x, are integers. Between two values the caller may
- * cancel.
+ * The coefficients of time are linear in x and y. The discriminant of degree n is homogeneous in
+ * them of degree 2 n - 2, the resultant of degrees n and m of degree n + m. Its values at (z_i,
+ * z_j), with i + j at most its degree and z = 0, 1, -1, 2, -2, ..., determine it, by Newton's
+ * divided differences, integers, first in y, then in x. The caller can cancel between two values.
  */
 #include "questions/topo/grid.h"
 
 #include <flint/fmpz_vec.h>
 #include "questions/topo/eliminate.h"
 
-/* State of making a discriminant, or with `g` a resultant. */
+/* State of making a discriminant or, if `g` is set, a resultant. */
 typedef struct grid_maker {
     graze_context *context;
     const pullback_form *f, *g;
     slong n, m, degree;
-    fmpz *value; /* (degree + 1)^2, row by row of one x; those beyond the triangle stay 0 */
+    fmpz *value; /* (degree + 1)^2 values, a row for each x; those outside the triangle are 0 */
 } grid_maker;
 
 static slong node(slong k) {
     return k % 2 ? (k + 1) / 2 : -k / 2;
 }
 
-/* The function of time at a place. */
+/* The polynomial in time at a place x, y. */
 static void function_at(fmpz_poly_t out, const pullback_form *f, slong x, slong y) {
     fmpz_poly_t part;
     fmpz_poly_init(part);
@@ -44,9 +43,8 @@ static void multiply_by_power(fmpz_t out, const fmpz_t c, slong power) {
     fmpz_clear(p);
 }
 
-/* The resultant of polynomials as ones of degrees n and m: the determinant of Sylvester's matrix.
- * Where the degree of f is lower by one, a factor (-1)^m lead(g) is expanded from it, of g lead(f).
- */
+/* The determinant of Sylvester's matrix for degrees n and m, although the degrees may be lower
+ * there: f lower by one gives a factor (-1)^m lead(g), g lower by one a factor lead(f). */
 static graze_status resultant_of_degrees(fmpz_t out, graze_context *context, const fmpz_poly_t f,
                                          slong n, const fmpz_poly_t g, slong m) {
     slong drop = n - fmpz_poly_degree(f), other = m - fmpz_poly_degree(g);
@@ -61,8 +59,8 @@ static graze_status resultant_of_degrees(fmpz_t out, graze_context *context, con
     return status;
 }
 
-/* The discriminant of a polynomial as one of degree n: (-1)^(n (n - 1) / 2) Res(f, f') / lead(f);
- * of a degree lower by one its own times the square of its leading coefficient, else 0. */
+/* The discriminant for degree n: (-1)^(n (n - 1) / 2) Res(f, f') / lead(f). If f has the degree n -
+ * 1: its own discriminant times lead(f)^2; a lower degree: 0. */
 static graze_status discriminant_of_degree(fmpz_t out, graze_context *context, const fmpz_poly_t f,
                                            slong n) {
     slong degree = fmpz_poly_degree(f);
@@ -101,7 +99,7 @@ static graze_status value_at(fmpz_t out, const grid_maker *m, slong x, slong y) 
     return status ? status : context_poll(m->context);
 }
 
-/* Values at the first `count` nodes, `step` apart, become divided differences. */
+/* Replace values at the first `count` nodes, `step` entries apart, by divided differences. */
 static void divided_differences(fmpz *v, slong count, slong step) {
     fmpz_t by;
     fmpz_init(by);
@@ -114,7 +112,7 @@ static void divided_differences(fmpz *v, slong count, slong step) {
     fmpz_clear(by);
 }
 
-/* Divided differences become coefficients of powers: Horner's rule from the last node on. */
+/* Replace divided differences by coefficients of powers, by Horner's rule from the last node. */
 static void multiply_out(fmpz *v, slong count, slong step) {
     fmpz_t by;
     fmpz_init(by);
@@ -126,7 +124,8 @@ static void multiply_out(fmpz *v, slong count, slong step) {
     fmpz_clear(by);
 }
 
-/* In y at each x, then in x. A difference of order j in y has the degree `degree` - j in x. */
+/* Interpolate in y for each x, then in x: a difference of order j in y has the degree `degree` - j
+ * in x. */
 static graze_status find_coefficients(const grid_maker *m) {
     slong width = m->degree + 1;
     graze_status status = GRAZE_OK;

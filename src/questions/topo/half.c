@@ -1,4 +1,4 @@
-/* Germs below and above a plane: the forms of facets along it and of edges that pass in it.
+/* The half germs of facets that pass along a plane and of edges that pass in it.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/topo/half.h"
@@ -8,8 +8,8 @@
 #include "questions/topo/directions.h"
 #include "questions/topo/signs.h"
 
-/* A plane of a cone, carried to the places about the point: value + r . place, in powers of the
- * time that has passed; of the value those of two powers, the others before are 0. */
+/* A plane of a cone as an affine function value + r . place of places about the point, in powers of
+ * the time since the contact. Of `value` two powers are kept; all powers before them are 0. */
 typedef struct plane_ways {
     fmpq value[2];
     fmpq normal[2][3];
@@ -24,7 +24,7 @@ static void ways_clear(plane_ways *w) {
         fmpq_clear(w->value + k);
 }
 
-/* The constant of plane j of a cone: its form vanishes at the cone's point. */
+/* The constant term of plane j of a cone, whose form vanishes at the cone's point. */
 static void constant_of_plane(fmpq_t out, const local_cone *cone, size_t j) {
     fmpz_t at;
     fmpz_init(at);
@@ -34,7 +34,7 @@ static void constant_of_plane(fmpq_t out, const local_cone *cone, size_t j) {
     fmpz_clear(at);
 }
 
-/* Expand plane j of a germ at its time, the value in powers from `order` on. */
+/* Expand plane j of a germ at its time; the kept powers of `value` begin with `order`. */
 static void ways_init(plane_ways *w, const germ *g, size_t j, slong order, const fmpq *point) {
     static const fmpz axis[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     fmpz_poly_t p;
@@ -92,7 +92,7 @@ static void value_on(fmpq_t out, const fmpq *a, const fmpz *b) {
     fmpq_clear(part);
 }
 
-/* A linear form on the plane by its values at the basis. */
+/* Write a linear form on the plane, by its values at the basis, as a polynomial in b. */
 static void linear_on_plane(fmpq_poly_t out, const open_plane *h, const fmpq *normal) {
     fmpq_t value;
     fmpq_init(value);
@@ -112,9 +112,9 @@ static void signed_power(fmpq_t out, const fmpq_t v, slong n) {
         fmpq_neg(out, out);
 }
 
-/* A facet along the plane, met on a side with order n = m + 1 at least 2. With o the sign of f on
- * the side, s that of its time and L = -o s r1 x: o (m / n)^m L^n / (n |g| (r0 N) |r0 N|^(m - 1)),
- * where L is not negative. */
+/* Set the form of a facet along the plane that a side meets with the order n = m + 1 >= 2. With o
+ * the sign of f on the side, s the sign of the side's time and L = -o s r1 x, the form is o (m /
+ * n)^m L^n / (n |g| (r0 N) |r0 N|^(m - 1)); it is valid where L is not negative. */
 static int form_of_facet(half_germ *out, const open_plane *h, const germ *g,
                          const germ_side *side) {
     slong n = side->order;
@@ -144,7 +144,7 @@ static int form_of_facet(half_germ *out, const open_plane *h, const germ *g,
     return 1;
 }
 
-/* out = a p + b q, n of each. */
+/* out = a p + b q, for vectors of n rationals. */
 static void combine_ways(fmpq *out, const fmpq_t a, const fmpq *p, const fmpq_t b, const fmpq *q,
                          slong n) {
     fmpq_t part;
@@ -157,8 +157,8 @@ static void combine_ways(fmpq *out, const fmpq_t a, const fmpq *p, const fmpq_t 
     fmpq_clear(part);
 }
 
-/* With X = -p x / b and L = g X + r1 x, -X L^m / ((r0 N) |r0 N|^(m - 1)); X and L are handed over.
- */
+/* Set the form -X L^m / ((r0 N) |r0 N|^(m - 1)), with X = -p x / b as `reach` and L = g X + r1 x as
+ * `turn`. */
 static void form_of_ways(half_germ *out, const open_plane *h, const plane_ways *both,
                          const plane_ways *p, slong order) {
     fmpq_t factor;
@@ -181,8 +181,8 @@ static void form_of_ways(half_germ *out, const open_plane *h, const plane_ways *
     fmpq_poly_clear(part);
 }
 
-/* An edge met with an order on a side: the combination of two of its planes from which the time
- * drops out to that order. 0 if its tangent plane is another one. */
+/* Set the form of an edge met with an order, from the combination of its two planes that does not
+ * depend on time up to that order; 0 if the tangent plane of the edge's path is not the plane. */
 static int form_of_edge(half_germ *out, const open_plane *h, const germ *g, size_t other,
                         slong order) {
     plane_ways w[2], both;
@@ -209,8 +209,9 @@ static int form_of_edge(half_germ *out, const open_plane *h, const germ *g, size
     return lies;
 }
 
-/* One side of an edge: where s^m X is positive, s the sign of its time; with m even in two parts,
- * L not negative, or `turned` not positive, and the form times s, or -s. */
+/* Set the form of an edge for one side, valid where s^m X > 0 with s the sign of the side's time.
+ * An even m has two parts: L >= 0 with the form times s and, `turned`, L <= 0 with the form times
+ * -s. */
 static int form_of_edge_side(half_germ *out, const open_plane *h, const germ *g, size_t other,
                              const germ_side *side, int turned) {
     int odd = side->order % 2 == 1, flips = (side->sign < 0) != turned;
@@ -227,7 +228,7 @@ static int form_of_edge_side(half_germ *out, const open_plane *h, const germ *g,
     return 1;
 }
 
-/* Does a facet that holds the trajectory's place lie along the plane? */
+/* Is the germ's first facet, which holds the trajectory's place, parallel to the plane? */
 static int is_along_plane(const open_plane *h, const germ *g) {
     fmpz *across = _fmpz_vec_init(3);
     for (int column = 0; column < 3; column++)
@@ -238,12 +239,12 @@ static int is_along_plane(const open_plane *h, const germ *g) {
     return along;
 }
 
-/* Its two sides are inside one piece and of an odd order. */
+/* Has the germ two sides in one piece, of odd order? */
 static int is_inner_of_odd_order(const germ *g) {
     return g->side_count == 2 && g->side[0].order % 2 == 1;
 }
 
-/* The order and the form of a germ in one way, if it has one. */
+/* Set the order and the form that a way gives; 0 if it gives none. */
 static int form_of_germ(half_germ *out, const open_plane *h, const germ *g, int way) {
     int cell = g->root || !g->has_time ? 0 : cone_cell_dimension(&g->cone);
     int s = (way - 1) / 2, turned = way > 0 && way % 2 == 0;
@@ -261,8 +262,8 @@ static int form_of_germ(half_germ *out, const open_plane *h, const germ *g, int 
                     : form_of_edge_side(out, h, g, other, &g->side[s], turned);
 }
 
-/* Is some direction on a side of the plane in the interior of a germ's cone? At an edge the leading
- * direction lies in the plane. */
+/* Does the interior of a germ's cone have a direction on one side of the plane? At an edge the
+ * leading direction lies in the plane. */
 static graze_status closes_side(int *out, const open_plane *h, graze_context *context, germ *g,
                                 int sign) {
     graze_state state = GRAZE_STATE_O;

@@ -1,4 +1,4 @@
-/* Places at a few distances. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Tries places at a few distances. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "questions/topo/hint.h"
 
 #include <flint/fmpq_vec.h>
@@ -23,8 +23,8 @@ static void divide_2exp(fmpq_t x, slong places) {
         fmpq_div_2exp(x, x, (ulong)places);
 }
 
-/* out = the point + 2^-places (v + 2^-places w), for vectors of a length near the solid's width; is
- * it beyond? */
+/* Try the place P + 2^-places (v + 2^-places w), for vectors about as long as the solid's width: is
+ * it out? */
 static graze_status try_place(hint_maker *m, const fmpz *v, const fmpz *w, ulong places) {
     fmpq *step = _fmpq_vec_init(2), *bend = step + 1;
     slong down = (slong)places - m->exponent;
@@ -41,7 +41,7 @@ static graze_status try_place(hint_maker *m, const fmpz *v, const fmpz *w, ulong
     return status;
 }
 
-/* A direction alone, and with a bend to both sides of the plane. */
+/* Try a direction, straight and bent to both sides of the plane. */
 static graze_status look_along_both(hint_maker *m, const fmpz *v, const fmpz *normal,
                                     ulong places) {
     graze_status status = GRAZE_OK;
@@ -55,8 +55,7 @@ static graze_status look_along_both(hint_maker *m, const fmpz *v, const fmpz *no
     return status;
 }
 
-/* The 26 directions to the places of a cube, each also as it falls into the plane if there is one.
- */
+/* Try the 26 directions with entries -1, 0, 1 and, if there is a plane, their projections to it. */
 static graze_status look_about_point(hint_maker *m, const topo_finding *topo, ulong places) {
     graze_status status = GRAZE_OK;
     fmpz *v = _fmpz_vec_init(12), *normal = v + 3, *in_plane = v + 6, *other = v + 9;

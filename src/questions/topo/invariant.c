@@ -1,4 +1,4 @@
-/* The common kernel of all normals about the point, as functions of time: of all their
+/* The common kernel of all normals about the point, which are functions of time: that of all their
  * coefficients. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/topo/invariant.h"
@@ -8,10 +8,10 @@
 #include "questions/topo/sides.h"
 #include "questions/topo/signs.h"
 
-/* Independent vectors: their number, or 3 for all of space. */
+/* The span of vectors; rank 3 is all of space. */
 typedef struct normal_span {
     int rank;
-    fmpz *basis; /* two of 3, and their product */
+    fmpz *basis; /* two vectors and their cross product */
 } normal_span;
 
 static void span_add(normal_span *s, const fmpz *v) {
@@ -32,7 +32,7 @@ static void span_add(normal_span *s, const fmpz *v) {
     fmpz_clear(volume);
 }
 
-/* A normal's coefficients at every power of time. */
+/* Add a normal's coefficients of all powers of time. */
 static void span_add_normal(normal_span *s, const point_map *map, const fmpz *normal) {
     static const fmpz axis[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     slong length = 0;
@@ -53,7 +53,7 @@ static void span_add_normal(normal_span *s, const point_map *map, const fmpz *no
     _fmpz_vec_clear(v, 3);
 }
 
-/* 1 and its normal about the point if a plane stays where it is and the trajectory in it. */
+/* 1 and a plane's normal about the point if the plane does not move and contains the trajectory. */
 static int plane_stays(fmpz *normal, const germ *g, size_t j, const fmpq *point) {
     normal_span s = {0, _fmpz_vec_init(9)};
     trajectory path;
@@ -71,7 +71,7 @@ static int plane_stays(fmpz *normal, const germ *g, size_t j, const fmpq *point)
     return stays;
 }
 
-/* The kernel of all normals but, with a `step`, those of planes that stay across it. */
+/* Find the kernel of all normals; if there is a `step`, without unmoved planes across it. */
 static int find_kernel(fmpz *out, const germ_list *list, const fmpz *step, const fmpq *point) {
     normal_span s = {0, _fmpz_vec_init(9)};
     fmpz *stays = _fmpz_vec_init(3);

@@ -1,4 +1,4 @@
-/* A direction of space on which what the contacts cover does not depend.
+/* A direction of E^3 along which the cover by the contacts is invariant.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_TOPO_INVARIANT_H
@@ -6,13 +6,13 @@
 
 #include "questions/topo/germ.h"
 
-/** 1 and a direction about the point that stays parallel to all planes of all contacts' cones, at
- * all times of their pieces; else 0. E^3; the list is bounded. */
+/** Find a direction about the point that is parallel to all planes of all contacts' cones at all
+ * times of their pieces; 0 if there is none. E^3; the list is bounded. */
 int invariant_direction(fmpz *out, const germ_list *list);
 
-/** A direction that is parallel to all of these planes but those across `step`, which stay where
- * they are and in which the trajectory of the point runs throughout their pieces: 1 if there are
- * such, and the direction crosses them; else 0, and `step` is 0 (proofs/topology.md C128). */
+/** Find a direction parallel to all of these planes but the ones with the normal `step`, which do
+ * not move and contain the trajectory throughout their pieces. Returns 1 if there are such planes
+ * and the direction crosses them, else 0 with a zero `step` (proofs/topology.md C128). */
 int invariant_beside_step(fmpz *out, fmpz *step, const germ_list *list, const fmpq *point);
 
 #endif

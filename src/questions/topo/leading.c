@@ -1,8 +1,9 @@
-/* Every cell of the arrangement is asked about once for each ray in its closure.
+/* Each cell of the arrangement is asked about, once for each ray in its closure.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * A cell of full dimension that nothing covers proves the boundary. Interior is proved if every
- * cell is covered with a neighbourhood or has all full cells around it in exact closed cones.
+ * A cell of full dimension that is not covered proves a boundary point. An interior point is proved
+ * if each cell is covered with a neighbourhood, or all full cells around it lie in exact closed
+ * cones.
  */
 #include "questions/topo/leading.h"
 
@@ -16,8 +17,7 @@
 #include "questions/topo/second.h"
 #include "questions/topo/edge_ways.h"
 
-/* Evidence admitted for `interior`, each with those before it: open cones, exact closed ones, ways
- * along edges. */
+/* Kinds of evidence for `interior`: open cones; exact closed cones too; ways along edges too. */
 enum { BY_FIRST_ORDER, BY_CLOSED_CONES, BY_EDGES, BY_COUNT };
 
 typedef struct leading_maker {
@@ -27,13 +27,13 @@ typedef struct leading_maker {
     const fmpq *point;
     germ_list germs;
     borders borders;
-    int is_interior[BY_COUNT]; /* in the directions looked at so far, by each level and those before
-                                  it */
-    int open_rank;             /* of the directions that are not covered with a neighbourhood */
-    fmpz *open;                /* one of them, another, and their product */
+    int is_interior[BY_COUNT]; /* for all cells so far, by this kind of evidence and those before it
+                                */
+    int open_rank; /* dimension of the span of the directions without a covered neighbourhood */
+    fmpz *open;    /* two of these directions and their cross product */
 } leading_maker;
 
-/* The place of a ray is the witness if its reach is found and it is beyond. */
+/* Take a point of a ray as the witness, if the ray's reach is found and the point is out. */
 static graze_status try_witness(leading_maker *m, const fmpz *direction) {
     slong d = m->borders.dimension;
     topo_finding *out = m->out;
@@ -51,7 +51,7 @@ static graze_status try_witness(leading_maker *m, const fmpz *direction) {
     return status;
 }
 
-/* A direction near another one, with entries of about `bits` bits; near enough it is the same. */
+/* Round a direction to entries of about `bits` bits; many bits leave it unchanged. */
 static void round_direction(fmpz *out, const fmpz *direction, slong d, slong bits) {
     slong drop = FLINT_ABS(_fmpz_vec_max_bits(direction, d)) - bits;
     for (slong k = 0; k < d; k++)
@@ -62,7 +62,7 @@ static void round_direction(fmpz *out, const fmpz *direction, slong d, slong bit
     direction_reduce(out, d);
 }
 
-/* A direction beside another one, askew, so that facets seldom lie along it. */
+/* Tilt a direction a little, so that facets are seldom parallel to it. */
 static void tilt_direction(fmpz *direction, slong d) {
     static const slong askew[3] = {3, -5, 7}, many = 32;
     for (slong k = 0; k < d; k++) {
@@ -72,7 +72,7 @@ static void tilt_direction(fmpz *direction, slong d) {
     direction_reduce(direction, d);
 }
 
-/* Is a direction that nothing covers that of a witness? */
+/* Try a direction for a witness if it is not covered. */
 static graze_status try_direction(leading_maker *m, const fmpz *direction) {
     germ_cover cover = {0, 0, 0, 1};
     graze_status status = GRAZE_OK;
@@ -81,8 +81,9 @@ static graze_status try_direction(leading_maker *m, const fmpz *direction) {
     return status || cover.covered ? status : try_witness(m, direction);
 }
 
-/* Nothing covers the direction: near enough all points are out. One of small numbers that nothing
- * covers either is the witness, if there is one, or one beside it. */
+/* Decide `boundary`: the direction is not covered, so points near enough on its ray are out. For a
+ * witness with short numbers, roundings of the direction are tried first, then a direction beside
+ * it. */
 static graze_status set_boundary(leading_maker *m, const fmpz *direction) {
     static const slong bits[] = {2, 4, 8, 16, 64, WORD_MAX};
     slong d = m->borders.dimension;
@@ -105,14 +106,14 @@ static graze_status set_boundary(leading_maker *m, const fmpz *direction) {
     return status;
 }
 
-/* The first one that is found. */
+/* Keep the first open direction. */
 static void keep_open_direction(topo_finding *out, const fmpz *direction, int d) {
     if (!out->has_open)
         _fmpz_vec_set(out->open, direction, d);
     out->has_open = 1;
 }
 
-/* Keep the plane of the directions that are not covered, in E^3. */
+/* Add a direction without a covered neighbourhood to their span, in E^3. */
 static void note_open(leading_maker *m, const fmpz *direction) {
     fmpz_t volume;
     if (m->borders.dimension == 2 || m->open_rank == 3)
@@ -128,7 +129,8 @@ static void note_open(leading_maker *m, const fmpz *direction) {
     fmpz_clear(volume);
 }
 
-/* Is a cell covered with a neighbourhood, or do all full cells around it lie in exact cones? */
+/* Take a cell's cover into `is_interior`.
+ * @param all_exact all full cells around it lie in exact cones */
 static int note_cell(leading_maker *m, const germ_cover *cell, int all_exact) {
     for (int by = 0; by < BY_COUNT; by++)
         m->is_interior[by] =
@@ -137,8 +139,8 @@ static int note_cell(leading_maker *m, const germ_cover *cell, int all_exact) {
     return cell->open || cell->edge_way || all_exact;
 }
 
-/* A cell between ray r and another ray; one that is not covered lies in the plane of r and a
- * direction in it. */
+/* Take a cell of dimension 2 beside a ray; if it is not covered its plane is the span of the ray
+ * and a direction in it. */
 static void note_between(leading_maker *m, const fmpz *ray, const fmpz *direction,
                          const germ_cover *cell, int all_exact) {
     if (note_cell(m, cell, all_exact))
@@ -147,7 +149,7 @@ static void note_between(leading_maker *m, const fmpz *ray, const fmpz *directio
     note_open(m, direction);
 }
 
-/* A full cell; `*here` is what covers it. */
+/* Take a full cell; `*here` is its cover. */
 static graze_status look_at_full(germ_cover *here, leading_maker *m, const fmpz *direction) {
     graze_status status = germs_cover(here, &m->germs, m->context, direction);
     if (status)
@@ -161,7 +163,7 @@ static graze_status look_at_full(germ_cover *here, leading_maker *m, const fmpz 
     return status;
 }
 
-/* Look at the cells around ray r: full ones, in E^3 those between two of them, and the ray. */
+/* Take the cells around ray r: the full ones, in E^3 those between two of them, and the ray. */
 static graze_status look_around(leading_maker *m, size_t r) {
     int d = m->borders.dimension, all_exact = 1;
     fmpz *cell;
@@ -189,8 +191,8 @@ static graze_status look_around(leading_maker *m, size_t r) {
     return status;
 }
 
-/* On both sides of the plane of the directions that are left. If they do not cover it, that plane
- * is kept, and a gap. */
+/* Ask whether leading terms cover the plane of the open directions from both sides; if not, keep
+ * the plane and a gap. */
 static graze_status look_at_second_order(int *covers, leading_maker *m) {
     topo_finding *out = m->out;
     plane_gap gap;
@@ -209,7 +211,7 @@ static graze_status look_at_second_order(int *covers, leading_maker *m) {
     return status;
 }
 
-/* Look around all rays until that decides the point or tells the plane of the rest. */
+/* Take the cells around all rays, until one decides the point. */
 static graze_status look_at_rays(leading_maker *m) {
     graze_status status = GRAZE_OK;
     m->open_rank = m->out->has_open = 0;
@@ -223,7 +225,7 @@ static graze_status look_at_rays(leading_maker *m) {
     return status;
 }
 
-/* Ways along edges are dear, and only what cones leave asks for them: a second round. */
+/* Take all cells again with ways along edges, which are costly: only if cones do not decide. */
 static graze_status look_again_along_edges(leading_maker *m) {
     graze_status status = GRAZE_OK;
     for (size_t k = 0; k < m->germs.count && !status; k++)

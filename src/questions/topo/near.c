@@ -1,9 +1,10 @@
-/* Curves moved to a point, in parts, and the radius below all that happens to them.
+/* Shifts curves to a point, splits them into parts, and bounds the radius by their events.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * A polynomial g with g(0, 0) = c not 0 has no zero where the sum of its other terms stays below
- * |c| in absolute value. Of those through the origin every event is a root of a polynomial in one
- * variable: leading coefficient, discriminant, resultants, corners (proofs/topology.md C48).
+ * A polynomial g with g(0, 0) = c not 0 has no zero where its other terms sum to less than |c| in
+ * absolute value. For parts through the origin every event is a root of a polynomial in one
+ * variable: a leading coefficient, a discriminant, a resultant, or the part on a diagonal
+ * (proofs/topology.md C48).
  */
 #include "questions/topo/near.h"
 
@@ -30,32 +31,32 @@ static void exponents_of(ulong *out, const fmpz_mpoly_t g, slong k, const fmpz_m
     out[1] = all[RING_Y];
 }
 
-/* A constant is the last term. */
+/* Has a polynomial no constant term? That would be the last one. */
 static int passes_origin(const fmpz_mpoly_t g, const fmpz_mpoly_ctx_t ring) {
     ulong e[2];
     exponents_of(e, g, fmpz_mpoly_length(g, ring) - 1, ring);
     return e[0] + e[1] > 0;
 }
 
-/* Common data of the steps. */
+/* State of making the parts and the square. */
 typedef struct near_maker {
     near_curves *n;
     int refused;
     graze_context *context;
 } near_maker;
 
-/* Is the square smaller than the limit allows? */
+/* Refuse a square that is smaller than the limit allows. */
 static void look_at_limit(near_maker *m) {
     m->refused |= m->n->places > m->context->limits[GRAZE_LIMIT_BITS];
 }
 
-/* Make the square so small that p has no root in [-r, r] but 0; p not zero. */
+/* Shrink the square until p, not zero, has no root in [-r, r] but 0. */
 static void stay_below_roots(near_maker *m, const fmpz_poly_t p) {
     places_below_roots(&m->n->places, p);
     look_at_limit(m);
 }
 
-/* Make the square so small that a curve that is not 0 at the origin misses it. */
+/* Shrink the square until a curve that is not 0 at the origin misses it. */
 static void stay_clear_of(near_maker *m, const fmpz_mpoly_t g) {
     const fmpz_mpoly_ctx_struct *ring = m->n->through.ring;
     slong length = fmpz_mpoly_length(g, ring);
@@ -73,7 +74,8 @@ static void stay_clear_of(near_maker *m, const fmpz_mpoly_t g) {
     fmpz_clear(c);
 }
 
-/* Keep a part, in coordinates about the point, or stay clear of it. */
+/* Keep a part, in coordinates about the point, if it passes the point; else shrink the square until
+ * the part misses it. */
 static graze_status take_part(near_maker *m, const fmpz_mpoly_t part) {
     curve_list *through = &m->n->through;
     if (passes_origin(part, through->ring))
@@ -82,7 +84,7 @@ static graze_status take_part(near_maker *m, const fmpz_mpoly_t part) {
     return GRAZE_OK;
 }
 
-/* g(x, x), or g(x, -x). */
+/* out = g(x, x) or, if `falling`, g(x, -x). */
 static void on_diagonal(fmpz_poly_t out, const fmpz_mpoly_t g, int falling,
                         const fmpz_mpoly_ctx_t ring) {
     fmpz *c = _fmpz_vec_init(2), *sum = c + 1;
@@ -102,7 +104,7 @@ static void on_diagonal(fmpz_poly_t out, const fmpz_mpoly_t g, int falling,
     _fmpz_vec_clear(c, 2);
 }
 
-/* Stay clear of the meetings of two curves. */
+/* Shrink the square below the common zeros of two curves. */
 static graze_status stay_below_event(near_maker *m, const sliced_curve *a, const sliced_curve *b) {
     fmpz_poly_t event;
     fmpz_poly_init(event);
@@ -116,8 +118,8 @@ static graze_status stay_below_event(near_maker *m, const sliced_curve *a, const
     return status;
 }
 
-/* The events of a curve with itself: of its leading coefficient, which is all of it where it is
- * free of the variable, and with its derivative. */
+/* Shrink the square below the events of a curve alone: roots of its leading coefficient, which is
+ * the whole curve if that does not depend on the variable, and common zeros with its derivative. */
 static graze_status stay_below_turns(near_maker *m, const sliced_curve *a) {
     sliced_curve derivative;
     stay_below_roots(m, a->coefficient + a->degree);
@@ -129,7 +131,8 @@ static graze_status stay_below_turns(near_maker *m, const sliced_curve *a) {
     return status;
 }
 
-/* The events of curve k with itself and with those before it, as functions of `variable`. */
+/* Shrink the square below the events of curve k alone and with the curves before it, as polynomials
+ * in `variable`. */
 static graze_status stay_below_meetings(near_maker *m, size_t k, int variable) {
     const curve_list *c = &m->n->through;
     sliced_curve a, b;
@@ -156,7 +159,8 @@ static void stay_below_corners(near_maker *m, size_t k) {
     fmpz_poly_clear(p);
 }
 
-/* Those through the point in parts, where they are; of all others the distance. */
+/* Split the curves through the point into parts; shrink the square until it misses all other
+ * curves. */
 static graze_status take_curves(near_maker *m, curve_list *parts, const curve_list *all,
                                 const fmpq *point) {
     graze_status status = GRAZE_OK;
@@ -196,7 +200,7 @@ graze_status near_make(near_curves *n, int *refused, graze_context *context, con
     return status;
 }
 
-/* One curve on a side, times a power of 2. */
+/* One curve on a side of the square, times a power of 2. */
 static void curve_on_side(fmpz_poly_t out, const fmpz_mpoly_t g, const near_curves *n, int axis,
                           int negative) {
     ulong degree = (ulong)fmpz_mpoly_degree_si(g, axis, n->through.ring);

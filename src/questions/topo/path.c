@@ -1,7 +1,8 @@
-/* Where a path stays clear of all curves in its plane. SPDX-License-Identifier: GPL-3.0-or-later
+/* The first part of a path, which meets no curve of its plane.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * With z = p / q the place at s has the coordinates x = s^m, y = s^(m + 1) p / q: in a curve's
- * polynomial that makes one of s, and up to its first root the path meets the curve nowhere.
+ * The path has the coordinates x = s^m, y = s^(m + 1) p / q. Inserted into a curve's polynomial
+ * they give a polynomial in s; below its first positive root the path does not meet the curve.
  */
 #include "questions/topo/path.h"
 
@@ -9,7 +10,7 @@
 #include "questions/topo/beyond.h"
 #include "questions/topo/binary_places.h"
 
-/* A curve along the path, times a power of q. */
+/* A curve's polynomial along the path, as a polynomial in s, times a power of q. */
 static void curve_on_path(fmpz_poly_t out, const fmpz_mpoly_t curve, const topo_finding *f,
                           const fmpz_mpoly_ctx_t ring) {
     slong most = fmpz_mpoly_degree_si(curve, RING_Y, ring);
@@ -34,7 +35,7 @@ static void curve_on_path(fmpz_poly_t out, const fmpz_mpoly_t curve, const topo_
     fmpz_poly_clear(term);
 }
 
-/* The place of the path at 2^-places is the witness if it is beyond. */
+/* Take the path's place at s = 2^-places as the witness, if it is out. */
 static graze_status try_path(topo_finding *out, graze_context *context, const graze_scene *scene,
                              const plane_view *view, ulong places) {
     int beyond = 0;

@@ -8,12 +8,10 @@
 #include "questions/topo/finding.h"
 #include "questions/topo/plane.h"
 
-/**
- * Prove that an `on` point of E^3 is on the boundary where the path of its finding is `out` from
- * some place on down to the point (proofs/gaps.md C88); else the finding stays as it is.
- * @param curves of the scene in the view
- * @param view   the plane through the point along the finding's `open` and `across`
- */
+/** Try to prove that an `on` point of E^3 is on the boundary: the path of its finding is `out`
+ * between some place and the point (proofs/gaps.md C88). Without success the finding is unchanged.
+ * @param curves the scene's curves in the view
+ * @param view   the plane through the point along the finding's `open` and `across` */
 graze_status path_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
                          const curve_list *curves, const plane_view *view);
 

@@ -1,4 +1,4 @@
-/* Views and lists. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Coordinates of planes and lists of curves. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "questions/topo/plane.h"
 
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* Forms carried to the places of a plane. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Forms composed with maps, on a plane. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "questions/topo/pullback.h"
 
 #include <flint/fmpq_vec.h>
@@ -16,7 +16,7 @@ void pullback_clear(pullback_form *f) {
 void pullback_of_form(pullback_form *f, const point_map *map, const fmpz *form,
                       const plane_view *view) {
     int d = map->dimension;
-    fmpz scale[4] = {0, 0, 0, 0}; /* the origin over a common denominator, scale[d] */
+    fmpz scale[4] = {0, 0, 0, 0}; /* the origin's numerators over the common denominator scale[d] */
     fmpz_t factor;
     fmpz_poly_t column;
     fmpz_init(factor);

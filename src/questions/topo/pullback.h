@@ -1,4 +1,4 @@
-/* Functions that are linear in the coordinates of a plane, with coefficients that depend on time.
+/* Affine functions of a plane's coordinates whose coefficients are polynomials in time.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_TOPO_PULLBACK_H
@@ -8,7 +8,7 @@
 #include "input/motion/motion.h"
 #include "questions/topo/plane.h"
 
-/** linear[0] x + linear[1] y + linear[2], whose coefficients are polynomials in time. */
+/** The function linear[0] x + linear[1] y + linear[2]; its coefficients are polynomials in time. */
 typedef struct pullback_form {
     fmpz_poly_struct linear[3];
 } pullback_form;
@@ -16,15 +16,16 @@ typedef struct pullback_form {
 void pullback_init(pullback_form *f);
 void pullback_clear(pullback_form *f);
 
-/** The form over the images of all points of E^d under a map, times an integer, as a function of
- * the view's coordinates. */
+/** Compose a form on the body's space with a map at all times, restricted to the view, times an
+ * integer. */
 void pullback_of_form(pullback_form *f, const point_map *map, const fmpz *form,
                       const plane_view *view);
 
-/** Divide by the common factor, which is handed over; returns the degree in time that remains. */
+/** Divide by the coefficients' common factor, set `common` to it, and return the remaining degree
+ * in time. */
 slong pullback_reduce(pullback_form *f, fmpz_poly_t common);
 
-/** At one time: a line, or a constant. */
+/** Evaluate at one time: the result is a line or a constant. */
 void pullback_at(fmpz_mpoly_t out, const pullback_form *f, const fmpz_t time,
                  const fmpz_mpoly_ctx_t ring);
 

@@ -1,10 +1,11 @@
-/* The places of a ray against the facets they can meet, as functions linear in the way along it.
+/* The facets that places of a ray can meet, as functions affine in the ray's parameter s.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * A form pulled back to the place s of the ray is at(u) + s slope(u). What the place meets can
- * change only where a facet's form has a double root, where it and a side form vanish at once, and
- * at the ends of a piece: at finitely many u, which do not depend on s. There s = -at / slope, and
- * `reach` is kept below all such positive numbers (proofs/closure.md C74).
+ * A form at the place s of the ray, at time u, is at(u) + s slope(u). The facets that the place's
+ * trajectory meets can change with s only at certain u: where a facet's form has a double root,
+ * where it vanishes together with a side form, and at the ends of a piece. These u are finitely
+ * many and do not depend on s. At each of them the form vanishes for s = -at / slope, and `reach`
+ * is kept below all such s > 0 (proofs/closure.md C74).
  */
 #include "questions/topo/ray.h"
 
@@ -17,10 +18,11 @@
 #include "decide/trace/candidates.h"
 #include "questions/topo/signs.h"
 
-/* Solids of more facets are looked at less far from the point. */
+/* A solid with more than FEW_FACETS facets is given a first reach that is 2^-NEARER_PLACES times as
+ * large. */
 enum { FEW_FACETS = 200, NEARER_PLACES = 10, FORMS = 4 };
 
-/* A form along the ray, and both its parts without the factor that they share. */
+/* A form along the ray: both parts, their common factor, and both divided by it. */
 typedef struct ray_form {
     fmpz_poly_struct at, slope, common, plain_at, plain_slope;
 } ray_form;
@@ -30,10 +32,10 @@ typedef struct ray_maker {
     const graze_scene *scene;
     const point_map *map; /* of the piece */
     trajectory path;
-    fmpz *place;     /* of the point: d + 1 homogeneous integers */
+    fmpz *place;     /* the point: d + 1 homogeneous integers */
     fmpz *direction; /* d integers, over the same denominator */
     fmpq *reach;
-    ulong places; /* by which it was made smaller */
+    ulong places; /* halvings of the first reach so far */
     int special;
 } ray_maker;
 
@@ -65,13 +67,13 @@ static void ray_form_set(ray_form *f, const ray_maker *m, const fmpz *form) {
     fmpz_poly_div(&f->plain_slope, &f->slope, &f->common);
 }
 
-/* Does -at / slope not depend on time? */
+/* Is -at / slope independent of time? */
 static int is_steady(const ray_form *f) {
     return fmpz_poly_length(&f->plain_at) <= 1 && fmpz_poly_length(&f->plain_slope) <= 1;
 }
 
-/* Keep `reach` below the place at which the form vanishes at a time, if that is positive: up to
- * there it has the sign that it has at 0. */
+/* Keep `reach` below the s > 0 at which the form vanishes at a time, if there is one: before it the
+ * form has the same sign as at s = 0. */
 static graze_status stay_below(ray_maker *m, const ray_form *f, algebraic *time) {
     int sign = 0, slope = 0, there = 0;
     fmpz_poly_t p;
@@ -101,7 +103,7 @@ static graze_status stay_below_all(ray_maker *m, const ray_form *form, algebraic
     return status;
 }
 
-/* At all roots of a polynomial in a window. */
+/* Do that with all forms at all roots of a polynomial in a window of time. */
 static graze_status stay_below_at_roots(ray_maker *m, const ray_form *form, const fmpz_poly_t p,
                                         const dyadic_interval *window) {
     if (fmpz_poly_degree(p) < 1)
@@ -126,7 +128,8 @@ static void cross_terms(fmpz_poly_t out, const fmpz_poly_t a, const fmpz_poly_t 
     fmpz_poly_clear(other);
 }
 
-/* Where the plane is met at a double root, or at a root that does not depend on the place. */
+/* Keep `reach` below places whose trajectories meet the plane at a double root, or at a root that
+ * does not depend on s. */
 static graze_status stay_below_plane(ray_maker *m, const ray_form *form,
                                      const dyadic_interval *window) {
     algebraic any;
@@ -153,7 +156,7 @@ static graze_status stay_below_plane(ray_maker *m, const ray_form *form,
     return status;
 }
 
-/* Where the plane and a side form vanish at once. */
+/* Keep `reach` below places at which the plane's form and a side form vanish at the same time. */
 static graze_status stay_below_side(ray_maker *m, const ray_form *form, int side,
                                     const dyadic_interval *window) {
     fmpz_poly_t p;
@@ -165,7 +168,7 @@ static graze_status stay_below_side(ray_maker *m, const ray_form *form, int side
     return status;
 }
 
-/* At the ends of the piece that the window holds. */
+/* Keep `reach` below places at which a form vanishes at an end of the piece in the window. */
 static graze_status stay_below_at_ends(ray_maker *m, const ray_form *form, const candidate *near) {
     graze_status status = GRAZE_OK;
     algebraic end;
@@ -183,7 +186,7 @@ static graze_status stay_below_at_ends(ray_maker *m, const ray_form *form, const
     return status;
 }
 
-/* One simplex that the ray can meet in a window of time. */
+/* Keep `reach` below the events of one simplex that the ray can meet in a window of time. */
 static graze_status stay_below_simplex(ray_maker *m, const candidate *near) {
     int d = m->path.dimension;
     fmpz *form = _fmpz_vec_init(2 * (d + 1)), *side = form + d + 1;
@@ -214,7 +217,8 @@ static graze_status stay_below_simplex(ray_maker *m, const candidate *near) {
     return status ? status : context_poll(m->context);
 }
 
-/* The places up to the reach at hand are between two trajectories. */
+/* Keep `reach` below the events of a piece. The trajectories of all places up to the current reach
+ * lie between those of P and of the last place. */
 static graze_status stay_below_piece(ray_maker *m) {
     int d = m->path.dimension;
     candidates near = {0, 0, NULL};
@@ -235,7 +239,8 @@ static graze_status stay_below_piece(ray_maker *m) {
     return status;
 }
 
-/* About the solid's width, less for one of many facets, if the direction were of length 1. */
+/* Set the first reach, so that it is about as long as the solid is wide, or less if there are many
+ * facets. */
 static void set_first_reach(fmpq_t reach, const graze_solid *solid, const fmpz *direction,
                             slong d) {
     int exponent = 0;

@@ -1,7 +1,8 @@
-/* Contacts at irrational times. SPDX-License-Identifier: GPL-3.0-or-later
+/* Germs of contacts at irrational times.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Numbers of Q(time) are polynomials modulo the minimal polynomial. Several of them are rational up
- * to a common factor if their residues are multiples of one.
+ * A number of the field Q(time) is a polynomial modulo the minimal polynomial. Several numbers are
+ * rational up to a common factor if their residues are rational multiples of one residue.
  */
 #include "questions/topo/root.h"
 
@@ -44,7 +45,7 @@ int root_is_rational(fmpq_t out, const fmpz_poly_t minimal) {
     return 1;
 }
 
-/* The residue of a polynomial as a multiple of another one; 0 if it is none. */
+/* The rational factor that makes one residue of another; 0 if there is none. */
 static int multiple_of(fmpq_t out, const fmpq_poly_t residue, const fmpq_poly_t base) {
     fmpq_t lead;
     fmpq_poly_t multiple;
@@ -61,8 +62,8 @@ static int multiple_of(fmpq_t out, const fmpq_poly_t residue, const fmpq_poly_t 
     return is_one;
 }
 
-/* Coprime integers in the ratio of the values of n polynomials at a time, times a positive number;
- * *rational 0 if there are none. */
+/* Coprime integers proportional, by a positive factor, to the values of n polynomials at a time;
+ * *rational is 0 if there are none. */
 static graze_status ratio_of(int *rational, fmpz *out, slong n, const fmpz_poly_struct *p,
                              graze_context *context, algebraic *time, const fmpz_poly_t minimal) {
     int sign = 1;
@@ -95,7 +96,8 @@ static graze_status ratio_of(int *rational, fmpz *out, slong n, const fmpz_poly_
     return status;
 }
 
-/* The distances from the cone's planes, derived until one is not 0; *order is 0 if none is left. */
+/* Differentiate the distances from the cone's planes until one is not 0 at the time; *order is the
+ * number of derivatives, 0 if all vanish identically. */
 static graze_status find_order(slong *order, germ *g, const germ_place *place) {
     germ_root *root = g->root;
     int left = 1, sign = 0;
@@ -117,7 +119,7 @@ static graze_status find_order(slong *order, germ *g, const germ_place *place) {
     return status;
 }
 
-/* A direction whose products with the normals are these integers; 0 if there is none. */
+/* A direction whose scalar products with the normals are given integers; 0 if there is none. */
 static int direction_with_products(fmpz *out, const local_cone *cone, const fmpz *product) {
     slong d = cone->dimension, n = (slong)cone->count;
     fmpq *x = _fmpq_vec_init(d);
@@ -141,8 +143,8 @@ static int direction_with_products(fmpz *out, const local_cone *cone, const fmpz
     return found;
 }
 
-/* The leading direction near the root: the derivative of the way from the cone's point, which lies
- * on the same planes. */
+/* Approximate the leading direction by the derivative, near the root, of the displacement from the
+ * cone's point. */
 static void set_direction_near(germ *g, const germ_place *place, slong order, const fmpq_t near) {
     int d = g->cone.dimension;
     fmpq *x = _fmpq_vec_init(d);
@@ -160,7 +162,8 @@ static void set_direction_near(germ *g, const germ_place *place, slong order, co
     _fmpq_vec_clear(x, d);
 }
 
-/* The linear part of the inverse map, exactly if it is rational up to a factor, else near it. */
+/* Set the linear part of the inverse map: exactly if it is rational up to a factor, else
+ * approximately. */
 static graze_status set_map_near(int *rational, germ *g, const germ_place *place,
                                  const fmpz_poly_t minimal, const fmpq_t near) {
     int d = place->map->dimension;
@@ -178,8 +181,9 @@ static graze_status set_map_near(int *rational, germ *g, const germ_place *place
     return status;
 }
 
-/* The leading direction, exactly if it is rational up to a factor, else near it. *found is 0 if it
- * runs along an edge that leaves a vertex of E^3, where more would have to be known. */
+/* Set the leading direction: exactly if it is rational up to a factor, else approximately. *found
+ * is 0 if the direction runs along an edge from a vertex of E^3: the cover then depends on further
+ * terms. */
 static graze_status set_direction(int *rational, int *found, germ *g, const germ_place *place,
                                   slong order, const fmpz_poly_t minimal, const fmpq_t near) {
     germ_root *root = g->root;
@@ -203,7 +207,7 @@ static graze_status set_direction(int *rational, int *found, germ *g, const germ
     return status;
 }
 
-/* Both sides, alike but for the way's direction. */
+/* Set both sides; they differ only in the sign of the direction. */
 static void set_sides(germ *g, slong order) {
     int d = g->cone.dimension;
     g->side_count = 2;
@@ -216,7 +220,7 @@ static void set_sides(germ *g, slong order) {
         _fmpz_vec_set(g->side[1].e, g->side[0].e, d);
 }
 
-/* The germ needs its root no more: like one at a rational time. */
+/* Drop the root of a germ whose members are exact, and complete it as at a rational time. */
 static void make_exact(germ *g, const germ_place *place) {
     int same_way = 0, on_edge = g->cone.dimension == 3 && cone_cell_dimension(&g->cone) == 1;
     g->exact = planes_keep_directions(&same_way, &g->cone, place->map, place->path);
@@ -228,7 +232,7 @@ static void make_exact(germ *g, const germ_place *place) {
     germ_drop_root(g);
 }
 
-/* Everything but the cone. */
+/* Set all members but the cone. */
 static graze_status set_ways(int *found, germ *g, const germ_place *place,
                              const fmpz_poly_t minimal, const fmpq_t near) {
     int map_rational = 0, way_rational = 1;

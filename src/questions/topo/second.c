@@ -1,10 +1,10 @@
-/* Germs below and above a plane as forms on it.
+/* Do the halves of germs below and above a plane cover all of its directions?
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * About the point a place is x + z N, x in the plane across N. A germ of an order m and a form Q of
- * degree m + 1 covers below z < Q(x)^(1/m) up to smaller terms, above z > Q(x)^(1/m): both are of
- * the order 1 + 1/m in |x|. Where at each x the first term of some germ below exceeds that of some
- * germ above, they cover all of the plane's directions.
+ * Write a place near the point as x + z N, with x in the plane across N. A half germ of order m
+ * with the form Q covers z < Q(x)^(1/m) below the plane, z > Q(x)^(1/m) above it, up to smaller
+ * terms (half_germ.h). The plane's directions are covered if at each x the leading term of some
+ * germ below exceeds that of some germ above.
  */
 #include "questions/topo/second.h"
 
@@ -21,12 +21,13 @@ typedef struct second_maker {
     graze_context *context;
     open_plane plane;
     plane_gap *gap;
-    half_quarter quarter; /* at hand */
+    direction_chart chart; /* the current one */
     size_t count, capacity;
     half_germ *item;
 } second_maker;
 
-/* Keep what a germ covers below the plane (sign -1), or above it. */
+/* Append the half of a germ below the plane (sign -1) or above it (sign 1), if this way gives one.
+ */
 static graze_status add_half(second_maker *m, germ *g, int sign, int way) {
     half_germ half;
     int covers = 0;
@@ -42,10 +43,10 @@ static graze_status add_half(second_maker *m, germ *g, int sign, int way) {
     return status;
 }
 
-/* The first term of a germ below less that of one above, up to a root and a positive factor, in a
- * quarter: the form of the larger order, or of equal ones the difference. */
+/* A polynomial in the chart's parameter with the sign of the leading term of `below` minus that of
+ * `above`: the form of the larger order, or the difference of forms of equal order. */
 static void excess(fmpz_poly_t out, const half_germ *below, const half_germ *above,
-                   half_quarter quarter) {
+                   direction_chart chart) {
     slong order = FLINT_MAX(below->order, above->order);
     fmpq_poly_t difference;
     fmpq_poly_init(difference);
@@ -53,28 +54,29 @@ static void excess(fmpz_poly_t out, const half_germ *below, const half_germ *abo
         fmpq_poly_set(difference, below->form);
     if (above->order == order)
         fmpq_poly_sub(difference, difference, above->form);
-    half_in_quarter(out, difference, order + 1, quarter);
+    half_in_chart(out, difference, order + 1, chart);
     fmpq_poly_clear(difference);
 }
 
-/* The sign of the excess of two germs at a number, if both forms are valid there, else -1. */
+/* The sign of the excess of germ i over germ j at a parameter; -1 if one of them is not valid
+ * there. */
 static graze_status excess_at(int *out, const second_maker *m, size_t i, size_t j, algebraic *at) {
     int valid[2] = {1, 1};
     fmpz_poly_t p;
     *out = -1;
-    graze_status status = half_is_valid(&valid[0], &m->item[i], m->context, m->quarter, at);
+    graze_status status = half_is_valid(&valid[0], &m->item[i], m->context, m->chart, at);
     if (!status && valid[0])
-        status = half_is_valid(&valid[1], &m->item[j], m->context, m->quarter, at);
+        status = half_is_valid(&valid[1], &m->item[j], m->context, m->chart, at);
     if (status || !valid[0] || !valid[1])
         return status;
     fmpz_poly_init(p);
-    excess(p, &m->item[i], &m->item[j], m->quarter);
+    excess(p, &m->item[i], &m->item[j], m->chart);
     status = algebraic_sign_at(out, m->context, p, at);
     fmpz_poly_clear(p);
     return status;
 }
 
-/* The largest sign that an excess has at a number; -1 if there are none. */
+/* The largest sign of all excesses at a parameter; -1 if there are none. */
 static graze_status largest_sign_at(int *out, const second_maker *m, algebraic *at) {
     graze_status status = GRAZE_OK;
     *out = -1;
@@ -88,25 +90,25 @@ static graze_status largest_sign_at(int *out, const second_maker *m, algebraic *
     return status;
 }
 
-/* Look at one number; `*sign` is the largest of the excesses. */
+/* Clear `*out` unless the largest sign of the excesses at a parameter, `*sign`, is positive. */
 static graze_status look_at_slope(int *out, int *sign, const second_maker *m, algebraic *at) {
     graze_status status = largest_sign_at(sign, m, at);
     *out = *out && *sign > 0;
     return status;
 }
 
-/* Look at a number that ends a range: if it is rational, a gap may be there alone, also one that
- * first terms do not show. */
+/* Look at a parameter at which a sign may change. The gap may lie in its direction alone; if it is
+ * rational it is tried, although leading terms that are equal need not leave one. */
 static graze_status look_at_end(int *out, const second_maker *m, algebraic *at) {
     int sign = 0;
     graze_status status = look_at_slope(out, &sign, m, at);
     if (!status && sign <= 0 && !m->gap->order && algebraic_is_rational(at))
-        status = gap_set(m->gap, &m->plane, m->context, m->item, m->count, m->quarter, at->value);
+        status = gap_set(m->gap, &m->plane, m->context, m->item, m->count, m->chart, at->value);
     return status;
 }
 
-/* Keep a gap at a number between two, that is not a simple one: planes along it seldom hold facets
- * or edges. */
+/* Set the gap at a parameter between two, a third of the way to a simple number: a direction with
+ * larger numbers is seldom parallel to facets and edges. */
 static graze_status keep_gap(const second_maker *m, const fmpq_t low, algebraic *high) {
     algebraic first;
     fmpq_t b;
@@ -118,13 +120,13 @@ static graze_status keep_gap(const second_maker *m, const fmpq_t low, algebraic 
     fmpq_div_fmpz(b, b, &(fmpz){3});
     fmpq_add(b, b, low);
     if (!status)
-        status = gap_set(m->gap, &m->plane, m->context, m->item, m->count, m->quarter, b);
+        status = gap_set(m->gap, &m->plane, m->context, m->item, m->count, m->chart, b);
     algebraic_clear(&first);
     fmpq_clear(b);
     return status;
 }
 
-/* Look between two numbers, and at the second one. */
+/* Look between two successive parameters, and at the second one. */
 static graze_status look_from_to(int *out, const second_maker *m, algebraic *from, algebraic *to) {
     algebraic middle;
     int sign = 0;
@@ -144,7 +146,8 @@ static graze_status look_from_to(int *out, const second_maker *m, algebraic *fro
     return status;
 }
 
-/* At the roots of all excesses in [-1, 1], at both ends, and between all of these. */
+/* Look at the roots of all excesses in [-1, 1], at both ends, and between each two successive ones.
+ */
 static graze_status look_at_slopes(int *out, const second_maker *m, algebraic_list *roots) {
     algebraic last, next;
     int order = 0;
@@ -173,13 +176,14 @@ static graze_status look_at_slopes(int *out, const second_maker *m, algebraic_li
     return status;
 }
 
-/* Multiply by what is not 0. */
+/* Multiply the product by a polynomial unless that is 0. */
 static void add_factor(fmpz_poly_t product, const fmpz_poly_t p) {
     if (!fmpz_poly_is_zero(p))
         fmpz_poly_mul(product, product, p);
 }
 
-/* All excesses in a quarter, and the forms whose signs decide which germs are valid. */
+/* The product of all excesses in the chart and of all forms `reach` and `turn`: between its roots
+ * no excess changes sign and no germ becomes valid or invalid. */
 static void product_of_signs(fmpz_poly_t product, const second_maker *m) {
     fmpz_poly_t p;
     fmpz_poly_init(p);
@@ -189,21 +193,21 @@ static void product_of_signs(fmpz_poly_t product, const second_maker *m) {
         for (size_t j = 0; j < m->count; j++) {
             if (half->above || !m->item[j].above)
                 continue;
-            excess(p, half, &m->item[j], m->quarter);
+            excess(p, half, &m->item[j], m->chart);
             add_factor(product, p);
         }
-        half_in_quarter(p, half->reach, 1, m->quarter);
+        half_in_chart(p, half->reach, 1, m->chart);
         if (half->has_reach)
             add_factor(product, p);
-        half_in_quarter(p, half->turn, 1, m->quarter);
+        half_in_chart(p, half->turn, 1, m->chart);
         if (half->has_turn)
             add_factor(product, p);
     }
     fmpz_poly_clear(p);
 }
 
-/* All directions of a quarter. */
-static graze_status look_at_quarter(int *out, const second_maker *m) {
+/* Look at all directions of the current chart. */
+static graze_status look_at_chart(int *out, const second_maker *m) {
     fmpz_poly_t product;
     dyadic_interval range;
     algebraic_list roots;
@@ -233,8 +237,8 @@ graze_status second_covers(int *out, plane_gap *gap, germ_list *list, graze_cont
             status = add_half(&m, &list->item[k], how % 2 ? 1 : -1, how / 2);
     *out = 1;
     for (int k = 0; k < 4 && !status; k++) {
-        m.quarter = (half_quarter){k % 2, k / 2};
-        status = look_at_quarter(out, &m);
+        m.chart = (direction_chart){k % 2, k / 2};
+        status = look_at_chart(out, &m);
     }
     *out = *out && !status;
     for (size_t k = 0; k < m.count; k++)

@@ -1,16 +1,15 @@
-/* Second order: contacts that close on both sides of a plane through the point.
+/* Contacts that cover the directions of a plane from both sides, by terms of second order.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_TOPO_SECOND_H
 #define GRAZE_TOPO_SECOND_H
 
-#include "questions/topo/thin_gap.h"
+#include "questions/topo/plane_gap.h"
 
-/** Do the germs of a point of E^3 cover every direction of the plane across `normal`, with a
- * neighbourhood, by the leading terms of what they cover below and above it (proofs/topology.md
- * C55)? 0 says nothing.
- * @param[out] gap initialised; one that is left by these terms, if one is seen
- */
+/** Does every direction of the plane across `normal` have a neighbourhood that the germs of the
+ * point, in E^3, cover? Leading terms of the germs below and above the plane decide it
+ * (proofs/topology.md C55). 0: not proved.
+ * @param[out] gap initialised; set if these terms are seen to leave a gap */
 graze_status second_covers(int *out, plane_gap *gap, germ_list *list, graze_context *context,
                            const fmpq *point, const fmpz *normal);
 

@@ -1,7 +1,8 @@
-/* Sectors between the borders of germs. SPDX-License-Identifier: GPL-3.0-or-later
+/* Sectors between the borders of germs.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * A germ's cover changes only at rays of its arrangement (proofs/topology.md C46). Neighbouring
- * rays are less than half a turn apart: their sum lies between them.
+ * A germ's cover changes only at rays of its arrangement (proofs/topology.md C46). Successive rays
+ * are less than half a turn apart, so their sum lies between them.
  */
 #include "questions/topo/sectors.h"
 
@@ -17,7 +18,7 @@ void sectors_clear(sector_list *list) {
     *list = (sector_list){0, 0, NULL};
 }
 
-/* 0 to 3, counter-clockwise from the ray to the right, as the half-open quarters. */
+/* The half-open quadrant of a vector, 0 to 3, counter-clockwise from the positive x axis. */
 static int quarter_of(const fmpz *v) {
     int x = fmpz_sgn(v), y = fmpz_sgn(v + 1);
     return x > 0 && y >= 0 ? 0 : x <= 0 && y > 0 ? 1 : x < 0 ? 2 : 3;
@@ -51,7 +52,7 @@ static graze_status ask_about(int *covered, graze_context *context, const sector
     return status;
 }
 
-/* Join neighbouring covered cells between rays to sectors. */
+/* Join adjacent covered cells between rays into sectors. */
 static void join_cells(sector_list *out, const fmpz *ray, const int *covered, size_t count) {
     out->ray = _fmpz_vec_init((slong)(4 * count));
     for (size_t k = 0; k < count; k++) {
@@ -88,7 +89,7 @@ static graze_status find_between(sector_list *out, graze_context *context,
     return status;
 }
 
-/* Rays all around, of angles 4 atan(k / TURN_RAYS) and their opposites. */
+/* Add rays all around: with the angles 4 atan(k / TURN_RAYS), and their opposites. */
 static void add_turn_rays(fmpz *ray) {
     const slong n = TURN_RAYS / 4;
     for (slong k = 0; k < TURN_RAYS; k++) {
@@ -101,7 +102,7 @@ static void add_turn_rays(fmpz *ray) {
     }
 }
 
-/* Keep one ray of each direction; returns the number. */
+/* Keep one ray of each direction and return the number of rays. */
 static size_t drop_equal_rays(fmpz *ray, size_t count) {
     size_t kept = 0;
     for (size_t k = 0; k < count; k++) {

@@ -1,4 +1,4 @@
-/* Shifts of plane curves, one variable after the other; between two rows the caller may cancel.
+/* Shifts of plane curves, one variable after the other; the caller can cancel between two rows.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * With P = (a / c, b / c) and D the degree, c^D g(P + (x, y)) is the sum of g_ij c^(D - i - j)
@@ -10,7 +10,7 @@
 #include <flint/fmpz_vec.h>
 #include "questions/topo/eliminate.h"
 
-/* g_ij c^(D - i - j), or with `back` g_ij c^(i + j). */
+/* Multiply each g_ij by c^(D - i - j) or, with `back`, by c^(i + j). */
 static void scale_terms(sliced_curve *s, const fmpz_t c, int back) {
     fmpz_t power;
     fmpz_init(power);
@@ -23,7 +23,7 @@ static void scale_terms(sliced_curve *s, const fmpz_t c, int back) {
     fmpz_clear(power);
 }
 
-/* X becomes X + a in each coefficient. */
+/* Replace X by X + a in each coefficient. */
 static graze_status shift_coefficients(sliced_curve *s, graze_context *context, const fmpz_t a) {
     graze_status status = GRAZE_OK;
     for (slong k = 0; k <= s->degree && !status; k++) {
@@ -44,7 +44,7 @@ static void content_of(fmpz_t out, const sliced_curve *s) {
     fmpz_clear(content);
 }
 
-/* The polynomial without its content. */
+/* Convert to a polynomial, divided by its content. */
 static void to_polynomial(fmpz_mpoly_t out, const sliced_curve *s, int variable,
                           const fmpz_mpoly_ctx_t ring) {
     fmpz *content = _fmpz_vec_init(2), *c = content + 1;

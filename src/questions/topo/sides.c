@@ -1,4 +1,4 @@
-/* Leading directions, from the coefficients of a trajectory.
+/* Leading directions from the coefficients of a trajectory.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/topo/sides.h"
@@ -7,7 +7,7 @@
 #include <flint/fmpz_vec.h>
 #include "questions/topo/directions.h"
 
-/* Are two polynomials multiples of one another, or one of them 0? */
+/* Are two polynomials multiples of one another (0 is one of every polynomial)? */
 static int are_proportional(const fmpz_poly_t p, const fmpz_poly_t q) {
     if (fmpz_poly_is_zero(p) || fmpz_poly_is_zero(q))
         return 1;
@@ -22,7 +22,7 @@ static int are_proportional(const fmpz_poly_t p, const fmpz_poly_t q) {
     return same;
 }
 
-/* Column `column` of a plane's normal, pulled back. */
+/* An entry of a plane's normal, pulled back to directions about P, as a function of time. */
 static void pull_back_column(fmpz_poly_t out, const point_map *map, const fmpz *normal,
                              int column) {
     int d = map->dimension;
@@ -31,7 +31,7 @@ static void pull_back_column(fmpz_poly_t out, const point_map *map, const fmpz *
         fmpz_poly_scalar_addmul_fmpz(out, &map->entry[row * (d + 1) + column], normal + row);
 }
 
-/* Is a normal, pulled back, a constant one times a function of time, which is handed over? */
+/* Is a pulled back normal a constant vector times a function of time, `factor`? */
 static int keeps_direction(fmpz_poly_t factor, const point_map *map, const fmpz *normal) {
     int same = 1;
     fmpz_poly_t p;
@@ -94,8 +94,7 @@ static void coefficients_at(fmpz *out, fmpq_poly_t *way, slong k, int d) {
     _fmpq_vec_clear(c, d);
 }
 
-/* 1 if the vector lies in the cell's directions; else *planes counts the planes it is parallel to.
- */
+/* Is a vector a direction of the cell? *planes is the number of planes that it is parallel to. */
 static int is_in_cell(size_t *planes, const local_cone *cone, const fmpz *v) {
     slong d = cone->dimension;
     fmpz_t a;
@@ -109,7 +108,7 @@ static int is_in_cell(size_t *planes, const local_cone *cone, const fmpz *v) {
     return *planes == cone->count;
 }
 
-/* The first coefficient after the leading one that is not along it. */
+/* Find the first coefficient after the leading one that is not parallel to it. */
 static void find_later(germ_side *side, fmpq_poly_t *way, slong length, int sign) {
     slong at = 0;
     for (slong k = side->order + 1; k < length && !at; k++) {
@@ -121,7 +120,7 @@ static void find_later(germ_side *side, fmpq_poly_t *way, slong length, int sign
         _fmpz_vec_neg(side->later, side->later, 3);
 }
 
-/* Its planes hold that direction throughout. */
+/* The edge keeps its direction if that is parallel to its planes throughout the piece. */
 int edge_keeps_direction(const germ *g, const point_map *map) {
     fmpz *world = _fmpz_vec_init(9), *normal = world + 3;
     fmpz_poly_t sum, p;

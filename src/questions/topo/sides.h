@@ -1,4 +1,4 @@
-/* The sides of a time of contact: where the trajectory goes, and what is exact about it.
+/* The sides of a contact: the trajectory's leading directions, and whether the cover is exact.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_TOPO_SIDES_H
@@ -8,25 +8,23 @@
 #include "decide/trace/trajectory.h"
 #include "questions/topo/germ.h"
 
-/** Do the planes of the germ's cone keep their directions on a piece, and are then the
- * trajectory's distances from them, each divided by its plane's factor, multiples of one function
- * (proofs/topology.md C51)?
- * @param[out] same_way the latter; 0 without the former */
+/** Do the planes of the cone keep their directions about P throughout a piece (proofs/topology.md
+ * C51)?
+ * @param[out] same_way 1 if moreover the trajectory's distances from them, each divided by the
+ * factor of its plane's normal, are multiples of one function of time */
 int planes_keep_directions(int *same_way, const local_cone *cone, const point_map *map,
                            const trajectory *path);
 
-/** The trajectory's distance from plane j of the cone, times a positive function of time. */
+/** Set the trajectory's distance from plane j of the cone, times a positive function of time. */
 void distance_from_plane(fmpz_poly_t out, const local_cone *cone, size_t j, const trajectory *path);
 
-/** Does the edge of E^3 that is a germ's cell keep its direction about the point on a piece? */
+/** Does a germ's cell, an edge of E^3, keep its direction about P throughout a piece? */
 int edge_keeps_direction(const germ *g, const point_map *map);
 
-/**
- * Add the side after (sign 1) or before (-1) a germ's rational time, if the trajectory leaves the
- * cell there.
- * @param way of the trajectory from its place at that time, times a positive function, in powers of
- * the time that has passed
- */
+/** Add the side after (sign 1) or before (sign -1) a germ's rational time, if the trajectory leaves
+ * the cell there.
+ * @param way the trajectory's displacement from its place at that time, times a positive function,
+ * in powers of the time since then */
 graze_status sides_add(germ *g, graze_context *context, const point_map *map, fmpq_poly_t *way,
                        int same_way, int sign);
 

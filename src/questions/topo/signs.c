@@ -1,7 +1,8 @@
-/* States by signs. SPDX-License-Identifier: GPL-3.0-or-later
+/* States of directions by their signs.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Every cell of the arrangement of a cone's planes has a rational direction; once all of these are
- * known, so is the state of every vector of signs.
+ * Each cell of the arrangement of a cone's planes has a rational direction. Once these have been
+ * asked, the state of each vector of signs is known.
  */
 #include "questions/topo/signs.h"
 
@@ -26,7 +27,7 @@ void signs_pull_back(fmpz_poly_t out, const point_map *map, const fmpz *normal,
     fmpz_clear(factor);
 }
 
-/* Ask about a direction in every cell, and about none. */
+/* Ask the state of a direction in every cell of the arrangement. */
 static graze_status learn_all(local_cone *cone, graze_context *context) {
     slong d = cone->dimension;
     graze_state state;
@@ -65,15 +66,16 @@ graze_status signs_state(graze_state *out, local_cone *cone, graze_context *cont
     return status;
 }
 
-/* The distances u + s e of a germ's planes as functions of s: values of polynomials at the root. */
+/* The values of a germ's planes at u + s e, as functions of s with coefficients that are
+ * polynomials at the root. */
 typedef struct root_sweep {
     germ *g;
     graze_context *context;
     size_t count;
-    fmpz_poly_struct *at, *way; /* of each plane; the sign of `way` is that of the side */
+    fmpz_poly_struct *at, *way; /* each plane's values at u and along e, on the side 1 */
     signed char *at_sign, *way_sign, *sign;
-    size_t *cut, cut_count; /* planes that are crossed at a positive s, in that order */
-    int *rank;              /* of each cut; equal ones are crossed together */
+    size_t *cut, cut_count; /* the planes that are crossed at a positive s, in order of s */
+    int *rank;              /* of each cut; planes of equal rank are crossed at the same s */
 } root_sweep;
 
 static void sweep_clear(root_sweep *s) {
@@ -85,7 +87,7 @@ static void sweep_clear(root_sweep *s) {
     free(s->rank);
 }
 
-/* At the root: the directions of the planes' distances. */
+/* Begin with the values of the planes at a direction about the point. */
 static graze_status sweep_init(root_sweep *s, germ *g, graze_context *context,
                                const fmpz *direction) {
     size_t n = g->cone.count;
@@ -114,8 +116,8 @@ static graze_status sweep_init(root_sweep *s, germ *g, graze_context *context,
     return status;
 }
 
-/* Is plane j crossed before plane k (-1), together with it (0), or after it (1)? The one is crossed
- * at -at_j / way_j, times `side`. */
+/* Is plane j crossed before plane k (-1), together with it (0), or after it (1)? Plane j is crossed
+ * at s = -at_j / way_j, times `side`. */
 static graze_status compare_crossing_places(int *out, root_sweep *s, int side, size_t j, size_t k) {
     fmpz_poly_t a, b;
     fmpz_poly_init(a);
@@ -130,7 +132,7 @@ static graze_status compare_crossing_places(int *out, root_sweep *s, int side, s
     return status;
 }
 
-/* Put the planes that are crossed on this side in order. */
+/* Sort the planes that are crossed on a side by their places. */
 static graze_status order_crossings(root_sweep *s, int side) {
     graze_status status = GRAZE_OK;
     s->cut_count = 0;
@@ -156,8 +158,8 @@ static graze_status order_crossings(root_sweep *s, int side) {
     return status;
 }
 
-/* The signs at the cuts of a rank; -1: before all. The cone is closed: what it has of the places
- * beyond a cut it has at the cut. */
+/* Ask the state at the cuts of a rank; rank -1 is before all cuts. Cuts suffice: the cone is
+ * closed, so a place between two cuts is in it only if the cuts beside it are. */
 static graze_status look_at_rank(int *covered, root_sweep *s, int side, int rank) {
     graze_state state = GRAZE_STATE_O;
     for (size_t j = 0; j < s->count; j++)
@@ -170,7 +172,7 @@ static graze_status look_at_rank(int *covered, root_sweep *s, int side, int rank
     return status;
 }
 
-/* All u + s e, s > 0, on one side: `side` is the sign of the way there. */
+/* Ask all u + s e with s > 0 on one side; `side` is the sign of `way` there. */
 static graze_status look_at_side(int *covered, root_sweep *s, int side) {
     graze_status status = order_crossings(s, side);
     int last = s->cut_count > 0 ? s->rank[s->cut_count - 1] : -1;
@@ -195,7 +197,7 @@ graze_status signs_cover_at_root(int *covered, germ *g, graze_context *context,
     return status;
 }
 
-/* The state at one time. */
+/* Ask the state at one time. */
 static graze_status look_at_time(int *covered, local_cone *cone, graze_context *context,
                                  const fmpz_poly_struct *p, signed char *sign, algebraic *time) {
     graze_state state = GRAZE_STATE_O;
@@ -211,7 +213,7 @@ static graze_status look_at_time(int *covered, local_cone *cone, graze_context *
     return status;
 }
 
-/* Between two times. */
+/* Ask the state between two times. */
 static graze_status look_between(int *covered, local_cone *cone, graze_context *context,
                                  const fmpz_poly_struct *p, signed char *sign, algebraic *from,
                                  algebraic *to) {
@@ -228,7 +230,7 @@ static graze_status look_between(int *covered, local_cone *cone, graze_context *
     return status;
 }
 
-/* At all roots inside the stretch, and between them. */
+/* Ask the states at all roots inside the stretch and between them. */
 static graze_status look_at_roots(int *covered, turning_stretch *t, local_cone *cone,
                                   graze_context *context, const fmpz_poly_struct *p,
                                   signed char *sign, algebraic_list *roots) {

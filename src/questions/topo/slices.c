@@ -1,9 +1,9 @@
-/* A few planes through a point of space, each looked at like the plane itself.
+/* A few planes through a point of space, each examined as E^2 is.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * The planes lie askew, so that facets seldom come to lie in one. Where the contacts do not depend
- * on a direction, a plane across it decides (proofs/topology.md C54); where they do at a step
- * alone, two planes (C128).
+ * The planes are askew, so that facets seldom come to lie in one. If the contacts do not depend on
+ * a direction, one plane across it decides (proofs/topology.md C54); if they depend on it only at a
+ * step, two planes decide (C128).
  */
 #include "questions/topo/slices.h"
 
@@ -20,8 +20,8 @@ enum { SLICES = 3 };
 static const slong askew[SLICES][2][3] = {
     {{3, 1, 2}, {-1, 4, 1}}, {{2, -5, 1}, {1, 1, 4}}, {{1, 2, -7}, {5, -2, 3}}};
 
-/* Look at the plane through the point along two directions, 6 integers; first along the finding's
- * path, if that lies in it. */
+/* Examine the plane through the point along two directions, 6 integers; first the finding's path,
+ * if it lies in the plane. */
 static graze_status look_in_plane(topo_finding *out, graze_context *context,
                                   const graze_scene *scene, const plane_list *planes,
                                   const fmpq *point, const fmpz *along, graze_topo_level level,
@@ -42,8 +42,8 @@ static graze_status look_in_plane(topo_finding *out, graze_context *context,
     return status;
 }
 
-/* A direction that stays parallel to all planes of all contacts, but perhaps those across a step,
- * which is 0 if there is none. The direction is 0 if none is found. */
+/* Find a direction that is parallel to all planes of all contacts at all times, but perhaps those
+ * across a step. The direction is 0 if there is none; the step is 0 if it is not needed. */
 static graze_status find_invariant(fmpz *out, fmpz *step, graze_context *context,
                                    const graze_scene *scene, const plane_list *planes,
                                    const fmpq *point) {
@@ -74,8 +74,8 @@ static int is_decided(const topo_finding *f) {
     return f->position == GRAZE_TOPO_INTERIOR || f->position == GRAZE_TOPO_BOUNDARY;
 }
 
-/* On either side of a step the contacts do not depend on the direction: two planes through a line
- * of the step, which lean to both sides of it, decide (C128). */
+/* Decide by two planes through a line in the step's plane, which lean to either side of the step,
+ * where the contacts do not depend on the direction (C128). */
 static graze_status decide_beside_step(topo_finding *out, graze_context *context,
                                        const graze_scene *scene, const plane_list *planes,
                                        const fmpq *point, const fmpz *step, const fmpz *invariant) {

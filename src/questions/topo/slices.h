@@ -1,4 +1,4 @@
-/* The last level in space: planes through the point, in which the boundary may be proved.
+/* The last level in space: the boundary may be proved in a plane through the point.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_TOPO_SLICES_H
@@ -8,8 +8,9 @@
 #include "input/solid/planes.h"
 #include "questions/topo/finding.h"
 
-/** Prove an undecided `on` point of E^3 to be on the boundary, or leave it undecided for the reason
- * it has (proofs/topology.md C50). Where it has an open direction, a plane holds that. */
+/** Try to decide an undecided `on` point of E^3 by planes through it (proofs/topology.md C50);
+ * without success it keeps its reason. If it has an open direction, one of the planes contains
+ * that. */
 graze_status slices_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
                            const plane_list *planes, const fmpq *point);
 

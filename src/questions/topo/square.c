@@ -1,9 +1,9 @@
-/* One trace in every gap that the curves leave on the sides of a square.
+/* One sample in each gap between the curves on the sides of a square.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Within the square the curves through the point cut each quarter between the diagonals into
- * sectors, which are connected and miss the boundary of the closed sweep: each lies in its interior
- * or in its exterior, and every smaller square meets the same sectors (proofs/topology.md C49).
+ * sectors. A sector is connected and misses the closed sweep's boundary, so it lies in the interior
+ * or in the exterior; every smaller square meets the same sectors (proofs/topology.md C49).
  */
 #include "questions/topo/square.h"
 
@@ -22,10 +22,10 @@ typedef struct square_maker {
     const fmpq *point;
     graze_topo_level level;
     near_curves near;
-    int axis, negative; /* the side at hand */
+    int axis, negative; /* the current side */
 } square_maker;
 
-/* The square on which the witness lies. */
+/* Keep the square on which the witness lies. */
 static void set_square(square_maker *m) {
     topo_finding *out = m->out;
     out->has_witness = 1;
@@ -35,7 +35,7 @@ static void set_square(square_maker *m) {
         _fmpz_vec_set(out->along[k], m->view->along[k], m->view->dimension);
 }
 
-/* Trace the point of a side whose coordinate along it is `along`, from the centre. */
+/* Classify the point of a side at the coordinate `along`. */
 static graze_status sample_at(square_maker *m, const fmpq_t along) {
     int beyond = 0;
     fmpq *sample = _fmpq_vec_init(2);
@@ -54,7 +54,8 @@ static graze_status sample_at(square_maker *m, const fmpq_t along) {
     return status;
 }
 
-/* The gap between two numbers, if there is one: at a corner a root may be an end of the side. */
+/* Sample the gap between two numbers unless they are equal: a root may be at a corner, an end of
+ * the side. */
 static graze_status sample_gap(square_maker *m, algebraic *low, algebraic *high) {
     int sign = 0;
     graze_status status = algebraic_compare(&sign, m->context, low, high);

@@ -1,5 +1,5 @@
-/* Points near a place, moved to the planes of facets that contain it, until all signs are right.
- * SPDX-License-Identifier: GPL-3.0-or-later
+/* Points near a place are projected to the planes of facets that contain the place, until all signs
+ * are right. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/topo/stand_in.h"
 
@@ -12,11 +12,11 @@
 #include "base/number/sign.h"
 #include "input/solid/forms.h"
 
-/* The width 2^-FIRST_PLACES of an interval about a time in which a place is first looked for, and
- * how often the exponent is doubled. */
+/* The first attempt has an interval of width 2^-FIRST_PLACES about the time; each further one
+ * doubles the exponent. */
 enum { FIRST_PLACES = 40, ATTEMPTS = 10 };
 
-/* A rational time near; the interval has about `places` binary places. */
+/* A rational time near an algebraic one, from an interval of width about 2^-places. */
 static graze_status time_near(fmpq_t out, graze_context *context, algebraic *time, ulong places) {
     fmpq_t high;
     graze_status status = GRAZE_OK;
@@ -32,15 +32,15 @@ static graze_status time_near(fmpq_t out, graze_context *context, algebraic *tim
     return status;
 }
 
-/* State of finding the trajectory's place at the time. */
+/* State of the search for a point. */
 typedef struct place_finder {
     const germ_place *place;
-    signed char *sign;    /* of its distances from all planes of facets */
-    const fmpz *basis[3]; /* forms of independent planes that contain it */
+    signed char *sign;    /* signs of the place's distances from all planes of facets */
+    const fmpz *basis[3]; /* forms of independent planes that contain the place */
     int rank;
 } place_finder;
 
-/* Keep a plane that contains the place if it is independent of those there are. */
+/* Keep a plane that contains the place, if it is independent of those kept. */
 static void keep_independent(place_finder *f, const fmpz *form) {
     int d = f->place->map->dimension;
     fmpz_mat_t normals;
@@ -75,8 +75,8 @@ static graze_status find_signs(place_finder *f, algebraic *time) {
     return status;
 }
 
-/* Move a point, d + 1 homogeneous integers, to the planes of the basis by a combination of their
- * normals. */
+/* Project a point, d + 1 homogeneous integers, orthogonally to the intersection of the basis's
+ * planes. */
 static void project(fmpz *x, const place_finder *f) {
     int d = f->place->map->dimension;
     fmpq *moved = _fmpq_vec_init(d);
@@ -94,7 +94,7 @@ static void project(fmpz *x, const place_finder *f) {
         fmpz_neg(value, value);
         fmpq_set_fmpz_frac(fmpq_mat_entry(rest, i, 0), value, x + d);
     }
-    (void)fmpq_mat_solve(rest, gram, rest); /* independent normals */
+    (void)fmpq_mat_solve(rest, gram, rest); /* independent normals: solvable */
     for (int i = 0; i < d; i++) {
         fmpq_set_fmpz_frac(moved + i, x + i, x + d);
         for (int k = 0; k < f->rank; k++) {

@@ -7,12 +7,12 @@
 #include "questions/topo/slices.h"
 #include "questions/topo/square.h"
 
-/* Common data of all points of a scene: its facets' planes, and its curves once they are needed. */
+/* Data shared by all points of a scene: the planes of its facets and, once needed, its curves. */
 typedef struct scene_shares {
     plane_list planes;
     int has_curves;
     const char *refused;
-    ulong limit; /* that they were refused at */
+    ulong limit; /* at which the curves were refused */
     curve_list curves;
 } scene_shares;
 
@@ -36,8 +36,8 @@ static graze_status make_shares(scene_memo *memo, graze_context *context,
     return GRAZE_OK;
 }
 
-/* Curves that could not be made are tried again by the next point, those beyond a limit where it is
- * higher. */
+/* Make the curves. After a failure the next point tries again; after a refusal only with a higher
+ * limit. */
 static graze_status make_curves(scene_shares *s, graze_context *context, const graze_scene *scene) {
     plane_view view;
     view_init(&view);
@@ -53,7 +53,7 @@ static graze_status make_curves(scene_shares *s, graze_context *context, const g
     return status;
 }
 
-/* The common data, with or without curves; it stays as it is until the scene ends. */
+/* The shared data, with or without curves; it does not change until the scene ends. */
 static graze_status shares_of(const scene_shares **out, graze_context *context,
                               const graze_scene *scene, int with_curves) {
     scene_memo *memo = scene->memo;
@@ -109,7 +109,7 @@ static graze_status by_slices(topo_finding *out, graze_context *context, const g
     return status ? status : slices_decide(out, context, scene, &s->planes, point);
 }
 
-/* An `on` point relative to the closed sweep; of an unsweep, to that of the solid's complement. */
+/* Decide an `on` point relative to the closed sweep; for an unsweep, of the solid's complement. */
 static graze_status decide_on(topo_finding *out, graze_context *context, const graze_scene *scene,
                               const fmpq *point) {
     graze_status status = topo_by_leading(out, context, scene, point);
@@ -122,7 +122,7 @@ static graze_status decide_on(topo_finding *out, graze_context *context, const g
     return topo_by_curves(out, context, scene, point);
 }
 
-/* Decide by the word alone; 0: it is an `on` point. */
+/* Decide a point by its word; 0 for an `on` point, which the word does not decide. */
 static int decide_by_word(topo_finding *out, graze_pmc pmc) {
     if (pmc == GRAZE_ON)
         return 0;

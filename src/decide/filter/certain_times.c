@@ -1,24 +1,24 @@
-/* Between two certain crossings next to each other the state is that of the first one's far side.
- * SPDX-License-Identifier: GPL-3.0-or-later
+/* Between two successive certain crossings the state is the one into which the first crossing
+ * leads. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/filter/stay.h"
+#include "decide/filter/certain_times.h"
 
 typedef struct stretches {
-    stay *best;
-    double length[STAYS_MOST];
+    piece_time *best;
+    double length[CERTAIN_TIMES_MOST];
     int count;
 } stretches;
 
 static void take_stretch(stretches *s, uint32_t piece, double low, double high) {
-    stay middle = {piece, 0.5 * (low + high)};
+    piece_time middle = {piece, 0.5 * (low + high)};
     int at = s->count;
     if (!(middle.at > low && middle.at < high))
         return;
     while (at > 0 && s->length[at - 1] < high - low)
         at--;
-    if (at == STAYS_MOST)
+    if (at == CERTAIN_TIMES_MOST)
         return;
-    s->count += s->count < STAYS_MOST;
+    s->count += s->count < CERTAIN_TIMES_MOST;
     for (int k = s->count - 1; k > at; k--) {
         s->best[k] = s->best[k - 1];
         s->length[k] = s->length[k - 1];
@@ -27,7 +27,8 @@ static void take_stretch(stretches *s, uint32_t piece, double low, double high) 
     s->length[at] = high - low;
 }
 
-/* From one place of the motion to another; of whole pieces between them the middle one. */
+/* Take the stretches from one time to another: the part of the first piece, the part of the last
+ * one, and the middle one of the whole pieces between them. */
 static void take_between(stretches *s, uint32_t piece, double low, uint32_t last, double high) {
     if (piece == last) {
         take_stretch(s, piece, low, high);
@@ -39,7 +40,8 @@ static void take_between(stretches *s, uint32_t piece, double low, uint32_t last
         take_stretch(s, piece + (last - piece) / 2, 0, 1);
 }
 
-int stays_find(stay out[STAYS_MOST], const findings *found, size_t piece_count, int outside) {
+int certain_times_find(piece_time out[CERTAIN_TIMES_MOST], const findings *found,
+                       size_t piece_count, int outside) {
     stretches s = {out, {0}, 0};
     size_t n = found->crossing_count;
     const crossing *c = found->crossing;

@@ -1,9 +1,11 @@
-/* Heights between leading terms. SPDX-License-Identifier: GPL-3.0-or-later
+/* Heights between leading terms.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * At x the heights are Q(x)^(1/m) |x|^(1 + 1/m), so those of a larger m are the larger ones.
- * Between 0 and them there may be room, or both sides are of smaller orders.
+ * At x the leading terms have the height Q(x)^(1/m), of order 1 + 1/m in |x|, so a term with a
+ * larger m is the larger one. A gap of order m lies between terms of order m, where those of
+ * smaller orders count as 0.
  */
-#include "questions/topo/thin_gap.h"
+#include "questions/topo/plane_gap.h"
 
 #include <flint/fmpz_vec.h>
 
@@ -21,26 +23,27 @@ void gap_clear(plane_gap *gap) {
 }
 
 /* The form of a germ at the direction of the gap. */
-static void height_at(fmpq_t out, const half_germ *g, half_quarter quarter, const fmpq_t b) {
+static void height_at(fmpq_t out, const half_germ *g, direction_chart chart, const fmpq_t b) {
     fmpq_poly_t form;
     fmpq_t scale;
     fmpq_init(scale);
     fmpq_poly_init(form);
     fmpq_poly_set(form, g->form);
-    if (quarter.swapped)
+    if (chart.swapped)
         fmpq_poly_reverse(form, form, g->order + 2);
     fmpq_poly_evaluate_fmpq(out, form, b);
     fmpz_set(fmpq_numref(scale), fmpq_denref(b));
     fmpq_pow_si(scale, scale, g->order + 1);
     fmpq_mul(out, out, scale);
-    if (quarter.opposite && g->order % 2 == 0)
+    if (chart.opposite && g->order % 2 == 0)
         fmpq_neg(out, out);
     fmpq_poly_clear(form);
     fmpq_clear(scale);
 }
 
-/* Heights at one order, to its power: the largest below and the least above, where there are any.
- * Those of smaller orders are 0 here, those of larger ones far away. */
+/* The m-th powers of the leading terms in one direction: the largest of the germs below the plane
+ * and the least of those above, if there are any. Germs of smaller orders count as 0, germs of
+ * larger orders are left out. */
 typedef struct height_range {
     int has_low, has_high;
     fmpq_t low, high;
@@ -55,7 +58,7 @@ static void take_height(height_range *r, int above, const fmpq_t height) {
 }
 
 static graze_status find_range(height_range *r, graze_context *context, slong order,
-                               const half_germ *item, size_t count, half_quarter quarter,
+                               const half_germ *item, size_t count, direction_chart chart,
                                const fmpq_t b) {
     graze_status status = GRAZE_OK;
     algebraic at;
@@ -67,12 +70,12 @@ static graze_status find_range(height_range *r, graze_context *context, slong or
     for (size_t k = 0; k < count && !status; k++) {
         int valid = 0;
         if (item[k].order <= order)
-            status = half_is_valid(&valid, &item[k], context, quarter, &at);
+            status = half_is_valid(&valid, &item[k], context, chart, &at);
         if (!valid)
             continue;
         fmpq_zero(height);
         if (item[k].order == order)
-            height_at(height, &item[k], quarter, b);
+            height_at(height, &item[k], chart, b);
         take_height(r, item[k].above, height);
     }
     algebraic_clear(&at);
@@ -80,7 +83,8 @@ static graze_status find_range(height_range *r, graze_context *context, slong or
     return status;
 }
 
-/* With one end alone, or none, a range of the length of that and 1. */
+/* Complete a range that lacks an end: its length becomes 1 plus the absolute value of the end that
+ * it has, if any. */
 static void close_range(height_range *r) {
     fmpq_t length;
     fmpq_init(length);
@@ -103,7 +107,8 @@ static void signed_height(fmpq_t out, const fmpq_t v, slong order) {
         fmpq_neg(out, out);
 }
 
-/* Is a height with its power between two numbers found, k / 2^places with an integer k? */
+/* Find a dyadic number k / 2^places whose signed power of this order lies between two numbers; 0 if
+ * there is none. */
 static int find_dyadic(fmpq_t out, slong order, const fmpq_t low, const fmpq_t high, ulong places) {
     int found = 0;
     fmpz_t root;
@@ -129,7 +134,7 @@ static int find_dyadic(fmpq_t out, slong order, const fmpq_t low, const fmpq_t h
     return found;
 }
 
-/* In the middle half of the range. */
+/* Set the lift so that its signed power lies in the middle half of the range. */
 static void set_lift(fmpq_t out, slong order, height_range *r) {
     ulong places = 0;
     fmpq_t quarter;
@@ -143,7 +148,7 @@ static void set_lift(fmpq_t out, slong order, height_range *r) {
     fmpq_clear(quarter);
 }
 
-/* The largest order below a bound, or 0. */
+/* The largest order of a germ that is less than a bound; 0 if there is none. */
 static slong next_order(const half_germ *item, size_t count, slong bound) {
     slong order = 0;
     for (size_t k = 0; k < count; k++)
@@ -153,19 +158,19 @@ static slong next_order(const half_germ *item, size_t count, slong bound) {
 }
 
 graze_status gap_set(plane_gap *gap, const open_plane *h, graze_context *context,
-                     const half_germ *item, size_t count, half_quarter quarter, const fmpq_t b) {
+                     const half_germ *item, size_t count, direction_chart chart, const fmpq_t b) {
     height_range r;
     graze_status status = GRAZE_OK;
     fmpq_init(r.low);
     fmpq_init(r.high);
-    _fmpz_vec_scalar_mul_fmpz(gap->along, h->basis[quarter.swapped], 3, fmpq_denref(b));
-    _fmpz_vec_scalar_addmul_fmpz(gap->along, h->basis[!quarter.swapped], 3, fmpq_numref(b));
-    if (quarter.opposite)
+    _fmpz_vec_scalar_mul_fmpz(gap->along, h->basis[chart.swapped], 3, fmpq_denref(b));
+    _fmpz_vec_scalar_addmul_fmpz(gap->along, h->basis[!chart.swapped], 3, fmpq_numref(b));
+    if (chart.opposite)
         _fmpz_vec_neg(gap->along, gap->along, 3);
     gap->order = 0;
     slong order = FLINT_MAX(next_order(item, count, WORD_MAX), 1);
     for (; order > 0 && !gap->order && !status; order = next_order(item, count, order)) {
-        status = find_range(&r, context, order, item, count, quarter, b);
+        status = find_range(&r, context, order, item, count, chart, b);
         close_range(&r);
         if (fmpq_cmp(r.low, r.high) < 0)
             gap->order = order;

@@ -1,18 +1,18 @@
-/* Words and contacts from states.
+/* The word and the contacts of a trace, built from states.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/curved/letters.h"
+#include "decide/curved/word_builder.h"
 
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "input/soup/cell_names.h"
 
-static graze_state last_of(const letters *l) {
+static graze_state last_of(const word_builder *l) {
     return l->length ? (graze_state)l->out->word[l->length - 1] : GRAZE_STATE_ABSENT;
 }
 
-/* Append a state that is not the last one's; inside and outside are no neighbours. */
-static graze_status append_letter(letters *l, graze_state state) {
+/* Append a state to the word unless the word ends in it; I beside O is an internal error. */
+static graze_status append_state(word_builder *l, graze_state state) {
     graze_state last = last_of(l);
     if (last == state)
         return GRAZE_OK;
@@ -29,12 +29,12 @@ static graze_status append_letter(letters *l, graze_state state) {
     return GRAZE_OK;
 }
 
-static graze_status no_memory(letters *l) {
+static graze_status no_memory(word_builder *l) {
     return context_fail(l->context, GRAZE_ESYSTEM, "out of memory for the contacts of a trace");
 }
 
-/* One more contact, between times that may be NULL. */
-static graze_status begin_contact(letters *l, graze_time *time) {
+/* Append a contact at a time, which may be NULL. */
+static graze_status begin_contact(word_builder *l, graze_time *time) {
     graze_trace *out = l->out;
     if (!array_reserve(&out->contact, &out->contact_capacity, out->contact_count + 1,
                        sizeof *out->contact))
@@ -43,8 +43,8 @@ static graze_status begin_contact(letters *l, graze_time *time) {
     return GRAZE_OK;
 }
 
-/* A contact begins, or goes on, at a time. */
-static graze_status touch_at(letters *l, int begins, size_t piece, const algebraic *u) {
+/* Begin a contact at a time, or prolong the last one to it. */
+static graze_status touch_at(word_builder *l, int begins, size_t piece, const algebraic *u) {
     graze_trace *out = l->out;
     graze_time *time = time_create(l->motion, piece, u);
     if (!time)
@@ -62,26 +62,26 @@ static graze_status touch_at(letters *l, int begins, size_t piece, const algebra
     return GRAZE_OK;
 }
 
-graze_status letters_put_time(letters *l, graze_state state, size_t piece, const algebraic *u) {
+graze_status word_put_time(word_builder *l, graze_state state, size_t piece, const algebraic *u) {
     int begins = last_of(l) != GRAZE_STATE_B;
-    graze_status status = append_letter(l, state);
+    graze_status status = append_state(l, state);
     if (status || state != GRAZE_STATE_B)
         return status;
     return touch_at(l, begins, piece, u);
 }
 
-graze_status letters_put_gap(letters *l, graze_state state) {
+graze_status word_put_gap(word_builder *l, graze_state state) {
     if (state == GRAZE_STATE_B && last_of(l) != GRAZE_STATE_B)
         return context_fail(l->context, GRAZE_EINTERNAL, "a slide does not begin on the boundary");
-    return append_letter(l, state);
+    return append_state(l, state);
 }
 
-graze_status letters_put_crossing(letters *l) {
-    graze_status status = append_letter(l, GRAZE_STATE_B);
+graze_status word_put_crossing(word_builder *l) {
+    graze_status status = append_state(l, GRAZE_STATE_B);
     return status ? status : begin_contact(l, NULL);
 }
 
-graze_status letters_add_cell(letters *l, contact *c, size_t primitive) {
+graze_status word_add_cell(word_builder *l, contact *c, size_t primitive) {
     for (size_t k = 0; k < c->cell_count; k++)
         if (c->cell[k].a == primitive)
             return GRAZE_OK;
@@ -92,7 +92,7 @@ graze_status letters_add_cell(letters *l, contact *c, size_t primitive) {
     return GRAZE_OK;
 }
 
-graze_status letters_finish(letters *l) {
+graze_status word_finish(word_builder *l) {
     graze_trace *out = l->out;
     size_t next = 0;
     out->first = (graze_state)out->word[0];

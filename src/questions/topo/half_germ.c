@@ -1,5 +1,6 @@
-/* Forms in the quarters of a plane. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/topo/quarter.h"
+/* Forms on a plane's directions, in the charts of these. SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "questions/topo/half_germ.h"
 
 #include "base/number/sign.h"
 
@@ -16,32 +17,32 @@ void half_clear(half_germ *half) {
     fmpq_poly_clear(half->turn);
 }
 
-void half_in_quarter(fmpz_poly_t out, const fmpq_poly_t form, slong degree, half_quarter quarter) {
+void half_in_chart(fmpz_poly_t out, const fmpq_poly_t form, slong degree, direction_chart chart) {
     fmpq_poly_t p;
     fmpq_poly_init(p);
     fmpq_poly_set(p, form);
-    if (quarter.swapped)
+    if (chart.swapped)
         fmpq_poly_reverse(p, p, degree + 1);
     fmpq_poly_get_numerator(out, p);
-    if (quarter.opposite && degree % 2 == 1)
+    if (chart.opposite && degree % 2 == 1)
         fmpz_poly_neg(out, out);
     fmpq_poly_clear(p);
 }
 
 graze_status half_is_valid(int *out, const half_germ *half, graze_context *context,
-                           half_quarter quarter, algebraic *at) {
+                           direction_chart chart, algebraic *at) {
     int sign = 0;
     graze_status status = GRAZE_OK;
     fmpz_poly_t p;
     fmpz_poly_init(p);
     *out = 1;
     if (half->has_reach) {
-        half_in_quarter(p, half->reach, 1, quarter);
+        half_in_chart(p, half->reach, 1, chart);
         status = algebraic_sign_at(&sign, context, p, at);
         *out = sign > 0;
     }
     if (half->has_turn && *out && !status) {
-        half_in_quarter(p, half->turn, 1, quarter);
+        half_in_chart(p, half->turn, 1, chart);
         status = algebraic_sign_at(&sign, context, p, at);
         *out = sign >= 0;
     }
