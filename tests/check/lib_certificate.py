@@ -89,7 +89,7 @@ class Certificate:
         return "".join(" ".join(line) + "\n" for line in self.lines())
 
     def only(self, rows):
-        """The same head with these rows."""
+        """A certificate with this head and these rows."""
         out = copy.deepcopy(self)
         out.rows = copy.deepcopy(rows)
         out.end = ["complete", str(len(rows))]

@@ -23,7 +23,7 @@ from scenes import Checks, options  # noqa: E402
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 SCHEMA = os.path.join(ROOT, "src", "program", "cli", "csg.schema.json")
-# What needs sums of powers, the number of points, or the text of the file.
+# Faults that show only in sums of powers, the number of points, or the text of the file.
 UNSEEN = {"powers", "term-twice", "face-without-point"}
 VALIDATE = """
 import json, sys
@@ -50,7 +50,7 @@ def judged(checks, solids, folder):
 
 
 def changes(value):
-    """The same with one key or item gone, one key more, or one value of another type."""
+    """The value with one key or item gone, one key more, or one value of another type."""
     if isinstance(value, dict):
         for key in value:
             yield {k: v for k, v in value.items() if k != key}

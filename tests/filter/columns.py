@@ -141,7 +141,7 @@ class Columns:
         self.checks.equal({row[2] for row in rows if row[3] == "beside it"}, {"in"}, "beside the tip")
 
     def shallow_tip(self):
-        """The same with a hole, tip and trajectories that are all but parallel to the edge: the time of the crossing
+        """Through the tip of a hole where hole, tip and trajectories are all but parallel to the edge: the time of the crossing
         is uncertain, by the slope and by the distance from the origin."""
         solid = self.graze.write("thin.wkt", "POLYGON((0 1000, 16 1000, 16 1008, 0 1008, 0 1000), (4 1000, 12 256001/256, 12 4096001/4096, 4 1000))\n")
         motion = self.graze.write("thin.json", '{"dimension": 2, "pieces": [{"t": [0, 1], "transform": '

@@ -53,7 +53,7 @@ def again(graze, folder, scene, options_):
 
 
 def forms(graze, folder, golden):
-    """The same in parts, after an end, by ranks, and as JSON Lines, VTK and npy."""
+    """The table is the same in parts, continued after an end, by ranks, and as JSON Lines, VTK and npy."""
     whole = golden.read_text()
     parts = [folder / f"part{k}.csv" for k in (1, 2, 3)]
     for k, part in enumerate(parts, 1):

@@ -34,7 +34,7 @@ def plain(text):
 
 
 class Frame:
-    """What Graze asks of a frame."""
+    """The least that Graze needs of a frame."""
 
     def __init__(self, columns):
         self._columns = {name: list(column) for name, column in dict(columns).items()}
@@ -221,7 +221,7 @@ class Motions(unittest.TestCase):
         self.assertIn("change: ", near.report)
 
     def test_names(self):
-        """What a thing is, seen in an interpreter."""
+        """The text of each object in an interpreter."""
         scene = common.cube_scene()
         self.assertEqual(repr(scene.solid), "<graze.Solid in E^3: 8 vertices, 6 facets, 1 component>")
         self.assertEqual(repr(scene.motion), "<graze.Motion in E^3: 1 piece>")
@@ -257,7 +257,7 @@ class Tools(unittest.TestCase):
 
 class Pictures(unittest.TestCase):
     def test_draw(self):
-        """The same bytes as `graze draw`, and SVG that a notebook shows."""
+        """A picture has the bytes of `graze draw`, and is SVG that a notebook shows."""
         solid, motion, points, _ = common.case("figure4")
         scene = graze.Scene(solid, motion)
         with tempfile.TemporaryDirectory() as folder:
@@ -297,7 +297,7 @@ class Pictures(unittest.TestCase):
                 scene.draw(plane=wrong)
 
     def test_png(self):
-        """The same bytes as `graze draw` makes; a picture of directions too."""
+        """Pictures have the bytes that `graze draw` writes; a picture of directions too."""
         scene = common.cube_scene()
         flat = graze.Scene(common.SQUARE, common.moved("8*t", "0"))
         with tempfile.TemporaryDirectory() as folder:
@@ -314,7 +314,7 @@ class Pictures(unittest.TestCase):
                 self.assertEqual(made.read(8), b"\x89PNG\r\n\x1a\n")
 
     def test_page(self):
-        """The same bytes as `graze draw -o scene.html`, in a frame for a notebook."""
+        """A page has the bytes of `graze draw -o scene.html`, in a frame for a notebook."""
         solid, motion, points, _ = common.case("figure4")
         scene = graze.Scene(solid, motion)
         with open(points, encoding="utf-8") as file:
@@ -347,7 +347,7 @@ class Pictures(unittest.TestCase):
 
 class Comparisons(unittest.TestCase):
     def test_compare(self):
-        """Of three rows one is wrong."""
+        """One of three rows is wrong."""
         scene = common.cube_scene()
         with tempfile.TemporaryDirectory() as folder:
             golden, mine = (os.path.join(folder, name) for name in ("golden.csv", "mine.csv"))

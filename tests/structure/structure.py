@@ -60,7 +60,7 @@ PARTS = {room: room for room in ("report", "generate", "compare", "convert", "dr
 PARTS["table"] = "report"
 PARTS["page"] = "draw"
 PARTS["collide"] = "pair"
-# What the checker of certificates may include.
+# Headers that the checker of certificates may include.
 STANDARD = {"float.h", "gmp.h", "math.h", "stdarg.h", "stddef.h", "stdint.h", "stdio.h", "stdlib.h", "string.h", "sys/wait.h",
             "unistd.h"}
 # Its core, in which each test of a certificate stands, the files that read, and how many lines both may have.

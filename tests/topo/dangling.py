@@ -211,7 +211,7 @@ def check_hand(checks, graze, name, solid, motion, wants, level=None):
 
 
 def walk(rng, d):
-    """Points of the grid, two neighbours of which differ along one axis; closed now and then."""
+    """Points of the grid, neighbours differing along one axis; closed now and then."""
     path = [(0,) * d]
     for _ in range(rng.randint(1, 4)):
         axis, step = rng.randrange(d), rng.choice([-2, -1, 1, 2])

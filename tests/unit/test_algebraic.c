@@ -160,8 +160,8 @@ static void test_windows(void **unused) {
     dyadic_interval_clear(&window);
 }
 
-/* The fraction of least denominator in a window, by trying all of them: it is divided out as often
- * as it is a root, and no other one is. */
+/* The fraction of least denominator in a window, by trying all of them: it is divided out as a root
+ * of its multiplicity, and no other one is. */
 static void test_simplest(void **unused) {
     (void)unused;
     random_start(20261124);

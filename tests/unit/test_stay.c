@@ -6,7 +6,7 @@
 #include <math.h>
 #include "decide/filter/stay.h"
 
-/* Look among `count` crossings; windows and lost pieces as many as given. */
+/* Look among `count` crossings, with `windows` windows and `lost` lost pieces. */
 static int find(stay *out, crossing *item, size_t count, size_t pieces, int outside, size_t windows,
                 size_t lost) {
     findings found = {
@@ -70,7 +70,7 @@ static void longest_first(void **state) {
     expect_stay(&s[1], 0, 0.75);
 }
 
-/* What is not certain gives none: no crossing, a window, a lost piece, two ways in behind one
+/* Uncertain findings give no stay: no crossing, a window, a lost piece, two ways in behind one
  * another, and no double between two crossings. */
 static void nothing_certain(void **state) {
     (void)state;

@@ -34,7 +34,7 @@ class Answer:
         self.word = record["word"]
 
     def counts(self):
-        """What the laws compare; None where unsweep has no such field."""
+        """The fields that the laws compare; None where unsweep has no such field."""
         r = self.record
         return (r["word"], r.get("i"), r.get("t"), r.get("class"), r.get("case"), r["pmc"])
 
