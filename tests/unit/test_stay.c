@@ -70,7 +70,7 @@ static void longest_first(void **state) {
     expect_stay(&s[1], 0, 0.75);
 }
 
-/* Uncertain findings give no stay: no crossing, a window, a lost piece, two ways in behind one
+/* Uncertain findings give no time: no crossing, a window, a lost piece, two ways in behind one
  * another, and no double between two crossings. */
 static void nothing_certain(void **state) {
     (void)state;
