@@ -10,8 +10,9 @@ import sources
 OPENING = re.compile(r"(?:What|Of|Which|The same)\b")
 PHRASE = re.compile(r"\b(?:of which|so many|as many as|so often|as often as|as far as)\b")
 # The most that each place may have. These numbers only fall.
-ALLOWED = {"src": 63, "include": 2, "tests": 4, "proofs": 1, "README.md": 0}
-TYPES = (".c", ".h", ".cpp", ".hpp", ".js", ".py", ".md")
+ALLOWED = {"src": 63, "include": 2, "tests": 5, "proofs": 1, "README.md": 0, "Makefile": 0, ".ci": 0}
+HASHED = (".py", ".sh", "Makefile", ".ci/run")
+TYPES = (".c", ".h", ".cpp", ".hpp", ".js", ".md", *HASHED)
 LITERAL = r'"(?:\\.|[^"\\\n])*"'
 # Comments of C, those in one block of lines together, and literals side by side.
 C_UNIT = re.compile(rf'/\*.*?\*/|//[^\n]*(?:\n[ \t]*//[^\n]*)*|{LITERAL}(?:\s*{LITERAL})*|\'(?:\\.|[^\'\\\n])*\'', re.S)
@@ -64,7 +65,7 @@ def of_page(text):
 
 def units(path, text):
     """Each unit as (its place, its words with one blank between two, whether its first words are an opening)."""
-    read = of_page if path.endswith(".md") else of_python if path.endswith(".py") else of_c
+    read = of_page if path.endswith(".md") else of_python if path.endswith(HASHED) else of_c
     for start, unit, opens in read(text):
         yield start, " ".join(unit.split()), opens
 

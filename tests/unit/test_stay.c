@@ -6,7 +6,7 @@
 #include <math.h>
 #include "decide/filter/stay.h"
 
-/* Look among `count` crossings, with `windows` windows and `lost` lost pieces. */
+/* Look among `count` crossings; windows and lost pieces as many as given. */
 static int find(stay *out, crossing *item, size_t count, size_t pieces, int outside, size_t windows,
                 size_t lost) {
     findings found = {
