@@ -98,7 +98,7 @@ def clashes(graze, folder):
     check(names == ["x", "y", "pmc", "word", "class"] and "carried as" not in said, names, said)
     names, rows, said = named(graze, folder, "x,y,topo,n\n1,3,a,b\n", ["--topo"])
     check(names == ["x", "y", *ANSWERS, "topo_in", "n", "topo"] and rows[0][9:11] == ["a", "b"], names, rows)
-    # Behind the head of Graze only answers where Graze writes them are its own.
+    # Below a head of Graze only columns that Graze writes with that head are its answers; others are the user's.
     for head, answers in (("operation unsweep", "pmc,word"), ("columns pmc", "pmc")):
         given = f"# graze 0.1.0\n# {head}\nx,y,{answers},class\n1,3,{answers},mine\n"
         names, rows, _ = named(graze, folder, given, ["--operation", "unsweep"])

@@ -24,7 +24,7 @@ CODE = re.compile(r"`[^`\n]*`")
 
 
 def without(pattern, text):
-    """The text with matches of the pattern blank, each character in its place."""
+    """The text with each match of the pattern replaced by a backtick and blanks, so that lines keep their numbers."""
     return pattern.sub(lambda place: "`" + re.sub(r"[^\n]", " ", place.group()[1:]), text)
 
 
@@ -81,7 +81,7 @@ def found(path, text):
 
 
 def places(files):
-    """The found words of each place of ALLOWED, as a line each."""
+    """For each place of ALLOWED a list of lines: file, line and words of each opening and phrase in these files."""
     by_place = {place: [] for place in ALLOWED}
     for path in files:
         place = path.split("/")[0]

@@ -375,8 +375,8 @@ static void test_between(void **unused) {
     dyadic_interval_clear(&unit);
 }
 
-/* Nothing is guessed of constants, of a high degree, or where ends are long; else the part lies in
- * the interval. */
+/* No part is guessed for constants, for high degrees, or for long ends; any other guess lies in the
+ * interval. */
 static void test_guesses(void **state) {
     (void)state;
     dyadic_interval whole, part;
