@@ -169,7 +169,7 @@ def check_rows(scores, checks):
 
 
 def check_matching(scores, checks):
-    """By id as a number, in any order; by the coordinates' doubles where there is no id."""
+    """Rows match by id as a number, in any order; where there is no id, by the doubles of the coordinates."""
     turned = [f"{k}.0,{pmc}" for k, pmc in enumerate(TRUTH, 1)][::-1]
     printed = [f"{k:.3e},{pmc}" for k, pmc in enumerate(TRUTH, 1)]
     by_point = [f"{k}e0,{-k / 4:.17g},5e-1,{pmc}" for k, pmc in enumerate(TRUTH, 1)][::-1]

@@ -167,7 +167,7 @@ def record(words, status, out, error):
 
 
 def answer_options(options):
-    """Those of a case's options that certify takes too."""
+    """The options of a case that certify takes too."""
     out = []
     for k, word in enumerate(options):
         if word in ("--folds", "--operation"):

@@ -51,7 +51,7 @@ def directions(part, at):
 
 
 def distinct(vectors):
-    """Without those parallel to another one, where that is exact and cheap to see."""
+    """The vectors without those parallel to another one, where that is exact and cheap to see."""
     out = {}
     for v in vectors:
         lead = next((x for x in v if x), None)

@@ -152,7 +152,7 @@ class Trace:
 
 
 def kind_of(left, right):
-    """As for points (proofs/semantics.md, 2)."""
+    """The kind of a contact by the states beside it, as for points (proofs/semantics.md, 2)."""
     if left and right:
         return "tangency" if left == right else "intersection"
     return "intersection" if "I" in (left, right) else "tangency"

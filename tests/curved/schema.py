@@ -36,7 +36,7 @@ print(json.dumps([valid(solid) for solid in json.load(open(sys.argv[2], encoding
 
 
 def judged(checks, solids, folder):
-    """Does the schema take each of these? None if no interpreter here has jsonschema."""
+    """For each solid whether the schema takes it; None if no interpreter here has jsonschema."""
     path = os.path.join(folder, "solids.json")
     with open(path, "w", encoding="utf-8") as file:
         json.dump(solids, file)

@@ -153,7 +153,7 @@ class Columns:
         self.checks.equal({row[2] for row in rows}, {"on"}, "through a shallow tip")
 
     def tables(self):
-        """All that reads tables takes those of pmc alone; carried columns may have the names of answers."""
+        """Every command that reads tables takes tables of pmc alone; carried columns may have the names of answers."""
         rng = random.Random(7)
         case = casefile.Case("bracket")
         solid, motion = case.path(case.solid), case.path("motion.json")

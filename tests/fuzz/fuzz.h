@@ -65,7 +65,7 @@ typedef struct section {
 } section;
 /** Cut the input into `count` sections; those that are not there are empty. */
 void fuzz_sections(section *out, int count, const uint8_t *data, size_t size);
-/** As text, malloc'ed, up to the first NUL. */
+/** The section as text, malloc'ed, up to its first NUL. */
 char *fuzz_text(section s);
 
 /** Words, one a line, behind `name`, for a command's argv; those that name files to write or read

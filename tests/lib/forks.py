@@ -108,7 +108,7 @@ def null():
 
 
 def run(command, seconds, text, more):
-    """As harness.run, of a run that can be forked; None if it cannot be."""
+    """The result of harness.run, from a forked run; None if it cannot be forked."""
     environment, files = os.environ if more.get("env") is None else more["env"], files_of(more)
     if command[0] not in programs or not seconds or not files or "LD_PRELOAD" in environment:
         return None
@@ -228,7 +228,7 @@ class Process:
 
 
 def write(file, data):
-    """How many bytes of data a pipe has taken; all, as none, if nobody reads them."""
+    """The number of bytes that a pipe has taken; all of them if nobody reads the pipe."""
     try:
         return os.write(file, data[:PIPE])
     except BrokenPipeError:

@@ -76,7 +76,7 @@ class Options(argparse.Namespace):
 
     @property
     def share(self):
-        """How much of the stream at scale 1 runs: bars for totals over the stream are multiplied by it."""
+        """The part of the stream at scale 1 that runs: bars for totals over the stream are multiplied by it."""
         return self.scale - self.start
 
     @property

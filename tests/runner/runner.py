@@ -40,7 +40,7 @@ def suite(body, head=""):
 
 
 GOOD = suite("print('3 passed, 0 failed')")
-# It says which part of its stream it was asked for.
+# This suite prints the part of its stream that it was asked for.
 STREAM = suite("import sys; w = sys.argv[3:]; print(*w); print({'--scale 1/4': 20, '--scale 1 --from 1/4': 60, '': 80, '--scale 2': 160}"
                "[' '.join(w)], 'passed, 0 failed')")
 SEEDED = suite("import sys; w = sys.argv[3:]; print(int(w[1]) if '--seed' in w else 3, 'passed, 0 failed')")

@@ -5,7 +5,7 @@ import re
 
 import sources
 
-# From the longest name on: _fmpz_poly_add is of fmpz_poly, not of fmpz.
+# Longest names first: _fmpz_poly_add is of fmpz_poly, not of fmpz.
 MODULES = ("fmpz_poly_factor", "nmod_poly_factor", "fmpz_poly_mat", "fmpz_poly", "fmpq_poly", "nmod_poly", "fmpz_vec",
            "fmpq_vec", "nmod_vec", "fmpz_mat", "fmpq_mat", "nmod_mat", "fmpz", "fmpq")
 BROUGHT = {"fmpq": {"fmpz"}}  # by FLINT 3's too

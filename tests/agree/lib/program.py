@@ -21,7 +21,7 @@ KEEP = ("--keep", {"help": "folder that keeps the files of every run"})
 
 
 def options(description, *more):
-    """Those of every suite, and --keep."""
+    """The options of every suite, and --keep."""
     return harness.options(description, KEEP, *more)
 
 
