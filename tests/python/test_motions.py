@@ -297,7 +297,7 @@ class Pictures(unittest.TestCase):
                 scene.draw(plane=wrong)
 
     def test_png(self):
-        """Pictures have the bytes that `graze draw` writes; a picture of directions too."""
+        """The same bytes as `graze draw` makes; a picture of directions too."""
         scene = common.cube_scene()
         flat = graze.Scene(common.SQUARE, common.moved("8*t", "0"))
         with tempfile.TemporaryDirectory() as folder:
