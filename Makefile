@@ -33,11 +33,11 @@ endif
 COUNTED =
 $B/src/decide/%.o $B/src/questions/%.o: COUNTED = $(COUNT)
 
-# All that differs between Debian 12 (CGAL 5.5, FLINT 2.9) and 13 (CGAL 6.0, FLINT 3.1).
+# Every difference between Debian 12 (CGAL 5.5, FLINT 2.9) and 13 (CGAL 6.0, FLINT 3.1).
 DEBIAN := $(firstword $(subst ., ,$(file < /etc/debian_version)))
 CLANG  := $(if $(filter 13,$(DEBIAN)),19,14)
 
-# What a bare Debian lacks. Only `make` targets that need a group install it.
+# Packages that a bare Debian lacks. Only `make` targets that need a group install it.
 PACKAGES_BUILD := g++ libcgal-dev libgmp-dev libmpfr-dev libflint-dev libyajl-dev libmd-dev
 PACKAGES_PNG   := libcairo2-dev fonts-dejavu-core
 PACKAGES_DEB   := $(PACKAGES_BUILD) dpkg-dev
@@ -59,14 +59,14 @@ PNG     := $(if $(wildcard /usr/include/cairo/cairo.h),$B/libgraze-png-$(VERSION
 UNIT    := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/unit/*.c tests/api/*.c))
 ORACLES := $B/tests/minkowski $B/tests/to_nef $B/tests/distances $B/tests/pairs
 FLIP_O  := $(patsubst src/decide/filter/%.c,$B/tests/flip/%.o,$(wildcard src/decide/filter/*.c))
-# FCL is measured against where Debian's libfcl-dev is.
+# Measurements include FCL where Debian's libfcl-dev is installed.
 FCL     := $(if $(wildcard /usr/include/fcl/fcl.h),$B/tests/bench/fcl)
 BENCH   := $B/tests/bench/inside $B/tests/bench/pairs $B/tests/bench/peers $(FCL)
 # The targets of the fuzzer and the command line they fuzz, without a main.
 FUZZ_O  := $(patsubst %.c,$B/%.o,$(filter-out %/entry.c %/replay.c,$(wildcard tests/fuzz/*.c))) $(filter-out %/main.o,$(CLI_O)) $B/tests/fuzz/checker.o
 CHECKER_O := $(patsubst src/check/%.c,$B/tests/fuzz/checker/%.o,$(filter-out %/main.c %/ends.c,$(wildcard src/check/*.c))) $B/tests/fuzz/checker/inside.o
 REPLAY  := $B/tests/fuzz/replay
-# In front of a program's main, so that it starts once a suite; without the sanitizers of the build.
+# A library in front of a program's main, so that the program starts once a suite; without the sanitizers of the build.
 FORKS   := $B/tests/forks.so
 # Programs beside those of tests/unit and tests/api that some suites ask.
 ASKED   := $(REPLAY) $(FORKS)
@@ -132,7 +132,7 @@ $B/.packages-all: Makefile | $B/.packages-test
 	$(call install_packages,$(PACKAGES_ALL))
 
 # ---------------------------------------------------------------- building
-# What is compiled is counted on one line; `make V=1` shows every command instead.
+# Compilations are counted on one line; `make V=1` shows every command instead.
 Q := $(if $(V),,@)
 MISSING := $(words $(filter-out $(wildcard $(sort $(LIB_O) $(CLI_O) $(MPI_O))),$(sort $(LIB_O) $(CLI_O) $(if $(MPI),$(MPI_O)))))
 $(if $(wildcard $B/.tally),$(shell rm -f $B/.tally))
@@ -170,7 +170,7 @@ $B/graze: $(CLI_O) $B/libgraze.a
 $B/graze-check: $(wildcard src/check/*.[ch]) | $B/.packages-build
 	@$(call say,CC,$@)
 	$Q$(CC) -std=c11 $(OPT) -g $(WARN) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.c,$^) -lgmp -lm
-# The same with gcc's counts of each branch, beside the plain program, for the suites that ask both.
+# graze-check with gcc's counts of each branch, beside the plain program, for the suites that ask both.
 $B/counted/graze-check: $(wildcard src/check/*.[ch]) | $B/graze
 	@mkdir -p $(@D)
 	@ln -sfn ../graze $(@D)/graze
@@ -293,7 +293,7 @@ CONFIGURED := $(addprefix $B/install/,graze.pc grazeConfig.cmake grazeConfigVers
 # Run ldconfig where the installed library is for this machine at once.
 REFRESH = @if [ -z "$(DESTDIR)" ] && [ "$$(id -u)" = 0 ]; then ldconfig; fi
 
-# A path with a blank would be two, of which uninstall would remove the first.
+# A path with a blank would be two, and uninstall would remove the first.
 define check_paths
 	$(if $(filter /%,$(PREFIX)),,$(error PREFIX=$(PREFIX): right is a path that begins with /))
 	$(foreach path,DESTDIR PREFIX BINDIR INCLUDEDIR LIBDIR DATADIR MANDIR DOCDIR PYTHONDIR,\
@@ -391,7 +391,7 @@ $B/graze-check-coq:
 	@cd $B/checker && ocamlfind ocamlopt -package zarith,unix -linkpkg $(CHECKER_ML) -o graze-check-coq
 	@mv $B/checker/graze-check-coq $@
 
-# Every target in turn for so many seconds; what breaks one is kept in $(FUZZ_BUILD)/found. With FUZZ_PLAIN=1 without
+# Every target in turn for SECONDS; an input that breaks one is kept in $(FUZZ_BUILD)/found. With FUZZ_PLAIN=1 without
 # sanitizers, five to ten times as fast, for many executions.
 SECONDS ?= 60
 FUZZ_BUILD := build-fuzz$(if $(FUZZ_PLAIN),-plain)
@@ -402,7 +402,7 @@ fuzz: $B/.packages-all
 	@$(MAKE) -s B=$(FUZZ_BUILD) CC=clang CXX=clang++ OPT="$(FUZZ_FLAGS)" $(FUZZ_BUILD)/tests/fuzz/fuzz $(FUZZ_BUILD)/tests/fuzz/replay
 	@python3 tests/fuzz/fuzz.py --build $(FUZZ_BUILD) --seconds $(SECONDS) $(FUZZ_ONLY)
 
-# Lines and branches by file of the rooms that decide and that check, of the suites under the sanitizers.
+# Lines and branches that the suites under the sanitizers run, by file, of the rooms that decide and that check.
 .PHONY: coverage
 coverage: $B/.packages-all all
 	@tests/stages/sanitizers.sh
@@ -411,7 +411,7 @@ coverage: $B/.packages-all all
 bench: all $(BENCH)
 	@python3 tests/bench/run.py --graze $B/graze $(BENCH_FLAGS)
 
-# Golden rows of the benchmark, whose hashes are in the tree; ended, it is continued by the next call.
+# Golden rows of the benchmark, whose hashes are in the tree; the next call continues a run that was ended.
 .PHONY: benchmark
 benchmark: all
 	@python3 cases/benchmark/golden.py --graze $B/graze $B/benchmark

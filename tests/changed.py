@@ -127,7 +127,7 @@ def chosen(changed, rows):
 
 
 def targets(names, build, programs):
-    """What make builds for these suites: their programs, of `programs` those that a suite's text names."""
+    """The goals of make for these suites: their programs, and from `programs` those that a suite's text names."""
     out = [f"{build}/tests/{name[:-2]}" for name in names if name.endswith(".c")]
     for name in names:
         if name.endswith(".py"):

@@ -4,7 +4,7 @@
 A mutant has one comparison, connective, sign or call changed. Of each room some are drawn, anew with each seed, and put to
 the room's suites until one is red; last to some of them under AddressSanitizer. A mutant that none notices is printed. One that
 tests/mutants.txt explains is not drawn, one that gives the same code not counted. Fewer than --wanted of 100 noticed is a failure.
-With --changed so many are drawn of each file that has changed since the commit of tests/base.txt; none is asked where no file has.
+With --changed --each are drawn of each file that has changed since the commit of tests/base.txt; none is asked where no file has.
 Wants a finished `make test`.
 
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -73,7 +73,7 @@ def is_red(command, seconds):
 
 
 class Parts:
-    """What all mutants share: the objects of the program without debugging data, and what is known of the suites."""
+    """Shared by all mutants: the objects of the program without debugging data, and what is known of the suites."""
 
     def __init__(self, build, folder):
         self.build, self.folder = os.path.abspath(build), folder
@@ -203,7 +203,7 @@ def drawn(options, known):
 
 
 def judged(options, parts):
-    """(room, mutant, fate, seconds) of so many of each room or changed file, in the order of their ends."""
+    """(room, mutant, fate, seconds) of --each mutants of each room or changed file, in the order of their ends."""
     idle, left, lock = queue.Queue(), collections.defaultdict(lambda: options.each), threading.Lock()
     end = time.time() + 60 * options.minutes
     for k in range(options.jobs):

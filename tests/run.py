@@ -99,7 +99,7 @@ def job(row, options, known):
 
 
 def jobs(rows, seeds, options, known):
-    """What is run, in the order in which it begins: a suite that takes long before shorter ones of its group, none alone at the end."""
+    """The jobs, in the order in which they begin: a long suite before shorter ones of its group, none alone at the end."""
     def is_wanted(path):
         named = any(text in "tests/" + path for text in options.only) if options.only else True
         return named and (not options.suites or path in options.suites) and not any(text in "tests/" + path for text in options.skip)
@@ -165,7 +165,7 @@ def judge(path, output, status, least, allowed):
 
 
 class Tally:
-    """What the suites counted and took, as they end."""
+    """Counts and seconds of the suites, as they end."""
 
     def __init__(self, options, failed):
         self.options, self.total, self.took, self.counted = options, [0, failed, 0], {}, {}

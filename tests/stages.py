@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What is asked beside `make test`, stage by stage: of every submission (`ci`, in .ci/run), or by hand (`long`, as `make test-long`).
+"""Tests beside `make test`, stage by stage: of every submission (`ci`, in .ci/run), or by hand (`long`, as `make test-long`).
 
 CI asks what is costly and hangs on few rooms in full where a file of them has changed since the commit of tests/base.txt, else a
 sample. `long` asks it in full, and writes that commit when all has passed. The first stage that fails ends the run. At the end
@@ -73,7 +73,7 @@ def ci(options):
 
 
 def long(options):
-    """What gives more inputs to code that CI asks too, what CI asks by samples alone, and CI's suites in another way."""
+    """Stages with more input for code that CI asks too, those that CI asks by samples alone, and CI's suites in another way."""
     seed = ["--seed", options.seed]
     return [
         Stage("random suites at twice the scale", run_suites("--tier", "long", *seed, "--skip", "tests/memory/", "--skip", "tests/contact/probe",

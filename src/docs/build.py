@@ -57,7 +57,7 @@ def run_page(page, source, change=lambda command: command):
 
 
 def doxygen(folder):
-    """What the headers say. Their typedefs of enums and structs are written as plain ones, which Sphinx knows once."""
+    """The headers' comments as XML. Typedefs of enums and structs are written as plain ones, which Sphinx knows once."""
     with open(os.path.join(HERE, "Doxyfile"), encoding="utf-8") as file:
         settings = file.read() + f'XML_OUTPUT="{folder}/xml"\n'
     subprocess.run(["doxygen", "-"], input=settings, text=True, cwd=ROOT, check=True)

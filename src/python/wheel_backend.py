@@ -17,7 +17,7 @@ ROOT = os.path.normpath(os.path.join(HERE, "..", ".."))
 
 
 class UnsupportedOperation(Exception):
-    """What PEP 517 asks for where a backend makes no source distribution."""
+    """The exception that PEP 517 requires of a backend that makes no source distribution."""
 
 
 def _read(*path):

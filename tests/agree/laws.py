@@ -42,7 +42,7 @@ class Scene:
 
 
 class Law:
-    """What all laws need: the program, the checks, the base answers of one scene."""
+    """The tools of all laws: the program, the checks, the base answers of one scene."""
 
     def __init__(self, graze, checks, scene, base, rng, oracle=None):
         self.graze, self.checks, self.scene, self.base = graze, checks, scene, base
@@ -132,8 +132,8 @@ LONG = F(10) ** 10
 
 
 def law_frame(law):
-    """The world alone in other coordinates: long ones, of which the first two products of the way back cancel
-    at some point, so that a short one is left."""
+    """The world alone in other coordinates, with long entries: on the way back their first two products cancel at
+    some point, so that a short number is left."""
     s, d = law.scene, law.scene.motion.dimension
     for p in law.rng.sample(s.points, 3):
         back = [[LONG, -LONG, p[0]], [0, 1 / LONG, p[1] - LONG]]

@@ -6,7 +6,7 @@
 
 #include "walk.h"
 
-/* What calls are made with, and the names of the functions called so far. */
+/* Arguments of the calls, and the names of the functions called so far. */
 typedef struct bench {
     scene s;
     graze_trace *trace;

@@ -264,7 +264,7 @@ static void cancel_keeps_what_is_done(void **state) {
     scene_close(&s);
 }
 
-/* As many questions as points: one for each, at its beginning. */
+/* The callback is asked once for each point, at its beginning. */
 static void cancel_countdown(void **state) {
     (void)state;
     static double points[2 * MANY];

@@ -151,7 +151,8 @@ static int overlap(graze_enclosure a, graze_enclosure b) {
     return a.low <= b.high && b.low <= a.high && a.pmc == b.pmc;
 }
 
-/* The same sets in another order, with another parameter, or cut. */
+/* One set swept in another order, with another parameter, or with the motion cut: distances agree.
+ */
 static void same_sets(void **state) {
     (void)state;
     static const char *const same[][2] = {

@@ -188,8 +188,8 @@ static const char *const too_large[] = {
     "-1e20000",
 };
 
-/* The value of the last column in row 3 as an array: rows of one length, of which
- * the last eight bytes are that column, little-endian. */
+/* The value of the last column in row 3 as an array: rows of one length, whose last eight bytes are
+ * that column, little-endian. */
 static double value_of_row_3(const char *npy, size_t length) {
     size_t head = 12 + (unsigned char)npy[8] + 256 * (size_t)(unsigned char)npy[9];
     size_t end = head + (length - head) / 4 * 3;

@@ -1,4 +1,4 @@
-/* The same answers with and without the filter in every floating-point environment a host may have
+/* Answers with and without the filter are equal in every floating-point environment a host may have
  * set, for coordinates of ordinary size, subnormal, and beyond the range of doubles.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *

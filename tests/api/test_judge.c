@@ -127,7 +127,8 @@ static void test_box(void **state) {
     end(&j);
 }
 
-/* What the box says of three points: x = 5 is in both, x = 19/2 in the sweep alone, x = 11 in none.
+/* Answers of the box for three points: x = 5 is in both, x = 19/2 in the sweep alone, x = 11 in
+ * none.
  */
 static void test_points(void **state) {
     (void)state;

@@ -176,7 +176,7 @@ static void makers(void **state) {
     scene_close(&s);
 }
 
-/* What the reports are made of: a scene, some points, their table, and two files to compare. */
+/* Input of the reports: a scene, some points, their table, and two files to compare. */
 typedef struct bench {
     scene s;
     mpq_t point[4];

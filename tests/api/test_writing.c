@@ -87,8 +87,8 @@ static graze_status solid_of(graze_solid **out, graze_context *context) {
     return graze_solid_from_doubles(out, context, 3, corner, 8, sizes, 6, cycles, 0);
 }
 
-/* Each vertex lies between its two points, of which graze_classify finds one out and one not. They
- * are 2^-20 of a cell apart at most. */
+/* Each vertex lies between its two points: graze_classify finds one of them out and the other not.
+ * They are 2^-20 of a cell apart at most. */
 static void check_vertices(graze_context *context, const graze_scene *scene,
                            const graze_boundary *b, size_t count, double cell) {
     mpq_t at[9];

@@ -16,7 +16,7 @@ import scenes
 from measure import Stream, run_cpu
 
 REPEATS = 5
-# Of the tool, from the tip up: (radius, height) of its rims, the hemisphere's first.
+# The rims of the tool from the tip up, as (radius, height), the hemisphere's first.
 RIMS = [(1, 1), (1, 4), (F(3, 2), 5), (F(3, 2), 8), (2, 8), (2, 9)]
 FLAT = {"translate": ["3*t", "0", "0"]}
 PRISM = scenes.prism([(0, 0), (3, 0), (0, 3)], 0, 3)   # five facets
@@ -129,7 +129,7 @@ class Rows:
         return (lines * 6)[:6 * Stream.BLOCK]
 
     def each(self):
-        """Of every repeat."""
+        """Seconds a row of every repeat."""
         for r in range(REPEATS):
             part = self.lines[r * self.count:(r + 1) * self.count]
             yield self.stream.rows(part) / len(part)

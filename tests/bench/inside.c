@@ -154,7 +154,7 @@ static int ascending(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-/* What two readings of the clock one after the other differ by. */
+/* The difference of two readings of the clock, one right after the other. */
 static double clock_cost(void) {
     double cost[1001];
     for (size_t k = 0; k < 1001; k++) {

@@ -65,7 +65,7 @@ class Stream:
             text = text[self.process.stdin.write(text):]
 
     def _await(self, wanted):
-        """Read until so many lines that are not `#` lines have come."""
+        """Read until `wanted` lines that are not `#` lines have come."""
         tail = b""
         while wanted > 0:
             ready, _, _ = select.select([self.process.stdout], [], [], PATIENCE)

@@ -1,4 +1,4 @@
-"""What the measurements run on: meshes, motions, query points, and the same for peers.
+"""Input of the measurements: meshes, motions and query points, in the peers' forms too.
 
 Invariant: everything follows from sizes and seeds. A motion is written for Graze as exact text and computed
 here in doubles for the peers, which see segments, chords and sampled matrices of its inverse.
@@ -97,7 +97,7 @@ def tan_half(t):
 
 
 def full_turn(t):
-    """Four quarters, in each of which the tangent of the half angle runs from 0 to 1."""
+    """Four quarters; in each the tangent of the half angle runs from 0 to 1."""
     quarter = min(int(4 * t), 3)
     c, s = tan_half(4 * t - quarter)
     return [(c, s), (-s, c), (-c, -s), (s, -c)][quarter]

@@ -19,7 +19,7 @@ AXIS, CENTRE = (2 / 7, 3 / 7, 6 / 7), (0.5, 0, 0)
 
 
 def quarters(count):
-    """An angle of `count` quarters, in each of which the tangent of the half angle runs from 0 to 1."""
+    """An angle of `count` quarters; in each the tangent of the half angle runs from 0 to 1."""
     steps = (1, 0), (0, 1), (-1, 0), (0, -1)
 
     def angle(t):

@@ -160,7 +160,7 @@ def with_poses(bench):
 
 
 def real(bench, names):
-    """What is installed, on the cube: all that is in a code's reach is right."""
+    """Each installed code on the cube: every point within the code's reach is right."""
     bench.options.limit = 60
     for code in catalogue.CODES:
         if code.name not in names:

@@ -62,7 +62,7 @@ class Golden:
 
 
 def is_verified(golden, table):
-    """What graze-check says of the cube's certificate beside a table."""
+    """Output of graze-check for the cube's certificate beside a table."""
     files = [golden.path("out", "cube", name) for name in ("solid.off", "motion.json", "certificate.txt")]
     return run([golden.programs["--check"], *files, table], env=without_leaks()).returncode == 0
 
@@ -119,7 +119,7 @@ def check_changes(golden, checks):
 
 
 def check_again(golden, checks):
-    """What is done is not done again; what hangs on other files is."""
+    """A finished scene is not computed again, unless its files have changed."""
     made = os.stat(golden.path("out", "cube", "golden.csv")).st_mtime_ns
     golden.scene("other", seed=4)
     golden.expect("the other one alone", 0, ["cube: 60 rows", "other: 60 rows"], "--record", "cube", "other")

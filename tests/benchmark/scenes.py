@@ -187,7 +187,7 @@ def check_families():
 
 
 def check_words(out):
-    """What the words of adversarial scenes promise of their poses and motions."""
+    """Adversarial scenes have the poses and motions that their words promise."""
     darts = [row for count in (101, 1001) for row in csv.DictReader(read(os.path.join(out, "needle-dart"), f"poses-{count}.csv").splitlines())]
     checks.holds(all(float(row["m13"]) == 0 for row in darts), "a pose sees the needle dart out")
     # Three quarters and twice the angle of tangent 3/4 - 2^-32: the lower side's end, at x = 6, is past 24/25 * 6 by less than 2^-28.

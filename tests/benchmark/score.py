@@ -129,8 +129,8 @@ def check_decades(scores, checks):
 
 
 def check_deviation(scores, checks):
-    """Poses that are within 1/2: nine rows are left, of the distances 1.0239, 1.0241, 1024; 0.75, 2. Of poses as far
-    as 1024 none is."""
+    """Poses with a deviation of 1/2 leave nine rows, at the distances 1.0239, 1.0241, 1024; 0.75, 2. Poses with one
+    of 1024 leave none."""
     left = {"in": (3, 3, 3, 2), "out": (2, 2, 2, 1)}
     wrong = by_id(["out" if pmc == "in" else "in" for pmc in TRUTH])
     found = scores.ask(wrong, "--poses", "101")
@@ -169,7 +169,7 @@ def check_rows(scores, checks):
 
 
 def check_matching(scores, checks):
-    """By id as a number, in any order; by the coordinates' doubles where there is no id."""
+    """Rows match by id as a number, in any order; where there is no id, by the doubles of the coordinates."""
     turned = [f"{k}.0,{pmc}" for k, pmc in enumerate(TRUTH, 1)][::-1]
     printed = [f"{k:.3e},{pmc}" for k, pmc in enumerate(TRUTH, 1)]
     by_point = [f"{k}e0,{-k / 4:.17g},5e-1,{pmc}" for k, pmc in enumerate(TRUTH, 1)][::-1]

@@ -73,7 +73,7 @@ def spread(terms, seed):
 
 
 def dense(terms, digits, seed):
-    """Coefficients between -1 and 1 of so many digits, and none at 0."""
+    """A polynomial whose coefficients are between -1 and 1 and have `digits` digits; it has no constant term."""
     rng = random.Random(seed)
     return "+".join(f"({rng.randint(-10 ** digits, 10 ** digits)}e-{digits})*t^{k}" for k in range(1, terms))
 
@@ -91,7 +91,7 @@ def composed(item, count):
 
 
 class Sparse(int):
-    """A file of so many NUL bytes, which takes no room on the disk."""
+    """A file of this number of NUL bytes, which takes no room on the disk."""
 
 
 class Endless(bytes):
@@ -216,7 +216,7 @@ BOMBS = [
     # A path that turns at times of all sizes; the box may be larger: an answer.
     Bomb("work-of-a-draft-of-a-box", "work", CHECK, {"move.json": slid(f"({spread(200, 1)})/({spread(200, 2)})", "0", "0")},
          None, 0, "legal"),
-    # A motion within all limits, of which a point takes milliseconds: many points, or the events of all facets.
+    # A motion within all limits, whose points take milliseconds each: many points, or the events of all facets.
     Bomb("work-of-an-envelope", "work", "envelope {cube.off} {long.json}",
          {"long.json": moved('{"quaternion": ["10+' + '", "'.join(dense(46, 400, k) for k in range(4)) + '"]}')},
          "--limit work=1000000000000000"),

@@ -116,7 +116,7 @@ def test_surface(run, truth, size, euler):
 
 
 def enclosed(run):
-    """What the surface encloses, positive if it is turned outwards, by the divergence theorem."""
+    """The volume that the surface encloses, positive if it is turned outwards, by the divergence theorem."""
     total = F(0)
     for face in run.faces:
         a, *rest = [run.vertices[k] for k in face]

@@ -36,7 +36,7 @@ def read_ply(path):
     return vertices, [tuple(map(int, row[1:])) for row in rest]
 
 
-# By VTK's numbers: dimension, and the corners in the order of the bits of x, y, z.
+# VTK's number of a cell: its dimension, and its corners in the order of the bits of x, y, z.
 CELLS = {9: (2, (0, 1, 3, 2)), 12: (3, (0, 1, 3, 2, 4, 5, 7, 6))}
 FACES = {1: 1, 3: 2, 5: 3}
 

@@ -103,7 +103,7 @@ class Refinement:
         return len(answers) > 1
 
     def neighbours(self, cell):
-        """Those across a side whose corners are partly out."""
+        """The neighbouring cells across sides whose corners are partly out."""
         level, place = cell
         corners = self.corners(cell)
         for axis in range(self.d):

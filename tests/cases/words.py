@@ -1,4 +1,4 @@
-"""What a word says by [EI]: counts, position case, definition, class and membership.
+"""Meaning of a word by [EI]: counts, position case, definition, class and membership.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """

@@ -77,7 +77,7 @@ def claims(row, unsweep):
 
 
 def forge(tally, forger, honest, case, folder, name):
-    """How many rows of a case were forged; of a program that decides rightly, whether the case is verified."""
+    """The number of forged rows of a case; for the forger that turns nothing round, 1 if the case is verified."""
     files = honest.convert(case, folder)
     more = answer_options(case.options)
     status, text, _ = run(forger.graze, "certify", *files, case.path("points.csv"), *more)

@@ -89,7 +89,7 @@ class Certificate:
         return "".join(" ".join(line) + "\n" for line in self.lines())
 
     def only(self, rows):
-        """The same head with these rows."""
+        """A certificate with this head and these rows."""
         out = copy.deepcopy(self)
         out.rows = copy.deepcopy(rows)
         out.end = ["complete", str(len(rows))]
@@ -167,7 +167,7 @@ def record(words, status, out, error):
 
 
 def answer_options(options):
-    """Those of a case's options that certify takes too."""
+    """The options of a case that certify takes too."""
     out = []
     for k, word in enumerate(options):
         if word in ("--folds", "--operation"):

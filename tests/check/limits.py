@@ -194,7 +194,7 @@ def head_of(table):
 
 
 def check_notes(b):
-    """Of the columns that graze writes those that a certificate claims are verified, and the note names each other one."""
+    """graze-check verifies the columns that a certificate claims, and its note names each other one that graze writes."""
     with open(os.path.join(harness.ROOT, "src", "output", "report", "table_text.c"), encoding="utf-8") as file:
         writer = file.read().split("void table_columns(")[1].split("\n}\n")[0]
     known = {name for names in re.findall(r'"([a-z_,]+)"', writer) for name in names.split(",") if name}

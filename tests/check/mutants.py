@@ -295,7 +295,7 @@ def mutants(certificate, row):
 
 
 def is_true(programs, case, folder, certificate):
-    """What an accepted certificate says of each row is what graze says."""
+    """An accepted certificate gives each row the answer that graze gives."""
     c = Certificate(certificate)
     points = write(os.path.join(folder, "points.csv"), "".join(",".join(r.point) + "\n" for r in c.rows))
     more = ["--folds", c.value("folds"), "--operation", c.value("operation")]

@@ -29,7 +29,7 @@ def along(x, y="0"):
     return '{"translate": ["%s", "%s"]}' % (x, y)
 
 
-# What, solid, motion on [0, end], end, signs, point, word, intervals, whether it is right.
+# Name, solid, motion on [0, end], end, signs, point, word, intervals, whether it is right.
 ROWS = [
     ("a slide, a gap, a slide", TEETH, along("-t"), 7, "0 7", "0 1", "OBOBO", [*SLIDE[0], *GAP, *SLIDE[1]], True),
     ("a slide that goes on over a gap", TEETH, along("-t"), 7, "0 7", "0 1", "OBO", [*SLIDE[0], "BBB 5 -7 2", *SLIDE[1]], False),
@@ -73,7 +73,7 @@ ROWS = [
 BESIDE = ["MULTIPOLYGON (((0 0, 1 0, 1 1, 0 1, 0 0)), ((1/4 1.1, 1/2 1.1, 1/2 2, 1/4 2, 1/4 1.1)))",
           along("2*t - 2*t^2", "4*t - 4*t^2"), 1, "0 1", "1 2", "OBO"]
 ROWS.append(("a touch beside another part, in long", *BESIDE, ["O 1/4", "OBO 3/4 -1 2", "O 1"], True))
-# The same with contacts. Vertices have the numbers of the rings: the square's sides are 0-1, 1-2, 2-3 and 0-3.
+# Rows with contacts. Vertices have the numbers of the rings: the square's sides are 0-1, 1-2, 2-3 and 0-3.
 TOUCH = [SQUARE, along("-t", "4*t - 4*t^2"), 1, "0 1", "1/3 2", "OBO"]
 ENTRY = [SQUARE, along("t^2"), "3/2", "0 3/2", "3 1/2", "OBI"]  # c_x = 3 - t^2
 LONG = [TEETH, along("-t"), 7, "0 7", "0 1", "OBOBO"]

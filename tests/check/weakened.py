@@ -5,9 +5,10 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 Records the calls of graze-check that the suites of this folder make, then builds mutants of src/check, one at a
 time: a condition in front of a refusal dropped; == and != exchanged, an order loosened, tightened or negated, && and
-|| exchanged, outside the heads of loops. Each must end some recorded call otherwise, note other columns, or crash or hang,
-unless weakened.txt has a line FILE | MUTANT | REASON for it; a line of no mutant is a failure too. Of each message of refusal so many calls are kept: --scale times
-EACH. Not touched: main.c, whose calls are a command line's, ends.c, sha256.c. Run from the top of the repository;
+|| exchanged, outside the heads of loops. Each must end some recorded call otherwise, note other columns, or crash or
+hang, unless weakened.txt has a line FILE | MUTANT | REASON for it; a line of no mutant is a failure too. For each message of
+refusal --scale times EACH calls are kept. Not touched: main.c, whose calls are a command line's, ends.c, sha256.c. Run from
+the top of the repository;
 --only A,B narrows to some files. CI asks the files that follow a row, the motion's, and those of the legal
 solid; the others, which read files, are asked by hand.
 """
@@ -130,7 +131,7 @@ class Bench:
         return os.path.join(self.folder, os.path.basename(path)[:-2] + ".o")
 
     def judge(self, number, path, text):
-        """What a mutated file brings about: a word and a call, or "" if nothing."""
+        """The effect of a mutated file: a word and a call, or "" if it has none."""
         place = os.path.join(self.folder, f"mutant{number}")
         source, made, program = place + ".c", place + ".o", place
         with open(source, "w", encoding="utf-8") as file:

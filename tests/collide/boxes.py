@@ -22,7 +22,7 @@ PAIRS = 100      # in the plane, and in space
 
 
 def state_of_parts(one, other, by):
-    """Of two lists of boxes (low, high), the first moved."""
+    """State of two lists of boxes (low, high), the first moved."""
     best = "O"
     for (a, b), (c, d) in product(one, other):
         least = min(min(h + s, k) - max(l + s, j) for l, h, j, k, s in zip(a, b, c, d, by))
@@ -31,7 +31,7 @@ def state_of_parts(one, other, by):
 
 
 def state_inside(one, room, by):
-    """Of the boxes and the closed complement of one box."""
+    """State of the boxes and the closed complement of one box."""
     spare = min(x for a, b in one for l, h, j, k, s in zip(a, b, *room[0], by) for x in (l + s - j, k - h - s))
     return "O" if spare > 0 else "B" if spare == 0 else "I"
 

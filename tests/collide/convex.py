@@ -6,7 +6,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 Two convex solids are apart, or touch alone, if and only if they do so along the normal of a facet of either or along
 a product of two edges: those are the normals of their Minkowski difference. A union is in the largest state of its
 parts, since open sets that meet do so off the borders of parts. States change at roots of vertex against facet and of
-edge against edge, all of which are isolated by Sturm's sequences; the state is taken in each gap, and at each root.
+edge against edge, and Sturm's sequences isolate all of them; the state is taken in each gap, and at each root.
 At an irrational root the coordinates are those of a place 2^-400 beside it, and a width below 2^-120 is 0: the widths are
 polynomials of small coefficients at roots of others, which have no values between. Cells at rational times are those
 found by clipping.
@@ -51,7 +51,7 @@ def directions(part, at):
 
 
 def distinct(vectors):
-    """Without those parallel to another one, where that is exact and cheap to see."""
+    """The vectors without those parallel to another one, where that is exact and cheap to see."""
     out = {}
     for v in vectors:
         lead = next((x for x in v if x), None)

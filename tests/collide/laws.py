@@ -29,7 +29,7 @@ POINTS = 3
 
 
 class Law:
-    """What all laws need: the pair, the command, the base answer."""
+    """The tools of all laws: the pair, the command, the base answer."""
 
     def __init__(self, collide, oracle, rng, name, moving, motion, fixed):
         self.collide, self.checks, self.oracle, self.rng, self.name = collide, collide.checks, oracle, rng, name
@@ -223,7 +223,7 @@ def law_points(law):
 
 
 def check_box(law, name, answer, wrong, point, ask):
-    """No time has the two letters, of the point and of a box around it, of which the second cannot go with the first."""
+    """At no time does the letter of a box around the point contradict the letter of the point."""
     m, size = law.motion, F(1, 2 ** law.rng.choice((1, 8, 60)))
     box = ask(box_around(point, size))
     if box is not None:

@@ -1,4 +1,4 @@
-"""Which cells of two solids have a point in common, at one rational time, by clipping in fractions.
+"""Pairs of cells of two solids that have a point in common, at one rational time, by clipping in fractions.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 

@@ -1,4 +1,4 @@
-"""Two solids, one or both of which move: runs of `graze collide`, and what their answers are compared with.
+"""Two solids, one moving or both: runs of `graze collide`, and what their answers are compared with.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -139,7 +139,7 @@ class Trace:
         raise ValueError("a time after the end")
 
     def refined(self, times):
-        """The same states with more times; they include those of this trace."""
+        """The states at more times, which include those of this trace."""
         at, between, k = [], [], 0
         for t in times:
             if k < len(self.times) and compare(t, self.times[k]) == 0:
@@ -152,7 +152,7 @@ class Trace:
 
 
 def kind_of(left, right):
-    """As for points (proofs/semantics.md, 2)."""
+    """The kind of a contact by the states beside it, as for points (proofs/semantics.md, 2)."""
     if left and right:
         return "tangency" if left == right else "intersection"
     return "intersection" if "I" in (left, right) else "tangency"
@@ -189,7 +189,7 @@ def together(one, other, rule):
 
 
 def larger(a, b):
-    """The state of a pair of which either part is in its state: I before B before O."""
+    """The state of a pair whose parts have these two states: I before B before O."""
     return min(a, b, key="IBO".index)
 
 

@@ -24,7 +24,7 @@ TURNED = {2: [[F(3, 5), F(-4, 5)], [F(4, 5), F(3, 5)]],
 
 
 class Solid:
-    """A solid with convex parts, solids too, of which it is the union."""
+    """A solid, and convex solids whose union it is."""
 
     def __init__(self, whole, parts):
         self.whole, self.parts = whole, parts
@@ -133,7 +133,7 @@ def grazed(rng, moving, motion, d):
 
 
 def fan(rng, d):
-    """Triangles or tetrahedra about the origin, no two of which share a facet."""
+    """Triangles or tetrahedra about the origin; no two of them share a facet."""
     if d == 2:
         ways = ring((1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1))
         chosen = rng.choice([(0,), (0, 2), (0, 3), (0, 4), (0, 2, 4), (0, 2, 5), (0, 2, 4, 6)])

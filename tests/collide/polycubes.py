@@ -204,7 +204,7 @@ def random_path(rng, found, d):
 
 
 def sheared(rng, d, solids, pieces):
-    """Solids and motion in other coordinates, of which the old ones are affine functions: the answers are the same."""
+    """Solids and motion in affinely changed coordinates: the answers stay the same."""
     rows = [[F(int(i == j)) + (F(rng.randint(-2, 2), 3) if i < j else 0) for j in range(d)] for i in range(d)]
     rng.shuffle(rows)
     if determinant(rows) < 0:

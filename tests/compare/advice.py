@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # suite
-"""What compare and validate say where a user would be misled: numbers that another program rounded, points that no
+"""Notes of compare and validate where a user would be misled: numbers that another program rounded, points that no
 double can be, and files that are gone when the report is read.
 
 Rounded tables are made here by Python's own floats; which points are dyadic is seen from the motion.
@@ -168,7 +168,7 @@ def gone(graze, folder):
 
 
 def left(graze, folder):
-    """What is no file at {out} is refused at once, and nothing stays of what a candidate leaves."""
+    """An {out} that is no file is refused at once, and nothing that a candidate leaves stays."""
     motion = write(folder, "move.json", translation(["8*t", "0", "0"]))
     own, temporary = os.path.join(folder, "own"), os.path.join(folder, "temporary")
     os.mkdir(own)
@@ -194,7 +194,7 @@ NAMES = ["10", "2", "1x", "-3", "09", "9", "a|b<script>", "`x` [y](z)", "-x"]
 
 
 def markdown(graze, folder):
-    """What a column or a name says is shown in a report and is no mark of Markdown; strata stand in an order that does
+    """Text of a column or a name is shown in a report and is no mark of Markdown; strata stand in an order that does
     not depend on that of the rows: numbers by value, then texts."""
     motion = write(folder, "move.json", translation(["8*t", "0", "0"]))
     shown = ["-3", "2", "09", "9", "10", "-x", "1x", "\\`x\\` \\[y\\](z)", "a\\|b&lt;script>"]

@@ -192,7 +192,7 @@ def order_of_rows(graze, folder, golden, names, rows):
 
 
 def written_otherwise(graze, folder, golden, names, rows):
-    """What programs make of coordinates and ids: doubles an ulp off, six digits, no points at all, ids as floats. Rows match
+    """Coordinates and ids as programs change them: doubles an ulp off, six digits, no points at all, ids as floats. Rows match
     by id, else by order; where points are others they are not matched."""
     candidate, axes = os.path.join(folder, "candidate.csv"), [n for n in names if n in ("x", "y", "z")]
     off = [dict(r, **{a: repr(math.nextafter(to_double(F(r[a])), math.inf)) for a in axes}) for r in rows]

@@ -67,7 +67,7 @@ def near_above(told, right):
 
 
 def check_depths(told, rows, answer, every):
-    """Quantiles by golden answer of every so many wrong rows, in their order."""
+    """Quantiles by golden answer over each `every`-th wrong row, in their order."""
     wrong = [r for r in rows if r["pmc"] != answer]
     measured = wrong[::every]
     check(told["wrong"] == len(wrong) and told["measured"] == len(measured), answer, told, len(wrong), len(measured))

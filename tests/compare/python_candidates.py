@@ -73,7 +73,7 @@ def rewritten(graze, folder, python, module, columns, by):
 
 
 def facts(graze, folder):
-    """What stands in the environment of a candidate, and the first lines of its points."""
+    """The environment of a candidate, and the first lines of its points."""
     said = os.path.join(folder, "said")
     script = f'env | grep ^GRAZE_ | sort >{shlex.quote(said)}; head -n 2 "$1" >>{shlex.quote(said)}; printf "pmc\\n" >"$2"'
     motion = os.path.join(folder, "move.json")

@@ -37,7 +37,7 @@ def decade(x):
 
 
 def up(x, digits):
-    """The least number of so many digits that is not below x."""
+    """The least number of `digits` digits that is not below x."""
     unit = F(10) ** (decade(x) - digits + 1) if x else 1
     return math.ceil(x / unit) * unit
 
@@ -98,7 +98,7 @@ def expected_errors(rows, tolerance, eta, outside):
 
 
 def values_of(report):
-    """The same members as numbers."""
+    """These members of a report as numbers."""
     told = {k: report[k] for k in ("values", "within", "over", "under", "beyond") if k in report}
     told["quantiles"] = {k: F(v) for k, v in report["quantiles"].items()}
     told["largest"], told["largest-over"] = F(report["largest"]), F(report["largest-over"])

@@ -75,7 +75,7 @@ def sites(rng, solid, motion, sides, count):
 
 
 def orientation(motion, side, t, y):
-    """Of the map (y, t) -> M(t) y on the facet's contact set, in coordinates of the facet and by its outward normals."""
+    """Orientation of (y, t) -> M(t) y on the facet's contact set, in coordinates of the facet and by its outward normals."""
     piece = oracle.pieces_beside(motion, t)[0][1]
     point = motion.map(y, t)
     c = oracle.path(piece, point, t, 2)

@@ -21,12 +21,12 @@ BLOCK = "POLYGON ((2 -1, 4 -1, 4 1, 2 1, 2 -1))\n"
 SQUARE = "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))\n"
 DART = "POLYGON ((0 3, -2 -3, 0 -1, 2 -3, 0 3))\n"
 PINCH = "MULTIPOLYGON (((0 0, 2 0, 2 2, 0 2, 0 0)), ((0 0, -2 0, -2 -2, 0 -2, 0 0)))\n"
-# The same with squares in the other quadrants that stop 2^-200 short of the origin.
+# PINCH with squares in the other quadrants that stop 2^-200 short of the origin.
 SHORT = f"1/{2 ** 200}"
 CROWDED = PINCH.strip()[:-1] + (f", ((-{SHORT} {SHORT}, -{SHORT} 1, -1 1, -1 {SHORT}, -{SHORT} {SHORT}))"
                                 f", (({SHORT} -{SHORT}, {SHORT} -1, 1 -1, 1 -{SHORT}, {SHORT} -{SHORT})))\n")
 SMALL = "MULTIPOLYGON (((8 8, 129/16 8, 129/16 129/16, 8 129/16, 8 8)), ((8 8, 127/16 8, 127/16 127/16, 8 127/16, 8 8)))\n"
-# The same pinch, and squares in the other quadrants that begin 1/4 from it: farther than its squares are wide.
+# SMALL with squares in the other quadrants that begin 1/4 from its pinch: farther than its own squares are wide.
 BESIDE = SMALL.strip()[:-1] + (", ((33/4 31/4, 12 31/4, 12 4, 33/4 4, 33/4 31/4))"
                                ", ((31/4 33/4, 4 33/4, 4 12, 31/4 12, 31/4 33/4)))\n")
 PAIR = "MULTIPOLYGON (((0 0, 1 0, 1 1, 0 1, 0 0)), ((2 0, 3 0, 3 1, 2 1, 2 0)))\n"
@@ -88,7 +88,7 @@ CASES = [
     (BLOCK, ALONG, ("1/2", "4", "3/4"), dict(role="contact", theta="-", contact_order="2", orientation="reversing",
      left="I", right="I", trimmed="yes", status="trimmed_near", near="1/2", near_in="1/2", word="OBIBI"),
      [("0", "-8/5", "-152/25")] * 2),
-    # The same positions of a mirrored body under x -> -x first: only det A changes its sign.
+    # A mirrored body under x -> -x first has the positions of the body itself: only det A changes its sign.
     ("POLYGON ((-2 -1, -4 -1, -4 1, -2 1, -2 -1))\n", MIRRORED, ("1/2", "-2", "3/4"), dict(role="contact", theta="+",
      orientation="preserving", status="trimmed_far", near="4/5", word="OBOBI"), [("0", "8/5", "24/25")] * 2),
     # To the right by 8 t and back: at the turn x = 2 moves out before and in after it, and only touches; x = 0 is
@@ -160,10 +160,10 @@ CASES = [
     (PAIR, moves(2, ("1/4", "7/4", shift("t^3-3*t", "0"))), ("1", "2", "1/2"), dict(role="contact", theta="+",
      contact_order="2", orientation="preserving", left="O", right="O", status="trimmed_far", near="root(1 -3 0 1;1;2)",
      near_in="root(1 -3 0 1;1;2)", word="IBOBOBIBO"), [("0", "-6", "6")] * 2),
-    # The same run backwards in time, by t -> -t.
+    # That run backwards in time, by t -> -t.
     (PAIR, moves(2, ("-7/4", "-1/4", shift("3*t-t^3", "0"))), ("-1", "2", "1/2"), dict(role="contact", theta="+",
      status="trimmed_far", near="root(-1 -3 0 1;-2;-1)", word="OBIBOBOBI"), [("0", "-6", "6")] * 2),
-    # Of two passes at equal distance the earlier one counts: c = 1 + t^2 is at 2 at t = -1 and 1, and at 3 for t^2 = 2.
+    # The earlier of two passes at equal distance counts: c = 1 + t^2 is at 2 at t = -1 and 1, and at 3 for t^2 = 2.
     (PAIR, moves(2, (-2, 2, shift("-t^2", "0"))), ("0", "1", "1/2"), dict(role="contact", theta="+", left="O", right="O",
      status="trimmed_far", near="-1", near_in="-1", word="OBIBOBOBIBO"), [("0", "-2", "2")] * 2),
 ]

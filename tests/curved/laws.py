@@ -91,7 +91,7 @@ def without(node, d):
 
 
 def de_morgan(node, d):
-    """The same set without unions: each a complement of what complements have in common."""
+    """The set without unions: each becomes the complement of an intersection of complements."""
     (name, value), = ((k, v) for k, v in node.items() if k != "name")
     if name == "union":
         return without(common(*(without(de_morgan(n, d), d) for n in value)), d)

@@ -235,8 +235,8 @@ def check_contact(suite, scene, row, point, t, stratum):
 
 
 def check_displaced(checks, scene, row, point, t):
-    """By 2^-k along the largest coordinate of a normal: about that times the normal's size is the value of a surface, and
-    where that surface alone is near, its sign is that of the side."""
+    """A point displaced by 2^-k along the largest coordinate of a normal: the value of a surface there is about 2^-k times the
+    normal's size, and where no other surface is near, its sign is that of the side."""
     c, back = scene.trajectory(point, t)
     y, k, where = [x.terms[0] for x in c], int(row["k"]), (scene.name, json.dumps(row))
     checks.holds(k in (range(4, 12) if row["stratum"] == "near" else range(8, 97, 8)), "k", *where)

@@ -122,7 +122,7 @@ SCENES = [
      ("t", "1/2", "1/2"), "OBIBO", [0, 1]),
     ("exponents", "sphere(r = 1e-2);", ("t", "0", "0"), "OBIBO", [F(-1, 100), F(1, 100)]),
 ]
-# The same solids as nodes of .csg.json: points of a lattice, which meets their surfaces, and of random fractions.
+# OpenSCAD's text of a solid and its nodes of .csg.json: equal at points of a lattice, which meets the surfaces, and at random fractions.
 TWINS = [
     (of("difference", cube(4, 4, 4, center="true"), moved(1, 0, 0, sphere(2)), rod(6, 1, 1, "true")),
      minus(box((-2, -2, -2), (2, 2, 2)), ball((1, 0, 0), 2), cylinder((0, 0, -3), (0, 0, 1), 1, 0, 6))),
@@ -249,7 +249,7 @@ def check_near(bench):
 
 
 def check_near_chain(bench):
-    """What an inner map moves, an outer one enlarges; revolved and flat nodes have their maps turned too."""
+    """An outer map enlarges the displacement of an inner one; revolved and flat nodes have their maps turned too."""
     third = NEAR[0][0]
     text = mapped(((10, 0, 0, 0), (0, 10, 0, 0), (0, 0, 10, 0)), mapped(third, sphere(1)))
     told = [F(re.search(r"more than (\S+)", bench.convert(t, "--near-rotation", "1e-6").stderr)[1])
@@ -259,7 +259,7 @@ def check_near_chain(bench):
     for text in (flat, prism(1, flat), turned(moved(5, 0, 0, flat))):
         done = bench.convert(text, "--near-rotation", "1e-6")
         bench.checks.holds(done.returncode == 0 and "as rotations: 1;" in done.stderr, text, done.stderr)
-    # Without a rotation the disk is an ellipse, of which no revolution is taken; with one it is a torus.
+    # Without a rotation the disk is an ellipse, which may not be revolved; with one it is a torus.
     bench.checks.holds('"torus"' in done.stdout and bench.convert(text).returncode == 3, "torus", done.stdout)
 
 

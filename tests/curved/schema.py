@@ -23,7 +23,7 @@ from scenes import Checks, options  # noqa: E402
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
 SCHEMA = os.path.join(ROOT, "src", "program", "cli", "csg.schema.json")
-# What needs sums of powers, the number of points, or the text of the file.
+# Faults that show only in sums of powers, the number of points, or the text of the file.
 UNSEEN = {"powers", "term-twice", "face-without-point"}
 VALIDATE = """
 import json, sys
@@ -36,7 +36,7 @@ print(json.dumps([valid(solid) for solid in json.load(open(sys.argv[2], encoding
 
 
 def judged(checks, solids, folder):
-    """Does the schema take each of these? None if no interpreter here has jsonschema."""
+    """For each solid whether the schema takes it; None if no interpreter here has jsonschema."""
     path = os.path.join(folder, "solids.json")
     with open(path, "w", encoding="utf-8") as file:
         json.dump(solids, file)
@@ -50,7 +50,7 @@ def judged(checks, solids, folder):
 
 
 def changes(value):
-    """The same with one key or item gone, one key more, or one value of another type."""
+    """The value with one key or item gone, one key more, or one value of another type."""
     if isinstance(value, dict):
         for key in value:
             yield {k: v for k, v in value.items() if k != key}

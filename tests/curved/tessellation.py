@@ -8,8 +8,8 @@ The corners of the inscribed polygon are rational points of the circle, the side
 of them lies where a designed point of the golden cases meets the disk, so each point that is `on` for the disk is `out` for
 the one and `in` for the other, at any number of sides. Random points obey: inscribed ⊂ disk ⊂ circumscribed.
 
-In space the same of a ball that turns along a curve and of polyhedra of `graze solid`, of which is tested here that all corners of the one
-are in the ball, and no facet's plane of the other is nearer than the radius. --space: this alone, 100,000 points at a scale of 250.
+In space a ball that turns along a curve lies likewise between polyhedra of `graze solid`: all corners of the inner one are in the ball, and
+no facet's plane of the outer one is nearer than the radius; both are tested here. --space: this alone, 100,000 points at a scale of 250.
 """
 import csv
 import itertools
@@ -27,7 +27,7 @@ from scenes import Checks, Graze, options  # noqa: E402
 SIDES = (12, 48, 192, 768)
 CASES = ("curved-parabola", "curved-scaled")
 RANDOM = 225
-SPACE, AROUND = 400, 2000   # points in space, at most so many in one table
+SPACE, AROUND = 400, 2000   # points in space, and the most of one table
 ORDER = {"out": 0, "on": 1, "in": 2}
 
 

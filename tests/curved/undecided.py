@@ -128,7 +128,7 @@ def check_memberships(bench):
 
 
 def check_tables(bench):
-    """Of a row with pmc alone that is what is judged; a table that was made before such rows, and one made since, agree."""
+    """A row that has pmc alone is judged by it; a table that was made before such rows, and one made since, agree."""
     checks = bench.checks
     paths = [bench.file("o.csg.json", Curved(3, union(FLAT, SLAB)).text()), bench.file("o.json", moved(-4, 1, "t", "0", "0").text()),
              bench.file("o.csv", "0,0,0\n0,0,5\n2,0,1/2\n")]   # the second one is out, the third in: x from -2 to 3, z = 1/2

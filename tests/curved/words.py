@@ -251,7 +251,7 @@ SCENES = [
     ("fan", common(*FAN), along(-1, 1, "t", "0"), "OBO", [0]),
     ("fan from above", common(*FAN, UPPER), along(-1, 1, "t", "0"), "O", []),
     ("fan at rest", common(*FAN), along(0, 1, "0", "0"), "B", [(0, 1)]),
-    # What else is near: on x = 0 the node's curve y^2 - 100 y^3 = x^2 at y = 1/100, though between the lines y = 2 |x| it has
+    # Zeros nearby: on x = 0 the node's curve y^2 - 100 y^3 = x^2 at y = 1/100, though between the lines y = 2 |x| it has
     # y^2 (1 - 100 y) <= y^2 / 4, so y >= 3/400; a cusp so steep that it is 2^-30 wide; one that is a loop, closed at x = 2^-24;
     # a line y = x / 2^12, which cuts the cusp at x = 2^-24 and is outside it before.
     ("node and another zero above", common(polynomial({"0,2": 1, "0,3": -100, "2,0": -1}), halfspace((2, -1)), halfspace((-2, -1))),
@@ -267,7 +267,7 @@ SCENES = [
     ("less two balls, through", minus(ball((0, 0, 0), 3), *TWO), along(F(-3, 2), F(3, 2), "t", "0", "0"), "OBO", [0]),
     ("crescent", minus(ball((0, 0, 0), 2), ball((1, 0, 0), 1)), along(-3, 3, "t", "0", "0"), "OBIBOBO", [-2, 0, 2]),
     ("no crescent", minus(ball((1, 0, 0), 1), ball((0, 0, 0), 2)), along(-3, 3, "t", "0", "0"), "O", []),
-    # Of order four: on the disk's circle y^2 of the oval is x^4 / 4 and more.
+    # Contact of order four: on the disk's circle y^2 of the oval is x^4 / 4 and more.
     ("disk less oval", minus(DISK, OVAL), along(-1, F(1, 4), "0", "t"), "OBO", [0]),
     ("oval less disk", minus(OVAL, DISK), along(-1, F(1, 4), "0", "t"), "O", []),
     ("ball less egg", minus(BALL, EGG), along(-1, F(1, 4), "0", "0", "t"), "OBO", [0]),

@@ -5,11 +5,11 @@
 SPDX-License-Identifier: GPL-3.0-or-later
 
 *Law.* Points at less than boundary_low from a point, in directions of the axes and others, are asked exactly. *By hand.* [0, 2]^3 along x by 8
-sweeps [0, 10] x [0, 2]^2: a point is as far from its boundary as from the nearest of the six faces, and beyond a face as far as that. The plate
+sweeps [0, 10] x [0, 2]^2: the distance of a point from its boundary is that from the nearest of the six faces, inside and beyond a face. The plate
 [0, 1/100] x [0, 10]^2 along x by 10 sweeps a block 10 deep whose middle is (5 + 1/200, 5, 5), though no pose is deeper than 1/200. The square
 [0, 2]^2 along y by 4 sweeps [0, 2] x [0, 6]. The points that stay in [0, 4]^2
 along 1 of x are [0, 3] x [0, 4]. Those that stay in [0, 10]^2 along 3 of x, less [4, 4 + 1/50] x [2, 8], are [0, 7] x [0, 10] less [1, 4 + 1/50] x [2, 8]; in space so.
-The plate [0, 3] x [0, 1/50] along (t, 4 t) sweeps a hexagon with sides on 4 x - y = -1/50 and 4 x - y = 12, from which a point is as far as these forms say, over
+The plate [0, 3] x [0, 1/50] along (t, 4 t) sweeps a hexagon with sides on 4 x - y = -1/50 and 4 x - y = 12, from which a point has the distance of these forms over
 the root of 17, and on y = 0, y = 4 + 1/50. The bar [1, 2] x [-1/200, 1/200] by a quarter turn sweeps 1 <= r <= 2 between the axes, and less than 1/200 more.
 A block with a hollow whose lowest point (0, 0) rests inside the lower side, along y by 4: a point (0, y), 0 < y < 2, begins in the hollow and leaves it by that point
 alone, `on`; others with 0 < y < 3 are in the block just before they leave it, `in`: so these are |x| or y from where that ends.

@@ -43,7 +43,7 @@ def plain(d, rigid, last):
 
 
 def even(d, rigid, last):
-    """The same path: t, then 1/q with q from 1 down to 1/last."""
+    """The path of `plain`: t, then 1/q with q from 1 down to 1/last."""
     return {"dimension": d, "pieces": [{"t": [0, 1], "transform": moved(d, rigid, "t")},
                                        {"t": [1, 2], "transform": moved(d, rigid, f"1/(2-t+(t-1)/{last})")}]}
 

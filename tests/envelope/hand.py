@@ -54,7 +54,7 @@ CASES = [
     (MIRRORED_BLOCK, contact.MIRRORED, "no", THETA, ALONG),
     # All g are constant and not 0; the edge run that ends at the notch meets the upper part.
     (contact.L_PRISM, moves(3, (0, 4, shift("t", "t", "t"))), "no", VERTEX, []),
-    # The same along y: the notch's faces slide, and so does the edge between them; nothing moves across it.
+    # The prism along y: the notch's faces slide, and so does the edge between them; nothing moves across it.
     (contact.L_PRISM, moves(3, (0, 4, shift("0", "t", "0"))), "undecided",
      "a slice or run reaches a reflex edge or a vertex that is not convex", []),
     # Along x the floor of the notch slides towards its wall.
@@ -113,7 +113,7 @@ CASES = [
     # For l = -1/2 that is in y = 0, up to z = 2 at 1/2, for l = 1 in z = 0, up to y = 5 at 4/5. A cut there changes nothing.
     (BOX, moves(3, (0, 1, SHRUNK_AND_TURNED)), None, None, LEAVES),
     (BOX, moves(3, (0, "4/5", SHRUNK_AND_TURNED), ("4/5", 1, SHRUNK_AND_TURNED)), None, None, LEAVES),
-    # Of lower order it is none. theta = -2 < 0 on the top, and 2 > 0 on the bottom.
+    # A zero of lower order is no event. theta = -2 < 0 on the top, and 2 > 0 on the bottom.
     (CUBE, moves(3, (-1, 1, shift("t", "0", "t^2"))), "no", THETA, set()),
     # A block that turns by omega and grows by k, k/omega from 1/4 to 1/2: the slice y = 2 k/omega of x = 2 is the only one: of x = 4
     # g = 4k - omega y > 0, and the others have one sign. On it theta > 0, as k and omega change slowly: about 2 omega^2.

@@ -57,7 +57,7 @@ class Runs:
         return rows, said["decomposable"], said["why"].split(",")[0]
 
     def same(self, name, base, other, change=None):
-        """The same rows, in the same order of times, after a change of each."""
+        """Check that both have equal rows, in the same order of times, once each row of the base is changed."""
         if base is None or other is None:
             return
         self.checks.equal(Counter(other[0]), Counter(change(r) if change else r for r in base[0]), name)

@@ -194,7 +194,7 @@ def clusters(ends):
 
 
 def check_limits(checks, tally, graze, rng, t, name):
-    """Which ends are near each other just before and after an event."""
+    """Ends that are near each other just before and after an event."""
     inner = [k for k in range(1, len(t.when) - 1)]
     near = {k: near_times(t, k) for k in rng.sample(inner, min(LIMITS, len(inner)))}
     near = {k: v for k, v in near.items() if v}

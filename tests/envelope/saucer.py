@@ -16,7 +16,7 @@ J a quarter turn, d = (sin a, cos a), p = dt/da = (1 + t^2)/2. On a slope with t
     theta = -g_a + 2 m.J(2 J y + 2 d) = 6 m.d' - n_z p_a - 4 m.y
 
 and the orientation is sgn(-g_a) sgn(theta). At a = 0 the slopes of the dish over (1, 0) and (-1, 0), m = (-1, 0) and (1, 0), have theta = 6 + 4 |x| and -6 + 4 |x|, both positive for 2 <= |x| <= 4, and
--g_a = 2 and -2: two faces of the envelope, not in the interior next to t, of which one keeps orientation and the other reverses it.
+-g_a = 2 and -2: two faces of the envelope, not in the interior next to t; one keeps orientation and the other reverses it.
 """
 import os
 import sys

@@ -54,13 +54,13 @@ ASKEW = moves(3, (0, 1, sheared("t", "t", ["3*t/20", "t/4", "1", "t^2/5-4*t/5"])
 TOUCH = sheared("t", "t", ["t/10", "t/10", "1", "t^2/10-t^3/10-2*t/5"])
 TOUCHES = moves(3, ("-1/4", "1/4", TOUCH))
 CUT = moves(3, ("-1/4", 0, TOUCH), (0, "1/4", TOUCH))
-# Of a cube, p = 0, q = t, m = t, l = x - y, h = -t^2/2: G = l, and theta of the top is -1; its slice is the diagonal from (0, 0) to (2, 2) all the time and ends on
-# no edge. Of the bottom theta is 1.
+# For a cube, p = 0, q = t, m = t, l = x - y, h = -t^2/2: G = l, and theta of the top is -1; its slice is the diagonal from (0, 0) to (2, 2) all the time and ends on
+# no edge. theta of the bottom is 1.
 DIAGONAL = moves(3, (0, 1, sheared("0", "t", ["t", "-t", "1", "-t^2/2"])))
-# The same on the other diagonal: q = -t, l = x + y - 2.
+# The cube on the other diagonal: q = -t, l = x + y - 2.
 OTHER = moves(3, (0, 1, sheared("0", "-t", ["t", "t", "1", "-t^2/2-2*t"])))
-# The same on the middle line: p = -t, l = x - 1. There tetrahedra touch the cube's edges with their tips at (1, 0, 2), (1, 2, 2), so the slice ends on no edge
-# again. Of the tetrahedra what looks up has n = (+-3, ., 1) and g = -+3 + x - 1 of one sign, as x is from 1/2 to 3/2.
+# The cube on the middle line: p = -t, l = x - 1. There tetrahedra touch the cube's edges with their tips at (1, 0, 2), (1, 2, 2), so the slice ends on no edge
+# again. The tetrahedra's faces that look up have n = (+-3, ., 1) and g = -+3 + x - 1 of one sign, as x is from 1/2 to 3/2.
 MIDDLE = moves(3, (0, 1, sheared("-t", "0", ["t", "0", "1", "-t^2/2-t"])))
 
 

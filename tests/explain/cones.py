@@ -57,7 +57,7 @@ def angle(v):
 
 
 def vertices(d):
-    """Those of a path of M, L, H, V and z, until its first z."""
+    """Vertices of a path of M, L, H, V and z, up to its first z."""
     x = y = 0.0
     out = []
     for verb, numbers in re.findall(r"([MLHV])([^MLHVz]*)", d.split("z")[0]):

@@ -141,7 +141,7 @@ class Columns:
         self.checks.equal({row[2] for row in rows if row[3] == "beside it"}, {"in"}, "beside the tip")
 
     def shallow_tip(self):
-        """The same with a hole, tip and trajectories that are all but parallel to the edge: the time of the crossing
+        """Through the tip of a hole where hole, tip and trajectories are all but parallel to the edge: the time of the crossing
         is uncertain, by the slope and by the distance from the origin."""
         solid = self.graze.write("thin.wkt", "POLYGON((0 1000, 16 1000, 16 1008, 0 1008, 0 1000), (4 1000, 12 256001/256, 12 4096001/4096, 4 1000))\n")
         motion = self.graze.write("thin.json", '{"dimension": 2, "pieces": [{"t": [0, 1], "transform": '
@@ -153,7 +153,7 @@ class Columns:
         self.checks.equal({row[2] for row in rows}, {"on"}, "through a shallow tip")
 
     def tables(self):
-        """All that reads tables takes those of pmc alone; carried columns may have the names of answers."""
+        """Every command that reads tables takes tables of pmc alone; carried columns may have the names of answers."""
         rng = random.Random(7)
         case = casefile.Case("bracket")
         solid, motion = case.path(case.solid), case.path("motion.json")

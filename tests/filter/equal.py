@@ -1,5 +1,5 @@
 # suite
-"""The same bytes with the filter and without it: tables, JSON Lines and explanations.
+"""Output is byte for byte equal with the filter and without it: tables, JSON Lines and explanations.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 

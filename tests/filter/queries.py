@@ -16,7 +16,7 @@ NEAR = {"near", "miss", "hair", "rounded"}
 
 
 def direction(rng, d):
-    """Of size 1 in its largest coordinate, along an axis every other time."""
+    """A vector whose largest coordinate has size 1, along an axis every other time."""
     if rng.random() < 0.5:
         axis, side = rng.randrange(d), rng.choice((-1, 1))
         return [F(side * (k == axis)) for k in range(d)]

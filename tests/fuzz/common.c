@@ -27,7 +27,7 @@ static const struct {
 void fuzz_broken(const char *promise, const char *file, int line) {
     char text[300];
     int length = snprintf(text, sizeof text, "%s:%d: broken: %s\n", file, line, promise);
-    /* To the descriptor: the stream may be closed. */
+    /* The descriptor is written, as the stream may be closed. */
     if (write(STDERR_FILENO, text, (size_t)length) < 0 ||
         write(STDOUT_FILENO, text, (size_t)length) < 0)
         abort();

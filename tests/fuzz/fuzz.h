@@ -1,4 +1,4 @@
-/* What the fuzz targets share. SPDX-License-Identifier: GPL-3.0-or-later
+/* Shared by the fuzz targets. SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A target takes any bytes, hands them to public functions (or to a reader of the command line) and
  * holds the answer to what is promised of it. What breaks a promise ends the process. Contexts have
@@ -49,7 +49,7 @@ int fuzz_is_json(const char *text, size_t length);
 graze_context *fuzz_context(void);
 /** Set the limits of an existing context low. */
 void fuzz_limit(graze_context *context);
-/** The same limits for the command line: words for its argv, `count` of them. */
+/** The limits of fuzz_limit for the command line: words for its argv, `count` of them. */
 const char *const *fuzz_limit_words(int *count);
 
 /** Write a file into this process's folder; the path is borrowed until the next call of the same
@@ -65,7 +65,7 @@ typedef struct section {
 } section;
 /** Cut the input into `count` sections; those that are not there are empty. */
 void fuzz_sections(section *out, int count, const uint8_t *data, size_t size);
-/** As text, malloc'ed, up to the first NUL. */
+/** The section as text, malloc'ed, up to its first NUL. */
 char *fuzz_text(section s);
 
 /** Words, one a line, behind `name`, for a command's argv; those that name files to write or read

@@ -93,7 +93,8 @@ int fuzz_expression(const uint8_t *data, size_t size) {
 }
 
 /* A file and the same bytes in memory are read alike. */
-/* What is written is a motion, and is written again as it stands; its numbers may be longer. */
+/* The text of a motion is a motion, and is written again as it stands; its numbers may be longer.
+ */
 static void write_again(graze_context *context, const graze_motion *motion) {
     char *first = NULL, *second = NULL;
     graze_motion *again = NULL;
@@ -130,8 +131,8 @@ int fuzz_motion(const uint8_t *data, size_t size) {
     return taken;
 }
 
-/* What is written is a motion, unless it exceeds a limit: its numbers may be longer than those
- * read. NULL then. */
+/* The motion that a written text holds; NULL where it exceeds a limit, since its numbers may be
+ * longer than those read. */
 static graze_motion *read_written(graze_context *context, const char *json) {
     graze_motion *motion;
     EXPECT(json != NULL && *json);

@@ -127,7 +127,7 @@ static int say(char *out[4], graze_verdict *v, graze_context *context, const gra
         return 0;
     *v = graze_trace_verdict(trace);
     check_word(graze_trace_word(trace));
-    /* Such a point is in both S^0 and S^1. */
+    /* A point whose word begins and ends with I or B is in both S^0 and S^1. */
     EXPECT(graze_scene_ends_meet(scene) || !strchr("IB", *graze_trace_word(trace)) ||
            !strchr("IB", graze_trace_word(trace)[strlen(graze_trace_word(trace)) - 1]));
     graze_options options = {.size = sizeof options};

@@ -34,7 +34,7 @@ def run(program, words, folder):
 
 
 def replay(program, target, paths, folder):
-    """The outcome of each seed, as far as the program came."""
+    """The outcome of each seed up to the one at which the program ended."""
     said = {}
     for first in range(0, len(paths), BATCH):
         status, output = run(program, [target, *paths[first:first + BATCH]], folder)

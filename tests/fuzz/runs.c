@@ -44,7 +44,7 @@ static const char *whole_table(char *scene[3]) {
     return text;
 }
 
-/* A line as far as its third comma: the point of a row. */
+/* The length of a line before its third comma: the point of a row. */
 static size_t point_length(const char *line) {
     size_t n = 0;
     for (int commas = 0; line[n] && line[n] != '\n' && commas < 3; n++)

@@ -5,7 +5,7 @@
 #include <string.h>
 #include "fuzz.h"
 
-/* What a solid says of itself fits together. */
+/* The getters of a solid agree with one another. */
 static void look_at(const graze_solid *solid) {
     int d = graze_solid_dimension(solid);
     EXPECT(d == 2 || d == 3);
@@ -50,7 +50,7 @@ static void read_trusted(graze_context *context, const char *path, unsigned flag
     graze_motion_destroy(motion);
 }
 
-/* What is written is a legal solid, and is written again as it stands. A double can take more
+/* The text of a solid is a legal solid, and is written again as it stands. A double can take more
  * digits than the limit allows in a text. */
 static void write_again(graze_context *context, const graze_solid *solid) {
     char *first = NULL, *second = NULL;
@@ -256,8 +256,8 @@ int fuzz_csg(const uint8_t *data, size_t size) {
     return taken;
 }
 
-/* What is written of a file of OpenSCAD is a solid; with options more files are taken, and those
- * that are taken without have as many primitives. */
+/* The text made of a file of OpenSCAD is a solid. Options admit more files; a file that is taken
+ * without them has the same number of primitives with them. */
 int fuzz_scad(const uint8_t *data, size_t size) {
     graze_context *context = fuzz_context();
     graze_solid *solid = NULL, *made = NULL;

@@ -10,7 +10,7 @@
 #include "program/run/status.h"
 #include "fuzz.h"
 
-/* What a comparison says of itself fits together, in both forms. */
+/* The counts of a comparison agree with one another, and both forms of its report are whole. */
 static void look_at(graze_context *context, const graze_comparison *c) {
     char *text = NULL, *json = NULL;
     graze_comparison_counts n = graze_comparison_count(c);

@@ -62,7 +62,7 @@ def of_case(name):
 
 
 class Table:
-    """What the program printed: rows by column, the weights of strata, None where it has none."""
+    """Output of the program: rows by column, the weights of strata, None where it has none."""
 
     def __init__(self, text):
         lines = text.splitlines()

@@ -53,7 +53,7 @@ def again(graze, folder, scene, options_):
 
 
 def forms(graze, folder, golden):
-    """The same in parts, after an end, by ranks, and as JSON Lines, VTK and npy."""
+    """The table is the same in parts, continued after an end, by ranks, and as JSON Lines, VTK and npy."""
     whole = golden.read_text()
     parts = [folder / f"part{k}.csv" for k in (1, 2, 3)]
     for k, part in enumerate(parts, 1):
@@ -98,7 +98,7 @@ def clashes(graze, folder):
     check(names == ["x", "y", "pmc", "word", "class"] and "carried as" not in said, names, said)
     names, rows, said = named(graze, folder, "x,y,topo,n\n1,3,a,b\n", ["--topo"])
     check(names == ["x", "y", *ANSWERS, "topo_in", "n", "topo"] and rows[0][9:11] == ["a", "b"], names, rows)
-    # Behind the head of Graze only answers where Graze writes them are its own.
+    # Below a head of Graze only columns that Graze writes with that head are its answers; others are the user's.
     for head, answers in (("operation unsweep", "pmc,word"), ("columns pmc", "pmc")):
         given = f"# graze 0.1.0\n# {head}\nx,y,{answers},class\n1,3,{answers},mine\n"
         names, rows, _ = named(graze, folder, given, ["--operation", "unsweep"])

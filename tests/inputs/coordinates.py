@@ -49,7 +49,7 @@ def points(path, tokens, note=True):
 
 
 def rounded(value, digits):
-    """The nearest decimal of so many digits, ties to even."""
+    """The nearest decimal of `digits` digits, ties to even."""
     context = decimal.Context(prec=digits, rounding=decimal.ROUND_HALF_EVEN)
     return Fraction(context.divide(decimal.Decimal(value.numerator), decimal.Decimal(value.denominator)))
 

@@ -56,7 +56,7 @@ def values(text):
             re.findall(r"^#define (GRAZE_(?!VERSION)[A-Z0-9_]+) \(?-?\d", text, re.M))
 
 
-# Of gmp.h, which values of the functions are made of.
+# Structures of gmp.h that the functions' values are made of.
 GMP = {"__mpz_struct": ["_mp_alloc", "_mp_size", "_mp_d"], "__mpq_struct": ["_mp_num", "_mp_den"]}
 
 

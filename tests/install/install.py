@@ -22,7 +22,7 @@ PARTS = "version core report generate compare convert draw boundary certify topo
 # c(t) = P - (8t, 0, 0): at y = z = 1 it enters the cube [0, 2]^3 at x = 2 and leaves it at x = 0; at z = 2 it
 # slides along the top; at y = 3 it passes by. Without its last facet the cube is open.
 C_OUTPUT = "regular OBIBO\nboundary OBO\nexterior O\nrefused\n7\n"
-# The same in the plane, past the square [0, 2]^2.
+# This motion in the plane, past the square [0, 2]^2.
 CXX_OUTPUT = "in\non\nout\nrefused\n"
 
 
@@ -186,7 +186,7 @@ def check_uninstall(make, stage, root):
 
 
 def check_blanks(make, stage):
-    """A path with a blank is refused, not taken for two of which the first is removed."""
+    """A path with a blank is refused, not taken for two paths, the first of them removed."""
     kept = stage.split()[0]
     os.mkdir(kept)
     for goal in ("install", "uninstall"):

@@ -1,5 +1,5 @@
-"""What src/python mirrors by hand of the public headers, held to them and to the record of abi.py: every structure, every
-function's arguments, every number of an enum or flag. What is mirrored and not compared here fails.
+"""The mirror of the public headers in src/python, held to them and to the record of abi.py: every structure, every
+function's arguments, every number of an enum or flag. A mirrored name that is not compared here fails.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -21,7 +21,7 @@ GMP = {"CMpz": "__mpz_struct", "CMpq": "__mpq_struct"}
 NUMBERS = {"int": ctypes.c_int, "unsigned": ctypes.c_uint, "unsigned long": ctypes.c_ulong, "size_t": ctypes.c_size_t,
            "unsigned long long": ctypes.c_ulonglong, "double": ctypes.c_double}
 ADDRESSES = ("mpq_t", "mpz_t", "mpq_srcptr", "graze_rationals", "graze_cancel")
-# What a word stands for is PREFIX and the word in capitals, its number the word's place: by the name that `choice` is given.
+# A word stands for PREFIX and the word in capitals, with its place as number; keys are the names that `choice` is given.
 WORDS = {"operation": "GRAZE_", "overlap": "GRAZE_OVERLAP_", "folds": "GRAZE_FOLDS_", "columns": "GRAZE_COLUMNS_",
          "format": "GRAZE_FORMAT_", "round": "GRAZE_ROUND_", "question": "GRAZE_QUESTION_", "on_as": "GRAZE_ON_AS_",
          "candidate_has": "GRAZE_HAS_", "truth": "GRAZE_TRUTH_", "by": "GRAZE_DRAW_BY_"}
@@ -44,7 +44,7 @@ def modules():
 
 
 def declared_kind(text, enums):
-    """What a type of C is to a caller: an address, a number, or a structure by its name."""
+    """The kind of a type of C to a caller: an address, a number, or a structure by its name."""
     text = re.sub(r"\b(const|GRAZE_CHECKED)\b", "", text).strip()
     if "*" in text or text in ADDRESSES:
         return "address"
@@ -54,7 +54,7 @@ def declared_kind(text, enums):
 
 
 def kind(made):
-    """The same of a type of ctypes."""
+    """The kind of a type of ctypes."""
     if made is None:
         return None
     if issubclass(made, ctypes.Structure):

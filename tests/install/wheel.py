@@ -56,7 +56,7 @@ def installed(make, folder):
 
 
 def checkout():
-    """What is new or changed in the folder that pip builds in."""
+    """New and changed files in the folder that pip builds in."""
     return run(["git", "status", "--porcelain", "src/python"])[0]
 
 

@@ -192,7 +192,7 @@ def turning_box(judge, _):
 
 
 def hull(points):
-    """The convex hull of points of which no four are in one plane, as triangles; by all triples."""
+    """The convex hull of points, no four of them in one plane, as triangles; by all triples."""
     faces = []
     for i, j, k in itertools.combinations(range(len(points)), 3):
         n = cross(minus(points[j], points[i]), minus(points[k], points[i]))
@@ -328,8 +328,8 @@ def answers(judge, checks):
 
 
 def windings(judge, checks):
-    """Of a box that faces inward the winding number is -1 inside, of one given twice 2, of two that overlap 2 in both; a hollow box
-    has 1 and 0, with inner walls that face the hollow. Files of meshes that are no boundary of a solid end with 1 where a limit is given."""
+    """Winding numbers inside: -1 in a box that faces inward, 2 in one given twice, 2 in the overlap of two; 1 and 0 in a hollow box, whose
+    inner walls face the hollow. With a limit the files of meshes that are no boundary of a solid end with status 1."""
     hollow = joined(W, block(5, F(7, 8), F(7, 8), F(21, 4), F(9, 8), F(9, 8)).mapped(lambda p: p, True))
     files = [judge.graze.write(n, t.text()) for n, t in (("s.off", CUBE), ("m.json", ALONG))]
     quick = ["--within", "1", "--budget", "1", "--no-points"]
@@ -431,7 +431,7 @@ def empty(judge, checks):
 
 
 def laws(judge, checks):
-    """Of no closed form: bounds for two widths have a number in common, and hold what single vertices say."""
+    """Scenes without closed form: bounds for two widths have a number in common, and agree with single vertices."""
     for name in ("bracket",):
         folder = os.path.join(HOME, "cases", name)
         files = [os.path.join(folder, "solid.off"), os.path.join(folder, "motion.json")]
@@ -455,7 +455,7 @@ def laws(judge, checks):
 
 
 def texts(judge, checks):
-    """What the report says in words, of what a mesh lacks too."""
+    """The report in words, with what a mesh lacks."""
     files = [judge.graze.write(n, t.text()) for n, t in (("s.off", CUBE), ("m.json", ALONG))]
     far = Mesh([(20, 0, 0), (21, 0, 0), (20, 1, 0), (22, 0, 0), (21, 1, 0), (20, 2, 0), (19, 5, 5), (18, 5, 5), (17, 6, 5), (3, 3, 3)],
                [[0, 1, 2], [1, 3, 4], [2, 4, 5], [6, 7, 8], [0, 1, 3]])

@@ -24,7 +24,7 @@ WITHIN = "5e-2r"
 
 
 def ball(level, radius):
-    """An octahedron, each triangle cut into four so often, its corners put near the sphere: |x| within 2^-10 of it."""
+    """An octahedron whose triangles are cut into four `level` times, new corners put near the sphere: |x| within 2^-10 of it."""
     corners = [(F(s if k == 0 else 0), F(s if k == 1 else 0), F(s if k == 2 else 0)) for k in range(3) for s in (1, -1)]
     faces = [(corners[x], corners[2 + y], corners[4 + z]) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
     faces = [(a, b, c) if sum(map(sign, (sum(a), sum(b), sum(c)))) in (3, -1) else (a, c, b) for a, b, c in faces]

@@ -23,7 +23,7 @@
 #define SANITIZED 0
 #endif
 
-/* What is left until an allocation fails; below zero none does. */
+/* Allocations left until one fails; below zero none does. */
 static long left = -1;
 
 #if !SANITIZED

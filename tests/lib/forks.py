@@ -16,7 +16,7 @@ import subprocess
 import threading
 import time
 
-# What a program reads before its main: a run with other values is of another server.
+# Variables that a program reads before its main: a run with other values belongs to another server.
 BEFORE_MAIN = ("ASAN_OPTIONS", "LSAN_OPTIONS", "UBSAN_OPTIONS", "LLVM_PROFILE_FILE", "GCOV_PREFIX", "GCOV_PREFIX_STRIP",
                "GLIBC_TUNABLES", "LD_LIBRARY_PATH")
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -37,8 +37,8 @@ class Server:
         atexit.register(self.end)
 
     def start(self, arguments, words, files):
-        """The number of a process with so many arguments, the first of the words, and these descriptors; ChildProcessError if the
-        server has ended."""
+        """The number of a new process, whose arguments are the first `arguments` of the words, with these descriptors;
+        ChildProcessError if the server has ended."""
         message = struct.pack("=II", len(words), arguments) + words
         with self.lock:
             try:
@@ -108,7 +108,7 @@ def null():
 
 
 def run(command, seconds, text, more):
-    """As harness.run, of a run that can be forked; None if it cannot be."""
+    """The result of harness.run, from a forked run; None if it cannot be forked."""
     environment, files = os.environ if more.get("env") is None else more["env"], files_of(more)
     if command[0] not in programs or not seconds or not files or "LD_PRELOAD" in environment:
         return None
@@ -228,7 +228,7 @@ class Process:
 
 
 def write(file, data):
-    """How many bytes of data a pipe has taken; all, as none, if nobody reads them."""
+    """The number of bytes that a pipe has taken; all of them if nobody reads the pipe."""
     try:
         return os.write(file, data[:PIPE])
     except BrokenPipeError:

@@ -1,4 +1,4 @@
-/* What every test in C includes: cmocka, behind the headers that it needs.
+/* Included by every test in C: cmocka, behind the headers that it needs.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_TESTS_LIB_HARNESS_H

@@ -1,4 +1,4 @@
-"""What the suites in Python share: counted checks, options, bounded runs of a program.
+"""Shared by the suites in Python: counted checks, options, bounded runs of a program.
 
 A suite ends with Checks.finish(): a summary line that tests/run.py reads, and status 1 if a check failed.
 Failed checks are printed with their operands, the first 40 of them.
@@ -76,7 +76,7 @@ class Options(argparse.Namespace):
 
     @property
     def share(self):
-        """How much of the stream at scale 1 runs: bars for totals over the stream are multiplied by it."""
+        """The part of the stream at scale 1 that runs: bars for totals over the stream are multiplied by it."""
         return self.scale - self.start
 
     @property
@@ -91,7 +91,7 @@ class Options(argparse.Namespace):
             yield k
 
     def cycle(self, items, passes=1, name=""):
-        """(k, item), round by round: so many passes over the items at scale 1, in an order in which neighbours are not alike."""
+        """(k, item), round by round: `passes` passes over the items at scale 1, in an order in which neighbours are not alike."""
         order = self.order(items)
         for k in self.rounds(passes * len(order), name):
             yield k, order[k % len(order)]
@@ -157,8 +157,8 @@ def options(description, *more, seed=2008):
 
 
 def bounded(command, memory=0, **more):
-    """The command with so many bytes of address space instead of the suite's, 0: as many as may be, and other limits by their names in
-    prlimit(1), which is part of every Debian: a function for preexec_fn costs each run more than the rest of its start."""
+    """The command with `memory` bytes of address space instead of the suite's, 0: the most that is allowed, and other limits by their names
+    in prlimit(1), which is part of every Debian: a function for preexec_fn costs each run more than the rest of its start."""
     hard = resource.getrlimit(resource.RLIMIT_AS)[1]
     memory = memory or ("unlimited" if hard == resource.RLIM_INFINITY else hard)
     return ["prlimit", f"--as={memory}:", *(f"--{name}={most}" for name, most in more.items()), *command]

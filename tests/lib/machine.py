@@ -1,5 +1,5 @@
-"""What a machine may lack: pseudo-terminals, Open MPI, and a network interface, without which Open MPI starts nothing.
-What needs one is then a skip of the name `terminal`, `mpi` or `mpi-network`.
+"""Parts that a machine may lack: pseudo-terminals, Open MPI, and a network interface, without which Open MPI starts nothing.
+A check that needs one is then a skip of the name `terminal`, `mpi` or `mpi-network`.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -26,7 +26,7 @@ def terminal(checks):
 
 
 def read_terminal(master):
-    """What is written to a terminal until its last writer is gone; closes it."""
+    """Read all that is written to a terminal until its last writer is gone; close it."""
     parts = []
     while True:
         try:
@@ -58,7 +58,7 @@ def has_no_network():
 
 
 def ranks(checks, graze, count):
-    """The words that start graze-mpi with so many ranks, for MPI_ENVIRONMENT, or None and a skip."""
+    """The words that start graze-mpi with this number of ranks, for MPI_ENVIRONMENT, or None and a skip."""
     if not shutil.which("mpirun") or not os.path.exists(graze + "-mpi"):
         checks.skip("mpi", "Open MPI is not installed")
     elif has_no_network():

@@ -128,7 +128,7 @@ class Oracle:
             self.end(f"{self.shown} is of another {' or '.join(sources(SOURCES[self.program]))} than is here: {self.to_record()}")
 
     def ask(self, text, seconds=600, as_file=False, one_form=True):
-        """What the program answers to a text on standard input, or None after a failed check. With `as_file` its argument is a file, whose
+        """The program's answer to a text on standard input, or None after a failed check. With `as_file` its argument is a file, whose
         text is the answer. An answer that may have `one_form` alone is compared whatever CGAL has made it."""
         key = hash_of_input(text, as_file)
         recorded = self.recorded.get(key)

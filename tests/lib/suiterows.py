@@ -79,7 +79,7 @@ def share(text):
 
 
 def seeds(rows):
-    """What is replayed, and the faults of seeds.txt."""
+    """The runs to replay, and the faults of seeds.txt."""
     out, faults = [], []
     if os.path.exists(SEEDS):
         with open(SEEDS, encoding="utf-8") as file:

@@ -6,7 +6,7 @@
  * statically.
  *
  * GRAZE_FAIL_LIST=FILE: nothing fails, and FILE gets 64 bits for each allocation, a number that is
- *   equal for equal ways through the program to it, as far as DEPTH calls tell them apart.
+ *   equal for ways through the program to it whose innermost DEPTH calls agree.
  * FILE.calls gets a line for each number but 0, where it is met first: the number, and the calls
  * from the innermost out, K+PLACE each, the place a call returns to in the K-th object; before that
  * a line `object PATH` for each object, in order, without a path for the program itself.
@@ -225,7 +225,7 @@ void *memalign(size_t alignment, size_t size) {
 _Noreturn void __real__exit(int status);
 _Noreturn void __wrap__exit(int status);
 
-/* What a build for coverage has counted is written at the end, and allocates. */
+/* A build for coverage writes its counts at the end, and allocates for that. */
 static void fail_no_more(void) {
     fail_at = 0;
 }

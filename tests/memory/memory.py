@@ -67,7 +67,7 @@ class Bench:
 
 
 def files_of(folder):
-    """What a run has left, apart from what it printed."""
+    """The files that a run has left, apart from its output."""
     return {str(p.relative_to(folder)): p.read_bytes() for p in folder.rglob("*")
             if p.is_file() and str(p.relative_to(folder)) not in ("out", "err")}
 
@@ -95,7 +95,7 @@ def last_line(text):
 
 
 def fault_of(run, whole, scene):
-    """What is wrong with the end of a run; None if nothing is."""
+    """The fault in the end of a run; None if there is none."""
     if os.WIFSIGNALED(run.status) and os.WTERMSIG(run.status) == signal.SIGABRT and run.err == NO_DESTRUCTOR:
         return None
     if os.WIFSIGNALED(run.status):

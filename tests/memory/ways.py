@@ -99,7 +99,7 @@ def drawn(calls, names, before):
 
 
 class Choice:
-    """What is tried of each scene, as (mode, N): `own` are its ways that no scene before has, first come first."""
+    """The failures to try of each scene, as (mode, N): `own` are its ways that no scene before has, first come first."""
 
     def __init__(self, scale, sources):
         self.scale, self.sources, self.met = scale, sources, set()

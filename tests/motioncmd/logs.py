@@ -99,7 +99,7 @@ def test_angles(graze, folder, rng):
                 check(before is None or sum(a * b for a, b in zip(before, quaternion)) >= 0, "the nearer sign", machine)
                 before = quaternion
             check(worst <= bound <= Decimal(tolerance), machine, worst, bound)
-    # Of a machine tool's angles those that are missing are 0.
+    # A machine tool's angle without a column is 0.
     one, _ = made(graze, folder, "x,y,z,A,C\n0,0,0,10,20\n1,0,0,30,40\n", "--angles", "cnc")
     all_, _ = made(graze, folder, "x,y,z,A,B,C\n0,0,0,10,0,20\n1,0,0,30,0,40\n", "--angles", "cnc")
     check(one == all_, "a missing angle")

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # suite
-"""What `graze motion` makes, against the motion that was asked for.
+"""Files of `graze motion` against the motion that was asked for.
 
 The files are evaluated by code of this folder, in fractions; the motion asked for is computed from its
 definition in decimals of 100 digits. Errors are looked for at many times, among them where the bound
@@ -197,7 +197,7 @@ def test_line(graze, folder, rng):
 
 
 def test_screw(graze, folder, rng):
-    """The same as one joint; the end of a whole number of turns is exact."""
+    """A screw is the motion of one such joint; the end of a whole number of turns is exact."""
     words = ["screw", "--degrees", "720", "--axis", "0,3,4", "--pitch", "5", "--center", "1,0,0"]
     motion, report = make(graze, folder, *words)
     same, _ = make(graze, folder, "joints", "screw:720:5:0,3,4:1,0,0")

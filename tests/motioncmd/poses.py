@@ -88,7 +88,7 @@ def test_ignored(graze, folder):
     got, _ = made(graze, folder, table([*NAMES, "gripper", "comment"], rows), "--numbers", "written", "--ignore",
                   "gripper", "--ignore", "comment", "--ignore", "nowhere")
     check(got and frames(got) == WANT, "ignored columns")
-    # Without its column the times count, and of two columns for x one is left.
+    # With the column of times ignored, times are 0, 1, 2, ...; with one of two columns for x ignored, the other counts.
     rows = [["100", *p] for p in POSES]
     got, _ = made(graze, folder, table(["tx", *NAMES], rows), "--numbers", "written", "--ignore", "tx", "--ignore", "t")
     check(got and frames(got) == [(F(k), *w[1:]) for k, w in enumerate(WANT)], "times count from 0")
@@ -317,7 +317,7 @@ def test_turns(graze, folder):
     check(evaluate(got, F(1))[0][3] == F(1, 3), "the turn begins where it did")
     check(evaluate(got, F(0)) == [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]], "the start")
     check(is_dyadic(evaluate(got, F(3))[2][3]) and abs(evaluate(got, F(3))[2][3] - F(1, 10)) < F(1, 10**6), "the end")
-    # As an option, after a chain of joints: the slide is dyadic, the turn is not.
+    # The option --dyadic after a chain of joints makes the slide dyadic.
     to = os.path.join(folder, "made.json")
     done = harness.run([graze, "motion", "joints", "slide:1/3,0,0", "--dyadic", "--output", to], 300)
     with open(to, encoding="utf-8") as file:

@@ -21,7 +21,7 @@ import harness  # noqa: E402
 from harness import ROOT, Checks, options  # noqa: E402
 
 SCHEMA = os.path.join(ROOT, "src", "program", "cli", "motion.schema.json")
-# What needs the values of expressions, or the text of the file.
+# Faults that show only in the values of expressions, or in the text of the file.
 UNSEEN = re.compile(r"(expression|order|jump|singular|pole|axis|quaternion|keyframes|relative|sequence)-|json-nan$|key-twice"
                     r"|type-matrix-last-|type-times-is-not-whole$")
 checks = Checks()

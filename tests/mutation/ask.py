@@ -28,7 +28,7 @@ from rooms import ROOMS, room_of  # noqa: E402
 from run import interpreter  # noqa: E402
 
 SECONDS = 900
-# Who is for a kind of fault that no room's suites are for: suites, or commands after `$ `.
+# Suites, or commands after `$ `, for kinds of faults that no room's suites are for.
 KINDS = {
     "an allocation that is not checked": ["memory/memory", "api/test_memory"],
     "a race": [f"$ {THREADS} test_threads.py"],
@@ -97,7 +97,7 @@ class Tree:
 
 
     def notices(self, patch, path, those):
-        """Who of `those` notices the patch, or None."""
+        """The first of `those` that notices the patch, or None."""
         if self.call("git", "apply", patch).returncode:
             raise SystemExit(f"{patch} does not apply to {self.path}")
         try:

@@ -16,7 +16,7 @@ TOKEN = re.compile(r"/\*.*?\*/|//[^\n]*|\"(?:\\.|[^\"\\])*\"|'(?:\\.|[^'\\])*'|^
                    r"fmpz_sgn\(|fmpq_sgn\(|fmp[zq]_(?:poly_)?neg\(|"
                    r"(?<= )(?:<=|>=|==|!=|&&|\|\||<|>|\+|-)(?=\s)|(?<=[ (])-1(?![0-9a-zA-Z.])", re.S | re.M)
 FUNCTION = re.compile(r"^( *)(?!(?:if|for|while|switch|else|do|return)\b)\w[^;{}()#]*?(\w+)\([^;{}]*\)[^;{}()]*\{$", re.M)
-# What gives memory back decides nothing, nor does one turn more of a loop: leaks and overruns are the sanitizers' matter.
+# Calls that free memory decide nothing, nor does one turn more of a loop: leaks and overruns are the sanitizers' matter.
 GIVES_BACK = re.compile(r"\w*(?:clear|free)\(")
 
 
@@ -61,8 +61,8 @@ def mutants(path):
 
 
 def record():
-    """{(file, function, changed line): reason} of tests/mutants.txt: a line FILE FUNCTION, changed lines after `| `,
-    of which `*` stands for all of the function, and the reason."""
+    """{(file, function, changed line): reason} of tests/mutants.txt: a line FILE FUNCTION, changed lines after `| `
+    (`*` stands for all of the function), and the reason."""
     known = {}
     with open(RECORD, encoding="utf-8") as file:
         for block in file.read().split("\n\n"):

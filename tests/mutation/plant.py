@@ -85,7 +85,7 @@ def write(name, what, path, old, new):
 
 
 def plant_mutants(seed):
-    """By turns of the rooms, of each the next that is one."""
+    """Plant mutants, one room after the other in turn."""
     options = argparse.Namespace(only="", file="", boundaries=False, among=None, seed=seed)
     decks = collections.defaultdict(list)
     for room, mutant in drawn(options, changes.record()):

@@ -13,7 +13,7 @@ import shutil
 
 from coq import Checks, compile_file, copy, lemma_at, order
 
-# What is false, the file, the text and what it is changed to, the file and the lemma that must fail.
+# The false claim, the file, the text and its replacement, the file and the lemma that must fail.
 VARIANTS = [
     ("at t0 a germ O makes the intersection", "words.v",
      "| (None, Some b) => state_eqb b I ", "| (None, Some b) => state_eqb b O ", "words.v", "crossing_swap"),

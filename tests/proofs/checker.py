@@ -29,7 +29,7 @@ import mutants  # noqa: E402
 
 
 def mutants_of(certificate, count, every):
-    """(kind, text) of one in so many of the mutants of some rows."""
+    """(kind, text) of each `every`-th mutant of the first `count` rows."""
     rows = certificate.rows[:count]
     every_one = [m for row in rows for m in mutants.mutants(certificate, row)]
     return every_one[::every]
@@ -88,7 +88,7 @@ def check_legal(checks, checkers, case, files):
 
 
 def check_motion(checks, checkers, case):
-    """What is read of a motion against a second reader, at five times a piece."""
+    """The verified checker's reading of a motion against a second reader, at five times a piece."""
     solid, motion = checkers.programs.convert(case, os.path.dirname(checkers.path))
     out = harness.run([checkers.coq, "--print", solid, motion])
     checks.holds(out.returncode == 0, f"{case.name}: {out.stderr}")

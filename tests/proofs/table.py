@@ -40,7 +40,7 @@ def rows_of_c(build, words):
 
 
 def differences(coq, c):
-    """What differs, as text, between Coq's rows and the C functions' two for each of them."""
+    """Differences, as text, between Coq's rows and the C functions' two for each of them."""
     out = []
     if len(c) != 2 * len(coq):
         out.append(f"expected {2 * len(coq)} rows of C, found {len(c)}")
@@ -52,7 +52,7 @@ def differences(coq, c):
 
 
 def admissible(letters):
-    """The number of admissible words of so many letters: every other one is B, the rest I or O."""
+    """The number of admissible words of `letters` letters: every other letter is B, the rest I or O."""
     others = {(letters + 1) // 2, letters // 2} if letters % 2 else {letters // 2}
     return sum(2 ** n for n in others) * (2 if letters % 2 == 0 else 1)
 

@@ -1,4 +1,4 @@
-"""What the tests of the module share: the program beside the library, scenes, ways to compare.
+"""Shared by the tests of the module: the program beside the library, scenes, ways to compare.
 
 The square is [0, 1]^2, the cube [0, 2]^3; expected values in the tests are derived from these.
 SPDX-License-Identifier: GPL-3.0-or-later
@@ -73,7 +73,7 @@ def coordinates(row):
 
 
 def program(*arguments, text=None):
-    """What the program prints."""
+    """Output of the program."""
     done = subprocess.run([GRAZE, *arguments], input=text.encode() if text else None, check=True,
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     return done.stdout.decode()

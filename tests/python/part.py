@@ -40,7 +40,7 @@ def main():
     common.GRAZE, common.SCALE, common.SEED = options.graze, options.scale, options.seed
     tests = unittest.defaultTestLoader.discover(HERE, pattern=options.only)
     result = unittest.TextTestRunner(stream=sys.stdout, verbosity=0, resultclass=Counting).run(tests)
-    # What needs numpy is no test of the run without it.
+    # A test that needs numpy is none of the run without it.
     idle = [skip for skip in result.skipped if options.way == "without-numpy" and skip[1] == "numpy"]
     skipped = [skip for skip in result.skipped if skip not in idle]
     for test, reason in skipped:

@@ -36,7 +36,7 @@ def cell_as_json(cell):
 
 
 def trace_as_json(trace, unsweep):
-    """What a row of JSON Lines holds, made of a trace."""
+    """The members of a row of JSON Lines, made of a trace."""
     verdict = trace.verdict
     out = {"point": list(map(str, trace.point)), "pmc": verdict.pmc.name.lower()}
     if not unsweep:

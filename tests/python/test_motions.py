@@ -37,7 +37,7 @@ def plain(text):
 
 
 class Frame:
-    """What Graze asks of a frame."""
+    """The least that Graze needs of a frame."""
 
     def __init__(self, columns):
         self._columns = {name: list(column) for name, column in dict(columns).items()}
@@ -224,7 +224,7 @@ class Motions(unittest.TestCase):
         self.assertIn("change: ", near.report)
 
     def test_names(self):
-        """What a thing is, seen in an interpreter."""
+        """The text of each object in an interpreter."""
         scene = common.cube_scene()
         self.assertEqual(repr(scene.solid), "<graze.Solid in E^3: 8 vertices, 6 facets, 1 component>")
         self.assertEqual(repr(scene.motion), "<graze.Motion in E^3: 1 piece>")
@@ -260,7 +260,7 @@ class Tools(unittest.TestCase):
 
 class Pictures(unittest.TestCase):
     def test_draw(self):
-        """The same bytes as `graze draw`, and SVG that a notebook shows."""
+        """A picture has the bytes of `graze draw`, and is SVG that a notebook shows."""
         solid, motion, points, _ = common.case("figure4")
         scene = graze.Scene(solid, motion)
         with tempfile.TemporaryDirectory() as folder:
@@ -335,7 +335,7 @@ for ending in ("png", "pdf", "svg"):
             self.assertEqual(sorted(os.listdir(folder)), sorted(["made.svg", os.path.basename(library)]))
 
     def test_page(self):
-        """The same bytes as `graze draw -o scene.html`, in a frame for a notebook."""
+        """A page has the bytes of `graze draw -o scene.html`, in a frame for a notebook."""
         solid, motion, points, _ = common.case("figure4")
         scene = graze.Scene(solid, motion)
         with open(points, encoding="utf-8") as file:
@@ -368,7 +368,7 @@ for ending in ("png", "pdf", "svg"):
 
 class Comparisons(unittest.TestCase):
     def test_compare(self):
-        """Of three rows one is wrong."""
+        """One of three rows is wrong."""
         scene = common.cube_scene()
         with tempfile.TemporaryDirectory() as folder:
             golden, mine = (os.path.join(folder, name) for name in ("golden.csv", "mine.csv"))

@@ -80,7 +80,7 @@ class Answers(unittest.TestCase):
             self.assertTrue(k or place == found.witness)
 
     def test_pmc_alone(self):
-        """The same answers as `CUBE_ANSWERS`, and no others; not with what needs all of them."""
+        """The answers `pmc` of `CUBE_ANSWERS`, and no others; refused beside an option that needs the others."""
         full = common.cube_scene()
         scene = graze.Scene(full.solid, full.motion, columns="pmc")
         points = [point for point, _, _ in CUBE_ANSWERS]
@@ -199,7 +199,7 @@ class Answers(unittest.TestCase):
         self.assertTrue(1 < first < second < 2)
 
     def test_negative_irrational_time(self):
-        """The same from t = -2 to 0: the times are -sqrt 3 and -sqrt 2, in (-2, -1)."""
+        """From t = -2 to 0 instead, the times are -sqrt 3 and -sqrt 2, in (-2, -1)."""
         scene = graze.Scene(common.SQUARE, common.moved("t^2", "0", start="-2", end="0"))
         times = [contact.start for contact in scene.trace((3, "1/2")).contacts]
         self.assertEqual([t.interval for t in times], [(-2, -1), (-2, -1)])
@@ -287,7 +287,7 @@ class Golden(unittest.TestCase):
 
 class Inputs(unittest.TestCase):
     def test_motions(self):
-        """The same motion as dict, text and file; floats in it are the dyadic numbers they are."""
+        """One motion as dict, text and file; floats in it are the dyadic numbers they are."""
         made = common.moved("t^2", "0", end="2")
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "motion.json")
@@ -301,7 +301,7 @@ class Inputs(unittest.TestCase):
         self.assertEqual((trace.word, trace.contacts[0].cells), ("B", (Cell("vertex", (0,)),)))
 
     def test_solids(self):
-        """The same square as ints, text, floats and a file, and the cube's numbers of cells."""
+        """One square as ints, text, floats and a file, and the cube's numbers of cells."""
         want = common.root_scene().rows([(3, "1/2"), (2, 1)])
         floats = [tuple(map(float, vertex)) for vertex in common.SQUARE[0]]
         texts = [("0", "0"), ("1.0", 0), (F(1), "2/2"), (0, "1e0")]

@@ -87,7 +87,7 @@ def known_keys(program):
 
 
 def examples(program, known):
-    """What graze motion --examples prints: legal motions with every key, each named in the line before one."""
+    """Output of graze motion --examples: legal motions with every key, each named in the line before one."""
     output, status = program.run("motion", "--examples")
     lines = output.splitlines()
     check(status == 0 and len(lines) % 2 == 0 and len(lines) > 20, status, output)
@@ -147,7 +147,7 @@ def read(*parts):
         return file.read()
 
 
-# What names of answers are names of, by the function that gives them.
+# The answer that a name belongs to, by the function that gives the name.
 OF = {"pmc": "pmc", "class": "class", "topo": "position", "topo_level": "level", "regular": "regular", "role": "role", "trim": "status",
       "orientation": "orientation", "event_kind": "event", "decomposable": "decomposable",
       "curve_kind": "part of a curve", "chain_form": "chain", "pair_verdict": "verdict of a pair"}

@@ -179,7 +179,7 @@ def names(texts, graze):
 
 
 def bounds(readme):
-    """What README.md promises a reader who has a minute."""
+    """README.md's promises to a reader who has a minute."""
     lines = readme.splitlines()
     check(len(lines) <= MOST_LINES, f"README.md: {len(lines)} lines, expected at most {MOST_LINES}")
     for number, line in enumerate(lines, 1):

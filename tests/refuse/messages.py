@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Which messages of the source the refusal cases have reached.
+"""Messages of the source that the refusal cases have reached.
 
 A message is a string literal handed to context_fail, to a function declared with a printf format
 attribute, or to one of the functions named below that pass a text on. Its conversions become
@@ -149,7 +149,7 @@ def first_literal(text, start):
 
 
 def pattern(message):
-    """What the message looks like when printed."""
+    """A pattern of the message as it is printed."""
     parts = CONVERSION.split(message)
     kinds = [m[0] for m in CONVERSION.finditer(message)]
     out = re.escape(parts[0])

@@ -145,13 +145,13 @@ def given(bench, row):
 
 
 def endings(row, option):
-    """What stands behind the option's value in the names of the files that it writes."""
+    """The endings behind the option's value in the names of the files that it writes."""
     found = ENDINGS.get((row.command, option), [""])
     return found[1:] if "--points" in row.reads and option == "--keep" else found
 
 
 def join(path, option, row):
-    """What stands behind the option for a file to be written at `path`."""
+    """The option's value for a file to be written at `path`."""
     for ending in endings(row, option):
         if ending and path.endswith(ending):
             return path[:-len(ending)]

@@ -48,7 +48,7 @@ def classify(graze, stderr):
 
 
 def answer_of_half(graze):
-    """What is written after one row and a half of the next, and what after the rest of it."""
+    """Output after one row and a half of the next, and output after the rest of it."""
     child = start(graze, subprocess.PIPE)
     child.stdin.write(b"70,80,90\n71,8")
     child.stdin.flush()
@@ -101,7 +101,7 @@ def work_and_end(graze, words, pair):
 
 
 def seconds_shown(graze, checks):
-    """The same of commands that count no rows."""
+    """Promises of commands that count no rows."""
     with tempfile.TemporaryDirectory(prefix="graze-progress-") as folder:
         path = {"cube": str(COMMON / "cube.off"), "long": f"{folder}/long.json", "out": f"{folder}/o.svg"}
         rows = ["+".join(f"({(-1) ** k}/{k + i}{'7' * 30})*t^{k}" for k in range(1, 201)) for i in range(3)]
@@ -121,7 +121,7 @@ def seconds_shown(graze, checks):
 
 
 def promises(graze, checks):
-    """The same of all runs."""
+    """Promises of all runs."""
     pair = terminal(checks)
     with concurrent.futures.ThreadPoolExecutor(2) as pool:  # both wait for their rows
         seen = pool.submit(on_terminal, graze, pair) if pair else None

@@ -15,7 +15,7 @@ Every tests/refuse/*.txt holds cases; tests/refuse/common holds good files they 
     b"1,2,3\\n" * 1000        (a Python expression that gives bytes or str)
 
 Further keys: `stdin: FILE`, `env: K=V`, `stdout: /dev/full` or `closed` or `broken` (a pipe without
-a reader), `stderr: closed`, `signal: NAME AFTER` (sent after so many seconds; `exit: -15` is an
+a reader), `stderr: closed`, `signal: NAME AFTER` (sent after AFTER seconds; `exit: -15` is an
 end by SIGTERM), `rows: N` (whole rows on standard output that are neither comment nor head),
 `prints: a part of standard output`. `says` and `prints` may stand more than once. A case with exit 0
 and a CSV table must end with `# complete`, every other case must not print it.
@@ -171,7 +171,7 @@ def execute(case, graze, folder, limited):
 
 
 def faults(case, status, out, err, folder):
-    """What is wrong with the outcome, as sentences."""
+    """Faults of the outcome, as sentences."""
     found = []
     out, err = out.decode("utf-8", "replace"), err.decode("utf-8", "replace")
     if str(status) != case.keys["exit"]:

@@ -21,7 +21,7 @@ def made(scale, start="0", seed=7):
 
 
 def numbers(args, count, name=""):
-    """What rounds draw, after each drew as many numbers as its own number says."""
+    """The first number that each round draws; round k then draws k more."""
     out = []
     for k in args.rounds(count, name):
         out.append((k, args.random.random()))

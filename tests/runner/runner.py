@@ -40,7 +40,7 @@ def suite(body, head=""):
 
 
 GOOD = suite("print('3 passed, 0 failed')")
-# It says which part of its stream it was asked for.
+# This suite prints the part of its stream that it was asked for.
 STREAM = suite("import sys; w = sys.argv[3:]; print(*w); print({'--scale 1/4': 20, '--scale 1 --from 1/4': 60, '': 80, '--scale 2': 160}"
                "[' '.join(w)], 'passed, 0 failed')")
 SEEDED = suite("import sys; w = sys.argv[3:]; print(int(w[1]) if '--seed' in w else 3, 'passed, 0 failed')")
@@ -213,7 +213,7 @@ def check_modules(checks):
 
 
 def check_machine(checks):
-    """What a machine lacks is a skip of a name that the CI's list allows, and asked for in one module."""
+    """A part that a machine lacks is a skip of a name that the CI's list allows, and asked for in one module."""
     with open(os.path.join(ROOT, ".ci", "run"), encoding="utf-8") as file:
         allowed = r"^SKIP (" + "|".join(re.search(r"GRAZE_SKIPS='(.*)'", file.read())[1].split()) + "):"
     said, seen = io.StringIO(), Checks()
@@ -236,7 +236,7 @@ def check_machine(checks):
             checks.holds(not re.search('openpty|"mpirun"', file.read()), f"{path}: expected tests/lib/machine.py")
 
 
-# What is asked beside `make test`: commands of stages made up, and the names of those that must run.
+# Stages beside `make test`: made-up commands, and the names of those that must run.
 PASS, FAIL = ["true"], ["false"]
 STAGES = [
     ("all pass", [("a", PASS, False), ("b", PASS, True), ("c", PASS, True), ("d", PASS, True), ("e", PASS, False)], "abcde", ""),

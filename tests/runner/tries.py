@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""`make try` in made-up clones: since when files have changed, which suites are asked of each, and what is built for them; in this
-repository, who is asked of which file.
+"""`make try` in made-up clones: since when files have changed, which suites are asked about each, and what is built for them; in this
+repository, the suites asked about each file.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -145,7 +145,7 @@ def check_since(checks):
 
 
 def check_built(checks):
-    """What is asked is built, and no more; a failure of it and of a suite is make's status."""
+    """Only what is asked is built; a failed build or suite gives make its status."""
     programs = ["--programs", "build/tests/oracle build/tests/other"]
     with clone() as it:
         it.write("src/wing/room/source.c", "int x;\n")

@@ -1,4 +1,4 @@
-"""What the suites of this folder share: the program with a folder for files, scenes, tables and their alterations.
+"""Shared by the suites of this folder: the program with a folder for files, scenes, tables and their alterations.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 """
@@ -80,8 +80,8 @@ def split(table):
 
 
 def checksum(data):
-    """Of 64 bits (src/program/cli/formats.md, Tables): 8 bytes at a time, the first one lowest; the rest, filled with
-    zeros; the length."""
+    """Checksum of 64 bits (src/program/cli/formats.md, Tables): 8 bytes at a time, the first one lowest; the rest, filled
+    with zeros; the length."""
     value, whole = 0, len(data) // 8 * 8
     words = [int.from_bytes(data[k:k + 8], "little") for k in range(0, whole, 8)]
     for word in (*words, int.from_bytes(data[whole:], "little"), len(data)):

@@ -28,7 +28,7 @@ EXACT = ["--coordinates", "exact"]  # as the table beside a certificate is
 
 
 def plain(words):
-    """Those of a table with the bytes of one beside a certificate."""
+    """The words for a table with the bytes of one beside a certificate."""
     return [word for word in words if word != "--times"] + EXACT
 
 

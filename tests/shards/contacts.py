@@ -78,7 +78,7 @@ def check_resume(bench):
 
 
 def alterations(row, moved):
-    """What no run writes for that row."""
+    """Altered rows that no run writes in its place."""
     fields = row.rstrip(b"\n").split(b",")
     word = 20
 

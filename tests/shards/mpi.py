@@ -24,7 +24,7 @@ def run(bench, count, *words, stdin=None):
 
 
 def at_once(function, items):
-    """What the function gives for each item, three of them at once: mpirun waits more than it works."""
+    """The function's value for each item, three of them at once: mpirun waits more than it works."""
     with concurrent.futures.ThreadPoolExecutor(3) as pool:
         return list(pool.map(function, items))
 

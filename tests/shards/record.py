@@ -22,7 +22,7 @@ def lines_of(points):
 
 
 def record(rows, points, table, certificate=b"", undecided=0, wide=0):
-    """The record of so many rows; `table` and `certificate` are the bytes up to there."""
+    """The record after `rows` rows; `table` and `certificate` are the bytes up to there."""
     sums = b"".join(line + b"\n" for line in lines_of(points)[:rows + 1]) if points is not None else None
     parts = [b"%020d %016x" % (len(data), checksum(data)) if data else b"%020d %016x" % (0, 0) for data in (table, certificate)]
     line = b"graze kept 1 rows %020d undecided %020d wide %020d points %016x table %b certificate %b" % (

@@ -34,7 +34,7 @@ def check_resume(bench):
 
 
 def check_resume_refusals(bench):
-    """What cannot be continued is refused, and stays as it was."""
+    """A file that cannot be continued is refused, and stays as it was."""
     words = ["classify", COMMON / "cube.off", COMMON / "move3.json"]
     text = random_points(bench.random, 50, 3)
     points = bench.file("begun.csv", text)
@@ -105,7 +105,7 @@ def check_kept_rows(bench):
 
 
 def check_kept_grid(bench):
-    """The same for a grid, whose points no file has; three coordinates and two."""
+    """Kept rows of a grid, whose points no file has; three coordinates and two."""
     for words in (["classify", COMMON / "cube.off", COMMON / "move3.json", "--grid", "4,3,5"],
                   ["classify", COMMON / "square.wkt", COMMON / "move2.json", "--grid", "6,7", "--shard", "1/2"]):
         head, rows, _ = split(bench.good(*words))

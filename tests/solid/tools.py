@@ -57,7 +57,7 @@ class Body:
         return most
 
     def excess(self, r, z):
-        """How far a point is outside, at most the distance to the profile where it is 0 or less."""
+        """The distance of a point outside the profile; where 0 or less, at most its distance to the profile."""
         x, y = r - self.flat, z - self.corner
         if self.ball:
             return (x * x + y * y).sqrt() - self.corner

@@ -58,7 +58,7 @@ def calls(objects, rank):
 
 
 def circles(arrows):
-    """Sets of nodes each of which reaches every other one; arrows is a set of pairs. Tarjan's algorithm."""
+    """Sets of nodes that reach each other; arrows is a set of pairs. Tarjan's algorithm."""
     after = collections.defaultdict(list)
     for source, target in sorted(arrows):
         if source != target:

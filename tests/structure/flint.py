@@ -1,11 +1,11 @@
-"""Which of FLINT's headers a file needs. FLINT 2.9's include one another, those of FLINT 3 do so less, so what is
-built with one may not be with the other: each file includes the headers whose functions it names, or a header of the
+"""Headers of FLINT that a file needs. FLINT 2.9's include one another, those of FLINT 3 do so less, so a file that
+builds with one may not build with the other: each file includes the headers whose functions it names, or a header of the
 project that does. Those that FLINT declares only behind mpfr.h need it first."""
 import re
 
 import sources
 
-# From the longest name on: _fmpz_poly_add is of fmpz_poly, not of fmpz.
+# Longest names first: _fmpz_poly_add is of fmpz_poly, not of fmpz.
 MODULES = ("fmpz_poly_factor", "nmod_poly_factor", "fmpz_poly_mat", "fmpz_poly", "fmpq_poly", "nmod_poly", "fmpz_vec",
            "fmpq_vec", "nmod_vec", "fmpz_mat", "fmpq_mat", "nmod_mat", "fmpz", "fmpq")
 BROUGHT = {"fmpq": {"fmpz"}}  # by FLINT 3's too

@@ -16,7 +16,7 @@ ALONE = re.compile(r"(?<![\w/.*<{}$-])[a-z]\w+\.(?:c|h|cpp|hpp)\b(?!/)")
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.S)
 HASHED = re.compile(r'(?:^|\s)#[^\n]*|""".*?"""', re.S)
 FENCE = re.compile(r"^```.*?^```", re.M | re.S)
-# Of the reader's own, of the C library, and of other programs.
+# Headers of the C library and of other libraries.
 FOREIGN = {"gmp.h", "math.h", "stdio.h", "stdlib.h", "string.h", "stdint.h", "stddef.h", "stdarg.h", "mpfr.h",
            "yajl.h", "cairo.h", "locale.h", "fenv.h", "mpi.h"}
 MADE = "build/"

@@ -8,7 +8,7 @@ DIRECTIVE = re.compile(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.M)
 ATTRIBUTE = re.compile(r"__attribute__\s*\(\((?:[^()]|\([^()]*\))*\)\)")
 # A function whose type has a name, `soup_reader read_off`. A variable looks the same; it does no harm.
 FUNCTION_OF_A_TYPE = re.compile(r"[a-z]\w*\s+(\w+)")
-# What opens a scope that is no function's: functions inside it are still at file scope.
+# Words before a brace that opens no function: functions inside it are still at file scope.
 TRANSPARENT = re.compile(r'(?:extern\s*L|namespace(?:\s+[\w:]+)?)\s*$')
 
 def sources():
@@ -96,7 +96,7 @@ def declared(text):
     return found
 
 def types(text):
-    """Names of the types that a header defines or declares by a typedef, each of which clang-format lays out in one way."""
+    """Names of the types that a header defines or declares by a typedef; clang-format lays out each in one way."""
     plain = COMMENT_OR_LITERAL.sub(" ", text)
     found = set(re.findall(r"^\} (\w+);", plain, re.M))
     found |= set(re.findall(r"^typedef\b[^;{(]*\b(\w+)(?:\[\w*\])?;", plain, re.M))

@@ -3,7 +3,8 @@
 downwards only and without a circle, each source that others call has one header, a function's name stands once, the
 commands stand on the public header, two rooms and two small tools alone, only one room touches CGAL, FLINT's functions are called behind their own
 headers, the top level holds nothing that is not named, the paths that comments and pages name are there, and so are
-the lines that tests/mutants.txt explains and that tests/check/forged.py turns round.
+the lines that tests/mutants.txt explains and that tests/check/forged.py turns round; comments, pages and messages
+begin with their subject, but for a number that only falls.
 
 A call through a pointer is an arrow from the file that names the function (calls.py), so a callback that a higher
 room hands to a lower one points down.
@@ -18,6 +19,7 @@ import sys
 
 import calls
 import flint
+import openings
 import paths
 import sources
 
@@ -60,7 +62,7 @@ PARTS = {room: room for room in ("report", "generate", "compare", "convert", "dr
 PARTS["table"] = "report"
 PARTS["page"] = "draw"
 PARTS["collide"] = "pair"
-# What the checker of certificates may include.
+# Headers that the checker of certificates may include.
 STANDARD = {"float.h", "gmp.h", "math.h", "stdarg.h", "stddef.h", "stdint.h", "stdio.h", "stdlib.h", "string.h", "sys/wait.h",
             "unistd.h"}
 # Its core, in which each test of a certificate stands, the files that read, and how many lines both may have.
@@ -193,6 +195,19 @@ def check_paths():
         check(False, f"{file} names {path}, which is not there")
 
 
+def check_openings():
+    """Openings without a subject and phrases that hide a bound are at most those allowed; the pattern finds samples."""
+    for path, text, lines in openings.SAMPLES:
+        found = [line for line, _ in openings.found(path, text)]
+        check(found == lines, f"openings in a sample {path}: lines {found}, expected {lines}")
+    for place, found in openings.places(paths.tracked()).items():
+        allowed = openings.ALLOWED[place]
+        check(len(found) <= allowed, "\n".join([f"{place} has {len(found)} openings without a subject or hidden bounds, expected "
+                                                f"at most {allowed} (CONTRIBUTING.md, Words):", *found]))
+        if len(found) < allowed:
+            print(f"tests/structure/openings.py allows {place} {allowed}, {len(found)} are left: lower the number")
+
+
 def check_names(files, objects):
     """No two files define a function of the same name, but a program's own `main`, and what graze-mpi defines in the
     place of the command line's."""
@@ -287,6 +302,7 @@ def main():
     check_top()
     check_public(files)
     check_paths()
+    check_openings()
     check_mutants()
     print(f"{checks - len(failures)} passed, {len(failures)} failed")
     sys.exit(1 if failures else 0)

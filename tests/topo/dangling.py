@@ -54,7 +54,7 @@ def plane_scenes():
     for e in (F(1), F(1, 2 ** 60)):
         yield f"a thickness of {e}", square, legs([(0, 0), (2 - e, 0)]), {
             (0, 1): "yes", (e, 1): "yes", (0, 0): "yes", (e, 2): "yes", (e / 2, 0): "yes"}
-    # By (2, 2): the point (0, 0), whatever the way; closed motions around [0, 2]^2, [0, 2] x [0, 1] and [0, 1]^2 leave
+    # Motions by (2, 2) leave the point (0, 0), whatever the way; closed motions around [0, 2]^2, [0, 2] x [0, 1] and [0, 1]^2 leave
     # the point, the segment x = 0, y in [0, 1], and the square [0, 1]^2.
     yield "a point", square, legs([(0, 0), (2, 2)]), {(0, 0): "no"}
     yield "a bent way", square, build([(0, 2, translate([[0, 1], [0, 0, HALF]]))]), {(0, 0): "no"}
@@ -211,7 +211,7 @@ def check_hand(checks, graze, name, solid, motion, wants, level=None):
 
 
 def walk(rng, d):
-    """Points of the grid, two neighbours of which differ along one axis; closed now and then."""
+    """Points of the grid, neighbours differing along one axis; closed now and then."""
     path = [(0,) * d]
     for _ in range(rng.randint(1, 4)):
         axis, step = rng.randrange(d), rng.choice([-2, -1, 1, 2])
@@ -233,7 +233,7 @@ def holds(cells, path, cell):
 
 
 def states(cells, path, point):
-    """Those of a point's trajectory, at its places on the grid and between."""
+    """States of a point's trajectory, at its places on the grid and between."""
     for a, b in zip(path, path[1:]):
         ends = [[x + y for x, y in zip(point, p)] for p in (a, b)]
         axis = next(k for k in range(len(a)) if a[k] != b[k])

@@ -85,7 +85,7 @@ def derived():
 
 
 def scenes(args):
-    """The same of scenes of other suites, of which some hang on random numbers."""
+    """Rows as in `derived`, and those of other suites' scenes, some of them random."""
     yield from derived() if args.derived else ()
     for k in args.rounds(GERMS, "germs"):
         chosen = germs.passes(args.random)

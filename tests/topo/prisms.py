@@ -128,7 +128,7 @@ def generated(graze, solid, motion, seed):
 
 
 def check_witness(checks, graze, name, point, witness):
-    """By first order the witness is out, and from there down towards the point all in its direction."""
+    """For level first_order the witness is out, and so is every place from it down towards the point."""
     tag = name.replace(" ", "_")
     files = [os.path.join(graze.keep or graze.folder.name, tag + suffix) for suffix in (".off", ".json")]
     places = [tuple(p + (q - p) / 2 ** k for p, q in zip(point, witness)) for k in (0, 8, 40, 120, 400)]

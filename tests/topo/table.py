@@ -95,7 +95,7 @@ def check_undecided(checks, graze):
 
 
 def check_explain(checks, graze):
-    """The same in words: example 7, 17b and 54."""
+    """`explain` on examples 7, 17b and 54."""
     said = graze.call("explain", *SQUARE, "0", "1", "--topo").stdout
     checks.holds("it is `boundary`, by level `first_order`." in said and "A point that is out: (" in said, said)
     said = graze.call("explain", *SQUARE, "4", "1", "--topo").stdout
@@ -111,7 +111,7 @@ def check_explain(checks, graze):
 
 
 def check_closings(checks, graze):
-    """What each contact covers, of worked examples: half-planes of sides, three quarters of a reflex corner, a pinch's
+    """The part that each contact covers, in worked examples: half-planes of sides, three quarters of a reflex corner, a pinch's
     two sides; the body moves, so that what is inside at c(t) is seen about P. Over the end of a piece a contact is told
     for each."""
     def said(solid, motion, point):

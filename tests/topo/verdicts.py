@@ -54,12 +54,12 @@ POSITIONS = {
     "51": "interior",   # crossed roofs: covered up to x^2 - y^2 below and down to the same above, and more
     "52": "boundary",   # crossed roofs: between -x^2 and y^2 is open where x is not 0
     "53": "boundary",   # the same with x and y exchanged
-    "54": "interior",   # crossed roofs of which one is straight
+    "54": "interior",   # crossed roofs, one of them straight
     "55a": "boundary",  # example 28 times an interval
     "55b": "interior",  # example 29 times an interval
     "55c": "interior",  # example 30 times an interval
 }
-# What proves the position of neighbours that were chosen for it: by closed cones alone the opposite of the way from the
+# Levels that prove the position of neighbours chosen for them: by closed cones alone the opposite of the way from the
 # pinch stays open, as the way bends. Near walls leave a half-plane open: a ray is a witness, if it ends before them.
 LEVELS = {"20 from its pinch on": "edges", "a wall that ends nearby": "first_order", "a wall that begins nearby": "first_order"}
 TINY = F(1, 2 ** 100)
@@ -96,7 +96,7 @@ def neighbours():
         ("19 again", double, across, origin, "on", "interior"),
         ("19 with a gap of 2^-100", apart, across, origin, "on", "boundary"),
         # c = (-t, t - t^2/16) leaves the pinch; at t = 4 it reaches the third part's side from (-6, 1) to (-2, 5), at (-4, 3): a
-        # half-plane y >= x. A point with x > 0 > y comes to the line x = 0, all of which is solid near the pinch.
+        # half-plane y >= x. A point with x > 0 > y comes to the line x = 0, and all of that is solid near the pinch.
         ("20 from its pinch on", corner, build([(0, 4, translate([[0, 1], [0, -1, F(1, 16)]]))]), origin, "on", "interior"),
         ("30 again", tips, apex(1, -1), origin, "on", "interior"),
         ("30 with more curvature", tips, apex(1, -1 + TINY), origin, "on", "boundary"),

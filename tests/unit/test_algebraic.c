@@ -160,8 +160,8 @@ static void test_windows(void **unused) {
     dyadic_interval_clear(&window);
 }
 
-/* The fraction of least denominator in a window, by trying all of them: it is divided out as often
- * as it is a root, and no other one is. */
+/* The fraction of least denominator in a window, by trying all of them: it is divided out as a root
+ * of its multiplicity, and no other one is. */
 static void test_simplest(void **unused) {
     (void)unused;
     random_start(20261124);
@@ -375,8 +375,8 @@ static void test_between(void **unused) {
     dyadic_interval_clear(&unit);
 }
 
-/* Nothing is guessed of constants, of a high degree, or where ends are long; else the part lies in
- * the interval. */
+/* No part is guessed for constants, for high degrees, or for long ends; any other guess lies in the
+ * interval. */
 static void test_guesses(void **state) {
     (void)state;
     dyadic_interval whole, part;

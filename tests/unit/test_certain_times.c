@@ -70,7 +70,7 @@ static void longest_first(void **state) {
     expect_time(&s[1], 0, 0.75);
 }
 
-/* What is not certain gives none: no crossing, a window, a lost piece, two ways in behind one
+/* Uncertain findings give no time: no crossing, a window, a lost piece, two ways in behind one
  * another, and no double between two crossings. */
 static void nothing_certain(void **state) {
     (void)state;

@@ -25,8 +25,8 @@ static int sign_of_value(const fmpz_poly_t p, const fmpq_t x) {
     return sign;
 }
 
-/* The numbers of the list are as many as are expected; each is a root by itself or between ends of
- * different signs, and they are ascending and apart. */
+/* The list has the expected number of roots; each is a root by itself or between ends of different
+ * signs, and they are ascending and apart. */
 static void certify(const algebraic_list *list, const fmpz_poly_t p, size_t expected) {
     fmpq_t low, high, last;
     fmpq_init(low);
@@ -102,8 +102,8 @@ static void test_mignotte(void **unused) {
     fmpz_poly_clear(p);
 }
 
-/* The same around dyadic numbers 2^-e, times 2^e x - 1: the point between the two is a root, met by
- * exact halvings or by leaps. */
+/* Mignotte's polynomials around dyadic numbers 2^-e, times 2^e x - 1: the point between their two
+ * close roots is a root, met by exact halvings or by leaps. */
 static void test_dyadic_middle(void **unused) {
     (void)unused;
     fmpz_t a;

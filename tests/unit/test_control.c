@@ -1,4 +1,4 @@
-/* What is cleared in doubles (questions/certify/control.h) is clear in rationals: pieces of curves
+/* A piece cleared in doubles (questions/certify/control.h) is clear in rationals: pieces of curves
  * in the plane of a triangle or in its sides, and beside them by about as much as doubles can tell.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */

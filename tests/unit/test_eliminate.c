@@ -97,7 +97,7 @@ static void by_primes_and_remainders(void **state) {
     assert_in_range(turns, PAIRS / 2, PAIRS);
 }
 
-/* Of large numbers, by primes, as of small ones. */
+/* Elimination by primes is right for large numbers too. */
 static void numbers(void **state) {
     (void)state;
     fmpz_poly_t f, g;
@@ -137,7 +137,7 @@ static void random_pullback(pullback_form *f, slong n) {
     fmpz_poly_set_coeff_si(&f->linear[0], n, 1);
 }
 
-/* The same in a ring that has time as its third variable. */
+/* The function as a polynomial of a ring that has time as its third variable. */
 static void with_time(fmpz_mpoly_t out, const pullback_form *f, const fmpz_mpoly_ctx_t whole) {
     fmpz_mpoly_zero(out, whole);
     for (ulong i = 0; i < 3; i++)
@@ -255,8 +255,8 @@ static void radical_of(fmpz_mpoly_t out, const fmpz_mpoly_t curve, const curve_l
     fmpz_mpoly_factor_clear(factors, ring);
 }
 
-/* Of curves a^2 b, b c and a c, of which the numbers are so large that they are not factored, the
- * parts are squarefree and coprime if their product is the product of all factors. */
+/* Curves a^2 b, b c and a c with numbers too large to be factored: their parts are squarefree and
+ * coprime if their product is the product of all factors. */
 static void parts(void **state) {
     (void)state;
     fmpz_mpoly_t f[3], g, all, found, expected;

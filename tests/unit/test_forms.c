@@ -251,8 +251,8 @@ static void planes_in_common(void **state) {
     }
 }
 
-/* What a memory says of simplices of two solids, one with more than it has places for, asked for in
- * any order: the same as without it. */
+/* Forms from a memory are those made without it, for simplices of two solids, one with more than it
+ * has places for, asked for in any order. */
 static void forms_remembered(void **state) {
     (void)state;
     graze_solid *solid[] = {box_of_squares(4, 1), box_of_squares(14, 0)};

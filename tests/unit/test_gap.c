@@ -132,7 +132,8 @@ static double nearest_on_edge(double *share, double y[3][3], int a, int b) {
     return dot(place, place);
 }
 
-/* The same of the plane through the corners; INFINITY if that is outside the triangle. */
+/* Shares of the place of the plane through the corners that is nearest to the origin; INFINITY if
+ * it is outside the triangle. */
 static double nearest_within(double *share, double y[3][3]) {
     double a[3], b[3], place[3];
     for (int i = 0; i < 3; i++) {

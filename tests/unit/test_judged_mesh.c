@@ -1,5 +1,5 @@
-/* Meshes of which nothing is assumed (questions/judge/judged_mesh.h): what they lack, their volume,
- * and their winding numbers, of shapes of which all is evident.
+/* Meshes without assumptions (questions/judge/judged_mesh.h): what they lack, their volume, and
+ * their winding numbers, for shapes whose values are evident.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #define _DEFAULT_SOURCE /* mkstemps */
@@ -499,8 +499,7 @@ static void facets_off_planes(void **state) {
      * 2 2| / 6 = 1/3 each, and the other three faces hold vertex 0. */
     expect_volume(&m, "2");
     clear(&m);
-    /* The fan of 0, 1, 2, 3, 4, the first three of which are on a line: one triangle has no area.
-     */
+    /* The fan of 0, 1, 2, 3, 4, where 0, 1 and 2 are on a line: one triangle has no area. */
     static const slong at[5][3] = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 1}, {0, 2, 0}};
     s->facets = s->vertices = 0;
     for (int v = 0; v < 5; v++)

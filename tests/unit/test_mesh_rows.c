@@ -167,10 +167,10 @@ static void expect_same(const graze_comparison *a, const graze_comparison *b) {
         assert_string_equal(a->disagreements[k].golden_row, b->disagreements[k].golden_row);
 }
 
-/* The exact boundary errs nowhere under any convention but for points inside that lie on it, of
- * which it has none; with two facets turned round parity says the same. A box that is too large has
- * `out` points inside, and no `in` point out; an empty mesh has each `in` point out. Two threads
- * say what one does. */
+/* The exact boundary errs nowhere under any convention: it could err at points inside that lie on
+ * it alone, and has none; with two facets turned round parity says the same. A box that is too
+ * large has `out` points inside, and no `in` point out; an empty mesh has each `in` point out. Two
+ * threads say what one does. */
 static void generated(void **state) {
     (void)state;
     static const slong exact[4] = {0, 10, 0, 2}, large[4] = {-2, 12, -2, 4};

@@ -9,8 +9,8 @@
 
 enum { MUTANTS = 400 };
 
-/* Whatever is done to a file's bytes, it is read as a soup with its indices in range, or refused
- * with a message. */
+/* A file with any bytes changed is read as a soup with its indices in range, or refused with a
+ * message. */
 static void mutate_and_read(const char *extension, const char *bytes, size_t size, ulong seed) {
     static const char pieces[] = " \n\r\t\\#/-+.,(){}|0123456789eEnai\0\xff";
     char *copy = malloc(size + 1);

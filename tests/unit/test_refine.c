@@ -372,7 +372,7 @@ static void test_uneven_pairs(void **unused) {
         fmpq_init(middle);
         set_uneven_pair(p, q, k, e, side);
         roots_in_unit_interval(&first, p);
-        if (round >= 24) /* the product has both roots, of which one is p's */
+        if (round >= 24) /* the product has both roots, and one is p's */
             fmpz_poly_mul(q, q, p);
         roots_in_unit_interval(&second, q);
         algebraic *x = first.item, *y = second.item;

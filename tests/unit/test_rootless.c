@@ -10,7 +10,7 @@
 
 enum { ROUNDS = 20000 };
 
-/* What each test starts with: the zero polynomial and [0, 0]. */
+/* The start of each test: the zero polynomial and [0, 0]. */
 typedef struct question {
     fmpz_poly_t p;
     dyadic_interval interval;

@@ -79,8 +79,8 @@ static void corners_inside(void **state) {
                 assert_true(fabs(s->normal[i]) <= 1);
             check_below(solid, n, s);
         }
-        /* Of n simplices, halved again and again, about n / 3 nodes have four or more; those of a
-         * whole small solid have no normal. */
+        /* A tree that halves n simplices again and again has about n / 3 nodes with four or more;
+         * those of a whole small solid have no normal. */
         assert_true(bounded >= solid->cut.count / 8);
         graze_solid_destroy(solid);
     }

@@ -102,7 +102,7 @@ static void expect_all(stream *in, const sample *s) {
     stream_close(in);
 }
 
-/* What is copied line by line is the file. */
+/* A copy made line by line is the file. */
 static void expect_copy(const sample *s) {
     stream in;
     text copy;

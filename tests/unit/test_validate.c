@@ -175,7 +175,7 @@ static void variant(soup *out, const shape *s, unsigned which) {
     }
 }
 
-/* Same answer in all variants: legal with so many components, or refused with these words. */
+/* Same answer in all variants: legal with `components` components, or refused with these words. */
 static void expect(const char *name, const shape *s, unsigned flags, const char *says,
                    size_t components) {
     for (unsigned which = 0; which < 96; which++) {

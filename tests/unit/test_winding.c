@@ -1,5 +1,5 @@
 /* Winding numbers of random meshes that cross themselves (questions/judge/winding.h), at points of
- * a coarse grid, of which many lie on the mesh or have rays that meet edges and vertices.
+ * a coarse grid; many of them lie on the mesh or have rays that meet edges and vertices.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The second method knows no ray and no tree. The winding number at x of a mesh that closes is the
@@ -80,7 +80,7 @@ static int side_of(const slong *a, const slong *b, const slong *c, const slong *
     return (value > 0) - (value < 0);
 }
 
-/* Of a triangle that no line holds: is x on it? */
+/* Is x on this triangle, which no line holds? */
 static int is_on(const slong *a, const slong *b, const slong *c, const slong *x) {
     slong off[3];
     if (side_of(a, b, c, x) != 0)

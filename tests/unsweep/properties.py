@@ -177,7 +177,7 @@ def eq24_points(s):
 
 
 def eq24_solids(s):
-    """The same with the unswept and the swept solid, which an axis-parallel translation by whole
+    """Equation 24 with the unswept and the swept solid, which an axis-parallel translation by whole
     cells keeps made of cells. The regularised unsweep may lose points; its sweep is in S even so.
     """
     k, axis = s.rng.randint(1, 3), s.rng.randrange(s.d)
@@ -217,7 +217,7 @@ def eq25_regularised(s):
 
 
 def eq25_blocks(s):
-    """The same for two blocks that overlap."""
+    """Equation 25 for two blocks that overlap."""
     first = block((0,) * s.d, (4,) * s.d)
     second = block((1,) * s.d, (6,) * (s.d - 1) + (3,))
     answers = [s.unswept(f"25 block {k}", c, s.motion, s.points)

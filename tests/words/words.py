@@ -33,7 +33,7 @@ def letters(word):
 
 
 def touching_part(p, y, way):
-    """What touches the line from above at (p, y): a tip, or for a slide a flat foot."""
+    """The ring that touches the line from above at (p, y): a tip, or for a slide a flat foot."""
     if way == "slide":
         return ring((p - H, y), (p + H, y), (p + 2 * H, y + F(1, 2)), (p - 2 * H, y + F(1, 2)))
     return ring((p, y), (p + F(1, 4), y + F(1, 2)), (p - F(1, 4), y + F(1, 2)))

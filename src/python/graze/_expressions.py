@@ -134,5 +134,5 @@ class Expressions:
         return type(self)._expressed(d, {"affine": {"matrix": rows, "of": self._operand()}})
 
     def named(self: Made, name: str) -> Made:
-        """The same with a name, which cells of a primitive have."""
+        """This solid with a name, which cells of a primitive have."""
         return type(self)._expressed(self.dimension, {**self._operand(), "name": name})

@@ -23,7 +23,7 @@ _TEXT, _JSON = 0, 1
 
 
 class Comparison(NamedTuple):
-    """What `graze compare` finds.
+    """Result of `graze compare`.
 
     Attributes:
         report: figures and disagreements, as the JSON of `graze compare --format json`.

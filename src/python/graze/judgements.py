@@ -128,7 +128,7 @@ def _read(context: Context, path: Any) -> Handle:
 
 def _compared(context: Context, scene: Handle, mesh: Handle, points: int, seed: int,
               jobs: Optional[int]) -> Optional[Handle]:
-    """What the mesh says of generated points; None of no points, or where it is not closed."""
+    """The mesh's answers for generated points; None for no points, or where the mesh is not closed."""
     if not points or not library().graze_mesh_get_facts(mesh.pointer).rule:
         return None
     asked = CMeshPoints(size=ctypes.sizeof(CMeshPoints), count=points, seed=seed, on_as=_ON_AS_ANY, threads=threads(jobs))

@@ -34,7 +34,7 @@ OVERLAPS = ("extend", "reject")
 FOLDS = ("separate", "combined")
 COLUMNS = ("all", "pmc")
 FORMATS = ("csv", "jsonl")
-_FEW = 8  # points, of which a call may well be brief
+_FEW = 8  # points; a call of fewer may well be brief
 
 Number = Union[int, float, str, Fraction]
 
@@ -396,8 +396,8 @@ class Scene:
         vertex is on it or between two points that were classified exactly.
 
         Args:
-            depth: cells are halved so often along each axis at most.
-            coarse: all cells are halved so often; None is 4, in the plane 5, or the depth.
+            depth: the greatest number of times that cells are halved along each axis.
+            coarse: the number of times that all cells are halved; None is 4, in the plane 5, or the depth.
             budget: points that may be classified.
             contacts: points of contact that are made, so that thin parts are found; `seed` is theirs.
             box: the lowest and the highest corner; None is around the scene.

@@ -90,7 +90,7 @@ def expected(word, combined=False):
 
 
 def admissible(letters):
-    """All words of at most so many letters: B's stand alone between letters I and O."""
+    """All words of at most `letters` letters: B's stand alone between letters I and O."""
     out = ["B"]
     for r in range(1, letters // 2 + 2):
         for bits in range(2 ** r):

@@ -420,7 +420,7 @@ def conjugated(motion, t, inverse):
 
 
 def cut(motion, times):
-    """The same motion with more break points."""
+    """The motion unchanged, with further break points at these times."""
     pieces = []
     for p in motion.pieces:
         marks = [p.lo] + sorted({t for t in times if p.lo < t < p.hi}) + [p.hi]

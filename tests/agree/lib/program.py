@@ -21,7 +21,7 @@ KEEP = ("--keep", {"help": "folder that keeps the files of every run"})
 
 
 def options(description, *more):
-    """Those of every suite, and --keep."""
+    """The options of every suite, and --keep."""
     return harness.options(description, KEEP, *more)
 
 
@@ -34,7 +34,7 @@ class Answer:
         self.word = record["word"]
 
     def counts(self):
-        """What the laws compare; None where unsweep has no such field."""
+        """The fields that the laws compare; None where unsweep has no such field."""
         r = self.record
         return (r["word"], r.get("i"), r.get("t"), r.get("class"), r.get("case"), r["pmc"])
 

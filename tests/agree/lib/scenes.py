@@ -65,7 +65,7 @@ def space_motions():
 
 
 def chosen(args, where, solids, motions, count):
-    """(name, solid, motion): so many at scale 1, or every solid and every motion at least once."""
+    """(name, solid, motion): `count` of them at scale 1; of 0, every solid and every motion at least once."""
     every = max(len(solids), len(motions))
     for k in args.rounds(count or every, where):
         turn, j = divmod(k, every)
@@ -87,6 +87,6 @@ def space_scenes(args, count=0):
 
 
 def scenes(args, count=0):
-    """In the plane, and in space; so many each at scale 1."""
+    """In the plane, and in space; `count` of each at scale 1."""
     yield from plane_scenes(args, count)
     yield from space_scenes(args, count)

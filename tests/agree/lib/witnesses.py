@@ -1,4 +1,4 @@
-"""What a witness of the boundary of the closed sweep must be, recomputed from its direction, path or square.
+"""Witnesses of the boundary of the closed sweep, recomputed from their direction, path or square.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -44,8 +44,8 @@ def check_square(checks, name, point, said):
 
 
 def check_witness(checks, graze, name, files, point, record, question="topo"):
-    """Of an `on` point that is `boundary`, or with the question `regular` is `yes`; returns the distance from it at which
-    its witness is, by the largest coordinate, or None where that is on a square."""
+    """Check the witness of an `on` point that is `boundary`, or whose answer to `regular` is `yes`; return its distance
+    from the point, by the largest coordinate, or None where the witness is on a square."""
     said = {key[len(question) + 1:]: value for key, value in record.items() if key.startswith(question + "_")}
     level, point = said["level"], [F(x) for x in point]
     keys = set(said) - {"level", "witness"}

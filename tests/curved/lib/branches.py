@@ -84,7 +84,7 @@ def tacnode():
 
 
 def alone(rng):
-    """A curve of which the origin is an isolated point."""
+    """A curve with an isolated point at the origin."""
     return rng.choice([plane(x2y0=1, x0y2=1, x3y0=1), plane(x4y0=1, x0y2=1), plane(x2y0=-1, x0y2=-2), plane(x2y0=1, x1y1=1, x0y2=1)]), []
 
 
