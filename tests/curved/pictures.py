@@ -67,6 +67,26 @@ class Picture:
                     (i, self.count[1] - 1 - j) for i in range(first, last) for j in range(top, bottom))
         return out
 
+    def regions(self):
+        """(column, row) of the cells whose centres lie in the closed polygons that are filled, by class."""
+        group = self.text[self.text.index('<g class="cells"'):]
+        out = {}
+        for name, _, d in PATH.findall(group[:group.index("</g>")]):
+            sides = []
+            for part in d.split("M")[1:]:
+                ring, at = [], [0, 0]
+                for letter, numbers in re.findall(r"([MLHV])([-\d. ]+)", "M" + part):
+                    values = [float(v) for v in numbers.split()]
+                    at = values if letter in "ML" else [values[0], at[1]] if letter == "H" else [at[0], values[0]]
+                    ring.append(self.point(*at))
+                sides += zip(ring, ring[1:] + ring[:1])
+            for cell in ((i, j) for i in range(self.count[0]) for j in range(self.count[1])):
+                x, y = self.centre(cell)
+                right = sum((b > y) != (f > y) and a + (y - b) * (e - a) / (f - b) > x for (a, b), (e, f) in sides)
+                if right % 2:
+                    out.setdefault(name, set()).add(cell)
+        return out
+
     def centre(self, cell):
         return [self.low[k] + (cell[k] + .5) * self.side for k in range(2)]
 
@@ -85,8 +105,8 @@ def check_outline(checks, picture, marks, x):
         checks.holds(max(abs(v - round(v)) for v in r) < .02 and len(r) > 200, marks, str((min(r), max(r), len(r))))
 
 
-def check_cells(checks, picture):
-    cells, swept = picture.cells(), set()
+def check_cells(checks, picture, cells):
+    swept = set()
     for i in range(picture.count[0]):
         for j in range(picture.count[1]):
             x, y = picture.centre((i, j))
@@ -117,13 +137,13 @@ def main():
         points = os.path.join(folder, "p.csv")
         with open(points, "w", encoding="utf-8") as file:
             file.write("5,1\n")
-        for picture in (draw(RING, AWAY, points, "--grid", "40"),
-                        draw(SHELL, AWAY_IN_SPACE, "-p", "5,1,0", "--plane", "z=0", "--grid", "40"),
-                        draw(SHELL, AWAY_IN_SPACE, "-p", "5,1,0", "--plane", "0,0,3,0", "--grid", "40")):
+        for picture, cells in ((draw(RING, AWAY, points, "--grid", "40"), Picture.cells),
+                               (draw(SHELL, AWAY_IN_SPACE, "-p", "5,1,0", "--plane", "z=0", "--grid", "40"), Picture.regions),
+                               (draw(SHELL, AWAY_IN_SPACE, "-p", "5,1,0", "--plane", "0,0,3,0", "--grid", "40"), Picture.regions)):
             if picture:
                 check_outline(checks, picture, 'stroke="#222222" stroke-width="2" stroke-linejoin="round"', 0)
                 check_outline(checks, picture, 'stroke="#222222" stroke-width="2" stroke-linejoin="round" stroke-dasharray="5"', 8)
-                check_cells(checks, picture)
+                check_cells(checks, picture, cells(picture))
                 checks.holds("blank" not in picture.text and 'class="trajectories"' in picture.text)
                 checks.holds("made for the eye" in picture.text)
         # Edges stay sharp: the section of a box has its corners.
