@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "api/api.h"
-#include "base/context/environment.h"
 
 #include <flint/flint.h>
 #include <flint/fmpq_vec.h>
@@ -14,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <yajl/yajl_version.h>
+#include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "base/number/rounding.h"
 #include "decide/filter/time_ray.h"
@@ -59,10 +59,9 @@ graze_status api_rational_check(graze_context *context, const mpq_t value) {
 }
 
 graze_status api_rational(fmpq_t out, graze_context *context, const mpq_t value) {
-    graze_status status = api_rational_check(context, value);
-    if (!status)
-        fmpq_set_mpq(out, value);
-    return status;
+    TRY(api_rational_check(context, value));
+    fmpq_set_mpq(out, value);
+    return GRAZE_OK;
 }
 
 graze_status api_point(fmpq *out, graze_context *context, const graze_scene *scene,
@@ -132,13 +131,11 @@ graze_status graze_number_parse(mpq_t out, graze_context *context, const char *t
                                 size_t length) {
     if (!out || !context || !text)
         return api_misuse(context, "graze_number_parse", "out, context and text must not be NULL");
-    fmpq_t value; /* made by integer arithmetic alone, which no floating-point mode disturbs */
-    fmpq_init(value);
-    graze_status status = rational_parse(value, context, text, length);
-    if (!status)
-        api_rational_out(out, value);
-    fmpq_clear(value);
-    return status;
+    LOCAL(fmpq,
+          value); /* made by integer arithmetic alone, which no floating-point mode disturbs */
+    TRY(rational_parse(value, context, text, length));
+    api_rational_out(out, value);
+    return GRAZE_OK;
 }
 
 static graze_status take_options(graze_options *out, graze_context *context, const char *function,
@@ -162,7 +159,7 @@ graze_status graze_scene_create(graze_scene **out, graze_context *context, const
     graze_status status = take_options(&taken, context, "graze_scene_create", options);
     if (status)
         return status;
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     graze_scene *scene = malloc(sizeof *scene);
     if (!scene)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory");
@@ -220,17 +217,16 @@ graze_status graze_scene_box(mpq_t *low, mpq_t *high, graze_context *context,
                           "low, high, context and scene must not be NULL");
     if (!solid_bounded(scene->solid))
         return api_unbounded(context, "graze_scene_box");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     int d = scene->motion->dimension;
-    fmpq *from = _fmpq_vec_init(d), *to = _fmpq_vec_init(d);
-    graze_status status = scene_box(from, to, context, scene);
-    for (int k = 0; k < d && !status; k++) {
+    LOCAL_VEC(fmpq, from, d);
+    LOCAL_VEC(fmpq, to, d);
+    TRY(scene_box(from, to, context, scene));
+    for (int k = 0; k < d; k++) {
         api_rational_out(low[k], from + k);
         api_rational_out(high[k], to + k);
     }
-    _fmpq_vec_clear(from, d);
-    _fmpq_vec_clear(to, d);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status graze_word_verdict(graze_verdict *out, graze_context *context, const char *word,
@@ -240,9 +236,7 @@ graze_status graze_word_verdict(graze_verdict *out, graze_context *context, cons
     if (!out || !context || !word)
         return api_misuse(context, "graze_word_verdict", "out, context and word must not be NULL");
     graze_options taken;
-    graze_status status = take_options(&taken, context, "graze_word_verdict", options);
-    if (status)
-        return status;
+    TRY(take_options(&taken, context, "graze_word_verdict", options));
     if (verdict_of_word(out, word, length, &taken))
         return GRAZE_OK;
     return context_fail(context, GRAZE_EINPUT,
@@ -270,13 +264,13 @@ static graze_status begin(trace_detail *detail, graze_verdict *out, graze_contex
 
 graze_status graze_classify(graze_verdict *out, graze_context *context, const graze_scene *scene,
                             graze_rationals points, size_t n, graze_columns columns) {
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     trace_detail detail;
     graze_status status = begin(&detail, out, context, scene, points, n, columns);
     if (status)
         return status;
     size_t d = (size_t)scene->motion->dimension;
-    fmpq *point = _fmpq_vec_init((slong)d);
+    LOCAL_VEC(fmpq, point, (slong)d);
     for (size_t p = 0; p < n && !status; p++)
         for (size_t k = 0; k < d && !status; k++)
             if ((status = api_rational_check(context, points[p * d + k])) != GRAZE_OK)
@@ -288,28 +282,24 @@ graze_status graze_classify(graze_verdict *out, graze_context *context, const gr
         if (status)
             status = context_item(context, status, "point", p, NULL);
     }
-    _fmpq_vec_clear(point, (slong)d);
     return status;
 }
 
 /* GRAZE_EINPUT with a message if a coordinate is no finite number. */
 static graze_status check_finite(graze_context *context, const double *point, size_t d) {
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < d && !status; k++) {
+    for (size_t k = 0; k < d; k++) {
         if (isfinite(point[k]))
             continue;
-        fmpq_t value;
-        fmpq_init(value);
-        status = rational_from_double(value, context, point[k]);
-        fmpq_clear(value);
+        LOCAL(fmpq, value);
+        TRY(rational_from_double(value, context, point[k]));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status graze_classify_doubles(graze_verdict *out, graze_context *context,
                                     const graze_scene *scene, const double *points, size_t n,
                                     graze_columns columns) {
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     trace_detail detail;
     graze_status status = begin(&detail, out, context, scene, points, n, columns);
     if (status)

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "api/api.h"
-#include "base/context/environment.h"
+#include "base/context/scope.h"
 #include "base/context/team.h"
 #include "questions/boundary/bisect.h"
 #include "questions/boundary/boundary.h"
@@ -30,7 +30,8 @@ static graze_status make(graze_boundary **out, graze_context *context, const gra
     graze_boundary *b = malloc(sizeof *b);
     if (!b)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory");
-    fmpq *low = _fmpq_vec_init(3), *high = _fmpq_vec_init(3);
+    LOCAL_VEC(fmpq, low, 3);
+    LOCAL_VEC(fmpq, high, 3);
     graze_status status = take_box(low, high, context, scene->motion->dimension, o);
     if (status) {
         free(b);
@@ -41,8 +42,6 @@ static graze_status make(graze_boundary **out, graze_context *context, const gra
         else
             *out = b;
     }
-    _fmpq_vec_clear(low, 3);
-    _fmpq_vec_clear(high, 3);
     return status;
 }
 
@@ -54,9 +53,7 @@ graze_status graze_boundary_create(graze_boundary **out, graze_context *context,
     if (!out || !context || !scene || !options)
         return api_misuse(context, "graze_boundary_create", "no argument may be NULL");
     graze_boundary_options o;
-    graze_status status = api_options(&o, sizeof o, context, "graze_boundary_create", options);
-    if (status)
-        return status;
+    TRY(api_options(&o, sizeof o, context, "graze_boundary_create", options));
     if (!o.low != !o.high)
         return api_misuse(context, "graze_boundary_create",
                           "low and high must both be given or both be NULL");
@@ -70,7 +67,7 @@ graze_status graze_boundary_create(graze_boundary **out, graze_context *context,
         return api_misuse(context, "graze_boundary_create", "the threads are 0 to 1024");
     if (scene->solid->curved)
         return api_curved(context, "graze_boundary_create");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     return make(out, context, scene, &o);
 }
 
@@ -113,10 +110,9 @@ static void give_point(mpq_t *out, const graze_boundary *b, const fmpq *point) {
 graze_pmc graze_boundary_point(mpq_t *point, const graze_boundary *b, size_t index) {
     if (!point || !b || index >= b->points.count)
         return GRAZE_PMC_NONE;
-    fmpq *at = _fmpq_vec_init(b->dimension);
+    LOCAL_VEC(fmpq, at, b->dimension);
     lattice_point(at, b, b->points.key[index]);
     give_point(point, b, at);
-    _fmpq_vec_clear(at, b->dimension);
     return (graze_pmc)b->points.value[index];
 }
 
@@ -142,21 +138,19 @@ graze_boundary_cell graze_boundary_cell_at(const graze_boundary *b, size_t index
 void graze_boundary_vertex(mpq_t *point, const graze_boundary *b, size_t index) {
     if (!point || !b || index >= bisect_count(b))
         return;
-    fmpq *at = _fmpq_vec_init(b->dimension);
+    LOCAL_VEC(fmpq, at, b->dimension);
     bisect_vertex(at, b, index);
     give_point(point, b, at);
-    _fmpq_vec_clear(at, b->dimension);
 }
 
 void graze_boundary_vertex_between(mpq_t *outside, mpq_t *inside, const graze_boundary *b,
                                    size_t index) {
     if (!outside || !inside || !b || index >= bisect_count(b))
         return;
-    fmpq *at = _fmpq_vec_init(2 * b->dimension);
+    LOCAL_VEC(fmpq, at, 2 * b->dimension);
     bisect_between(at, at + b->dimension, b, index);
     give_point(outside, b, at);
     give_point(inside, b, at + b->dimension);
-    _fmpq_vec_clear(at, 2 * b->dimension);
 }
 
 const size_t *graze_boundary_face(const graze_boundary *b, size_t index) {

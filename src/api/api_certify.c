@@ -4,7 +4,7 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "api/api_rows.h"
-#include "base/context/environment.h"
+#include "base/context/scope.h"
 #include "decide/verdict/classify.h"
 #include "questions/certify/head.h"
 #include "questions/certify/row.h"
@@ -24,7 +24,7 @@ graze_status graze_certifier_create(graze_certifier **out, graze_context *contex
         return api_misuse(context, "graze_certifier_create", "a flag is unknown");
     if (scene->solid->curved)
         return api_curved(context, "graze_certifier_create");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     graze_certifier *made = malloc(sizeof *made);
     if (!made)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory");
@@ -50,7 +50,7 @@ graze_status graze_certificate_head(char **out, graze_context *context,
     if (!out || !context || !certifier)
         return api_misuse(context, "graze_certificate_head",
                           "out, context and certifier must not be NULL");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     text t;
     text_init(&t);
     graze_status status = certify_head(&t, context, &certifier->inner);
@@ -122,9 +122,9 @@ graze_status graze_certificate_points(char **out, size_t *length, char **table,
                           "a certificate needs all answers; expected no columns of pmc alone");
     if (status)
         return status;
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     size_t d = (size_t)certifier->inner.scene->motion->dimension, whole = 0, whole_rows = 0;
-    fmpq *point = _fmpq_vec_init((slong)d);
+    LOCAL_VEC(fmpq, point, (slong)d);
     text certificate, rows;
     text_init(&certificate);
     text_init(&rows);
@@ -137,7 +137,6 @@ graze_status graze_certificate_points(char **out, size_t *length, char **table,
         whole_rows = status ? whole_rows : rows.length;
         *done += !status;
     }
-    _fmpq_vec_clear(point, (slong)d);
     api_whole_rows(out, length, &certificate, whole);
     if (table)
         api_whole_rows(table, table_length, &rows, whole_rows);

@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "api/api.h"
-#include "base/context/environment.h"
+#include "base/context/scope.h"
 #include "decide/verdict/verdict.h"
 #include "input/motion/relative.h"
 #include "output/report/pair_json.h"
@@ -23,12 +23,12 @@ static graze_status check_pair_solids(graze_context *context, const graze_solid 
 
 static graze_status check_pair_options(graze_pair_options *out, graze_context *context,
                                        const graze_pair_options *options) {
-    graze_status status = api_options(out, sizeof *out, context, name, options);
-    if (!status && (unsigned)out->question > GRAZE_PAIR_INSIDE)
-        status = api_misuse(context, name, "there is no such question");
-    if (!status && out->first != 0 && out->first != 1)
-        status = api_misuse(context, name, "options.first must be 0 or 1");
-    return status;
+    TRY(api_options(out, sizeof *out, context, name, options));
+    if ((unsigned)out->question > GRAZE_PAIR_INSIDE)
+        return api_misuse(context, name, "there is no such question");
+    if (out->first != 0 && out->first != 1)
+        return api_misuse(context, name, "options.first must be 0 or 1");
+    return GRAZE_OK;
 }
 
 graze_status graze_pair_create(graze_pair **out, graze_context *context, const graze_solid *moving,
@@ -39,7 +39,7 @@ graze_status graze_pair_create(graze_pair **out, graze_context *context, const g
         *out = NULL;
     if (!out || !context || !moving || !motion || !fixed)
         return api_misuse(context, name, "out, context, moving, motion and fixed must not be NULL");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     graze_pair_options checked;
     graze_status status = check_pair_options(&checked, context, options);
     if (!status)
@@ -120,7 +120,7 @@ graze_status graze_pair_json(char **out, graze_context *context, const graze_pai
         *out = NULL;
     if (!out || !context || !pair)
         return api_misuse(context, "graze_pair_json", "out, context and pair must not be NULL");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     text t;
     text_init(&t);
     pair_json(&t, pair);

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "api/api.h"
-#include "base/context/environment.h"
+#include "base/context/scope.h"
 #include "output/compare/compare.h"
 #include "output/compare/counts.h"
 #include "output/compare/report_json.h"
@@ -33,7 +33,7 @@ graze_status graze_compare(graze_comparison **out, graze_context *context, const
         return api_misuse(context, "graze_compare",
                           "truth and sdf_tolerance are of the column sdf; expected has to be "
                           "GRAZE_HAS_SDF");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     graze_comparison *c = calloc(1, sizeof *c);
     if (!c)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory");

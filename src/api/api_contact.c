@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "api/api.h"
-#include "base/context/environment.h"
+#include "base/context/scope.h"
 #include "output/report/site_rows.h"
 #include "questions/contact/site.h"
 
@@ -14,9 +14,8 @@ static graze_status create(graze_site **out, graze_context *context, const graze
                            const mpq_t time, graze_rationals point, int in_world,
                            const graze_cell *cell) {
     int d = scene->motion->dimension;
-    fmpq *y = _fmpq_vec_init(d);
-    fmpq_t t;
-    fmpq_init(t);
+    LOCAL_VEC(fmpq, y, d);
+    LOCAL(fmpq, t);
     graze_site *made = malloc(sizeof *made);
     graze_status status = made ? api_rational(t, context, time)
                                : context_fail(context, GRAZE_ESYSTEM, "out of memory");
@@ -31,8 +30,6 @@ static graze_status create(graze_site **out, graze_context *context, const graze
         free(made);
     else
         *out = made;
-    fmpq_clear(t);
-    _fmpq_vec_clear(y, d);
     return status;
 }
 
@@ -49,7 +46,7 @@ static graze_status check_and_create(graze_site **out, graze_context *context,
         return api_misuse(context, function, "the scene is an unsweep; expected a sweep");
     if (scene->solid->curved)
         return api_curved(context, function);
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     return create(out, context, scene, time, point, in_world, cell);
 }
 
@@ -142,7 +139,7 @@ graze_status graze_site_header(char **out, graze_context *context, const graze_s
         *out = NULL;
     if (!out || !context || !scene)
         return api_misuse(context, "graze_site_header", "out, context and scene must not be NULL");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     return report_contact_header(out, context, scene, notes, columns);
 }
 
@@ -154,7 +151,7 @@ graze_status graze_site_row(char **out, graze_context *context, const graze_site
         return api_misuse(context, "graze_site_row", "out, context and site must not be NULL");
     if (format != GRAZE_FORMAT_CSV && format != GRAZE_FORMAT_JSONL)
         return api_misuse(context, "graze_site_row", "the format is unknown");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     text t;
     text_init(&t);
     if (format == GRAZE_FORMAT_CSV)

@@ -3,7 +3,7 @@
  */
 #include <stdlib.h>
 #include "api/api.h"
-#include "base/context/environment.h"
+#include "base/context/scope.h"
 #include "input/convert/dyadic_motion.h"
 #include "input/convert/poses.h"
 #include "input/convert/turn.h"
@@ -42,11 +42,11 @@ static graze_status finish_conversion(char **json, char **report, graze_context 
 
 static graze_status take_positive(fmpq_t out, graze_context *context, mpq_srcptr value, int strict,
                                   const char *name) {
-    graze_status status = api_rational(out, context, value);
-    if (!status && (fmpq_sgn(out) < 0 || (strict && fmpq_is_zero(out))))
-        status = context_fail(context, GRAZE_EUSE, "the %s must be %s", name,
-                              strict ? "positive" : "0 or more");
-    return status;
+    TRY(api_rational(out, context, value));
+    if (fmpq_sgn(out) < 0 || (strict && fmpq_is_zero(out)))
+        return context_fail(context, GRAZE_EUSE, "the %s must be %s", name,
+                            strict ? "positive" : "0 or more");
+    return GRAZE_OK;
 }
 
 static graze_status take_joint(joint *out, graze_context *context, int dimension,
@@ -79,10 +79,10 @@ static graze_status take_joint(joint *out, graze_context *context, int dimension
 static graze_status chain(char **json, char **report, graze_context *context, int dimension,
                           const graze_joint *given, size_t count, mpq_srcptr tolerance,
                           mpq_srcptr radius, int uniform) {
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     target goal = {.dimension = dimension};
     conversion made;
-    joint *joints = calloc(count, sizeof *joints);
+    FREED(joint, joints, calloc(count, sizeof *joints));
     size_t taken = 0;
     graze_status status = GRAZE_OK;
     fmpq_init(goal.tolerance);
@@ -105,7 +105,6 @@ static graze_status chain(char **json, char **report, graze_context *context, in
     status = finish_conversion(json, report, context, &made, status);
     while (taken > 0)
         joint_clear(joints + --taken);
-    free(joints);
     fmpq_clear(goal.radius);
     fmpq_clear(goal.tolerance);
     return status;
@@ -164,11 +163,10 @@ static graze_status take_poses(pose_choice *out, graze_context *context,
 /* Options that are known. */
 static graze_status write_poses(char **json, char **report, graze_context *context,
                                 const char *path, const graze_pose_options *o) {
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     conversion made;
     pose_choice choice;
-    fmpq_t tolerance;
-    fmpq_init(tolerance);
+    LOCAL(fmpq, tolerance);
     fmpq_set_si(tolerance, 1, 1000000);
     text_init(&made.motion);
     text_init(&made.report);
@@ -180,7 +178,6 @@ static graze_status write_poses(char **json, char **report, graze_context *conte
     fmpq_clear(choice.from);
     fmpq_clear(choice.to);
     fmpq_clear(choice.scale);
-    fmpq_clear(tolerance);
     return finish_conversion(json, report, context, &made, status);
 }
 
@@ -203,9 +200,7 @@ graze_status graze_motion_write_pose_list(char **json, char **report, graze_cont
     if (!json || !context || !path)
         return api_misuse(context, name, "json, context and path must not be NULL");
     graze_pose_options taken;
-    graze_status status = api_options(&taken, sizeof taken, context, name, options);
-    if (status)
-        return status;
+    TRY(api_options(&taken, sizeof taken, context, name, options));
     if (taken.flags & ~(GRAZE_POSES_AFFINE | GRAZE_POSES_SHORTEST | GRAZE_POSES_NUMBERED |
                         GRAZE_POSES_LONG | GRAZE_POSES_SLERP))
         return api_misuse(context, name, "an unknown flag is set");
@@ -230,15 +225,13 @@ graze_status graze_motion_write_dyadic(char **json, char **report, graze_context
     if (!json || !context || !motion || !tolerance)
         return api_misuse(context, "graze_motion_write_dyadic",
                           "no argument but report may be NULL");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     conversion made;
-    fmpq_t allowed;
-    fmpq_init(allowed);
+    LOCAL(fmpq, allowed);
     text_init(&made.motion);
     text_init(&made.report);
     graze_status status = take_positive(allowed, context, tolerance, 1, "tolerance");
     if (!status)
         status = convert_dyadic(&made, context, motion, allowed);
-    fmpq_clear(allowed);
     return finish_conversion(json, report, context, &made, status);
 }

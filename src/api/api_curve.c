@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "api/api.h"
-#include "base/context/environment.h"
+#include "base/context/scope.h"
 #include "output/report/event_rows.h"
 #include "questions/envelope/contact_curve.h"
 #include "questions/envelope/sample.h"
@@ -16,15 +16,13 @@ graze_status graze_curve_create(graze_curve **out, graze_context *context,
     if (!out || !context || !envelope || !time)
         return api_misuse(context, "graze_curve_create",
                           "out, context, envelope and time must not be NULL");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    fmpq_t t;
-    fmpq_init(t);
+    IN_ENVIRONMENT();
+    LOCAL(fmpq, t);
     graze_curve *made = malloc(sizeof *made);
     graze_status status = made ? api_rational(t, context, time)
                                : context_fail(context, GRAZE_ESYSTEM, "out of memory");
     if (!status)
         status = contact_curve_make(made, context, envelope, t);
-    fmpq_clear(t);
     if (status)
         free(made);
     else
@@ -63,7 +61,7 @@ graze_status graze_curve_header(char **out, graze_context *context, const graze_
     if (!out || !context || !envelope)
         return api_misuse(context, "graze_curve_header",
                           "out, context and envelope must not be NULL");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     return report_curve_header(out, context, envelope->scene, notes);
 }
 
@@ -75,7 +73,7 @@ graze_status graze_curve_row(char **out, graze_context *context, const graze_cur
         return api_misuse(context, "graze_curve_row", "out, context and curve must not be NULL");
     if (index >= curve->count)
         return api_misuse(context, "graze_curve_row", "there is no such part");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     text t;
     text_init(&t);
     report_curve(&t, curve, &curve->part[index]);
@@ -91,7 +89,7 @@ graze_status graze_envelope_site(graze_site **out, graze_context *context,
     if (!out || !context || !envelope)
         return api_misuse(context, "graze_envelope_site",
                           "out, context and envelope must not be NULL");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     graze_site *made = malloc(sizeof *made);
     graze_status status = made ? sample_make(made, &found, context, envelope, seed, index)
                                : context_fail(context, GRAZE_ESYSTEM, "out of memory");

@@ -4,7 +4,7 @@
 #include <string.h>
 #include "api/api_distance.h"
 #include "api/api.h"
-#include "base/context/environment.h"
+#include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "decide/verdict/classify.h"
 #include "graze/distance.h"
@@ -50,10 +50,10 @@ static graze_status begin_distances(graze_enclosure *out, graze_context *context
 static graze_status enclose_points(graze_enclosure *out, graze_context *context,
                                    const graze_scene *scene, graze_rationals rationals,
                                    const double *doubles, size_t n, double tolerance) {
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     size_t d = (size_t)scene->motion->dimension;
     graze_status status = GRAZE_OK;
-    fmpq *point = _fmpq_vec_init((slong)d);
+    LOCAL_VEC(fmpq, point, (slong)d);
     for (size_t p = 0; p < n && !status; p++) {
         if (rationals)
             status = api_point(point, context, scene, rationals + p * d);
@@ -64,7 +64,6 @@ static graze_status enclose_points(graze_enclosure *out, graze_context *context,
         if (status)
             status = context_item(context, status, "point", p, NULL);
     }
-    _fmpq_vec_clear(point, (slong)d);
     return status;
 }
 
@@ -89,7 +88,7 @@ graze_status graze_scene_diagonal(double *out, graze_context *context, const gra
                           "out, context and scene must not be NULL");
     if (scene->solid->curved)
         return api_curved(context, "graze_scene_diagonal");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     return distance_diagonal(out, context, scene);
 }
 
@@ -102,7 +101,7 @@ graze_status graze_scene_width(double *out, graze_context *context, const graze_
         return api_misuse(context, "graze_scene_width", "fraction must be positive and finite");
     if (scene->solid->curved)
         return api_curved(context, "graze_scene_width");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     graze_status status = distance_diagonal(&unit, context, scene);
     double width = status ? 0 : fraction * unit;
     if (!status && !isfinite(width))

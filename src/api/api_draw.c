@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 #include "api/api.h"
-#include "base/context/environment.h"
+#include "base/context/scope.h"
 #include "output/draw/cones.h"
 #include "output/draw/draw.h"
 #include "output/draw/marks.h"
@@ -107,8 +107,8 @@ graze_status graze_draw(graze_context *context, const graze_scene *scene, const 
         return api_curved(context, "graze_draw");
     if (!solid_bounded(scene->solid))
         return api_unbounded(context, "graze_draw");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    fmpq *numbers = _fmpq_vec_init((slong)count);
+    IN_ENVIRONMENT();
+    LOCAL_VEC(fmpq, numbers, (slong)count);
     status = take_numbers(numbers, context, o, d);
     int seen = o->view[0] != 0 || o->view[1] != 0 || o->view[2] != 0;
     draw_request request = {
@@ -136,7 +136,6 @@ graze_status graze_draw(graze_context *context, const graze_scene *scene, const 
         take_axis(&request, numbers + 2 * d);
     if (!status)
         status = (page ? page_write : draw_picture)(context, scene, file, &request);
-    _fmpq_vec_clear(numbers, (slong)count);
     return status;
 }
 
@@ -165,8 +164,8 @@ graze_status graze_draw_cones(graze_context *context, const graze_scene *scene, 
         return api_misuse(context, "graze_draw_cones", wrong);
     if (scene->solid->curved)
         return api_curved(context, "graze_draw_cones");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    fmpq *p = _fmpq_vec_init(scene->motion->dimension);
+    IN_ENVIRONMENT();
+    LOCAL_VEC(fmpq, p, scene->motion->dimension);
     topo_finding found;
     finding_init(&found);
     graze_status status = api_point(p, context, scene, point);
@@ -175,6 +174,5 @@ graze_status graze_draw_cones(graze_context *context, const graze_scene *scene, 
     if (!status)
         status = draw_cones(context, scene, file, p, &found);
     finding_clear(&found);
-    _fmpq_vec_clear(p, scene->motion->dimension);
     return status;
 }

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "api/api.h"
-#include "base/context/environment.h"
+#include "base/context/scope.h"
 #include "output/report/event_rows.h"
 #include "questions/envelope/envelope.h"
 
@@ -20,7 +20,7 @@ graze_status graze_envelope_create(graze_envelope **out, graze_context *context,
                           "the scene is an unsweep; expected a sweep");
     if (scene->solid->curved)
         return api_curved(context, "graze_envelope_create");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     graze_envelope *made = malloc(sizeof *made);
     if (!made)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory");
@@ -88,7 +88,7 @@ graze_status graze_envelope_header(char **out, graze_context *context,
     if (!out || !context || !envelope)
         return api_misuse(context, "graze_envelope_header",
                           "out, context and envelope must not be NULL");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     return report_events_header(out, context, envelope->scene, notes);
 }
 
@@ -101,7 +101,7 @@ graze_status graze_envelope_row(char **out, graze_context *context, const graze_
                           "out, context and envelope must not be NULL");
     if (index >= envelope->events.count)
         return api_misuse(context, "graze_envelope_row", "there is no such event");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     const found_event *event = &envelope->events.item[index];
     text t;
     text_init(&t);

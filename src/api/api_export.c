@@ -2,7 +2,7 @@
  */
 #include "api/api_grid.h"
 #include "api/api_rows.h"
-#include "base/context/environment.h"
+#include "base/context/scope.h"
 #include "output/report/table_text.h"
 #include "output/table/typed_read.h"
 #include "output/table/typed_write.h"
@@ -14,8 +14,7 @@ static void put_in_text(void *to, const char *bytes, size_t length) {
 /* The corners of a grid. */
 static void set_grid(typed_table *t, const lattice *l) {
     mpq_t low[3], high[3];
-    fmpq_t at;
-    fmpq_init(at);
+    LOCAL(fmpq, at);
     for (int k = 0; k < 3; k++) {
         mpq_inits(low[k], high[k], NULL);
         if (k >= l->dimension)
@@ -28,20 +27,17 @@ static void set_grid(typed_table *t, const lattice *l) {
     typed_set_grid(t, l->dimension, l->size, (graze_rationals)low, (graze_rationals)high);
     for (int k = 0; k < 3; k++)
         mpq_clears(low[k], high[k], NULL);
-    fmpq_clear(at);
 }
 
 static graze_status take_value_rows(typed_table *t, const graze_scene *scene, const char *rows,
                                     size_t length, const char *columns, const graze_grid *grid,
                                     const graze_row_options *shown) {
-    text names;
-    text_init(&names);
+    HELD(text, names);
     table_columns(&names, scene, columns, shown);
     graze_status status =
         names.failed ? context_fail(t->context, GRAZE_ESYSTEM, "out of memory")
                      : typed_begin(t, scene->motion->dimension, (field){names.data, names.length},
                                    shown->columns == GRAZE_COLUMNS_PMC);
-    text_clear(&names);
     if (!status && grid)
         set_grid(t, &grid->lattice);
     if (!status)
@@ -73,7 +69,7 @@ graze_status graze_report_export(char **out, size_t *length, graze_context *cont
         return api_misuse(context, "graze_report_export", "the grid has another dimension");
     if (status)
         return status;
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     typed_table typed;
     text bytes;
     text_init(&bytes);

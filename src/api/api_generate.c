@@ -3,7 +3,7 @@
  */
 #include <stdlib.h>
 #include "api/api.h"
-#include "base/context/environment.h"
+#include "base/context/scope.h"
 #include "questions/generate/generate.h"
 
 const char *graze_stratum_name(graze_stratum stratum) {
@@ -26,7 +26,7 @@ graze_status graze_generator_create(graze_generator **out, graze_context *contex
         return api_misuse(context, "graze_generator_create", "an unknown flag is set");
     if (!solid_bounded(scene->solid))
         return api_unbounded(context, "graze_generator_create");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     unsigned long chosen[GRAZE_STRATUM_COUNT];
     for (int k = 0; k < GRAZE_STRATUM_COUNT; k++) {
         chosen[k] = weights ? weights[k] : stratum_weight((graze_stratum)k);
@@ -81,14 +81,12 @@ graze_status graze_generator_point(mpq_t *point, mpq_t time, graze_sample *out,
                                    unsigned long long row) {
     if (!point || !time || !out || !context || !generator)
         return api_misuse(context, "graze_generator_point", "no argument may be NULL");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    sample s;
-    sample_init(&s);
+    IN_ENVIRONMENT();
+    HELD(sample, s);
     graze_status status = generator_sample(&s, context, generator, row);
     *out = s.made;
     for (int i = 0; i < generator->scene->motion->dimension && !status; i++)
         api_rational_out(point[i], s.point + i);
     api_rational_out(time, s.time);
-    sample_clear(&s);
     return status;
 }

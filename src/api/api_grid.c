@@ -6,7 +6,7 @@
 #include <string.h>
 #include "api/api.h"
 #include "api/api_grid.h"
-#include "base/context/environment.h"
+#include "base/context/scope.h"
 #include "decide/filter/time_ray.h"
 #include "decide/verdict/classify.h"
 #include "output/table/row_values.h"
@@ -56,18 +56,13 @@ graze_status graze_grid_create(graze_grid **out, graze_context *context, const g
                           "out, context, scene, size, low and high must not be NULL");
     if (!solid_bounded(scene->solid))
         return api_unbounded(context, "graze_grid_create");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     int d = scene->motion->dimension;
-    fmpq *box = _fmpq_vec_init(2 * d);
-    graze_status status = check_sizes(context, size, d);
-    if (!status)
-        status = api_point(box, context, scene, low);
-    if (!status)
-        status = api_point(box + d, context, scene, high);
-    if (!status)
-        status = make_grid(out, context, scene, size, box, box + d);
-    _fmpq_vec_clear(box, 2 * d);
-    return status;
+    LOCAL_VEC(fmpq, box, 2 * d);
+    TRY(check_sizes(context, size, d));
+    TRY(api_point(box, context, scene, low));
+    TRY(api_point(box + d, context, scene, high));
+    return make_grid(out, context, scene, size, box, box + d);
 }
 
 void graze_grid_destroy(graze_grid *grid) {
@@ -96,8 +91,7 @@ static size_t points_there(const graze_grid *grid, size_t first, size_t step, si
 void graze_grid_points(mpq_t *points, const graze_grid *grid, size_t first, size_t step,
                        size_t count) {
     size_t n = points ? points_there(grid, first, step, count) : 0, last[3] = {0, 0, 0};
-    fmpq_t coordinate;
-    fmpq_init(coordinate);
+    LOCAL(fmpq, coordinate);
     for (size_t p = 0; p < n; p++) {
         size_t place[3];
         int d = grid->lattice.dimension;
@@ -112,7 +106,6 @@ void graze_grid_points(mpq_t *points, const graze_grid *grid, size_t first, size
             last[k] = place[k];
         }
     }
-    fmpq_clear(coordinate);
 }
 
 /* A point that its brick has no answer for. */
@@ -142,7 +135,7 @@ graze_status graze_grid_pmc(unsigned char *out, graze_context *context, const gr
                           "context, grid and, with count > 0, out must not be NULL");
     if (points_there(grid, first, step, count) < count)
         return api_misuse(context, "graze_grid_pmc", "expected points of the grid");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     graze_status status = GRAZE_OK;
     size_t done = 0;
     if (count)
@@ -169,8 +162,7 @@ static graze_status put_grid_values(text *out, graze_context *context, const lat
     graze_status status = GRAZE_OK;
     size_t whole = 0, p = 0, last[3] = {SIZE_MAX, SIZE_MAX, SIZE_MAX};
     double at[3];
-    fmpq_t coordinate;
-    fmpq_init(coordinate);
+    LOCAL(fmpq, coordinate);
     for (; p < *count && !status; p += !status) {
         size_t place[3];
         whole = out->length;
@@ -184,7 +176,6 @@ static graze_status put_grid_values(text *out, graze_context *context, const lat
         }
         values_code(out, pmc[p]);
     }
-    fmpq_clear(coordinate);
     out->length = status ? whole : out->length;
     *count = p;
     return status;
@@ -207,15 +198,14 @@ graze_status graze_grid_rows(char **out, size_t *length, size_t *done, graze_con
     unsigned char *pmc = calloc(count + 1, 1); /* ends with a 0 */
     if (!pmc)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu rows", count);
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     const graze_scene *scene = grid->memory->bricks.scene;
     graze_status status =
         scene->solid->curved ? GRAZE_OK : filter_lay_bricks(&scene->filter, context);
     if (!status)
         status = graze_grid_pmc(pmc, context, grid, first, step, count);
     size_t rows = strlen((const char *)pmc);
-    text t;
-    text_init(&t);
+    HELD(text, t);
     if (format == GRAZE_FORMAT_CSV)
         rows_put(&t, &grid->memory->texts, &grid->lattice, pmc, first, step, rows);
     else if (!status)
@@ -225,7 +215,6 @@ graze_status graze_grid_rows(char **out, size_t *length, size_t *done, graze_con
     *done = t.failed ? 0 : rows;
     *length = t.failed ? 0 : t.length;
     *out = *done ? text_take(&t) : NULL;
-    text_clear(&t);
     free(pmc);
     return status;
 }

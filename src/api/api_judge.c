@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include "api/api.h"
 #include "api/api_distance.h"
-#include "base/context/environment.h"
+#include "base/context/scope.h"
 #include "base/context/team.h"
 #include "base/number/rounding.h"
 #include "input/read/read.h"
@@ -48,7 +48,7 @@ graze_status graze_mesh_read(graze_mesh **out, graze_context *context, const cha
         return api_misuse(context, "graze_mesh_read", "out, context and path must not be NULL");
     if (flags & ~GRAZE_SOLID_TRIANGULATE)
         return api_misuse(context, "graze_mesh_read", "an unknown flag is set");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     soup input;
     graze_status status = soup_read_any(&input, context, path);
     if (status)
@@ -59,24 +59,20 @@ graze_status graze_mesh_read(graze_mesh **out, graze_context *context, const cha
 
 static graze_status take_vertices(soup *s, graze_context *context, const double *vertices,
                                   size_t count) {
-    fmpq *point = _fmpq_vec_init(3);
-    graze_status status = GRAZE_OK;
-    for (size_t v = 0; v < count && !status; v++) {
-        for (size_t k = 0; k < 3 && !status; k++)
-            status = api_coordinate(context,
-                                    rational_from_double(point + k, context, vertices[3 * v + k]),
-                                    "vertex", v, k);
-        if (!status)
-            status = soup_add_vertex(s, context, point);
+    LOCAL_VEC(fmpq, point, 3);
+    for (size_t v = 0; v < count; v++) {
+        for (size_t k = 0; k < 3; k++)
+            TRY(api_coordinate(context,
+                               rational_from_double(point + k, context, vertices[3 * v + k]),
+                               "vertex", v, k));
+        TRY(soup_add_vertex(s, context, point));
     }
-    _fmpq_vec_clear(point, 3);
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status take_triangles(soup *s, graze_context *context, const size_t *triangles,
                                    size_t count) {
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < 3 * count && !status; k++) {
+    for (size_t k = 0; k < 3 * count; k++) {
         if (triangles[k] >= s->vertex_count)
             return context_item(context,
                                 context_fail(context, GRAZE_EINPUT,
@@ -84,13 +80,12 @@ static graze_status take_triangles(soup *s, graze_context *context, const size_t
                                              triangles[k], s->vertex_count),
                                 "triangle", k / 3, NULL);
         if (k % 3 == 0)
-            status = soup_add_facet(s, context);
-        if (!status && k % 3 == 0)
-            status = soup_add_cycle(s, context, triangles + k, 0);
-        if (!status)
-            status = soup_add_index(s, context, triangles[k]);
+            TRY(soup_add_facet(s, context));
+        if (k % 3 == 0)
+            TRY(soup_add_cycle(s, context, triangles + k, 0));
+        TRY(soup_add_index(s, context, triangles[k]));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status graze_mesh_create(graze_mesh **out, graze_context *context, const double *vertices,
@@ -101,7 +96,7 @@ graze_status graze_mesh_create(graze_mesh **out, graze_context *context, const d
     if (!out || !context || (!vertices && vertex_count) || (!triangles && triangle_count))
         return api_misuse(context, "graze_mesh_create",
                           "out, context, vertices and triangles must not be NULL");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     soup input;
     soup_init(&input, 3);
     graze_status status = take_vertices(&input, context, vertices, vertex_count);
@@ -197,7 +192,7 @@ graze_status graze_mesh_distances(graze_enclosure *out, graze_context *context,
     if (scene->motion->dimension != 3)
         return context_fail(context, GRAZE_EILLEGAL,
                             "a scene in the plane; expected one in space to judge a mesh by");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     vertex_run r = {out, scene, mesh->input.coordinates, tolerance};
     return team_run(context, threads ? threads : 1, mesh->input.vertex_count, enclose_vertex, &r);
 }
@@ -219,18 +214,16 @@ typedef struct answer_run {
 
 static graze_status answer_point(void *data, graze_context *context, int member, size_t index) {
     const answer_run *r = data;
-    fmpq *point = _fmpq_vec_init(3);
+    LOCAL_VEC(fmpq, point, 3);
     long winding;
     (void)member;
-    graze_status status = context_poll(context);
-    for (int k = 0; k < 3 && !status; k++)
-        status = api_coordinate(context,
-                                api_rational(point + k, context, r->points[3 * index + (size_t)k]),
-                                "point", index, (size_t)k);
-    if (!status)
-        r->out[index] = (graze_pmc)(GRAZE_IN + judged_place(&winding, r->mesh, point));
-    _fmpq_vec_clear(point, 3);
-    return status;
+    TRY(context_poll(context));
+    for (int k = 0; k < 3; k++)
+        TRY(api_coordinate(context,
+                           api_rational(point + k, context, r->points[3 * index + (size_t)k]),
+                           "point", index, (size_t)k));
+    r->out[index] = (graze_pmc)(GRAZE_IN + judged_place(&winding, r->mesh, point));
+    return GRAZE_OK;
 }
 
 graze_status graze_mesh_answers(graze_pmc *out, graze_context *context, const graze_mesh *mesh,
@@ -241,10 +234,10 @@ graze_status graze_mesh_answers(graze_pmc *out, graze_context *context, const gr
                           "context and mesh, and with n > 0 also out and points, must not be NULL");
     if (threads < 0 || threads > TEAM_MOST)
         return api_misuse(context, name, "threads must be at most 1024");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    graze_status status = check_has_inside(context, mesh);
+    IN_ENVIRONMENT();
+    TRY(check_has_inside(context, mesh));
     answer_run r = {out, &mesh->judged, points};
-    return status ? status : team_run(context, threads ? threads : 1, n, answer_point, &r);
+    return team_run(context, threads ? threads : 1, n, answer_point, &r);
 }
 
 static graze_status check_judged(graze_context *context, const graze_scene *scene,
@@ -271,7 +264,7 @@ graze_status graze_judge(graze_judgement **out, graze_context *context, const gr
     if (!out || !context || !scene || !mesh || !options)
         return api_misuse(context, "graze_judge",
                           "out, context, scene, mesh and options must not be NULL");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     graze_judge_options checked;
     graze_status status = api_options(&checked, sizeof checked, context, "graze_judge", options);
     if (!status)
@@ -347,7 +340,7 @@ graze_status graze_judgement_report(char **out, graze_context *context,
                           "out, context and judgement must not be NULL");
     if ((unsigned)format > GRAZE_JUDGEMENT_JSON)
         return api_misuse(context, "graze_judgement_report", "there is no such format");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     text t;
     text_init(&t);
     graze_status status = judge_report(&t, context, judgement, points, format);
@@ -374,11 +367,10 @@ static graze_status check_mesh_points(graze_context *context, const graze_scene 
 static graze_status take_mesh_points(fmpq **out, graze_context *context, const graze_scene *scene,
                                      const graze_mesh_points *p) {
     *out = _fmpq_vec_init((slong)(3 * p->count));
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < p->count && !status; k++)
-        status = context_item(context, api_point(*out + 3 * k, context, scene, p->points + 3 * k),
-                              "point", k, NULL);
-    return status;
+    for (size_t k = 0; k < p->count; k++)
+        TRY(context_item(context, api_point(*out + 3 * k, context, scene, p->points + 3 * k),
+                         "point", k, NULL));
+    return GRAZE_OK;
 }
 
 /* Compare at the caller's points, or at generated ones. */
@@ -416,7 +408,7 @@ graze_status graze_compare_mesh(graze_comparison **out, graze_context *context,
     if (!out || !context || !scene || !mesh || !points)
         return api_misuse(context, "graze_compare_mesh",
                           "out, context, scene, mesh and points must not be NULL");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     graze_mesh_points taken;
     graze_status status = api_options(&taken, sizeof taken, context, "graze_compare_mesh", points);
     if (!status)

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "api/api.h"
-#include "base/context/environment.h"
+#include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "decide/scene/box.h"
 #include "output/draw/picture_kind.h"
@@ -43,15 +43,15 @@ static graze_status take_mesh(judge_page *p, graze_context *context, const graze
 
 /* The scene's box and the mesh. */
 static graze_status box_with_mesh(judge_page *p, graze_context *context, const graze_scene *scene) {
-    graze_status status = scene_box(p->box, p->box + 3, context, scene);
-    for (size_t k = 0; k < 3 * p->mesh.vertex_count && !status; k++) {
+    TRY(scene_box(p->box, p->box + 3, context, scene));
+    for (size_t k = 0; k < 3 * p->mesh.vertex_count; k++) {
         const fmpq *x = p->mesh.vertices + k;
         if (fmpq_cmp(x, p->box + k % 3) < 0)
             fmpq_set(p->box + k % 3, x);
         if (fmpq_cmp(x, p->box + 3 + k % 3) > 0)
             fmpq_set(p->box + 3 + k % 3, x);
     }
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status mark_place(judge_page *p, graze_context *context, const double *at,
@@ -67,15 +67,14 @@ static graze_status take_places(judge_page *p, graze_context *context,
                                 const graze_judgement *judgement) {
     static const char *const names[] = {"outside", "inside", "sweep"};
     static const char *const open[] = {"outside seam?", "inside seam?", "sweep seam?"};
-    graze_status status = GRAZE_OK;
-    for (int k = 0; k < GRAZE_JUDGED_COUNT && !status; k++) {
+    for (int k = 0; k < GRAZE_JUDGED_COUNT; k++) {
         graze_judged_distance d = graze_judgement_distance(judgement, (graze_judged)k);
         if (d.low > 0)
-            status = mark_place(p, context, d.at, names[k]);
-        if (!status && d.stuck)
-            status = mark_place(p, context, d.open, open[k]);
+            TRY(mark_place(p, context, d.at, names[k]));
+        if (d.stuck)
+            TRY(mark_place(p, context, d.open, open[k]));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status graze_judgement_draw(graze_context *context, const graze_scene *scene,
@@ -89,7 +88,7 @@ graze_status graze_judgement_draw(graze_context *context, const graze_scene *sce
         return api_misuse(context, name, "the file is no page; expected a name in .html");
     if (title && strlen(title) > 512)
         return api_misuse(context, name, "title must have at most 512 bytes");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     judge_page p = {.box = _fmpq_vec_init(6), .places = _fmpq_vec_init(3 * MOST_PLACES)};
     graze_status status = take_mesh(&p, context, judgement->mesh, found);
     if (!status)

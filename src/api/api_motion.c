@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "api/api.h"
-#include "base/context/environment.h"
+#include "base/context/scope.h"
 #include "input/motion/motion_read.h"
 #include "input/motion/write_motion.h"
 
@@ -11,7 +11,7 @@ graze_status graze_motion_read(graze_motion **out, graze_context *context, const
         *out = NULL;
     if (!out || !context || !path)
         return api_misuse(context, "graze_motion_read", "out, context and path must not be NULL");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     return motion_from_file(out, context, path);
 }
 
@@ -22,7 +22,7 @@ graze_status graze_motion_from_json(graze_motion **out, graze_context *context, 
     if (!out || !context || !text)
         return api_misuse(context, "graze_motion_from_json",
                           "out, context and text must not be NULL");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     return motion_from_text(out, context, text, length);
 }
 
@@ -44,7 +44,7 @@ graze_status graze_motion_text(char **out, graze_context *context, const graze_m
         *out = NULL;
     if (!out || !context || !motion)
         return api_misuse(context, "graze_motion_text", "out, context and motion must not be NULL");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     text t;
     text_init(&t);
     motion_write(&t, motion);

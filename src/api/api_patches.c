@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "api/api.h"
-#include "base/context/environment.h"
+#include "base/context/scope.h"
 #include "output/report/event_rows.h"
 #include "questions/envelope/patches.h"
 
@@ -15,7 +15,7 @@ graze_status graze_patches_create(graze_patches **out, graze_context *context,
     if (!out || !context || !envelope)
         return api_misuse(context, "graze_patches_create",
                           "out, context and envelope must not be NULL");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     graze_patches *made = malloc(sizeof *made);
     if (!made)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory");
@@ -82,7 +82,7 @@ graze_status graze_patches_header(char **out, graze_context *context,
     if (!out || !context || !envelope)
         return api_misuse(context, "graze_patches_header",
                           "out, context and envelope must not be NULL");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     return report_patches_header(out, context, envelope->scene, notes);
 }
 
@@ -93,7 +93,7 @@ graze_status graze_patches_joint_header(char **out, graze_context *context,
     if (!out || !context || !envelope)
         return api_misuse(context, "graze_patches_joint_header",
                           "out, context and envelope must not be NULL");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     return report_joints_header(out, context, envelope->scene, notes);
 }
 
@@ -102,11 +102,8 @@ static graze_status finish_row(char **out, graze_context *context, const graze_p
                                size_t index, size_t from, size_t to,
                                void (*report)(text *, const graze_patches *, size_t)) {
     text t;
-    graze_status status = time_canonicalise(patches->moments.time[from], context);
-    if (!status)
-        status = time_canonicalise(patches->moments.time[to], context);
-    if (status)
-        return status;
+    TRY(time_canonicalise(patches->moments.time[from], context));
+    TRY(time_canonicalise(patches->moments.time[to], context));
     text_init(&t);
     report(&t, patches, index);
     return text_finish(out, context, &t);
@@ -121,7 +118,7 @@ graze_status graze_patches_row(char **out, graze_context *context, const graze_p
                           "out, context and patches must not be NULL");
     if (index >= patches->count)
         return api_misuse(context, "graze_patches_row", "there is no such patch");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     const patch *item = &patches->item[index];
     return finish_row(out, context, patches, index, item->from, item->to, report_patch);
 }
@@ -135,7 +132,7 @@ graze_status graze_patches_joint_row(char **out, graze_context *context,
                           "out, context and patches must not be NULL");
     if (index >= patches->joint_count)
         return api_misuse(context, "graze_patches_joint_row", "there is no such joint");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     const patch_joint *joint = &patches->joint[index];
     return finish_row(out, context, patches, index, joint->from, joint->to, report_joint);
 }

@@ -5,7 +5,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
-#include "base/context/environment.h"
+#include "base/context/scope.h"
 #include "decide/filter/time_ray.h"
 #include "decide/verdict/classify.h"
 #include "output/report/explain.h"
@@ -14,9 +14,7 @@
 
 graze_status api_rows(graze_row_options *out, graze_context *context, const char *function,
                       const graze_row_options *options) {
-    graze_status status = api_options(out, sizeof *out, context, function, options);
-    if (status)
-        return status;
+    TRY(api_options(out, sizeof *out, context, function, options));
     if (!(out->format >= GRAZE_FORMAT_CSV && out->format <= GRAZE_FORMAT_NPY))
         return api_misuse(context, function, "the format is unknown");
     if ((out->topo != 0 && out->topo != 1) || (out->regular != 0 && out->regular != 1) ||
@@ -96,12 +94,9 @@ graze_status graze_report_header(char **out, graze_context *context, const graze
     if (!out || !context || !scene)
         return api_misuse(context, "graze_report_header",
                           "out, context and scene must not be NULL");
-    graze_status status = api_rows(&shown, context, "graze_report_header", options);
-    if (!status)
-        status = check_scene(context, scene, &shown);
-    if (status)
-        return status;
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    TRY(api_rows(&shown, context, "graze_report_header", options));
+    TRY(check_scene(context, scene, &shown));
+    IN_ENVIRONMENT();
     return report_header(out, context, scene, notes, columns, &shown);
 }
 
@@ -119,14 +114,13 @@ graze_status graze_report_row(char **out, graze_context *context, const graze_sc
         return api_misuse(context, "graze_report_row", "a binary row has a length of its own");
     if (status)
         return status;
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    fmpq *p = _fmpq_vec_init(scene->motion->dimension);
+    IN_ENVIRONMENT();
+    LOCAL_VEC(fmpq, p, scene->motion->dimension);
     text t;
     text_init(&t);
     status = api_point(p, context, scene, point);
     if (!status)
         status = api_row(&t, NULL, context, scene, p, trace, texts, &shown);
-    _fmpq_vec_clear(p, scene->motion->dimension);
     if (!status)
         return text_finish(out, context, &t);
     text_clear(&t);
@@ -174,14 +168,14 @@ graze_status graze_report_points(char **out, size_t *length, size_t *done, graze
         return api_misuse(context, "graze_report_points",
                           "out, length, done, context and scene, and with n > 0 also points, must "
                           "not be NULL");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     graze_status status = api_rows(&shown, context, "graze_report_points", options);
     if (!status && shown.columns == GRAZE_COLUMNS_PMC)
         status = filter_lay_bricks(&scene->filter, context);
     if (status)
         return status;
     size_t d = (size_t)scene->motion->dimension, whole = 0;
-    fmpq *point = _fmpq_vec_init((slong)d);
+    LOCAL_VEC(fmpq, point, (slong)d);
     text t;
     text_init(&t);
     for (size_t k = 0; k < n && !status; k++) {
@@ -192,7 +186,6 @@ graze_status graze_report_points(char **out, size_t *length, size_t *done, graze
         whole = status ? whole : t.length;
         *done += !status;
     }
-    _fmpq_vec_clear(point, (slong)d);
     api_whole_rows(out, length, &t, whole);
     return status;
 }
@@ -223,8 +216,8 @@ graze_status graze_report_explain(char **out, graze_context *context, const graz
         status = check_scene(context, scene, &shown);
     if (status)
         return status;
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    fmpq *p = _fmpq_vec_init(scene->motion->dimension);
+    IN_ENVIRONMENT();
+    LOCAL_VEC(fmpq, p, scene->motion->dimension);
     status = api_point(p, context, scene, point);
     if (!status)
         status = trace_canonicalise(trace, context);
@@ -235,6 +228,5 @@ graze_status graze_report_explain(char **out, graze_context *context, const graz
             status = report_explain(out, context, &r);
         row_clear(&r);
     }
-    _fmpq_vec_clear(p, scene->motion->dimension);
     return status;
 }

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "api/api.h"
-#include "base/context/environment.h"
 #include "base/context/file.h"
+#include "base/context/scope.h"
 #include "input/scad/scad_write.h"
 #include "input/solid/create.h"
 
@@ -79,7 +79,6 @@ graze_status graze_scad_text(char **out, char **report, graze_context *context, 
     graze_solid *solid = NULL;
     scad_choice choice;
     scad_work w;
-    fmpq_t tolerance;
     if (out)
         *out = NULL;
     if (report)
@@ -89,8 +88,8 @@ graze_status graze_scad_text(char **out, char **report, graze_context *context, 
     graze_status status = api_options(&o, sizeof o, context, name, options);
     if (status)
         return status;
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    fmpq_init(tolerance);
+    IN_ENVIRONMENT();
+    LOCAL(fmpq, tolerance);
     status = take_choice(&choice, tolerance, context, &o);
     if (!status) {
         status = read_made(&solid, &w, context, path, &choice);
@@ -105,6 +104,5 @@ graze_status graze_scad_text(char **out, char **report, graze_context *context, 
         *out = NULL;
     }
     graze_solid_destroy(solid);
-    fmpq_clear(tolerance);
     return status;
 }

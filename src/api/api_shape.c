@@ -4,7 +4,7 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "api/api.h"
-#include "base/context/environment.h"
+#include "base/context/scope.h"
 #include "input/convert/tool_csg.h"
 #include "input/convert/tool_fit.h"
 #include "input/convert/tool_off.h"
@@ -12,11 +12,11 @@
 /* A number of at least a sign; NULL: 0. */
 static graze_status take_number(fmpq_t out, graze_context *context, mpq_srcptr value, int least,
                                 const char *name) {
-    graze_status status = value ? api_rational(out, context, value) : GRAZE_OK;
-    if (!status && fmpq_sgn(out) < least)
-        status = context_fail(context, GRAZE_EUSE, "%s: expected a number %s", name,
-                              least ? "above 0" : "from 0 up");
-    return status;
+    TRY(value ? api_rational(out, context, value) : GRAZE_OK);
+    if (fmpq_sgn(out) < least)
+        return context_fail(context, GRAZE_EUSE, "%s: expected a number %s", name,
+                            least ? "above 0" : "from 0 up");
+    return GRAZE_OK;
 }
 
 /* The texts that are asked for; none after a failure. */
@@ -37,60 +37,48 @@ static graze_status finish_shape(char **const to[3], graze_context *context, tex
 
 /* The body of a shape that is no box. */
 static graze_status take_tool(tool *s, graze_context *context, const graze_shape *given) {
-    tool_numbers n;
     int ball = given->kind == GRAZE_SHAPE_BALL, cutter = given->kind == GRAZE_SHAPE_CUTTER;
-    tool_numbers_init(&n);
-    graze_status status = take_number(n.diameter, context, given->diameter, 1, "diameter");
-    if (!status && !ball)
-        status = take_number(n.length, context, given->length, 1, "length");
-    if (!status && cutter)
-        status = take_number(n.corner, context, given->corner, 0, "corner");
-    if (!status && cutter && given->taper)
-        status = api_rational(n.taper, context, given->taper);
-    if (!status)
-        status = tool_take(s, context, &n, ball);
-    tool_numbers_clear(&n);
-    return status;
+    HELD(tool_numbers, n);
+    TRY(take_number(n.diameter, context, given->diameter, 1, "diameter"));
+    if (!ball)
+        TRY(take_number(n.length, context, given->length, 1, "length"));
+    if (cutter)
+        TRY(take_number(n.corner, context, given->corner, 0, "corner"));
+    if (cutter && given->taper)
+        TRY(api_rational(n.taper, context, given->taper));
+    return tool_take(s, context, &n, ball);
 }
 
 static graze_status make_round(text *made, graze_context *context, const graze_shape *given,
                                const fmpq *at, mpq_srcptr tolerance) {
-    tool s;
     tool_pair pair = {.stretch = {{0, 1}}};
-    fmpq *goal = _fmpq_vec_init(3), *square = goal + 1, *one = goal + 2;
-    tool_init(&s);
+    LOCAL_VEC(fmpq, goal, 3);
+    fmpq *square = goal + 1, *one = goal + 2;
+    HELD(tool, s);
     fmpq_one(one);
-    graze_status status = take_number(goal, context, tolerance, 1, "tolerance");
-    if (!status)
-        status = take_tool(&s, context, given);
-    if (!status)
-        status = tool_fit(&pair, square, context, &s, goal);
-    if (!status) {
-        tool_write(made, &pair.in, &pair, one, at);
-        tool_write(made + 1, &pair.out, &pair, pair.stretch, at);
-        tool_report(made + 2, &pair, square);
-        tool_pair_clear(&pair);
-    }
-    _fmpq_vec_clear(goal, 3);
-    tool_clear(&s);
-    return status;
+    TRY(take_number(goal, context, tolerance, 1, "tolerance"));
+    TRY(take_tool(&s, context, given));
+    TRY(tool_fit(&pair, square, context, &s, goal));
+    tool_write(made, &pair.in, &pair, one, at);
+    tool_write(made + 1, &pair.out, &pair, pair.stretch, at);
+    tool_report(made + 2, &pair, square);
+    tool_pair_clear(&pair);
+    return GRAZE_OK;
 }
 
 static graze_status take_sides(fmpq *size, graze_context *context, const graze_shape *given) {
-    graze_status status = GRAZE_OK;
-    for (int k = 0; k < 3 && !status; k++)
-        status = take_number(size + k, context, given->box[k], 1, "a side of the box");
-    return status;
+    for (int k = 0; k < 3; k++)
+        TRY(take_number(size + k, context, given->box[k], 1, "a side of the box"));
+    return GRAZE_OK;
 }
 
 static graze_status make_box(text *made, graze_context *context, const graze_shape *given,
                              const fmpq *at) {
-    fmpq *size = _fmpq_vec_init(3);
+    LOCAL_VEC(fmpq, size, 3);
     graze_status status = take_sides(size, context, given);
     for (int k = 0; k < 2 && !status; k++)
         tool_write_box(made + k, size, at);
     text_put(made + 2, "exact: 8 vertices, 6 facets\n");
-    _fmpq_vec_clear(size, 3);
     return status;
 }
 
@@ -98,16 +86,15 @@ static graze_status make_box(text *made, graze_context *context, const graze_sha
 static graze_status begin_shape(fmpq *at, text *made, graze_context *context, const char *name,
                                 const graze_shape *shape) {
     int ball = shape->kind == GRAZE_SHAPE_BALL, box = shape->kind == GRAZE_SHAPE_BOX;
-    graze_status status = GRAZE_OK;
     for (int k = 0; k < 3; k++)
         text_init(made + k);
     if (shape->kind > GRAZE_SHAPE_CUTTER)
         return api_misuse(context, name, "the kind is that of no shape");
     if (box ? !shape->box : !shape->diameter || (!ball && !shape->length))
         return api_misuse(context, name, "a box has three sides, other shapes diameter and length");
-    for (int k = 0; k < 3 && shape->at && !status; k++)
-        status = api_rational(at + k, context, shape->at[k]);
-    return status;
+    for (int k = 0; k < 3 && shape->at; k++)
+        TRY(api_rational(at + k, context, shape->at[k]));
+    return GRAZE_OK;
 }
 
 static void clear_shapes(char **const to[3]) {
@@ -127,23 +114,21 @@ graze_status graze_solid_write_shape(char **inside, char **outside, char **repor
     int box = shape->kind == GRAZE_SHAPE_BOX;
     if (!box && !tolerance)
         return api_misuse(context, name, "a shape that is no box needs a tolerance");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    fmpq *at = _fmpq_vec_init(3);
+    IN_ENVIRONMENT();
+    LOCAL_VEC(fmpq, at, 3);
     text made[3];
     graze_status status = begin_shape(at, made, context, name, shape);
     if (!status)
         status = box ? make_box(made, context, shape, at)
                      : make_round(made, context, shape, at, tolerance);
-    _fmpq_vec_clear(at, 3);
     return finish_shape(to, context, made, status);
 }
 
 /* The node of a shape, and what of it is not exact. */
 static graze_status write_body(text *made, text *report, graze_context *context,
                                const graze_shape *given) {
-    fmpq *size = _fmpq_vec_init(3);
-    tool s;
-    tool_init(&s);
+    LOCAL_VEC(fmpq, size, 3);
+    HELD(tool, s);
     int box = given->kind == GRAZE_SHAPE_BOX;
     graze_status status = box ? take_sides(size, context, given) : take_tool(&s, context, given);
     if (!status && box)
@@ -153,8 +138,6 @@ static graze_status write_body(text *made, text *report, graze_context *context,
     text_put(report, fmpq_equal(s.low + 1, s.high + 1)
                          ? "exact\n"
                          : "exact but for the taper, which is less by at most 1e-9 degrees\n");
-    tool_clear(&s);
-    _fmpq_vec_clear(size, 3);
     return status;
 }
 
@@ -165,8 +148,8 @@ graze_status graze_solid_write_exact_shape(char **out, char **report, graze_cont
     clear_shapes(to);
     if (!out || !context || !shape)
         return api_misuse(context, name, "out, context and shape must not be NULL");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    fmpq *at = _fmpq_vec_init(3);
+    IN_ENVIRONMENT();
+    LOCAL_VEC(fmpq, at, 3);
     text made[3];
     graze_status status = begin_shape(at, made, context, name, shape);
     int still = fmpq_is_zero(at) && fmpq_is_zero(at + 1) && fmpq_is_zero(at + 2);
@@ -175,6 +158,5 @@ graze_status graze_solid_write_exact_shape(char **out, char **report, graze_cont
     if (!status)
         status = write_body(made, made + 2, context, shape);
     tool_csg_end(made, moved);
-    _fmpq_vec_clear(at, 3);
     return finish_shape(to, context, made, status);
 }

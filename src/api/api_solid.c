@@ -7,8 +7,8 @@
 #include <strings.h>
 #include "api/api.h"
 #include "api/api_scad.h"
-#include "base/context/environment.h"
 #include "base/context/file.h"
+#include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "input/csg/csg_read.h"
 #include "input/mend/mend.h"
@@ -22,7 +22,7 @@
 /* `sha256` is that of a file validated before, or NULL. */
 static graze_status read_solid(graze_solid **out, graze_context *context, const char *path,
                                unsigned flags, const unsigned char *sha256) {
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     soup input;
     if (csg_is_named(path))
         return solid_create_curved(out, context, path, sha256);
@@ -69,7 +69,7 @@ graze_status graze_solid_from_csg(graze_solid **out, graze_context *context, con
     if (!out || !context || !text)
         return api_misuse(context, "graze_solid_from_csg",
                           "out, context and text must not be NULL");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     unsigned char sha256[32];
     file_sha256(sha256, text, length);
     return solid_create_curved_text(out, context, "solid", text, length, sha256);
@@ -100,21 +100,19 @@ graze_status graze_solid_mend(char **out, char **report, graze_context *context,
         return api_misuse(context, "graze_solid_mend", "an unknown flag is set");
     if (weld && mpq_sgn(weld) <= 0)
         return api_misuse(context, "graze_solid_mend", "weld must be positive");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     graze_solid *solid = NULL;
     soup input;
-    text written, done;
-    fmpq_t distance;
-    fmpq_init(distance);
+    text written;
+    LOCAL(fmpq, distance);
     graze_status status = weld ? api_rational(distance, context, weld) : GRAZE_OK;
     if (!status)
         status = read_mesh(&input, context, path);
     if (status) {
-        fmpq_clear(distance);
         return status;
     }
     text_init(&written);
-    text_init(&done);
+    HELD(text, done);
     status = mend_solid(&solid, &done, context, &input, flags, weld ? distance : NULL);
     if (!status) {
         solid_write(&written, solid);
@@ -131,8 +129,6 @@ graze_status graze_solid_mend(char **out, char **report, graze_context *context,
         graze_free(*out);
         *out = NULL;
     }
-    text_clear(&done);
-    fmpq_clear(distance);
     graze_solid_destroy(solid);
     return status;
 }
@@ -186,7 +182,7 @@ static graze_status check_arrays(arrays *a, graze_context *context, unsigned fla
 
 static graze_status add_vertices(soup *s, graze_context *context, const arrays *a) {
     size_t d = (size_t)a->dimension;
-    fmpq *point = _fmpq_vec_init((slong)d);
+    LOCAL_VEC(fmpq, point, (slong)d);
     graze_status status = GRAZE_OK;
     for (size_t v = 0; v < a->vertex_count && !status; v++) {
         for (size_t k = 0; k < d && !status; k++) {
@@ -198,7 +194,6 @@ static graze_status add_vertices(soup *s, graze_context *context, const arrays *
         if (!status)
             status = soup_add_vertex(s, context, point);
     }
-    _fmpq_vec_clear(point, (slong)d);
     return status;
 }
 
@@ -206,19 +201,17 @@ static graze_status add_facets(soup *s, graze_context *context, const arrays *a)
     if (a->dimension == 2)
         return nesting_add_rings(s, context, a->facet_sizes, a->facet_count, a->indices);
     const size_t *index = a->indices;
-    graze_status status = GRAZE_OK;
-    for (size_t f = 0; f < a->facet_count && !status; f++) {
-        status = soup_add_facet(s, context);
-        if (!status)
-            status = soup_add_cycle(s, context, index, a->facet_sizes[f]);
+    for (size_t f = 0; f < a->facet_count; f++) {
+        TRY(soup_add_facet(s, context));
+        TRY(soup_add_cycle(s, context, index, a->facet_sizes[f]));
         index += a->facet_sizes[f];
     }
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status make_solid(graze_solid **out, graze_context *context, arrays *a,
                                unsigned flags) {
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     graze_status status = check_arrays(a, context, flags);
     if (status)
         return status;
@@ -302,16 +295,15 @@ graze_status graze_solid_box(mpq_t *low, mpq_t *high, graze_context *context,
                           "low, high, context and solid must not be NULL");
     if (!solid_bounded(solid))
         return api_unbounded(context, "graze_solid_box");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     int d = solid->input.dimension;
-    fmpq *from = _fmpq_vec_init(d), *to = _fmpq_vec_init(d);
+    LOCAL_VEC(fmpq, from, d);
+    LOCAL_VEC(fmpq, to, d);
     solid_box(from, to, solid);
     for (int i = 0; i < d; i++) {
         api_rational_out(low[i], from + i);
         api_rational_out(high[i], to + i);
     }
-    _fmpq_vec_clear(from, d);
-    _fmpq_vec_clear(to, d);
     return GRAZE_OK;
 }
 
@@ -322,7 +314,7 @@ graze_status graze_solid_text(char **out, graze_context *context, const graze_so
         return api_misuse(context, "graze_solid_text", "out, context and solid must not be NULL");
     if (solid->curved)
         return api_curved(context, "graze_solid_text");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     text t;
     text_init(&t);
     solid_write(&t, solid);

@@ -4,7 +4,7 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "api/api.h"
-#include "base/context/environment.h"
+#include "base/context/scope.h"
 #include "questions/topo/topo.h"
 
 struct graze_topology {
@@ -28,17 +28,16 @@ static graze_status decide(graze_topology **out, graze_context *context, const c
         return api_misuse(context, function, "the scene is a sweep; expected an unsweep");
     if (scene->solid->curved)
         return api_curved(context, function);
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     graze_topology *made = malloc(sizeof *made);
     if (!made)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory");
     made->dimension = scene->motion->dimension;
     finding_init(&made->inner);
-    fmpq *p = _fmpq_vec_init(scene->motion->dimension);
+    LOCAL_VEC(fmpq, p, scene->motion->dimension);
     graze_status status = api_point(p, context, scene, point);
     if (!status)
         status = question(&made->inner, context, scene, p, trace);
-    _fmpq_vec_clear(p, scene->motion->dimension);
     if (status)
         graze_topology_destroy(made);
     else

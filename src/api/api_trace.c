@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "api/api.h"
-#include "base/context/environment.h"
+#include "base/context/scope.h"
 #include "decide/verdict/classify.h"
 #include "decide/verdict/verdict.h"
 #include "output/report/decimal_time.h"
@@ -17,15 +17,14 @@ graze_status graze_trace_create(graze_trace **out, graze_context *context, const
     if (!out || !context || !scene || !point)
         return api_misuse(context, "graze_trace_create",
                           "out, context, scene and point must not be NULL");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    fmpq *p = _fmpq_vec_init(scene->motion->dimension);
+    IN_ENVIRONMENT();
+    LOCAL_VEC(fmpq, p, scene->motion->dimension);
     graze_trace *trace = malloc(sizeof *trace);
     graze_status status = trace ? api_point(p, context, scene, point)
                                 : context_fail(context, GRAZE_ESYSTEM, "out of memory");
     if (!status)
         status =
             classify_point(trace, context, scene, (query_point){.rational = p}, TRACE_CONTACTS);
-    _fmpq_vec_clear(p, scene->motion->dimension);
     if (status)
         free(trace);
     else
@@ -100,10 +99,9 @@ int graze_time_degree(const graze_time *time) {
 }
 
 void graze_time_coefficient(mpz_t out, const graze_time *time, int k) {
-    fmpz_t c;
     if (!out)
         return;
-    fmpz_init(c);
+    LOCAL(fmpz, c);
     if (time && k >= 0 && time_is_rational(time)) {
         if (k == 0)
             fmpz_neg(c, fmpq_numref(time->low));
@@ -113,7 +111,6 @@ void graze_time_coefficient(mpz_t out, const graze_time *time, int k) {
         fmpz_poly_get_coeff_fmpz(c, time->poly, k);
     }
     fmpz_get_mpz(out, c);
-    fmpz_clear(c);
 }
 
 void graze_time_interval(mpq_t low, mpq_t high, const graze_time *time) {
@@ -132,7 +129,7 @@ graze_status graze_time_decimal(char **out, graze_context *context, const graze_
         return api_misuse(context, "graze_time_decimal", "out, context and time must not be NULL");
     if (digits < 1 || digits > 1000)
         return api_misuse(context, "graze_time_decimal", "digits must be from 1 to 1000");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     *out = decimal_of_time(NULL, time, digits);
     return *out ? GRAZE_OK : context_fail(context, GRAZE_ESYSTEM, "out of memory");
 }
@@ -150,7 +147,7 @@ graze_status graze_number_decimal(char **out, graze_context *context, const mpq_
                           "out, context and value must not be NULL");
     if (digits < 0 || digits > 1000)
         return api_misuse(context, "graze_number_decimal", "digits must be from 0 to 1000");
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+    IN_ENVIRONMENT();
     int finite = 1;
     fmpq_t number;
     fmpq_init(number);

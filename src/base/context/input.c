@@ -13,6 +13,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include "base/context/scope.h"
 
 enum { STEP = 100 }; /* milliseconds */
 
@@ -63,9 +64,7 @@ graze_status input_standard(int *fd, graze_context *context) {
 graze_status input_read(size_t *got, graze_context *context, const char *name, int fd, char *to,
                         size_t room) {
     for (;;) {
-        graze_status status = context_poll(context);
-        if (status)
-            return status;
+        TRY(context_poll(context));
         struct pollfd one = {fd, POLLIN, 0};
         int ready = poll(&one, 1, STEP);
         if (ready < 0 && errno != EINTR)

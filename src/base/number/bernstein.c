@@ -5,6 +5,7 @@
 
 #include <flint/fmpz_vec.h>
 #include <string.h>
+#include "base/context/scope.h"
 
 /* The least common multiple of the binomials C(n, 0) ... C(n, n) for the usual n. */
 static const ulong COMMON_BINOMIAL[] = {
@@ -13,18 +14,16 @@ static const ulong COMMON_BINOMIAL[] = {
     12252240, 11639628, 11085360, 10581480, 232792560, 223092870, 1070845776};
 
 void common_binomial(fmpz_t out, slong n) {
-    fmpz_t binomial;
     if (n < (slong)(sizeof COMMON_BINOMIAL / sizeof *COMMON_BINOMIAL)) {
         fmpz_set_ui(out, COMMON_BINOMIAL[n]);
         return;
     }
-    fmpz_init(binomial);
+    LOCAL(fmpz, binomial);
     fmpz_one(out);
     for (slong i = 1; 2 * i <= n; i++) {
         fmpz_bin_uiui(binomial, (ulong)n, (ulong)i);
         fmpz_lcm(out, out, binomial);
     }
-    fmpz_clear(binomial);
 }
 
 /* Entries 0 ... n become the coefficients of 2^(e n) p((low + (high - low) v) / 2^e) in powers of
@@ -40,14 +39,12 @@ static void pull_to_unit(wide_vector *out, const fmpz_poly_t p, const dyadic_int
         for (slong level = 0; level < degree; level++)
             for (slong i = degree - 1; i >= level; i--)
                 wide_addmul(out, i, i + 1, interval->low);
-    fmpz_t width;
-    fmpz_init(width);
+    LOCAL(fmpz, width);
     fmpz_sub(width, interval->high, interval->low);
     if (!fmpz_is_one(width))
         for (slong level = 1; level <= degree; level++)
             for (slong i = level; i <= degree; i++)
                 wide_mul(out, i, width);
-    fmpz_clear(width);
 }
 
 /* The least k with |x| <= 2^k. */
@@ -71,10 +68,10 @@ static ulong coefficient_bits(const fmpz_poly_t p, slong n, const dyadic_interva
  * theirs, then add up Pascal's triangle. */
 void bernstein_form_init(bernstein_form *out, const fmpz_poly_t p, slong n,
                          const dyadic_interval *interval) {
-    fmpz_t common, binomial, factor;
-    fmpz_init(common);
-    fmpz_init_set_ui(binomial, 1);
-    fmpz_init(factor);
+    LOCAL(fmpz, common);
+    LOCAL(fmpz, binomial);
+    fmpz_set_ui(binomial, 1);
+    LOCAL(fmpz, factor);
     common_binomial(common, n);
     out->bits = coefficient_bits(p, n, interval, common);
     wide_init(&out->c, n + 1, out->bits);
@@ -88,9 +85,6 @@ void bernstein_form_init(bernstein_form *out, const fmpz_poly_t p, slong n,
     for (slong level = 1; level <= n; level++)
         for (slong i = n; i >= level; i--)
             wide_add(&out->c, i, i - 1);
-    fmpz_clear(common);
-    fmpz_clear(binomial);
-    fmpz_clear(factor);
 }
 
 void bernstein_form_clear(bernstein_form *form) {
@@ -98,11 +92,9 @@ void bernstein_form_clear(bernstein_form *form) {
 }
 
 void bernstein_from_poly(fmpz *out, const fmpz_poly_t p, slong n, const dyadic_interval *interval) {
-    bernstein_form form;
-    bernstein_form_init(&form, p, n, interval);
+    HELD(bernstein_form, form, p, n, interval);
     for (slong i = 0; i <= n; i++)
         wide_get_fmpz(out + i, &form.c, i);
-    bernstein_form_clear(&form);
 }
 
 /* Without the halvings of de Casteljau's averages: entry i of level k is 2^k times too large, so

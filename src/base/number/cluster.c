@@ -6,6 +6,7 @@
 #include "base/number/cluster.h"
 
 #include <limits.h>
+#include "base/context/scope.h"
 #include "base/number/local.h"
 #include "base/number/refine.h"
 
@@ -31,9 +32,9 @@ typedef struct cluster {
 /* 2^(e n) p((low + (high - low) v) / 2^e) in powers of v. */
 static void carry_to_unit(fmpz_poly_t out, const fmpz_poly_t p, const dyadic_interval *whole) {
     slong n = fmpz_poly_degree(p);
-    fmpz_t width, power;
-    fmpz_init(width);
-    fmpz_init_set_ui(power, 1);
+    LOCAL(fmpz, width);
+    LOCAL(fmpz, power);
+    fmpz_set_ui(power, 1);
     fmpz_sub(width, whole->high, whole->low);
     fmpz_poly_set(out, p);
     for (slong i = 0; i <= n; i++)
@@ -43,16 +44,13 @@ static void carry_to_unit(fmpz_poly_t out, const fmpz_poly_t p, const dyadic_int
         fmpz_mul(out->coeffs + i, out->coeffs + i, power);
         fmpz_mul(power, power, width);
     }
-    fmpz_clear(width);
-    fmpz_clear(power);
 }
 
 /* The interval in the polynomial's own variable. */
 static void carry_back(dyadic_interval *out, const cluster *c, const local_interval *x) {
     const dyadic_interval *whole = c->search->whole;
-    fmpz_t width, high;
-    fmpz_init(width);
-    fmpz_init(high);
+    LOCAL(fmpz, width);
+    LOCAL(fmpz, high);
     fmpz_sub(width, whole->high, whole->low);
     local_interval_high(high, x);
     fmpz_mul_2exp(out->low, whole->low, x->places);
@@ -60,8 +58,6 @@ static void carry_back(dyadic_interval *out, const cluster *c, const local_inter
     fmpz_addmul(out->low, width, x->low);
     fmpz_addmul(out->high, width, high);
     out->exponent = whole->exponent + x->places;
-    fmpz_clear(width);
-    fmpz_clear(high);
 }
 
 /* One more on the stack, all zero. */
@@ -91,10 +87,9 @@ static graze_status sharp_form(local_form *form, const cluster *c, pending *at) 
 static graze_status has_no_root(int *none, local_form *form, const cluster *c, const fmpz_t low,
                                 const fmpz_t high, int low_sign, int high_sign,
                                 const pending *precise) {
-    local_interval x;
     graze_status status = GRAZE_OK;
     *none = 1;
-    local_interval_init(&x);
+    HELD(local_interval, x);
     fmpz_set(x.low, low);
     fmpz_sub(x.width, high, low);
     x.places = precise->where.places;
@@ -102,15 +97,13 @@ static graze_status has_no_root(int *none, local_form *form, const cluster *c, c
         status = local_form_set(form, c->search->context, c->unit, &x, precise->precision);
         *none = status == GRAZE_OK && local_form_variations(form, low_sign, high_sign) == 0;
     }
-    local_interval_clear(&x);
     return status;
 }
 
 /* The part of the interval, cut into 2^gain equal ones, that lies beside the guessed middle of the
  * cluster, two of them wide. */
 static void guess_part(pending *part, const local_form *form, const pending *at, slong order) {
-    fmpz_t end;
-    fmpz_init(end);
+    LOCAL(fmpz, end);
     part->where.places = at->where.places + at->gain;
     local_form_center(part->where.low, form, order, at->gain);
     fmpz_add_ui(end, part->where.low, 1);
@@ -123,7 +116,6 @@ static void guess_part(pending *part, const local_form *form, const pending *at,
     fmpz_mul(part->where.low, part->where.low, at->where.width);
     fmpz_mul_2exp(end, at->where.low, at->gain);
     fmpz_add(part->where.low, part->where.low, end);
-    fmpz_clear(end);
 }
 
 /* Whether all roots in the interval lie in the part, whose ends, where they are not the interval's
@@ -131,10 +123,9 @@ static void guess_part(pending *part, const local_form *form, const pending *at,
 static graze_status part_has_all(int *all, local_form *form, const cluster *c, pending *part,
                                  const pending *at) {
     graze_status status = GRAZE_OK;
-    fmpz_t low, high, part_high;
-    fmpz_init(low);
-    fmpz_init(high);
-    fmpz_init(part_high);
+    LOCAL(fmpz, low);
+    LOCAL(fmpz, high);
+    LOCAL(fmpz, part_high);
     fmpz_mul_2exp(low, at->where.low, at->gain);
     local_interval_high(high, &at->where);
     fmpz_mul_2exp(high, high, at->gain);
@@ -150,9 +141,6 @@ static graze_status part_has_all(int *all, local_form *form, const cluster *c, p
             has_no_root(all, form, c, low, part->where.low, at->low_sign, part->low_sign, part);
     if (*all)
         status = has_no_root(all, form, c, part_high, high, part->high_sign, at->high_sign, part);
-    fmpz_clear(low);
-    fmpz_clear(high);
-    fmpz_clear(part_high);
     return status;
 }
 
@@ -164,8 +152,7 @@ static graze_status leap(int *done, const cluster *c, pending *at, slong variati
     slong v = variations + (at->low_sign == 0) + (at->high_sign == 0);
     v = FLINT_MIN(v, n);
     pending part = {.gain = 2 * at->gain};
-    local_form form;
-    local_form_init(&form, n);
+    HELD(local_form, form, n);
     local_interval_init(&part.where);
     part.precision =
         at->precision + (ulong)v * (at->gain + FLINT_BIT_COUNT(n) + 2) + at->gain + SHARPNESS;
@@ -183,7 +170,6 @@ static graze_status leap(int *done, const cluster *c, pending *at, slong variati
         at->precision = part.precision;
     }
     at->gain = *done ? 2 * at->gain : FLINT_MAX(at->gain / 2, LEAST_GAIN);
-    local_form_clear(&form);
     local_interval_clear(&part.where);
     return status;
 }
@@ -192,8 +178,7 @@ static graze_status leap(int *done, const cluster *c, pending *at, slong variati
  */
 static void halve_pending(cluster *c) {
     pending *top = &c->stack[c->count - 1];
-    fmpz_t middle;
-    fmpz_init(middle);
+    LOCAL(fmpz, middle);
     fmpz_mul_2exp(top->where.low, top->where.low, 1);
     top->where.places++;
     fmpz_add(middle, top->where.low, top->where.width);
@@ -214,7 +199,6 @@ static void halve_pending(cluster *c) {
         fmpz_set(c->stack[right + 1].where.low, middle);
         fmpz_zero(c->stack[right + 1].where.width);
     }
-    fmpz_clear(middle);
 }
 
 /* Binary places that the ends of intervals may have beyond those of the whole one. */
@@ -229,41 +213,35 @@ static graze_status search_further(cluster *c, slong variations) {
     pending *top = &c->stack[c->count - 1];
     ulong places = top->where.places, allowed = places_allowed(c);
     int done = 0;
-    graze_status status = GRAZE_OK;
     if (places >= allowed)
         return algebraic_bits_limit(c->search->context);
     while (top->gain > LEAST_GAIN && top->gain > allowed - places)
         top->gain /= 2;
     if (top->gain <= allowed - places)
-        status = leap(&done, c, top, variations);
-    if (status == GRAZE_OK && !done)
+        TRY(leap(&done, c, top, variations));
+    if (!done)
         halve_pending(c);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Deal with the top of the stack. */
 static graze_status step(cluster *c, local_form *form) {
     pending *top = &c->stack[c->count - 1];
-    dyadic_interval found;
     slong variations = 0;
-    graze_status status = GRAZE_OK;
     int is_point = fmpz_is_zero(top->where.width), known;
     if (!is_point) {
-        status = sharp_form(form, c, top);
-        if (status != GRAZE_OK)
-            return status;
+        TRY(sharp_form(form, c, top));
         variations = local_form_variations(form, top->low_sign, top->high_sign);
     }
     known = variations == 0 || (variations == 1 && top->low_sign && top->high_sign);
     if (!known)
         return search_further(c, variations);
-    dyadic_interval_init(&found);
+    HELD(dyadic_interval, found);
     carry_back(&found, c, &top->where);
     if (is_point)
         algebraic_set_dyadic(algebraic_list_append(c->search->list), found.low, found.exponent);
     else if (variations == 1)
         root_search_append(c->search, &found, top->low_sign);
-    dyadic_interval_clear(&found);
     c->count--;
     return GRAZE_OK;
 }
@@ -272,8 +250,7 @@ static graze_status step(cluster *c, local_form *form) {
 static void push_first(cluster *c, const dyadic_interval *interval, int low_sign, int high_sign) {
     const dyadic_interval *whole = c->search->whole;
     pending *first = push_pending(c);
-    fmpz_t width;
-    fmpz_init(width);
+    LOCAL(fmpz, width);
     fmpz_sub(width, whole->high, whole->low);
     first->where.places = interval->exponent - whole->exponent;
     fmpz_mul_2exp(first->where.low, whole->low, first->where.places);
@@ -284,7 +261,6 @@ static void push_first(cluster *c, const dyadic_interval *interval, int low_sign
     first->high_sign = high_sign;
     first->gain = LEAST_GAIN;
     first->precision = FIRST_PRECISION;
-    fmpz_clear(width);
 }
 
 void root_search_append(const root_search *s, const dyadic_interval *interval, int low_sign) {
@@ -297,10 +273,9 @@ void root_search_append(const root_search *s, const dyadic_interval *interval, i
 graze_status root_search_cluster(const root_search *s, const dyadic_interval *interval,
                                  int low_sign, int high_sign) {
     cluster c = {.search = s};
-    local_form form;
     graze_status status = GRAZE_OK;
     fmpz_poly_init(c.unit);
-    local_form_init(&form, fmpz_poly_degree(s->poly));
+    HELD(local_form, form, fmpz_poly_degree(s->poly));
     carry_to_unit(c.unit, s->poly, s->whole);
     push_first(&c, interval, low_sign, high_sign);
     while (c.count > 0 && status == GRAZE_OK)
@@ -308,7 +283,6 @@ graze_status root_search_cluster(const root_search *s, const dyadic_interval *in
     for (size_t k = 0; k < c.capacity; k++)
         local_interval_clear(&c.stack[k].where);
     flint_free(c.stack);
-    local_form_clear(&form);
     fmpz_poly_clear(c.unit);
     return status;
 }

@@ -7,6 +7,7 @@
 #include "base/number/decimal.h"
 
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/number/text.h"
 
 char *decimal_layout(int negative, const char *digits, size_t count, slong exponent, int strip) {
@@ -41,10 +42,10 @@ char *decimal_layout(int negative, const char *digits, size_t count, slong expon
 }
 
 char *decimal_finite(int *finite, const fmpq_t value) {
-    fmpz_t rest, prime, figures;
-    fmpz_init(rest);
-    fmpz_init_set_ui(prime, 5);
-    fmpz_init(figures);
+    LOCAL(fmpz, rest);
+    LOCAL(fmpz, prime);
+    fmpz_set_ui(prime, 5);
+    LOCAL(fmpz, figures);
     slong places = (slong)fmpz_val2(fmpq_denref(value));
     fmpz_tdiv_q_2exp(rest, fmpq_denref(value), (ulong)places);
     slong fives = fmpz_remove(rest, rest, prime);
@@ -62,18 +63,14 @@ char *decimal_finite(int *finite, const fmpq_t value) {
         out = decimal_layout(fmpq_sgn(value) < 0, digits, count, (slong)count - places, 1);
         flint_free(digits);
     }
-    fmpz_clear(rest);
-    fmpz_clear(prime);
-    fmpz_clear(figures);
     return out;
 }
 
 /* quotient, remainder of |value| * 10^shift, remainder over *divisor. */
 static void scaled(fmpz_t quotient, fmpz_t remainder, fmpz_t divisor, const fmpq_t value,
                    slong shift) {
-    fmpz_t power, numerator;
-    fmpz_init(power);
-    fmpz_init(numerator);
+    LOCAL(fmpz, power);
+    LOCAL(fmpz, numerator);
     fmpz_set_ui(power, 10);
     fmpz_pow_ui(power, power, (ulong)(shift < 0 ? -shift : shift));
     fmpz_abs(numerator, fmpq_numref(value));
@@ -83,17 +80,14 @@ static void scaled(fmpz_t quotient, fmpz_t remainder, fmpz_t divisor, const fmpq
     else
         fmpz_mul(numerator, numerator, power);
     fmpz_fdiv_qr(quotient, remainder, numerator, divisor);
-    fmpz_clear(power);
-    fmpz_clear(numerator);
 }
 
 char *decimal_of_rational(int *exact, const fmpq_t value, int digits) {
     int is_exact = 1;
-    fmpz_t quotient, remainder, divisor, bound;
-    fmpz_init(quotient);
-    fmpz_init(remainder);
-    fmpz_init(divisor);
-    fmpz_init(bound);
+    LOCAL(fmpz, quotient);
+    LOCAL(fmpz, remainder);
+    LOCAL(fmpz, divisor);
+    LOCAL(fmpz, bound);
     fmpz_set_ui(bound, 10);
     fmpz_pow_ui(bound, bound, (ulong)digits);
     slong bits = (slong)fmpz_bits(fmpq_numref(value)) - (slong)fmpz_bits(fmpq_denref(value));
@@ -121,10 +115,6 @@ char *decimal_of_rational(int *exact, const fmpq_t value, int digits) {
             : decimal_layout(fmpq_sgn(value) < 0, figures,
                              count > (size_t)digits ? (size_t)digits : count, exponent, is_exact);
     flint_free(figures);
-    fmpz_clear(quotient);
-    fmpz_clear(remainder);
-    fmpz_clear(divisor);
-    fmpz_clear(bound);
     if (exact)
         *exact = is_exact;
     return out;

@@ -4,15 +4,15 @@
  */
 #include "base/number/dyadic.h"
 
+#include "base/context/scope.h"
+
 /* Bits of an exact value that cost less than looking for fewer. */
 enum { SHORT_VALUE = 8192, FIRST_PLACES = 64 };
 
 void dyadic_value(fmpq_t out, const fmpz_t numerator, ulong exponent) {
-    fmpz_t denominator;
-    fmpz_init(denominator);
+    LOCAL(fmpz, denominator);
     fmpz_one_2exp(denominator, exponent);
     fmpq_set_fmpz_frac(out, numerator, denominator);
-    fmpz_clear(denominator);
 }
 
 /* Horner's scheme on sum p_i n^i 2^(e (degree - i)), which has the sign of p(n / 2^e). */
@@ -22,17 +22,15 @@ void dyadic_evaluate(fmpz_t out, const fmpz_poly_t p, const fmpz_t numerator, ul
         fmpz_zero(out);
         return;
     }
-    fmpz_t value, term;
-    fmpz_init_set(value, p->coeffs + degree);
-    fmpz_init(term);
+    LOCAL(fmpz, value);
+    fmpz_set(value, p->coeffs + degree);
+    LOCAL(fmpz, term);
     for (slong i = degree - 1; i >= 0; i--) {
         fmpz_mul(value, value, numerator);
         fmpz_mul_2exp(term, p->coeffs + i, exponent * (ulong)(degree - i));
         fmpz_add(value, value, term);
     }
     fmpz_swap(out, value);
-    fmpz_clear(value);
-    fmpz_clear(term);
 }
 
 /* The least r >= 0 with |numerator / 2^exponent| <= 2^r, or one more. */
@@ -45,9 +43,8 @@ static ulong reach_of(const fmpz_t numerator, ulong exponent) {
 void dyadic_approximate(fmpz_t out, fmpz_t error, const fmpz_poly_t p, const fmpz_t numerator,
                         ulong exponent, ulong places) {
     slong degree = fmpz_poly_degree(p);
-    fmpz_t value, term;
-    fmpz_init(value);
-    fmpz_init(term);
+    LOCAL(fmpz, value);
+    LOCAL(fmpz, term);
     for (slong i = degree; i >= 0; i--) {
         fmpz_mul(value, value, numerator);
         fmpz_fdiv_q_2exp(value, value, exponent);
@@ -58,25 +55,19 @@ void dyadic_approximate(fmpz_t out, fmpz_t error, const fmpz_poly_t p, const fmp
     fmpz_set_si(error, degree > 0 ? degree : 0);
     if (degree > 0)
         fmpz_mul_2exp(error, error, reach_of(numerator, exponent) * (ulong)(degree - 1));
-    fmpz_clear(value);
-    fmpz_clear(term);
 }
 
 /* The sign of a value that is not zero. */
 static int sign_by_places(const fmpz_poly_t p, const fmpz_t numerator, ulong exponent) {
     ulong lost = reach_of(numerator, exponent) * (ulong)fmpz_poly_degree(p);
-    fmpz_t value, error;
-    fmpz_init(value);
-    fmpz_init(error);
+    LOCAL(fmpz, value);
+    LOCAL(fmpz, error);
     for (ulong places = FIRST_PLACES;; places *= 2) {
         dyadic_approximate(value, error, p, numerator, exponent, places + lost);
         if (fmpz_cmpabs(value, error) > 0)
             break;
     }
-    int sign = fmpz_sgn(value);
-    fmpz_clear(value);
-    fmpz_clear(error);
-    return sign;
+    return fmpz_sgn(value);
 }
 
 /* A root m / 2^e in lowest terms has 2^e dividing the leading coefficient, so a number with a
@@ -88,12 +79,9 @@ int dyadic_sign(const fmpz_poly_t p, const fmpz_t numerator, ulong exponent) {
     ulong shared = fmpz_val2(numerator), own = exponent > shared ? exponent - shared : 0;
     if (exponent > SHORT_VALUE / (ulong)degree && own > fmpz_val2(fmpz_poly_lead(p)))
         return sign_by_places(p, numerator, exponent);
-    fmpz_t value;
-    fmpz_init(value);
+    LOCAL(fmpz, value);
     dyadic_evaluate(value, p, numerator, exponent);
-    int sign = fmpz_sgn(value);
-    fmpz_clear(value);
-    return sign;
+    return fmpz_sgn(value);
 }
 
 /* Horner's scheme on sum p_i n^i d^(degree - i), without a division. */
@@ -103,30 +91,24 @@ int rational_sign(const fmpz_poly_t p, const fmpq_t x) {
     if (fmpz_bits(denominator) == exponent + 1)
         return dyadic_sign(p, fmpq_numref(x), exponent);
     slong degree = fmpz_poly_degree(p);
-    fmpz_t value, power;
-    fmpz_init(value);
-    fmpz_init_set_ui(power, 1);
+    LOCAL(fmpz, value);
+    LOCAL(fmpz, power);
+    fmpz_set_ui(power, 1);
     for (slong i = degree; i >= 0; i--) {
         fmpz_mul(value, value, fmpq_numref(x));
         fmpz_addmul(value, p->coeffs + i, power);
         if (i > 0)
             fmpz_mul(power, power, denominator);
     }
-    int sign = fmpz_sgn(value);
-    fmpz_clear(value);
-    fmpz_clear(power);
-    return sign;
+    return fmpz_sgn(value);
 }
 
 int dyadic_compare(const fmpz_t numerator, ulong exponent, const fmpq_t x) {
-    fmpz_t a, b;
-    fmpz_init(a);
-    fmpz_init(b);
+    LOCAL(fmpz, a);
+    LOCAL(fmpz, b);
     fmpz_mul(a, numerator, fmpq_denref(x));
     fmpz_mul_2exp(b, fmpq_numref(x), exponent);
     int order = fmpz_cmp(a, b);
-    fmpz_clear(a);
-    fmpz_clear(b);
     return order > 0 ? 1 : -(order < 0);
 }
 
@@ -163,10 +145,9 @@ void dyadic_interval_set_si(dyadic_interval *interval, slong low, slong high) {
 
 void dyadic_interval_halves(dyadic_interval *left, dyadic_interval *right,
                             const dyadic_interval *interval) {
-    fmpz_t low, middle, high;
-    fmpz_init(low);
-    fmpz_init(middle);
-    fmpz_init(high);
+    LOCAL(fmpz, low);
+    LOCAL(fmpz, middle);
+    LOCAL(fmpz, high);
     fmpz_mul_2exp(low, interval->low, 1);
     fmpz_add(middle, interval->low, interval->high);
     fmpz_mul_2exp(high, interval->high, 1);
@@ -175,7 +156,4 @@ void dyadic_interval_halves(dyadic_interval *left, dyadic_interval *right,
     fmpz_set(left->high, middle);
     fmpz_swap(right->low, middle);
     fmpz_swap(right->high, high);
-    fmpz_clear(low);
-    fmpz_clear(middle);
-    fmpz_clear(high);
 }

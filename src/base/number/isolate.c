@@ -5,6 +5,7 @@
  */
 #include "base/number/isolate.h"
 
+#include "base/context/scope.h"
 #include "base/number/bernstein.h"
 #include "base/number/cluster.h"
 #include "base/number/modular.h"
@@ -17,33 +18,24 @@ static graze_status roots_inside(const root_search *s, bernstein_form *form,
 /* The roots of p / g, g being the common factor of p and its derivative. */
 static graze_status cluster_of_quotient(const root_search *s, const dyadic_interval *interval,
                                         const fmpz_poly_t g) {
-    fmpz_poly_t squarefree;
-    fmpz_poly_init(squarefree);
+    LOCAL(fmpz_poly, squarefree);
     fmpz_poly_div(squarefree, s->poly, g);
     root_search of = {s->list, s->context, squarefree, s->whole};
-    graze_status status = root_search_cluster(
-        &of, interval, dyadic_sign(squarefree, interval->low, interval->exponent),
-        dyadic_sign(squarefree, interval->high, interval->exponent));
-    fmpz_poly_clear(squarefree);
-    return status;
+    return root_search_cluster(&of, interval,
+                               dyadic_sign(squarefree, interval->low, interval->exponent),
+                               dyadic_sign(squarefree, interval->high, interval->exponent));
 }
 
 /* Coefficients that are known to some places do not show a repeated root at an end of the
  * interval, which exact ones leave out: without repeated factors C42 ends. */
 static graze_status search_cluster(const root_search *s, const dyadic_interval *interval, int low,
                                    int high) {
-    fmpz_poly_t derivative, g;
-    fmpz_poly_init(derivative);
-    fmpz_poly_init(g);
+    LOCAL(fmpz_poly, derivative);
+    LOCAL(fmpz_poly, g);
     fmpz_poly_derivative(derivative, s->poly);
-    graze_status status = common_factor_work(s->context, s->poly, derivative);
-    if (status == GRAZE_OK)
-        status = common_factor(g, s->poly, derivative) > 0
-                     ? cluster_of_quotient(s, interval, g)
-                     : root_search_cluster(s, interval, low, high);
-    fmpz_poly_clear(derivative);
-    fmpz_poly_clear(g);
-    return status;
+    TRY(common_factor_work(s->context, s->poly, derivative));
+    return common_factor(g, s->poly, derivative) > 0 ? cluster_of_quotient(s, interval, g)
+                                                     : root_search_cluster(s, interval, low, high);
 }
 
 /* Both halves and the point between them. Nothing of an empty half is kept while the other one is
@@ -53,10 +45,9 @@ static graze_status roots_in_halves(const root_search *s, bernstein_form *form,
     graze_status status = algebraic_may_narrow(s->context, interval);
     if (status != GRAZE_OK)
         return status;
-    dyadic_interval left, right;
     bernstein_form upper;
-    dyadic_interval_init(&left);
-    dyadic_interval_init(&right);
+    HELD(dyadic_interval, left);
+    HELD(dyadic_interval, right);
     dyadic_interval_halves(&left, &right, interval);
     bernstein_form_split(form, &upper);
     int middle_is_root = wide_sign(&upper.c, 0) == 0, searched = bernstein_variations(&upper) > 0;
@@ -69,8 +60,6 @@ static graze_status roots_in_halves(const root_search *s, bernstein_form *form,
         status = roots_inside(s, &upper, &right);
     if (searched)
         bernstein_form_clear(&upper);
-    dyadic_interval_clear(&left);
-    dyadic_interval_clear(&right);
     return status;
 }
 
@@ -99,10 +88,10 @@ static graze_status append_roots(const root_search *s, bernstein_form *form) {
     int high_is_root = wide_sign(&form->c, form->c.count - 1) == 0;
     if (low_is_root)
         algebraic_set_dyadic(algebraic_list_append(s->list), whole->low, whole->exponent);
-    graze_status status = roots_inside(s, form, whole);
-    if (status == GRAZE_OK && high_is_root)
+    TRY(roots_inside(s, form, whole));
+    if (high_is_root)
         algebraic_set_dyadic(algebraic_list_append(s->list), whole->high, whole->exponent);
-    return status;
+    return GRAZE_OK;
 }
 
 /* A linear polynomial's root is rational and is kept as such. */
@@ -121,12 +110,9 @@ static void append_linear_root(algebraic_list *list, const fmpz_poly_t p,
 static graze_status append_roots_of_quotient(algebraic_list *list, graze_context *context,
                                              const fmpz_poly_t p, const fmpz_poly_t g,
                                              const dyadic_interval *interval) {
-    fmpz_poly_t squarefree;
-    fmpz_poly_init(squarefree);
+    LOCAL(fmpz_poly, squarefree);
     fmpz_poly_div(squarefree, p, g);
-    graze_status status = algebraic_roots(list, context, squarefree, interval);
-    fmpz_poly_clear(squarefree);
-    return status;
+    return algebraic_roots(list, context, squarefree, interval);
 }
 
 /* Narrow a root's interval until it leaves another number out; *behind: it is greater. */
@@ -166,21 +152,16 @@ static graze_status insert_root(algebraic_list *list, graze_context *context, si
 static graze_status roots_beside_fraction(int *done, algebraic_list *list, graze_context *context,
                                           const fmpz_poly_t p, const dyadic_interval *interval,
                                           const dyadic_interval *part) {
-    fmpq_t root;
-    fmpz_poly_t rest;
     size_t first = list->count;
     int empty;
-    fmpq_init(root);
-    fmpz_poly_init(rest);
-    graze_status status = GRAZE_OK;
+    LOCAL(fmpq, root);
+    LOCAL(fmpz_poly, rest);
     *done = divide_by_simplest(root, rest, &empty, p, part);
     if (*done && !(empty && part == interval))
-        status = algebraic_roots(list, context, rest, interval);
-    if (*done && status == GRAZE_OK)
-        status = insert_root(list, context, first, root);
-    fmpq_clear(root);
-    fmpz_poly_clear(rest);
-    return status;
+        TRY(algebraic_roots(list, context, rest, interval));
+    if (*done)
+        TRY(insert_root(list, context, first, root));
+    return GRAZE_OK;
 }
 
 /* Roots of a polynomial that may have repeated factors: a repeated root is one of the derivative,
@@ -188,12 +169,10 @@ static graze_status roots_beside_fraction(int *done, algebraic_list *list, graze
 static graze_status repeated_roots(algebraic_list *list, graze_context *context,
                                    const fmpz_poly_t p, const dyadic_interval *interval,
                                    bernstein_form *form) {
-    fmpz_poly_t derivative, g;
-    dyadic_interval part;
     int done = 0;
-    fmpz_poly_init(derivative);
-    fmpz_poly_init(g);
-    dyadic_interval_init(&part);
+    LOCAL(fmpz_poly, derivative);
+    LOCAL(fmpz_poly, g);
+    HELD(dyadic_interval, part);
     fmpz_poly_derivative(derivative, p);
     graze_status status = common_factor_work(context, p, derivative);
     int coprime = polynomials_certainly_coprime(p, derivative);
@@ -205,22 +184,16 @@ static graze_status repeated_roots(algebraic_list *list, graze_context *context,
         else
             status = append_roots(&(root_search){list, context, p, interval}, form);
     }
-    fmpz_poly_clear(derivative);
-    fmpz_poly_clear(g);
-    dyadic_interval_clear(&part);
     return status;
 }
 
 /* Roots of a polynomial of degree two or more. */
 static graze_status isolate_roots(algebraic_list *list, graze_context *context, const fmpz_poly_t p,
                                   const dyadic_interval *interval) {
-    bernstein_form form;
-    bernstein_form_init(&form, p, fmpz_poly_degree(p), interval);
-    graze_status status = bernstein_variations(&form) > 1
-                              ? repeated_roots(list, context, p, interval, &form)
-                              : append_roots(&(root_search){list, context, p, interval}, &form);
-    bernstein_form_clear(&form);
-    return status;
+    HELD(bernstein_form, form, p, fmpz_poly_degree(p), interval);
+    return bernstein_variations(&form) > 1
+               ? repeated_roots(list, context, p, interval, &form)
+               : append_roots(&(root_search){list, context, p, interval}, &form);
 }
 
 graze_status algebraic_roots(algebraic_list *list, graze_context *context, const fmpz_poly_t p,

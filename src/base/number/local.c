@@ -5,6 +5,7 @@
 #include "base/number/local.h"
 
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 #include "base/number/bernstein.h"
 
 void local_interval_init(local_interval *x) {
@@ -52,28 +53,26 @@ static slong last_term(const fmpz_poly_t q, ulong narrow, ulong precision) {
  * ... s[k] are the values of Horner's scheme for the quotient that round k - 1 has left. */
 static graze_status taylor(fmpz *s, graze_context *context, slong n, slong last,
                            const local_interval *x) {
-    fmpz_t product;
-    graze_status status = GRAZE_OK;
-    fmpz_init(product);
-    for (slong k = 0; k <= last && status == GRAZE_OK; k++)
-        for (slong i = n - 1; i >= k && status == GRAZE_OK; i--) {
+    LOCAL(fmpz, product);
+    for (slong k = 0; k <= last; k++)
+        for (slong i = n - 1; i >= k; i--) {
             fmpz_mul(product, s + i + 1, x->low);
-            status = context_work(context, fmpz_size(product) * (fmpz_size(x->low) + 1));
+            TRY(context_work(context, fmpz_size(product) * (fmpz_size(x->low) + 1)));
             fmpz_fdiv_q_2exp(product, product, x->places);
             fmpz_add(s + i, s + i, product);
         }
-    fmpz_clear(product);
-    return status;
+    return GRAZE_OK;
 }
 
 /* s[i] becomes the i-th difference of the first i + 1 Bernstein coefficients, which all get the
  * factor `common`. */
 static void take_differences(fmpz *s, slong n, slong last, const local_interval *x,
                              const fmpz_t common) {
-    fmpz_t power, binomial, factor;
-    fmpz_init_set_ui(power, 1);
-    fmpz_init_set_ui(binomial, 1);
-    fmpz_init(factor);
+    LOCAL(fmpz, power);
+    fmpz_set_ui(power, 1);
+    LOCAL(fmpz, binomial);
+    fmpz_set_ui(binomial, 1);
+    LOCAL(fmpz, factor);
     for (slong i = 0; i <= last; i++) {
         fmpz_mul(s + i, s + i, power);
         fmpz_fdiv_q_2exp(s + i, s + i, x->places * (ulong)i);
@@ -83,9 +82,6 @@ static void take_differences(fmpz *s, slong n, slong last, const local_interval 
         fmpz_mul_ui(binomial, binomial, (ulong)(n - i));
         fmpz_divexact_ui(binomial, binomial, (ulong)(i + 1));
     }
-    fmpz_clear(power);
-    fmpz_clear(binomial);
-    fmpz_clear(factor);
 }
 
 /* By C41 rounding costs 2 (n + 1) units in the Taylor coefficients and at most n + 1 with the
@@ -94,24 +90,19 @@ graze_status local_form_set(local_form *form, graze_context *context, const fmpz
                             const local_interval *x, ulong precision) {
     slong n = form->degree;
     slong last = last_term(q, x->places - fmpz_bits(x->width), precision);
-    fmpz *s = _fmpz_vec_init(n + 1);
-    fmpz_t common;
-    fmpz_init(common);
+    LOCAL_VEC(fmpz, s, n + 1);
+    LOCAL(fmpz, common);
     _fmpz_vec_scalar_mul_2exp(s, q->coeffs, n + 1, precision);
-    graze_status status = taylor(s, context, n, last, x);
-    if (status == GRAZE_OK) {
-        common_binomial(common, n);
-        take_differences(s, n, last, x, common);
-        for (slong j = 0; j <= n; j++) {
-            fmpz_set(form->b + j, s);
-            for (slong i = 0; i < last; i++)
-                fmpz_add(s + i, s + i, s + i + 1);
-        }
-        fmpz_mul_ui(form->error, common, 3 * (ulong)n + 4);
+    TRY(taylor(s, context, n, last, x));
+    common_binomial(common, n);
+    take_differences(s, n, last, x, common);
+    for (slong j = 0; j <= n; j++) {
+        fmpz_set(form->b + j, s);
+        for (slong i = 0; i < last; i++)
+            fmpz_add(s + i, s + i, s + i + 1);
     }
-    fmpz_clear(common);
-    _fmpz_vec_clear(s, n + 1);
-    return status;
+    fmpz_mul_ui(form->error, common, 3 * (ulong)n + 4);
+    return GRAZE_OK;
 }
 
 int local_form_is_sharp(const local_form *form, ulong bits) {
@@ -141,9 +132,8 @@ slong local_form_variations(const local_form *form, int first, int last) {
 
 void local_form_center(fmpz_t out, const local_form *form, slong order, ulong gain) {
     slong n = form->degree;
-    fmpz *d = _fmpz_vec_init(n + 1);
-    fmpz_t down;
-    fmpz_init(down);
+    LOCAL_VEC(fmpz, d, n + 1);
+    LOCAL(fmpz, down);
     _fmpz_vec_set(d, form->b, n + 1);
     for (slong k = 0; k < order; k++)
         for (slong j = 0; j < n - k; j++)
@@ -162,6 +152,4 @@ void local_form_center(fmpz_t out, const local_form *form, slong order, ulong ga
         fmpz_zero(out);
     else if (fmpz_cmp(out, d) > 0)
         fmpz_set(out, d);
-    _fmpz_vec_clear(d, n + 1);
-    fmpz_clear(down);
 }

@@ -4,21 +4,18 @@
 #include "base/number/order.h"
 
 #include <flint/fmpq_vec.h>
+#include "base/context/scope.h"
 #include "base/number/modular.h"
 #include "base/number/refine.h"
 
 /* Sign of a / 2^e - b / 2^f. */
 static int compare_dyadics(const fmpz_t a, ulong e, const fmpz_t b, ulong f) {
     ulong exponent = FLINT_MAX(e, f);
-    fmpz_t left, right;
-    fmpz_init(left);
-    fmpz_init(right);
+    LOCAL(fmpz, left);
+    LOCAL(fmpz, right);
     fmpz_mul_2exp(left, a, exponent - e);
     fmpz_mul_2exp(right, b, exponent - f);
-    int order = fmpz_cmp(left, right);
-    fmpz_clear(left);
-    fmpz_clear(right);
-    return order;
+    return fmpz_cmp(left, right);
 }
 
 static int compare_with_rational(algebraic *x, const fmpq_t r) {
@@ -45,12 +42,10 @@ static void intersect(dyadic_interval *out, const dyadic_interval *a, const dyad
 /* If the two irrational numbers, isolated in overlapping intervals, are equal, let them share their
  * common factor and the overlap. */
 static int unite_if_equal(algebraic *x, algebraic *y) {
-    fmpz_poly_t g;
-    fmpz_poly_init(g);
+    LOCAL(fmpz_poly, g);
     int equal = 0;
     if (common_factor(g, x->poly, y->poly) > 0) {
-        dyadic_interval overlap;
-        dyadic_interval_init(&overlap);
+        HELD(dyadic_interval, overlap);
         intersect(&overlap, &x->where, &y->where);
         int low_sign = algebraic_sign_before(g, &overlap);
         equal = low_sign != 0;
@@ -60,9 +55,7 @@ static int unite_if_equal(algebraic *x, algebraic *y) {
             x->low_sign = low_sign;
             algebraic_set(y, x);
         }
-        dyadic_interval_clear(&overlap);
     }
-    fmpz_poly_clear(g);
     return equal;
 }
 
@@ -92,14 +85,11 @@ static int order_is_known(int *out, algebraic *x, algebraic *y) {
 
 /* The width is at least half of 2^(what is returned), and less than that; of a rational, zero. */
 static slong width_exponent(const algebraic *x) {
-    fmpz_t width;
     if (algebraic_is_rational(x))
         return WORD_MIN;
-    fmpz_init(width);
+    LOCAL(fmpz, width);
     fmpz_sub(width, x->where.high, x->where.low);
-    slong exponent = (slong)fmpz_bits(width) - (slong)x->where.exponent;
-    fmpz_clear(width);
-    return exponent;
+    return (slong)fmpz_bits(width) - (slong)x->where.exponent;
 }
 
 /* Narrow the wider one of two intervals, so that both shrink to nothing. With both narrowed each
@@ -112,21 +102,19 @@ static graze_status narrow_wider(graze_context *context, algebraic *x, algebraic
 
 graze_status algebraic_compare(int *out, graze_context *context, algebraic *x, algebraic *y) {
     ulong gain[] = {FIRST_GAIN, FIRST_GAIN};
-    graze_status status = GRAZE_OK;
-    for (int steps = 0; status == GRAZE_OK; steps++) {
+    for (int steps = 0;; steps++) {
         if (order_is_known(out, x, y))
             return GRAZE_OK;
         if (steps == 2 * CHEAP_HALVINGS) {
-            status = common_factor_work(context, x->poly, y->poly);
-            if (status == GRAZE_OK && unite_if_equal(x, y)) {
+            TRY(common_factor_work(context, x->poly, y->poly));
+            if (unite_if_equal(x, y)) {
                 *out = 0;
                 return GRAZE_OK;
             }
         }
-        if (status == GRAZE_OK)
-            status = narrow_wider(context, x, y, steps / 2, gain);
+        TRY(narrow_wider(context, x, y, steps / 2, gain));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* The dyadic number with the least exponent strictly between two rationals a < b, the least of
@@ -134,12 +122,10 @@ graze_status algebraic_compare(int *out, graze_context *context, algebraic *x, a
  * any e that has such multiples: where the binary digits of the multiple before the first
  * and of the last one part. */
 static void simplest_dyadic(fmpq_t out, const fmpq_t a, const fmpq_t b) {
-    fmpq_t scaled;
-    fmpz_t before, last, differ;
-    fmpq_init(scaled);
-    fmpz_init(before);
-    fmpz_init(last);
-    fmpz_init(differ);
+    LOCAL(fmpq, scaled);
+    LOCAL(fmpz, before);
+    LOCAL(fmpz, last);
+    LOCAL(fmpz, differ);
     fmpq_sub(scaled, b, a);
     ulong top = fmpz_bits(fmpq_numref(scaled)), bottom = fmpz_bits(fmpq_denref(scaled));
     ulong exponent = bottom >= top ? bottom - top + 2 : 0;
@@ -154,35 +140,29 @@ static void simplest_dyadic(fmpq_t out, const fmpq_t a, const fmpq_t b) {
     fmpz_fdiv_q_2exp(before, before, zeros);
     fmpz_add_ui(before, before, 1);
     dyadic_value(out, before, exponent - zeros);
-    fmpq_clear(scaled);
-    fmpz_clear(before);
-    fmpz_clear(last);
-    fmpz_clear(differ);
 }
 
 graze_status algebraic_between(fmpq_t out, graze_context *context, algebraic *x, algebraic *y) {
-    fmpq *low = _fmpq_vec_init(4), *below = low + 1, *above = low + 2, *high = low + 3;
+    LOCAL_VEC(fmpq, low, 4);
+    fmpq *below = low + 1, *above = low + 2, *high = low + 3;
     ulong gain[] = {1, 1};
-    graze_status status = GRAZE_OK;
-    while (status == GRAZE_OK) {
+    for (;;) {
         algebraic_bounds(low, below, x);
         algebraic_bounds(above, high, y);
         if (fmpq_cmp(below, above) < 0)
             break;
-        status = narrow_wider(context, x, y, CHEAP_HALVINGS, gain);
+        TRY(narrow_wider(context, x, y, CHEAP_HALVINGS, gain));
     }
-    if (status == GRAZE_OK)
-        simplest_dyadic(out, below, above);
-    _fmpq_vec_clear(low, 4);
-    return status;
+    simplest_dyadic(out, below, above);
+    return GRAZE_OK;
 }
 
 /* The dyadic number of least exponent between the outer ends of the intervals is the one looked for
  * once it is in neither of them; it is not x or y. */
 graze_status algebraic_places_between(ulong *out, graze_context *context, algebraic *x,
                                       algebraic *y) {
-    fmpq *low = _fmpq_vec_init(5), *below = low + 1, *above = low + 2, *high = low + 3,
-         *between = low + 4;
+    LOCAL_VEC(fmpq, low, 5);
+    fmpq *below = low + 1, *above = low + 2, *high = low + 3, *between = low + 4;
     ulong gain[] = {FIRST_GAIN, FIRST_GAIN};
     graze_status status = GRAZE_OK;
     while (status == GRAZE_OK) {
@@ -195,7 +175,6 @@ graze_status algebraic_places_between(ulong *out, graze_context *context, algebr
         status = algebraic_narrow(context, in_x ? x : y, CHEAP_HALVINGS, &gain[in_y]);
     }
     *out = fmpz_val2(fmpq_denref(between));
-    _fmpq_vec_clear(low, 5);
     return status;
 }
 
@@ -207,9 +186,7 @@ static graze_status merge_runs(algebraic **order, size_t middle, size_t count, a
         spare[m] = order[m];
     while (i < middle && j < count) {
         int sign;
-        graze_status status = algebraic_compare(&sign, context, spare[i], order[j]);
-        if (status != GRAZE_OK)
-            return status;
+        TRY(algebraic_compare(&sign, context, spare[i], order[j]));
         order[k++] = sign <= 0 ? spare[i++] : order[j++];
     }
     while (i < middle)

@@ -8,6 +8,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "base/number/rounding.h"
 
@@ -106,8 +107,8 @@ static int set_decimal(fmpq_t out, const shape *s) {
         return 0;
     }
     long shift = s->exponent - (long)s->fraction_count;
-    fmpz_t power;
-    fmpz_init_set_ui(power, 10);
+    LOCAL(fmpz, power);
+    fmpz_set_ui(power, 10);
     fmpz_pow_ui(power, power, (unsigned long)labs(shift));
     if (shift >= 0) {
         fmpz_mul(fmpq_numref(out), fmpq_numref(out), power);
@@ -116,7 +117,6 @@ static int set_decimal(fmpq_t out, const shape *s) {
         fmpz_set(fmpq_denref(out), power);
         fmpq_canonicalise(out);
     }
-    fmpz_clear(power);
     return 1;
 }
 
@@ -231,12 +231,9 @@ static uint64_t small_magnitude(const fmpz_t value) {
     if (fmpz_sgn(value) >= 0) {
         return fmpz_get_ui(value);
     }
-    fmpz_t positive;
-    fmpz_init(positive);
+    LOCAL(fmpz, positive);
     fmpz_neg(positive, value);
-    uint64_t word = fmpz_get_ui(positive);
-    fmpz_clear(positive);
-    return word;
+    return fmpz_get_ui(positive);
 }
 
 int rational_is_canonical(const mpq_t value) {
@@ -246,12 +243,9 @@ int rational_is_canonical(const mpq_t value) {
         return 0;
     }
     if (mpz_size(top) > 1 || mpz_size(bottom) > 1) {
-        mpz_t common;
-        mpz_init(common);
+        LOCAL(mpz, common);
         mpz_gcd(common, top, bottom);
-        int coprime = mpz_cmp_ui(common, 1) == 0;
-        mpz_clear(common);
-        return coprime;
+        return mpz_cmp_ui(common, 1) == 0;
     }
     uint64_t numerator = mpz_getlimbn(top, 0), denominator = mpz_getlimbn(bottom, 0);
     uint64_t odd = denominator / (denominator & -denominator);

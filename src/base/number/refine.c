@@ -3,11 +3,12 @@
  */
 #include "base/number/refine.h"
 
+#include "base/context/scope.h"
+
 void algebraic_refine(algebraic *x) {
     if (algebraic_is_rational(x))
         return;
-    fmpz_t middle;
-    fmpz_init(middle);
+    LOCAL(fmpz, middle);
     dyadic_interval *where = &x->where;
     fmpz_add(middle, where->low, where->high);
     where->exponent++;
@@ -21,16 +22,14 @@ void algebraic_refine(algebraic *x) {
         fmpz_mul_2exp(where->low, where->low, 1);
         fmpz_swap(where->high, middle);
     }
-    fmpz_clear(middle);
 }
 
 /* |p| at the lower end and the sum of |p| at both, with enough places for `kept` significant bits
  * of the sum. */
 static void secant_values(fmpz_t low, fmpz_t sum, const algebraic *x, ulong kept) {
     const dyadic_interval *where = &x->where;
-    fmpz_t error, other;
-    fmpz_init(error);
-    fmpz_init(other);
+    LOCAL(fmpz, error);
+    LOCAL(fmpz, other);
     for (ulong places = where->exponent + kept;; places *= 2) {
         dyadic_approximate(low, error, x->poly, where->low, where->exponent, places);
         dyadic_approximate(sum, other, x->poly, where->high, where->exponent, places);
@@ -41,17 +40,14 @@ static void secant_values(fmpz_t low, fmpz_t sum, const algebraic *x, ulong kept
     }
     fmpz_abs(low, low);
     fmpz_abs(sum, sum);
-    fmpz_clear(error);
-    fmpz_clear(other);
 }
 
 /* The place of the secant's root among 2^gain equal parts of the interval: the nearest of the
  * points 0 ... 2^gain of division. It is a guess, so the values are cut to the digits that matter.
  */
 static void secant_point(fmpz_t out, const algebraic *x, ulong gain) {
-    fmpz_t low, sum;
-    fmpz_init(low);
-    fmpz_init(sum);
+    LOCAL(fmpz, low);
+    LOCAL(fmpz, sum);
     ulong kept = gain + 8;
     secant_values(low, sum, x, kept);
     ulong bits = fmpz_bits(sum);
@@ -61,19 +57,15 @@ static void secant_point(fmpz_t out, const algebraic *x, ulong gain) {
     fmpz_add(low, low, sum);
     fmpz_mul_2exp(sum, sum, 1);
     fmpz_fdiv_q(out, low, sum);
-    fmpz_clear(low);
-    fmpz_clear(sum);
 }
 
 /* Whether the root is met at the point nearest to the secant's root or lies in a part beside it; if
  * so, that part is the new interval. Where the sign at the point is that at the lower end, the
  * point is not the upper end, so there is a part to its right; and the other way round. */
 static int follow_secant(algebraic *x, ulong gain) {
-    dyadic_interval part;
-    fmpz_t point, width;
-    dyadic_interval_init(&part);
-    fmpz_init(point);
-    fmpz_init(width);
+    HELD(dyadic_interval, part);
+    LOCAL(fmpz, point);
+    LOCAL(fmpz, width);
     part.exponent = x->where.exponent + gain;
     secant_point(point, x, gain);
     fmpz_sub(width, x->where.high, x->where.low);
@@ -95,9 +87,6 @@ static int follow_secant(algebraic *x, ulong gain) {
         algebraic_set_dyadic(x, end, part.exponent);
     else if (found)
         dyadic_interval_swap(&x->where, &part);
-    dyadic_interval_clear(&part);
-    fmpz_clear(point);
-    fmpz_clear(width);
     return found;
 }
 

@@ -10,6 +10,7 @@
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/number/rounding.h"
 
 /* A binary format: its precision, and the exponents of MPFR's convention (|x| < 2^exponent) of its
@@ -37,11 +38,9 @@ static void set_scaled(fmpq_t out, const fmpz_t integer, slong shift, int negati
 
 /* The finite number `x` as a rational. */
 static void set_mpfr(fmpq_t out, const mpfr_t x) {
-    mpq_t value;
-    mpq_init(value);
+    LOCAL(mpq, value);
     mpfr_get_q(value, x);
     fmpq_set_mpq(out, value);
-    mpq_clear(value);
 }
 
 graze_status rational_round(fmpq_t value, graze_context *context, graze_rounding rounding) {
@@ -50,8 +49,7 @@ graze_status rational_round(fmpq_t value, graze_context *context, graze_rounding
     }
     const binary_format *format = &formats[rounding];
     mpfr_exp_t emin = mpfr_get_emin(), emax = mpfr_get_emax();
-    mpfr_t x;
-    mpfr_init2(x, format->precision);
+    LOCAL_MPFR(x, format->precision);
     mpfr_set_emin(format->least);
     mpfr_set_emax(format->largest);
     int inexact = fmpq_get_mpfr(x, value, MPFR_RNDN);
@@ -62,19 +60,16 @@ graze_status rational_round(fmpq_t value, graze_context *context, graze_rounding
     if (!overflows) {
         set_mpfr(value, x);
     }
-    mpfr_clear(x);
     return overflows ? context_fail(context, GRAZE_EINPUT, "overflows %s when rounded",
                                     graze_rounding_name(rounding))
                      : GRAZE_OK;
 }
 
 graze_status rational_nearest(double *out, graze_context *context, const fmpq_t value) {
-    fmpq_t rounded;
-    fmpq_init(rounded);
+    LOCAL(fmpq, rounded);
     fmpq_set(rounded, value);
     graze_status status = rational_round(rounded, context, GRAZE_ROUND_BINARY64);
     *out = status == GRAZE_OK ? fmpq_get_d(rounded) : 0;
-    fmpq_clear(rounded);
     return status;
 }
 
@@ -89,10 +84,9 @@ graze_status rational_from_double(fmpq_t out, graze_context *context, double val
                             mantissa != 0 ? "NaN" : "an infinity");
     }
     mantissa |= exponent > 0 ? (uint64_t)1 << 52 : 0;
-    fmpz_t integer;
-    fmpz_init_set_ui(integer, mantissa);
+    LOCAL(fmpz, integer);
+    fmpz_set_ui(integer, mantissa);
     set_scaled(out, integer, (exponent > 0 ? exponent : 1) - 1075, (int)(image >> 63));
-    fmpz_clear(integer);
     return GRAZE_OK;
 }
 
@@ -107,8 +101,7 @@ void rational_bounds(double *low, double *high, const fmpq_t value) {
         *low = *high = ldexp(fmpz_get_d(fmpq_numref(value)), -(int)places);
         return;
     }
-    mpfr_t x;
-    mpfr_init2(x, DBL_MANT_DIG);
+    LOCAL_MPFR(x, DBL_MANT_DIG);
     int inexact = fmpq_get_mpfr(x, value, MPFR_RNDZ) != 0;
     mpfr_abs(x, x, MPFR_RNDZ);
     double below = 0, above = DBL_MIN; /* subnormal doubles may read as 0 */
@@ -122,7 +115,6 @@ void rational_bounds(double *low, double *high, const fmpq_t value) {
         }
         above = mpfr_get_d(x, MPFR_RNDU);
     }
-    mpfr_clear(x);
     *low = fmpq_sgn(value) > 0 ? below : -above;
     *high = fmpq_sgn(value) > 0 ? above : -below;
 }

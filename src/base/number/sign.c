@@ -3,6 +3,7 @@
  */
 #include "base/number/sign.h"
 
+#include "base/context/scope.h"
 #include "base/number/bernstein.h"
 #include "base/number/modular.h"
 #include "base/number/refine.h"
@@ -23,11 +24,10 @@ static int sign_by_slope(const fmpz_poly_t q, const dyadic_interval *where) {
     slong degree = fmpz_poly_degree(q);
     ulong reach = FLINT_MAX(fmpz_bits(where->low), fmpz_bits(where->high));
     reach = reach > where->exponent ? reach - where->exponent : 0;
-    fmpz_t value, error, change, term;
-    fmpz_init(value);
-    fmpz_init(error);
-    fmpz_init(change);
-    fmpz_init(term);
+    LOCAL(fmpz, value);
+    LOCAL(fmpz, error);
+    LOCAL(fmpz, change);
+    LOCAL(fmpz, term);
     for (slong i = 1; i <= degree; i++) {
         fmpz_mul_ui(term, q->coeffs + i, (ulong)i);
         fmpz_abs(term, term);
@@ -39,12 +39,7 @@ static int sign_by_slope(const fmpz_poly_t q, const dyadic_interval *where) {
     fmpz_mul_2exp(change, change, 2);
     dyadic_approximate(value, error, q, where->low, where->exponent, where->exponent + 2);
     fmpz_add(change, change, error);
-    int sign = fmpz_cmpabs(value, change) > 0 ? fmpz_sgn(value) : 0;
-    fmpz_clear(value);
-    fmpz_clear(error);
-    fmpz_clear(change);
-    fmpz_clear(term);
-    return sign;
+    return fmpz_cmpabs(value, change) > 0 ? fmpz_sgn(value) : 0;
 }
 
 /* Bernstein coefficients of degree n take n^2 sums of numbers that are n times as long as the
@@ -63,39 +58,32 @@ static int sign_on_interval(const fmpz_poly_t q, const algebraic *x) {
         return sign_by_slope(q, &x->where);
     if (slope_is_cheaper(q, &x->where))
         return sign_by_slope(q, &x->where);
-    bernstein_form form;
-    bernstein_form_init(&form, q, fmpz_poly_degree(q), &x->where);
-    int sign = bernstein_one_sign(&form);
-    bernstein_form_clear(&form);
-    return sign;
+    HELD(bernstein_form, form, q, fmpz_poly_degree(q), &x->where);
+    return bernstein_one_sign(&form);
 }
 
 /* If q vanishes at the irrational x, reduce x's polynomial to the common factor. */
 static int vanishes_at(const fmpz_poly_t q, algebraic *x) {
-    fmpz_poly_t g;
-    fmpz_poly_init(g);
+    LOCAL(fmpz_poly, g);
     common_factor(g, x->poly, q);
     int low_sign = algebraic_sign_before(g, &x->where);
     if (low_sign != 0) {
         fmpz_poly_swap(x->poly, g);
         x->low_sign = low_sign;
     }
-    fmpz_poly_clear(g);
     return low_sign != 0;
 }
 
 /* Take a short interval around a guess of the irrational x, if x's polynomial changes its sign
  * there and the limit on places allows it. */
 static int narrow_by_guess(graze_context *context, algebraic *x) {
-    dyadic_interval part;
-    dyadic_interval_init(&part);
+    HELD(dyadic_interval, part);
     int changes = guess_interval(&part, x->poly, &x->where) &&
                   (!context || part.exponent < context->limits[GRAZE_LIMIT_BITS]) &&
                   dyadic_sign(x->poly, part.low, part.exponent) == x->low_sign &&
                   dyadic_sign(x->poly, part.high, part.exponent) == -x->low_sign;
     if (changes)
         dyadic_interval_swap(&x->where, &part);
-    dyadic_interval_clear(&part);
     return changes;
 }
 

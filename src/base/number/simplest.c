@@ -6,6 +6,7 @@
 #include "base/number/simplest.h"
 
 #include <math.h>
+#include "base/context/scope.h"
 
 /* Ends of intervals have fewer binary digits, and fewer of them are places; those around a guess
  * have GUESS_PLACES. Nothing of a higher degree is guessed. */
@@ -30,8 +31,8 @@ static void simplest_between(slong *p, slong *q, slong a, slong b, slong c, slon
 static int divide_linear(fmpz_poly_t out, const fmpz_poly_t p, slong a, slong b) {
     slong n = fmpz_poly_degree(p);
     const fmpz numerator[] = {a};
-    fmpz_t rest;
-    fmpz_init_set(rest, fmpz_poly_lead(p));
+    LOCAL(fmpz, rest);
+    fmpz_set(rest, fmpz_poly_lead(p));
     fmpz_poly_fit_length(out, n);
     int divides = 1;
     for (slong i = n - 1; i >= 0 && divides; i--) {
@@ -44,7 +45,6 @@ static int divide_linear(fmpz_poly_t out, const fmpz_poly_t p, slong a, slong b)
     }
     divides = divides && fmpz_is_zero(rest);
     _fmpz_poly_set_length(out, divides ? n : 0);
-    fmpz_clear(rest);
     return divides;
 }
 
@@ -57,8 +57,7 @@ int divide_by_simplest(fmpq_t root, fmpz_poly_t rest, int *empty, const fmpz_pol
         return 0;
     slong unit = (slong)1 << interval->exponent;
     simplest_between(&a, &b, fmpz_get_si(interval->low), unit, fmpz_get_si(interval->high), unit);
-    fmpz_poly_t next;
-    fmpz_poly_init(next);
+    LOCAL(fmpz_poly, next);
     int divided = 0;
     while (divide_linear(next, divided ? rest : p, a, b)) {
         fmpz_poly_swap(rest, next);
@@ -67,7 +66,6 @@ int divide_by_simplest(fmpq_t root, fmpz_poly_t rest, int *empty, const fmpz_pol
         if (*empty)
             break;
     }
-    fmpz_poly_clear(next);
     if (divided)
         fmpq_set_si(root, a, (ulong)b);
     return divided;
@@ -103,8 +101,7 @@ int guess_interval(dyadic_interval *out, const fmpz_poly_t p, const dyadic_inter
         return 0;
     double unit = ldexp(1, -(int)interval->exponent);
     double x = near_root(p, fmpz_get_d(interval->low) * unit, fmpz_get_d(interval->high) * unit);
-    fmpz_t end;
-    fmpz_init(end);
+    LOCAL(fmpz, end);
     out->exponent = GUESS_PLACES;
     fmpz_set_d(out->low, floor(ldexp(x, GUESS_PLACES)) - 2);
     fmpz_add_ui(out->high, out->low, 5);
@@ -114,6 +111,5 @@ int guess_interval(dyadic_interval *out, const fmpz_poly_t p, const dyadic_inter
     fmpz_mul_2exp(end, interval->high, GUESS_PLACES - interval->exponent);
     if (fmpz_cmp(out->high, end) > 0)
         fmpz_set(out->high, end);
-    fmpz_clear(end);
     return fmpz_cmp(out->low, out->high) < 0;
 }

@@ -11,6 +11,7 @@
 #include <flint/fmpz_mpoly.h>
 #include <flint/fmpz_mpoly_factor.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "base/number/order.h"
 #include "base/number/refine.h"
@@ -68,9 +69,8 @@ static void keep_parts(apex *a, const fmpz_mpoly_t form) {
 static void read_member(apex *a, const taylor *t) {
     const int fixed = taylor_order(t) == t->degree;
     fmpq_mpoly_t form;
-    fmpq_t at;
     fmpq_mpoly_init(form, a->ring);
-    fmpq_init(at);
+    LOCAL(fmpq, at);
     for (size_t k = 0; k < t->count; k++) {
         const ulong power[VARIABLES] = {t->power[k][0], t->dimension == 3 ? t->power[k][1] : 0};
         if (power_sum(t, k) != taylor_order(t))
@@ -87,18 +87,15 @@ static void read_member(apex *a, const taylor *t) {
     }
     if (everywhere)
         keep_parts(a, form->zpoly);
-    fmpq_clear(at);
     fmpq_mpoly_clear(form, a->ring);
 }
 
 /* The sign of a member's lowest form along the direction. */
 static int sign_of_lowest_form(const apex *a, const taylor *t) {
-    fmpq_t factor, power;
-    fmpq_poly_t sum, term;
-    fmpq_init(factor);
-    fmpq_init(power);
-    fmpq_poly_init(sum);
-    fmpq_poly_init(term);
+    LOCAL(fmpq, factor);
+    LOCAL(fmpq, power);
+    LOCAL(fmpq_poly, sum);
+    LOCAL(fmpq_poly, term);
     for (size_t k = 0; k < t->count; k++) {
         if (power_sum(t, k) != taylor_order(t))
             continue;
@@ -110,12 +107,7 @@ static int sign_of_lowest_form(const apex *a, const taylor *t) {
         fmpq_poly_scalar_mul_fmpq(term, t->coefficient + k, factor);
         fmpq_poly_add(sum, sum, term);
     }
-    int sign = field_sign(a->g->f, sum);
-    fmpq_clear(factor);
-    fmpq_clear(power);
-    fmpq_poly_clear(sum);
-    fmpq_poly_clear(term);
-    return sign;
+    return field_sign(a->g->f, sum);
 }
 
 /* Note the patterns along the direction and its opposite. */
@@ -152,10 +144,8 @@ static void cuts_clear(cuts *to) {
 /* Add all real roots of a polynomial in one variable. */
 static void cut_at_roots(cuts *to, const apex *a, const fmpz_mpoly_t p, int variable) {
     moment_field *f = a->g->f;
-    dyadic_interval all;
-    fmpz_poly_t q;
-    fmpz_poly_init(q);
-    dyadic_interval_init(&all);
+    LOCAL(fmpz_poly, q);
+    HELD(dyadic_interval, all);
     expect_done(a, fmpz_mpoly_get_fmpz_poly(q, p, variable, a->ring->zctx));
     if (f->status == GRAZE_OK && fmpz_poly_degree(q) > 0) {
         fmpz_poly_bound_roots(all.high, q);
@@ -165,8 +155,6 @@ static void cut_at_roots(cuts *to, const apex *a, const fmpz_mpoly_t p, int vari
             fmpz_set(to->bound, all.high);
         f->status = algebraic_roots(&to->root, f->context, q, &all);
     }
-    dyadic_interval_clear(&all);
-    fmpz_poly_clear(q);
 }
 
 static void walk_line(apex *a);
@@ -197,9 +185,8 @@ static void walk_gaps(apex *a, cuts *at, int variable) {
 /* The forms where x is that of the direction. */
 static void walk_line(apex *a) {
     const fmpz_mpoly_ctx_struct *ring = a->ring->zctx;
-    cuts in_y;
     fmpq_mpoly_t form;
-    cuts_init(&in_y);
+    HELD(cuts, in_y);
     fmpq_mpoly_init(form, a->ring);
     for (int k = 0; k < a->count && a->g->f->status == GRAZE_OK; k++) {
         fmpq_one(form->content);
@@ -210,7 +197,6 @@ static void walk_line(apex *a) {
     if (a->g->f->status == GRAZE_OK)
         walk_gaps(a, &in_y, Y);
     fmpq_mpoly_clear(form, a->ring);
-    cuts_clear(&in_y);
 }
 
 /* Cut x where the roots in y of one form, or of two, meet or go to infinity. */
@@ -242,8 +228,7 @@ static void cut_by_leading_term(cuts *in_x, apex *a, int k) {
 }
 
 static void walk_directions(apex *a) {
-    cuts in_x;
-    cuts_init(&in_x);
+    HELD(cuts, in_x);
     for (int k = 0; k < a->count && a->g->f->status == GRAZE_OK; k++) {
         cut_by_leading_term(&in_x, a, k);
         for (int i = 0; i <= k && a->g->f->status == GRAZE_OK; i++)
@@ -253,7 +238,6 @@ static void walk_directions(apex *a) {
     }
     if (a->g->f->status == GRAZE_OK)
         walk_gaps(a, &in_x, X);
-    cuts_clear(&in_x);
 }
 
 /* A definite quadratic form with which a member begins has one sign (C99). */
@@ -281,15 +265,13 @@ static void exclude_by_definite_form(sign_germ *g, int k) {
 /* A rational time at that of the germ, or near it. */
 static void read_time(apex *a) {
     moment_field *f = a->g->f;
-    fmpq_t high;
     ulong gain = FIRST_GAIN;
     for (int step = 0; f->status == GRAZE_OK && !algebraic_is_rational(f->time) &&
                        f->time->where.exponent < PLACES;
          step++)
         f->status = algebraic_narrow(f->context, f->time, step, &gain);
-    fmpq_init(high);
+    LOCAL(fmpq, high);
     algebraic_bounds(a->near, high, f->time);
-    fmpq_clear(high);
 }
 
 static void read_members(apex *a) {

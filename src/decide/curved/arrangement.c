@@ -7,6 +7,8 @@
  */
 #include "decide/curved/arrangement.h"
 
+#include "base/context/scope.h"
+
 void field_dot(value *out, moment_field *f, const value *a, const value *b, int dimension) {
     fmpq_poly_zero(out);
     for (int i = 0; i < dimension; i++)
@@ -24,8 +26,7 @@ void field_cross(value *out, moment_field *f, const value *a, const value *b) {
 /* The signs of the members along the last ray. */
 static void mark_ray(arrangement *a, moment_field *f, const value *normal, uint32_t mask) {
     int r = a->ray_count, d = a->dimension;
-    fmpq_poly_t product;
-    fmpq_poly_init(product);
+    LOCAL(fmpq_poly, product);
     a->positive[r] = a->negative[r] = 0;
     for (int k = 0; k < a->count; k++) {
         if (!(mask >> k & 1))
@@ -35,7 +36,6 @@ static void mark_ray(arrangement *a, moment_field *f, const value *normal, uint3
         a->positive[r] |= (uint32_t)(sign > 0) << k;
         a->negative[r] |= (uint32_t)(sign < 0) << k;
     }
-    fmpq_poly_clear(product);
 }
 
 /* The last ray, if it is not zero, and its opposite. */

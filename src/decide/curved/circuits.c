@@ -8,6 +8,7 @@
  */
 #include "decide/curved/circuits.h"
 
+#include "base/context/scope.h"
 #include "decide/curved/arrangement.h"
 #include "decide/curved/curve_field.h"
 
@@ -62,20 +63,17 @@ static takings take_on_curve(sign_germ *g, const circuit *c) {
  */
 static int form_on_surface(value *form, sign_germ *g, probe *p, const taylor *of) {
     static const slong direction[3][2] = {{1, 0}, {0, 1}, {1, 1}};
-    fmpq_poly_t left;
     for (int k = 0; k < 3; k++) {
         probe_set_integers(p, direction[k]);
         probe_second(form + k, p, g->f, of);
     }
     fmpq_poly_sub(form + 2, form + 2, form);
     fmpq_poly_sub(form + 2, form + 2, form + 1);
-    fmpq_poly_init(left);
+    LOCAL(fmpq_poly, left);
     field_mul(left, g->f, form, form + 1);
     fmpq_poly_scalar_mul_si(left, left, 4);
     field_submul(left, g->f, form + 2, form + 2);
-    int sign = field_sign(g->f, left);
-    fmpq_poly_clear(left);
-    return sign;
+    return field_sign(g->f, left);
 }
 
 /* A form of rank 1 and sign `sign`: the rest, phi, along the curve on which its derivative in the
@@ -186,12 +184,9 @@ static void cross_members(value *out, const sign_germ *g, const minors *m, int i
 }
 
 static int sign_of_dot(const sign_germ *g, const value *a, const value *b) {
-    fmpq_poly_t product;
-    fmpq_poly_init(product);
+    LOCAL(fmpq_poly, product);
     field_dot(product, g->f, a, b, 3);
-    int sign = field_sign(g->f, product);
-    fmpq_poly_clear(product);
-    return sign;
+    return field_sign(g->f, product);
 }
 
 static int sign_of_triple(const sign_germ *g, const minors *m, int i, int j, int k) {

@@ -9,6 +9,7 @@
 #include "decide/curved/curve_field.h"
 
 #include <flint/fmpz_mat.h>
+#include "base/context/scope.h"
 
 /* Degrees of v: axes of revolution have 1, pipes that meet in a circle 3, and 5 is that of the
  * cross product of two gradients of degree 3, divided by a plane in which they are parallel. */
@@ -73,16 +74,14 @@ static void put_system(fmpz_mat_t system, const csg_surface *const *of, int coun
 /* The monomials of a degree, and of lower ones, at the point, times one power of the denominator.
  */
 static value *monomials_at(sign_germ *g, int degree) {
-    taylor_point at;
     value *out = field_vector(g->f, (size_t)monomials(degree)), *next = out;
-    taylor_point_init(&at, g->f, g->c, degree);
+    HELD(taylor_point, at, g->f, g->c, degree);
     for (int q[3] = {0}; !g->f->status && next < out + monomials(degree); next_power(q)) {
         fmpq_poly_set(next, taylor_power(&at, AXES, degree - q[0] - q[1] - q[2]));
         for (int i = 0; i < AXES; i++)
             field_mul(next, g->f, next, taylor_power(&at, i, q[i]));
         next++;
     }
-    taylor_point_clear(&at);
     return out;
 }
 
@@ -108,35 +107,30 @@ static int moves_point(sign_germ *g, const fmpz_mat_t fields, slong count, int d
 /* 1 if a field of a degree moves the point along a curve in all of some surfaces. */
 static int has_flow(sign_germ *g, const csg_surface *const *of, int count, int degree) {
     slong rows = 0, columns = AXES * monomials(degree);
-    fmpz_mat_t system, fields;
     for (int i = 0; i < count; i++) {
         rows += monomials(of[i]->degree - 1 + degree);
         for (int j = 0; j < count; j++)
             columns += monomials(of[i]->degree - 1 + degree - of[j]->degree);
     }
-    fmpz_mat_init(system, rows, columns);
-    fmpz_mat_init(fields, columns, columns);
+    LOCAL(fmpz_mat, system, rows, columns);
+    LOCAL(fmpz_mat, fields, columns, columns);
     put_system(system, of, count, degree);
     slong words = FLINT_ABS(fmpz_mat_max_bits(system)) / FLINT_BITS + 1;
     slong work = columns * columns * columns * words;
     if (work <= SYSTEM_WORK)
         field_charge(g->f, (ulong)work, (ulong)work / 8);
-    int moves = work <= SYSTEM_WORK && !g->f->status &&
-                moves_point(g, fields, fmpz_mat_nullspace(fields, system), degree);
-    fmpz_mat_clear(system);
-    fmpz_mat_clear(fields);
-    return moves;
+    return work <= SYSTEM_WORK && !g->f->status &&
+           moves_point(g, fields, fmpz_mat_nullspace(fields, system), degree);
 }
 
 /* 1 if the trajectory itself is such a curve: along a gap all members vanish on it. */
 static int is_slide(const sign_germ *g) {
     const fmpz_poly_struct *x = g->c->x, *w = x + g->dimension;
-    fmpz_poly_t one, other;
     int moves = 0;
     if (!fmpq_poly_is_zero(g->f->modulus))
         return 0;
-    fmpz_poly_init(one);
-    fmpz_poly_init(other);
+    LOCAL(fmpz_poly, one);
+    LOCAL(fmpz_poly, other);
     for (int i = 0; i < g->dimension && !moves; i++) {
         if (fmpz_poly_is_zero(x + i))
             continue;
@@ -144,8 +138,6 @@ static int is_slide(const sign_germ *g) {
         fmpz_poly_scalar_mul_fmpz(other, w, fmpz_poly_lead(x + i));
         moves = !fmpz_poly_equal(one, other);
     }
-    fmpz_poly_clear(one);
-    fmpz_poly_clear(other);
     return moves;
 }
 

@@ -7,6 +7,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "decide/curved/walker.h"
 #include "decide/filter/surface_search.h"
 
@@ -87,22 +88,21 @@ static graze_status walk_findings(finding_walk *f) {
     const findings *found = f->found;
     const exact_window *first = found->window;
     size_t c = 0, w = 0;
-    graze_status status = GRAZE_OK;
     f->state = state_now(f);
     if (!found->window_count || first->piece > 0 || first->from > 0)
-        status = word_put_gap(f->word, f->state);
-    while (!status && (c < found->crossing_count || w < found->window_count)) {
+        TRY(word_put_gap(f->word, f->state));
+    while ((c < found->crossing_count || w < found->window_count)) {
         if (w == found->window_count ||
             (c < found->crossing_count && is_before(&found->crossing[c], &found->window[w])))
-            status = walk_crossing(f, &found->crossing[c++]);
+            TRY(walk_crossing(f, &found->crossing[c++]));
         else
-            status = walk_asked(f, &found->window[w++]);
+            TRY(walk_asked(f, &found->window[w++]));
     }
-    if (!status && f->walks) {
+    if (f->walks) {
         int ends = f->walker.piece + 1 == f->r->scene->motion->piece_count;
-        status = walker_settle(&f->walker, ends ? GRAZE_STATE_ABSENT : f->state);
+        TRY(walker_settle(&f->walker, ends ? GRAZE_STATE_ABSENT : f->state));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Each piece is a window for all surfaces. */
@@ -110,7 +110,7 @@ static graze_status walk_pieces(tracer *r, word_builder *word) {
     walker w;
     size_t n = r->scene->solid->curved->surface_count;
     graze_status status = walker_init(&w, r, word);
-    candidate *all = malloc((n + 1) * sizeof *all);
+    FREED(candidate, all, malloc((n + 1) * sizeof *all));
     if (!status && !all)
         status = context_fail(r->context, GRAZE_ESYSTEM, "out of memory for %zu surfaces", n);
     for (size_t k = 0; k < n && !status; k++)
@@ -120,7 +120,6 @@ static graze_status walk_pieces(tracer *r, word_builder *word) {
     if (!status)
         status = walker_settle(&w, GRAZE_STATE_ABSENT);
     walker_clear(&w);
-    free(all);
     return status;
 }
 

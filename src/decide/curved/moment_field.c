@@ -7,16 +7,14 @@
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "base/number/modular.h"
 #include "base/number/sign.h"
 
 /* Leave of the time's polynomial the irreducible factor that has the time as a root. */
 static graze_status make_irreducible(graze_context *context, algebraic *time) {
-    fmpz_poly_factor_t factors;
-    graze_status status = common_factor_work(context, time->poly, time->poly);
-    if (status)
-        return status;
-    fmpz_poly_factor_init(factors);
+    TRY(common_factor_work(context, time->poly, time->poly));
+    LOCAL(fmpz_poly_factor, factors);
     fmpz_poly_factor(factors, time->poly);
     for (slong k = 0; k < factors->num && factors->num > 1; k++) {
         int sign = algebraic_sign_before(factors->p + k, &time->where);
@@ -26,7 +24,6 @@ static graze_status make_irreducible(graze_context *context, algebraic *time) {
         time->low_sign = sign;
         break;
     }
-    fmpz_poly_factor_clear(factors);
     return GRAZE_OK;
 }
 
@@ -38,11 +35,9 @@ void field_init(moment_field *f, graze_context *context, algebraic *time, int on
         return;
     if (algebraic_is_rational(time)) {
         fmpq_poly_set_coeff_si(f->modulus, 1, 1);
-        fmpq_t root;
-        fmpq_init(root);
+        LOCAL(fmpq, root);
         fmpq_neg(root, time->value);
         fmpq_poly_set_coeff_fmpq(f->modulus, 0, root);
-        fmpq_clear(root);
         return;
     }
     f->status = make_irreducible(context, time);
@@ -90,13 +85,11 @@ void field_mul(value *out, moment_field *f, const value *a, const value *b) {
 }
 
 void field_addmul(value *out, moment_field *f, const value *a, const value *b) {
-    fmpq_poly_t product;
     if (fmpq_poly_is_zero(a) || fmpq_poly_is_zero(b))
         return;
-    fmpq_poly_init(product);
+    LOCAL(fmpq_poly, product);
     field_mul(product, f, a, b);
     fmpq_poly_add(out, out, product);
-    fmpq_poly_clear(product);
 }
 
 void field_submul(value *out, moment_field *f, const value *a, const value *b) {
@@ -108,10 +101,9 @@ void field_submul(value *out, moment_field *f, const value *a, const value *b) {
 /* Keep a polynomial whose sign was asked for on a gap, without what is kept already
  * (proofs/flows.md C122). */
 static void keep_asked(moment_field *f, const fmpz_poly_t p) {
-    fmpz_poly_t rest;
     if (!fmpq_poly_is_zero(f->modulus))
         return;
-    fmpz_poly_init(rest);
+    LOCAL(fmpz_poly, rest);
     fmpz_poly_primitive_part(rest, p);
     for (size_t k = 0; k < f->asked_count && !f->status; k++) {
         f->status = common_factor_work(f->context, rest, &f->asked[k]);
@@ -124,21 +116,18 @@ static void keep_asked(moment_field *f, const fmpz_poly_t p) {
         fmpz_poly_init(&f->asked[f->asked_count]);
         fmpz_poly_swap(&f->asked[f->asked_count++], rest);
     }
-    fmpz_poly_clear(rest);
 }
 
 int field_sign(moment_field *f, const value *a) {
     int sign = 0;
-    fmpz_poly_t numerator;
     if (f->status || fmpq_poly_is_zero(a))
         return 0;
-    fmpz_poly_init(numerator);
+    LOCAL(fmpz_poly, numerator);
     fmpq_poly_get_numerator(numerator, a);
     if (fmpz_poly_degree(numerator) > 0)
         keep_asked(f, numerator);
     if (!f->status)
         f->status = algebraic_sign_at(&sign, f->context, numerator, f->time);
-    fmpz_poly_clear(numerator);
     /* A sample may be a root, at which the gap is then cut. */
     if (!f->status && sign == 0 && !fmpq_poly_is_zero(f->modulus))
         f->status =

@@ -5,6 +5,7 @@
 
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "base/number/order.h"
 #include "decide/filter/curve.h"
@@ -96,14 +97,12 @@ void pullbacks_clear(pullbacks *p) {
 /* Add the roots of a surface, as zeros at times by their indices. */
 static graze_status add_roots(pullbacks *p, size_t surface, const dyadic_interval *unit) {
     size_t first = p->time.count;
-    graze_status status = algebraic_roots(&p->time, p->context, &p->form[surface], unit);
-    if (!status)
-        status = array_grow(p->context, &p->zero, &p->zero_capacity,
-                            p->zero_count + p->time.count - first, sizeof *p->zero,
-                            "the roots of a trajectory");
-    for (size_t k = first; k < p->time.count && !status; k++)
+    TRY(algebraic_roots(&p->time, p->context, &p->form[surface], unit));
+    TRY(array_grow(p->context, &p->zero, &p->zero_capacity, p->zero_count + p->time.count - first,
+                   sizeof *p->zero, "the roots of a trajectory"));
+    for (size_t k = first; k < p->time.count; k++)
         p->zero[p->zero_count++] = (zero){k, surface};
-    return status;
+    return GRAZE_OK;
 }
 
 static int compare_zeros(const void *left, const void *right) {

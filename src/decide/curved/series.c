@@ -7,6 +7,8 @@
  */
 #include "decide/curved/series.h"
 
+#include "base/context/scope.h"
+
 enum { POWERS = TAYLOR_DEGREE + 1, SCALES = 2 * TAYLOR_DEGREE };
 
 /* 1 if the minor of the base in some coordinates is not zero; these become the bound ones. */
@@ -32,15 +34,13 @@ static int choose_axes(probe *p, moment_field *f, value *minor) {
 
 int probe_init(probe *p, moment_field *f, int dimension, const taylor *const *base,
                int base_count) {
-    fmpq_poly_t minor;
     *p = (probe){.dimension = dimension, .base_count = base_count, .order = -1};
     for (int i = 0; i < 3; i++)
         fmpq_poly_init(&p->direction[i]);
     for (int i = 0; i < base_count; i++)
         p->base[i] = base[i];
-    fmpq_poly_init(minor);
+    LOCAL(fmpq_poly, minor);
     int independent = choose_axes(p, f, minor);
-    fmpq_poly_clear(minor);
     for (int i = 0, open = 0; i < dimension; i++) {
         int bound = 0;
         for (int k = 0; k < base_count; k++)
@@ -127,8 +127,7 @@ static void compose(value *out, moment_field *f, const taylor *of, const value *
 static void combine_base(taylor *equation, value *minor, const probe *p, moment_field *f) {
     const taylor *a = p->base[0], *b = p->base[1];
     int i = p->bound_axis[0], j = p->bound_axis[1];
-    fmpq_poly_t zero;
-    fmpq_poly_init(zero);
+    LOCAL(fmpq_poly, zero);
     if (p->base_count == 1) {
         fmpq_poly_set_si(minor, 1);
         taylor_combine(&equation[0], f, minor, a, zero, a);
@@ -139,7 +138,6 @@ static void combine_base(taylor *equation, value *minor, const probe *p, moment_
         field_mul(minor, f, taylor_gradient(a, i), taylor_gradient(b, j));
         field_submul(minor, f, taylor_gradient(a, j), taylor_gradient(b, i));
     }
-    fmpq_poly_clear(zero);
 }
 
 /* The bound coordinates of `series`, of n terms, whose open ones are set, and then both in the

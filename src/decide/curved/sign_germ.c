@@ -3,6 +3,8 @@
  */
 #include "decide/curved/sign_germ.h"
 
+#include "base/context/scope.h"
+
 int pattern_has(const pattern_set *set, unsigned pattern) {
     return set->word[pattern / 64] >> (pattern % 64) & 1;
 }
@@ -13,16 +15,14 @@ void pattern_add(pattern_set *set, unsigned pattern) {
 
 void germ_init(sign_germ *g, moment_field *f, const trajectory *c, const csg *solid,
                const size_t *surface, int count) {
-    taylor_point at;
     *g = (sign_germ){.f = f, .dimension = c->dimension, .count = count, .c = c};
-    taylor_point_init(&at, f, c, CSG_DEGREE);
+    HELD(taylor_point, at, f, c, CSG_DEGREE);
     for (int k = 0; k < count; k++) {
         taylor_init(&g->member[k], f, c->dimension);
         g->surface[k] = &solid->surface[surface[k]];
         if (f->status == GRAZE_OK)
             taylor_of_surface(&g->member[k], f, &at, g->surface[k]);
     }
-    taylor_point_clear(&at);
 }
 
 void germ_clear(sign_germ *g) {

@@ -13,6 +13,7 @@
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "base/number/order.h"
 #include "base/number/refine.h"
@@ -47,11 +48,12 @@ typedef struct stack {
 /* A window of five parts of 2^-places each, with coordinate i of the point in the inner three. */
 static void surround(stack *s, int i, ulong places) {
     fmpz *low = s->window[i].low, *high = s->window[i].high;
-    fmpz *form = _fmpz_vec_init(6), *at = form + 3;
+    LOCAL_VEC(fmpz, form, 6);
+    fmpz *at = form + 3;
     ulong gain = FIRST_GAIN;
-    fmpq *from = _fmpq_vec_init(2), *to = from + 1;
-    fmpz_poly_t gap;
-    fmpz_poly_init(gap);
+    LOCAL_VEC(fmpq, from, 2);
+    fmpq *to = from + 1;
+    LOCAL(fmpz_poly, gap);
     fmpz_one_2exp(form + i, places);
     fmpz_neg(form + i, form + i);
     for (int step = 0, inside = 0; !inside && !s->status; step++) {
@@ -74,9 +76,6 @@ static void surround(stack *s, int i, ulong places) {
     fmpz_sub_ui(low, low, 1);
     fmpz_add_ui(high, high, 1);
     s->window[i].exponent = places;
-    _fmpz_vec_clear(form, 6);
-    _fmpq_vec_clear(from, 2);
-    fmpz_poly_clear(gap);
 }
 
 /* 1 if in the window all common zeros of two curves, or all multiple ones of a curve, are at one x
@@ -86,9 +85,8 @@ static int meet_once(stack *s, int axis, size_t a, size_t b) {
     fmpz_mpoly_struct *p = s->curve + a, *q = s->curve + b;
     int order = 0, other = 1 - axis;
     fmpz_mpoly_t common;
-    fmpz_poly_t meetings;
     fmpz_mpoly_init(common, s->ring);
-    fmpz_poly_init(meetings);
+    LOCAL(fmpz_poly, meetings);
     s->status = context_work(s->context, s->work);
     if (!s->status && !(a != b ? fmpz_mpoly_resultant(common, p, q, other, s->ring)
                                : fmpz_mpoly_degree_si(p, other, s->ring) < 1 ||
@@ -100,7 +98,6 @@ static int meet_once(stack *s, int axis, size_t a, size_t b) {
     for (size_t k = 1; k < place->count && !order && !s->status; k++)
         s->status = algebraic_compare(&order, s->context, &place->item[k], place->item);
     place->count = FLINT_MIN(place->count, 1);
-    fmpz_poly_clear(meetings);
     fmpz_mpoly_clear(common, s->ring);
     return order == 0 && !s->status;
 }
@@ -115,13 +112,11 @@ static void set_line(stack *s, size_t k, int axis, const fmpz_t n, const fmpz_t 
 static int is_small(stack *s) {
     size_t n = s->count, vertical = n + 2;
     const algebraic *x;
-    fmpz_t scale;
     int small = 1;
-    fmpz_init(scale);
+    LOCAL(fmpz, scale);
     fmpz_one_2exp(scale, s->window[1].exponent);
     set_line(s, n, 1, s->window[1].low, scale);
     set_line(s, n + 1, 1, s->window[1].high, scale);
-    fmpz_clear(scale);
     s->place[0].count = s->place[1].count = 0;
     for (size_t k = 0; k < n + 2 && small; k++)
         for (size_t j = 0; j <= k && small; j++)
@@ -154,16 +149,13 @@ static void walk_up(stack *s, const fmpz_t abscissa) {
     const dyadic_interval *x = &s->window[0], *y = &s->window[1];
     pullbacks *at = &s->at;
     dependence d;
-    trajectory line;
-    fmpz_t height;
-    trajectory_init(&line, 2);
+    HELD(trajectory, line, 2);
     line.degree = 1;
     fmpz_poly_set_fmpz(&line.x[0], abscissa);
     fmpz_poly_set_coeff_fmpz(&line.x[1], 0, y->low);
-    fmpz_init(height);
+    LOCAL(fmpz, height);
     fmpz_sub(height, y->high, y->low);
     fmpz_poly_set_coeff_fmpz(&line.x[1], 1, height);
-    fmpz_clear(height);
     fmpz_poly_scalar_mul_2exp(&line.x[1], &line.x[1], x->exponent - y->exponent);
     fmpz_poly_one(&line.x[2]);
     fmpz_poly_scalar_mul_2exp(&line.x[2], &line.x[2], x->exponent);
@@ -178,7 +170,6 @@ static void walk_up(stack *s, const fmpz_t abscissa) {
         if (k < at->zero_count)
             s->e.sign[at->zero[k].surface] *= -1;
     }
-    trajectory_clear(&line);
 }
 
 static void stack_init(stack *s, const expression *signs, const size_t *surface) {

@@ -3,6 +3,7 @@
  */
 #include "decide/curved/state.h"
 
+#include "base/context/scope.h"
 #include "decide/curved/arrangement.h"
 #include "decide/curved/circuits.h"
 #include "decide/curved/apex.h"
@@ -10,14 +11,12 @@
 
 /* Patterns of the smooth members' tangent planes occur where no other member is. */
 static void see_cells(sign_germ *g, unsigned smooth) {
-    arrangement a;
     if (smooth != germ_patterns(g) - 1)
         return;
-    arrangement_init(&a, g->f, g->member, g->count, smooth);
+    HELD(arrangement, a, g->f, g->member, g->count, smooth);
     for (unsigned s = 0; s < germ_patterns(g); s++)
         if (arrangement_has(&a, smooth, s))
             pattern_add(&g->seen, s);
-    arrangement_clear(&a);
 }
 
 /* The signs of all members along a probe; those that vanish along it are in `flat`, the base too.
@@ -42,7 +41,6 @@ static void look_along_probe(unsigned *negative, unsigned *flat, sign_germ *g, p
  * others their signs (C100). */
 static void see_beside(sign_germ *g, probe *p, unsigned smooth) {
     unsigned negative, flat, members = 0;
-    arrangement a;
     for (int b = 0; b < p->base_count; b++)
         for (int k = 0; k < g->count; k++)
             members |= (unsigned)(p->base[b] == &g->member[k]) << k;
@@ -50,11 +48,10 @@ static void see_beside(sign_germ *g, probe *p, unsigned smooth) {
     int whole = p->base_count == g->dimension - 1;
     if (g->f->status || (flat & ~smooth) || (flat != members && !whole))
         return;
-    arrangement_init(&a, g->f, g->member, g->count, flat);
+    HELD(arrangement, a, g->f, g->member, g->count, flat);
     for (unsigned s = 0; s < germ_patterns(g); s++)
         if (!(s & ~flat) && arrangement_has(&a, flat, s))
             pattern_add(&g->seen, s | negative);
-    arrangement_clear(&a);
 }
 
 /* Directions in which probes into one surface, or none, are sent besides. */

@@ -4,6 +4,7 @@
 #include "decide/curved/taylor.h"
 
 #include <string.h>
+#include "base/context/scope.h"
 
 static const fmpq_poly_t no_value = {{.den = {1}}}; /* zero */
 
@@ -71,8 +72,7 @@ static void expand_term(taylor *out, moment_field *f, const taylor_point *p, con
                         size_t term) {
     const unsigned char *a = s->power[term];
     int d = p->dimension, rest = s->degree - a[0] - a[1] - a[2], k[3];
-    fmpq_poly_t product;
-    fmpq_poly_init(product);
+    LOCAL(fmpq_poly, product);
     for (k[0] = 0; k[0] <= a[0]; k[0]++)
         for (k[1] = 0; k[1] <= a[1]; k[1]++)
             for (k[2] = 0; k[2] <= a[2]; k[2]++) {
@@ -87,7 +87,6 @@ static void expand_term(taylor *out, moment_field *f, const taylor_point *p, con
                 value *at = taylor_at(out, k);
                 fmpq_poly_add(at, at, product);
             }
-    fmpq_poly_clear(product);
 }
 
 void taylor_of_surface(taylor *out, moment_field *f, const taylor_point *p,
@@ -118,8 +117,7 @@ int taylor_order(const taylor *t) {
 /* out += sign da/di db/dj */
 static void add_derivatives(taylor *out, moment_field *f, const taylor *a, int i, const taylor *b,
                             int j, int sign) {
-    fmpq_poly_t product;
-    fmpq_poly_init(product);
+    LOCAL(fmpq_poly, product);
     for (size_t k = 0; k < a->count; k++)
         for (size_t m = 0; m < b->count; m++) {
             int power[3], factor = sign * a->power[k][i] * b->power[m][j];
@@ -132,7 +130,6 @@ static void add_derivatives(taylor *out, moment_field *f, const taylor *a, int i
             value *at = taylor_at(out, power);
             fmpq_poly_add(at, at, product);
         }
-    fmpq_poly_clear(product);
 }
 
 void taylor_minor(taylor *out, moment_field *f, const taylor *a, const taylor *b, int i, int j) {

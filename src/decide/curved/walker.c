@@ -8,6 +8,7 @@
 #include "decide/curved/walker.h"
 
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "base/number/order.h"
 #include "base/number/sign.h"
@@ -24,11 +25,10 @@ static int node_meets(const csg *solid, const csg_node *node, const dependence *
 
 /* Name the primitives on whose surfaces the expression depends. */
 static graze_status name_primitives(walker *w, contact *to, const dependence *d) {
-    graze_status status = GRAZE_OK;
-    for (size_t n = 0; n < w->solid->node_count && !status && w->r->detail == TRACE_CONTACTS; n++)
+    for (size_t n = 0; n < w->solid->node_count && w->r->detail == TRACE_CONTACTS; n++)
         if (node_meets(w->solid, &w->solid->node[n], d))
-            status = word_add_cell(w->word, to, w->solid->node[n].primitive);
-    return status;
+            TRY(word_add_cell(w->word, to, w->solid->node[n].primitive));
+    return GRAZE_OK;
 }
 
 static contact *last_contact(walker *w) {
@@ -160,25 +160,19 @@ static graze_status put_whole_gap(walker *w, graze_state state, const dependence
 /* The roots, strictly between two times, of what was asked on their gap. */
 static graze_status find_slide_cuts(algebraic_list *cuts, walker *w, const moment_field *f,
                                     algebraic *low, algebraic *high) {
-    dyadic_interval unit;
-    algebraic_list roots;
-    graze_status status = GRAZE_OK;
-    dyadic_interval_init(&unit);
+    HELD(dyadic_interval, unit);
     dyadic_interval_set_si(&unit, 0, 1);
-    algebraic_list_init(&roots);
-    for (size_t k = 0; k < f->asked_count && !status; k++)
-        status = algebraic_roots(&roots, w->r->context, &f->asked[k], &unit);
-    for (size_t k = 0; k < roots.count && !status; k++) {
+    HELD(algebraic_list, roots);
+    for (size_t k = 0; k < f->asked_count; k++)
+        TRY(algebraic_roots(&roots, w->r->context, &f->asked[k], &unit));
+    for (size_t k = 0; k < roots.count; k++) {
         int after = 0, before = 0;
-        status = algebraic_compare(&after, w->r->context, &roots.item[k], low);
-        if (!status)
-            status = algebraic_compare(&before, w->r->context, &roots.item[k], high);
-        if (!status && after > 0 && before < 0)
+        TRY(algebraic_compare(&after, w->r->context, &roots.item[k], low));
+        TRY(algebraic_compare(&before, w->r->context, &roots.item[k], high));
+        if (after > 0 && before < 0)
             algebraic_set(algebraic_list_append(cuts), &roots.item[k]);
     }
-    algebraic_list_clear(&roots);
-    dyadic_interval_clear(&unit);
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status walk_slide(walker *w, algebraic *low, algebraic *high);
@@ -206,12 +200,10 @@ static graze_status walk_parts(walker *w, algebraic_list *cuts, algebraic *low, 
 static graze_status walk_slide(walker *w, algebraic *low, algebraic *high) {
     dependence d;
     graze_state state = GRAZE_STATE_UNDECIDED;
-    algebraic sample;
-    algebraic_list cuts;
     moment_field f;
     graze_status status = expression_ask(&d, &w->expression, w->at.slide, w->at.slide_count);
-    algebraic_init(&sample);
-    algebraic_list_init(&cuts);
+    HELD(algebraic, sample);
+    HELD(algebraic_list, cuts);
     if (!status)
         status = algebraic_between(sample.value, w->r->context, low, high);
     field_init(&f, w->r->context, &sample, 1, &w->work);
@@ -225,17 +217,14 @@ static graze_status walk_slide(walker *w, algebraic *low, algebraic *high) {
         status =
             cuts.count ? walk_parts(w, &cuts, low, high) : put_whole_gap(w, state, &d, &sample);
     field_clear(&f);
-    algebraic_clear(&sample);
-    algebraic_list_clear(&cuts);
     return status;
 }
 
 /* Signs in the gap behind a rank: of surfaces that vanish there, or at the first one of all. */
 static graze_status update_signs(walker *w, size_t rank, const zero *zeros, size_t count) {
-    algebraic sample;
     graze_status status;
     size_t n = rank ? count : w->at.asked_count;
-    algebraic_init(&sample);
+    HELD(algebraic, sample);
     status = algebraic_between(sample.value, w->r->context, w->at.by_rank[rank],
                                w->at.by_rank[rank + 1]);
     for (size_t k = 0; k < n && !status; k++) {
@@ -245,7 +234,6 @@ static graze_status update_signs(walker *w, size_t rank, const zero *zeros, size
             status = algebraic_sign_at(&sign, w->r->context, &w->at.form[surface], &sample);
         w->expression.sign[surface] = (signed char)sign;
     }
-    algebraic_clear(&sample);
     return status;
 }
 
@@ -255,9 +243,9 @@ graze_status walker_walk(walker *w, const exact_window *window, const candidate 
     w->c = tracer_exact(w->r, w->piece);
     if (!w->c)
         return GRAZE_ESYSTEM;
-    graze_status status = pullbacks_set(&w->at, w->c, window, asked);
+    TRY(pullbacks_set(&w->at, w->c, window, asked));
     size_t last = w->at.rank_count - 1;
-    for (size_t rank = 0; rank <= last && !status; rank++, next += n) {
+    for (size_t rank = 0; rank <= last; rank++, next += n) {
         const zero *zeros = next < w->at.zero_count ? w->at.zero + next : NULL;
         for (n = 0; next + n < w->at.zero_count && zeros[n].time == rank;)
             n++;
@@ -266,11 +254,10 @@ graze_status walker_walk(walker *w, const exact_window *window, const candidate 
             wait_for(w, w->at.by_rank[rank], zeros, n);
         if (rank == last)
             break;
-        status = update_signs(w, rank, zeros, n);
-        if (!status)
-            status = walk_slide(w, w->at.by_rank[rank], w->at.by_rank[rank + 1]);
+        TRY(update_signs(w, rank, zeros, n));
+        TRY(walk_slide(w, w->at.by_rank[rank], w->at.by_rank[rank + 1]));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status walker_init(walker *w, tracer *r, word_builder *word) {

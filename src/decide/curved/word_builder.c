@@ -5,6 +5,7 @@
 
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "input/soup/cell_names.h"
 
 static graze_state last_of(const word_builder *l) {
@@ -20,10 +21,8 @@ static graze_status append_state(word_builder *l, graze_state state) {
         (last == GRAZE_STATE_O && state == GRAZE_STATE_I))
         return context_fail(l->context, GRAZE_EINTERNAL,
                             "a trace passes from inside to outside without a contact");
-    graze_status status = array_grow(l->context, &l->out->word, &l->capacity, l->length + 2, 1,
-                                     "the word of a trace");
-    if (status)
-        return status;
+    TRY(array_grow(l->context, &l->out->word, &l->capacity, l->length + 2, 1,
+                   "the word of a trace"));
     l->out->word[l->length++] = (char)state;
     l->out->word[l->length] = '\0';
     return GRAZE_OK;
@@ -77,8 +76,8 @@ graze_status word_put_gap(word_builder *l, graze_state state) {
 }
 
 graze_status word_put_crossing(word_builder *l) {
-    graze_status status = append_state(l, GRAZE_STATE_B);
-    return status ? status : begin_contact(l, NULL);
+    TRY(append_state(l, GRAZE_STATE_B));
+    return begin_contact(l, NULL);
 }
 
 graze_status word_add_cell(word_builder *l, contact *c, size_t primitive) {

@@ -6,6 +6,7 @@
 #include <flint/fmpz_vec.h>
 #include <math.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "base/number/bernstein.h"
 
 /* After this number of halvings, a part whose weight is still small leaves its piece without bound.
@@ -46,7 +47,7 @@ static double scale_coefficient(const fmpz_t c, slong exponent, int *fits) {
 static void convert_map(carrier *out, const point_map *map, const dyadic_interval *part) {
     int entries = map->dimension * (map->dimension + 1);
     slong n = out->degree + 1, exponent;
-    fmpz *c = _fmpz_vec_init(n);
+    LOCAL_VEC(fmpz, c, n);
     bernstein_from_poly(c, map->weight, out->degree, part);
     exponent = weight_exponent(c, out->degree);
     for (int j = 0; j <= entries; j++) {
@@ -55,7 +56,6 @@ static void convert_map(carrier *out, const point_map *map, const dyadic_interva
             out->entry[j * n + k] = scale_coefficient(c + k, exponent, &out->usable);
     }
     out->weight = out->entry + entries * n;
-    _fmpz_vec_clear(c, n);
 }
 
 int carrier_make_on(carrier *out, const point_map *map, const dyadic_interval *part) {
@@ -100,12 +100,9 @@ static int make_with_halves(carrier *out, const point_map *map, const dyadic_int
 }
 
 int carrier_make(carrier *out, const point_map *map) {
-    dyadic_interval unit;
-    dyadic_interval_init(&unit);
+    HELD(dyadic_interval, unit);
     dyadic_interval_set_si(&unit, 0, 1);
-    int made = make_with_halves(out, map, &unit, HALF_LEVELS);
-    dyadic_interval_clear(&unit);
-    return made;
+    return make_with_halves(out, map, &unit, HALF_LEVELS);
 }
 
 void carrier_clear(carrier *c) {

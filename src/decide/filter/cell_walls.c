@@ -4,14 +4,13 @@
 #include "decide/filter/cell_walls.h"
 
 #include <flint/fmpq_poly.h>
+#include "base/context/scope.h"
 
 /* The form on all of a piece, with the weight as a positive factor. */
 static void form_of_corner(fmpq_poly_t form, const fmpq *plane, const point_map *map,
                            const fmpq *corner) {
-    fmpq_poly_t entry;
-    fmpq_t factor;
-    fmpq_poly_init(entry);
-    fmpq_init(factor);
+    LOCAL(fmpq_poly, entry);
+    LOCAL(fmpq, factor);
     fmpq_poly_set_fmpz_poly(form, map->weight);
     fmpq_poly_scalar_mul_fmpq(form, form, plane + 3);
     for (int i = 0; i < 3; i++)
@@ -22,8 +21,6 @@ static void form_of_corner(fmpq_poly_t form, const fmpq *plane, const point_map 
             fmpq_poly_scalar_mul_fmpq(entry, entry, j < 3 ? factor : plane + i);
             fmpq_poly_add(form, form, entry);
         }
-    fmpq_clear(factor);
-    fmpq_poly_clear(entry);
 }
 
 /* Whether a form is on a side, or 0, on all of a part: f(from + x way) as a polynomial of x, and
@@ -31,8 +28,7 @@ static void form_of_corner(fmpq_poly_t form, const fmpq *plane, const point_map 
 static int is_on_side(fmpq_poly_t form, const span *part, int side) {
     int on_side = 1;
     slong length = fmpq_poly_length(form);
-    fmpq_poly_t line;
-    fmpq_poly_init(line);
+    LOCAL(fmpq_poly, line);
     fmpq_poly_set_coeff_si(line, 0, part->start);
     if (part->degree)
         fmpq_poly_set_coeff_si(line, 1, WINDOW_WHOLE >> part->level);
@@ -45,7 +41,6 @@ static int is_on_side(fmpq_poly_t form, const span *part, int side) {
     fmpq_poly_compose(form, form, line);
     for (slong k = 0; k < fmpq_poly_length(form) && on_side; k++)
         on_side = fmpz_sgn(fmpq_poly_numref(form) + k) * side >= 0;
-    fmpq_poly_clear(line);
     return on_side;
 }
 
@@ -53,8 +48,7 @@ int walls_hold_out(const cell_walls *walls, const graze_motion *motion, const gr
                    const span *part, uint32_t simplex, unsigned mask) {
     const point_map *map = motion_placing(motion->piece + part->piece, GRAZE_SWEEP);
     int out = 0;
-    fmpq_poly_t form;
-    fmpq_poly_init(form);
+    LOCAL(fmpq_poly, form);
     for (int k = 0; k < walls->count && !out; k++) {
         out = 1;
         for (int v = 0; v < 3 && out; v++) {
@@ -66,6 +60,5 @@ int walls_hold_out(const cell_walls *walls, const graze_motion *motion, const gr
             out = is_on_side(form, part, walls->sides >> k & 1 ? -1 : 1);
         }
     }
-    fmpq_poly_clear(form);
     return out;
 }

@@ -4,6 +4,7 @@
 #include <flint/fmpq.h>
 #include <flint/fmpz_mat.h>
 #include <math.h>
+#include "base/context/scope.h"
 #include "base/number/rounding.h"
 
 /* 2 f = x^T A x + 2 b^T x + 2 c. */
@@ -41,13 +42,10 @@ static void quadric_clear(quadric *q) {
 /* The centre is -A^-1 b; half the side along i is the root of (b^T A^-1 b - 2 c) (A^-1)_ii. */
 static void bound_quadric(box *out, const quadric *q, const fmpz_mat_t inverse,
                           const fmpz_t denominator) {
-    fmpz_mat_t centre;
-    fmpz_t size;
-    fmpq_t value;
     double low, high, below, above;
-    fmpz_mat_init(centre, q->dimension, 1);
-    fmpz_init(size);
-    fmpq_init(value);
+    LOCAL(fmpz_mat, centre, q->dimension, 1);
+    LOCAL(fmpz, size);
+    LOCAL(fmpq, value);
     fmpz_mat_mul(centre, inverse, q->linear);
     for (int i = 0; i < q->dimension; i++)
         fmpz_addmul(size, fmpz_mat_entry(centre, i, 0), fmpz_mat_entry(q->linear, i, 0));
@@ -65,9 +63,6 @@ static void bound_quadric(box *out, const quadric *q, const fmpz_mat_t inverse,
         out->low[i] = nextafter(-high - half, -INFINITY);
         out->high[i] = nextafter(-low + half, INFINITY);
     }
-    fmpz_mat_clear(centre);
-    fmpz_clear(size);
-    fmpq_clear(value);
 }
 
 /* A^-1 = inverse / denominator > 0, where A is positive definite; else 0. */
@@ -85,17 +80,11 @@ static int invert_form(fmpz_mat_t inverse, fmpz_t denominator, const quadric *q)
 int surface_box(box *out, const csg_surface *surface, int dimension) {
     if (surface->degree != 2)
         return 0;
-    quadric q;
-    fmpz_mat_t inverse;
-    fmpz_t denominator;
-    fmpz_init(denominator);
-    fmpz_mat_init(inverse, dimension, dimension);
-    quadric_init(&q, surface, dimension);
+    LOCAL(fmpz, denominator);
+    LOCAL(fmpz_mat, inverse, dimension, dimension);
+    HELD(quadric, q, surface, dimension);
     int bounded = invert_form(inverse, denominator, &q);
     if (bounded)
         bound_quadric(out, &q, inverse, denominator);
-    quadric_clear(&q);
-    fmpz_mat_clear(inverse);
-    fmpz_clear(denominator);
     return bounded;
 }

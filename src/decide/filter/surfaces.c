@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "decide/filter/surface_box.h"
 
 /* All products up to the solid's degree, by degree. */
@@ -73,7 +74,7 @@ static void make_binomials(surface_filter *f) {
 
 /* Sort the surfaces into those that have a box and those that have none. */
 static int make_boxes(surface_filter *f, const csg *solid) {
-    box *boxes = malloc((solid->surface_count + 1) * sizeof *boxes);
+    FREED(box, boxes, malloc((solid->surface_count + 1) * sizeof *boxes));
     f->boxed = malloc((solid->surface_count + 1) * sizeof *f->boxed);
     f->open = malloc((solid->surface_count + 1) * sizeof *f->open);
     int made = boxes && f->boxed && f->open;
@@ -90,7 +91,6 @@ static int make_boxes(surface_filter *f, const csg *solid) {
     for (int i = 0; i < 3; i++)
         f->reach.reach = fmax(f->reach.reach, f->reach.axis_reach[i]);
     made = made && (!f->boxed_count || tree_build(&f->boxes, boxes, f->boxed_count) == 0);
-    free(boxes);
     return made;
 }
 

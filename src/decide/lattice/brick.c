@@ -5,6 +5,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "decide/filter/normal.h"
 #include "decide/lattice/cell_asker.h"
@@ -130,13 +131,12 @@ static graze_status decide_part(bricklayer *b, const brick *part, const anchors 
     }
     if (most <= LEAST_SIDE)
         return ask_points(b, part, &near);
-    graze_status status = GRAZE_OK;
-    for (int half = 0; half < 8 && !status; half++) {
+    for (int half = 0; half < 8; half++) {
         brick child;
         if (take_half(&child, part, half))
-            status = decide_part(b, &child, &near);
+            TRY(decide_part(b, &child, &near));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Coordinates of the brick's points. */

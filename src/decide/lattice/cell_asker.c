@@ -4,6 +4,7 @@
 #include "decide/lattice/cell_asker.h"
 
 #include <string.h>
+#include "base/context/scope.h"
 #include "decide/filter/cell_passes.h"
 #include "decide/filter/time_ray.h"
 #include "decide/verdict/classify.h"
@@ -100,11 +101,10 @@ static graze_status decide_passage(graze_pmc *pmc, cell_asker *a, const point_bo
     if (found != CELL_PASSES)
         return GRAZE_OK;
     graze_verdict verdict;
-    graze_status status = classify_answer(&verdict, a->context, a->scene,
-                                          (query_point){.value = points->centre}, TRACE_PMC_BESIDE);
-    if (!status)
-        *pmc = verdict.pmc;
-    return status;
+    TRY(classify_answer(&verdict, a->context, a->scene, (query_point){.value = points->centre},
+                        TRACE_PMC_BESIDE));
+    *pmc = verdict.pmc;
+    return GRAZE_OK;
 }
 
 graze_status cell_certain(graze_pmc *out, cell_asker *a, const point_box *points, anchors *near) {
@@ -121,9 +121,9 @@ graze_status cell_part_has(int *out, cell_asker *a, const point_box *points,
     const filter *f = &a->scene->filter;
     graze_verdict verdict;
     *out = 0;
-    graze_status status = classify_answer(&verdict, a->context, a->scene,
-                                          (query_point){.rational = inside}, TRACE_PMC_BESIDE);
-    if (!status && verdict.pmc == pmc && point_box_begin(&a->tube, f, points))
+    TRY(classify_answer(&verdict, a->context, a->scene, (query_point){.rational = inside},
+                        TRACE_PMC_BESIDE));
+    if (verdict.pmc == pmc && point_box_begin(&a->tube, f, points))
         *out = cell_passes(&a->tube, f, points, walls, a->scene->motion) != CELL_DOUBTFUL;
-    return status;
+    return GRAZE_OK;
 }

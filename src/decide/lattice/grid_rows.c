@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "graze/core.h"
 
 /* Longer axes have no table of texts. */
@@ -21,11 +22,9 @@ void axis_texts_clear(axis_texts *a) {
 }
 
 static void put_coordinate(text *out, const lattice *l, int k, size_t i) {
-    fmpq_t value;
-    fmpq_init(value);
+    LOCAL(fmpq, value);
     lattice_coordinate(value, l, k, i);
     text_rational(out, value);
-    fmpq_clear(value);
 }
 
 /* Without memory there is no table. */

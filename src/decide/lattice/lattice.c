@@ -1,10 +1,11 @@
 /* Points of a grid. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "decide/lattice/lattice.h"
 
+#include "base/context/scope.h"
+
 /* With q the common denominator of low and high and n points: the unit is q (n - 1). */
 static void make_axis(lattice *l, int k, const fmpq *low, const fmpq *high) {
-    fmpz_t common;
-    fmpz_init(common);
+    LOCAL(fmpz, common);
     fmpz_lcm(common, fmpq_denref(low), fmpq_denref(high));
     fmpz_divexact(l->start + k, common, fmpq_denref(low));
     fmpz_mul(l->start + k, l->start + k, fmpq_numref(low));
@@ -13,7 +14,6 @@ static void make_axis(lattice *l, int k, const fmpq *low, const fmpq *high) {
     fmpz_sub(l->step + k, l->step + k, l->start + k);
     fmpz_mul_ui(l->start + k, l->start + k, l->size[k] - 1);
     fmpz_mul_ui(l->unit + k, common, l->size[k] - 1);
-    fmpz_clear(common);
 }
 
 void lattice_make(lattice *out, int dimension, const size_t *size, const fmpq *low,

@@ -14,6 +14,7 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <math.h>
+#include "base/context/scope.h"
 #include "base/number/bernstein.h"
 
 enum { CORNERS = 8, POLYNOMIALS = 3 * CORNERS + 1, SIGNIFICANT_BITS = 12 };
@@ -69,8 +70,7 @@ static void widen(fmpq *low, fmpq *high, const fmpq_t value, int fresh) {
 /* Bounds of coordinate i on the interval, and its values at the two ends. The quotients are
  * compared as they come and reduced only once chosen. */
 static void bound_coordinate(search *s, fmpq *low, fmpq *high, const images *m, int i) {
-    fmpq_t ratio;
-    fmpq_init(ratio);
+    LOCAL(fmpq, ratio);
     for (int corner = 0; corner < m->corners; corner++)
         for (slong k = 0; k <= m->degree; k++) {
             fmpz_set(fmpq_numref(ratio), value_of(m, i, corner) + k);
@@ -83,7 +83,6 @@ static void bound_coordinate(search *s, fmpq *low, fmpq *high, const images *m, 
     fmpq_canonicalise(high);
     fmpq_canonicalise(&s->reached_low[i]);
     fmpq_canonicalise(&s->reached_high[i]);
-    fmpq_clear(ratio);
 }
 
 static int weight_is_positive(const images *m) {
@@ -95,13 +94,11 @@ static int weight_is_positive(const images *m) {
 
 /* Is the bound within the slack of the attained values? */
 static int tight(const search *s, const fmpq *low, const fmpq *high, int i) {
-    fmpq_t gap;
-    fmpq_init(gap);
+    LOCAL(fmpq, gap);
     fmpq_sub(gap, &s->reached_low[i], low);
     int yes = fmpq_cmp(gap, s->slack) <= 0;
     fmpq_sub(gap, high, &s->reached_high[i]);
     yes = yes && fmpq_cmp(gap, s->slack) <= 0;
-    fmpq_clear(gap);
     return yes;
 }
 
@@ -118,9 +115,8 @@ static int is_spent(search *s, const images *m) {
 static graze_status enclose_coordinates(search *s, const images *m, unsigned open);
 
 static graze_status enclose_halves(search *s, const images *m, unsigned open) {
-    images left, right;
-    images_init(&left, s->dimension, m->degree);
-    images_init(&right, s->dimension, m->degree);
+    HELD(images, left, s->dimension, m->degree);
+    HELD(images, right, s->dimension, m->degree);
     for (slong k = 0; k < m->count; k++) {
         slong at = k * (m->degree + 1);
         if (k < m->count - 1 && !(open >> k / m->corners & 1))
@@ -133,19 +129,16 @@ static graze_status enclose_halves(search *s, const images *m, unsigned open) {
     if (!status)
         status = enclose_coordinates(s, &right, open);
     s->depth--;
-    images_clear(&left);
-    images_clear(&right);
     return status;
 }
 
 static graze_status enclose_coordinates(search *s, const images *m, unsigned open) {
-    graze_status status = context_poll(s->context);
-    if (status)
-        return status;
+    TRY(context_poll(s->context));
     int bounded = weight_is_positive(m), spent = is_spent(s, m);
     if (spent && !bounded)
         return context_limit(s->context, GRAZE_LIMIT_WORK, "a box around the sweep");
-    fmpq *low = _fmpq_vec_init(1), *high = _fmpq_vec_init(1);
+    LOCAL_VEC(fmpq, low, 1);
+    LOCAL_VEC(fmpq, high, 1);
     for (int i = 0; bounded && i < s->dimension; i++) {
         if (!(open >> i & 1))
             continue;
@@ -156,8 +149,6 @@ static graze_status enclose_coordinates(search *s, const images *m, unsigned ope
         widen(&s->low[i], &s->high[i], low, 0);
         widen(&s->low[i], &s->high[i], high, 0);
     }
-    _fmpq_vec_clear(low, 1);
-    _fmpq_vec_clear(high, 1);
     return open ? enclose_halves(s, m, open) : GRAZE_OK;
 }
 
@@ -165,7 +156,8 @@ static graze_status enclose_coordinates(search *s, const images *m, unsigned ope
  * multiplied by one positive integer that clears the corners' denominators. Returns the degree. */
 static slong move_corners(fmpz_poly_struct *out, const point_map *map, const fmpq *box) {
     int d = map->dimension, corners = 1 << d;
-    fmpz *x = _fmpz_vec_init(2 * d + 1), *common = x + 2 * d;
+    LOCAL_VEC(fmpz, x, 2 * d + 1);
+    fmpz *common = x + 2 * d;
     _fmpq_vec_get_fmpz_vec_fmpz(x, common, box, 2 * d);
     slong degree = fmpz_poly_degree(map->weight);
     fmpz_poly_scalar_mul_fmpz(out + d * corners, map->weight, common);
@@ -178,42 +170,38 @@ static slong move_corners(fmpz_poly_struct *out, const point_map *map, const fmp
                 fmpz_poly_scalar_addmul_fmpz(sum, row + j, x + (corner >> j & 1 ? d + j : j));
             degree = FLINT_MAX(degree, fmpz_poly_degree(sum));
         }
-    _fmpz_vec_clear(x, 2 * d + 1);
     return degree;
 }
 
 /* The images of the corners of a box, d lower ends and d upper ends, under a map. */
 static void images_make(images *m, const point_map *map, const fmpq *box) {
     fmpz_poly_struct power[POLYNOMIALS];
-    dyadic_interval unit;
     for (int k = 0; k < POLYNOMIALS; k++)
         fmpz_poly_init(&power[k]);
-    dyadic_interval_init(&unit);
+    HELD(dyadic_interval, unit);
     dyadic_interval_set_si(&unit, 0, 1);
     images_init(m, map->dimension, move_corners(power, map, box));
     for (slong k = 0; k < m->count; k++)
         bernstein_from_poly(m->coefficient + k * (m->degree + 1), &power[k], m->degree, &unit);
-    dyadic_interval_clear(&unit);
     for (int k = 0; k < POLYNOMIALS; k++)
         fmpz_poly_clear(&power[k]);
 }
 
 /* Start with the corners at u = 0: a first estimate of the size, never an empty box. */
 static void start_search(search *s, const images *m) {
-    fmpq_t value;
-    fmpq_init(value);
+    LOCAL(fmpq, value);
     for (int i = 0; i < s->dimension; i++)
         for (int corner = 0; corner < m->corners; corner++) {
             fmpq_set_fmpz_frac(value, value_of(m, i, corner), weight_of(m));
             widen(&s->reached_low[i], &s->reached_high[i], value, corner == 0);
             widen(&s->low[i], &s->high[i], value, corner == 0);
         }
-    fmpq_clear(value);
 }
 
 /* 2^(e - SIGNIFICANT_BITS), where 2^e <= the longest side of the box < 2^(e+1). */
 static void grain(fmpq_t out, const fmpq *low, const fmpq *high, int d) {
-    fmpq *side = _fmpq_vec_init(2), *longest = side + 1;
+    LOCAL_VEC(fmpq, side, 2);
+    fmpq *longest = side + 1;
     for (int i = 0; i < d; i++) {
         fmpq_sub(side, high + i, low + i);
         if (fmpq_cmp(side, longest) > 0)
@@ -228,11 +216,11 @@ static void grain(fmpq_t out, const fmpq *low, const fmpq *high, int d) {
     if (fmpq_cmp(out, longest) > 0)
         fmpq_div_2exp(out, out, 1);
     fmpq_div_2exp(out, out, SIGNIFICANT_BITS);
-    _fmpq_vec_clear(side, 2);
 }
 
 static void round_outwards(fmpq *low, fmpq *high, int d) {
-    fmpq *step = _fmpq_vec_init(2), *quotient = step + 1;
+    LOCAL_VEC(fmpq, step, 2);
+    fmpq *quotient = step + 1;
     grain(step, low, high, d);
     for (int i = 0; i < d; i++) {
         fmpq_div(quotient, low + i, step);
@@ -244,7 +232,6 @@ static void round_outwards(fmpq *low, fmpq *high, int d) {
         fmpz_one(fmpq_denref(quotient));
         fmpq_mul(high + i, quotient, step);
     }
-    _fmpq_vec_clear(step, 2);
 }
 
 /* The unsweep lies in M(t0)^-1 S, so its only piece is the constant map M(t0)^-1. */
@@ -292,12 +279,11 @@ static void search_clear(search *s) {
 graze_status scene_box(fmpq *low, fmpq *high, graze_context *context, const graze_scene *scene) {
     const graze_motion *motion = scene->motion;
     int d = motion->dimension, unsweep = scene->options.operation == GRAZE_UNSWEEP;
-    fmpq *box = _fmpq_vec_init(2 * d);
+    LOCAL_VEC(fmpq, box, 2 * d);
     solid_box(box, box + d, scene->solid);
-    search s;
     images m;
     point_map still;
-    search_init(&s, context, d);
+    HELD(search, s, context, d);
     constant_map(&still, &motion->piece[0].inverse);
     images_make(&m, unsweep ? &still : &motion->piece[0].forward, box);
     start_search(&s, &m);
@@ -318,7 +304,5 @@ graze_status scene_box(fmpq *low, fmpq *high, graze_context *context, const graz
         round_outwards(low, high, d);
     point_map_free(&still);
     images_clear(&m);
-    search_clear(&s);
-    _fmpq_vec_clear(box, 2 * d);
     return status;
 }

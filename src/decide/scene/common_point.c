@@ -10,6 +10,7 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "base/number/vector.h"
 
 /* Terms of surfaces that are evaluated, at most, but for the first few points; points of the
@@ -48,17 +49,17 @@ static void try_point(finder *f, const fmpq *point) {
     int d = f->solid->dimension;
     if (f->found || f->status || f->left-- <= 0)
         return;
-    fmpq *before = _fmpq_vec_init(d);
+    LOCAL_VEC(fmpq, before, d);
     vector_image(before, f->inverse, point, d);
     f->found = is_inner(f, point) && is_inner(f, before);
-    _fmpq_vec_clear(before, d);
     f->status = context_poll(f->context);
 }
 
 static void try_primitives(finder *f) {
     int d = f->solid->dimension;
     long lattice = f->left / 2;
-    fmpq *v = _fmpq_vec_init(2 * d), *half = v + d;
+    LOCAL_VEC(fmpq, v, 2 * d);
+    fmpq *half = v + d;
     for (size_t k = 0; k < f->solid->primitive_count && f->left > lattice; k++) {
         const fmpq *middle = f->solid->primitive[k].middle;
         vector_image(v, f->map, middle, d);
@@ -70,14 +71,14 @@ static void try_primitives(finder *f) {
         try_point(f, middle);
         try_point(f, v);
     }
-    _fmpq_vec_clear(v, 2 * d);
 }
 
 static void try_lattice(finder *f, const csg_box *box) {
     int d = box->dimension, count = d > 0;
     for (int i = 0; i < d; i++)
         count *= LATTICE;
-    fmpq *v = _fmpq_vec_init(d + 1), *step = v + d;
+    LOCAL_VEC(fmpq, v, d + 1);
+    fmpq *step = v + d;
     for (int k = 0; k < count; k++) {
         for (int i = 0, rest = k; i < d; i++, rest /= LATTICE) {
             fmpq_sub(step, &box->high[i], &box->low[i]);
@@ -87,15 +88,14 @@ static void try_lattice(finder *f, const csg_box *box) {
         }
         try_point(f, v);
     }
-    _fmpq_vec_clear(v, d + 1);
 }
 
 /* A box that holds the image of another. */
 static void image_box(csg_box *out, const csg_box *box, const fmpq_mat_struct *map) {
     int d = out->dimension = box->dimension;
-    fmpq_t size;
-    fmpq *v = _fmpq_vec_init(2 * d), *half = v + d;
-    fmpq_init(size);
+    LOCAL_VEC(fmpq, v, 2 * d);
+    fmpq *half = v + d;
+    LOCAL(fmpq, size);
     for (int i = 0; i < d; i++) {
         fmpq_add(v + i, &box->low[i], &box->high[i]);
         fmpq_div_2exp(v + i, v + i, 1);
@@ -114,8 +114,6 @@ static void image_box(csg_box *out, const csg_box *box, const fmpq_mat_struct *m
         fmpq_add(&out->high[i], &out->low[i], size);
         fmpq_sub(&out->low[i], &out->low[i], size);
     }
-    fmpq_clear(size);
-    _fmpq_vec_clear(v, 2 * d);
 }
 
 /* Intersection of the box with its image; 0 if it is empty. */
@@ -156,19 +154,16 @@ static graze_status find_point(int *out, finder *f, const csg_box *both) {
 
 graze_status common_point_ends(graze_ends *out, graze_context *context, const csg *solid,
                                const fmpq_mat_t map, const fmpq_mat_t inverse) {
-    csg_box both, before;
     finder f = {.context = context, .solid = solid, .map = map, .inverse = inverse};
     graze_status status = GRAZE_OK;
     int found = 0;
-    csg_box_init(&both);
-    csg_box_init(&before);
+    HELD(csg_box, both);
+    HELD(csg_box, before);
     if (!common_box(&before, &solid->box, inverse) || !common_box(&both, &solid->box, map)) {
         *out = GRAZE_ENDS_APART;
     } else {
         status = find_point(&found, &f, &both);
         *out = found ? GRAZE_ENDS_MEET : GRAZE_ENDS_UNDECIDED;
     }
-    csg_box_clear(&both);
-    csg_box_clear(&before);
     return status;
 }

@@ -7,6 +7,7 @@
 
 #include <flint/fmpz_vec.h>
 #include <sha256.h>
+#include "base/context/scope.h"
 #include "base/number/text.h"
 #include "input/solid/forms.h"
 
@@ -53,12 +54,11 @@ static void put_facet(hasher *h, const soup *s, size_t facet) {
 /* Do these simplices lie in more than one plane? */
 static int in_planes(const graze_solid *solid, size_t first, size_t count) {
     int differ = 0, d = solid->input.dimension;
-    fmpz *plane = _fmpz_vec_init(2 * (d + 1));
+    LOCAL_VEC(fmpz, plane, 2 * (d + 1));
     for (size_t s = first; s < first + count && !differ; s++) {
         solid_plane(s == first ? plane : plane + d + 1, solid, s);
         differ = s > first && form_compare(plane, plane + d + 1, d) != 0;
     }
-    _fmpz_vec_clear(plane, 2 * (d + 1));
     return differ;
 }
 
@@ -99,8 +99,7 @@ static void put_solid(hasher *h, const graze_solid *solid) {
 
 /* The surfaces, by their terms, and the expression. */
 static void put_curved(hasher *h, const csg *solid) {
-    fmpq_t value;
-    fmpq_init(value);
+    LOCAL(fmpq, value);
     text_format(&h->line, "d %d", solid->dimension);
     end_hashed_line(h);
     for (size_t k = 0; k < solid->surface_count; k++) {
@@ -123,7 +122,6 @@ static void put_curved(hasher *h, const csg *solid) {
             put_index(h, solid->operand[n->first + i]);
         end_hashed_line(h);
     }
-    fmpq_clear(value);
 }
 
 static void put_motion(hasher *h, const graze_motion *motion) {

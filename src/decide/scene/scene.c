@@ -15,6 +15,7 @@
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "decide/scene/common_point.h"
 #include "decide/scene/hash.h"
@@ -24,22 +25,20 @@
 /* d x (d + 1) affine maps as square homogeneous matrices, so that FLINT multiplies and inverts. */
 static void homogeneous_matrix(fmpq_mat_t out, const point_map *map, const fmpq_t u) {
     int d = map->dimension;
-    fmpq *entry = _fmpq_vec_init(d * (d + 1));
+    LOCAL_VEC(fmpq, entry, d * (d + 1));
     point_map_at(entry, map, u);
     fmpq_mat_zero(out);
     for (int row = 0; row < d; row++)
         for (int column = 0; column <= d; column++)
             fmpq_set(fmpq_mat_entry(out, row, column), entry + row * (d + 1) + column);
     fmpq_one(fmpq_mat_entry(out, d, d));
-    _fmpq_vec_clear(entry, d * (d + 1));
 }
 
 /* The image of a point as homogeneous integers with positive last coordinate. */
 static void image(fmpz *out, const fmpq_mat_t map, const fmpq *point, int d) {
-    fmpq *value = _fmpq_vec_init(d);
+    LOCAL_VEC(fmpq, value, d);
     vector_image(value, map, point, d);
     _fmpq_vec_get_fmpz_vec_fmpz(out, out + d, value, d);
-    _fmpq_vec_clear(value, d);
 }
 
 /* Does the image of one vertex of some boundary component lie inside the solid? None lies on its
@@ -50,7 +49,7 @@ static graze_status component_inside(int *out, graze_context *context, const gra
     char *seen = calloc(solid->cut.component_count + 1, 1);
     if (!seen)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory");
-    fmpz *x = _fmpz_vec_init(d + 1);
+    LOCAL_VEC(fmpz, x, d + 1);
     graze_status status = GRAZE_OK;
     *out = 0;
     for (size_t s = 0; s < solid->cut.count && !*out && !status; s++) {
@@ -67,7 +66,6 @@ static graze_status component_inside(int *out, graze_context *context, const gra
         if (!status)
             status = context_poll(context);
     }
-    _fmpz_vec_clear(x, d + 1);
     free(seen);
     return status;
 }
@@ -75,35 +73,33 @@ static graze_status component_inside(int *out, graze_context *context, const gra
 static graze_status meet_under(int *out, graze_context *context, const graze_solid *solid,
                                const fmpq_mat_t map) {
     int d = solid->input.dimension;
-    fmpq *rows = _fmpq_vec_init(d * (d + 1));
+    LOCAL_VEC(fmpq, rows, d * (d + 1));
     for (int row = 0; row < d; row++)
         for (int column = 0; column <= d; column++)
             fmpq_set(rows + row * (d + 1) + column, fmpq_mat_entry(map, row, column));
-    graze_status status = meeting_find(out, context, solid, rows);
-    _fmpq_vec_clear(rows, d * (d + 1));
-    return status;
+    return meeting_find(out, context, solid, rows);
 }
 
 /* Whether a polyhedron meets its image under a map. */
 static graze_status polyhedron_meets(int *out, graze_context *context, const graze_solid *solid,
                                      const fmpq_mat_t map, const fmpq_mat_t inverse) {
-    graze_status status = meet_under(out, context, solid, map);
-    if (!status && !*out)
-        status = component_inside(out, context, solid, map);
-    if (!status && !*out)
-        status = component_inside(out, context, solid, inverse);
-    return status;
+    TRY(meet_under(out, context, solid, map));
+    if (!*out)
+        TRY(component_inside(out, context, solid, map));
+    if (!*out)
+        TRY(component_inside(out, context, solid, inverse));
+    return GRAZE_OK;
 }
 
 graze_status scene_ends(graze_ends *out, graze_context *context, const graze_solid *solid,
                         const graze_motion *motion) {
     int d = motion->dimension;
     const motion_piece *first = motion->piece, *last = first + motion->piece_count - 1;
-    fmpq *zero = _fmpq_vec_init(2), *one = zero + 1;
-    fmpq_mat_t map, other;
+    LOCAL_VEC(fmpq, zero, 2);
+    fmpq *one = zero + 1;
     fmpq_one(one);
-    fmpq_mat_init(map, d + 1, d + 1);
-    fmpq_mat_init(other, d + 1, d + 1);
+    LOCAL(fmpq_mat, map, d + 1, d + 1);
+    LOCAL(fmpq_mat, other, d + 1, d + 1);
     homogeneous_matrix(map, &first->inverse, zero);
     homogeneous_matrix(other, &last->forward, one);
     fmpq_mat_mul(map, map, other);
@@ -116,9 +112,6 @@ graze_status scene_ends(graze_ends *out, graze_context *context, const graze_sol
     *out = meet ? GRAZE_ENDS_MEET : GRAZE_ENDS_APART;
     if (!status && solid->curved)
         status = common_point_ends(out, context, solid->curved, map, other);
-    fmpq_mat_clear(map);
-    fmpq_mat_clear(other);
-    _fmpq_vec_clear(zero, 2);
     return status;
 }
 

@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "decide/filter/curve.h"
 
 /* The piece [start, start + 2^(LEVELS - level)] of the curve. */
@@ -150,12 +151,10 @@ static void descend_exactly(searcher *s, size_t node_index, size_t span_index) {
 
 /* The Bernstein coefficients of a curve on its whole piece. */
 static void expand_whole(bernstein_form *out, const trajectory *c) {
-    dyadic_interval unit;
-    dyadic_interval_init(&unit);
+    HELD(dyadic_interval, unit);
     dyadic_interval_set_si(&unit, 0, 1);
     for (int i = 0; i <= c->dimension; i++)
         bernstein_form_init(&out[i], &c->x[i], c->degree, &unit);
-    dyadic_interval_clear(&unit);
 }
 
 static void clear_spans(searcher *s) {

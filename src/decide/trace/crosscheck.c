@@ -1,19 +1,19 @@
 /* The filter checked against the exact path. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "decide/trace/crosscheck.h"
 
+#include "base/context/scope.h"
+
 static const uint32_t WHOLE = UINT32_C(1) << WINDOW_LEVELS;
 
 static graze_status expect_state(tracer *r, size_t piece, uint32_t at, graze_state expected) {
     graze_state state = GRAZE_STATE_ABSENT;
-    fmpq_t u;
-    fmpq_init(u);
+    LOCAL(fmpq, u);
     fmpq_set_ui(u, at, WHOLE);
-    graze_status status = tracer_locate(&state, r, piece, u);
-    fmpq_clear(u);
-    if (status == GRAZE_OK && state != expected)
+    TRY(tracer_locate(&state, r, piece, u));
+    if (state != expected)
         return context_fail(r->context, GRAZE_EINTERNAL,
                             "a certain crossing and an exact location disagree on a state");
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status crosscheck_crossing(tracer *r, size_t piece, int enters) {

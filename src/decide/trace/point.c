@@ -7,6 +7,7 @@
 #include "decide/trace/point.h"
 
 #include <math.h>
+#include "base/context/scope.h"
 #include "decide/trace/candidates.h"
 #include "decide/trace/contact.h"
 #include "decide/trace/crosscheck.h"
@@ -14,11 +15,10 @@
 
 /* Contacts in windows that hold all touches of the candidates, which come in any order. */
 static graze_status trace_window(tracer *r, size_t piece, candidates *list, int opens) {
-    touches t;
     const trajectory *c = tracer_exact(r, piece);
     if (!c)
         return GRAZE_ESYSTEM;
-    touches_init(&t);
+    HELD(touches, t);
     touch_filter quick = {.piece = tracer_quick(r, piece)};
     if (quick.piece) {
         quick.curve = &r->workspace->curve;
@@ -30,7 +30,6 @@ static graze_status trace_window(tracer *r, size_t piece, candidates *list, int 
         status = touches_order(&t, r->context);
     if (status == GRAZE_OK)
         status = contacts_append(r->out, r->context, r->scene->motion, piece, &t, opens);
-    touches_clear(&t);
     return status;
 }
 

@@ -7,7 +7,7 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_poly_factor.h>
 #include <stdlib.h>
-#include "base/context/environment.h"
+#include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "base/number/modular.h"
 #include "base/number/order.h"
@@ -58,8 +58,8 @@ size_t time_first_piece(const graze_time *time) {
 
 graze_status time_between(size_t *piece, fmpq_t u, graze_context *context, graze_time *before,
                           graze_time *after) {
-    algebraic zero, one;
-    algebraic_init(&zero);
+    algebraic one;
+    HELD(algebraic, zero);
     algebraic_init(&one);
     fmpq_one(one.value);
     *piece = before->piece;
@@ -80,7 +80,6 @@ graze_status time_between(size_t *piece, fmpq_t u, graze_context *context, graze
         status = context_fail(context, GRAZE_EINTERNAL,
                               "two contacts, one after the other, are not in order of time");
     }
-    algebraic_clear(&zero);
     algebraic_clear(&one);
     return status;
 }
@@ -88,13 +87,11 @@ graze_status time_between(size_t *piece, fmpq_t u, graze_context *context, graze
 /* With lo = a / b and hi - lo = c / e: u = (e b t - e a) / (b c). The result is p(u) times a
  * positive number, as a polynomial in t. */
 static void to_motion_parameter(fmpz_poly_t out, const fmpz_poly_t p, const motion_piece *piece) {
-    fmpq_t width;
-    fmpz_poly_t linear;
-    fmpz_t scale, power;
-    fmpq_init(width);
-    fmpz_poly_init(linear);
-    fmpz_init(scale);
-    fmpz_init_set_ui(power, 1);
+    LOCAL(fmpq, width);
+    LOCAL(fmpz_poly, linear);
+    LOCAL(fmpz, scale);
+    LOCAL(fmpz, power);
+    fmpz_set_ui(power, 1);
     fmpq_sub(width, piece->hi, piece->lo);
     fmpz_mul(scale, fmpq_denref(width), fmpq_numref(piece->lo));
     fmpz_neg(scale, scale);
@@ -108,35 +105,27 @@ static void to_motion_parameter(fmpz_poly_t out, const fmpz_poly_t p, const moti
         fmpz_mul(power, power, scale);
     }
     fmpz_poly_compose(out, out, linear);
-    fmpq_clear(width);
-    fmpz_poly_clear(linear);
-    fmpz_clear(scale);
-    fmpz_clear(power);
 }
 
 static void bounds_in_motion_parameter(fmpq_t low, fmpq_t high, const graze_time *time) {
     const motion_piece *piece = &time->motion->piece[time->piece];
-    fmpq_t width;
-    fmpq_init(width);
+    LOCAL(fmpq, width);
     fmpq_sub(width, piece->hi, piece->lo);
     algebraic_bounds(low, high, &time->u);
     fmpq_mul(low, low, width);
     fmpq_add(low, low, piece->lo);
     fmpq_mul(high, high, width);
     fmpq_add(high, high, piece->lo);
-    fmpq_clear(width);
 }
 
 static void set_rational_time(graze_time *time, const fmpq_t value) {
-    fmpz_t c;
-    fmpz_init(c);
+    LOCAL(fmpz, c);
     fmpq_set(time->low, value);
     fmpq_set(time->high, value);
     fmpz_neg(c, fmpq_numref(value));
     fmpz_poly_zero(time->poly);
     fmpz_poly_set_coeff_fmpz(time->poly, 0, c);
     fmpz_poly_set_coeff_fmpz(time->poly, 1, fmpq_denref(value));
-    fmpz_clear(c);
 }
 
 /* The roots of an irreducible factor in a unit interval that begins at `floor`. */
@@ -166,16 +155,12 @@ static void family_clear(time_family *family) {
 /* The work of a factorisation, which nothing interrupts, is told beforehand. */
 static graze_status factor_family(time_family *family, graze_context *context,
                                   const graze_time *time) {
-    fmpz_poly_t p;
     if (family->factors->num > 0)
         return GRAZE_OK;
-    graze_status status = common_factor_work(context, time->u.poly, time->u.poly);
-    if (status != GRAZE_OK)
-        return status;
-    fmpz_poly_init(p);
+    TRY(common_factor_work(context, time->u.poly, time->u.poly));
+    LOCAL(fmpz_poly, p);
     to_motion_parameter(p, time->u.poly, &time->motion->piece[time->piece]);
     fmpz_poly_factor(family->factors, p);
-    fmpz_poly_clear(p);
     return GRAZE_OK;
 }
 
@@ -196,7 +181,6 @@ static slong find_minimal_polynomial(graze_time *time, const time_family *family
 /* The roots of factor k from an integer to the next one, isolated when first asked for. */
 static graze_status roots_from(algebraic_list **out, time_family *family, graze_context *context,
                                slong k, const fmpz_t floor) {
-    dyadic_interval at;
     for (size_t i = 0; i < family->count; i++) {
         *out = &family->unit[i].roots;
         if (family->unit[i].factor == k && fmpz_equal(family->unit[i].floor, floor))
@@ -211,40 +195,33 @@ static graze_status roots_from(algebraic_list **out, time_family *family, graze_
     fmpz_init_set(unit->floor, floor);
     algebraic_list_init(&unit->roots);
     *out = &unit->roots;
-    dyadic_interval_init(&at);
+    HELD(dyadic_interval, at);
     fmpz_set(at.low, floor);
     fmpz_add_ui(at.high, floor, 1);
-    graze_status status = algebraic_roots(&unit->roots, context, family->factors->p + k, &at);
-    dyadic_interval_clear(&at);
-    return status;
+    return algebraic_roots(&unit->roots, context, family->factors->p + k, &at);
 }
 
 /* floor(x 2^m) */
 static void scaled_floor(fmpz_t out, const fmpq_t x, ulong m) {
-    fmpq_t scaled;
-    fmpq_init(scaled);
+    LOCAL(fmpq, scaled);
     fmpq_mul_2exp(scaled, x, m);
     fmpz_fdiv_q(out, fmpq_numref(scaled), fmpq_denref(scaled));
-    fmpq_clear(scaled);
 }
 
 /* *out = floor(t 2^m), which takes an interval short enough; low <= t <= high afterwards. */
 static graze_status floor_of_time(fmpz_t out, graze_context *context, graze_time *time, fmpq_t low,
                                   fmpq_t high, ulong m) {
-    graze_status status = GRAZE_OK;
     ulong gain = FIRST_GAIN;
-    fmpz_t other;
-    fmpz_init(other);
-    while (status == GRAZE_OK) {
+    LOCAL(fmpz, other);
+    for (;;) {
         bounds_in_motion_parameter(low, high, time);
         scaled_floor(out, low, m);
         scaled_floor(other, high, m);
         if (fmpz_equal(out, other))
             break;
-        status = algebraic_narrow(context, &time->u, CHEAP_HALVINGS, &gain);
+        TRY(algebraic_narrow(context, &time->u, CHEAP_HALVINGS, &gain));
     }
-    fmpz_clear(other);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Index of the time among the isolated roots: the one whose interval holds the time's. */
@@ -286,9 +263,8 @@ static graze_status find_widest_interval(graze_time *time, graze_context *contex
                                          time_family *family, slong factor, fmpq_t low,
                                          fmpq_t high) {
     algebraic_list *roots = NULL;
-    fmpz_t place;
     ulong m = 0;
-    fmpz_init(place);
+    LOCAL(fmpz, place);
     graze_status status = floor_of_time(place, context, time, low, high, 0);
     if (status == GRAZE_OK)
         status = roots_from(&roots, family, context, factor, place);
@@ -299,15 +275,12 @@ static graze_status find_widest_interval(graze_time *time, graze_context *contex
     dyadic_value(time->low, place, m);
     fmpz_add_ui(place, place, 1);
     dyadic_value(time->high, place, m);
-    fmpz_clear(place);
     return status;
 }
 
 static graze_status canonicalise_root(graze_time *time, graze_context *context, time_family *family,
                                       fmpq_t low, fmpq_t high) {
-    graze_status status = factor_family(family, context, time);
-    if (status != GRAZE_OK)
-        return status;
+    TRY(factor_family(family, context, time));
     slong factor = find_minimal_polynomial(time, family, low, high);
     if (fmpz_poly_degree(time->poly) > 1)
         return find_widest_interval(time, context, family, factor, low, high);
@@ -320,7 +293,8 @@ static graze_status canonicalise_root(graze_time *time, graze_context *context, 
 static graze_status canonicalise_family(graze_time **time, size_t count, graze_context *context) {
     time_family family = {.unit = NULL};
     graze_status status = GRAZE_OK;
-    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
+    LOCAL_VEC(fmpq, low, 2);
+    fmpq *high = low + 1;
     fmpz_poly_factor_init(family.factors);
     for (size_t k = 0; k < count && status == GRAZE_OK; k++) {
         if (time[k]->canonical)
@@ -332,7 +306,6 @@ static graze_status canonicalise_family(graze_time **time, size_t count, graze_c
             status = canonicalise_root(time[k], context, &family, low, high);
         time[k]->canonical = status == GRAZE_OK;
     }
-    _fmpq_vec_clear(low, 2);
     family_clear(&family);
     return status;
 }
@@ -351,15 +324,14 @@ static int compare_families(const void *left, const void *right) {
 
 graze_status times_canonicalise(graze_time **time, size_t count, graze_context *context) {
     /* Getters that take no context end up here. */
-    __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
-    graze_status status = GRAZE_OK;
+    IN_ENVIRONMENT();
     qsort(time, count, sizeof *time, compare_families);
-    for (size_t first = 0, next; first < count && status == GRAZE_OK; first = next) {
+    for (size_t first = 0, next; first < count; first = next) {
         for (next = first + 1; next < count && !compare_families(&time[first], &time[next]);)
             next++;
-        status = canonicalise_family(time + first, next - first, context);
+        TRY(canonicalise_family(time + first, next - first, context));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status time_canonicalise(graze_time *time, graze_context *context) {

@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "base/number/order.h"
 #include "base/number/rounding.h"
@@ -170,12 +171,11 @@ static void set_window(dyadic_interval *window, uint32_t from, uint32_t to) {
 /* 0 if the time certainly lies outside the candidate's window. */
 static int may_meet(const candidate *c, const algebraic *time) {
     const fmpz from[] = {(fmpz)c->from}, to[] = {(fmpz)c->to};
-    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
+    LOCAL_VEC(fmpq, low, 2);
+    fmpq *high = low + 1;
     algebraic_bounds(low, high, time);
-    int meets = dyadic_compare(from, WINDOW_LEVELS, high) <= 0 &&
-                dyadic_compare(to, WINDOW_LEVELS, low) >= 0;
-    _fmpq_vec_clear(low, 2);
-    return meets;
+    return dyadic_compare(from, WINDOW_LEVELS, high) <= 0 &&
+           dyadic_compare(to, WINDOW_LEVELS, low) >= 0;
 }
 
 /* One root of a plane's pullback against all candidates in that plane. */
@@ -199,10 +199,8 @@ static int compare_windows(const void *left, const void *right) {
 /* Roots of the plane's pullback in the union of the candidates' windows; `first` is reordered by
  * time. */
 static void touch_plane(finder *f, const fmpz_poly_t pullback, candidate *first, size_t count) {
-    algebraic_list roots;
-    dyadic_interval window;
-    algebraic_list_init(&roots);
-    dyadic_interval_init(&window);
+    HELD(algebraic_list, roots);
+    HELD(dyadic_interval, window);
     qsort(first, count, sizeof *first, compare_windows);
     for (size_t k = 0; k < count && !finder_failed(f);) {
         uint32_t from = first[k].from, to = first[k].to;
@@ -213,15 +211,12 @@ static void touch_plane(finder *f, const fmpz_poly_t pullback, candidate *first,
     }
     for (size_t k = 0; k < roots.count && !finder_failed(f); k++)
         touch_at_root(f, &roots.item[k], first, count);
-    algebraic_list_clear(&roots);
-    dyadic_interval_clear(&window);
 }
 
 /* The times at which a sliding trajectory can change its cell: the roots of the sides, and the
  * window's ends. */
 static void cut_slide(algebraic_list *cuts, finder *f, const candidate *slide) {
-    dyadic_interval window;
-    dyadic_interval_init(&window);
+    HELD(dyadic_interval, window);
     set_window(&window, slide->from, slide->to);
     algebraic_set_dyadic(algebraic_list_append(cuts), window.low, window.exponent);
     algebraic_set_dyadic(algebraic_list_append(cuts), window.high, window.exponent);
@@ -230,15 +225,13 @@ static void cut_slide(algebraic_list *cuts, finder *f, const candidate *slide) {
         if (!fmpz_poly_is_zero(side))
             f->status = algebraic_roots(cuts, f->context, side, &window);
     }
-    dyadic_interval_clear(&window);
 }
 
 /* The trajectory stays in the simplex's plane. `cut` are its ordered cuts, each value once: the
  * cell is constant between two of them. */
 static void touch_between(finder *f, const candidate *slide, algebraic **cut, size_t count) {
     unsigned zero;
-    algebraic sample;
-    algebraic_init(&sample);
+    HELD(algebraic, sample);
     for (size_t k = 0; k < count && !finder_failed(f); k++) {
         if (inside_at(&zero, f, slide->simplex, cut[k])) {
             size_t time = add_time(f, cut[k]);
@@ -252,14 +245,12 @@ static void touch_between(finder *f, const candidate *slide, algebraic **cut, si
             add_touch(f, from, to, solid_cell(f->solid, slide->simplex, zero));
         }
     }
-    algebraic_clear(&sample);
 }
 
 static void touch_slide(finder *f, const candidate *slide) {
-    algebraic_list cuts;
-    algebraic_list_init(&cuts);
+    HELD(algebraic_list, cuts);
     cut_slide(&cuts, f, slide);
-    algebraic **order = malloc(cuts.count * sizeof(algebraic *));
+    FREED(algebraic *, order, malloc(cuts.count * sizeof(algebraic *)));
     if (!order)
         run_out_of_memory(f);
     for (size_t k = 0; order && k < cuts.count; k++)
@@ -269,14 +260,11 @@ static void touch_slide(finder *f, const candidate *slide) {
         f->status = algebraic_sort_once(order, &kept, f->context, NULL, NULL);
     if (!finder_failed(f))
         touch_between(f, slide, order, kept);
-    free(order);
-    algebraic_list_clear(&cuts);
 }
 
 /* The candidates in one plane. */
 static void touch_candidates(finder *f, candidate *first, size_t count) {
-    fmpz_poly_t pullback;
-    fmpz_poly_init(pullback);
+    LOCAL(fmpz_poly, pullback);
     trajectory_pullback(pullback, f->c, f->plane);
     f->known = 0;
     if (!fmpz_poly_is_zero(pullback))
@@ -284,7 +272,6 @@ static void touch_candidates(finder *f, candidate *first, size_t count) {
     else
         for (size_t k = 0; k < count && !finder_failed(f); k++)
             touch_slide(f, &first[k]);
-    fmpz_poly_clear(pullback);
 }
 
 /* Bring the candidates of each plane together, so that its roots are isolated once. `simplex` and
@@ -312,8 +299,8 @@ graze_status touches_find(touches *t, graze_context *context, const graze_solid 
         return GRAZE_OK;
     finder f = {.out = t, .solid = solid, .c = c, .quick = quick, .context = context};
     fmpq_init(f.when);
-    uint32_t *simplex = malloc(list->count * sizeof *simplex);
-    candidate *sorted = malloc(list->count * sizeof *sorted);
+    FREED(uint32_t, simplex, malloc(list->count * sizeof *simplex));
+    FREED(candidate, sorted, malloc(list->count * sizeof *sorted));
     if (!simplex || !sorted)
         run_out_of_memory(&f);
     for (int k = 0; k < 3; k++)
@@ -325,8 +312,6 @@ graze_status touches_find(touches *t, graze_context *context, const graze_solid 
     for (int k = 0; k < 4; k++)
         fmpz_clear(f.place + k);
     fmpq_clear(f.when);
-    free(simplex);
-    free(sorted);
     return f.status;
 }
 
@@ -343,9 +328,7 @@ static graze_status rank_times(touches *t, graze_context *context, algebraic *co
         size_t index = (size_t)(order[k] - t->time.item);
         int differ = 0;
         if (k > 0) {
-            graze_status status = algebraic_compare(&differ, context, order[k - 1], order[k]);
-            if (status != GRAZE_OK)
-                return status;
+            TRY(algebraic_compare(&differ, context, order[k - 1], order[k]));
         }
         rank += differ != 0;
         rank_of[index] = rank;
@@ -363,19 +346,13 @@ graze_status touches_order(touches *t, graze_context *context) {
     size_t n = t->time.count;
     if (n == 0)
         return GRAZE_OK;
-    algebraic **order = malloc(n * sizeof(algebraic *));
-    size_t *rank_of = malloc(n * sizeof *rank_of);
+    FREED(algebraic *, order, malloc(n * sizeof(algebraic *)));
+    FREED(size_t, rank_of, malloc(n * sizeof *rank_of));
     t->by_rank = malloc(n * sizeof *t->by_rank);
-    graze_status status = GRAZE_OK;
     if (!order || !rank_of || !t->by_rank)
-        status = context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu contact times", n);
-    for (size_t k = 0; k < n && status == GRAZE_OK; k++)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu contact times", n);
+    for (size_t k = 0; k < n; k++)
         order[k] = &t->time.item[k];
-    if (status == GRAZE_OK)
-        status = algebraic_sort(order, n, context);
-    if (status == GRAZE_OK)
-        status = rank_times(t, context, order, rank_of);
-    free(order);
-    free(rank_of);
-    return status;
+    TRY(algebraic_sort(order, n, context));
+    return rank_times(t, context, order, rank_of);
 }

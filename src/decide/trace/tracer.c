@@ -7,6 +7,7 @@
 #include <flint/fmpz_vec.h>
 #include <math.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "decide/filter/time_ray.h"
 #include "input/solid/locate.h"
@@ -21,11 +22,10 @@ static void set_homogeneous(fmpz *out, const tracer *r) {
         _fmpq_vec_get_fmpz_vec_fmpz(out, out + d, r->point.rational, d);
         return;
     }
-    fmpq *p = _fmpq_vec_init(d);
+    LOCAL_VEC(fmpq, p, d);
     for (int k = 0; k < d; k++)
         (void)rational_from_double(p + k, r->context, r->point.value[k]); /* finite, by contract */
     _fmpq_vec_get_fmpz_vec_fmpz(out, out + d, p, d);
-    _fmpq_vec_clear(p, d);
 }
 
 /* Make the point that trajectories carry, and room for them. */
@@ -74,10 +74,9 @@ graze_status tracer_locate(graze_state *out, tracer *r, size_t piece, const fmpq
     const trajectory *c = tracer_exact(r, piece);
     if (!c)
         return GRAZE_ESYSTEM;
-    fmpz *x = _fmpz_vec_init(dimension_of(r) + 1);
+    LOCAL_VEC(fmpz, x, dimension_of(r) + 1);
     trajectory_at(x, c, u);
     *out = solid_locate(r->scene->solid, x);
-    _fmpz_vec_clear(x, dimension_of(r) + 1);
     if (*out != GRAZE_STATE_I && *out != GRAZE_STATE_O)
         return context_fail(
             r->context, GRAZE_EINTERNAL,

@@ -6,6 +6,7 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <math.h>
+#include "base/context/scope.h"
 
 void trajectory_init(trajectory *c, int dimension) {
     c->dimension = dimension;
@@ -47,10 +48,9 @@ void trajectory_carry(trajectory *c, const point_map *map, const fmpz *p) {
 
 void trajectory_set(trajectory *c, const point_map *map, const fmpq *point) {
     int d = c->dimension;
-    fmpz *p = _fmpz_vec_init(d + 1);
+    LOCAL_VEC(fmpz, p, d + 1);
     _fmpq_vec_get_fmpz_vec_fmpz(p, p + d, point, d);
     trajectory_carry(c, map, p);
-    _fmpz_vec_clear(p, d + 1);
 }
 
 void trajectory_pullback(fmpz_poly_t out, const trajectory *c, const fmpz *form) {
@@ -60,8 +60,7 @@ void trajectory_pullback(fmpz_poly_t out, const trajectory *c, const fmpz *form)
 /* All polynomials are made homogeneous to one degree, so that the common factor drops out. */
 void trajectory_at(fmpz *out, const trajectory *c, const fmpq_t u) {
     const fmpz *p = fmpq_numref(u), *q = fmpq_denref(u);
-    fmpz_t power;
-    fmpz_init(power);
+    LOCAL(fmpz, power);
     for (int i = 0; i <= c->dimension; i++) {
         slong degree = fmpz_poly_degree(&c->x[i]);
         fmpz_pow_ui(power, q, (ulong)(c->degree - (degree < 0 ? 0 : degree)));
@@ -72,7 +71,6 @@ void trajectory_at(fmpz *out, const trajectory *c, const fmpq_t u) {
             fmpz_mul(power, power, q);
         }
     }
-    fmpz_clear(power);
 }
 
 /* m 2^exponent rounded down where `down`, else up; 1/4 < |m| < 4 or m = 0. */

@@ -4,17 +4,14 @@
 #include "decide/trace/word.h"
 
 #include <stdlib.h>
+#include "base/context/scope.h"
 
 static graze_status locate_between(graze_state *out, tracer *r, graze_time *before,
                                    graze_time *after) {
     size_t piece;
-    fmpq_t sample;
-    fmpq_init(sample);
-    graze_status status = time_between(&piece, sample, r->context, before, after);
-    if (status == GRAZE_OK)
-        status = tracer_locate(out, r, piece, sample);
-    fmpq_clear(sample);
-    return status;
+    LOCAL(fmpq, sample);
+    TRY(time_between(&piece, sample, r->context, before, after));
+    return tracer_locate(out, r, piece, sample);
 }
 
 /* Locate the gap between two contacts with times, or an end of the motion for NULL: that end is
@@ -22,12 +19,10 @@ static graze_status locate_between(graze_state *out, tracer *r, graze_time *befo
 static graze_status locate_gap(graze_state *out, tracer *r, graze_time *before, graze_time *after) {
     if (before && after)
         return locate_between(out, r, before, after);
-    fmpq_t end;
-    fmpq_init(end);
+    LOCAL(fmpq, end);
     fmpq_set_si(end, before ? 1 : 0, 1);
     graze_status status =
         tracer_locate(out, r, before ? r->scene->motion->piece_count - 1 : 0, end);
-    fmpq_clear(end);
     return status;
 }
 
@@ -59,9 +54,7 @@ graze_status word_read(tracer *r) {
     for (size_t k = 0; k <= n; k++) {
         if (!(k == 0 && starts_on) && !(k == n && ends_on)) {
             graze_state state = GRAZE_STATE_ABSENT;
-            graze_status status = gap_state(&state, r, k);
-            if (status != GRAZE_OK)
-                return status;
+            TRY(gap_state(&state, r, k));
             out->word[length++] = (char)state;
             if (k > 0)
                 out->contact[k - 1].right = state;

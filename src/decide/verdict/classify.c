@@ -1,25 +1,23 @@
 /* Traces points and decides them. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "decide/verdict/classify.h"
 
+#include "base/context/scope.h"
 #include "decide/curved/curved.h"
 #include "decide/trace/point.h"
 #include "decide/verdict/verdict.h"
 
 graze_status classify_point(graze_trace *out, graze_context *context, const graze_scene *scene,
                             query_point point, trace_detail detail) {
-    graze_status status = scene->solid->curved ? curved_trace(out, context, scene, point, detail)
-                                               : trace_point(out, context, scene, point, detail);
-    if (!status)
-        verdict_decide(out, &scene->options);
-    return status;
+    TRY(scene->solid->curved ? curved_trace(out, context, scene, point, detail)
+                             : trace_point(out, context, scene, point, detail));
+    verdict_decide(out, &scene->options);
+    return GRAZE_OK;
 }
 
 graze_status classify_answer(graze_verdict *out, graze_context *context, const graze_scene *scene,
                              query_point point, trace_detail detail) {
     graze_trace trace;
-    graze_status status = classify_point(&trace, context, scene, point, detail);
-    if (status)
-        return status;
+    TRY(classify_point(&trace, context, scene, point, detail));
     *out = (graze_verdict){.pmc = trace.verdict.pmc};
     if (detail < TRACE_PMC)
         *out = trace.verdict;

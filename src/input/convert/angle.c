@@ -5,6 +5,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 
 void half_angle_init(half_angle *h) {
     fmpq_init(h->w);
@@ -17,20 +18,15 @@ void half_angle_clear(half_angle *h) {
 }
 
 void rational_to_mpfr(mpfr_t out, const fmpq_t value, mpfr_rnd_t round) {
-    mpq_t copy;
-    mpq_init(copy);
+    LOCAL(mpq, copy);
     fmpq_get_mpq(copy, value);
     mpfr_set_q(out, copy, round);
-    mpq_clear(copy);
 }
 
 int bound_exceeds(const mpfr_t bound, const fmpq_t most) {
-    mpq_t copy;
-    mpq_init(copy);
+    LOCAL(mpq, copy);
     fmpq_get_mpq(copy, most);
-    int more = mpfr_cmp_q(bound, copy) > 0;
-    mpq_clear(copy);
-    return more;
+    return mpfr_cmp_q(bound, copy) > 0;
 }
 
 void root_above(mpfr_t out, const fmpq_t square) {
@@ -45,12 +41,9 @@ static void length_of(mpfr_t out, const fmpq_t square) {
 
 /* 2 pi (f - the nearest integer): the reduction is exact. */
 static void radians(mpfr_t out, const fmpq_t f) {
-    fmpq_t rest;
-    fmpz_t whole;
-    mpfr_t pi;
-    fmpq_init(rest);
-    fmpz_init(whole);
-    mpfr_init2(pi, ANGLE_BITS);
+    LOCAL(fmpq, rest);
+    LOCAL(fmpz, whole);
+    LOCAL_MPFR(pi, ANGLE_BITS);
     fmpq_set_si(rest, 1, 2);
     fmpq_add(rest, rest, f);
     fmpz_fdiv_q(whole, fmpq_numref(rest), fmpq_denref(rest));
@@ -59,16 +52,11 @@ static void radians(mpfr_t out, const fmpq_t f) {
     mpfr_const_pi(pi, MPFR_RNDN);
     mpfr_mul(out, out, pi, MPFR_RNDN);
     mpfr_mul_2ui(out, out, 1, MPFR_RNDN);
-    mpfr_clear(pi);
-    fmpz_clear(whole);
-    fmpq_clear(rest);
 }
 
 void round_to_grid(fmpq_t out, const mpfr_t value, slong bits) {
-    mpfr_t scaled;
-    mpz_t whole;
-    mpfr_init2(scaled, ANGLE_BITS);
-    mpz_init(whole);
+    LOCAL_MPFR(scaled, ANGLE_BITS);
+    LOCAL(mpz, whole);
     mpfr_mul_2si(scaled, value, bits, MPFR_RNDN);
     mpfr_get_z(whole, scaled, MPFR_RNDN);
     fmpz_set_mpz(fmpq_numref(out), whole);
@@ -77,8 +65,6 @@ void round_to_grid(fmpq_t out, const mpfr_t value, slong bits) {
         fmpq_div_2exp(out, out, (flint_bitcnt_t)bits);
     else
         fmpq_mul_2exp(out, out, (flint_bitcnt_t)-bits);
-    mpz_clear(whole);
-    mpfr_clear(scaled);
 }
 
 void half_angle_dyadic(half_angle *out, const fmpq_t f, const fmpq_t square, slong bits) {
@@ -107,17 +93,14 @@ static void argument(mpfr_t out, const half_angle *h, const fmpq_t square) {
 }
 
 static void add_slack(mpfr_t out) {
-    mpfr_t slack;
-    mpfr_init2(slack, 2);
+    LOCAL_MPFR(slack, 2);
     mpfr_set_ui_2exp(slack, 1, -ANGLE_SLACK, MPFR_RNDU);
     mpfr_add(out, out, slack, MPFR_RNDU);
-    mpfr_clear(slack);
 }
 
 /* |a - b| for two arguments, the short way round the circle. */
 static void gap(mpfr_t out, const mpfr_t a, const mpfr_t b) {
-    mpfr_t turn;
-    mpfr_init2(turn, ANGLE_BITS);
+    LOCAL_MPFR(turn, ANGLE_BITS);
     mpfr_const_pi(turn, MPFR_RNDN);
     mpfr_mul_2ui(turn, turn, 1, MPFR_RNDN);
     mpfr_sub(out, a, b, MPFR_RNDN);
@@ -125,7 +108,6 @@ static void gap(mpfr_t out, const mpfr_t a, const mpfr_t b) {
     mpfr_sub(turn, turn, out, MPFR_RNDN);
     mpfr_abs(turn, turn, MPFR_RNDN);
     mpfr_min(out, out, turn, MPFR_RNDN);
-    mpfr_clear(turn);
 }
 
 void half_angle_error(mpfr_t out, const half_angle *h, const fmpq_t f, const fmpq_t square) {
@@ -153,7 +135,8 @@ static void norm(fmpq_t out, const half_angle *h, const fmpq_t square) {
 /* (|z1| - |z0|) / min(|z0|, |z1|) = sqrt(larger / smaller norm) - 1, upwards. */
 static void mismatch(mpfr_t out, const half_angle *from, const half_angle *to,
                      const fmpq_t square) {
-    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
+    LOCAL_VEC(fmpq, low, 2);
+    fmpq *high = low + 1;
     norm(low, from, square);
     norm(high, to, square);
     if (fmpq_cmp(low, high) > 0)
@@ -161,18 +144,15 @@ static void mismatch(mpfr_t out, const half_angle *from, const half_angle *to,
     fmpq_div(high, high, low);
     root_above(out, high);
     mpfr_sub_ui(out, out, 1, MPFR_RNDU);
-    _fmpq_vec_clear(low, 2);
 }
 
 void half_angle_apart(mpfr_t out, const half_angle *from, const half_angle *to,
                       const fmpq_t square) {
-    mpfr_t start;
-    mpfr_init2(start, ANGLE_BITS);
+    LOCAL_MPFR(start, ANGLE_BITS);
     argument(start, from, square);
     argument(out, to, square);
     gap(out, start, out);
     add_slack(out);
-    mpfr_clear(start);
 }
 
 /* With x = 2s - 1, h = b / 2 and T = tan h the argument exceeds the uniform one by
@@ -222,18 +202,14 @@ void half_angle_sway(mpfr_t out, const half_angle *from, const half_angle *to,
 
 static int angle_within(const half_angle *h, const fmpq_t f, const fmpq_t square,
                         const fmpq_t tolerance) {
-    mpfr_t error;
-    mpfr_init2(error, ANGLE_BITS);
+    LOCAL_MPFR(error, ANGLE_BITS);
     half_angle_error(error, h, f, square);
-    int good = !bound_exceeds(error, tolerance);
-    mpfr_clear(error);
-    return good;
+    return !bound_exceeds(error, tolerance);
 }
 
 /* The exact rational an MPFR number is. */
 static void exact_value(fmpq_t out, const mpfr_t value) {
-    mpz_t digits;
-    mpz_init(digits);
+    LOCAL(mpz, digits);
     if (mpfr_zero_p(value)) {
         fmpq_zero(out);
     } else {
@@ -245,18 +221,17 @@ static void exact_value(fmpq_t out, const mpfr_t value) {
         else
             fmpq_div_2exp(out, out, (flint_bitcnt_t)-exponent);
     }
-    mpz_clear(digits);
 }
 
 /* The last convergent is the approximation itself, which is within 2^-ANGLE_FINEST. */
 void half_angle_convergent(half_angle *out, const fmpq_t f, const fmpq_t square,
                            const fmpq_t tolerance) {
     fmpz_t last[2], before[2];
-    fmpq_t x;
     mpfr_t tangent, length;
     mpfr_inits2(ANGLE_BITS, tangent, length, (mpfr_ptr)0);
-    fmpq_init(x);
-    fmpz *whole = _fmpz_vec_init(2), *rest = whole + 1;
+    LOCAL(fmpq, x);
+    LOCAL_VEC(fmpz, whole, 2);
+    fmpz *rest = whole + 1;
     fmpz_init_set_ui(last[0], 1);
     fmpz_init_set_ui(last[1], 0);
     fmpz_init_set_ui(before[0], 0);
@@ -281,7 +256,5 @@ void half_angle_convergent(half_angle *out, const fmpq_t f, const fmpq_t square,
         fmpz_clear(last[k]);
         fmpz_clear(before[k]);
     }
-    _fmpz_vec_clear(whole, 2);
-    fmpq_clear(x);
     mpfr_clears(tangent, length, (mpfr_ptr)0);
 }

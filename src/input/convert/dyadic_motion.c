@@ -12,6 +12,7 @@
 
 #include <flint/fmpq_poly.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "input/convert/joint.h"
 #include "input/motion/write_motion.h"
 
@@ -30,18 +31,14 @@ static int has_polynomials(const motion_piece *piece) {
 
 /* The multiple of 2^-bits nearest to a number, halves upwards. */
 static void round_dyadic(fmpq_t out, const fmpq_t value, slong bits) {
-    fmpz_t twice;
-    fmpq_t scaled;
-    fmpz_init(twice);
-    fmpq_init(scaled);
+    LOCAL(fmpz, twice);
+    LOCAL(fmpq, scaled);
     fmpq_mul_2exp(scaled, value, (ulong)bits + 1);
     fmpz_add(twice, fmpq_numref(scaled), fmpq_denref(scaled)); /* floor((2 v 2^bits + 1) / 2) */
     fmpz_mul_2exp(fmpq_denref(scaled), fmpq_denref(scaled), 1);
     fmpz_fdiv_q(twice, twice, fmpq_denref(scaled));
     fmpq_set_fmpz(out, twice);
     fmpq_div_2exp(out, out, (ulong)bits);
-    fmpz_clear(twice);
-    fmpq_clear(scaled);
 }
 
 /* Round task->value; task->change is by how much. */
@@ -57,8 +54,7 @@ static void round_entry(rounding_task *task, size_t k) {
     const graze_motion *m = task->motion;
     int round_start = k == 0 || has_polynomials(m->piece + k - 1);
     int round_end = k + 1 == m->piece_count || has_polynomials(m->piece + k + 1);
-    fmpq_t slope;
-    fmpq_init(slope);
+    LOCAL(fmpq, slope);
     fmpq_zero(task->bound);
     fmpq_poly_zero(task->to);
     fmpq_poly_get_coeff_fmpq(task->value, task->from, 0);
@@ -84,17 +80,16 @@ static void round_entry(rounding_task *task, size_t k) {
         fmpq_sub(slope, slope, task->value);
     }
     fmpq_poly_set_coeff_fmpq(task->to, 1, slope);
-    fmpq_clear(slope);
 }
 
 /* The rounded map of piece k, which is polynomial. Its entries get a common denominator. */
 static void round_map(rounding_task *task, point_map *out, size_t k) {
     const point_map *map = &task->motion->piece[k].forward;
     int d = map->dimension, entries = d * (d + 1);
-    fmpz_t weight, factor;
     fmpq_poly_t made[POINT_MAP_ENTRIES];
-    fmpz_init_set_ui(weight, 1);
-    fmpz_init(factor);
+    LOCAL(fmpz, weight);
+    fmpz_set_ui(weight, 1);
+    LOCAL(fmpz, factor);
     for (int e = 0; e < entries; e++) {
         fmpq_poly_init(made[e]);
         fmpz_poly_get_coeff_fmpz(factor, map->weight, 0);
@@ -113,8 +108,6 @@ static void round_map(rounding_task *task, point_map *out, size_t k) {
         fmpq_poly_clear(made[e]);
     }
     fmpz_poly_set_fmpz(out->weight, weight);
-    fmpz_clear(weight);
-    fmpz_clear(factor);
 }
 
 static void copy_map(point_map *out, const point_map *map) {
@@ -131,12 +124,10 @@ static slong find_bits(const graze_motion *motion, const fmpq_t tolerance) {
             slong own = fmpz_poly_degree(motion->piece[k].forward.entry + e);
             degree = has_polynomials(motion->piece + k) && own > degree ? own : degree;
         }
-    fmpq_t step;
-    fmpq_init(step);
+    LOCAL(fmpq, step);
     fmpq_set_si(step, degree, 2);
     for (; fmpq_cmp(step, tolerance) > 0; bits++)
         fmpq_div_2exp(step, step, 1);
-    fmpq_clear(step);
     return bits;
 }
 

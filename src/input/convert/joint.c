@@ -4,6 +4,7 @@
 #include "input/convert/joint.h"
 
 #include <flint/fmpq_vec.h>
+#include "base/context/scope.h"
 
 void joint_init(joint *j) {
     j->is_slide = j->centered = 0;
@@ -32,10 +33,9 @@ void joint_clear(joint *j) {
 }
 
 void divide_by(fmpq_t out, const fmpq_t value, ulong divisor) {
-    fmpz_t d;
-    fmpz_init_set_ui(d, divisor);
+    LOCAL(fmpz, d);
+    fmpz_set_ui(d, divisor);
     fmpq_div_fmpz(out, value, d);
-    fmpz_clear(d);
 }
 
 static void dot(fmpq_t out, const fmpq *a, const fmpq *b) {
@@ -62,7 +62,8 @@ static graze_status measure_axis(graze_context *context, joint *j, size_t index)
 /* Bound the distance from the axis for points within `far` of the origin; `far` becomes that of
  * their images. */
 static void set_reach(joint *j, mpfr_t far) {
-    fmpq *along = _fmpq_vec_init(2), *apart = along + 1;
+    LOCAL_VEC(fmpq, along, 2);
+    fmpq *apart = along + 1;
     mpfr_t way, along_axis;
     mpfr_inits2(ANGLE_BITS, way, along_axis, (mpfr_ptr)0);
     if (j->is_slide) {
@@ -82,22 +83,17 @@ static void set_reach(joint *j, mpfr_t far) {
     }
     mpfr_add(far, far, way, MPFR_RNDU);
     mpfr_clears(way, along_axis, (mpfr_ptr)0);
-    _fmpq_vec_clear(along, 2);
 }
 
 graze_status joints_measure(joint *joints, graze_context *context, const target *goal,
                             size_t count) {
-    graze_status status = GRAZE_OK;
-    mpfr_t far;
-    mpfr_init2(far, ANGLE_BITS);
+    LOCAL_MPFR(far, ANGLE_BITS);
     rational_to_mpfr(far, goal->radius, MPFR_RNDU);
-    for (size_t i = 0; i < count && !status; i++) {
-        status = measure_axis(context, joints + i, i);
-        if (!status)
-            set_reach(joints + i, far);
+    for (size_t i = 0; i < count; i++) {
+        TRY(measure_axis(context, joints + i, i));
+        set_reach(joints + i, far);
     }
-    mpfr_clear(far);
-    return status;
+    return GRAZE_OK;
 }
 
 void put_vector(text *t, const fmpq *v, int d) {
@@ -129,18 +125,15 @@ void put_fact(text *t, const char *name, const mpfr_t bound, const char *unit) {
 }
 
 void put_rational_fact(text *t, const char *name, const fmpq_t bound) {
-    mpfr_t above;
-    mpfr_init2(above, 64);
+    LOCAL_MPFR(above, 64);
     rational_to_mpfr(above, bound, MPFR_RNDU);
     put_fact(t, name, above, "");
-    mpfr_clear(above);
 }
 
 graze_status joint_bits(slong *bits, graze_context *context, const joint *j, const target *goal,
                         size_t count) {
-    mpfr_t ratio;
     mpq_t tolerance;
-    mpfr_init2(ratio, ANGLE_BITS);
+    LOCAL_MPFR(ratio, ANGLE_BITS);
     mpq_init(tolerance);
     fmpq_get_mpq(tolerance, goal->tolerance);
     mpfr_set_ui(ratio, 1, MPFR_RNDU); /* an advance is rounded likewise */
@@ -150,7 +143,6 @@ graze_status joint_bits(slong *bits, graze_context *context, const joint *j, con
     /* 2^bits >= ratio, and the angle is off by less than 4 * 2^-bits. */
     *bits = mpfr_get_exp(ratio) < 8 ? 8 : (slong)mpfr_get_exp(ratio);
     mpq_clear(tolerance);
-    mpfr_clear(ratio);
     if (*bits <= ANGLE_FINEST)
         return GRAZE_OK;
     return context_fail(context, GRAZE_EUSE,

@@ -9,6 +9,7 @@
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "input/convert/joint.h"
 #include "input/convert/poses_nearest.h"
@@ -17,12 +18,10 @@
 
 static graze_status refuse_pose(graze_context *context, const pose_list *list, const pose *p,
                                 const fmpq_t deviation) {
-    mpfr_t shown;
     char digits[64];
-    mpfr_init2(shown, 64);
+    LOCAL_MPFR(shown, 64);
     rational_to_mpfr(shown, deviation, MPFR_RNDU);
     mpfr_snprintf(digits, sizeof digits, "%.2RUe", shown);
-    mpfr_clear(shown);
     return context_fail_in(context, GRAZE_EINPUT, list->source, p->line,
                            "the matrix is no rotation: an entry is %s off the nearest one; "
                            "expected a rotation, a larger tolerance, or affine poses",
@@ -35,9 +34,9 @@ static graze_status find_rotations(text *report, graze_context *context, pose_li
     static const double unturned[4] = {1, 0, 0, 0};
     double before[4] = {1, 0, 0, 0}, matrix[9], q[4];
     graze_status status = GRAZE_OK;
-    fmpq *worst = _fmpq_vec_init(2), *deviation = worst + 1;
-    mpq_t entry;
-    mpq_init(entry);
+    LOCAL_VEC(fmpq, worst, 2);
+    fmpq *deviation = worst + 1;
+    LOCAL(mpq, entry);
     for (size_t i = 0; i < list->count && !status; i++) {
         pose *p = list->item + i;
         for (int k = 0; k < 9; k++) {
@@ -60,8 +59,6 @@ static graze_status find_rotations(text *report, graze_context *context, pose_li
     if (!status)
         put_rational_fact(
             report, "rotations: nearest to the matrices, whose entries they change by", worst);
-    mpq_clear(entry);
-    _fmpq_vec_clear(worst, 2);
     return status;
 }
 
@@ -85,13 +82,11 @@ static void put_between(text *t, const pose_list *list, const slerp_course *s, c
                         const pose *to, int halvings) {
     if (!halvings)
         return;
-    pose middle;
-    pose_init(&middle);
+    HELD(pose, middle);
     slerp_middle(&middle, s, from, to);
     put_between(t, list, s, from, &middle, halvings - 1);
     put_keyframe(t, &middle, list);
     put_between(t, list, s, &middle, to, halvings - 1);
-    pose_clear(&middle);
 }
 
 /* Poses and, where a tolerance is given, those between them that bring the way near SLERP. */
@@ -115,14 +110,12 @@ static graze_status put_keyframes(conversion *out, graze_context *context, const
 }
 
 static void put_interpolated(text *t, const fmpq *from, const fmpq *to) {
-    fmpq_t step;
-    fmpq_init(step);
+    LOCAL(fmpq, step);
     fmpq_sub(step, to, from);
     text_rational(t, from);
     text_put(t, "+(");
     text_rational(t, step);
     text_put(t, ")*s");
-    fmpq_clear(step);
 }
 
 static void put_matrices(text *t, const pose_list *list) {
@@ -205,16 +198,14 @@ static void report_poses(text *t, const pose_list *list, unsigned ways, const po
 static graze_status find_quaternions(conversion *out, graze_context *context, pose_list *list,
                                      const pose_choice *choice, unsigned ways,
                                      const fmpq_t tolerance) {
-    graze_status status = GRAZE_OK;
     if (list->form == POSES_OF_POSITIONS)
         return GRAZE_OK;
     if (list->form == POSES_OF_MATRICES)
-        status = find_rotations(&out->report, context, list, tolerance);
+        TRY(find_rotations(&out->report, context, list, tolerance));
     else if (list->form != POSES_OF_QUATERNIONS)
-        status = poses_turn(&out->report, context, list, choice->naming.order, tolerance);
-    if (!status)
-        take_ways(&out->report, list, (ways & GRAZE_POSES_LONG) != 0);
-    return status;
+        TRY(poses_turn(&out->report, context, list, choice->naming.order, tolerance));
+    take_ways(&out->report, list, (ways & GRAZE_POSES_LONG) != 0);
+    return GRAZE_OK;
 }
 
 graze_status convert_poses(conversion *out, graze_context *context, const char *path,

@@ -6,6 +6,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "input/convert/angle.h"
 
 static const angle_order orders[] = {
@@ -23,7 +24,7 @@ const angle_order *angle_order_of(const char *machine) {
 
 /* out = out (w + c e), e the unit vector of an axis. */
 static void turn_on(fmpq *out, const half_angle *h, int axis) {
-    fmpq *made = _fmpq_vec_init(4);
+    LOCAL_VEC(fmpq, made, 4);
     int a = 1 + axis, b = 1 + (axis + 1) % 3, c = 1 + (axis + 2) % 3;
     /* 1 e = e, e e = -1, e_b e_a = -e_c, e_c e_a = e_b */
     fmpq_mul(made + a, out, h->c);
@@ -36,17 +37,15 @@ static void turn_on(fmpq *out, const half_angle *h, int axis) {
         fmpq_addmul(made + k, out + k, h->w);
         fmpq_swap(out + k, made + k);
     }
-    _fmpq_vec_clear(made, 4);
 }
 
 void angles_rotation(fmpq *quaternion, mpfr_t error, const angle_order *order, const fmpq *degrees,
                      slong bits) {
-    fmpq *product = _fmpq_vec_init(4);
-    fmpq *f = _fmpq_vec_init(2), *one = f + 1;
-    half_angle h;
-    mpfr_t part;
-    half_angle_init(&h);
-    mpfr_init2(part, ANGLE_BITS);
+    LOCAL_VEC(fmpq, product, 4);
+    LOCAL_VEC(fmpq, f, 2);
+    fmpq *one = f + 1;
+    HELD(half_angle, h);
+    LOCAL_MPFR(part, ANGLE_BITS);
     mpfr_set_zero(error, 1);
     fmpq_one(one);
     fmpq_one(product);
@@ -62,8 +61,4 @@ void angles_rotation(fmpq *quaternion, mpfr_t error, const angle_order *order, c
     }
     for (int k = 0; k < 4; k++)
         fmpq_swap(quaternion + k, product + k);
-    _fmpq_vec_clear(product, 4);
-    mpfr_clear(part);
-    half_angle_clear(&h);
-    _fmpq_vec_clear(f, 2);
 }

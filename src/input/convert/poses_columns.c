@@ -5,6 +5,7 @@
 
 #include <ctype.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/context/spelling.h"
 
 /* The first line, and where messages say it stands. */
@@ -144,13 +145,12 @@ static graze_status refuse_stamp(const naming *n, field name) {
 
 static graze_status refuse_name(const naming *n, field name) {
     static const char letters[] = "ABCabc";
-    text meant;
     if (name.length == 1 && strchr(letters, *name.start) && !n->given->order)
         return context_fail_in(n->context, GRAZE_EINPUT, n->source, n->line,
                                "the column '%.*s' is an angle, whose meaning depends on the "
                                "machine; expected its name: kuka, cnc, ...",
                                FIELD_SHOWN(name));
-    text_init(&meant);
+    HELD(text, meant);
     pose_name_meant(&meant, name);
     graze_status status =
         context_fail_in(n->context, GRAZE_EINPUT, n->source, n->line,
@@ -159,7 +159,6 @@ static graze_status refuse_name(const naming *n, field name) {
                         "or m00 to m33, in any order; other columns are named as one of these "
                         "(`--columns`), or as ignored (`--ignore`)%s",
                         FIELD_SHOWN(name), meant.data ? meant.data : "");
-    text_clear(&meant);
     return status;
 }
 
@@ -191,20 +190,20 @@ static graze_status take_name(naming *n, field name, int place) {
 
 /* Two passes: a stamp waits until it is known whether other columns have the time. */
 static graze_status take_names(naming *n) {
-    graze_status status = take_given(n);
+    TRY(take_given(n));
     for (int stamps = 0; stamps < 2; stamps++)
-        for (size_t k = 0; k < n->first->count && !status; k++) {
+        for (size_t k = 0; k < n->first->count; k++) {
             field name = field_content(n->first->item[k]);
             if (is_placed(n, (int)k) || is_ignored(n, name) || pose_name_is_stamp(name) != stamps)
                 continue;
             if (!stamps)
-                status = take_name(n, name, (int)k);
+                TRY(take_name(n, name, (int)k));
             else if (n->out->place[POSE_TIME] < 0 && n->out->place[POSE_NANOSECONDS] < 0)
-                status = refuse_stamp(n, name);
+                TRY(refuse_stamp(n, name));
             else
                 pass_over(n, name);
         }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Check that the columns give a rotation in one form. */

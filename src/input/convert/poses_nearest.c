@@ -5,6 +5,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
+#include "base/context/scope.h"
 
 /* The symmetric matrix K with x K x = (trace of R(x)^T A) |x|^2 for every quaternion x. */
 static void horn(double k[4][4], const double a[9]) {
@@ -70,8 +71,7 @@ static void matrix_entry(fmpq_t out, const fmpq *a, const fmpq *b, int sign, con
 }
 
 void pose_rotation(fmpq *out, const fmpq *q) {
-    fmpq_t norm;
-    fmpq_init(norm);
+    LOCAL(fmpq, norm);
     for (int k = 0; k < 4; k++)
         fmpq_addmul(norm, q + k, q + k);
     for (int i = 0; i < 3; i++)
@@ -85,12 +85,10 @@ void pose_rotation(fmpq *out, const fmpq *q) {
                              q + 1 + (3 - i - j), norm);
             }
         }
-    fmpq_clear(norm);
 }
 
 void rotation_distance(fmpq_t out, const fmpq *rotation, const fmpq *matrix, int columns) {
-    fmpq_t entry;
-    fmpq_init(entry);
+    LOCAL(fmpq, entry);
     fmpq_zero(out);
     for (int k = 0; k < 9; k++) {
         fmpq_sub(entry, rotation + k, matrix + columns * (k / 3) + k % 3);
@@ -98,12 +96,10 @@ void rotation_distance(fmpq_t out, const fmpq *rotation, const fmpq *matrix, int
         if (fmpq_cmp(entry, out) > 0)
             fmpq_set(out, entry);
     }
-    fmpq_clear(entry);
 }
 
 void pose_deviation(fmpq_t out, const pose *p) {
-    fmpq *rotation = _fmpq_vec_init(9);
+    LOCAL_VEC(fmpq, rotation, 9);
     pose_rotation(rotation, p->quaternion);
     rotation_distance(out, rotation, p->matrix, 4);
-    _fmpq_vec_clear(rotation, 9);
 }

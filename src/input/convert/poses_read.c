@@ -7,6 +7,7 @@
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/file.h"
+#include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "input/delimited/stream.h"
 
@@ -76,12 +77,10 @@ static fmpq *target_of(pose *p, int column) {
 
 /* Beside seconds, nanoseconds are less than one. */
 static graze_status add_nanoseconds(const reading *r, pose *p, fmpq_t value) {
-    fmpq_t unit;
     int alone = r->columns.place[POSE_TIME] < 0;
-    fmpq_init(unit);
+    LOCAL(fmpq, unit);
     fmpq_set_si(unit, 1, 1000000000);
     fmpq_mul(value, value, unit);
-    fmpq_clear(unit);
     if (!alone && (fmpq_sgn(value) < 0 || fmpq_cmp_ui(value, 1) >= 0))
         return context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
                                "nanoseconds beside seconds; expected 0 to 999999999, or one of the "
@@ -106,8 +105,7 @@ static graze_status read_pose_value(const reading *r, pose *p, int column) {
     field one = field_content(r->cut.item[r->columns.place[column]]);
     const char *name = pose_column_name(column, r->choice->naming.order);
     graze_rounding rounding = r->context->rounding;
-    fmpq_t value;
-    fmpq_init(value);
+    LOCAL(fmpq, value);
     if (column >= POSE_NANOSECONDS)
         r->context->rounding = GRAZE_ROUND_NONE;
     graze_status status = rational_parse(value, r->context, one.start, one.length);
@@ -127,7 +125,6 @@ static graze_status read_pose_value(const reading *r, pose *p, int column) {
                                  "%s: expected 0, 0, 0, 1 as the last row of a matrix, whose "
                                  "numbers stand row by row",
                                  name);
-    fmpq_clear(value);
     return status;
 }
 

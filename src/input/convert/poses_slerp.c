@@ -17,6 +17,7 @@
 #include "input/convert/poses_slerp.h"
 
 #include <flint/fmpq_vec.h>
+#include "base/context/scope.h"
 #include "input/convert/joint.h"
 #include "input/convert/poses_turned.h"
 
@@ -29,10 +30,8 @@ static slong slerp_bits(const slerp_course *s) {
 
 /* Bring a quaternion to length 1 by a factor and, if `on_grid`, then to the grid. */
 static void scale_to_unit(fmpq *q, slong bits, int on_grid) {
-    fmpq_t factor;
-    mpfr_t x;
-    fmpq_init(factor);
-    mpfr_init2(x, ANGLE_BITS);
+    LOCAL(fmpq, factor);
+    LOCAL_MPFR(x, ANGLE_BITS);
     _fmpq_vec_dot(factor, q, q, 4);
     root_above(x, factor);
     slong size = mpfr_get_exp(x);
@@ -44,15 +43,12 @@ static void scale_to_unit(fmpq *q, slong bits, int on_grid) {
         if (on_grid)
             round_to_grid(q + k, x, bits);
     }
-    mpfr_clear(x);
-    fmpq_clear(factor);
 }
 
 /* The fewest halvings of an arc whose bound is within the tolerance. */
 static graze_status find_halvings(mpfr_t bound, slerp_course *s, graze_context *context,
                                   const mpfr_t apart) {
-    mpfr_t rounding;
-    mpfr_init2(rounding, 2);
+    LOCAL_MPFR(rounding, 2);
     mpfr_set_ui_2exp(rounding, 1, 9 - slerp_bits(s), MPFR_RNDU);
     int more = 1;
     for (s->halvings = -1; more && s->halvings < HALVINGS_MOST;) {
@@ -61,7 +57,6 @@ static graze_status find_halvings(mpfr_t bound, slerp_course *s, graze_context *
         mpfr_add(bound, bound, rounding, MPFR_RNDU);
         more = bound_exceeds(bound, s->tolerance);
     }
-    mpfr_clear(rounding);
     s->pieces += ((size_t)1 << s->halvings) - 1;
     return more || s->pieces > context->limits[GRAZE_LIMIT_PIECES]
                ? context_limit(context, GRAZE_LIMIT_PIECES,
@@ -90,12 +85,10 @@ static graze_status bound_way(slerp_course *s, graze_context *context, const hal
 
 graze_status slerp_look(slerp_course *s, graze_context *context, const pose_list *list, size_t i) {
     pose *p = list->item + i;
-    half_angle from, to;
-    fmpq_t square;
     graze_status status = context_work(context, WAY_WORK);
-    half_angle_init(&from);
-    half_angle_init(&to);
-    fmpq_init(square);
+    HELD(half_angle, from);
+    HELD(half_angle, to);
+    LOCAL(fmpq, square);
     _fmpq_vec_dot(square, p->quaternion, p->quaternion, 4);
     s->halvings = 0;
     if (fmpq_is_zero(square))
@@ -120,9 +113,6 @@ graze_status slerp_look(slerp_course *s, graze_context *context, const pose_list
                                      "signs",
                                      p[-1].line);
     }
-    half_angle_clear(&from);
-    half_angle_clear(&to);
-    fmpq_clear(square);
     return status;
 }
 
@@ -142,8 +132,7 @@ void slerp_middle(pose *out, const slerp_course *s, const pose *from, const pose
 }
 
 void slerp_report(text *t, const slerp_course *s, const char *unit) {
-    mpfr_t worst;
-    mpfr_init2(worst, 53);
+    LOCAL_MPFR(worst, 53);
     mpfr_set_d(worst, s->worst, MPFR_RNDU);
     text_put(t, s->tolerance ? "slerp: " : "slerp: not taken (`--slerp` does); ");
     text_put(t, "at one time the rotation is off it by at most ");
@@ -152,5 +141,4 @@ void slerp_report(text *t, const slerp_course *s, const char *unit) {
     if (s->row)
         text_format(t, ", most of all up to %s %lu", unit, s->row);
     text_format(t, "; pieces: %zu\n", s->pieces);
-    mpfr_clear(worst);
 }

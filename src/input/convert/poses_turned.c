@@ -11,18 +11,16 @@
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
+#include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "input/convert/joint.h"
 
 enum { BITS_LEAST = 32 }; /* of angles */
 
 int pose_along(const pose *p) {
-    fmpq_t along;
-    fmpq_init(along);
+    LOCAL(fmpq, along);
     _fmpq_vec_dot(along, p[-1].quaternion, p->quaternion, 4);
-    int sign = fmpq_sgn(along);
-    fmpq_clear(along);
-    return sign;
+    return fmpq_sgn(along);
 }
 
 void pose_negate(pose *p) {
@@ -43,8 +41,9 @@ static graze_status length_near(fmpq_t out, graze_context *context, const fmpq_t
 /* An upper bound of the angle between the rotation of q = (w, -j, i, 0) and the one of the axis:
  * u = (2 w i, 2 w j, w^2 - i^2 - j^2) / |q|^2. */
 static void axis_error(mpfr_t out, const fmpq_t w, const fmpq *a, const fmpq_t square) {
-    fmpq *u = _fmpq_vec_init(3);
-    fmpq *norm = _fmpq_vec_init(3), *cross = norm + 1, *sum = norm + 2;
+    LOCAL_VEC(fmpq, u, 3);
+    LOCAL_VEC(fmpq, norm, 3);
+    fmpq *cross = norm + 1, *sum = norm + 2;
     _fmpq_vec_dot(norm, a, a, 2);
     fmpq_mul(u + 2, w, w);
     fmpq_sub(cross, u + 2, norm);
@@ -68,8 +67,6 @@ static void axis_error(mpfr_t out, const fmpq_t w, const fmpq *a, const fmpq_t s
     _fmpq_vec_dot(cross, u, a, 3);
     if (fmpq_sgn(cross) <= 0) /* no bound: far from it */
         mpfr_set_ui(out, 4, MPFR_RNDU);
-    _fmpq_vec_clear(norm, 3);
-    _fmpq_vec_clear(u, 3);
 }
 
 static graze_status refuse_axis(graze_context *context, const pose_list *list, const pose *p,
@@ -81,8 +78,9 @@ static graze_status refuse_axis(graze_context *context, const pose_list *list, c
 /* L + k, where k < 0 as (i^2 + j^2) / (L - k), which loses no digits. */
 static graze_status axis_rotation(mpfr_t error, graze_context *context, const pose_list *list,
                                   pose *p) {
-    fmpq *a = _fmpq_vec_init(3);
-    fmpq *square = _fmpq_vec_init(3), *across = square + 1, *w = square + 2;
+    LOCAL_VEC(fmpq, a, 3);
+    LOCAL_VEC(fmpq, square, 3);
+    fmpq *across = square + 1, *w = square + 2;
     for (int k = 0; k < 3; k++)
         fmpq_swap(a + k, p->quaternion + k);
     _fmpq_vec_dot(square, a, a, 3);
@@ -109,8 +107,6 @@ static graze_status axis_rotation(mpfr_t error, graze_context *context, const po
         fmpq_set(p->quaternion + 2, a);
         fmpq_zero(p->quaternion + 3);
     }
-    _fmpq_vec_clear(square, 3);
-    _fmpq_vec_clear(a, 3);
     return status;
 }
 

@@ -6,6 +6,7 @@
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "input/convert/joint.h"
 
 enum { TAPER_BITS = 40 };
@@ -47,7 +48,8 @@ void tool_numbers_clear(tool_numbers *n) {
 
 /* The point ((1 - t^2), -2 t) / (1 + t^2) of the circle. */
 static void set_normal(fmpq *out, const fmpq_t t) {
-    fmpq *square = _fmpq_vec_init(2), *sum = square + 1;
+    LOCAL_VEC(fmpq, square, 2);
+    fmpq *sum = square + 1;
     fmpq_mul(square, t, t);
     fmpq_add_si(sum, square, 1);
     fmpq_sub_si(square, square, 1);
@@ -56,7 +58,6 @@ static void set_normal(fmpq *out, const fmpq_t t) {
     fmpq_add(out + 1, t, t);
     fmpq_neg(out + 1, out + 1);
     fmpq_div(out + 1, out + 1, sum);
-    _fmpq_vec_clear(square, 2);
 }
 
 /* Normals of sides whose tapers are at most and at least the one in degrees: its half's tangent,
@@ -64,10 +65,10 @@ static void set_normal(fmpq *out, const fmpq_t t) {
  * the other one: its radius corner / cos A + (z - corner) tan A grows with A above the arc. */
 static void bound_taper(tool *s, const fmpq_t degrees) {
     mpfr_t half, pi;
-    mpq_t copy;
     mpfr_inits2(ANGLE_BITS, half, pi, (mpfr_ptr)0);
-    mpq_init(copy);
-    fmpq *t = _fmpq_vec_init(2), *step = t + 1;
+    LOCAL(mpq, copy);
+    LOCAL_VEC(fmpq, t, 2);
+    fmpq *step = t + 1;
     fmpq_get_mpq(copy, degrees);
     mpfr_const_pi(pi, MPFR_RNDN);
     mpfr_mul_q(half, pi, copy, MPFR_RNDN);
@@ -83,14 +84,13 @@ static void bound_taper(tool *s, const fmpq_t degrees) {
     fmpq_add(t, t, step);
     fmpq_add(t, t, step);
     set_normal(s->high, t);
-    _fmpq_vec_clear(t, 2);
-    mpq_clear(copy);
     mpfr_clears(half, pi, (mpfr_ptr)0);
 }
 
 /* The corners of the profile, where the side begins, and whether it reaches the top. */
 static graze_status check_cutter(graze_context *context, const tool *s) {
-    fmpq *end = _fmpq_vec_init(2), *rest = end + 1;
+    LOCAL_VEC(fmpq, end, 2);
+    fmpq *rest = end + 1;
     fmpq_mul(end, s->corner, s->low + 1);
     fmpq_add(end, end, s->corner);
     fmpq_sub(rest, s->height, s->corner);
@@ -98,22 +98,19 @@ static graze_status check_cutter(graze_context *context, const tool *s) {
     fmpq_sub(rest, s->corner, rest);
     fmpq_div(rest, rest, s->low);
     fmpq_add(rest, rest, s->flat);
-    graze_status status = GRAZE_OK;
     if (fmpq_sgn(s->flat) < 0)
-        status = context_fail(context, GRAZE_EUSE, "corner: expected at most half the diameter");
+        return context_fail(context, GRAZE_EUSE, "corner: expected at most half the diameter");
     else if (fmpq_cmp(s->height, end) <= 0)
-        status = context_fail(context, GRAZE_EUSE,
-                              "length: expected more than the height at which the corner ends");
+        return context_fail(context, GRAZE_EUSE,
+                            "length: expected more than the height at which the corner ends");
     else if (fmpq_sgn(rest) <= 0)
-        status = context_fail(context, GRAZE_EUSE,
-                              "taper: the sides meet below the length; expected a larger one");
-    _fmpq_vec_clear(end, 2);
-    return status;
+        return context_fail(context, GRAZE_EUSE,
+                            "taper: the sides meet below the length; expected a larger one");
+    return GRAZE_OK;
 }
 
 graze_status tool_take(tool *s, graze_context *context, const tool_numbers *given, int ball) {
-    fmpq_t radius;
-    fmpq_init(radius);
+    LOCAL(fmpq, radius);
     fmpq_div_2exp(radius, given->diameter, 1);
     s->ball = ball;
     if (ball) {
@@ -126,7 +123,6 @@ graze_status tool_take(tool *s, graze_context *context, const tool_numbers *give
         fmpq_set(s->height, given->length);
         fmpq_sub(s->flat, radius, given->corner);
     }
-    fmpq_clear(radius);
     if (ball)
         return GRAZE_OK;
     if (fabs(fmpq_get_d(given->taper)) >= 90)

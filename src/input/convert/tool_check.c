@@ -12,19 +12,18 @@
 #include "input/convert/tool_check.h"
 
 #include <flint/fmpq_vec.h>
+#include "base/context/scope.h"
 
 /* (b - a) x (c - b) */
 static int turn_sign(const fmpq *a, const fmpq *b, const fmpq *c) {
-    fmpq *d = _fmpq_vec_init(4);
+    LOCAL_VEC(fmpq, d, 4);
     fmpq_sub(d, b, a);
     fmpq_sub(d + 1, b + 1, a + 1);
     fmpq_sub(d + 2, c, b);
     fmpq_sub(d + 3, c + 1, b + 1);
     fmpq_mul(d, d, d + 3);
     fmpq_submul(d, d + 1, d + 2);
-    int sign = fmpq_sgn(d);
-    _fmpq_vec_clear(d, 4);
-    return sign;
+    return fmpq_sgn(d);
 }
 
 /* Turns to the left at each point between; r > 0 there, r >= 0 at both ends, z rises. */
@@ -44,7 +43,7 @@ static int profile_is_convex(const profile *p) {
  * middle of no side is nearer than 1 / stretch. A side's nearest point is at its middle or nearer,
  * so the line's distance is compared: |a x b| stretch >= |a - b|. */
 static int polygon_holds(const tool_pair *p) {
-    fmpq *v = _fmpq_vec_init(3);
+    LOCAL_VEC(fmpq, v, 3);
     int good = 1;
     for (size_t k = 0; k < p->sides && good; k++) {
         const fmpq *a = p->corner + 2 * k, *b = p->corner + 2 * ((k + 1) % p->sides),
@@ -63,14 +62,13 @@ static int polygon_holds(const tool_pair *p) {
         fmpq_addmul(v + 1, v + 2, v + 2);
         good &= fmpq_cmp(v, v + 1) >= 0;
     }
-    _fmpq_vec_clear(v, 3);
     return good;
 }
 
 /* Is the point in the profile of the smallest body? Above the arc's end the side bounds it, below
  * the arc where r > flat. */
 static int in_profile(const fmpq *at, const tool *s) {
-    fmpq *v = _fmpq_vec_init(4);
+    LOCAL_VEC(fmpq, v, 4);
     fmpq_sub(v, at, s->flat);
     fmpq_sub(v + 1, at + 1, s->corner);
     _fmpq_vec_dot(v + 2, v, v, 2);
@@ -85,28 +83,24 @@ static int in_profile(const fmpq *at, const tool *s) {
         _fmpq_vec_dot(v + 2, v, s->low, 2);
         good &= fmpq_cmp(v + 2, s->corner) <= 0;
     }
-    _fmpq_vec_clear(v, 4);
     return good;
 }
 
 /* Is n (v - a) <= 0? */
 static int is_behind(const fmpq *n, const fmpq *a, const fmpq *v) {
-    fmpq *d = _fmpq_vec_init(2);
-    fmpq_t product;
-    fmpq_init(product);
+    LOCAL_VEC(fmpq, d, 2);
+    LOCAL(fmpq, product);
     fmpq_sub(d, v, a);
     fmpq_sub(d + 1, v + 1, a + 1);
     _fmpq_vec_dot(product, n, d, 2);
-    int inside = fmpq_sgn(product) <= 0;
-    fmpq_clear(product);
-    _fmpq_vec_clear(d, 2);
-    return inside;
+    return fmpq_sgn(product) <= 0;
 }
 
 /* The largest body's profile is the hull of the bottom's, the arc and the top's points. The line
  * from a to b has the arc's disc inside where n (a - c) >= corner |n|. */
 static int edge_holds(const fmpq *a, const fmpq *b, const tool *s, const fmpq *top) {
-    fmpq *v = _fmpq_vec_init(8), *n = v, *centre = v + 2, *bottom = v + 4;
+    LOCAL_VEC(fmpq, v, 8);
+    fmpq *n = v, *centre = v + 2, *bottom = v + 4;
     fmpq_sub(n, b + 1, a + 1);
     fmpq_sub(n + 1, a, b);
     fmpq_set(centre, s->flat);
@@ -123,14 +117,13 @@ static int edge_holds(const fmpq *a, const fmpq *b, const tool *s, const fmpq *t
         fmpq_mul(v + 7, v + 7, s->corner);
         good &= fmpq_cmp(v + 6, v + 7) >= 0;
     }
-    _fmpq_vec_clear(v, 8);
     return good;
 }
 
 static int profile_contains(const profile *p, const tool *s) {
-    fmpq *top = _fmpq_vec_init(2), *last = p->point + 2 * (p->count - 1);
-    fmpq_t v;
-    fmpq_init(v);
+    LOCAL_VEC(fmpq, top, 2);
+    fmpq *last = p->point + 2 * (p->count - 1);
+    LOCAL(fmpq, v);
     fmpq_set(top + 1, s->height);
     if (!s->ball) { /* (corner - (height - corner) n_z) / n_r + flat */
         fmpq_sub(v, s->height, s->corner);
@@ -143,14 +136,13 @@ static int profile_contains(const profile *p, const tool *s) {
     good &= fmpq_cmp(last + 1, s->height) >= 0 && fmpq_cmp(last, top) >= 0;
     for (size_t k = 0; k + 1 < p->count && good; k++)
         good = edge_holds(p->point + 2 * k, p->point + 2 * k + 2, s, top);
-    fmpq_clear(v);
-    _fmpq_vec_clear(top, 2);
     return good;
 }
 
 /* |stretch u R - u r|^2 + (Z - z)^2 is at most (stretch R - r)^2 + (Z - z)^2, as |u| <= 1. */
 static void partner_distance(fmpq_t most, const tool_pair *p) {
-    fmpq *d = _fmpq_vec_init(2), *e = d + 1;
+    LOCAL_VEC(fmpq, d, 2);
+    fmpq *e = d + 1;
     fmpq_zero(most);
     for (size_t k = 0; k < p->in.count; k++) {
         fmpq_mul(d, p->stretch, p->out.point + 2 * k);
@@ -161,18 +153,15 @@ static void partner_distance(fmpq_t most, const tool_pair *p) {
         if (fmpq_cmp(d, most) > 0)
             fmpq_set(most, d);
     }
-    _fmpq_vec_clear(d, 2);
 }
 
 int tool_pair_holds(fmpq_t square, const tool_pair *p, const tool *s, const fmpq_t tolerance) {
-    fmpq_t most;
-    fmpq_init(most);
+    LOCAL(fmpq, most);
     fmpq_mul(most, tolerance, tolerance);
     partner_distance(square, p);
     int good = fmpq_cmp(square, most) <= 0 && polygon_holds(p) && profile_is_convex(&p->in) &&
                profile_is_convex(&p->out) && profile_contains(&p->out, s);
     for (size_t k = 0; k < p->in.count && good; k++)
         good = in_profile(p->in.point + 2 * k, s);
-    fmpq_clear(most);
     return good;
 }

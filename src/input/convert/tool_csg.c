@@ -12,6 +12,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <stdarg.h>
+#include "base/context/scope.h"
 
 /* Text in which each % is the next number. */
 static void put_node(text *out, const char *form, ...) {
@@ -46,7 +47,8 @@ void tool_csg_write_box(text *out, const fmpq *size) {
 
 /* The side from the height `end` up: a cylinder, or a cone with its apex below or above. */
 static void put_side(text *out, const tool *s, const fmpq_t end) {
-    fmpq *radius = _fmpq_vec_init(4), *slope = radius + 1, *apex = radius + 2, *from = radius + 3;
+    LOCAL_VEC(fmpq, radius, 4);
+    fmpq *slope = radius + 1, *apex = radius + 2, *from = radius + 3;
     fmpq_mul(radius, s->corner, s->low);
     fmpq_add(radius, radius, s->flat);
     fmpq_div(slope, s->low + 1, s->low);
@@ -66,13 +68,13 @@ static void put_side(text *out, const tool *s, const fmpq_t end) {
         text_put(out, down ? "-1], \"to\": " : "1], \"from\": ");
         put_node(out, "%, \"slope\": %}}", from, slope);
     }
-    _fmpq_vec_clear(radius, 4);
 }
 
 /* A torus that meets itself about (0, 0, corner): (|x|^2 + flat^2 - corner^2)^2 is at most 4 flat^2
  * times the square distance from the axis; and the ball within. */
 static void put_spindle(text *out, const tool *s) {
-    fmpq *m = _fmpq_vec_init(3), *ring = m + 1, *ball = m + 2;
+    LOCAL_VEC(fmpq, m, 3);
+    fmpq *ring = m + 1, *ball = m + 2;
     fmpq_mul(m, s->flat, s->flat);
     fmpq_mul_2exp(ring, m, 2);
     fmpq_submul(m, s->corner, s->corner);
@@ -89,7 +91,6 @@ static void put_spindle(text *out, const tool *s) {
              ", \"0,0,0\": %}},\n    {\"quadric\": {\"2,0,0\": 1, \"0,2,0\": 1, \"0,0,2\": 1, "
              "\"0,0,0\": %}}]}}}",
              m, ball);
-    _fmpq_vec_clear(m, 3);
 }
 
 /* The corner, and the cylinder that a flat bottom bounds. */
@@ -115,12 +116,11 @@ static void put_corner(text *out, const tool *s, const fmpq_t end) {
 }
 
 void tool_csg_write(text *out, const tool *s) {
-    fmpq_t end;
     if (s->ball) {
         put_node(out, "{\"ball\": {\"center\": [0, 0, %], \"radius\": %}}", s->corner, s->corner);
         return;
     }
-    fmpq_init(end);
+    LOCAL(fmpq, end);
     fmpq_mul(end, s->corner, s->low + 1);
     fmpq_add(end, end, s->corner);
     put_node(out,
@@ -130,5 +130,4 @@ void tool_csg_write(text *out, const tool *s) {
     put_side(out, s, end);
     put_corner(out, s, end);
     text_put(out, "]}]}");
-    fmpq_clear(end);
 }

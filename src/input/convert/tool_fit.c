@@ -4,6 +4,7 @@
 #include "input/convert/tool_fit.h"
 
 #include <math.h>
+#include "base/context/scope.h"
 #include "input/convert/joint.h"
 #include "input/convert/tool_check.h"
 
@@ -42,9 +43,7 @@ graze_status tool_fit(tool_pair *out, fmpq_t square, graze_context *context, con
         for (int k = 0; k < 2; k++)
             counts[k] = ceil(counts[k] * 1.1);
         counts[0] = 4 * ceil(counts[0] / 4);
-        graze_status status = context_poll(context);
-        if (status)
-            return status;
+        TRY(context_poll(context));
     }
     return context_fail(context, GRAZE_EUSE,
                         "no polyhedron was found; expected corner, length and tolerance less far "
@@ -52,11 +51,9 @@ graze_status tool_fit(tool_pair *out, fmpq_t square, graze_context *context, con
 }
 
 void tool_report(text *out, const tool_pair *p, const fmpq_t square) {
-    mpfr_t distance;
-    mpfr_init2(distance, ANGLE_BITS);
+    LOCAL_MPFR(distance, ANGLE_BITS);
     root_above(distance, square);
     text_format(out, "sides: %zu, rings: %zu\n", p->sides, p->in.count);
     put_fact(out, "error: the tool lies between both polyhedra, and each is off it by", distance,
              "");
-    mpfr_clear(distance);
 }

@@ -4,6 +4,7 @@
 #include "input/convert/tool_off.h"
 
 #include <flint/fmpq_vec.h>
+#include "base/context/scope.h"
 #include "base/number/decimal.h"
 
 static void put_finite(text *t, const fmpq_t value) {
@@ -16,8 +17,7 @@ static void put_finite(text *t, const fmpq_t value) {
 }
 
 static void put_vertex(text *t, const fmpq *v, const fmpq *at) {
-    fmpq_t sum;
-    fmpq_init(sum);
+    LOCAL(fmpq, sum);
     for (int k = 0; k < 3; k++) {
         fmpq_set(sum, v + k);
         if (at)
@@ -25,7 +25,6 @@ static void put_vertex(text *t, const fmpq *v, const fmpq *at) {
         put_finite(t, sum);
         text_put(t, k < 2 ? " " : "\n");
     }
-    fmpq_clear(sum);
 }
 
 /* The number of corners of a ring: one where it has shrunk to a point. */
@@ -35,7 +34,7 @@ static size_t ring_corners(const profile *p, size_t ring, size_t sides) {
 
 static void put_rings(text *t, const profile *p, const tool_pair *pair, const fmpq_t factor,
                       const fmpq *at) {
-    fmpq *v = _fmpq_vec_init(3);
+    LOCAL_VEC(fmpq, v, 3);
     for (size_t i = 0; i < p->count; i++)
         for (size_t k = 0; k < ring_corners(p, i, pair->sides); k++) {
             for (int c = 0; c < 2; c++) {
@@ -45,7 +44,6 @@ static void put_rings(text *t, const profile *p, const tool_pair *pair, const fm
             fmpq_set(v + 2, p->point + 2 * i + 1);
             put_vertex(t, v, at);
         }
-    _fmpq_vec_clear(v, 3);
 }
 
 /* A ring as a facet: the bottom, seen from below, or the top. */
@@ -91,7 +89,7 @@ void tool_write(text *out, const profile *p, const tool_pair *pair, const fmpq_t
 void tool_write_box(text *out, const fmpq *size, const fmpq *at) {
     static const int facet[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                     {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-    fmpq *v = _fmpq_vec_init(3);
+    LOCAL_VEC(fmpq, v, 3);
     text_put(out, "OFF\n8 6 0\n");
     for (int corner = 0; corner < 8; corner++) {
         for (int k = 0; k < 3; k++) {
@@ -103,5 +101,4 @@ void tool_write_box(text *out, const fmpq *size, const fmpq *at) {
     }
     for (int k = 0; k < 6; k++)
         text_format(out, "4 %d %d %d %d\n", facet[k][0], facet[k][1], facet[k][2], facet[k][3]);
-    _fmpq_vec_clear(v, 3);
 }

@@ -5,6 +5,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
+#include "base/context/scope.h"
 
 static const double pi_near = 3.14159265358979323846;
 
@@ -32,13 +33,11 @@ static void stretch_of(fmpq_t out, const fmpq *direction, size_t count, int clos
         double x = fmpq_get_d(a) + fmpq_get_d(b), y = fmpq_get_d(a + 1) + fmpq_get_d(b + 1);
         most = fmax(most, 2 / hypot(x, y));
     }
-    fmpq_t step;
-    fmpq_init(step);
+    LOCAL(fmpq, step);
     fmpq_one(step);
     fmpq_div_2exp(step, step, (flint_bitcnt_t)bits - 2);
     snap_double(out, most, bits, 1);
     fmpq_add(out, out, step); /* what snapping has taken from the ends of an arc */
-    fmpq_clear(step);
 }
 
 static void add_profile_point(profile *p, const fmpq_t r, const fmpq_t z) {
@@ -49,23 +48,23 @@ static void add_profile_point(profile *p, const fmpq_t r, const fmpq_t z) {
 
 /* flat + corner factor d_0, corner + corner factor d_1 */
 static void add_arc_point(profile *p, const tool *s, const fmpq *direction, const fmpq_t factor) {
-    fmpq *r = _fmpq_vec_init(3), *z = r + 1, *size = r + 2;
+    LOCAL_VEC(fmpq, r, 3);
+    fmpq *z = r + 1, *size = r + 2;
     fmpq_mul(size, s->corner, factor);
     fmpq_mul(r, size, direction);
     fmpq_add(r, r, s->flat);
     fmpq_mul(z, size, direction + 1);
     fmpq_add(z, z, s->corner);
     add_profile_point(p, r, z);
-    _fmpq_vec_clear(r, 3);
 }
 
 /* The top's radius on the line across the normal through the last point: r - (height - z) n_z /
  * n_r, on a grid, inwards or outwards. */
 static void add_top(profile *p, const tool *s, const fmpq *normal, slong bits, int outer) {
     const fmpq *last = p->point + 2 * (p->count - 1);
-    fmpq *r = _fmpq_vec_init(2), *rise = r + 1;
-    fmpz_t whole;
-    fmpz_init(whole);
+    LOCAL_VEC(fmpq, r, 2);
+    fmpq *rise = r + 1;
+    LOCAL(fmpz, whole);
     fmpq_sub(rise, s->height, last + 1);
     fmpq_mul(rise, rise, normal + 1);
     fmpq_div(rise, rise, normal);
@@ -77,8 +76,6 @@ static void add_top(profile *p, const tool *s, const fmpq *normal, slong bits, i
         fmpq_div_2exp(r, r, (flint_bitcnt_t)bits);
     }
     add_profile_point(p, r, s->height);
-    fmpz_clear(whole);
-    _fmpq_vec_clear(r, 2);
 }
 
 static double direction_angle(const fmpq *direction) {
@@ -86,8 +83,9 @@ static double direction_angle(const fmpq *direction) {
 }
 
 static void make_profiles(tool_pair *out, const tool *s, size_t pieces, slong bits) {
-    fmpq *direction = _fmpq_vec_init((slong)(2 * pieces + 2));
-    fmpq *one = _fmpq_vec_init(2), *stretch = one + 1;
+    LOCAL_VEC(fmpq, direction, (slong)(2 * pieces + 2));
+    LOCAL_VEC(fmpq, one, 2);
+    fmpq *stretch = one + 1;
     fmpq_one(one);
     double from = -pi_near / 2, to = direction_angle(s->high);
     for (size_t k = 0; k <= pieces; k++)
@@ -108,8 +106,6 @@ static void make_profiles(tool_pair *out, const tool *s, size_t pieces, slong bi
         add_top(&out->in, s, s->low, bits, 0);
         add_top(&out->out, s, s->high, bits, 1);
     }
-    _fmpq_vec_clear(one, 2);
-    _fmpq_vec_clear(direction, (slong)(2 * pieces + 2));
 }
 
 void tool_pair_make(tool_pair *out, const tool *s, size_t sides, size_t pieces, slong bits) {

@@ -9,6 +9,7 @@
 #include "input/convert/turn.h"
 
 #include <flint/fmpq_vec.h>
+#include "base/context/scope.h"
 #include "input/convert/uniform.h"
 
 /* `degrees` without its whole quarters, whose number has the same sign. */
@@ -38,7 +39,8 @@ static void put_rotation(text *t, const fmpq_t from, const fmpq_t to) {
 /* The quarters as one piece, the rest as another. */
 static void put_pieces(text *t, const joint *j, int dimension, const fmpz_t quarters,
                        const fmpq_t tangent) {
-    fmpq *zero = _fmpq_vec_init(3), *one = zero + 1, *at = zero + 2;
+    LOCAL_VEC(fmpq, zero, 3);
+    fmpq *one = zero + 1, *at = zero + 2;
     fmpq_one(one);
     slong whole = fmpz_get_si(quarters);
     if (whole) {
@@ -63,13 +65,11 @@ static void put_pieces(text *t, const joint *j, int dimension, const fmpz_t quar
         put_axis(t, j, dimension);
         text_put(t, whole ? "]}}" : "}");
     }
-    _fmpq_vec_clear(zero, 3);
 }
 
 /* The axis's length is irrational: by a quaternion along the axis as it is. */
 static void put_quaternion(text *t, const joint *j, const fmpq_t tangent) {
-    fmpq_t factor;
-    fmpq_init(factor);
+    LOCAL(fmpq, factor);
     text_put(t, " {\"t\": [\"0\", \"1\"], \"transform\": {\"quaternion\": [\"1\"");
     for (int k = 0; k < 3; k++) {
         fmpq_mul(factor, tangent, j->axis + k);
@@ -80,17 +80,15 @@ static void put_quaternion(text *t, const joint *j, const fmpq_t tangent) {
     text_put(t, "]");
     put_center(t, j, 3);
     text_put(t, "}}");
-    fmpq_clear(factor);
 }
 
 /* The tangent of the half of `rest` quarters, good enough for the target, and its error. */
 static void find_tangent(half_angle *out, mpfr_t error, const joint *j, const target *goal,
                          const fmpq_t rest, const fmpq_t square) {
-    fmpq *f = _fmpq_vec_init(2), *tolerance = f + 1;
-    mpq_t bound;
-    mpfr_t room;
-    mpq_init(bound);
-    mpfr_init2(room, ANGLE_BITS);
+    LOCAL_VEC(fmpq, f, 2);
+    fmpq *tolerance = f + 1;
+    LOCAL(mpq, bound);
+    LOCAL_MPFR(room, ANGLE_BITS);
     divide_by(f, rest, 8);
     fmpq_get_mpq(bound, goal->tolerance);
     mpfr_set_q(room, bound, MPFR_RNDD);
@@ -101,15 +99,11 @@ static void find_tangent(half_angle *out, mpfr_t error, const joint *j, const ta
     fmpq_set_mpq(tolerance, bound);
     half_angle_convergent(out, f, square, tolerance);
     half_angle_error(error, out, f, square);
-    mpfr_clear(room);
-    mpq_clear(bound);
-    _fmpq_vec_clear(f, 2);
 }
 
 static void report_turn(text *t, const target *goal, const joint *j, const half_angle *made,
                         const mpfr_t error) {
-    mpfr_t off;
-    mpfr_init2(off, ANGLE_BITS);
+    LOCAL_MPFR(off, ANGLE_BITS);
     text_put(t, "a turn by ");
     text_rational(t, j->degrees);
     text_put(t, " degrees; every position is one of the exact turn, up to the last\n");
@@ -124,7 +118,6 @@ static void report_turn(text *t, const target *goal, const joint *j, const half_
     text_rational(t, goal->radius);
     put_fact(t, " of the origin is off by", off, "");
     text_put(t, "speed: not uniform; as a screw or a joint the turn is uniform\n");
-    mpfr_clear(off);
 }
 
 /* About an axis of irrational length and over 90 degrees the pieces of a uniform turn serve, which
@@ -135,12 +128,9 @@ static graze_status by_chain(conversion *out, graze_context *context, const targ
     graze_status status = joint_bits(&bits, context, turn, goal, 1);
     if (status)
         return status;
-    fmpq_t f;
-    half_angle end;
-    mpfr_t error;
-    fmpq_init(f);
-    half_angle_init(&end);
-    mpfr_init2(error, ANGLE_BITS);
+    LOCAL(fmpq, f);
+    HELD(half_angle, end);
+    LOCAL_MPFR(error, ANGLE_BITS);
     turn_fraction(f, turn, 1, 1);
     half_angle_dyadic(&end, f, turn->square, bits);
     half_angle_error(error, &end, f, turn->square);
@@ -149,9 +139,6 @@ static graze_status by_chain(conversion *out, graze_context *context, const targ
         chain_pieces(&out->motion, context, goal, turn, &bits, 1, quarters_above(context, turn));
     text_put(&out->motion, "\n]}\n");
     report_turn(&out->report, goal, turn, &end, error);
-    mpfr_clear(error);
-    half_angle_clear(&end);
-    fmpq_clear(f);
     return status;
 }
 
@@ -167,13 +154,11 @@ graze_status convert_rotation(conversion *out, graze_context *context, const tar
         return status;
     if (!rational && quarters > 1)
         return by_chain(out, context, goal, turn);
-    fmpq *rest = _fmpq_vec_init(2), *square = rest + 1;
-    fmpz_t whole;
-    half_angle tangent;
-    mpfr_t error;
-    fmpz_init(whole);
-    half_angle_init(&tangent);
-    mpfr_init2(error, ANGLE_BITS);
+    LOCAL_VEC(fmpq, rest, 2);
+    fmpq *square = rest + 1;
+    LOCAL(fmpz, whole);
+    HELD(half_angle, tangent);
+    LOCAL_MPFR(error, ANGLE_BITS);
     if (rational) {
         split_quarters(rest, whole, turn->degrees);
         fmpq_one(square);
@@ -189,9 +174,5 @@ graze_status convert_rotation(conversion *out, graze_context *context, const tar
         put_quaternion(&out->motion, turn, tangent.c);
     text_put(&out->motion, "\n]}\n");
     report_turn(&out->report, goal, turn, &tangent, error);
-    mpfr_clear(error);
-    half_angle_clear(&tangent);
-    fmpz_clear(whole);
-    _fmpq_vec_clear(rest, 2);
     return GRAZE_OK;
 }

@@ -11,33 +11,29 @@
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "input/motion/motion_read.h"
 
 enum { PIECE_WORK = 10000 }; /* of context_work, for the angles of a joint in a piece */
 
 void turn_fraction(fmpq_t out, const joint *j, unsigned long k, unsigned long n) {
-    fmpz_t factor;
-    fmpz_init_set_ui(factor, k);
+    LOCAL(fmpz, factor);
+    fmpz_set_ui(factor, k);
     fmpq_mul_fmpz(out, j->degrees, factor);
     fmpz_set_ui(factor, 720);
     fmpz_mul_ui(factor, factor, n);
     fmpq_div_fmpz(out, out, factor);
-    fmpz_clear(factor);
 }
 
 unsigned long quarters_above(const graze_context *context, const joint *j) {
-    fmpz_t quarters;
-    fmpz_init(quarters);
+    LOCAL(fmpz, quarters);
     fmpz_mul_ui(quarters, fmpq_denref(j->degrees), 90);
-    fmpz_t size;
-    fmpz_init(size);
+    LOCAL(fmpz, size);
     fmpz_abs(size, fmpq_numref(j->degrees));
     fmpz_cdiv_q(quarters, size, quarters);
     unsigned long out = 0;
     if (fmpz_cmp_ui(quarters, context->limits[GRAZE_LIMIT_PIECES]) <= 0)
         out = fmpz_is_zero(quarters) ? 1 : fmpz_get_ui(quarters);
-    fmpz_clear(size);
-    fmpz_clear(quarters);
     return out;
 }
 
@@ -45,12 +41,10 @@ unsigned long quarters_above(const graze_context *context, const joint *j) {
  * pieces: the larger error at the ends of a piece, and the sway between them. */
 static graze_status turn_error(mpfr_t out, graze_context *context, const joint *j, slong bits,
                                unsigned long pieces, unsigned long count) {
-    half_angle from, to;
-    fmpq_t f;
     mpfr_t ends, end, sway;
-    half_angle_init(&from);
-    half_angle_init(&to);
-    fmpq_init(f);
+    HELD(half_angle, from);
+    HELD(half_angle, to);
+    LOCAL(fmpq, f);
     mpfr_inits2(ANGLE_BITS, ends, end, sway, (mpfr_ptr)0);
     mpfr_set_zero(ends, 1);
     mpfr_set_zero(out, 1);
@@ -70,9 +64,6 @@ static graze_status turn_error(mpfr_t out, graze_context *context, const joint *
     }
     mpfr_add(out, out, ends, MPFR_RNDU);
     mpfr_clears(ends, end, sway, (mpfr_ptr)0);
-    fmpq_clear(f);
-    half_angle_clear(&to);
-    half_angle_clear(&from);
     return status;
 }
 
@@ -93,9 +84,9 @@ static void advance_factor(fmpq_t out, const joint *j, slong bits) {
 
 /* An upper bound of |factor L - advance|: as |x^2 - a^2| / (x + a) for numbers of one sign. */
 static void advance_error(mpfr_t out, const joint *j, slong bits) {
-    fmpq *made = _fmpq_vec_init(2), *asked = made + 1;
-    mpfr_t below;
-    mpfr_init2(below, ANGLE_BITS);
+    LOCAL_VEC(fmpq, made, 2);
+    fmpq *asked = made + 1;
+    LOCAL_MPFR(below, ANGLE_BITS);
     mpfr_set_zero(out, 1);
     fmpq_abs(asked, j->advance);
     if (!fmpq_is_zero(asked) && fmpq_is_zero(j->length)) {
@@ -109,21 +100,17 @@ static void advance_error(mpfr_t out, const joint *j, slong bits) {
         rational_to_mpfr(out, made, MPFR_RNDU);
         mpfr_div(out, out, below, MPFR_RNDU);
     }
-    mpfr_clear(below);
-    _fmpq_vec_clear(made, 2);
 }
 
 /* `low + step s`, in parentheses. */
 static void put_linear(text *t, const fmpq_t low, const fmpq_t high) {
-    fmpq_t step;
-    fmpq_init(step);
+    LOCAL(fmpq, step);
     fmpq_sub(step, high, low);
     text_put(t, "(");
     text_rational(t, low);
     text_put(t, "+(");
     text_rational(t, step);
     text_put(t, ")*s)");
-    fmpq_clear(step);
 }
 
 static void put_turn(text *t, const joint *j, int dimension, const half_angle *from,
@@ -160,8 +147,7 @@ static void put_turn(text *t, const joint *j, int dimension, const half_angle *f
 
 /* `factor` times the axis, run through as t goes from 0 to 1. */
 static void put_slide(text *t, const joint *j, int dimension, const fmpq_t factor) {
-    fmpq_t way;
-    fmpq_init(way);
+    LOCAL(fmpq, way);
     text_put(t, "{\"translate\": [");
     for (int k = 0; k < dimension; k++) {
         fmpq_mul(way, j->axis + k, factor);
@@ -170,16 +156,13 @@ static void put_slide(text *t, const joint *j, int dimension, const fmpq_t facto
         text_put(t, ")*t\"");
     }
     text_put(t, "]}");
-    fmpq_clear(way);
 }
 
 static void put_joint(text *t, const target *goal, const joint *j, slong bits, unsigned long k,
                       unsigned long pieces) {
-    half_angle from, to;
-    fmpq_t f;
-    half_angle_init(&from);
-    half_angle_init(&to);
-    fmpq_init(f);
+    HELD(half_angle, from);
+    HELD(half_angle, to);
+    LOCAL(fmpq, f);
     if (!j->is_slide) {
         turn_fraction(f, j, k, pieces);
         half_angle_dyadic(&from, f, j->square, bits);
@@ -194,9 +177,6 @@ static void put_joint(text *t, const target *goal, const joint *j, slong bits, u
         text_put(t, j->is_slide ? "" : ",\n   ");
         put_slide(t, j, goal->dimension, f);
     }
-    fmpq_clear(f);
-    half_angle_clear(&to);
-    half_angle_clear(&from);
 }
 
 /* Piece k of a chain. */
@@ -214,13 +194,12 @@ static void put_chain_piece(text *out, const target *goal, const joint *joints, 
 graze_status chain_pieces(text *out, graze_context *context, const target *goal,
                           const joint *joints, const slong *bits, size_t count,
                           unsigned long pieces) {
-    graze_status status = GRAZE_OK;
-    for (unsigned long k = 0; k < pieces && !status; k++) {
+    for (unsigned long k = 0; k < pieces; k++) {
         text_put(out, k ? ",\n" : "");
         put_chain_piece(out, goal, joints, bits, count, k, pieces);
-        status = context_work(context, PIECE_WORK * count);
+        TRY(context_work(context, PIECE_WORK * count));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Whether the first piece, which begins without a turn and so has the shortest numbers, leaves the
@@ -228,8 +207,7 @@ graze_status chain_pieces(text *out, graze_context *context, const target *goal,
 static graze_status check_work(graze_context *context, const target *goal, const joint *joints,
                                const slong *bits, size_t count, unsigned long pieces) {
     graze_motion *motion = NULL;
-    text first;
-    text_init(&first);
+    HELD(text, first);
     text_format(&first, "{\"dimension\": %d, \"pieces\": [", goal->dimension);
     put_chain_piece(&first, goal, joints, bits, count, 0, pieces);
     text_put(&first, "]}");
@@ -238,7 +216,6 @@ static graze_status check_work(graze_context *context, const target *goal, const
                               : motion_from_text(&motion, context, first.data, first.length);
     if (motion)
         motion_destroy(motion);
-    text_clear(&first);
     if (!status && context->work > context->limits[GRAZE_LIMIT_WORK] / pieces)
         return context_limit(context, GRAZE_LIMIT_WORK,
                              "the functions of a motion, all pieces together");
@@ -251,8 +228,7 @@ static graze_status total_error(mpfr_t out, mpfr_t *angles, graze_context *conte
                                 const joint *joints, const slong *bits, size_t count,
                                 unsigned long pieces, unsigned long few) {
     graze_status status = GRAZE_OK;
-    mpfr_t part;
-    mpfr_init2(part, ANGLE_BITS);
+    LOCAL_MPFR(part, ANGLE_BITS);
     mpfr_set_zero(out, 1);
     for (size_t i = 0; i < count && !status; i++) {
         if (joints[i].is_slide)
@@ -263,7 +239,6 @@ static graze_status total_error(mpfr_t out, mpfr_t *angles, graze_context *conte
         advance_error(part, joints + i, bits[i]);
         mpfr_add(out, out, part, MPFR_RNDU);
     }
-    mpfr_clear(part);
     return status;
 }
 
@@ -318,7 +293,7 @@ static void report_joints(text *t, const target *goal, const joint *joints, mpfr
 
 graze_status convert_joints(conversion *out, graze_context *context, const target *goal,
                             const joint *joints, size_t count) {
-    slong *bits = calloc(count, sizeof *bits);
+    FREED(slong, bits, calloc(count, sizeof *bits));
     mpfr_t *angles = calloc(count, sizeof *angles), error;
     graze_status status = GRAZE_OK;
     unsigned long pieces = 1;
@@ -341,6 +316,5 @@ graze_status convert_joints(conversion *out, graze_context *context, const targe
         mpfr_clear(angles[i]);
     mpfr_clear(error);
     free(angles);
-    free(bits);
     return status;
 }

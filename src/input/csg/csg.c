@@ -6,6 +6,7 @@
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 
 void csg_box_init(csg_box *box) {
     box->dimension = 0;
@@ -49,7 +50,8 @@ void csg_clear(csg *solid) {
 }
 
 int csg_surface_sign(const csg_surface *surface, const fmpz *x, int dimension) {
-    fmpz *sum = _fmpz_vec_init(2), *term = sum + 1;
+    LOCAL_VEC(fmpz, sum, 2);
+    fmpz *term = sum + 1;
     for (size_t k = 0; k < surface->count; k++) {
         int rest = surface->degree;
         fmpz_set(term, surface->coefficient + k);
@@ -62,9 +64,7 @@ int csg_surface_sign(const csg_surface *surface, const fmpz *x, int dimension) {
             fmpz_mul(term, term, x + dimension);
         fmpz_add(sum, sum, term);
     }
-    int sign = fmpz_sgn(sum);
-    _fmpz_vec_clear(sum, 2);
-    return sign;
+    return fmpz_sgn(sum);
 }
 
 size_t csg_table_words(int free) {

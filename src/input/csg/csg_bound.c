@@ -9,12 +9,14 @@
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 
 /* Bits of a root that is not rational. */
 enum { ROOT_BITS = 24 };
 
 void csg_upper_root(fmpq_t out, const fmpq_t value) {
-    fmpz *n = _fmpz_vec_init(2), *rest = n + 1;
+    LOCAL_VEC(fmpz, n, 2);
+    fmpz *rest = n + 1;
     fmpz_mul(n, fmpq_numref(value), fmpq_denref(value));
     fmpz_set(fmpq_denref(out), fmpq_denref(value));
     fmpz_sqrtrem(fmpq_numref(out), rest, n);
@@ -25,13 +27,12 @@ void csg_upper_root(fmpq_t out, const fmpq_t value) {
         fmpz_add_ui(fmpq_numref(out), fmpq_numref(out), 1);
     }
     fmpq_canonicalise(out);
-    _fmpz_vec_clear(n, 2);
 }
 
 /* How far a disk and a ball along it reach in the direction of a form. */
 static void round_reach(fmpq_t out, const fmpq *form, const fmpq *axis, const fmpq_t ball,
                         const fmpq_t disk, int d) {
-    fmpq *v = _fmpq_vec_init(3);
+    LOCAL_VEC(fmpq, v, 3);
     _fmpq_vec_dot(v, form, form, d);
     csg_upper_root(out, v);
     fmpq_mul(out, out, ball);
@@ -45,7 +46,6 @@ static void round_reach(fmpq_t out, const fmpq *form, const fmpq *axis, const fm
         csg_upper_root(v + 1, v);
         fmpq_add(out, out, v + 1);
     }
-    _fmpq_vec_clear(v, 3);
 }
 
 /* Let coordinate i of a box hold an interval. */
@@ -59,7 +59,8 @@ static void hold_interval(csg_box *box, int i, const fmpq_t low, const fmpq_t hi
 void csg_bound_round(csg_reader *r, const fmpq *point, const fmpq *axis, const fmpq_t ball,
                      const fmpq_t disk) {
     int d = r->dimension;
-    fmpq *v = _fmpq_vec_init(3), *middle = v, *size = v + 1;
+    LOCAL_VEC(fmpq, v, 3);
+    fmpq *middle = v, *size = v + 1;
     for (int i = 0; i < d; i++) {
         const fmpq *form = fmpq_mat_entry(r->place, i, 0);
         _fmpq_vec_dot(middle, form, point, d);
@@ -70,21 +71,17 @@ void csg_bound_round(csg_reader *r, const fmpq *point, const fmpq *axis, const f
         hold_interval(&r->box, i, middle, v + 2);
     }
     r->box.dimension = d;
-    _fmpq_vec_clear(v, 3);
 }
 
 void csg_bound_corners(csg_reader *r, const fmpq *low, const fmpq *high) {
     int d = r->dimension;
-    fmpq_t zero;
-    fmpq *corner = _fmpq_vec_init(d);
-    fmpq_init(zero);
+    LOCAL_VEC(fmpq, corner, d);
+    LOCAL(fmpq, zero);
     for (int k = 0; k < 1 << d; k++) {
         for (int i = 0; i < d; i++)
             fmpq_set(corner + i, (k >> i & 1 ? high : low) + i);
         csg_bound_round(r, corner, NULL, zero, zero);
     }
-    fmpq_clear(zero);
-    _fmpq_vec_clear(corner, d);
 }
 
 void csg_bound_union(csg_box *box, const csg_box *other) {

@@ -14,6 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 
 enum { TERM_WORK = 4 };   /* what a term costs, for each of its words */
 enum { LONG_WORDS = 64 }; /* from here on a common divisor costs more than a word's time each */
@@ -57,13 +58,10 @@ graze_status csg_add_node(size_t *node, csg_builder *b, csg_operation operation,
     unsigned long most = b->context->limits[GRAZE_LIMIT_CELLS];
     if (out->node_count >= most || count > most - out->operand_count)
         return context_limit(b->context, GRAZE_LIMIT_CELLS, "nodes of a solid's expression");
-    graze_status status = array_grow(b->context, &out->node, &out->node_capacity,
-                                     out->node_count + 1, sizeof *out->node, "a solid's nodes");
-    if (!status)
-        status = array_grow(b->context, &out->operand, &out->operand_capacity,
-                            out->operand_count + count, sizeof *out->operand, "a solid's nodes");
-    if (status)
-        return status;
+    TRY(array_grow(b->context, &out->node, &out->node_capacity, out->node_count + 1,
+                   sizeof *out->node, "a solid's nodes"));
+    TRY(array_grow(b->context, &out->operand, &out->operand_capacity, out->operand_count + count,
+                   sizeof *out->operand, "a solid's nodes"));
     *node = out->node_count++;
     out->node[*node] = (csg_node){.operation = operation,
                                   .first = out->operand_count,
@@ -112,12 +110,10 @@ static graze_status add_surface(csg_builder *b, const fmpz_mpoly_t factor) {
 static int is_plainly_irreducible(const csg_builder *b, const fmpz_mpoly_t f) {
     int d = b->out->dimension, rank;
     slong terms = fmpz_mpoly_length(f, b->ring->zctx);
-    fmpz_mat_t form;
-    fmpz_t c;
     if (fmpz_mpoly_total_degree_si(f, b->ring->zctx) != 2)
         return fmpz_mpoly_total_degree_si(f, b->ring->zctx) == 1;
-    fmpz_mat_init(form, d + 1, d + 1);
-    fmpz_init(c);
+    LOCAL(fmpz_mat, form, d + 1, d + 1);
+    LOCAL(fmpz, c);
     for (slong k = 0; k < terms; k++) {
         ulong power[3] = {0, 0, 0};
         int at[2] = {d, d}, n = 0;
@@ -130,8 +126,6 @@ static int is_plainly_irreducible(const csg_builder *b, const fmpz_mpoly_t f) {
         fmpz_add(fmpz_mat_entry(form, at[1], at[0]), fmpz_mat_entry(form, at[1], at[0]), c);
     }
     rank = (int)fmpz_mat_rank(form);
-    fmpz_clear(c);
-    fmpz_mat_clear(form);
     return rank >= 3;
 }
 
@@ -171,20 +165,17 @@ static graze_status spend(csg_builder *b, const fmpz_mpoly_t f) {
 graze_status csg_add_sign(size_t *node, csg_builder *b, const fmpq_mpoly_t f) {
     size_t operand[CSG_DEGREE] = {b->out->surface_count}, count = 0;
     int negative = fmpq_sgn(f->content) < 0;
-    graze_status status = spend(b, f->zpoly);
-    if (status)
-        return status;
+    TRY(spend(b, f->zpoly));
     if (is_plainly_irreducible(b, f->zpoly)) {
         count = 1;
-        status = add_surface(b, f->zpoly);
+        TRY(add_surface(b, f->zpoly));
     } else {
-        status = add_factors(operand, &count, &negative, b, f->zpoly);
+        TRY(add_factors(operand, &count, &negative, b, f->zpoly));
     }
-    if (!status)
-        status = csg_add_node(node, b, CSG_SIGN, operand, count);
-    if (!status && negative)
+    TRY(csg_add_node(node, b, CSG_SIGN, operand, count));
+    if (negative)
         csg_complement(b, *node);
-    return status;
+    return GRAZE_OK;
 }
 
 static int compare_surfaces(const csg_surface *a, const csg_surface *b) {
@@ -211,11 +202,9 @@ static int compare_numbered(const void *left, const void *right) {
 graze_status csg_build_finish(csg_builder *b) {
     csg *out = b->out;
     size_t n = out->surface_count, kept = 0;
-    numbered_surface *list = malloc((n + 1) * sizeof *list);
-    size_t *new = malloc((n + 1) * sizeof *new);
+    FREED(numbered_surface, list, malloc((n + 1) * sizeof *list));
+    FREED(size_t, new, malloc((n + 1) * sizeof *new));
     if (!list || !new) {
-        free(list);
-        free(new);
         return context_fail(b->context, GRAZE_ESYSTEM, "out of memory for %zu surfaces", n);
     }
     for (size_t k = 0; k < n; k++)
@@ -235,7 +224,5 @@ graze_status csg_build_finish(csg_builder *b) {
     for (size_t k = 0; k < out->node_count; k++)
         for (size_t i = 0; i < out->node[k].count && out->node[k].operation == CSG_SIGN; i++)
             out->operand[out->node[k].first + i] = new[out->operand[out->node[k].first + i]];
-    free(list);
-    free(new);
     return GRAZE_OK;
 }

@@ -8,6 +8,7 @@
 #include <string.h>
 #include <strings.h>
 #include "base/context/file.h"
+#include "base/context/scope.h"
 #include "input/csg/csg_bound.h"
 #include "input/csg/polyhedron.h"
 #include "input/csg/polynomial.h"
@@ -71,8 +72,7 @@ static graze_status read_operands(size_t *node, csg_reader *r, const json *value
     size_t *part = malloc(value->count * sizeof *part);
     if (!part)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu nodes", value->count);
-    csg_box box;
-    csg_box_init(&box);
+    HELD(csg_box, box);
     for (const json *item = value->first; item && !status; item = item->next) {
         status = read_node(&part[item->index], r, item);
         if (!status && key == DIFFERENCE && item->index > 0)
@@ -85,7 +85,6 @@ static graze_status read_operands(size_t *node, csg_reader *r, const json *value
             csg_bound_intersection(&box, &r->box);
     }
     csg_box_set(&r->box, &box);
-    csg_box_clear(&box);
     if (!status)
         status =
             csg_add_node(node, &r->build, key == UNION ? CSG_ANY : CSG_ALL, part, value->count);
@@ -96,15 +95,15 @@ static graze_status read_operands(size_t *node, csg_reader *r, const json *value
 /* Rows of d + 1 numbers as an invertible matrix of size d + 1, and its inverse. */
 static graze_status read_map(fmpq_mat_t map, fmpq_mat_t out, csg_reader *r, const json *value) {
     int d = r->dimension;
-    graze_status status = json_array(r->build.context, value, (size_t)d);
+    TRY(json_array(r->build.context, value, (size_t)d));
     const json *row = value->first;
     fmpq_one(fmpq_mat_entry(map, d, d));
-    for (int i = 0; i < d && !status; i++, row = row->next)
-        status = csg_read_vector(fmpq_mat_entry(map, i, 0), r, row, (size_t)d + 1);
-    if (!status && !fmpq_mat_inv(out, map))
-        status = json_fail(r->build.context, GRAZE_EILLEGAL, value,
-                           "the matrix is singular; expected an invertible one");
-    return status;
+    for (int i = 0; i < d; i++, row = row->next)
+        TRY(csg_read_vector(fmpq_mat_entry(map, i, 0), r, row, (size_t)d + 1));
+    if (!fmpq_mat_inv(out, map))
+        TRY(json_fail(r->build.context, GRAZE_EILLEGAL, value,
+                      "the matrix is singular; expected an invertible one"));
+    return GRAZE_OK;
 }
 
 /* More digits than the limit allows; fmpz_sizeinbase is exact or one too large. */
@@ -129,17 +128,15 @@ static graze_status read_affine(size_t *node, csg_reader *r, const json *value) 
     static const char *const names[] = {"matrix", "of"};
     const json *member[2];
     int d = r->dimension;
-    fmpq_mat_t map, inverse;
     fmpq_mpoly_struct outer[3];
-    fmpq_t constant;
     graze_status status = json_members(member, r->build.context, value, names, 2);
     if (!status && (!member[0] || !member[1]))
         status = json_fail(r->build.context, GRAZE_EINPUT, value, "expected matrix and of");
     if (status)
         return status;
-    fmpq_mat_init(map, d + 1, d + 1);
-    fmpq_mat_init(inverse, d + 1, d + 1);
-    fmpq_init(constant);
+    LOCAL(fmpq_mat, map, d + 1, d + 1);
+    LOCAL(fmpq_mat, inverse, d + 1, d + 1);
+    LOCAL(fmpq, constant);
     status = read_map(map, inverse, r, member[0]);
     if (!status)
         fmpq_mat_mul(map, r->place, map);
@@ -161,9 +158,6 @@ static graze_status read_affine(size_t *node, csg_reader *r, const json *value) 
         r->coordinate[i] = outer[i];
     }
     fmpq_mat_swap(map, r->place);
-    fmpq_clear(constant);
-    fmpq_mat_clear(map);
-    fmpq_mat_clear(inverse);
     return status;
 }
 
@@ -200,21 +194,18 @@ static graze_status read_primitive(size_t *node, csg_reader *r, const json *valu
 static graze_status read_node(size_t *node, csg_reader *r, const json *value) {
     const json *member[KEYS];
     const char *name;
-    graze_status status = json_members(member, r->build.context, value, key_names, KEYS);
+    TRY(json_members(member, r->build.context, value, key_names, KEYS));
     int key = 0, given = 0;
-    for (int k = AFFINE; k < KEYS && !status; k++) {
+    for (int k = AFFINE; k < KEYS; k++) {
         given += member[k] != NULL;
         key = member[k] ? k : key;
     }
-    if (!status && given != 1)
-        status = json_fail(r->build.context, GRAZE_EINPUT, value,
-                           "expected exactly one primitive, affine, union, intersection or "
-                           "difference, not %d",
-                           given);
-    if (!status)
-        status = read_name(&name, r, member[NAME]);
-    if (status)
-        return status;
+    if (given != 1)
+        TRY(json_fail(r->build.context, GRAZE_EINPUT, value,
+                      "expected exactly one primitive, affine, union, intersection or "
+                      "difference, not %d",
+                      given));
+    TRY(read_name(&name, r, member[NAME]));
     if (key == AFFINE)
         return read_affine(node, r, member[key]);
     if (!readers[key])

@@ -3,6 +3,7 @@
  */
 #include "input/csg/csg_reader.h"
 
+#include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "input/motion/entry.h"
 
@@ -62,11 +63,11 @@ graze_status csg_read_number(fmpq_t out, csg_reader *r, const json *value) {
 }
 
 graze_status csg_read_vector(fmpq *out, csg_reader *r, const json *value, size_t count) {
-    graze_status status = json_array(r->build.context, value, count);
+    TRY(json_array(r->build.context, value, count));
     const json *item = value->first;
-    for (size_t k = 0; k < count && !status; k++, item = item->next)
-        status = csg_read_number(out + k, r, item);
-    return status;
+    for (size_t k = 0; k < count; k++, item = item->next)
+        TRY(csg_read_number(out + k, r, item));
+    return GRAZE_OK;
 }
 
 void csg_linear_form(fmpq_mpoly_t out, csg_reader *r, const fmpq *factor,

@@ -10,6 +10,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "input/csg/csg_bound.h"
 #include "input/motion/entry.h"
@@ -84,8 +85,7 @@ static graze_status add_plane(faces *f) {
 
 static graze_status read_corners(faces *f, const json *face) {
     graze_context *context = f->r->build.context;
-    fmpz_t number;
-    fmpz_init(number);
+    LOCAL(fmpz, number);
     size_t k = 0;
     graze_status status = json_array(context, face, 0);
     if (!status && face->count < 3)
@@ -100,25 +100,24 @@ static graze_status read_corners(faces *f, const json *face) {
                                f->points);
         f->corner[k++] = status ? 0 : fmpz_get_ui(number);
     }
-    fmpz_clear(number);
     return status;
 }
 
 static graze_status read_face(faces *f, const json *face) {
-    graze_status status = read_corners(f, face);
+    TRY(read_corners(f, face));
     int found = 0;
-    for (size_t k = 0; k < face->count && !status; k++) {
+    for (size_t k = 0; k < face->count; k++) {
         size_t a = f->corner[k], b = f->corner[(k + 1) % face->count];
         f->edge[f->edges++] = (edge){a < b ? a : b, a < b ? b : a, a > b};
     }
-    for (size_t k = 1; k + 1 < face->count && !status; k++) {
+    for (size_t k = 1; k + 1 < face->count; k++) {
         if (!set_plane(f, f->corner[0], f->corner[k], f->corner[k + 1]))
             continue;
-        status = check_plane(f, face);
-        if (!status && !found++)
-            status = add_plane(f);
+        TRY(check_plane(f, face));
+        if (!found++)
+            TRY(add_plane(f));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Each edge is there as often in one direction as in the other. */
@@ -142,7 +141,8 @@ static graze_status check_closed(faces *f) {
 
 static graze_status polyhedron_points(faces *f, const json *value) {
     graze_status status = GRAZE_OK;
-    fmpq *low = _fmpq_vec_init(6), *high = low + 3;
+    LOCAL_VEC(fmpq, low, 6);
+    fmpq *high = low + 3;
     for (const json *item = value->first; item && !status; item = item->next) {
         fmpq *x = f->point + 3 * item->index;
         status = csg_read_vector(x, f->r, item, 3);
@@ -154,7 +154,6 @@ static graze_status polyhedron_points(faces *f, const json *value) {
         }
     }
     csg_bound_corners(f->r, low, high);
-    _fmpq_vec_clear(low, 6);
     return status;
 }
 
@@ -192,10 +191,9 @@ graze_status csg_read_polyhedron(size_t *node, csg_reader *r, const json *value)
     static const char *const names[] = {"points", "faces"};
     const json *member[2];
     faces f = {.r = r, .value = value};
-    graze_status status = csg_read_members(member, r, value, names, 2, 2);
-    if (!status)
-        status = csg_in_space(r, value);
-    for (int k = 0; k < 2 && !status; k++)
-        status = json_array(r->build.context, member[k], 0);
-    return status ? status : polyhedron_faces(node, &f, member[0], member[1]);
+    TRY(csg_read_members(member, r, value, names, 2, 2));
+    TRY(csg_in_space(r, value));
+    for (int k = 0; k < 2; k++)
+        TRY(json_array(r->build.context, member[k], 0));
+    return polyhedron_faces(node, &f, member[0], member[1]);
 }

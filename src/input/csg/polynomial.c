@@ -13,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "input/csg/csg_bound.h"
 #include "input/motion/entry.h"
 
@@ -97,15 +98,14 @@ static graze_status add_strip(edges *e, csg_reader *r, const fmpq *p, const fmpq
     const fmpq_mpoly_struct *x = &r->coordinate[e->revolved ? 2 : 0];
     const fmpq *end[2] = {p + along, q + along};
     size_t part[3];
-    graze_status status = array_grow(r->build.context, &e->node, &e->capacity, e->count + 1,
-                                     sizeof *e->node, "the edges of a polygon");
-    if (!status)
-        status = csg_add_side(&part[0], r, 0);
-    for (int k = 0; k < 2 && !status; k++) {
+    TRY(array_grow(r->build.context, &e->node, &e->capacity, e->count + 1, sizeof *e->node,
+                   "the edges of a polygon"));
+    TRY(csg_add_side(&part[0], r, 0));
+    for (int k = 0; k < 2; k++) {
         fmpq_mpoly_sub_fmpq(&r->f, x, end[fmpq_cmp(end[0], end[1]) < 0 ? k : 1 - k], r->build.ring);
-        status = csg_add_side(&part[1 + k], r, k == 0);
+        TRY(csg_add_side(&part[1 + k], r, k == 0));
     }
-    return status ? status : csg_add_node(&e->node[e->count++], &r->build, CSG_ALL, part, 3);
+    return csg_add_node(&e->node[e->count++], &r->build, CSG_ALL, part, 3);
 }
 
 /* The points above the edge from p to q. */
@@ -113,19 +113,18 @@ static graze_status add_edge(edges *e, csg_reader *r, const fmpq *p, const fmpq 
     const fmpq *left = fmpq_cmp(p, q) < 0 ? p : q, *right = left == p ? q : p;
     if (fmpq_equal(p, q))
         return GRAZE_OK;
-    fmpq *n = _fmpq_vec_init(4);
+    LOCAL_VEC(fmpq, n, 4);
     fmpq_sub(n, right + 1, left + 1);
     fmpq_sub(n + 1, left, right);
     fmpq_mul(n + 3, n, left);
     fmpq_addmul(n + 3, n + 1, left + 1);
     csg_linear_form(&r->f, r, n, r->coordinate, n + 3);
-    _fmpq_vec_clear(n, 4);
     return add_strip(e, r, p, q, 0);
 }
 
 /* Let the end of an edge that is beyond the axis be where it meets it. */
 static void cut_at_axis(fmpq *p, const fmpq *q) {
-    fmpq *v = _fmpq_vec_init(2);
+    LOCAL_VEC(fmpq, v, 2);
     if (fmpq_sgn(p) < 0) {
         fmpq_sub(v, q, p);
         fmpq_sub(v + 1, q + 1, p + 1);
@@ -133,7 +132,6 @@ static void cut_at_axis(fmpq *p, const fmpq *q) {
         fmpq_submul(p + 1, p, v);
         fmpq_zero(p);
     }
-    _fmpq_vec_clear(v, 2);
 }
 
 /* Add the points that the edge from p to q encloses as it turns, between the heights of p and q:
@@ -143,7 +141,8 @@ static graze_status add_revolved_edge(edges *e, csg_reader *r, const fmpq *p, co
     const fmpq_mpoly_ctx_struct *ring = r->build.ring;
     if (fmpq_equal(p + 1, q + 1) || (fmpq_sgn(p) <= 0 && fmpq_sgn(q) <= 0))
         return GRAZE_OK;
-    fmpq *v = _fmpq_vec_init(9), *from = v, *to = v + 2, *height = v + 4, *constant = v + 5;
+    LOCAL_VEC(fmpq, v, 9);
+    fmpq *from = v, *to = v + 2, *height = v + 4, *constant = v + 5;
     for (int i = 0; i < 2; i++) {
         fmpq_set(from + i, p + i);
         fmpq_set(to + i, q + i);
@@ -162,9 +161,7 @@ static graze_status add_revolved_edge(edges *e, csg_reader *r, const fmpq *p, co
     fmpq_mpoly_scalar_mul_fmpq(&r->f, &r->f, height, ring);
     fmpq_mpoly_mul(&r->term, &r->along, &r->along, ring);
     fmpq_mpoly_sub(&r->f, &r->f, &r->term, ring);
-    graze_status status = add_strip(e, r, from, to, 1);
-    _fmpq_vec_clear(v, 9);
-    return status;
+    return add_strip(e, r, from, to, 1);
 }
 
 static graze_status read_polygon_ring(edges *e, csg_reader *r, const json *value) {
@@ -176,7 +173,8 @@ static graze_status read_polygon_ring(edges *e, csg_reader *r, const json *value
                            "expected at least 3 points, not %zu", value->count);
     if (status)
         return status;
-    fmpq *point = _fmpq_vec_init(6), *first = point, *last = point + 2, *next = point + 4;
+    LOCAL_VEC(fmpq, point, 6);
+    fmpq *first = point, *last = point + 2, *next = point + 4;
     for (const json *item = value->first; item && !status; item = item->next) {
         status = csg_read_vector(next, r, item, 2);
         hold_corner(e, next);
@@ -189,33 +187,30 @@ static graze_status read_polygon_ring(edges *e, csg_reader *r, const json *value
     }
     if (!status)
         status = add(e, r, last, first);
-    _fmpq_vec_clear(point, 6);
     return status;
 }
 
 /* The prism between two heights. */
 static graze_status extrude(size_t *node, edges *e, csg_reader *r, const json *value) {
     size_t part[3] = {*node, 0, 0};
-    fmpq *height = _fmpq_vec_init(2);
-    graze_status status = csg_read_vector(height, r, value, 2);
-    if (!status && fmpq_cmp(height, height + 1) >= 0)
-        status = json_fail(r->build.context, GRAZE_EILLEGAL, value,
-                           "expected a second height above the first");
-    for (int k = 0; k < 2 && !status; k++) {
+    LOCAL_VEC(fmpq, height, 2);
+    TRY(csg_read_vector(height, r, value, 2));
+    if (fmpq_cmp(height, height + 1) >= 0)
+        TRY(json_fail(r->build.context, GRAZE_EILLEGAL, value,
+                      "expected a second height above the first"));
+    for (int k = 0; k < 2; k++) {
         fmpq_mpoly_sub_fmpq(&r->f, &r->coordinate[2], height + k, r->build.ring);
-        status = csg_add_side(&part[1 + k], r, k == 0);
+        TRY(csg_add_side(&part[1 + k], r, k == 0));
     }
     fmpq_swap(e->low + 2, height);
     fmpq_swap(e->high + 2, height + 1);
-    _fmpq_vec_clear(height, 2);
-    return status ? status : csg_add_node(node, &r->build, CSG_ALL, part, 3);
+    return csg_add_node(node, &r->build, CSG_ALL, part, 3);
 }
 
 /* Whether a polygon is revolved, and that it is a prism or revolved where it must be. */
 static graze_status polygon_form(int *revolved, csg_reader *r, const json *value,
                                  const json *extruded, const json *turns) {
     graze_context *context = r->build.context;
-    fmpz_t whole;
     *revolved = turns != NULL;
     if ((extruded != NULL) + (turns != NULL) != (r->dimension == 3))
         return json_fail(context, GRAZE_EINPUT, value,
@@ -224,12 +219,11 @@ static graze_status polygon_form(int *revolved, csg_reader *r, const json *value
                                            : "expected no extrude and no revolve in the plane");
     if (!turns)
         return GRAZE_OK;
-    fmpz_init(whole);
-    graze_status status = entry_integer(whole, context, turns);
-    if (!status && !fmpz_is_one(whole))
-        status = json_fail(context, GRAZE_EINPUT, turns, "expected 1, a whole turn");
-    fmpz_clear(whole);
-    return status;
+    LOCAL(fmpz, whole);
+    TRY(entry_integer(whole, context, turns));
+    if (!fmpz_is_one(whole))
+        TRY(json_fail(context, GRAZE_EINPUT, turns, "expected 1, a whole turn"));
+    return GRAZE_OK;
 }
 
 /* Let the box be that of what is revolved. */

@@ -7,6 +7,7 @@
 #include "input/csg/primitives.h"
 
 #include <flint/fmpq_vec.h>
+#include "base/context/scope.h"
 #include "input/csg/csg_bound.h"
 
 /* Numbers of a primitive; those that are not given stay as they are. */
@@ -39,10 +40,10 @@ static void placed_clear(placed *p) {
 
 /* A number that is positive. */
 static graze_status read_size(fmpq_t out, csg_reader *r, const json *value) {
-    graze_status status = csg_read_number(out, r, value);
-    if (!status && fmpq_sgn(out) <= 0)
-        status = json_fail(r->build.context, GRAZE_EILLEGAL, value, "expected a positive number");
-    return status;
+    TRY(csg_read_number(out, r, value));
+    if (fmpq_sgn(out) <= 0)
+        TRY(json_fail(r->build.context, GRAZE_EILLEGAL, value, "expected a positive number"));
+    return GRAZE_OK;
 }
 
 static void set_from(csg_reader *r, const fmpq *point) {
@@ -57,25 +58,20 @@ static void set_from(csg_reader *r, const fmpq *point) {
 
 /* f = |from|^2 - radius^2 */
 static graze_status add_ball(size_t *node, csg_reader *r, const placed *p, const fmpq_t radius) {
-    fmpq_t square, zero;
-    fmpq_init(square);
-    fmpq_init(zero);
+    LOCAL(fmpq, square);
+    LOCAL(fmpq, zero);
     csg_bound_round(r, p->point, NULL, radius, zero);
-    fmpq_clear(zero);
     fmpq_mul(square, radius, radius);
     fmpq_mpoly_sub_fmpq(&r->f, &r->square, square, r->build.ring);
-    fmpq_clear(square);
     return csg_add_side(node, r, 0);
 }
 
 /* Where the height is at most (at least, if `other`) `bound` times the axis. */
 static graze_status add_cap(size_t *node, csg_reader *r, const placed *p, const fmpq_t bound,
                             int other) {
-    fmpq_t level;
-    fmpq_init(level);
+    LOCAL(fmpq, level);
     fmpq_mul(level, bound, p->length2);
     fmpq_mpoly_sub_fmpq(&r->f, &r->along, level, r->build.ring);
-    fmpq_clear(level);
     return csg_add_side(node, r, other);
 }
 
@@ -92,12 +88,12 @@ static void set_about_axis(csg_reader *r, const placed *p, const fmpq_t factor,
 
 /* f of the infinite cylinder of radius `first`. */
 static void set_cylinder(csg_reader *r, const placed *p) {
-    fmpq *one = _fmpq_vec_init(2), *constant = one + 1;
+    LOCAL_VEC(fmpq, one, 2);
+    fmpq *constant = one + 1;
     fmpq_one(one);
     fmpq_mul(constant, p->first, p->first);
     fmpq_mul(constant, constant, p->length2);
     set_about_axis(r, p, one, constant);
-    _fmpq_vec_clear(one, 2);
 }
 
 /* Point and axis, from which all else is measured. */
@@ -105,11 +101,8 @@ static graze_status read_placed_axis(placed *p, csg_reader *r, const json *point
                                      const json *axis) {
     size_t d = (size_t)r->dimension;
     fmpq_t zero;
-    graze_status status = csg_read_vector(p->point, r, point, d);
-    if (!status)
-        status = csg_read_vector(p->axis, r, axis, d);
-    if (status)
-        return status;
+    TRY(csg_read_vector(p->point, r, point, d));
+    TRY(csg_read_vector(p->axis, r, axis, d));
     for (size_t i = 0; i < d; i++)
         fmpq_addmul(p->length2, p->axis + i, p->axis + i);
     if (fmpq_is_zero(p->length2))
@@ -136,18 +129,19 @@ static graze_status read_bounds(placed *p, csg_reader *r, const json *from, cons
 /* The surface at hand, f, between the bounds that are given. */
 static graze_status add_bounded(size_t *node, csg_reader *r, const placed *p) {
     size_t part[3], count = 1;
-    graze_status status = csg_add_side(&part[0], r, 0);
-    if (!status && p->has_from)
-        status = add_cap(&part[count++], r, p, p->from, 1);
-    if (!status && p->has_to)
-        status = add_cap(&part[count++], r, p, p->to, 0);
-    return status ? status : csg_add_node(node, &r->build, CSG_ALL, part, count);
+    TRY(csg_add_side(&part[0], r, 0));
+    if (p->has_from)
+        TRY(add_cap(&part[count++], r, p, p->from, 1));
+    if (p->has_to)
+        TRY(add_cap(&part[count++], r, p, p->to, 0));
+    return csg_add_node(node, &r->build, CSG_ALL, part, count);
 }
 
 /* Let the reader's box hold the disks at both bounds; their radius is `first`, of a cone that times
  * the height. */
 static void bound_between(csg_reader *r, const placed *p, int cone) {
-    fmpq *v = _fmpq_vec_init(5), *zero = v + 3, *square = v + 4;
+    LOCAL_VEC(fmpq, v, 5);
+    fmpq *zero = v + 3, *square = v + 4;
     for (int k = 0; k < 2 && p->has_from && p->has_to; k++) {
         const fmpq *bound = k ? p->to : p->from;
         for (int i = 0; i < 3; i++) {
@@ -161,40 +155,31 @@ static void bound_between(csg_reader *r, const placed *p, int cone) {
             fmpq_mul(square, square, p->length2);
         csg_bound_round(r, v, p->axis, zero, square);
     }
-    _fmpq_vec_clear(v, 5);
 }
 
 /* Let it hold the box about the point whose half sides are the axis. */
 static void bound_about(csg_reader *r, const placed *p) {
     int d = r->dimension;
-    fmpq *end = _fmpq_vec_init(2 * d);
+    LOCAL_VEC(fmpq, end, 2 * d);
     for (int i = 0; i < d; i++) {
         fmpq_sub(end + i, p->point + i, p->axis + i);
         fmpq_add(end + d + i, p->point + i, p->axis + i);
     }
     csg_bound_corners(r, end, end + d);
-    _fmpq_vec_clear(end, 2 * d);
 }
 
 graze_status csg_read_halfspace(size_t *node, csg_reader *r, const json *value) {
     static const char *const names[] = {"normal", "offset"};
     const json *member[2];
-    placed p;
-    placed_init(&p);
-    graze_status status = csg_read_members(member, r, value, names, 2, 2);
-    if (!status)
-        status = csg_read_vector(p.axis, r, member[0], (size_t)r->dimension);
-    if (!status)
-        status = csg_read_number(p.first, r, member[1]);
-    if (!status)
-        csg_linear_form(&r->f, r, p.axis, r->coordinate, p.first);
-    if (!status && fmpq_mpoly_is_fmpq(&r->f, r->build.ring))
-        status = json_fail(r->build.context, GRAZE_EILLEGAL, member[0],
-                           "the normal is zero; expected a direction");
-    if (!status)
-        status = csg_add_side(node, r, 0);
-    placed_clear(&p);
-    return status;
+    HELD(placed, p);
+    TRY(csg_read_members(member, r, value, names, 2, 2));
+    TRY(csg_read_vector(p.axis, r, member[0], (size_t)r->dimension));
+    TRY(csg_read_number(p.first, r, member[1]));
+    csg_linear_form(&r->f, r, p.axis, r->coordinate, p.first);
+    if (fmpq_mpoly_is_fmpq(&r->f, r->build.ring))
+        TRY(json_fail(r->build.context, GRAZE_EILLEGAL, member[0],
+                      "the normal is zero; expected a direction"));
+    return csg_add_side(node, r, 0);
 }
 
 graze_status csg_read_box(size_t *node, csg_reader *r, const json *value) {
@@ -225,26 +210,19 @@ graze_status csg_read_box(size_t *node, csg_reader *r, const json *value) {
 graze_status csg_read_ball(size_t *node, csg_reader *r, const json *value) {
     static const char *const names[] = {"radius", "center"};
     const json *member[2];
-    placed p;
-    placed_init(&p);
-    graze_status status = csg_read_members(member, r, value, names, 2, 1);
-    if (!status)
-        status = read_size(p.first, r, member[0]);
-    if (!status && member[1])
-        status = csg_read_vector(p.point, r, member[1], (size_t)r->dimension);
-    if (!status) {
-        set_from(r, p.point);
-        status = add_ball(node, r, &p, p.first);
-    }
-    placed_clear(&p);
-    return status;
+    HELD(placed, p);
+    TRY(csg_read_members(member, r, value, names, 2, 1));
+    TRY(read_size(p.first, r, member[0]));
+    if (member[1])
+        TRY(csg_read_vector(p.point, r, member[1], (size_t)r->dimension));
+    set_from(r, p.point);
+    return add_ball(node, r, &p, p.first);
 }
 
 graze_status csg_read_ellipsoid(size_t *node, csg_reader *r, const json *value) {
     static const char *const names[] = {"semiaxes", "center"};
     const json *member[2];
-    placed p;
-    placed_init(&p);
+    HELD(placed, p);
     graze_status status = csg_read_members(member, r, value, names, 2, 1);
     if (!status)
         status = json_array(r->build.context, member[0], (size_t)r->dimension);
@@ -266,60 +244,41 @@ graze_status csg_read_ellipsoid(size_t *node, csg_reader *r, const json *value) 
         bound_about(r, &p);
         status = csg_add_side(node, r, 0);
     }
-    placed_clear(&p);
     return status;
 }
 
 graze_status csg_read_cylinder(size_t *node, csg_reader *r, const json *value) {
     static const char *const names[] = {"point", "axis", "radius", "from", "to"};
     const json *member[5];
-    placed p;
-    placed_init(&p);
-    graze_status status = csg_in_space(r, value);
-    if (!status)
-        status = csg_read_members(member, r, value, names, 5, 3);
-    if (!status)
-        status = read_placed_axis(&p, r, member[0], member[1]);
-    if (!status)
-        status = read_size(p.first, r, member[2]);
-    if (!status)
-        status = read_bounds(&p, r, member[3], member[4]);
-    if (!status) {
-        bound_between(r, &p, 0);
-        set_cylinder(r, &p);
-        status = add_bounded(node, r, &p);
-    }
-    placed_clear(&p);
-    return status;
+    HELD(placed, p);
+    TRY(csg_in_space(r, value));
+    TRY(csg_read_members(member, r, value, names, 5, 3));
+    TRY(read_placed_axis(&p, r, member[0], member[1]));
+    TRY(read_size(p.first, r, member[2]));
+    TRY(read_bounds(&p, r, member[3], member[4]));
+    bound_between(r, &p, 0);
+    set_cylinder(r, &p);
+    return add_bounded(node, r, &p);
 }
 
 graze_status csg_read_cone(size_t *node, csg_reader *r, const json *value) {
     static const char *const names[] = {"point", "axis", "slope", "from", "to"};
     const json *member[5];
-    placed p;
-    placed_init(&p);
-    graze_status status = csg_in_space(r, value);
-    if (!status)
-        status = csg_read_members(member, r, value, names, 5, 3);
-    if (!status)
-        status = read_placed_axis(&p, r, member[0], member[1]);
-    if (!status)
-        status = read_size(p.first, r, member[2]);
-    if (!status)
-        status = read_bounds(&p, r, member[3], member[4]);
-    if (!status && (fmpq_sgn(p.from) < 0 || (p.has_to && fmpq_cmp(p.from, p.to) >= 0)))
-        status = json_fail(r->build.context, GRAZE_EILLEGAL, value, "expected 0 <= from < to");
-    if (!status) {
-        p.has_from = 1;
-        bound_between(r, &p, 1);
-        fmpq_mul(p.second, p.first, p.first);
-        fmpq_add_si(p.second, p.second, 1);
-        fmpq_zero(p.first);
-        set_about_axis(r, &p, p.second, p.first);
-        status = add_bounded(node, r, &p);
-    }
-    placed_clear(&p);
-    return status;
+    HELD(placed, p);
+    TRY(csg_in_space(r, value));
+    TRY(csg_read_members(member, r, value, names, 5, 3));
+    TRY(read_placed_axis(&p, r, member[0], member[1]));
+    TRY(read_size(p.first, r, member[2]));
+    TRY(read_bounds(&p, r, member[3], member[4]));
+    if (fmpq_sgn(p.from) < 0 || (p.has_to && fmpq_cmp(p.from, p.to) >= 0))
+        TRY(json_fail(r->build.context, GRAZE_EILLEGAL, value, "expected 0 <= from < to"));
+    p.has_from = 1;
+    bound_between(r, &p, 1);
+    fmpq_mul(p.second, p.first, p.first);
+    fmpq_add_si(p.second, p.second, 1);
+    fmpq_zero(p.first);
+    set_about_axis(r, &p, p.second, p.first);
+    return add_bounded(node, r, &p);
 }
 
 /* |a|^2 (|y|^2 + R^2 - r^2)^2 - 4 R^2 (|a|^2 |y|^2 - (a . y)^2) */
@@ -343,55 +302,35 @@ static void set_torus(csg_reader *r, placed *p) {
 graze_status csg_read_torus(size_t *node, csg_reader *r, const json *value) {
     static const char *const names[] = {"point", "axis", "major", "minor"};
     const json *member[4];
-    placed p;
-    placed_init(&p);
-    graze_status status = csg_in_space(r, value);
-    if (!status)
-        status = csg_read_members(member, r, value, names, 4, 4);
-    if (!status)
-        status = read_placed_axis(&p, r, member[0], member[1]);
-    if (!status)
-        status = read_size(p.first, r, member[2]);
-    if (!status)
-        status = read_size(p.second, r, member[3]);
-    if (!status && fmpq_cmp(p.second, p.first) >= 0)
-        status = json_fail(r->build.context, GRAZE_EILLEGAL, member[3],
-                           "expected less than major: a torus does not meet itself");
-    if (!status) {
-        set_torus(r, &p);
-        status = csg_add_side(node, r, 0);
-    }
-    placed_clear(&p);
-    return status;
+    HELD(placed, p);
+    TRY(csg_in_space(r, value));
+    TRY(csg_read_members(member, r, value, names, 4, 4));
+    TRY(read_placed_axis(&p, r, member[0], member[1]));
+    TRY(read_size(p.first, r, member[2]));
+    TRY(read_size(p.second, r, member[3]));
+    if (fmpq_cmp(p.second, p.first) >= 0)
+        TRY(json_fail(r->build.context, GRAZE_EILLEGAL, member[3],
+                      "expected less than major: a torus does not meet itself"));
+    set_torus(r, &p);
+    return csg_add_side(node, r, 0);
 }
 
 graze_status csg_read_capsule(size_t *node, csg_reader *r, const json *value) {
     static const char *const names[] = {"point", "axis", "radius"};
     const json *member[3];
     size_t part[3];
-    placed p;
-    placed_init(&p);
-    graze_status status = csg_read_members(member, r, value, names, 3, 3);
-    if (!status)
-        status = read_placed_axis(&p, r, member[0], member[1]);
-    if (!status)
-        status = read_size(p.first, r, member[2]);
-    if (!status) {
-        set_cylinder(r, &p);
-        fmpq_one(p.to);
-        p.has_from = p.has_to = 1;
-        status = add_bounded(&part[0], r, &p);
-    }
-    if (!status)
-        status = add_ball(&part[1], r, &p, p.first);
-    if (!status) {
-        for (int i = 0; i < r->dimension; i++)
-            fmpq_add(p.point + i, p.point + i, p.axis + i);
-        set_from(r, p.point);
-        status = add_ball(&part[2], r, &p, p.first);
-    }
-    if (!status)
-        status = csg_add_node(node, &r->build, CSG_ANY, part, 3);
-    placed_clear(&p);
-    return status;
+    HELD(placed, p);
+    TRY(csg_read_members(member, r, value, names, 3, 3));
+    TRY(read_placed_axis(&p, r, member[0], member[1]));
+    TRY(read_size(p.first, r, member[2]));
+    set_cylinder(r, &p);
+    fmpq_one(p.to);
+    p.has_from = p.has_to = 1;
+    TRY(add_bounded(&part[0], r, &p));
+    TRY(add_ball(&part[1], r, &p, p.first));
+    for (int i = 0; i < r->dimension; i++)
+        fmpq_add(p.point + i, p.point + i, p.axis + i);
+    set_from(r, p.point);
+    TRY(add_ball(&part[2], r, &p, p.first));
+    return csg_add_node(node, &r->build, CSG_ANY, part, 3);
 }

@@ -11,6 +11,7 @@
 #include <unistd.h>
 #include "base/context/array.h"
 #include "base/context/input.h"
+#include "base/context/scope.h"
 
 /* Bytes of the buffer at first; less where there may be many streams. */
 enum { BUFFER = 1 << 16, BUFFER_OF_MANY = 1 << 14 };
@@ -38,8 +39,8 @@ graze_status stream_open(stream *out, graze_context *context, const char *path) 
 graze_status stream_open_own(stream *out, graze_context *context, const char *path, int reopened) {
     *out = (stream){
         .context = context, .name = path, .fd = -1, .reopened = reopened, .own = 1, .limit = ~0ul};
-    graze_status status = reopened ? GRAZE_OK : input_open(&out->fd, context, path);
-    return status ? status : make_buffer(out, reopened ? BUFFER_OF_MANY : BUFFER);
+    TRY(reopened ? GRAZE_OK : input_open(&out->fd, context, path));
+    return make_buffer(out, reopened ? BUFFER_OF_MANY : BUFFER);
 }
 
 void stream_of_text(stream *out, graze_context *context, const char *name, const char *text,
@@ -145,9 +146,7 @@ graze_status stream_next(stream *s, field *out) {
         seen = there;
         if (end || s->ended)
             break;
-        graze_status status = read_more(s);
-        if (status)
-            return status;
+        TRY(read_more(s));
     }
     s->whole = end != NULL;
     if (!end && s->from == s->to)

@@ -5,6 +5,7 @@
 #include "input/mend/clean.h"
 
 #include <stdlib.h>
+#include "base/context/scope.h"
 
 static int order_of_points(const void *a, const void *b, void *data) {
     const mesh *m = data;
@@ -28,14 +29,13 @@ static void merge_vertices(mesh *m, const uint32_t *order, uint32_t *first) {
     for (size_t k = 0; k < n; k++)
         first[order[k]] =
             k && at_one_position(m, order[k - 1], order[k]) ? first[order[k - 1]] : order[k];
-    unsigned char *used = calloc(n + 1, 1);
+    FREED(unsigned char, used, calloc(n + 1, 1));
     m->report.failed |= !used;
     for (size_t k = 0; used && k < m->now.corner_count; k++)
         used[m->now.corner[k]] = 1;
     for (uint32_t v = 0; used && v < n; v++)
         if (used[v] && first[v] != v)
             few_add(&merged, "%u with %u", v, first[v]);
-    free(used);
     few_report(&merged, m, "merged", "vertices with the first one at their position");
     for (size_t k = 0; k < m->now.corner_count; k++)
         m->now.corner[k] = first[m->now.corner[k]];
@@ -73,15 +73,15 @@ static int has_area(const mesh *m, const facets *f) {
  * same corner. */
 static graze_status copy_facet(facets *to, const mesh *m, size_t facet, int *repeated) {
     const facets *f = &m->now;
-    graze_status status = facets_begin(to, m->context, f->origin[facet]);
-    for (size_t k = f->start[facet]; k < f->start[facet + 1] && !status; k++) {
+    TRY(facets_begin(to, m->context, f->origin[facet]));
+    for (size_t k = f->start[facet]; k < f->start[facet + 1]; k++) {
         size_t next = k + 1 < f->start[facet + 1] ? k + 1 : f->start[facet];
         if (f->corner[k] != f->corner[next])
-            status = facets_corner(to, m->context, f->corner[k]);
+            TRY(facets_corner(to, m->context, f->corner[k]));
         else
             *repeated = 1;
     }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status clean_facets(mesh *m) {

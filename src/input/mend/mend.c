@@ -3,6 +3,7 @@
  */
 #include "input/mend/mend.h"
 
+#include "base/context/scope.h"
 #include "input/mend/clean.h"
 #include "input/mend/orient.h"
 #include "input/mend/split.h"
@@ -15,8 +16,8 @@ static graze_status try_mesh(graze_solid **out, const mesh *m, unsigned flags) {
     if (!m->now.count)
         return context_fail(m->context, GRAZE_EILLEGAL,
                             "no facet has an area; expected a closed boundary");
-    graze_status status = mesh_soup(&input, m, NULL, 0, NULL);
-    return status ? status : solid_create(out, m->context, &input, flags);
+    TRY(mesh_soup(&input, m, NULL, 0, NULL));
+    return solid_create(out, m->context, &input, flags);
 }
 
 static graze_status mend_mesh(graze_solid **out, mesh *m, unsigned flags, const fmpq *weld) {

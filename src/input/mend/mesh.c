@@ -8,18 +8,16 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "base/number/cross.h"
 
 enum { FEW = 8 };
 
 graze_status facets_begin(facets *f, graze_context *context, size_t origin) {
-    graze_status status = array_grow(context, &f->start, &f->start_capacity, f->count + 2,
-                                     sizeof *f->start, "a solid");
-    if (!status)
-        status = array_grow(context, &f->origin, &f->origin_capacity, f->count + 1,
-                            sizeof *f->origin, "a solid");
-    if (status)
-        return status;
+    TRY(array_grow(context, &f->start, &f->start_capacity, f->count + 2, sizeof *f->start,
+                   "a solid"));
+    TRY(array_grow(context, &f->origin, &f->origin_capacity, f->count + 1, sizeof *f->origin,
+                   "a solid"));
     f->origin[f->count] = origin;
     f->start[f->count++] = f->corner_count;
     f->start[f->count] = f->corner_count;
@@ -27,10 +25,8 @@ graze_status facets_begin(facets *f, graze_context *context, size_t origin) {
 }
 
 graze_status facets_corner(facets *f, graze_context *context, uint32_t vertex) {
-    graze_status status = array_grow(context, &f->corner, &f->corner_capacity, f->corner_count + 1,
-                                     sizeof *f->corner, "a solid");
-    if (status)
-        return status;
+    TRY(array_grow(context, &f->corner, &f->corner_capacity, f->corner_count + 1, sizeof *f->corner,
+                   "a solid"));
     f->corner[f->corner_count++] = vertex;
     f->start[f->count] = f->corner_count;
     return GRAZE_OK;
@@ -53,17 +49,15 @@ void mesh_replace(mesh *m, facets *f) {
 }
 
 graze_status mesh_init(mesh *m, graze_context *context, const soup *input) {
-    graze_status status = GRAZE_OK;
     *m = (mesh){.context = context, .input = input};
     text_init(&m->report);
-    for (size_t f = 0; f < input->facet_count && !status; f++) {
+    for (size_t f = 0; f < input->facet_count; f++) {
         size_t cycle = input->facet_start[f];
-        status = facets_begin(&m->now, context, f);
-        for (size_t k = input->cycle_start[cycle]; k < input->cycle_start[cycle + 1] && !status;
-             k++)
-            status = facets_corner(&m->now, context, input->index[k]);
+        TRY(facets_begin(&m->now, context, f));
+        for (size_t k = input->cycle_start[cycle]; k < input->cycle_start[cycle + 1]; k++)
+            TRY(facets_corner(&m->now, context, input->index[k]));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 void mesh_clear(mesh *m) {
@@ -76,14 +70,12 @@ const fmpq *mesh_point(const mesh *m, uint32_t vertex) {
 }
 
 int mesh_collinear(const mesh *m, uint32_t a, uint32_t b, uint32_t c) {
-    fmpq_t area;
     int zero = 1;
-    fmpq_init(area);
+    LOCAL(fmpq, area);
     for (int k = 0; k < 3 && zero; k++) {
         cross_rationals(area, mesh_point(m, a), mesh_point(m, b), mesh_point(m, c), k, (k + 1) % 3);
         zero = fmpq_is_zero(area);
     }
-    fmpq_clear(area);
     return zero;
 }
 
@@ -132,16 +124,14 @@ static graze_status add_soup_facet(soup *out, const mesh *m, uint32_t *number, s
                                    int turned) {
     const facets *f = &m->now;
     size_t first = f->start[facet], end = f->start[facet + 1];
-    graze_status status = soup_add_facet(out, m->context);
-    if (!status)
-        status = soup_add_cycle(out, m->context, NULL, 0);
-    for (size_t k = first; k < end && !status; k++) {
+    TRY(soup_add_facet(out, m->context));
+    TRY(soup_add_cycle(out, m->context, NULL, 0));
+    for (size_t k = first; k < end; k++) {
         uint32_t vertex = f->corner[turned ? end - 1 - (k - first) : k];
-        status = number_vertex(out, m, number, vertex);
-        if (!status)
-            status = soup_add_index(out, m->context, number[vertex]);
+        TRY(number_vertex(out, m, number, vertex));
+        TRY(soup_add_index(out, m->context, number[vertex]));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status mesh_soup(soup *out, const mesh *m, const size_t *component, size_t wanted,

@@ -11,6 +11,7 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "input/solid/create.h"
 #include "input/solid/locate.h"
 
@@ -117,8 +118,8 @@ static graze_status make_shell(orienter *o, size_t shell) {
  * it, a point inside a facet does. */
 static int is_within_part(const graze_solid *shell, const graze_solid *other) {
     graze_state state = GRAZE_STATE_B;
-    fmpz *x = _fmpz_vec_init(4);
-    fmpq *sum = _fmpq_vec_init(3);
+    LOCAL_VEC(fmpz, x, 4);
+    LOCAL_VEC(fmpq, sum, 3);
     size_t vertices = shell->input.vertex_count, points = vertices + shell->cut.count;
     for (size_t k = 0; k < points && state == GRAZE_STATE_B; k++) {
         const fmpq *at = shell->input.coordinates;
@@ -135,8 +136,6 @@ static int is_within_part(const graze_solid *shell, const graze_solid *other) {
         _fmpq_vec_get_fmpz_vec_fmpz(x, x + 3, sum, 3);
         state = solid_locate(other, x);
     }
-    _fmpz_vec_clear(x, 4);
-    _fmpq_vec_clear(sum, 3);
     return state == GRAZE_STATE_I;
 }
 

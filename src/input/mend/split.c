@@ -10,6 +10,7 @@
 
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 
 /* A vertex that goes into the side that begins at a corner. */
 typedef struct insertion {
@@ -96,10 +97,8 @@ static graze_status add_insertions(splitter *s, size_t first, size_t end, uint32
     const mesh *m = s->m;
     few_add(&s->split, "%u-%u at vertex %u", s->side[first].low, s->side[first].high, vertex);
     for (size_t k = first; k < end; k++) {
-        graze_status status = array_grow(m->context, &s->made, &s->made_capacity, s->made_count + 1,
-                                         sizeof *s->made, "a solid");
-        if (status)
-            return status;
+        TRY(array_grow(m->context, &s->made, &s->made_capacity, s->made_count + 1, sizeof *s->made,
+                       "a solid"));
         s->made[s->made_count++] = (insertion){s->side[k].corner, vertex};
     }
     return GRAZE_OK;

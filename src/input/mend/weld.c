@@ -12,6 +12,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "base/context/slots.h"
 #include "base/number/vector.h"
 #include "input/mend/split.h"
@@ -80,10 +81,9 @@ static uint64_t cell_hash(const welder *w, int x, int y, int z) {
 }
 
 static void square_of_distance(fmpq_t out, const fmpq *p, const fmpq *q) {
-    fmpq *way = _fmpq_vec_init(3);
+    LOCAL_VEC(fmpq, way, 3);
     vector_sub(way, p, q, 3);
     _fmpq_vec_dot(out, way, way, 3);
-    _fmpq_vec_clear(way, 3);
 }
 
 /* Take the nearest vertex of one cell that stays, if it is nearer than all before. */
@@ -120,15 +120,13 @@ static graze_status weld_vertex(welder *w, uint32_t v) {
 
 /* The line of the report: the solid is changed, and by how much. */
 static void report_welded(welder *w) {
-    mpfr_t bound;
     char digits[64];
     if (!w->welded.count)
         return;
-    mpfr_init2(bound, 53);
+    LOCAL_MPFR(bound, 53);
     fmpq_get_mpfr(bound, w->largest, MPFR_RNDU);
     mpfr_sqrt(bound, bound, MPFR_RNDU);
     mpfr_snprintf(digits, sizeof digits, "%.2RUe", bound);
-    mpfr_clear(bound);
     few_report(&w->welded, w->m, "welded", "vertices with one near them");
     text_format(&w->m->report, "the solid is changed: vertices moved by at most %s\n", digits);
 }
@@ -158,9 +156,8 @@ static double end_distance(const double *p, const double *q) {
 /* The largest of all distances from an end to the nearest other one, and of all distances. */
 static graze_status measure_ends(double *furthest, double *extent, graze_context *context,
                                  const double *at, size_t count) {
-    graze_status status = GRAZE_OK;
     *furthest = *extent = 0;
-    for (size_t k = 0; k < count && !status; k++) {
+    for (size_t k = 0; k < count; k++) {
         double nearest = INFINITY;
         for (size_t j = 0; j < count; j++) {
             double distance = end_distance(at + 3 * k, at + 3 * j);
@@ -168,9 +165,9 @@ static graze_status measure_ends(double *furthest, double *extent, graze_context
             *extent = fmax(*extent, distance);
         }
         *furthest = fmax(*furthest, nearest);
-        status = context_poll(context);
+        TRY(context_poll(context));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status weld_advise(mesh *m) {

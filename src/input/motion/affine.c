@@ -4,6 +4,7 @@
 #include "input/motion/affine.h"
 
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 
 void affine_init(affine *a, int dimension) {
     a->dimension = dimension;
@@ -68,9 +69,9 @@ static const fmpz *constant_denominator(const fmpz_poly_q_struct *entry) {
 static void multiply_line(calculation *c, fmpz_poly_q_struct *out, const affine *a, int i,
                           const fmpz_t row, const affine *b, int j, const fmpz_t column) {
     int d = a->dimension;
-    fmpz *factor = _fmpz_vec_init(2), *other = factor + 1;
-    fmpz_poly_t term;
-    fmpz_poly_init(term);
+    LOCAL_VEC(fmpz, factor, 2);
+    fmpz *other = factor + 1;
+    LOCAL(fmpz_poly, term);
     fmpz_poly_struct *sum = fmpz_poly_q_numref(out);
     fmpz_poly_zero(sum);
     for (int k = 0; k < d + (j == d); k++) {
@@ -91,15 +92,13 @@ static void multiply_line(calculation *c, fmpz_poly_q_struct *out, const affine 
     fmpz_poly_set_fmpz(fmpz_poly_q_denref(out), factor);
     quotient_reduce(out);
     quotient_check(c, out);
-    fmpz_poly_clear(term);
-    _fmpz_vec_clear(factor, 2);
 }
 
 /* Where every denominator is a number, most of the greatest common divisors can be spared. */
 static void multiply_polynomials(calculation *c, affine *out, const affine *a, const affine *b) {
     int d = a->dimension;
-    fmpz_t row, column[4];
-    fmpz_init(row);
+    fmpz_t column[4];
+    LOCAL(fmpz, row);
     for (int j = 0; j <= d; j++) {
         fmpz_init_set_ui(column[j], 1);
         for (int k = 0; k < d; k++) {
@@ -118,13 +117,11 @@ static void multiply_polynomials(calculation *c, affine *out, const affine *a, c
     for (int j = 0; j <= d; j++) {
         fmpz_clear(column[j]);
     }
-    fmpz_clear(row);
 }
 
 static void multiply_quotients(calculation *c, affine *out, const affine *a, const affine *b) {
     int d = a->dimension;
-    fmpz_poly_q_t product;
-    fmpz_poly_q_init(product);
+    LOCAL(fmpz_poly_q, product);
     for (int i = 0; i < d; i++) {
         for (int j = 0; j <= d; j++) {
             fmpz_poly_q_struct *sum = affine_at(out, i, j);
@@ -138,22 +135,18 @@ static void multiply_quotients(calculation *c, affine *out, const affine *a, con
             }
         }
     }
-    fmpz_poly_q_clear(product);
 }
 
 void affine_multiply(calculation *c, affine *out, const affine *a, const affine *b) {
-    affine result;
-    affine_init(&result, a->dimension);
+    HELD(affine, result, a->dimension);
     (is_polynomial(a) && is_polynomial(b) ? multiply_polynomials : multiply_quotients)(c, &result,
                                                                                        a, b);
     affine_set(out, &result);
-    affine_clear(&result);
 }
 
 void affine_about(calculation *c, affine *a, fmpz_poly_q_t *center) {
     int d = a->dimension;
-    fmpz_poly_q_t product;
-    fmpz_poly_q_init(product);
+    LOCAL(fmpz_poly_q, product);
     for (int i = 0; i < d; i++) {
         fmpz_poly_q_struct *shift = affine_at(a, i, d);
         quotient_add(c, shift, shift, center[i]);
@@ -162,28 +155,23 @@ void affine_about(calculation *c, affine *a, fmpz_poly_q_t *center) {
             quotient_sub(c, shift, shift, product);
         }
     }
-    fmpz_poly_q_clear(product);
 }
 
 void affine_substitute(calculation *c, affine *out, const affine *a, const fmpq_t low,
                        const fmpq_t high) {
-    fmpz_poly_q_t line;
-    fmpz_poly_q_init(line);
+    LOCAL(fmpz_poly_q, line);
     quotient_set_line(line, low, high);
     out->dimension = a->dimension;
     for (int k = 0; k < a->dimension * (a->dimension + 1); k++) {
         quotient_substitute(c, out->entry[k], a->entry[k], line);
     }
-    fmpz_poly_q_clear(line);
 }
 
 void affine_at_time(affine *out, const affine *a, const fmpq_t u) {
-    fmpq_t value;
-    fmpq_init(value);
+    LOCAL(fmpq, value);
     out->dimension = a->dimension;
     for (int k = 0; k < a->dimension * (a->dimension + 1); k++) {
         quotient_at(value, a->entry[k], u);
         quotient_set_rational(out->entry[k], value);
     }
-    fmpq_clear(value);
 }

@@ -3,15 +3,15 @@
  */
 #include "input/motion/affine_inverse.h"
 
+#include "base/context/scope.h"
+
 /* out = p q - r s */
 static void minor(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t p, const fmpz_poly_q_t q,
                   const fmpz_poly_q_t r, const fmpz_poly_q_t s) {
-    fmpz_poly_q_t other;
-    fmpz_poly_q_init(other);
+    LOCAL(fmpz_poly_q, other);
     quotient_mul(c, other, r, s);
     quotient_mul(c, out, p, q);
     quotient_sub(c, out, out, other);
-    fmpz_poly_q_clear(other);
 }
 
 /* The cofactor of entry (i, j) of the linear part. Taking rows and columns cyclically gives a 3x3
@@ -30,22 +30,19 @@ static void cofactor(calculation *c, fmpz_poly_q_t out, const affine *a, int i, 
 }
 
 void affine_determinant(calculation *c, fmpz_poly_q_t out, const affine *a) {
-    fmpz_poly_q_t product;
-    fmpz_poly_q_init(product);
+    LOCAL(fmpz_poly_q, product);
     fmpz_poly_q_zero(out);
     for (int j = 0; j < a->dimension; j++) {
         cofactor(c, product, a, 0, j);
         quotient_mul(c, product, product, affine_get(a, 0, j));
         quotient_add(c, out, out, product);
     }
-    fmpz_poly_q_clear(product);
 }
 
 /* The inverse of the linear part: the transpose of an orthogonal one, as of every rigid motion. */
 static void invert_linear(calculation *c, affine *out, const affine *a, int orthogonal) {
     int d = a->dimension;
-    fmpz_poly_q_t determinant;
-    fmpz_poly_q_init(determinant);
+    LOCAL(fmpz_poly_q, determinant);
     if (!orthogonal) {
         affine_determinant(c, determinant, a);
     }
@@ -58,7 +55,6 @@ static void invert_linear(calculation *c, affine *out, const affine *a, int orth
             quotient_div(c, entry, entry, determinant);
         }
     }
-    fmpz_poly_q_clear(determinant);
 }
 
 /* Minus row i of the inverse's linear part times the shift of a, over the product of two common
@@ -66,11 +62,10 @@ static void invert_linear(calculation *c, affine *out, const affine *a, int orth
 static void shift_back(calculation *c, affine *out, const affine *a, int i) {
     int d = a->dimension;
     fmpz_poly_q_struct *shift = affine_at(out, i, d);
-    fmpz_poly_t row, column, left, right;
-    fmpz_poly_init(row);
-    fmpz_poly_init(column);
-    fmpz_poly_init(left);
-    fmpz_poly_init(right);
+    LOCAL(fmpz_poly, row);
+    LOCAL(fmpz_poly, column);
+    LOCAL(fmpz_poly, left);
+    LOCAL(fmpz_poly, right);
     fmpz_poly_one(row);
     fmpz_poly_one(column);
     for (int j = 0; j < d; j++) {
@@ -87,10 +82,6 @@ static void shift_back(calculation *c, affine *out, const affine *a, int i) {
     fmpz_poly_mul(fmpz_poly_q_denref(shift), row, column);
     quotient_reduce(shift);
     quotient_check(c, shift);
-    fmpz_poly_clear(right);
-    fmpz_poly_clear(left);
-    fmpz_poly_clear(column);
-    fmpz_poly_clear(row);
 }
 
 void affine_inverse(calculation *c, affine *out, const affine *a, int orthogonal) {

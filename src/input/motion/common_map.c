@@ -3,6 +3,8 @@
  */
 #include "input/motion/common_map.h"
 
+#include "base/context/scope.h"
+
 void common_map_init(common_map *m) {
     for (int k = 0; k < 9; k++) {
         fmpz_poly_init(&m->linear[k]);
@@ -89,10 +91,9 @@ static void columns_product(fmpz_poly_t sum, fmpz_poly_t term, const common_map 
 
 int common_map_is_orthogonal(calculation *c, const common_map *m) {
     int d = m->dimension, holds = c->status == GRAZE_OK;
-    fmpz_poly_t square, sum, term;
-    fmpz_poly_init(square);
-    fmpz_poly_init(sum);
-    fmpz_poly_init(term);
+    LOCAL(fmpz_poly, square);
+    LOCAL(fmpz_poly, sum);
+    LOCAL(fmpz_poly, term);
     if (holds) {
         fmpz_poly_sqr(square, m->w);
     }
@@ -102,9 +103,6 @@ int common_map_is_orthogonal(calculation *c, const common_map *m) {
             holds = i == j ? fmpz_poly_equal(sum, square) : fmpz_poly_is_zero(sum);
         }
     }
-    fmpz_poly_clear(term);
-    fmpz_poly_clear(sum);
-    fmpz_poly_clear(square);
     return holds;
 }
 
@@ -125,9 +123,8 @@ static void scale_linear(calculation *c, point_map *out, const common_map *m, in
 /* The least common multiple of w and v is the least weight (proofs/maps.md C90). */
 void common_map_forward(calculation *c, point_map *out, const common_map *m) {
     int d = m->dimension;
-    fmpz_poly_t weight, factor;
-    fmpz_poly_init(weight);
-    fmpz_poly_init(factor);
+    LOCAL(fmpz_poly, weight);
+    LOCAL(fmpz_poly, factor);
     fmpz_poly_set(weight, m->w);
     polynomial_widen(weight, m->v);
     make_positive(weight);
@@ -138,16 +135,13 @@ void common_map_forward(calculation *c, point_map *out, const common_map *m) {
         fmpz_poly_mul(&out->entry[i * (d + 1) + d], &m->shift[i], factor);
         polynomial_check(c, &out->entry[i * (d + 1) + d]);
     }
-    fmpz_poly_clear(factor);
-    fmpz_poly_clear(weight);
 }
 
 /* (N^T v, -N^T B) / (w v) is divided by what v and N^T B have in common (proofs/maps.md C90). */
 void common_map_backward(calculation *c, point_map *out, const common_map *m) {
     int d = m->dimension;
-    fmpz_poly_t common, term;
-    fmpz_poly_init(common);
-    fmpz_poly_init(term);
+    LOCAL(fmpz_poly, common);
+    LOCAL(fmpz_poly, term);
     fmpz_poly_set(common, m->v);
     for (int i = 0; i < d; i++) {
         columns_product(&out->entry[i * (d + 1) + d], term, m, i, d);
@@ -162,6 +156,4 @@ void common_map_backward(calculation *c, point_map *out, const common_map *m) {
     }
     polynomial_divide(term, m->v, common);
     scale_linear(c, out, m, 1, term);
-    fmpz_poly_clear(term);
-    fmpz_poly_clear(common);
 }

@@ -6,6 +6,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "input/motion/affine_inverse.h"
 #include "input/motion/common_map.h"
 
@@ -35,14 +36,9 @@ static graze_status append_piece(draft_piece **out, graze_context *context, draf
     if (d->count >= context->limits[GRAZE_LIMIT_PIECES]) {
         return context_limit(context, GRAZE_LIMIT_PIECES, "pieces of a motion");
     }
-    graze_status status = context_poll(context);
-    if (status == GRAZE_OK) {
-        status = array_grow(context, &d->piece, &d->capacity, d->count + 1, sizeof *d->piece,
-                            "the pieces of a motion");
-    }
-    if (status != GRAZE_OK) {
-        return status;
-    }
+    TRY(context_poll(context));
+    TRY(array_grow(context, &d->piece, &d->capacity, d->count + 1, sizeof *d->piece,
+                   "the pieces of a motion"));
     draft_piece *piece = *out = &d->piece[d->count++];
     fmpq_init(piece->lo);
     fmpq_init(piece->hi);
@@ -84,7 +80,8 @@ graze_status draft_spread(draft *d, graze_context *context) {
 /* The part of a piece's map over [lo, hi], in a parameter of its own. */
 static void cut_map(calculation *c, affine *out, const draft_piece *piece, const fmpq_t lo,
                     const fmpq_t hi) {
-    fmpq *span = _fmpq_vec_init(3), *low = span + 1, *high = span + 2;
+    LOCAL_VEC(fmpq, span, 3);
+    fmpq *low = span + 1, *high = span + 2;
     fmpq_sub(span, piece->hi, piece->lo);
     fmpq_sub(low, lo, piece->lo);
     fmpq_div(low, low, span);
@@ -95,7 +92,6 @@ static void cut_map(calculation *c, affine *out, const draft_piece *piece, const
     } else {
         affine_substitute(c, out, &piece->map, low, high);
     }
-    _fmpq_vec_clear(span, 3);
 }
 
 /* frame^-1 moving over [lo, hi], which lies in both pieces. */
@@ -107,11 +103,9 @@ static graze_status relative_piece(draft *out, graze_context *context, const dra
         return status;
     }
     calculation c = {context, GRAZE_OK};
-    affine part, inverse;
-    common_map common;
-    common_map_init(&common);
-    affine_init(&part, out->dimension);
-    affine_init(&inverse, out->dimension);
+    HELD(common_map, common);
+    HELD(affine, part, out->dimension);
+    HELD(affine, inverse, out->dimension);
     fmpq_set(piece->lo, lo);
     fmpq_set(piece->hi, hi);
     piece->row = moving->row ? moving->row : frame->row;
@@ -122,38 +116,32 @@ static graze_status relative_piece(draft *out, graze_context *context, const dra
         cut_map(&c, &part, moving, lo, hi);
         affine_multiply(&c, &piece->map, &inverse, &part);
     }
-    affine_clear(&inverse);
-    affine_clear(&part);
-    common_map_clear(&common);
     return c.status;
 }
 
 graze_status draft_relative(draft *out, graze_context *context, const draft *moving,
                             const draft *frame) {
-    graze_status status = GRAZE_OK;
-    fmpq_t lo;
-    fmpq_init(lo);
+    LOCAL(fmpq, lo);
     fmpq_set(lo, moving->piece[0].lo);
-    for (size_t m = 0, f = 0; m < moving->count && f < frame->count && status == GRAZE_OK;) {
+    for (size_t m = 0, f = 0; m < moving->count && f < frame->count;) {
         const draft_piece *a = &moving->piece[m], *b = &frame->piece[f];
         int order = fmpq_cmp(a->hi, b->hi);
         const fmpq *hi = order <= 0 ? a->hi : b->hi;
-        status = relative_piece(out, context, a, b, lo, hi);
+        TRY(relative_piece(out, context, a, b, lo, hi));
         fmpq_set(lo, hi);
         m += order <= 0;
         f += order >= 0;
     }
-    fmpq_clear(lo);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status draft_follow(draft *out, graze_context *context, const draft *next, slong from,
                           affine *end) {
     calculation c = {context, GRAZE_OK};
     const fmpq *first = next->piece[0].lo;
-    fmpq *span = _fmpq_vec_init(2), *one = span + 1;
-    affine last;
-    affine_init(&last, out->dimension);
+    LOCAL_VEC(fmpq, span, 2);
+    fmpq *one = span + 1;
+    HELD(affine, last, out->dimension);
     fmpq_one(one);
     fmpq_sub(span, next->piece[next->count - 1].hi, first);
     for (size_t k = 0; k < next->count && c.status == GRAZE_OK; k++) {
@@ -174,27 +162,20 @@ graze_status draft_follow(draft *out, graze_context *context, const draft *next,
     }
     affine_at_time(&last, &next->piece[next->count - 1].map, one);
     affine_multiply(&c, end, &last, end);
-    affine_clear(&last);
-    _fmpq_vec_clear(span, 2);
     return c.status;
 }
 
 /* The point map of the inverse of a, by its entries as quotients. */
 static void invert_quotients(calculation *c, point_map *out, const affine *a) {
-    affine inverse;
-    common_map common;
-    affine_init(&inverse, a->dimension);
-    common_map_init(&common);
+    HELD(affine, inverse, a->dimension);
+    HELD(common_map, common);
     affine_inverse(c, &inverse, a, 0);
     common_map_from_affine(c, &common, &inverse);
     common_map_forward(c, out, &common);
-    common_map_clear(&common);
-    affine_clear(&inverse);
 }
 
 static void finish_map(calculation *c, motion_piece *out, const affine *map) {
-    common_map common;
-    common_map_init(&common);
+    HELD(common_map, common);
     common_map_from_affine(c, &common, map);
     common_map_forward(c, &out->forward, &common);
     if (common_map_is_orthogonal(c, &common)) {
@@ -202,7 +183,6 @@ static void finish_map(calculation *c, motion_piece *out, const affine *map) {
     } else if (c->status == GRAZE_OK) {
         invert_quotients(c, &out->inverse, map);
     }
-    common_map_clear(&common);
 }
 
 static graze_status finish_piece(motion_piece *out, graze_context *context,

@@ -4,6 +4,7 @@
 #include <flint/fmpq_vec.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "input/motion/entry.h"
 #include "input/motion/expression.h"
@@ -11,7 +12,8 @@
 enum { TIME_SIZE = 60 };
 
 void stretch_init(stretch *part, int dimension, const fmpq_t lo, const fmpq_t hi) {
-    fmpq *zero = _fmpq_vec_init(2), *one = zero + 1;
+    LOCAL_VEC(fmpq, zero, 2);
+    fmpq *one = zero + 1;
     fmpq_one(one);
     part->dimension = dimension;
     part->fault = FAULT_NONE;
@@ -22,7 +24,6 @@ void stretch_init(stretch *part, int dimension, const fmpq_t lo, const fmpq_t hi
     fmpz_poly_q_init(part->t);
     fmpz_poly_q_init(part->s);
     stretch_set(part, lo, hi, zero, one);
-    _fmpq_vec_clear(zero, 2);
 }
 
 void stretch_clear(stretch *part) {
@@ -36,8 +37,7 @@ void stretch_clear(stretch *part) {
 
 void stretch_set(stretch *part, const fmpq_t lo, const fmpq_t hi, const fmpq_t from,
                  const fmpq_t to) {
-    fmpq_t span;
-    fmpq_init(span);
+    LOCAL(fmpq, span);
     fmpq_sub(span, hi, lo);
     fmpq_set(part->from, from);
     fmpq_set(part->to, to);
@@ -47,7 +47,6 @@ void stretch_set(stretch *part, const fmpq_t lo, const fmpq_t hi, const fmpq_t f
     fmpq_addmul(part->hi, span, to);
     quotient_set_line(part->t, part->lo, part->hi);
     quotient_set_line(part->s, part->from, part->to);
-    fmpq_clear(span);
 }
 
 static graze_status read_value(fmpz_poly_q_t out, graze_context *context, const json *value,
@@ -68,52 +67,45 @@ graze_status entry_function(fmpz_poly_q_t out, graze_context *context, const jso
 
 graze_status entry_finite(fmpz_poly_q_t out, graze_context *context, const json *value,
                           const stretch *part) {
-    graze_status status = entry_function(out, context, value, part);
-    if (status == GRAZE_OK && part->fault == FAULT_POLE) {
-        status = entry_no_root(context, value, fmpz_poly_q_denref(out), part->lo, part->hi,
-                               "this entry has a pole");
+    TRY(entry_function(out, context, value, part));
+    if (part->fault == FAULT_POLE) {
+        TRY(entry_no_root(context, value, fmpz_poly_q_denref(out), part->lo, part->hi,
+                          "this entry has a pole"));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status entry_vector(fmpz_poly_q_t *out, graze_context *context, const json *value,
                           size_t count, const stretch *part) {
-    graze_status status = json_array(context, value, count);
+    TRY(json_array(context, value, count));
     const json *item = value->first;
-    for (size_t k = 0; k < count && status == GRAZE_OK; k++, item = item->next) {
-        status = entry_finite(out[k], context, item, part);
+    for (size_t k = 0; k < count; k++, item = item->next) {
+        TRY(entry_finite(out[k], context, item, part));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status entry_number(fmpq_t out, graze_context *context, const json *value) {
-    fmpz_poly_q_t constant;
-    fmpz_poly_q_init(constant);
-    graze_status status = read_value(constant, context, value, NULL, NULL);
-    if (status == GRAZE_OK) {
-        fmpz_poly_get_coeff_fmpz(fmpq_numref(out), fmpz_poly_q_numref(constant), 0);
-        fmpz_poly_get_coeff_fmpz(fmpq_denref(out), fmpz_poly_q_denref(constant), 0);
-    }
-    fmpz_poly_q_clear(constant);
-    return status;
+    LOCAL(fmpz_poly_q, constant);
+    TRY(read_value(constant, context, value, NULL, NULL));
+    fmpz_poly_get_coeff_fmpz(fmpq_numref(out), fmpz_poly_q_numref(constant), 0);
+    fmpz_poly_get_coeff_fmpz(fmpq_denref(out), fmpz_poly_q_denref(constant), 0);
+    return GRAZE_OK;
 }
 
 graze_status entry_integer(fmpz_t out, graze_context *context, const json *value) {
-    fmpq_t number;
-    fmpq_init(number);
-    graze_status status = entry_number(number, context, value);
-    if (status == GRAZE_OK && !fmpz_is_one(fmpq_denref(number))) {
-        status = json_fail(context, GRAZE_EINPUT, value, "'%.60s' is not an integer", value->text);
+    LOCAL(fmpq, number);
+    TRY(entry_number(number, context, value));
+    if (!fmpz_is_one(fmpq_denref(number))) {
+        TRY(json_fail(context, GRAZE_EINPUT, value, "'%.60s' is not an integer", value->text));
     }
     fmpz_set(out, fmpq_numref(number));
-    fmpq_clear(number);
-    return status;
+    return GRAZE_OK;
 }
 
 /* lo + (hi - lo) u as text, or as much of it as has room. */
 static void time_text(char out[TIME_SIZE], const fmpq_t lo, const fmpq_t hi, const fmpq_t u) {
-    fmpq_t time;
-    fmpq_init(time);
+    LOCAL(fmpq, time);
     fmpq_sub(time, hi, lo);
     fmpq_mul(time, time, u);
     fmpq_add(time, time, lo);
@@ -123,7 +115,6 @@ static void time_text(char out[TIME_SIZE], const fmpq_t lo, const fmpq_t hi, con
         snprintf(out + TIME_SIZE - 4, 4, "...");
     }
     free(text);
-    fmpq_clear(time);
 }
 
 graze_status entry_no_root(graze_context *context, const json *where, const fmpz_poly_t p,
@@ -136,7 +127,8 @@ graze_status entry_no_root(graze_context *context, const json *where, const fmpz
     if (c.status != GRAZE_OK) {
         return json_at(context, c.status, where);
     }
-    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
+    LOCAL_VEC(fmpq, low, 2);
+    fmpq *high = low + 1;
     int found;
     graze_status status = polynomial_root(&found, low, high, context, p);
     if (found) {
@@ -150,6 +142,5 @@ graze_status entry_no_root(graze_context *context, const json *where, const fmpz
                                first, last);
         }
     }
-    _fmpq_vec_clear(low, 2);
     return status;
 }

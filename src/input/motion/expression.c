@@ -7,6 +7,7 @@
 #include "base/number/rational.h"
 #include "input/motion/expression.h"
 #include <string.h>
+#include "base/context/scope.h"
 
 enum { SHOWN = 60 };
 enum { CHARACTERS_A_UNIT = 16 }; /* of work */
@@ -79,8 +80,7 @@ static size_t number_end(const parser *p, size_t place) {
 }
 
 static void read_literal(parser *p, fmpz_poly_q_t out, size_t end) {
-    fmpq_t value;
-    fmpq_init(value);
+    LOCAL(fmpq, value);
     p->calculation.status =
         rational_parse(value, p->calculation.context, p->text + p->place, end - p->place);
     if (has_failed(p)) {
@@ -90,7 +90,6 @@ static void read_literal(parser *p, fmpz_poly_q_t out, size_t end) {
         quotient_check(&p->calculation, out);
         p->place = end;
     }
-    fmpq_clear(value);
 }
 
 static void read_variable(parser *p, fmpz_poly_q_t out, const fmpz_poly_q_struct *value) {
@@ -162,8 +161,7 @@ static void read_exponent(parser *p, fmpz_t n) {
         fail_at(p, start, "expected an integer in digits after ^");
         return;
     }
-    fmpq_t value;
-    fmpq_init(value);
+    LOCAL(fmpq, value);
     calculation *c = &p->calculation;
     c->status = rational_parse(value, c->context, p->text + p->place, end - p->place);
     if (has_failed(p)) {
@@ -174,7 +172,6 @@ static void read_exponent(parser *p, fmpz_t n) {
         fmpz_neg(n, n);
     }
     p->place = end;
-    fmpq_clear(value);
 }
 
 static void parse_power(parser *p, fmpz_poly_q_t out) {
@@ -183,8 +180,7 @@ static void parse_power(parser *p, fmpz_poly_q_t out) {
         return;
     }
     size_t operator= p->place++;
-    fmpz_t n;
-    fmpz_init(n);
+    LOCAL(fmpz, n);
     read_exponent(p, n);
     if (!has_failed(p)) {
         quotient_power(&p->calculation, out, out, n);
@@ -194,7 +190,6 @@ static void parse_power(parser *p, fmpz_poly_q_t out) {
             fail_at(p, p->place, "a^b^c has no meaning here; expected (a^b)^c");
         }
     }
-    fmpz_clear(n);
 }
 
 static void parse_signed(parser *p, fmpz_poly_q_t out) {
@@ -215,8 +210,7 @@ static void parse_chain(
     void (*first)(calculation *, fmpz_poly_q_t, const fmpz_poly_q_t, const fmpz_poly_q_t),
     void (*second)(calculation *, fmpz_poly_q_t, const fmpz_poly_q_t, const fmpz_poly_q_t)) {
     operand(p, out);
-    fmpz_poly_q_t right;
-    fmpz_poly_q_init(right);
+    LOCAL(fmpz_poly_q, right);
     while (!has_failed(p)) {
         char c = peek(p);
         if (c == '\0' || (c != operators[0] && c != operators[1])) {
@@ -231,7 +225,6 @@ static void parse_chain(
             }
         }
     }
-    fmpz_poly_q_clear(right);
 }
 
 static void parse_product(parser *p, fmpz_poly_q_t out) {

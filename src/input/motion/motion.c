@@ -5,6 +5,7 @@
 
 #include <flint/fmpq_mat.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 
 void point_map_init(point_map *map, int dimension) {
     map->dimension = dimension;
@@ -22,18 +23,13 @@ void point_map_clear(point_map *map) {
 }
 
 int affine_orientation(const fmpq *map, int d) {
-    fmpq_mat_t linear;
-    fmpq_t determinant;
-    fmpq_mat_init(linear, d, d);
-    fmpq_init(determinant);
+    LOCAL(fmpq_mat, linear, d, d);
+    LOCAL(fmpq, determinant);
     for (int i = 0; i < d; i++)
         for (int j = 0; j < d; j++)
             fmpq_set(fmpq_mat_entry(linear, i, j), map + i * (d + 1) + j);
     fmpq_mat_det(determinant, linear);
-    int sign = fmpq_sgn(determinant);
-    fmpq_mat_clear(linear);
-    fmpq_clear(determinant);
-    return sign;
+    return fmpq_sgn(determinant);
 }
 
 void motion_destroy(graze_motion *motion) {
@@ -56,12 +52,10 @@ const point_map *motion_placing(const motion_piece *piece, graze_operation opera
 }
 
 void point_map_at(fmpq *out, const point_map *map, const fmpq_t u) {
-    fmpq_t weight;
-    fmpq_init(weight);
+    LOCAL(fmpq, weight);
     fmpz_poly_evaluate_fmpq(weight, map->weight, u);
     for (int k = 0; k < map->dimension * (map->dimension + 1); k++) {
         fmpz_poly_evaluate_fmpq(&out[k], &map->entry[k], u);
         fmpq_div(&out[k], &out[k], weight);
     }
-    fmpq_clear(weight);
 }

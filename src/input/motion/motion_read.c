@@ -5,6 +5,7 @@
 
 #include <stdlib.h>
 #include "base/context/file.h"
+#include "base/context/scope.h"
 #include "input/motion/entry.h"
 #include "input/motion/pieces.h"
 
@@ -12,8 +13,7 @@ enum { DIMENSION, PIECES, KEYFRAMES, RELATIVE, SEQUENCE, KEYS };
 
 static graze_status read_motion_dimension(int *out, graze_context *context, const json *value,
                                           int outer) {
-    fmpz_t number;
-    fmpz_init(number);
+    LOCAL(fmpz, number);
     graze_status status = entry_integer(number, context, value);
     if (status == GRAZE_OK && fmpz_cmp_si(number, 2) != 0 && fmpz_cmp_si(number, 3) != 0) {
         status = json_fail(context, GRAZE_EINPUT, value, "the dimension is %.20s; expected 2 or 3",
@@ -27,7 +27,6 @@ static graze_status read_motion_dimension(int *out, graze_context *context, cons
                           "this motion has dimension %d inside one of dimension %d", *out, outer);
         }
     }
-    fmpz_clear(number);
     return status;
 }
 
@@ -59,8 +58,8 @@ static graze_status read_relative(draft *out, graze_context *context, const json
     if (status != GRAZE_OK) {
         return status;
     }
-    draft moving, frame;
-    draft_init(&frame, out->dimension);
+    draft moving;
+    HELD(draft, frame, out->dimension);
     status = read_inner(&moving, context, member[0], out->dimension);
     if (status == GRAZE_OK) {
         status = read_inner(&frame, context, member[1], out->dimension);
@@ -76,22 +75,15 @@ static graze_status read_relative(draft *out, graze_context *context, const json
         }
     }
     draft_clear(&moving);
-    draft_clear(&frame);
     return status;
 }
 
 static int starts_at_identity(const draft *d) {
-    fmpq_t zero;
-    affine start, identity;
-    fmpq_init(zero);
-    affine_init(&start, d->dimension);
-    affine_init(&identity, d->dimension);
+    LOCAL(fmpq, zero);
+    HELD(affine, start, d->dimension);
+    HELD(affine, identity, d->dimension);
     affine_at_time(&start, &d->piece[0].map, zero);
-    int equal = affine_equal(&start, &identity);
-    affine_clear(&identity);
-    affine_clear(&start);
-    fmpq_clear(zero);
-    return equal;
+    return affine_equal(&start, &identity);
 }
 
 static graze_status read_sequence(draft *out, graze_context *context, const json *value) {
@@ -99,8 +91,7 @@ static graze_status read_sequence(draft *out, graze_context *context, const json
     if (status == GRAZE_OK && value->count == 0) {
         status = json_fail(context, GRAZE_EINPUT, value, "expected at least one motion");
     }
-    affine end;
-    affine_init(&end, out->dimension);
+    HELD(affine, end, out->dimension);
     for (const json *item = value->first; item != NULL && status == GRAZE_OK; item = item->next) {
         draft next;
         status = read_inner(&next, context, item, out->dimension);
@@ -117,7 +108,6 @@ static graze_status read_sequence(draft *out, graze_context *context, const json
         }
         draft_clear(&next);
     }
-    affine_clear(&end);
     return status;
 }
 
@@ -136,10 +126,7 @@ graze_status motion_read_draft(draft *out, graze_context *context, const json *v
     const json *member[KEYS];
     int form = 0, forms = 0, own = 0;
     draft_init(out, dimension);
-    graze_status status = json_members(member, context, value, names, KEYS);
-    if (status != GRAZE_OK) {
-        return status;
-    }
+    TRY(json_members(member, context, value, names, KEYS));
     if (member[DIMENSION] == NULL) {
         return json_fail(context, GRAZE_EINPUT, value, "the key dimension is missing");
     }
@@ -152,19 +139,15 @@ graze_status motion_read_draft(draft *out, graze_context *context, const json *v
                          "expected exactly one of pieces, keyframes, relative, sequence, not %d",
                          forms);
     }
-    status = read_motion_dimension(&own, context, member[DIMENSION], dimension);
-    if (status == GRAZE_OK) {
-        out->dimension = own;
-        status = read[form](out, context, member[form]);
-    }
-    return status;
+    TRY(read_motion_dimension(&own, context, member[DIMENSION], dimension));
+    out->dimension = own;
+    return read[form](out, context, member[form]);
 }
 
 static graze_status read_motion(graze_motion **out, graze_context *context, const char *source,
                                 const char *text, size_t length) {
     json_document document;
-    draft made;
-    draft_init(&made, 0);
+    HELD(draft, made, 0);
     *out = NULL;
     context->work = 0;
     graze_status status = json_parse(&document, context, source, text, length);
@@ -177,7 +160,6 @@ static graze_status read_motion(graze_motion **out, graze_context *context, cons
             context_in(context, status, source, 0);
         }
     }
-    draft_clear(&made);
     json_clear(&document);
     return status;
 }
@@ -201,9 +183,7 @@ graze_status motion_from_file(graze_motion **out, graze_context *context, const 
 
 graze_status motion_from_text(graze_motion **out, graze_context *context, const char *text,
                               size_t length) {
-    graze_status status = read_motion(out, context, "motion", text, length);
-    if (status == GRAZE_OK) {
-        file_sha256((*out)->sha256, text, length);
-    }
-    return status;
+    TRY(read_motion(out, context, "motion", text, length));
+    file_sha256((*out)->sha256, text, length);
+    return GRAZE_OK;
 }

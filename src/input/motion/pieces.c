@@ -7,6 +7,7 @@
 #include <flint/fmpz_vec.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "input/motion/affine_inverse.h"
 #include "input/motion/entry.h"
@@ -23,19 +24,17 @@ static void number_text(char out[NUMBER_SIZE], const fmpq_t value) {
 
 static graze_status check_poles(draft_piece *piece, graze_context *context, const json *where) {
     int d = piece->map.dimension;
-    graze_status status = GRAZE_OK;
-    for (int k = 0; k < d * (d + 1) && status == GRAZE_OK; k++) {
-        status = entry_no_root(context, where, fmpz_poly_q_denref(piece->map.entry[k]), piece->lo,
-                               piece->hi, "the motion's matrix has a pole");
+    for (int k = 0; k < d * (d + 1); k++) {
+        TRY(entry_no_root(context, where, fmpz_poly_q_denref(piece->map.entry[k]), piece->lo,
+                          piece->hi, "the motion's matrix has a pole"));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status check_determinant(draft_piece *piece, graze_context *context,
                                       const json *where) {
     calculation c = {context, GRAZE_OK};
-    fmpz_poly_q_t determinant;
-    fmpz_poly_q_init(determinant);
+    LOCAL(fmpz_poly_q, determinant);
     affine_determinant(&c, determinant, &piece->map);
     if (c.status == GRAZE_OK) {
         c.status = entry_no_root(context, where, fmpz_poly_q_numref(determinant), piece->lo,
@@ -43,17 +42,16 @@ static graze_status check_determinant(draft_piece *piece, graze_context *context
     } else {
         json_at(context, c.status, where);
     }
-    fmpz_poly_q_clear(determinant);
     return c.status;
 }
 
 static graze_status check_joint(const draft_piece *before, const draft_piece *after,
                                 graze_context *context, const json *where) {
     int d = before->map.dimension;
-    graze_status status = GRAZE_OK;
-    fmpq *zero = _fmpq_vec_init(4), *one = zero + 1, *end = zero + 2, *start = zero + 3;
+    LOCAL_VEC(fmpq, zero, 4);
+    fmpq *one = zero + 1, *end = zero + 2, *start = zero + 3;
     fmpq_one(one);
-    for (int k = 0; k < d * (d + 1) && status == GRAZE_OK; k++) {
+    for (int k = 0; k < d * (d + 1); k++) {
         quotient_at(end, before->map.entry[k], one);
         quotient_at(start, after->map.entry[k], zero);
         if (!fmpq_equal(end, start)) {
@@ -61,14 +59,13 @@ static graze_status check_joint(const draft_piece *before, const draft_piece *af
             number_text(time, after->lo);
             number_text(from, end);
             number_text(to, start);
-            status = json_fail(context, GRAZE_EILLEGAL, where,
-                               "the motion jumps at t = %s: row %d, column %d of its matrix goes "
-                               "from %s to %s",
-                               time, k / (d + 1) + 1, k % (d + 1) + 1, from, to);
+            TRY(json_fail(context, GRAZE_EILLEGAL, where,
+                          "the motion jumps at t = %s: row %d, column %d of its matrix goes "
+                          "from %s to %s",
+                          time, k / (d + 1) + 1, k % (d + 1) + 1, from, to));
         }
     }
-    _fmpq_vec_clear(zero, 4);
-    return status;
+    return GRAZE_OK;
 }
 
 /* The map is illegal and the context says so. Some single entry has the same fault, as poles of a
@@ -108,34 +105,23 @@ static graze_status read_stretch(draft *out, graze_context *context, const json 
 
 static graze_status read_transform(draft *out, graze_context *context, const json *transform,
                                    const fmpq_t lo, const fmpq_t hi) {
-    cut_list cuts;
-    stretch part;
-    cut_list_init(&cuts);
-    stretch_init(&part, out->dimension, lo, hi);
-    graze_status status = transform_cuts(&cuts, context, transform);
-    for (size_t k = 0; k + 1 < cuts.count && status == GRAZE_OK; k++) {
+    HELD(cut_list, cuts);
+    HELD(stretch, part, out->dimension, lo, hi);
+    TRY(transform_cuts(&cuts, context, transform));
+    for (size_t k = 0; k + 1 < cuts.count; k++) {
         stretch_set(&part, lo, hi, &cuts.place[k], &cuts.place[k + 1]);
-        status = read_stretch(out, context, transform, &part);
+        TRY(read_stretch(out, context, transform, &part));
     }
-    stretch_clear(&part);
-    cut_list_clear(&cuts);
-    return status;
+    return GRAZE_OK;
 }
 
 /* The interval of a piece, which must follow the pieces before it. */
 static graze_status read_interval(fmpq_t lo, fmpq_t hi, graze_context *context, const json *value,
                                   const draft *before) {
     char first[NUMBER_SIZE], last[NUMBER_SIZE];
-    graze_status status = json_array(context, value, 2);
-    if (status == GRAZE_OK) {
-        status = entry_number(lo, context, value->first);
-    }
-    if (status == GRAZE_OK) {
-        status = entry_number(hi, context, value->last);
-    }
-    if (status != GRAZE_OK) {
-        return status;
-    }
+    TRY(json_array(context, value, 2));
+    TRY(entry_number(lo, context, value->first));
+    TRY(entry_number(hi, context, value->last));
     number_text(first, lo);
     if (fmpq_cmp(lo, hi) >= 0) {
         number_text(last, hi);
@@ -158,18 +144,14 @@ static graze_status read_row(unsigned long *out, graze_context *context, const j
     if (value == NULL) {
         return GRAZE_OK;
     }
-    fmpz_t row;
-    fmpz_init(row);
-    graze_status status = entry_integer(row, context, value);
-    if (status == GRAZE_OK && (fmpz_sgn(row) <= 0 || fmpz_cmp_ui(row, most) > 0)) {
-        status = json_fail(context, GRAZE_EINPUT, value,
-                           "expected the line of a log, an integer from 1 to 10^15");
+    LOCAL(fmpz, row);
+    TRY(entry_integer(row, context, value));
+    if (fmpz_sgn(row) <= 0 || fmpz_cmp_ui(row, most) > 0) {
+        TRY(json_fail(context, GRAZE_EINPUT, value,
+                      "expected the line of a log, an integer from 1 to 10^15"));
     }
-    if (status == GRAZE_OK) {
-        *out = fmpz_get_ui(row);
-    }
-    fmpz_clear(row);
-    return status;
+    *out = fmpz_get_ui(row);
+    return GRAZE_OK;
 }
 
 static graze_status read_one_piece(draft *out, graze_context *context, const json *item) {
@@ -185,7 +167,8 @@ static graze_status read_one_piece(draft *out, graze_context *context, const jso
     if (status == GRAZE_OK) {
         status = read_row(&row, context, member[2]);
     }
-    fmpq *lo = _fmpq_vec_init(2), *hi = lo + 1;
+    LOCAL_VEC(fmpq, lo, 2);
+    fmpq *hi = lo + 1;
     if (status == GRAZE_OK) {
         status = read_interval(lo, hi, context, member[0], out);
     }
@@ -195,19 +178,18 @@ static graze_status read_one_piece(draft *out, graze_context *context, const jso
     for (size_t k = first; k < out->count; k++) {
         out->piece[k].row = row;
     }
-    _fmpq_vec_clear(lo, 2);
     return status;
 }
 
 graze_status motion_read_pieces(draft *out, graze_context *context, const json *pieces) {
-    graze_status status = json_array(context, pieces, 0);
-    if (status == GRAZE_OK && pieces->count == 0) {
-        status = json_fail(context, GRAZE_EINPUT, pieces, "expected at least one piece");
+    TRY(json_array(context, pieces, 0));
+    if (pieces->count == 0) {
+        TRY(json_fail(context, GRAZE_EINPUT, pieces, "expected at least one piece"));
     }
-    for (const json *item = pieces->first; item != NULL && status == GRAZE_OK; item = item->next) {
-        status = read_one_piece(out, context, item);
+    for (const json *item = pieces->first; item != NULL; item = item->next) {
+        TRY(read_one_piece(out, context, item));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* ------------------------------------------------------------------------------------ keyframes */
@@ -247,44 +229,40 @@ static void keyframe_clear(keyframe *frame) {
 /* Every `step`th of the numbers from an array of `count`. */
 static graze_status read_numbers(fmpq_t *out, graze_context *context, const json *value,
                                  size_t count, size_t step) {
-    graze_status status = json_array(context, value, count);
+    TRY(json_array(context, value, count));
     const json *item = value->first;
-    for (size_t k = 0; k < count && status == GRAZE_OK; k++, item = item->next) {
-        status = entry_number(out[k * step], context, item);
+    for (size_t k = 0; k < count; k++, item = item->next) {
+        TRY(entry_number(out[k * step], context, item));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status read_keyframe(keyframe *frame, graze_context *context, const json *value,
                                   int dimension) {
     const char *const names[] = {"t", "position", dimension == 3 ? "quaternion" : "complex", "row"};
     const json *member[FRAME_KEYS];
-    graze_status status = json_members(member, context, value, names, FRAME_KEYS);
-    if (status != GRAZE_OK) {
-        return status;
-    }
+    TRY(json_members(member, context, value, names, FRAME_KEYS));
     if (member[TIME] == NULL) {
         return json_fail(context, GRAZE_EINPUT, value, "the frame has no key t");
     }
     frame->given = (member[POSITION] != NULL) << POSITION | (member[ROTATION] != NULL) << ROTATION;
-    status = read_row(&frame->row, context, member[ROW]);
-    if (status == GRAZE_OK) {
-        status = entry_number(frame->time, context, member[TIME]);
+    TRY(read_row(&frame->row, context, member[ROW]));
+    TRY(entry_number(frame->time, context, member[TIME]));
+    if (member[POSITION] != NULL) {
+        TRY(read_numbers(frame->position, context, member[POSITION], (size_t)dimension, 1));
     }
-    if (status == GRAZE_OK && member[POSITION] != NULL) {
-        status = read_numbers(frame->position, context, member[POSITION], (size_t)dimension, 1);
+    if (member[ROTATION] != NULL) {
+        TRY(dimension == 3 ? read_numbers(frame->rotation, context, member[ROTATION], 4, 1)
+                           : read_numbers(frame->rotation, context, member[ROTATION], 2, 3));
     }
-    if (status == GRAZE_OK && member[ROTATION] != NULL) {
-        status = dimension == 3 ? read_numbers(frame->rotation, context, member[ROTATION], 4, 1)
-                                : read_numbers(frame->rotation, context, member[ROTATION], 2, 3);
-    }
-    return status;
+    return GRAZE_OK;
 }
 
 /* The lines through `count` pairs of numbers, over their least common denominator. */
 static void set_lines(fmpz_poly_struct *out, fmpz_t denominator, const fmpq_t *from,
                       const fmpq_t *to, int count) {
-    fmpz *start = _fmpz_vec_init(3), *end = start + 1, *factor = start + 2;
+    LOCAL_VEC(fmpz, start, 3);
+    fmpz *end = start + 1, *factor = start + 2;
     fmpz_one(denominator);
     for (int k = 0; k < count; k++) {
         fmpz_lcm(denominator, denominator, fmpq_denref(from[k]));
@@ -300,7 +278,6 @@ static void set_lines(fmpz_poly_struct *out, fmpz_t denominator, const fmpq_t *f
         fmpz_poly_set_coeff_fmpz(&out[k], 1, end);
         fmpz_poly_set_coeff_fmpz(&out[k], 0, start);
     }
-    _fmpz_vec_clear(start, 3);
 }
 
 /* No pole, no zero determinant and no jump can occur here: quaternion_rotation checks the rotation,
@@ -316,8 +293,7 @@ static graze_status append_between(draft *out, graze_context *context, const jso
     fmpq_set(piece->hi, to->time);
     piece->row = to->row;
     fmpz_poly_struct q[4];
-    fmpz_t denominator;
-    fmpz_init(denominator);
+    LOCAL(fmpz, denominator);
     for (int k = 0; k < 4; k++) {
         fmpz_poly_init(&q[k]);
     }
@@ -329,7 +305,6 @@ static graze_status append_between(draft *out, graze_context *context, const jso
     }
     set_lines(piece->frame.shift, denominator, from->position, to->position, out->dimension);
     fmpz_poly_set_fmpz(piece->frame.v, denominator);
-    fmpz_clear(denominator);
     return status;
 }
 

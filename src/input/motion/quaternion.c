@@ -3,21 +3,21 @@
  */
 #include "input/motion/quaternion.h"
 
+#include "base/context/scope.h"
+
 /* Divide the four by their common factor, whose roots are where all four vanish. */
 static graze_status divide_numbers(graze_context *context, const json *where, fmpz_poly_struct q[4],
                                    const fmpq_t lo, const fmpq_t hi) {
-    fmpz_poly_t common;
-    fmpz_poly_init(common);
+    LOCAL(fmpz_poly, common);
     for (int k = 0; k < 4; k++) {
         polynomial_narrow(common, &q[k]);
     }
-    graze_status status = entry_no_root(context, where, common, lo, hi,
-                                        "the quaternion (complex number) of the rotation is zero");
-    for (int k = 0; k < 4 && status == GRAZE_OK; k++) {
+    TRY(entry_no_root(context, where, common, lo, hi,
+                      "the quaternion (complex number) of the rotation is zero"));
+    for (int k = 0; k < 4; k++) {
         polynomial_divide(&q[k], &q[k], common);
     }
-    fmpz_poly_clear(common);
-    return status;
+    return GRAZE_OK;
 }
 
 /* The diagonal of N and its denominator: the norm, and the norm less twice two of the squares. */
@@ -44,15 +44,13 @@ static void set_diagonal(common_map *out, fmpz_poly_struct q[4]) {
 static void set_pair(common_map *out, const fmpz_poly_struct q[4], int i) {
     int j = (i + 1) % 3, k = (i + 2) % 3;
     fmpz_poly_struct *minus = common_map_linear(out, i, j), *plus = common_map_linear(out, j, i);
-    fmpz_poly_t product;
-    fmpz_poly_init(product);
+    LOCAL(fmpz_poly, product);
     fmpz_poly_mul(product, &q[0], &q[1 + k]);
     fmpz_poly_mul(minus, &q[1 + i], &q[1 + j]);
     fmpz_poly_add(plus, minus, product);
     fmpz_poly_sub(minus, minus, product);
     fmpz_poly_scalar_mul_2exp(plus, plus, 1);
     fmpz_poly_scalar_mul_2exp(minus, minus, 1);
-    fmpz_poly_clear(product);
 }
 
 /* How often, at most `most`, is p divisible by 2? */

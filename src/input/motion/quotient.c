@@ -4,6 +4,7 @@
 #include "input/motion/quotient.h"
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "base/number/algebraic.h"
 #include "base/number/isolate.h"
 #include "base/number/modular.h"
@@ -108,7 +109,8 @@ void quotient_reduce(fmpz_poly_q_t a) {
         fmpz_poly_q_canonicalise(a);
         return;
     }
-    fmpz *content = _fmpz_vec_init(2), *other = content + 1;
+    LOCAL_VEC(fmpz, content, 2);
+    fmpz *other = content + 1;
     fmpz_poly_content(content, bottom);
     fmpz_poly_content(other, top);
     fmpz_gcd(content, content, other);
@@ -118,7 +120,6 @@ void quotient_reduce(fmpz_poly_q_t a) {
         fmpz_poly_scalar_divexact_fmpz(top, top, content);
         fmpz_poly_scalar_divexact_fmpz(bottom, bottom, content);
     }
-    _fmpz_vec_clear(content, 2);
 }
 
 /* Is p a multiple of q by a number, or of a number q? 0 says nothing. */
@@ -129,7 +130,8 @@ static int is_plain_multiple(const fmpz_poly_t p, const fmpz_poly_t q) {
     if ((!number && fmpz_poly_degree(q) != n) || !fmpz_divisible(fmpz_poly_lead(p), lead)) {
         return 0;
     }
-    fmpz *factor = _fmpz_vec_init(2), *value = factor + 1;
+    LOCAL_VEC(fmpz, factor, 2);
+    fmpz *value = factor + 1;
     fmpz_divexact(factor, fmpz_poly_lead(p), lead);
     int holds = 1;
     for (slong k = 0; k < n && holds; k++) {
@@ -140,7 +142,6 @@ static int is_plain_multiple(const fmpz_poly_t p, const fmpz_poly_t q) {
             holds = fmpz_equal(value, p->coeffs + k);
         }
     }
-    _fmpz_vec_clear(factor, 2);
     return holds;
 }
 
@@ -154,10 +155,10 @@ void polynomial_widen(fmpz_poly_t common, const fmpz_poly_t other) {
         fmpz_poly_set(common, other);
         return;
     }
-    fmpz_poly_t left, right;
-    fmpz *content = _fmpz_vec_init(2), *factor = content + 1;
-    fmpz_poly_init(left);
-    fmpz_poly_init(right);
+    LOCAL_VEC(fmpz, content, 2);
+    fmpz *factor = content + 1;
+    LOCAL(fmpz_poly, left);
+    LOCAL(fmpz_poly, right);
     fmpz_poly_content(content, common);
     fmpz_poly_content(factor, other);
     fmpz_poly_scalar_divexact_fmpz(left, common, content);
@@ -168,9 +169,6 @@ void polynomial_widen(fmpz_poly_t common, const fmpz_poly_t other) {
     } else {
         fmpz_poly_lcm(common, common, other);
     }
-    _fmpz_vec_clear(content, 2);
-    fmpz_poly_clear(right);
-    fmpz_poly_clear(left);
 }
 
 void polynomial_narrow(fmpz_poly_t g, const fmpz_poly_t p) {
@@ -185,14 +183,12 @@ void polynomial_narrow(fmpz_poly_t g, const fmpz_poly_t p) {
         fmpz_poly_gcd(g, g, p);
         return;
     }
-    fmpz_t content;
-    fmpz_init(content);
+    LOCAL(fmpz, content);
     fmpz_poly_content(content, g);
     for (slong k = fmpz_poly_length(p); k-- > 0 && !fmpz_is_one(content);) {
         fmpz_gcd(content, content, p->coeffs + k);
     }
     fmpz_poly_set_fmpz(g, content);
-    fmpz_clear(content);
 }
 
 void polynomial_divide(fmpz_poly_t out, const fmpz_poly_t p, const fmpz_poly_t divisor) {
@@ -201,11 +197,9 @@ void polynomial_divide(fmpz_poly_t out, const fmpz_poly_t p, const fmpz_poly_t d
     } else if (fmpz_poly_degree(divisor) == 0) {
         fmpz_poly_scalar_divexact_fmpz(out, p, fmpz_poly_lead(divisor));
     } else if (fmpz_poly_degree(divisor) == fmpz_poly_degree(p)) {
-        fmpz_t factor;
-        fmpz_init(factor);
+        LOCAL(fmpz, factor);
         fmpz_divexact(factor, fmpz_poly_lead(p), fmpz_poly_lead(divisor));
         fmpz_poly_set_fmpz(out, factor);
-        fmpz_clear(factor);
     } else {
         fmpz_poly_div(out, p, divisor);
     }
@@ -219,11 +213,9 @@ void quotient_over(fmpz_poly_t out, const fmpz_poly_q_t a, const fmpz_poly_t com
 /* From the exponent's highest bit down, so that no power above the wanted one is ever made and
  * the limits stop a large one after a few squarings. */
 void quotient_power(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, const fmpz_t n) {
-    fmpz_poly_q_t one, base;
-    fmpz_t size;
-    fmpz_poly_q_init(one);
-    fmpz_poly_q_init(base);
-    fmpz_init(size);
+    LOCAL(fmpz_poly_q, one);
+    LOCAL(fmpz_poly_q, base);
+    LOCAL(fmpz, size);
     fmpz_poly_q_one(one);
     fmpz_poly_q_set(base, a);
     fmpz_abs(size, n);
@@ -237,9 +229,6 @@ void quotient_power(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, co
     if (fmpz_sgn(n) < 0) {
         quotient_div(c, out, one, out);
     }
-    fmpz_clear(size);
-    fmpz_poly_q_clear(base);
-    fmpz_poly_q_clear(one);
 }
 
 void quotient_set_rational(fmpz_poly_q_t out, const fmpq_t value) {
@@ -248,10 +237,8 @@ void quotient_set_rational(fmpz_poly_q_t out, const fmpq_t value) {
 }
 
 void quotient_set_line(fmpz_poly_q_t out, const fmpq_t low, const fmpq_t high) {
-    fmpq_t step;
-    fmpz_t value;
-    fmpq_init(step);
-    fmpz_init(value);
+    LOCAL(fmpq, step);
+    LOCAL(fmpz, value);
     fmpq_sub(step, high, low);
     fmpz_poly_zero(fmpz_poly_q_numref(out));
     fmpz_mul(value, fmpq_numref(low), fmpq_denref(step));
@@ -261,24 +248,19 @@ void quotient_set_line(fmpz_poly_q_t out, const fmpq_t low, const fmpq_t high) {
     fmpz_mul(value, fmpq_denref(step), fmpq_denref(low));
     fmpz_poly_set_fmpz(fmpz_poly_q_denref(out), value);
     quotient_reduce(out);
-    fmpz_clear(value);
-    fmpq_clear(step);
 }
 
 void quotient_at(fmpq_t out, const fmpz_poly_q_t a, const fmpq_t u) {
-    fmpq_t denominator;
-    fmpq_init(denominator);
+    LOCAL(fmpq, denominator);
     fmpz_poly_evaluate_fmpq(denominator, fmpz_poly_q_denref(a), u);
     fmpz_poly_evaluate_fmpq(out, fmpz_poly_q_numref(a), u);
     fmpq_div(out, out, denominator);
-    fmpq_clear(denominator);
 }
 
 /* Horner's scheme. */
 static void substitute_polynomial(calculation *c, fmpz_poly_q_t out, const fmpz_poly_t p,
                                   const fmpz_poly_q_t line) {
-    fmpz_poly_q_t coefficient;
-    fmpz_poly_q_init(coefficient);
+    LOCAL(fmpz_poly_q, coefficient);
     fmpz_poly_q_zero(out);
     for (slong k = fmpz_poly_degree(p); k >= 0 && c->status == GRAZE_OK; k--) {
         fmpz_poly_q_one(coefficient);
@@ -286,17 +268,14 @@ static void substitute_polynomial(calculation *c, fmpz_poly_q_t out, const fmpz_
         quotient_mul(c, out, out, line);
         quotient_add(c, out, out, coefficient);
     }
-    fmpz_poly_q_clear(coefficient);
 }
 
 void quotient_substitute(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a,
                          const fmpz_poly_q_t line) {
-    fmpz_poly_q_t denominator;
-    fmpz_poly_q_init(denominator);
+    LOCAL(fmpz_poly_q, denominator);
     substitute_polynomial(c, out, fmpz_poly_q_numref(a), line);
     substitute_polynomial(c, denominator, fmpz_poly_q_denref(a), line);
     quotient_div(c, out, out, denominator);
-    fmpz_poly_q_clear(denominator);
 }
 
 /* Numerator and denominator are coprime in Z[u], which factors uniquely; so a is a square exactly
@@ -312,11 +291,9 @@ graze_status polynomial_root(int *found, fmpq_t low, fmpq_t high, graze_context 
     if (fmpz_poly_degree(p) <= 0) {
         return GRAZE_OK;
     }
-    dyadic_interval unit;
-    algebraic_list roots;
-    dyadic_interval_init(&unit);
+    HELD(dyadic_interval, unit);
     dyadic_interval_set_si(&unit, 0, 1);
-    algebraic_list_init(&roots);
+    HELD(algebraic_list, roots);
     graze_status status = algebraic_roots(&roots, context, p, &unit);
     *found = status == GRAZE_OK && roots.count > 0;
     if (*found) {
@@ -325,7 +302,5 @@ graze_status polynomial_root(int *found, fmpq_t low, fmpq_t high, graze_context 
         }
         algebraic_bounds(low, high, &roots.item[0]);
     }
-    algebraic_list_clear(&roots);
-    dyadic_interval_clear(&unit);
     return status;
 }

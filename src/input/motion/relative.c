@@ -2,6 +2,7 @@
 #include "input/motion/relative.h"
 
 #include <flint/fmpq_vec.h>
+#include "base/context/scope.h"
 #include "input/motion/draft.h"
 
 /* The later start and the earlier end. */
@@ -13,12 +14,10 @@ static void common_interval(fmpq_t lo, fmpq_t hi, const graze_motion *a, const g
 
 /* u of a piece at a time t. */
 static void local_time(fmpq_t u, const motion_piece *piece, const fmpq_t t) {
-    fmpq_t width;
-    fmpq_init(width);
+    LOCAL(fmpq, width);
     fmpq_sub(u, t, piece->lo);
     fmpq_sub(width, piece->hi, piece->lo);
     fmpq_div(u, u, width);
-    fmpq_clear(width);
 }
 
 /* The forward map of a piece as an affine map of quotients, between two of its times. */
@@ -29,9 +28,9 @@ static graze_status add_cut(draft *out, graze_context *context, const motion_pie
     graze_status status = draft_append(&made, context, out);
     if (status)
         return status;
-    affine whole;
-    fmpq *from = _fmpq_vec_init(2), *to = from + 1;
-    affine_init(&whole, out->dimension);
+    LOCAL_VEC(fmpq, from, 2);
+    fmpq *to = from + 1;
+    HELD(affine, whole, out->dimension);
     for (int k = 0; k < out->dimension * (out->dimension + 1); k++) {
         fmpz_poly_set(fmpz_poly_q_numref(whole.entry[k]), &piece->forward.entry[k]);
         fmpz_poly_set(fmpz_poly_q_denref(whole.entry[k]), piece->forward.weight);
@@ -43,38 +42,35 @@ static graze_status add_cut(draft *out, graze_context *context, const motion_pie
     fmpq_set(made->lo, lo);
     fmpq_set(made->hi, hi);
     made->row = piece->row;
-    affine_clear(&whole);
-    _fmpq_vec_clear(from, 2);
     return c.status;
 }
 
 /* The parts of a motion between two of its times. */
 static graze_status cut_out(draft *out, graze_context *context, const graze_motion *motion,
                             const fmpq_t lo, const fmpq_t hi) {
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < motion->piece_count && !status; k++) {
+    for (size_t k = 0; k < motion->piece_count; k++) {
         const motion_piece *piece = &motion->piece[k];
         const fmpq *from = fmpq_cmp(piece->lo, lo) > 0 ? piece->lo : lo;
         const fmpq *to = fmpq_cmp(piece->hi, hi) < 0 ? piece->hi : hi;
         if (fmpq_cmp(from, to) < 0)
-            status = add_cut(out, context, piece, from, to);
+            TRY(add_cut(out, context, piece, from, to));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status motion_relative(graze_motion **out, graze_context *context, const graze_motion *moving,
                              const graze_motion *frame) {
     graze_status status = GRAZE_OK;
-    draft a, b, relative;
     *out = NULL;
     if (moving->dimension != frame->dimension)
         return context_fail(context, GRAZE_EILLEGAL,
                             "the motions have dimensions %d and %d; expected one dimension",
                             moving->dimension, frame->dimension);
-    fmpq *lo = _fmpq_vec_init(2), *hi = lo + 1;
-    draft_init(&a, moving->dimension);
-    draft_init(&b, moving->dimension);
-    draft_init(&relative, moving->dimension);
+    LOCAL_VEC(fmpq, lo, 2);
+    fmpq *hi = lo + 1;
+    HELD(draft, a, moving->dimension);
+    HELD(draft, b, moving->dimension);
+    HELD(draft, relative, moving->dimension);
     common_interval(lo, hi, moving, frame);
     if (fmpq_cmp(lo, hi) >= 0)
         status =
@@ -87,9 +83,5 @@ graze_status motion_relative(graze_motion **out, graze_context *context, const g
         status = draft_relative(&relative, context, &a, &b);
     if (!status)
         status = draft_finish(out, context, &relative);
-    draft_clear(&a);
-    draft_clear(&b);
-    draft_clear(&relative);
-    _fmpq_vec_clear(lo, 2);
     return status;
 }

@@ -8,6 +8,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 #include "input/motion/rotation.h"
 
 static void init4(fmpz_poly_q_t q[4]) {
@@ -23,20 +24,17 @@ static void clear4(fmpz_poly_q_t q[4]) {
 }
 
 static void norm_of(calculation *c, fmpz_poly_q_t out, fmpz_poly_q_t *v, int count) {
-    fmpz_poly_q_t square;
-    fmpz_poly_q_init(square);
+    LOCAL(fmpz_poly_q, square);
     fmpz_poly_q_zero(out);
     for (int k = 0; k < count; k++) {
         quotient_mul(c, square, v[k], v[k]);
         quotient_add(c, out, out, square);
     }
-    fmpz_poly_q_clear(square);
 }
 
 /* The four times the least common multiple of their denominators. */
 static void clear_denominators(calculation *c, fmpz_poly_struct out[4], fmpz_poly_q_t q[4]) {
-    fmpz_poly_t common;
-    fmpz_poly_init(common);
+    LOCAL(fmpz_poly, common);
     fmpz_poly_one(common);
     for (int k = 0; k < 4 && c->status == GRAZE_OK; k++) {
         polynomial_widen(common, fmpz_poly_q_denref(q[k]));
@@ -46,15 +44,13 @@ static void clear_denominators(calculation *c, fmpz_poly_struct out[4], fmpz_pol
         quotient_over(&out[k], q[k], common);
         polynomial_check(c, &out[k]);
     }
-    fmpz_poly_clear(common);
 }
 
 graze_status rotation_of(affine *out, graze_context *context, const json *where, fmpz_poly_q_t q[4],
                          const fmpq_t lo, const fmpq_t hi) {
     calculation c = {context, GRAZE_OK};
     fmpz_poly_struct cleared[4];
-    common_map turned;
-    common_map_init(&turned);
+    HELD(common_map, turned);
     turned.dimension = out->dimension;
     fmpz_poly_one(turned.v);
     for (int k = 0; k < 4; k++) {
@@ -68,20 +64,18 @@ graze_status rotation_of(affine *out, graze_context *context, const json *where,
     for (int k = 0; k < 4; k++) {
         fmpz_poly_clear(&cleared[k]);
     }
-    common_map_clear(&turned);
     return c.status;
 }
 
 /* (a + ib)^n in place; n < 0 takes the conjugate, which differs by a positive factor alone. From
  * the highest bit down, as in quotient_power. */
 static void complex_power(calculation *c, fmpz_poly_q_t a, fmpz_poly_q_t b, const fmpz_t n) {
-    fmpz_poly_q_t base[2], real, other;
-    fmpz_t size;
+    fmpz_poly_q_t base[2];
     fmpz_poly_q_init(base[0]);
     fmpz_poly_q_init(base[1]);
-    fmpz_poly_q_init(real);
-    fmpz_poly_q_init(other);
-    fmpz_init(size);
+    LOCAL(fmpz_poly_q, real);
+    LOCAL(fmpz_poly_q, other);
+    LOCAL(fmpz, size);
     fmpz_abs(size, n);
     fmpz_poly_q_set(base[0], a);
     fmpz_poly_q_set(base[1], b);
@@ -104,9 +98,6 @@ static void complex_power(calculation *c, fmpz_poly_q_t a, fmpz_poly_q_t b, cons
     if (fmpz_sgn(n) < 0) {
         fmpz_poly_q_neg(b, b);
     }
-    fmpz_clear(size);
-    fmpz_poly_q_clear(other);
-    fmpz_poly_q_clear(real);
     fmpz_poly_q_clear(base[1]);
     fmpz_poly_q_clear(base[0]);
 }
@@ -119,8 +110,7 @@ static graze_status read_axis(fmpz_poly_q_t axis[3], fmpz_poly_q_t length, graze
         return status;
     }
     calculation c = {context, GRAZE_OK};
-    fmpz_poly_q_t norm;
-    fmpz_poly_q_init(norm);
+    LOCAL(fmpz_poly_q, norm);
     norm_of(&c, norm, axis, 3);
     status = c.status;
     if (status == GRAZE_OK && !quotient_square_root(length, norm)) {
@@ -137,15 +127,12 @@ static graze_status read_axis(fmpz_poly_q_t axis[3], fmpz_poly_q_t length, graze
                                "the axis has a pole");
     }
     if (status == GRAZE_OK) {
-        fmpq_t start;
-        fmpq_init(start);
+        LOCAL(fmpq, start);
         quotient_at(start, length, start);
         if (fmpq_sgn(start) < 0) {
             fmpz_poly_q_neg(length, length);
         }
-        fmpq_clear(start);
     }
-    fmpz_poly_q_clear(norm);
     return status;
 }
 
@@ -162,9 +149,9 @@ static graze_status rotate_about(affine *out, graze_context *context, const json
         return json_fail(context, GRAZE_EINPUT, value,
                          "a rotation in dimension 3 needs the key axis");
     }
-    fmpz_poly_q_t q[4], length, about[3];
+    fmpz_poly_q_t q[4], about[3];
     init4(q);
-    fmpz_poly_q_init(length);
+    LOCAL(fmpz_poly_q, length);
     for (int k = 0; k < 3; k++) {
         fmpz_poly_q_init(about[k]);
     }
@@ -188,7 +175,6 @@ static graze_status rotate_about(affine *out, graze_context *context, const json
     for (int k = 0; k < 3; k++) {
         fmpz_poly_q_clear(about[k]);
     }
-    fmpz_poly_q_clear(length);
     clear4(q);
     return c.status;
 }
@@ -205,12 +191,12 @@ graze_status rotation_by_tangent(affine *out, graze_context *context, const json
         return status;
     }
     calculation c = {context, GRAZE_OK};
-    fmpz_poly_q_t tangent, half[2];
-    fmpz_t times;
-    fmpz_poly_q_init(tangent);
+    fmpz_poly_q_t half[2];
+    LOCAL(fmpz_poly_q, tangent);
     fmpz_poly_q_init(half[0]);
     fmpz_poly_q_init(half[1]);
-    fmpz_init_set_ui(times, 1);
+    LOCAL(fmpz, times);
+    fmpz_set_ui(times, 1);
     c.status = entry_function(tangent, context, member[0], part);
     if (c.status == GRAZE_OK && member[1] != NULL) {
         c.status = entry_integer(times, context, member[1]);
@@ -228,20 +214,18 @@ graze_status rotation_by_tangent(affine *out, graze_context *context, const json
     if (c.status == GRAZE_OK) {
         c.status = rotate_about(out, context, value, half, member[3], member[2], part);
     }
-    fmpz_clear(times);
     fmpz_poly_q_clear(half[1]);
     fmpz_poly_q_clear(half[0]);
-    fmpz_poly_q_clear(tangent);
     return c.status;
 }
 
 static graze_status turn_members(const json *member[3], graze_context *context, const json *value) {
     static const char *const names[] = {"quarters", "center", "axis"};
-    graze_status status = json_members(member, context, value, names, 3);
-    if (status == GRAZE_OK && member[0] == NULL) {
-        status = json_fail(context, GRAZE_EINPUT, value, "the key quarters is missing");
+    TRY(json_members(member, context, value, names, 3));
+    if (member[0] == NULL) {
+        TRY(json_fail(context, GRAZE_EINPUT, value, "the key quarters is missing"));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status rotation_quarters(fmpz_t out, graze_context *context, const json *value) {
@@ -257,8 +241,10 @@ graze_status rotation_by_quarters(affine *out, graze_context *context, const jso
     const json *member[3];
     graze_status status = turn_members(member, context, value);
     fmpz_poly_q_t half[2], other[2];
-    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
-    fmpz *quarters = _fmpz_vec_init(2), *done = quarters + 1;
+    LOCAL_VEC(fmpq, low, 2);
+    fmpq *high = low + 1;
+    LOCAL_VEC(fmpz, quarters, 2);
+    fmpz *done = quarters + 1;
     for (int k = 0; k < 2; k++) {
         fmpz_poly_q_init(half[k]);
         fmpz_poly_q_init(other[k]);
@@ -295,8 +281,6 @@ graze_status rotation_by_quarters(affine *out, graze_context *context, const jso
         fmpz_poly_q_clear(half[k]);
         fmpz_poly_q_clear(other[k]);
     }
-    _fmpq_vec_clear(low, 2);
-    _fmpz_vec_clear(quarters, 2);
     return status;
 }
 

@@ -5,6 +5,7 @@
 #include "input/motion/transform.h"
 
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "input/motion/affine_inverse.h"
 #include "input/motion/rotation.h"
 
@@ -22,10 +23,7 @@ static graze_status read_form(form *out, graze_context *context, const json *tra
         [TURN] = "turn",       [QUATERNION] = "quaternion", [SCALE] = "scale",
         [COMPOSE] = "compose", [CENTER] = "center"};
     const json *member[KEYS];
-    graze_status status = json_members(member, context, transform, names, KEYS);
-    if (status != GRAZE_OK) {
-        return status;
-    }
+    TRY(json_members(member, context, transform, names, KEYS));
     *out = (form){.kind = KINDS, .center = member[CENTER]};
     for (int kind = 0; kind < KINDS; kind++) {
         if (member[kind] != NULL && out->value != NULL) {
@@ -96,20 +94,17 @@ static void sort_cuts(cut_list *cuts) {
 
 /* Is 1/n among the sorted cuts? It then came from n or a multiple of n, and all k/n are there. */
 static int has_cuts(const cut_list *cuts, const fmpz_t n) {
-    fmpq_t first;
-    fmpq_init(first);
+    LOCAL(fmpq, first);
     fmpz_one(fmpq_numref(first));
     fmpz_set(fmpq_denref(first), n);
     int found =
         bsearch(first, cuts->place, cuts->count, sizeof *cuts->place, compare_places) != NULL;
-    fmpq_clear(first);
     return found;
 }
 
 static graze_status cut_turn(cut_list *cuts, graze_context *context, const json *turn) {
     unsigned long limit = context->limits[GRAZE_LIMIT_PIECES];
-    fmpz_t quarters;
-    fmpz_init(quarters);
+    LOCAL(fmpz, quarters);
     graze_status status = rotation_quarters(quarters, context, turn);
     fmpz_abs(quarters, quarters);
     if (status == GRAZE_OK && fmpz_cmp_ui(quarters, limit) > 0) {
@@ -124,24 +119,22 @@ static graze_status cut_turn(cut_list *cuts, graze_context *context, const json 
         context_limit(context, GRAZE_LIMIT_PIECES, "parts cut by turns");
         status = json_at(context, GRAZE_ELIMIT, turn);
     }
-    fmpz_clear(quarters);
     return status;
 }
 
 static graze_status collect_cuts(cut_list *cuts, graze_context *context, const json *transform) {
     form f;
-    graze_status status = read_form(&f, context, transform);
-    if (status == GRAZE_OK && f.kind == TURN) {
+    TRY(read_form(&f, context, transform));
+    if (f.kind == TURN) {
         return cut_turn(cuts, context, f.value);
     }
-    if (status == GRAZE_OK && f.kind == COMPOSE) {
-        status = json_array(context, f.value, 0);
-        for (const json *step = f.value->first; step != NULL && status == GRAZE_OK;
-             step = step->next) {
-            status = collect_cuts(cuts, context, step);
+    if (f.kind == COMPOSE) {
+        TRY(json_array(context, f.value, 0));
+        for (const json *step = f.value->first; step != NULL; step = step->next) {
+            TRY(collect_cuts(cuts, context, step));
         }
     }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status transform_cuts(cut_list *cuts, graze_context *context, const json *transform) {
@@ -152,33 +145,28 @@ graze_status transform_cuts(cut_list *cuts, graze_context *context, const json *
 /* The row below an affine matrix, written out, can only be 0 ... 0 1. */
 static graze_status check_last_row(graze_context *context, const json *row, const stretch *part) {
     int d = part->dimension;
-    graze_status status = json_array(context, row, (size_t)d + 1);
-    fmpz_poly_q_t entry;
-    fmpz_poly_q_init(entry);
+    TRY(json_array(context, row, (size_t)d + 1));
+    LOCAL(fmpz_poly_q, entry);
     const json *item = row->first;
-    for (int j = 0; j <= d && status == GRAZE_OK; j++, item = item->next) {
-        status = entry_function(entry, context, item, part);
-        if (status == GRAZE_OK &&
-            !(j < d ? fmpz_poly_q_is_zero(entry) : fmpz_poly_q_is_one(entry))) {
-            status = json_fail(context, GRAZE_EINPUT, item,
-                               "the last row of a matrix is 0 ... 0 1; expected %d here", j == d);
+    for (int j = 0; j <= d; j++, item = item->next) {
+        TRY(entry_function(entry, context, item, part));
+        if (!(j < d ? fmpz_poly_q_is_zero(entry) : fmpz_poly_q_is_one(entry))) {
+            TRY(json_fail(context, GRAZE_EINPUT, item,
+                          "the last row of a matrix is 0 ... 0 1; expected %d here", j == d));
         }
     }
-    fmpz_poly_q_clear(entry);
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status check_regular(affine *a, graze_context *context, const json *where,
                                   const stretch *part) {
     calculation c = {context, GRAZE_OK};
-    fmpz_poly_q_t determinant;
-    fmpz_poly_q_init(determinant);
+    LOCAL(fmpz_poly_q, determinant);
     affine_determinant(&c, determinant, a);
     if (c.status == GRAZE_OK) {
         c.status = entry_no_root(context, where, fmpz_poly_q_numref(determinant), part->lo,
                                  part->hi, "the determinant is zero");
     }
-    fmpz_poly_q_clear(determinant);
     return c.status;
 }
 
@@ -205,29 +193,29 @@ static graze_status read_matrix(affine *out, graze_context *context, const json 
 static graze_status read_translation(affine *out, graze_context *context, const json *value,
                                      const stretch *part) {
     int d = part->dimension;
-    graze_status status = json_array(context, value, (size_t)d);
+    TRY(json_array(context, value, (size_t)d));
     const json *item = value->first;
-    for (int i = 0; i < d && status == GRAZE_OK; i++, item = item->next) {
-        status = entry_finite(affine_at(out, i, d), context, item, part);
+    for (int i = 0; i < d; i++, item = item->next) {
+        TRY(entry_finite(affine_at(out, i, d), context, item, part));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status read_scale(affine *out, graze_context *context, const json *value,
                                const stretch *part) {
     int d = part->dimension;
     int each = value->kind == JSON_ARRAY;
-    graze_status status = each ? json_array(context, value, (size_t)d) : GRAZE_OK;
+    TRY(each ? json_array(context, value, (size_t)d) : GRAZE_OK);
     const json *item = each ? value->first : value;
-    for (int i = 0; i < d && status == GRAZE_OK; i++, item = each ? item->next : item) {
+    for (int i = 0; i < d; i++, item = each ? item->next : item) {
         fmpz_poly_q_struct *factor = affine_at(out, i, i);
-        status = entry_finite(factor, context, item, part);
-        if (status == GRAZE_OK && part->fault == FAULT_SINGULAR) {
-            status = entry_no_root(context, item, fmpz_poly_q_numref(factor), part->lo, part->hi,
-                                   "the scale is zero");
+        TRY(entry_finite(factor, context, item, part));
+        if (part->fault == FAULT_SINGULAR) {
+            TRY(entry_no_root(context, item, fmpz_poly_q_numref(factor), part->lo, part->hi,
+                              "the scale is zero"));
         }
     }
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status read_center(affine *out, graze_context *context, const json *center,

@@ -5,12 +5,13 @@
 
 #include <flint/fmpq_poly.h>
 #include <flint/fmpq_vec.h>
+#include "base/context/scope.h"
 
 /* out = p at u = (t - lo) / (hi - lo). */
 static void in_time(fmpq_poly_t out, const fmpz_poly_t p, const motion_piece *piece) {
-    fmpq_poly_t u;
-    fmpq *slope = _fmpq_vec_init(2), *shift = slope + 1;
-    fmpq_poly_init(u);
+    LOCAL_VEC(fmpq, slope, 2);
+    fmpq *shift = slope + 1;
+    LOCAL(fmpq_poly, u);
     fmpq_sub(slope, piece->hi, piece->lo);
     fmpq_inv(slope, slope);
     fmpq_mul(shift, slope, piece->lo);
@@ -19,14 +20,11 @@ static void in_time(fmpq_poly_t out, const fmpz_poly_t p, const motion_piece *pi
     fmpq_poly_set_coeff_fmpq(u, 1, slope);
     fmpq_poly_set_fmpz_poly(out, p);
     fmpq_poly_compose(out, out, u);
-    fmpq_poly_clear(u);
-    _fmpq_vec_clear(slope, 2);
 }
 
 /* c_0 + c_1*t - c_2*t^2, terms that are zero left out. */
 static void write_poly(text *out, const fmpq_poly_t p) {
-    fmpq_t c;
-    fmpq_init(c);
+    LOCAL(fmpq, c);
     int first = 1;
     for (slong k = 0; k < fmpq_poly_length(p); k++) {
         fmpq_poly_get_coeff_fmpq(c, p, k);
@@ -45,14 +43,12 @@ static void write_poly(text *out, const fmpq_poly_t p) {
     }
     if (first)
         text_put(out, "0");
-    fmpq_clear(c);
 }
 
 /* entry / weight; the polynomials are first multiplied by `scale`. */
 static void write_entry(text *out, const fmpz_poly_t entry, const fmpq_poly_t weight,
                         const fmpz_t scale, const motion_piece *piece) {
-    fmpq_poly_t p;
-    fmpq_poly_init(p);
+    LOCAL(fmpq_poly, p);
     in_time(p, entry, piece);
     text_put(out, "\"");
     if (fmpq_poly_length(weight) == 1) {
@@ -68,30 +64,25 @@ static void write_entry(text *out, const fmpz_poly_t entry, const fmpq_poly_t we
         text_put(out, ")");
     }
     text_put(out, "\"");
-    fmpq_poly_clear(p);
 }
 
 /* The least common denominator of the coefficients of entries and weight. */
 static void find_scale(fmpz_t out, const motion_piece *piece) {
     const point_map *m = &piece->forward;
-    fmpq_poly_t p;
-    fmpq_poly_init(p);
+    LOCAL(fmpq_poly, p);
     in_time(p, m->weight, piece);
     fmpz_set(out, fmpq_poly_denref(p));
     for (int k = 0; k < m->dimension * (m->dimension + 1); k++) {
         in_time(p, m->entry + k, piece);
         fmpz_lcm(out, out, fmpq_poly_denref(p));
     }
-    fmpq_poly_clear(p);
 }
 
 static void write_piece(text *out, const motion_piece *piece) {
     const point_map *m = &piece->forward;
     int d = m->dimension;
-    fmpq_poly_t weight;
-    fmpz_t scale;
-    fmpq_poly_init(weight);
-    fmpz_init(scale);
+    LOCAL(fmpq_poly, weight);
+    LOCAL(fmpz, scale);
     in_time(weight, m->weight, piece);
     find_scale(scale, piece);
     text_put(out, "  {\"t\": [\"");
@@ -109,8 +100,6 @@ static void write_piece(text *out, const motion_piece *piece) {
         }
         text_put(out, i + 1 < d ? "],\n" : "]]}}");
     }
-    fmpq_poly_clear(weight);
-    fmpz_clear(scale);
 }
 
 void motion_write(text *out, const graze_motion *motion) {

@@ -11,6 +11,7 @@
  */
 #include "input/read/nef3.h"
 
+#include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "input/read/nef3_links.h"
 #include "input/read/nef3_text.h"
@@ -85,24 +86,19 @@ static size_t nef_corner(const nef *n, size_t e) {
 
 /* out = normal . (x, y, z), without the plane's last coefficient. */
 static void along_normal(fmpq_t out, const fmpz *plane, const fmpq *x) {
-    fmpq_t term;
-    fmpq_init(term);
+    LOCAL(fmpq, term);
     fmpq_zero(out);
     for (int k = 0; k < 3; k++) {
         fmpq_mul_fmpz(term, x + k, plane + k);
         fmpq_add(out, out, term);
     }
-    fmpq_clear(term);
 }
 
 static int in_plane(const nef *n, size_t f, size_t v) {
-    fmpq_t value;
-    fmpq_init(value);
+    LOCAL(fmpq, value);
     along_normal(value, n->plane + 4 * f, n->point + 3 * v);
     fmpq_add_fmpz(value, value, n->plane + 4 * f + 3);
-    int is = fmpq_is_zero(value);
-    fmpq_clear(value);
-    return is;
+    return fmpq_is_zero(value);
 }
 
 /* Twice a cycle's area vector, measured along the plane's normal; only its sign matters. Offsets
@@ -192,17 +188,13 @@ static graze_status add_facet(soup *s, const nef *n, size_t f) {
     const nef_halffacet *item = n->halffacet + f;
     const size_t *entry = n->list + item->cycle.first;
     size_t outer = 0;
-    graze_status status = find_outer(n, f, &outer);
-    if (status == GRAZE_OK) {
-        status = soup_add_facet(s, n->l.context);
+    TRY(find_outer(n, f, &outer));
+    TRY(soup_add_facet(s, n->l.context));
+    TRY(add_cycle(s, n, entry[outer]));
+    for (size_t k = 0; k < item->cycle.count; k++) {
+        TRY(k == outer ? GRAZE_OK : add_cycle(s, n, entry[k]));
     }
-    if (status == GRAZE_OK) {
-        status = add_cycle(s, n, entry[outer]);
-    }
-    for (size_t k = 0; k < item->cycle.count && status == GRAZE_OK; k++) {
-        status = k == outer ? GRAZE_OK : add_cycle(s, n, entry[k]);
-    }
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status make_soup(soup *s, nef *n, graze_rounding rounding) {

@@ -8,6 +8,7 @@
 
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 
 static graze_status wrong_link(const nef *n, const char *kind, size_t index, const char *what) {
     return nef_fail(n, GRAZE_EINPUT, "%s %zu: %s", kind, index, what);
@@ -180,7 +181,8 @@ static size_t first_left(const unsigned char *met, size_t count) {
 }
 
 static int planes_opposite(const fmpz *p, const fmpz *q) {
-    fmpz *a = _fmpz_vec_init(2), *b = a + 1;
+    LOCAL_VEC(fmpz, a, 2);
+    fmpz *b = a + 1;
     int opposite = 1, proper = 0;
     for (int i = 0; i < 4; i++) {
         for (int j = i + 1; j < 4; j++) {
@@ -191,7 +193,6 @@ static int planes_opposite(const fmpz *p, const fmpz *q) {
         opposite &= fmpz_sgn(p + i) == -fmpz_sgn(q + i);
         proper |= i < 3 && !fmpz_is_zero(p + i);
     }
-    _fmpz_vec_clear(a, 2);
     return opposite && proper;
 }
 

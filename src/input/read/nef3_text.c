@@ -11,6 +11,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/number/rational.h"
 
 enum { DETAIL_SIZE = 512, ITEM_BYTES_LEAST = 7 };
@@ -94,8 +95,7 @@ static nef_list indices(nef *n, enum nef_kind kind) {
 
 /* Read 4 integers into `out`, or past them where it is NULL. */
 static void integers(nef *n, fmpz *out) {
-    fmpq_t value;
-    fmpq_init(value);
+    LOCAL(fmpq, value);
     for (int k = 0; k < 4; k++) {
         token t = next(n, "an integer");
         if (n->status != GRAZE_OK) {
@@ -111,12 +111,11 @@ static void integers(nef *n, fmpz *out) {
             fmpz_set(out + k, fmpq_numref(value));
         }
     }
-    fmpq_clear(value);
 }
 
 /* Four homogeneous integers as a point. */
 static void homogeneous(nef *n, fmpq *point) {
-    fmpz *h = _fmpz_vec_init(4);
+    LOCAL_VEC(fmpz, h, 4);
     integers(n, h);
     if (n->status == GRAZE_OK && fmpz_is_zero(h + 3)) {
         n->status = lines_fail(&n->l, GRAZE_EINPUT, "the last homogeneous coordinate is 0");
@@ -124,7 +123,6 @@ static void homogeneous(nef *n, fmpq *point) {
     for (int k = 0; k < 3 && n->status == GRAZE_OK; k++) {
         fmpq_set_fmpz_frac(point + k, h + k, h + 3);
     }
-    _fmpz_vec_clear(h, 4);
 }
 
 /* The number an item begins with is its place among its kind. */

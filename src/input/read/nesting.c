@@ -9,6 +9,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "base/number/cross.h"
 #include "input/validate/crossing.h"
 
@@ -33,14 +34,13 @@ static int ring_turn(fmpq_t out, const fmpq *a, const fmpq *b, const fmpq *p) {
 
 /* Sign of the ring's area. */
 static int ring_orientation(const soup *s, const ring *r) {
-    fmpq *sum = _fmpq_vec_init(2), *part = sum + 1;
+    LOCAL_VEC(fmpq, sum, 2);
+    fmpq *part = sum + 1;
     for (size_t k = 1; k + 1 < r->count; k++) {
         ring_turn(part, at(s, r, 0), at(s, r, k), at(s, r, k + 1));
         fmpq_add(sum, sum, part);
     }
-    int sign = fmpq_sgn(sum);
-    _fmpq_vec_clear(sum, 2);
-    return sign;
+    return fmpq_sgn(sum);
 }
 
 static void bound(const soup *s, ring *r) {
@@ -61,8 +61,7 @@ static int between(const fmpq *x, const fmpq *a, const fmpq *b) {
 /* 1 inside, 0 outside, -1 on the ring. */
 static int locate(const soup *s, const ring *r, const fmpq *p) {
     int inside = 0;
-    fmpq_t cross;
-    fmpq_init(cross);
+    LOCAL(fmpq, cross);
     for (size_t k = 0; k < r->count && inside >= 0; k++) {
         const fmpq *a = at(s, r, k), *b = at(s, r, k + 1);
         int above_a = fmpq_cmp(p + 1, a + 1) >= 0, above_b = fmpq_cmp(p + 1, b + 1) >= 0;
@@ -74,7 +73,6 @@ static int locate(const soup *s, const ring *r, const fmpq *p) {
         else if (above_a != above_b && (side > 0) == above_a)
             inside = !inside;
     }
-    fmpq_clear(cross);
     return inside;
 }
 
@@ -90,9 +88,8 @@ static int within(const soup *s, const ring *inner, const ring *outer) {
     const fmpq *a = at(s, inner, 0), *b = a;
     for (size_t k = 1; k < inner->count && fmpq_equal(a, b) && fmpq_equal(a + 1, b + 1); k++)
         b = at(s, inner, k);
-    fmpq *p = _fmpq_vec_init(2);
-    fmpq_t share;
-    fmpq_init(share);
+    LOCAL_VEC(fmpq, p, 2);
+    LOCAL(fmpq, share);
     int where = -1;
     for (size_t part = 2; part < outer->count + 3 && where < 0; part++) {
         fmpq_set_si(share, 1, part);
@@ -103,16 +100,12 @@ static int within(const soup *s, const ring *inner, const ring *outer) {
         }
         where = locate(s, outer, p);
     }
-    fmpq_clear(share);
-    _fmpq_vec_clear(p, 2);
     return where == 1;
 }
 
 static graze_status find_depths(ring *rings, size_t count, graze_context *context, const soup *s) {
     for (size_t r = 0; r < count; r++) {
-        graze_status status = context_poll(context);
-        if (status)
-            return status;
+        TRY(context_poll(context));
         for (size_t q = 0; q < count; q++)
             rings[r].depth += q != r && within(s, &rings[r], &rings[q]);
     }
@@ -126,27 +119,25 @@ static graze_status find_depths(ring *rings, size_t count, graze_context *contex
 
 static graze_status add_ring(soup *s, graze_context *context, const ring *r) {
     int hole = r->depth % 2 == 1, turned = r->ccw == hole;
-    graze_status status = soup_add_cycle(s, context, NULL, 0);
-    for (size_t k = 0; k < r->count && !status; k++)
-        status = soup_add_index(s, context, r->vertex[turned ? r->count - 1 - k : k]);
-    return status;
+    TRY(soup_add_cycle(s, context, NULL, 0));
+    for (size_t k = 0; k < r->count; k++)
+        TRY(soup_add_index(s, context, r->vertex[turned ? r->count - 1 - k : k]));
+    return GRAZE_OK;
 }
 
 /* Outer rings in the order given, each followed by its holes. A hole without an outer ring, which
  * only crossing rings can bring about, stands as a polygon of its own. */
 static graze_status add_polygons(soup *s, graze_context *context, const ring *rings, size_t count) {
-    graze_status status = GRAZE_OK;
-    for (size_t r = 0; r < count && !status; r++) {
+    for (size_t r = 0; r < count; r++) {
         if (rings[r].parent != r)
             continue;
-        status = soup_add_facet(s, context);
-        if (!status)
-            status = add_ring(s, context, &rings[r]);
-        for (size_t q = 0; q < count && !status; q++)
+        TRY(soup_add_facet(s, context));
+        TRY(add_ring(s, context, &rings[r]));
+        for (size_t q = 0; q < count; q++)
             if (q != r && rings[q].parent == r)
-                status = add_ring(s, context, &rings[q]);
+                TRY(add_ring(s, context, &rings[q]));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Refuse a ring of area zero, and name the edges in which it crosses itself, if any. The soup
@@ -168,7 +159,7 @@ graze_status nesting_add_rings(soup *s, graze_context *context, const size_t *si
     ring *rings = calloc(ring_count + 1, sizeof *rings);
     if (!rings)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory");
-    fmpq *boxes = _fmpq_vec_init((slong)(4 * ring_count));
+    LOCAL_VEC(fmpq, boxes, (slong)(4 * ring_count));
     graze_status status = GRAZE_OK;
     for (size_t r = 0; r < ring_count && !status; r++) {
         rings[r] = (ring){index, size[r], 0, boxes + 4 * r, 0, r};
@@ -183,7 +174,6 @@ graze_status nesting_add_rings(soup *s, graze_context *context, const size_t *si
         status = find_depths(rings, ring_count, context, s);
     if (!status)
         status = add_polygons(s, context, rings, ring_count);
-    _fmpq_vec_clear(boxes, (slong)(4 * ring_count));
     free(rings);
     return status;
 }

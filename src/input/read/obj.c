@@ -9,6 +9,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "input/read/token_lines.h"
 
@@ -134,50 +135,41 @@ static graze_status check_keyword(lines *l, token t) {
 }
 
 static graze_status obj_vertices(soup *s, lines l, fmpq *number) {
-    graze_status status = GRAZE_OK;
     token t;
-    for (int more = 1; more && status == GRAZE_OK; more = lines_next(&l)) {
+    for (int more = 1; more; more = lines_next(&l)) {
         if (!lines_token(&l, &t)) {
             continue;
         }
         if (token_is(t, "v")) {
-            status = obj_vertex(s, &l, number);
+            TRY(obj_vertex(s, &l, number));
         } else if (!token_is(t, "f")) {
-            status = check_keyword(&l, t);
+            TRY(check_keyword(&l, t));
         }
     }
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status read_facets(soup *s, lines l) {
-    graze_status status = GRAZE_OK;
     size_t above = 0;
     token t;
-    for (int more = 1; more && status == GRAZE_OK; more = lines_next(&l)) {
+    for (int more = 1; more; more = lines_next(&l)) {
         if (!lines_token(&l, &t)) {
             continue;
         }
         if (token_is(t, "v")) {
             above++;
         } else if (token_is(t, "f")) {
-            status = obj_facet(s, &l, above);
+            TRY(obj_facet(s, &l, above));
         }
     }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status read_obj(soup *s, graze_context *context, const char *path, const char *text,
                       size_t length) {
     lines l = {.context = context, .path = path, .marks = "", .comment = '#', .continued = 1};
-    graze_status status = lines_start(&l, text, length);
-    if (status != GRAZE_OK) {
-        return status;
-    }
-    fmpq *number = _fmpq_vec_init(6);
-    status = obj_vertices(s, l, number);
-    if (status == GRAZE_OK) {
-        status = read_facets(s, l);
-    }
-    _fmpq_vec_clear(number, 6);
-    return status;
+    TRY(lines_start(&l, text, length));
+    LOCAL_VEC(fmpq, number, 6);
+    TRY(obj_vertices(s, l, number));
+    return read_facets(s, l);
 }

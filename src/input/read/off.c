@@ -9,6 +9,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "input/read/token_lines.h"
 
@@ -63,17 +64,13 @@ static graze_status off_head(columns *c, lines *l) {
 static graze_status off_counts(lines *l, size_t *vertices, size_t *facets) {
     token t;
     size_t edges;
-    graze_status status = lines_cells(l, vertices, "vertices");
-    if (status == GRAZE_OK) {
-        status = lines_cells(l, facets, "facets");
-    }
-    if (status == GRAZE_OK) {
-        status = lines_cells(l, &edges, "edges");
-    }
-    if (status == GRAZE_OK && lines_token(l, &t)) {
+    TRY(lines_cells(l, vertices, "vertices"));
+    TRY(lines_cells(l, facets, "facets"));
+    TRY(lines_cells(l, &edges, "edges"));
+    if (lines_token(l, &t)) {
         return lines_fail(l, GRAZE_EINPUT, "'%.*s' follows the three counts", TOKEN_SHOWN(t));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Pass over what stands behind the coordinates of a vertex. A colour has 3 or 4 numbers, the same
@@ -184,35 +181,26 @@ static graze_status off_facet(soup *s, lines *l, size_t f) {
 static graze_status read_all(soup *s, lines *l, fmpq *point) {
     size_t vertices = 0, facets = 0;
     columns c;
-    graze_status status = off_head(&c, l);
-    if (status == GRAZE_OK) {
-        status = off_counts(l, &vertices, &facets);
-    }
-    if (status == GRAZE_OK) {
-        status = off_vertices(s, &c, l, point, vertices);
-    }
-    for (size_t f = 0; f < facets && status == GRAZE_OK; f++) {
+    TRY(off_head(&c, l));
+    TRY(off_counts(l, &vertices, &facets));
+    TRY(off_vertices(s, &c, l, point, vertices));
+    for (size_t f = 0; f < facets; f++) {
         if (!lines_next(l)) {
             return lines_fail(l, GRAZE_EINPUT, "the file ends after %zu of its %zu facets", f,
                               facets);
         }
-        status = off_facet(s, l, f);
+        TRY(off_facet(s, l, f));
     }
-    if (status == GRAZE_OK && lines_next(l)) {
+    if (lines_next(l)) {
         return lines_fail(l, GRAZE_EINPUT, "there is text after the last of %zu facets", facets);
     }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status read_off(soup *s, graze_context *context, const char *path, const char *text,
                       size_t length) {
     lines l = {.context = context, .path = path, .marks = "", .comment = '#'};
-    graze_status status = lines_start(&l, text, length);
-    if (status != GRAZE_OK) {
-        return status;
-    }
-    fmpq *point = _fmpq_vec_init(3);
-    status = read_all(s, &l, point);
-    _fmpq_vec_clear(point, 3);
-    return status;
+    TRY(lines_start(&l, text, length));
+    LOCAL_VEC(fmpq, point, 3);
+    return read_all(s, &l, point);
 }

@@ -10,6 +10,7 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "base/number/rounding.h"
 #include "input/read/ply_header.h"
@@ -207,25 +208,18 @@ static graze_status read_ply_element(ply *p) {
         if (text && !lines_next(&p->l)) {
             return fail(p, "the file ends before this entry; %zu are declared", p->element->count);
         }
-        graze_status status = read_entry(p);
-        if (status == GRAZE_OK && text && lines_token(&p->l, &t)) {
+        TRY(read_entry(p));
+        if (text && lines_token(&p->l, &t)) {
             return fail(p, "'%.*s' is more than its properties ask", TOKEN_SHOWN(t));
-        }
-        if (status != GRAZE_OK) {
-            return status;
         }
     }
     return GRAZE_OK;
 }
 
 static graze_status read_body(ply *p) {
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < p->header.element_count && status == GRAZE_OK; k++) {
+    for (size_t k = 0; k < p->header.element_count; k++) {
         p->element = p->header.element + k;
-        status = read_ply_element(p);
-    }
-    if (status != GRAZE_OK) {
-        return status;
+        TRY(read_ply_element(p));
     }
     if (p->header.format != PLY_ASCII && p->at < p->size) {
         return context_fail_in(p->l.context, GRAZE_EINPUT, p->l.path, 0,
@@ -264,12 +258,12 @@ static graze_status begin_body(ply *p, const char *text, size_t header, size_t l
     if (p->header.format != PLY_ASCII) {
         return GRAZE_OK;
     }
-    graze_status status = lines_start(&p->l, text, length);
-    if (status == GRAZE_OK && header > 0) {
+    TRY(lines_start(&p->l, text, length));
+    if (header > 0) {
         p->l.at = text + header - (text[header - 1] == '\n');
         p->l.line = p->l.where = line;
     }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status read_ply(soup *s, graze_context *context, const char *path, const char *text,

@@ -5,6 +5,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 
 enum { ENTRIES_MOST = 1000 };
 
@@ -56,13 +57,8 @@ static graze_status read_format(ply_header *h, lines *l) {
         return lines_fail(l, GRAZE_EINPUT,
                           "expected 'format' at the beginning of the line after 'ply'");
     }
-    graze_status status = word(l, &t, "the format's name");
-    if (status == GRAZE_OK) {
-        status = word(l, &version, "the version");
-    }
-    if (status != GRAZE_OK) {
-        return status;
-    }
+    TRY(word(l, &t, "the format's name"));
+    TRY(word(l, &version, "the version"));
     if (token_is(t, "ascii")) {
         h->format = PLY_ASCII;
     } else if (token_is(t, "binary_little_endian")) {
@@ -84,19 +80,14 @@ static graze_status read_format(ply_header *h, lines *l) {
 static graze_status read_element(ply_header *h, lines *l) {
     ply_element *e = h->element + h->element_count;
     *e = (ply_element){.first = h->property_count};
-    graze_status status = word(l, &e->name, "the element's name");
-    for (size_t k = 0; k < h->element_count && status == GRAZE_OK; k++) {
+    TRY(word(l, &e->name, "the element's name"));
+    for (size_t k = 0; k < h->element_count; k++) {
         if (same_word(h->element[k].name, e->name)) {
             return lines_fail(l, GRAZE_EINPUT, "element '%.*s' is declared twice",
                               TOKEN_SHOWN(e->name));
         }
     }
-    if (status == GRAZE_OK) {
-        status = lines_cells(l, &e->count, "an element's entries");
-    }
-    if (status != GRAZE_OK) {
-        return status;
-    }
+    TRY(lines_cells(l, &e->count, "an element's entries"));
     e->is_vertex = token_is(e->name, "vertex");
     e->is_face = token_is(e->name, "face");
     h->vertex_count = e->is_vertex ? e->count : h->vertex_count;

@@ -7,6 +7,7 @@
 #include <string.h>
 #include <strings.h>
 #include "base/context/file.h"
+#include "base/context/scope.h"
 #include "input/read/nef3.h"
 #include "input/read/obj.h"
 #include "input/read/off.h"
@@ -83,11 +84,11 @@ graze_status soup_read_any(soup *s, graze_context *context, const char *path) {
 }
 
 graze_status soup_read(soup *s, graze_context *context, const char *path) {
-    graze_status status = soup_read_any(s, context, path);
-    if (status == GRAZE_OK && s->facet_count == 0) {
+    TRY(soup_read_any(s, context, path));
+    if (s->facet_count == 0) {
         soup_clear(s);
-        status = context_fail_in(context, GRAZE_EILLEGAL, path, 0,
-                                 "empty interior: there are no facets; expected a closed boundary");
+        return context_fail_in(context, GRAZE_EILLEGAL, path, 0,
+                               "empty interior: there are no facets; expected a closed boundary");
     }
-    return status;
+    return GRAZE_OK;
 }

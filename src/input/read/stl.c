@@ -7,6 +7,7 @@
 #include "input/read/stl.h"
 
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/context/slots.h"
 #include "base/number/rounding.h"
 #include "input/read/token_lines.h"
@@ -49,13 +50,10 @@ static graze_status add_corner(merger *m) {
     size_t vertex = find_vertex(m, hash);
     if (vertex == SLOTS_NONE) {
         vertex = m->s->vertex_count;
-        graze_status status = soup_add_vertex(m->s, m->context, m->point);
-        if (status == GRAZE_OK && !slots_add(&m->positions, hash)) {
-            status = context_fail(m->context, GRAZE_ESYSTEM, "no memory to merge %zu vertices",
-                                  m->s->vertex_count);
-        }
-        if (status != GRAZE_OK) {
-            return status;
+        TRY(soup_add_vertex(m->s, m->context, m->point));
+        if (!slots_add(&m->positions, hash)) {
+            return context_fail(m->context, GRAZE_ESYSTEM, "no memory to merge %zu vertices",
+                                m->s->vertex_count);
         }
     }
     return soup_add_index(m->s, m->context, vertex);
@@ -75,13 +73,8 @@ static graze_status binary_corner(merger *m, const unsigned char *p) {
         uint32_t image = little_endian(p + 4 * k);
         float value;
         memcpy(&value, &image, sizeof value);
-        graze_status status = rational_from_double(m->point + k, m->context, value);
-        if (status == GRAZE_OK) {
-            status = rational_round(m->point + k, m->context, m->context->rounding);
-        }
-        if (status != GRAZE_OK) {
-            return status;
-        }
+        TRY(rational_from_double(m->point + k, m->context, value));
+        TRY(rational_round(m->point + k, m->context, m->context->rounding));
     }
     return add_corner(m);
 }
@@ -162,10 +155,7 @@ static graze_status read_part(merger *m, lines *l) {
             return lines_fail(l, GRAZE_EINPUT, "'%.*s'; expected 'facet' or 'endsolid'",
                               TOKEN_SHOWN(t));
         }
-        graze_status status = stl_facet(m, l);
-        if (status != GRAZE_OK) {
-            return status;
-        }
+        TRY(stl_facet(m, l));
     }
     while (lines_token(l, &t)) {
     }
@@ -174,15 +164,15 @@ static graze_status read_part(merger *m, lines *l) {
 
 static graze_status read_text(merger *m, const char *path, const char *text, size_t length) {
     lines l = {.context = m->context, .path = path, .marks = ""};
-    graze_status status = lines_start(&l, text, length);
+    TRY(lines_start(&l, text, length));
     token t;
-    while (status == GRAZE_OK && lines_any(&l, &t)) {
+    while (lines_any(&l, &t)) {
         if (!token_is(t, "solid")) {
             return lines_fail(&l, GRAZE_EINPUT, "'%.*s'; expected 'solid'", TOKEN_SHOWN(t));
         }
-        status = read_part(m, &l);
+        TRY(read_part(m, &l));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 static int begins_as_text(const char *text, size_t length) {

@@ -7,6 +7,7 @@
  */
 #include "input/read/wkt.h"
 
+#include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "input/read/token_lines.h"
 #include "input/validate/crossing.h"
@@ -72,8 +73,7 @@ static graze_status read_position(wkt *w) {
  * and long rings cost little more than reading them. */
 static void area_sum(fmpq_t out, const soup *s, const uint32_t *ring, size_t n, size_t lo,
                      size_t hi) {
-    fmpq_t half;
-    fmpq_init(half);
+    LOCAL(fmpq, half);
     if (hi - lo == 1) {
         const fmpq *a = s->coordinates + 2 * ring[lo];
         const fmpq *b = s->coordinates + 2 * ring[(lo + 1) % n];
@@ -85,7 +85,6 @@ static void area_sum(fmpq_t out, const soup *s, const uint32_t *ring, size_t n, 
         area_sum(half, s, ring, n, lo + (hi - lo) / 2, hi);
         fmpq_add(out, out, half);
     }
-    fmpq_clear(half);
 }
 
 /* Turn the last cycle: ring 0 counter-clockwise, the others clockwise. */
@@ -171,14 +170,12 @@ static graze_status read_polygon(wkt *w) {
 }
 
 static graze_status read_multipolygon(wkt *w) {
-    graze_status status = expect(w, "(", "before the polygons");
-    for (int more = 1; more && status == GRAZE_OK; w->polygon++) {
-        status = read_polygon(w);
-        if (status == GRAZE_OK) {
-            status = list_goes_on(w, &more, "a multipolygon");
-        }
+    TRY(expect(w, "(", "before the polygons"));
+    for (int more = 1; more; w->polygon++) {
+        TRY(read_polygon(w));
+        TRY(list_goes_on(w, &more, "a multipolygon"));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Read the word before the first bracket; *multi is 1 for MULTIPOLYGON. */

@@ -5,6 +5,7 @@
 
 #include <ctype.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/number/rational.h"
 
 static scad_span trimmed(scad_span s) {
@@ -98,14 +99,14 @@ graze_status scad_number(fmpq_t out, const scad_place *p, scad_span value) {
 graze_status scad_vector(fmpq *out, const scad_place *p, scad_span value, size_t count) {
     scad_span rest, item;
     size_t k = 0;
-    graze_status status = scad_list(&rest, p, value);
-    for (; !status && scad_item(&item, &rest); k++)
+    TRY(scad_list(&rest, p, value));
+    for (; scad_item(&item, &rest); k++)
         if (k < count)
-            status = scad_number(out + k, p, item);
-    if (!status && k != count)
+            TRY(scad_number(out + k, p, item));
+    if (k != count)
         return scad_fail(p->file, p->context, GRAZE_EINPUT, p->node,
                          "expected a list of %zu numbers, not %zu", count, k);
-    return status;
+    return GRAZE_OK;
 }
 
 /* The value of an argument that must be given. */
@@ -117,20 +118,20 @@ static graze_status named_value(scad_span *out, const scad_place *p, const char 
 
 graze_status scad_named_vector(fmpq *out, const scad_place *p, const char *name, size_t count) {
     scad_span value;
-    graze_status status = named_value(&value, p, name);
-    return status ? status : scad_vector(out, p, value, count);
+    TRY(named_value(&value, p, name));
+    return scad_vector(out, p, value, count);
 }
 
 graze_status scad_named_list(scad_span *out, const scad_place *p, const char *name) {
     scad_span value;
-    graze_status status = named_value(&value, p, name);
-    return status ? status : scad_list(out, p, value);
+    TRY(named_value(&value, p, name));
+    return scad_list(out, p, value);
 }
 
 graze_status scad_named_number(fmpq_t out, const scad_place *p, const char *name) {
     scad_span value;
-    graze_status status = named_value(&value, p, name);
-    return status ? status : scad_number(out, p, value);
+    TRY(named_value(&value, p, name));
+    return scad_number(out, p, value);
 }
 
 graze_status scad_index(size_t *out, const scad_place *p, scad_span value, size_t count) {

@@ -4,24 +4,20 @@
 #include "input/scad/bodies.h"
 
 #include <flint/fmpq_vec.h>
+#include "base/context/scope.h"
 
 static graze_status write_cube(scad_writer *w, const scad_place *p) {
-    fmpq *low = _fmpq_vec_init(6), *high = low + 3;
-    graze_status status = scad_box(low, high, w, p, 3);
-    if (!status)
-        scad_put_box(w, p, low, high, 3);
-    _fmpq_vec_clear(low, 6);
-    return status;
+    LOCAL_VEC(fmpq, low, 6);
+    fmpq *high = low + 3;
+    TRY(scad_box(low, high, w, p, 3));
+    scad_put_box(w, p, low, high, 3);
+    return GRAZE_OK;
 }
 
 static graze_status write_sphere(scad_writer *w, const scad_place *p) {
-    graze_status status = scad_known(p, "r");
-    if (!status)
-        status = scad_round(w, p);
-    if (!status)
-        status = scad_size(w->reach, p, "r");
-    if (status)
-        return status;
+    TRY(scad_known(p, "r"));
+    TRY(scad_round(w, p));
+    TRY(scad_size(w->reach, p, "r"));
     scad_begin(w, p, "ball");
     json_rational(&w->json, "radius", w->reach);
     scad_end(w, p);
@@ -32,7 +28,8 @@ static graze_status write_sphere(scad_writer *w, const scad_place *p) {
  * the bottom. */
 static void put_cylinder(scad_writer *w, const scad_place *p, const fmpq *height, const fmpq *low,
                          const fmpq *radius) {
-    fmpq *v = _fmpq_vec_init(10), *point = v, *axis = v + 3, *fall = v + 6, *slope = v + 7;
+    LOCAL_VEC(fmpq, v, 10);
+    fmpq *point = v, *axis = v + 3, *fall = v + 6, *slope = v + 7;
     int order = fmpq_cmp(radius, radius + 1), up = order > 0;
     fmpq_set(point + 2, low);
     fmpq_set_si(axis + 2, up ? -1 : 1, 1);
@@ -56,11 +53,11 @@ static void put_cylinder(scad_writer *w, const scad_place *p, const fmpq *height
     json_rational(&w->json, "from", v + 8 + up);
     json_rational(&w->json, "to", v + 9 - up);
     scad_end(w, p);
-    _fmpq_vec_clear(v, 10);
 }
 
 static graze_status write_cylinder(scad_writer *w, const scad_place *p) {
-    fmpq *v = _fmpq_vec_init(4), *height = v, *low = v + 1, *radius = v + 2;
+    LOCAL_VEC(fmpq, v, 4);
+    fmpq *height = v, *low = v + 1, *radius = v + 2;
     graze_status status = scad_known(p, "h r1 r2 center");
     if (!status)
         status = scad_round(w, p);
@@ -81,7 +78,6 @@ static graze_status write_cylinder(scad_writer *w, const scad_place *p) {
         fmpq_neg(low, low);
         put_cylinder(w, p, height, low, radius);
     }
-    _fmpq_vec_clear(v, 4);
     return status;
 }
 
@@ -101,7 +97,7 @@ static graze_status put_face(scad_writer *w, const scad_place *p, scad_span face
 
 static graze_status write_polyhedron(scad_writer *w, const scad_place *p) {
     scad_span points = {NULL, 0}, faces = {NULL, 0}, item;
-    fmpq *x = _fmpq_vec_init(3);
+    LOCAL_VEC(fmpq, x, 3);
     size_t count = 0;
     graze_status status = scad_known(p, "points faces convexity");
     if (!status)
@@ -122,7 +118,6 @@ static graze_status write_polyhedron(scad_writer *w, const scad_place *p) {
         status = put_face(w, p, item, count);
     json_close(&w->json, ']');
     scad_end(w, p);
-    _fmpq_vec_clear(x, 3);
     return status;
 }
 

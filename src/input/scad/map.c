@@ -4,6 +4,7 @@
 #include "input/scad/map.h"
 
 #include <flint/fmpq_vec.h>
+#include "base/context/scope.h"
 #include "input/csg/csg_bound.h"
 #include "input/scad/near_rotation.h"
 
@@ -23,8 +24,7 @@ void scad_map_clear(scad_map *m) {
 
 /* Let a map be one of the plane, as OpenSCAD does; the third axis is kept, at about the scale. */
 static void flatten(scad_map *m) {
-    fmpq_t square;
-    fmpq_init(square);
+    LOCAL(fmpq, square);
     for (int k = 0; k < 5; k++)
         if (k != 2)
             fmpq_addmul(square, m->linear + k, m->linear + k);
@@ -35,12 +35,11 @@ static void flatten(scad_map *m) {
     }
     csg_upper_root(m->linear + 8, square);
     fmpq_zero(m->shift + 2);
-    fmpq_clear(square);
 }
 
 graze_status scad_map_read(scad_map *out, scad_writer *w, const scad_place *p, int *turned) {
     scad_span value, rest, row;
-    fmpq *v = _fmpq_vec_init(16);
+    LOCAL_VEC(fmpq, v, 16);
     int rows = 0, good = scad_value(&value, p, NULL);
     graze_status status = good ? scad_list(&rest, p, value) : GRAZE_OK;
     for (; good && !status && scad_item(&row, &rest); rows++)
@@ -53,7 +52,6 @@ graze_status scad_map_read(scad_map *out, scad_writer *w, const scad_place *p, i
         for (int j = 0; j < 3; j++)
             fmpq_set(out->linear + 3 * i + j, v + 4 * i + j);
     }
-    _fmpq_vec_clear(v, 16);
     if (!status && !good)
         status = scad_fail(p->file, p->context, GRAZE_EINPUT, p->node,
                            "expected 4 rows of 4 numbers, the last one 0, 0, 0, 1");
@@ -65,7 +63,7 @@ graze_status scad_map_read(scad_map *out, scad_writer *w, const scad_place *p, i
 }
 
 void scad_compose(scad_writer *w, const scad_map *m) {
-    fmpq *v = _fmpq_vec_init(6);
+    LOCAL_VEC(fmpq, v, 6);
     for (int i = 0; i < 2; i++) {
         const fmpq *row = w->map + 3 * i;
         for (int j = 0; j < 3; j++) {
@@ -77,7 +75,6 @@ void scad_compose(scad_writer *w, const scad_map *m) {
     }
     for (int k = 0; k < 6; k++)
         fmpq_set(w->map + k, v + k);
-    _fmpq_vec_clear(v, 6);
 }
 
 /* At least a number, with few digits. */
@@ -89,7 +86,8 @@ static void round_up(fmpq_t x) {
 }
 
 void scad_map_bounds(scad_writer *w, const scad_map *m) {
-    fmpq *v = _fmpq_vec_init(2), *norm = v, *far = v + 1;
+    LOCAL_VEC(fmpq, v, 2);
+    fmpq *norm = v, *far = v + 1;
     scad_norm(norm, m->linear);
     fmpq_mul(w->moved, w->moved, norm);
     fmpq_addmul(w->moved, m->error, w->reach);
@@ -98,5 +96,4 @@ void scad_map_bounds(scad_writer *w, const scad_map *m) {
     fmpq_add(w->reach, w->reach, far);
     round_up(w->reach);
     round_up(w->moved);
-    _fmpq_vec_clear(v, 2);
 }

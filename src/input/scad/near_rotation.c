@@ -5,6 +5,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
+#include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "input/convert/poses_nearest.h"
 #include "input/csg/csg_bound.h"
@@ -15,7 +16,7 @@ enum { QUATERNION_BITS = 52 };
 /* The mean square of the lengths of the columns; and whether the matrix is a rotation or
  * reflection, times its root. */
 static int is_similar(fmpq_t square, const fmpq *matrix) {
-    fmpq *v = _fmpq_vec_init(2);
+    LOCAL_VEC(fmpq, v, 2);
     int similar = 1;
     _fmpq_vec_dot(square, matrix, matrix, 9);
     fmpq_set_si(v + 1, 3, 1);
@@ -25,33 +26,32 @@ static int is_similar(fmpq_t square, const fmpq *matrix) {
             _fmpq_vec_dot(v, matrix + 3 * i, matrix + 3 * j, 3);
             similar = similar && (i == j ? fmpq_equal(v, square) : fmpq_is_zero(v));
         }
-    _fmpq_vec_clear(v, 2);
     return similar;
 }
 
 void scad_norm(fmpq_t out, const fmpq *matrix) {
-    fmpq *square = _fmpq_vec_init(2), *three = square + 1;
+    LOCAL_VEC(fmpq, square, 2);
+    fmpq *three = square + 1;
     fmpq_set_si(three, 3, 1);
     if (!is_similar(square, matrix))
         fmpq_mul(square, square, three);
     csg_upper_root(out, square);
-    _fmpq_vec_clear(square, 2);
 }
 
 /* The simplest number as near to the root of a square as the tolerance, times it. */
 static void set_scale(fmpq_t out, const fmpq_t square, const fmpq_t tolerance) {
-    fmpq *v = _fmpq_vec_init(3), *low = v + 1, *high = v + 2;
+    LOCAL_VEC(fmpq, v, 3);
+    fmpq *low = v + 1, *high = v + 2;
     csg_upper_root(v, square);
     fmpq_mul(high, v, tolerance);
     fmpq_sub(low, v, high);
     fmpq_add(high, v, high);
     fmpq_simplest_between(out, low, high);
-    _fmpq_vec_clear(v, 3);
 }
 
 /* The rotation of a quaternion rounded to some binary places, negative if `other`. */
 static void set_rotation(fmpq *out, const double *quaternion, int places, int other) {
-    fmpq *v = _fmpq_vec_init(4);
+    LOCAL_VEC(fmpq, v, 4);
     for (int k = 0; k < 4; k++) {
         fmpz_set_d(fmpq_numref(v + k), nearbyint(ldexp(quaternion[k], places)));
         fmpq_div_2exp(v + k, v + k, (ulong)places);
@@ -59,7 +59,6 @@ static void set_rotation(fmpq *out, const double *quaternion, int places, int ot
     pose_rotation(out, v);
     for (int k = 0; k < 9 && other; k++)
         fmpq_neg(out + k, out + k);
-    _fmpq_vec_clear(v, 4);
 }
 
 static int determinant_sign(const double *m) {
@@ -75,7 +74,6 @@ static int find_rotation(fmpq *out, graze_context *context, const fmpq *matrix,
                          const fmpq_t tolerance) {
     static const double before[4] = {1, 0, 0, 0};
     double m[9], quaternion[4];
-    fmpq_t distance;
     for (int k = 0; k < 9; k++)
         if (rational_nearest(&m[k], context, matrix + k))
             return 0;
@@ -83,18 +81,18 @@ static int find_rotation(fmpq *out, graze_context *context, const fmpq *matrix,
     for (int k = 0; k < 9 && other; k++)
         m[k] = -m[k];
     pose_nearest(quaternion, m, before);
-    fmpq_init(distance);
+    LOCAL(fmpq, distance);
     for (int places = 2; places <= QUATERNION_BITS && !found; places++) {
         set_rotation(out, quaternion, places, other);
         rotation_distance(distance, out, matrix, 3);
         found = fmpq_cmp(distance, tolerance) <= 0;
     }
-    fmpq_clear(distance);
     return found;
 }
 
 int scad_turn(fmpq *matrix, fmpq_t error, graze_context *context, const fmpq_t tolerance) {
-    fmpq *v = _fmpq_vec_init(20), *scaled = v, *turn = v + 9, *scale = v + 18, *square = v + 19;
+    LOCAL_VEC(fmpq, v, 20);
+    fmpq *scaled = v, *turn = v + 9, *scale = v + 18, *square = v + 19;
     fmpq_zero(error);
     int found = !is_similar(square, matrix) && !fmpq_is_zero(square);
     if (found) {
@@ -111,6 +109,5 @@ int scad_turn(fmpq *matrix, fmpq_t error, graze_context *context, const fmpq_t t
         fmpq_set(matrix + k, turn + k);
     }
     csg_upper_root(error, square);
-    _fmpq_vec_clear(v, 20);
     return found;
 }

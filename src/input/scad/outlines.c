@@ -6,6 +6,7 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "input/csg/csg_bound.h"
 
 /* Rings of points, after the map at hand. */
@@ -33,10 +34,8 @@ static void map_point(fmpq *out, const scad_writer *w, const fmpq *x) {
 }
 
 static graze_status take_corner(rings *r, scad_writer *w, const fmpq *x) {
-    graze_status status = array_grow(w->context, &r->point, &r->capacity, 2 * r->count + 2,
-                                     sizeof *r->point, "the points of a polygon");
-    if (status)
-        return status;
+    TRY(array_grow(w->context, &r->point, &r->capacity, 2 * r->count + 2, sizeof *r->point,
+                   "the points of a polygon"));
     fmpq *next = r->point + 2 * r->count++;
     fmpq_init(next);
     fmpq_init(next + 1);
@@ -46,41 +45,37 @@ static graze_status take_corner(rings *r, scad_writer *w, const fmpq *x) {
 }
 
 static graze_status end_ring(rings *r, scad_writer *w) {
-    graze_status status = array_grow(w->context, &r->end, &r->end_capacity, r->ends + 1,
-                                     sizeof *r->end, "the rings of a polygon");
-    if (!status)
-        r->end[r->ends++] = r->count;
-    return status;
+    TRY(array_grow(w->context, &r->end, &r->end_capacity, r->ends + 1, sizeof *r->end,
+                   "the rings of a polygon"));
+    r->end[r->ends++] = r->count;
+    return GRAZE_OK;
 }
 
 /* The points of a polygon, with the map not used yet. */
 static graze_status scad_points(fmpq **out, size_t *count, const scad_place *p) {
     scad_span list, rest, item;
     *count = 0;
-    graze_status status = scad_named_list(&list, p, "points");
-    if (status)
-        return status;
+    TRY(scad_named_list(&list, p, "points"));
     for (rest = list; scad_item(&item, &rest);)
         ++*count;
     *out = _fmpq_vec_init((slong)(2 * *count));
     rest = list;
-    for (size_t k = 0; !status && scad_item(&item, &rest); k++)
-        status = scad_vector(*out + 2 * k, p, item, 2);
-    return status;
+    for (size_t k = 0; scad_item(&item, &rest); k++)
+        TRY(scad_vector(*out + 2 * k, p, item, 2));
+    return GRAZE_OK;
 }
 
 /* A ring of points by their numbers. */
 static graze_status read_path(rings *r, scad_writer *w, const scad_place *p, scad_span path,
                               const fmpq *point, size_t count) {
     scad_span rest, item;
-    graze_status status = scad_list(&rest, p, path);
-    while (!status && scad_item(&item, &rest)) {
+    TRY(scad_list(&rest, p, path));
+    while (scad_item(&item, &rest)) {
         size_t k;
-        status = scad_index(&k, p, item, count);
-        if (!status)
-            status = take_corner(r, w, point + 2 * k);
+        TRY(scad_index(&k, p, item, count));
+        TRY(take_corner(r, w, point + 2 * k));
     }
-    return status ? status : end_ring(r, w);
+    return end_ring(r, w);
 }
 
 static graze_status scad_polygon(rings *r, scad_writer *w, const scad_place *p) {
@@ -108,15 +103,15 @@ static graze_status scad_polygon(rings *r, scad_writer *w, const scad_place *p) 
 }
 
 static graze_status read_square(rings *r, scad_writer *w, const scad_place *p) {
-    fmpq *low = _fmpq_vec_init(6), *high = low + 2, *corner = low + 4;
-    graze_status status = scad_box(low, high, w, p, 2);
-    for (int k = 0; k < 4 && !status; k++) {
+    LOCAL_VEC(fmpq, low, 6);
+    fmpq *high = low + 2, *corner = low + 4;
+    TRY(scad_box(low, high, w, p, 2));
+    for (int k = 0; k < 4; k++) {
         fmpq_set(corner, k == 1 || k == 2 ? high : low);
         fmpq_set(corner + 1, (k < 2 ? low : high) + 1);
-        status = take_corner(r, w, corner);
+        TRY(take_corner(r, w, corner));
     }
-    _fmpq_vec_clear(low, 6);
-    return status ? status : end_ring(r, w);
+    return end_ring(r, w);
 }
 
 static graze_status read_rings(rings *r, scad_writer *w, const scad_place *p) {
@@ -128,15 +123,13 @@ static graze_status read_rings(rings *r, scad_writer *w, const scad_place *p) {
 /* A square as a box. */
 static graze_status write_square(scad_writer *w, const scad_place *p) {
     int d = w->form == SCAD_PRISM ? 3 : 2;
-    fmpq *low = _fmpq_vec_init(6), *high = low + 3;
-    graze_status status = scad_box(low, high, w, p, 2);
-    if (!status) {
-        fmpq_set(low + 2, w->height);
-        fmpq_set(high + 2, w->height + 1);
-        scad_put_box(w, p, low, high, d);
-    }
-    _fmpq_vec_clear(low, 6);
-    return status;
+    LOCAL_VEC(fmpq, low, 6);
+    fmpq *high = low + 3;
+    TRY(scad_box(low, high, w, p, 2));
+    fmpq_set(low + 2, w->height);
+    fmpq_set(high + 2, w->height + 1);
+    scad_put_box(w, p, low, high, d);
+    return GRAZE_OK;
 }
 
 static void put_scad_ring(scad_writer *w, const char *key, const rings *r, size_t ring) {
@@ -171,7 +164,7 @@ static graze_status write_polygon(scad_writer *w, const scad_place *p) {
 /* The radius of a circle after the map at hand, which must keep it one. */
 static graze_status map_radius(fmpq_t out, const scad_writer *w, const scad_place *p) {
     const fmpq *m = w->map;
-    fmpq *v = _fmpq_vec_init(3);
+    LOCAL_VEC(fmpq, v, 3);
     for (int i = 0; i < 2; i++) {
         fmpq_addmul(v, m + 3 * i, m + 3 * i);
         fmpq_addmul(v + 1, m + 3 * i + 1, m + 3 * i + 1);
@@ -181,7 +174,6 @@ static graze_status map_radius(fmpq_t out, const scad_writer *w, const scad_plac
                 fmpz_is_square(fmpq_denref(v)) && fmpq_is_zero(v + 2);
     csg_upper_root(v + 1, v);
     fmpq_mul(out, out, v + 1);
-    _fmpq_vec_clear(v, 3);
     return round ? GRAZE_OK
                  : scad_fail(p->file, p->context, GRAZE_EINPUT, p->node,
                              "maps make it an ellipse; expected a circle that is revolved");
@@ -189,32 +181,30 @@ static graze_status map_radius(fmpq_t out, const scad_writer *w, const scad_plac
 
 /* A ball or a torus. */
 static graze_status put_revolved(scad_writer *w, const scad_place *p, const fmpq_t radius) {
-    fmpq *center = _fmpq_vec_init(6), *axis = center + 3;
+    LOCAL_VEC(fmpq, center, 6);
+    fmpq *axis = center + 3;
     const fmpq *x = w->map + 2;
-    graze_status status = GRAZE_OK;
     fmpq_set(center + 2, w->map + 5);
     fmpq_one(axis + 2);
     if (!fmpq_is_zero(x) && fmpq_cmp(x, radius) <= 0)
-        status = scad_fail(p->file, p->context, GRAZE_EILLEGAL, p->node,
-                           "the circle meets the axis about which it is revolved; expected its "
-                           "centre on the axis, or all of it beside the axis");
-    if (!status) {
-        scad_begin(w, p, fmpq_is_zero(x) ? "ball" : "torus");
-        scad_put_vector(w, fmpq_is_zero(x) ? "center" : "point", center, 3);
-        if (!fmpq_is_zero(x))
-            scad_put_vector(w, "axis", axis, 3);
-        if (!fmpq_is_zero(x))
-            json_rational(&w->json, "major", x);
-        json_rational(&w->json, fmpq_is_zero(x) ? "radius" : "minor", radius);
-        scad_end(w, p);
-    }
-    _fmpq_vec_clear(center, 6);
-    return status;
+        TRY(scad_fail(p->file, p->context, GRAZE_EILLEGAL, p->node,
+                      "the circle meets the axis about which it is revolved; expected its "
+                      "centre on the axis, or all of it beside the axis"));
+    scad_begin(w, p, fmpq_is_zero(x) ? "ball" : "torus");
+    scad_put_vector(w, fmpq_is_zero(x) ? "center" : "point", center, 3);
+    if (!fmpq_is_zero(x))
+        scad_put_vector(w, "axis", axis, 3);
+    if (!fmpq_is_zero(x))
+        json_rational(&w->json, "major", x);
+    json_rational(&w->json, fmpq_is_zero(x) ? "radius" : "minor", radius);
+    scad_end(w, p);
+    return GRAZE_OK;
 }
 
 /* The cylinder over a circle about the origin. */
 static void put_disk_prism(scad_writer *w, const scad_place *p, const fmpq_t radius) {
-    fmpq *point = _fmpq_vec_init(6), *axis = point + 3;
+    LOCAL_VEC(fmpq, point, 6);
+    fmpq *axis = point + 3;
     fmpq_set(point + 2, w->height);
     fmpq_sub(axis + 2, w->height + 1, w->height);
     scad_begin(w, p, "cylinder");
@@ -224,22 +214,18 @@ static void put_disk_prism(scad_writer *w, const scad_place *p, const fmpq_t rad
     json_count(&w->json, "from", 0);
     json_count(&w->json, "to", 1);
     scad_end(w, p);
-    _fmpq_vec_clear(point, 6);
 }
 
 static graze_status read_circle(fmpq_t radius, scad_writer *w, const scad_place *p) {
-    graze_status status = scad_known(p, "r");
-    if (!status)
-        status = scad_round(w, p);
-    if (!status)
-        status = scad_size(radius, p, "r");
+    TRY(scad_known(p, "r"));
+    TRY(scad_round(w, p));
+    TRY(scad_size(radius, p, "r"));
     fmpq_set(w->reach, radius);
-    return status ? status : map_radius(radius, w, p);
+    return map_radius(radius, w, p);
 }
 
 static graze_status write_circle(scad_writer *w, const scad_place *p) {
-    fmpq_t radius;
-    fmpq_init(radius);
+    LOCAL(fmpq, radius);
     graze_status status = read_circle(radius, w, p);
     if (!status && w->form == SCAD_REVOLVED) {
         status = put_revolved(w, p, radius);
@@ -250,7 +236,6 @@ static graze_status write_circle(scad_writer *w, const scad_place *p) {
         json_rational(&w->json, "radius", radius);
         scad_end(w, p);
     }
-    fmpq_clear(radius);
     return status;
 }
 

@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 
 typedef struct scan {
     graze_context *context;
@@ -102,10 +103,8 @@ static graze_status add_node(scan *s, const scad_node *made) {
     scad *file = s->file;
     if (file->count >= s->context->limits[GRAZE_LIMIT_CELLS])
         return limit_here(s, GRAZE_LIMIT_CELLS, "nodes of a solid");
-    graze_status status = array_grow(s->context, &file->node, &file->capacity, file->count + 1,
-                                     sizeof *file->node, "the nodes of a solid");
-    if (status)
-        return status;
+    TRY(array_grow(s->context, &file->node, &file->capacity, file->count + 1, sizeof *file->node,
+                   "the nodes of a solid"));
     scad_node *parent = &file->node[s->open];
     if (file->count > 0 && parent->last)
         file->node[parent->last].next = file->count;
@@ -128,11 +127,8 @@ static graze_status scan_node(scan *s) {
     if (next_byte(s) != '(')
         return fail_here(s, "expected ( after a name");
     s->at++;
-    graze_status status = scan_arguments(&n.arguments, s);
-    if (!status)
-        status = add_node(s, &n);
-    if (status)
-        return status;
+    TRY(scan_arguments(&n.arguments, s));
+    TRY(add_node(s, &n));
     char after = next_byte(s);
     if (after != ';' && after != '{')
         return fail_here(s, "expected ; or { after )");
@@ -238,16 +234,15 @@ graze_status scad_parse(scad *out, graze_context *context, const char *source, c
                         size_t length) {
     *out = (scad){.source = source};
     scan s = {.context = context, .file = out, .text = text, .length = length, .line = 1};
-    graze_status status = scan_nodes(&s);
-    if (!status)
-        status = take_parts(out, context);
-    for (size_t k = out->count; k-- > 0 && !status;)
+    TRY(scan_nodes(&s));
+    TRY(take_parts(out, context));
+    for (size_t k = out->count; k-- > 0;)
         if (!out->node[k].absent)
-            status = take_dimension(out, context, k);
-    if (!status && out->node[out->root].empty)
-        status = context_fail_in(context, GRAZE_EILLEGAL, source, 0,
-                                 "empty; expected a solid of OpenSCAD");
-    return status;
+            TRY(take_dimension(out, context, k));
+    if (out->node[out->root].empty)
+        return context_fail_in(context, GRAZE_EILLEGAL, source, 0,
+                               "empty; expected a solid of OpenSCAD");
+    return GRAZE_OK;
 }
 
 void scad_clear(scad *file) {

@@ -10,6 +10,7 @@
 #include <flint/fmpq_vec.h>
 #include <string.h>
 #include <strings.h>
+#include "base/context/scope.h"
 #include "base/number/decimal.h"
 #include "input/scad/bodies.h"
 #include "input/scad/map.h"
@@ -38,7 +39,7 @@ static graze_status write_operands(scad_writer *w, const scad_place *p) {
     size_t child = operand_after(p->file, p->node, 0);
     if (!operand_after(p->file, p->node, child))
         return write_node(w, child);
-    fmpq *most = _fmpq_vec_init(2);
+    LOCAL_VEC(fmpq, most, 2);
     graze_status status = GRAZE_OK;
     scad_open(w, p, role <= SCAD_INTERSECTION && keys[role] ? keys[role] : "union", '[');
     for (; child && !status; child = operand_after(p->file, p->node, child)) {
@@ -52,14 +53,13 @@ static graze_status write_operands(scad_writer *w, const scad_place *p) {
     json_close(&w->json, '}');
     fmpq_swap(w->reach, most);
     fmpq_swap(w->moved, most + 1);
-    _fmpq_vec_clear(most, 2);
     return status;
 }
 
 /* Rows of the matrix of a map, that of a prism keeps heights. */
 static void put_map_rows(scad_writer *w, const scad_map *m) {
     int d = w->dimension, flat = d == 3 && w->form == SCAD_PRISM;
-    fmpq *row = _fmpq_vec_init(4);
+    LOCAL_VEC(fmpq, row, 4);
     json_open(&w->json, "matrix", '[');
     for (int i = 0; i < d; i++) {
         for (int j = 0; j < d; j++)
@@ -70,14 +70,12 @@ static void put_map_rows(scad_writer *w, const scad_map *m) {
         scad_put_vector(w, NULL, row, (size_t)d + 1);
     }
     json_close(&w->json, ']');
-    _fmpq_vec_clear(row, 4);
 }
 
 static graze_status write_mapped(scad_writer *w, const scad_place *p) {
-    fmpq *before = _fmpq_vec_init(6);
+    LOCAL_VEC(fmpq, before, 6);
     int turned;
-    scad_map m;
-    scad_map_init(&m);
+    HELD(scad_map, m);
     graze_status status = scad_map_read(&m, w, p, &turned);
     w->turned += (size_t)turned;
     if (!status && w->form == SCAD_REVOLVED) {
@@ -97,8 +95,6 @@ static graze_status write_mapped(scad_writer *w, const scad_place *p) {
     }
     if (!status && w->choice->near_rotation)
         scad_map_bounds(w, &m);
-    scad_map_clear(&m);
-    _fmpq_vec_clear(before, 6);
     return status;
 }
 
@@ -114,11 +110,11 @@ static graze_status find_extent(fmpq *out, scad_writer *w, size_t node) {
     scad_role role = w->file->node[node].role;
     if (role >= SCAD_CUBE)
         return scad_outline_extent(out, w, &p);
-    fmpq *v = _fmpq_vec_init(8), *before = v, *next = v + 6;
+    LOCAL_VEC(fmpq, v, 8);
+    fmpq *before = v, *next = v + 6;
     size_t c = 0;
     int first = 1, turned;
-    scad_map m;
-    scad_map_init(&m);
+    HELD(scad_map, m);
     graze_status status = role == SCAD_MAP ? scad_map_read(&m, w, &p, &turned) : GRAZE_OK;
     for (int k = 0; k < 6; k++)
         fmpq_set(before + k, w->map + k);
@@ -134,28 +130,24 @@ static graze_status find_extent(fmpq *out, scad_writer *w, size_t node) {
     }
     for (int k = 0; k < 6; k++)
         fmpq_swap(w->map + k, before + k);
-    scad_map_clear(&m);
-    _fmpq_vec_clear(v, 8);
     return status;
 }
 
 /* The side of the axis on which an outline is, by a map that brings it to the right. */
 static graze_status find_side(scad_writer *w, const scad_place *p) {
-    fmpq *extent = _fmpq_vec_init(2);
+    LOCAL_VEC(fmpq, extent, 2);
     reset_map(w, 1);
     graze_status status = find_extent(extent, w, p->node);
     if (!status && fmpq_sgn(extent) < 0 && fmpq_sgn(extent + 1) > 0)
         status = scad_fail(p->file, p->context, GRAZE_EILLEGAL, p->node,
                            "the outline is on both sides of the axis; expected x of one sign");
     reset_map(w, fmpq_sgn(extent) < 0 ? -1 : 1);
-    _fmpq_vec_clear(extent, 2);
     return status;
 }
 
 static graze_status write_revolution(scad_writer *w, const scad_place *p) {
-    fmpq_t angle;
     scad_span value;
-    fmpq_init(angle);
+    LOCAL(fmpq, angle);
     graze_status status = scad_known(p, "angle start convexity");
     if (!status)
         status = scad_round(w, p);
@@ -165,7 +157,6 @@ static graze_status write_revolution(scad_writer *w, const scad_place *p) {
     if (!status && fmpq_cmp_si(angle, 360) != 0)
         status = scad_fail(p->file, p->context, GRAZE_EINPUT, p->node,
                            "only whole turns are taken; expected angle = 360");
-    fmpq_clear(angle);
     if (!status)
         status = find_side(w, p);
     w->form = SCAD_REVOLVED;
@@ -178,20 +169,19 @@ static graze_status write_revolution(scad_writer *w, const scad_place *p) {
 
 /* That an extrusion is a prism over its outline. */
 static graze_status check_straight(const scad_place *p) {
-    fmpq *v = _fmpq_vec_init(3), *twist = v, *scale = v + 1;
+    LOCAL_VEC(fmpq, v, 3);
+    fmpq *twist = v, *scale = v + 1;
     scad_span value;
-    graze_status status = GRAZE_OK;
     fmpq_one(scale);
     fmpq_one(scale + 1);
     if (scad_value(&value, p, "twist"))
-        status = scad_number(twist, p, value);
-    if (!status && scad_value(&value, p, "scale"))
-        status = scad_vector(scale, p, value, 2);
-    if (!status && !(fmpq_is_zero(twist) && fmpq_is_one(scale) && fmpq_is_one(scale + 1)))
-        status = scad_fail(p->file, p->context, GRAZE_EINPUT, p->node,
-                           "only prisms are taken; expected no twist and a scale of 1");
-    _fmpq_vec_clear(v, 3);
-    return status;
+        TRY(scad_number(twist, p, value));
+    if (scad_value(&value, p, "scale"))
+        TRY(scad_vector(scale, p, value, 2));
+    if (!(fmpq_is_zero(twist) && fmpq_is_one(scale) && fmpq_is_one(scale + 1)))
+        TRY(scad_fail(p->file, p->context, GRAZE_EINPUT, p->node,
+                      "only prisms are taken; expected no twist and a scale of 1"));
+    return GRAZE_OK;
 }
 
 static graze_status write_prism(scad_writer *w, const scad_place *p) {
@@ -227,8 +217,8 @@ static graze_status write_node(scad_writer *w, size_t node) {
         return write_revolution(w, &p);
     if (role < SCAD_CUBE)
         return write_operands(w, &p);
-    graze_status status = role < SCAD_SQUARE ? scad_write_body(w, &p) : scad_write_outline(w, &p);
-    return status ? status : context_work(w->context, 16);
+    TRY(role < SCAD_SQUARE ? scad_write_body(w, &p) : scad_write_outline(w, &p));
+    return context_work(w->context, 16);
 }
 
 /* Report the rotations that were taken. */
@@ -247,7 +237,7 @@ static void put_report(text *report, const scad_writer *w) {
 graze_status scad_write(text *out, text *report, graze_context *context, const char *source,
                         const char *bytes, size_t length, const scad_choice *choice) {
     scad file;
-    fmpq *v = _fmpq_vec_init(10);
+    LOCAL_VEC(fmpq, v, 10);
     graze_status status = scad_parse(&file, context, source, bytes, length);
     scad_writer w = {.file = &file,
                      .context = context,
@@ -270,6 +260,5 @@ graze_status scad_write(text *out, text *report, graze_context *context, const c
         put_report(report, &w);
     }
     scad_clear(&file);
-    _fmpq_vec_clear(v, 10);
     return status;
 }

@@ -5,6 +5,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <stdio.h>
+#include "base/context/scope.h"
 
 void scad_open(scad_writer *w, const scad_place *p, const char *key, char bracket) {
     for (; w->line < p->file->node[p->node].line; w->line++)
@@ -42,30 +43,27 @@ graze_status scad_size(fmpq_t out, const scad_place *p, const char *name) {
 }
 
 graze_status scad_round(const scad_writer *w, const scad_place *p) {
-    fmpq_t sides;
     scad_span value;
-    graze_status status = GRAZE_OK;
-    fmpq_init(sides);
+    LOCAL(fmpq, sides);
     if (scad_value(&value, p, "$fn"))
-        status = scad_number(sides, p, value);
-    if (!status && fmpq_sgn(sides) > 0 && !w->choice->smooth)
-        status = scad_fail(p->file, p->context, GRAZE_EINPUT, p->node,
-                           "$fn = %.*s asks for so many sides; expected 0, or smooth: graze "
-                           "convert --smooth takes it as round",
-                           value.length < 20 ? (int)value.length : 20, value.at);
-    fmpq_clear(sides);
-    return status;
+        TRY(scad_number(sides, p, value));
+    if (fmpq_sgn(sides) > 0 && !w->choice->smooth)
+        TRY(scad_fail(p->file, p->context, GRAZE_EINPUT, p->node,
+                      "$fn = %.*s asks for so many sides; expected 0, or smooth: graze "
+                      "convert --smooth takes it as round",
+                      value.length < 20 ? (int)value.length : 20, value.at));
+    return GRAZE_OK;
 }
 
 void scad_hold(fmpq_t reach, const fmpq *x, int dimension) {
-    fmpq *v = _fmpq_vec_init(2), *sum = v, *size = v + 1;
+    LOCAL_VEC(fmpq, v, 2);
+    fmpq *sum = v, *size = v + 1;
     for (int i = 0; i < dimension; i++) {
         fmpq_abs(size, x + i);
         fmpq_add(sum, sum, size);
     }
     if (fmpq_cmp(sum, reach) > 0)
         fmpq_set(reach, sum);
-    _fmpq_vec_clear(v, 2);
 }
 
 graze_status scad_box(fmpq *low, fmpq *high, scad_writer *w, const scad_place *p, int dimension) {

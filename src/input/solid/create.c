@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "input/csg/csg_read.h"
 #include "input/solid/locate.h"
 #include "input/validate/validate.h"
@@ -99,12 +100,12 @@ graze_status solid_create_curved(graze_solid **out, graze_context *context, cons
     csg curved;
     unsigned char found[32];
     *out = NULL;
-    graze_status status = csg_read(&curved, found, context, path);
-    if (!status && sha256 && memcmp(sha256, found, sizeof found) != 0) {
+    TRY(csg_read(&curved, found, context, path));
+    if (sha256 && memcmp(sha256, found, sizeof found) != 0) {
         csg_clear(&curved);
-        status = solid_is_another(context, path);
+        TRY(solid_is_another(context, path));
     }
-    return status ? status : take_curved(out, context, &curved, found);
+    return take_curved(out, context, &curved, found);
 }
 
 graze_status solid_create_curved_text(graze_solid **out, graze_context *context, const char *name,
@@ -112,8 +113,8 @@ graze_status solid_create_curved_text(graze_solid **out, graze_context *context,
                                       const unsigned char sha256[32]) {
     csg curved;
     *out = NULL;
-    graze_status status = csg_read_text(&curved, context, name, text, length);
-    return status ? status : take_curved(out, context, &curved, sha256);
+    TRY(csg_read_text(&curved, context, name, text, length));
+    return take_curved(out, context, &curved, sha256);
 }
 
 void graze_solid_destroy(graze_solid *solid) {

@@ -8,6 +8,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 #include "base/number/cross.h"
 
 /* The vertices of a simplex times a common denominator, which is positive. */
@@ -40,8 +41,7 @@ static void scaled_clear(scaled_simplex *s) {
  * the vertex p. Once c is coprime, all that the form can have in common divides `common`. */
 static void finish_forms(fmpz *c, const scaled_simplex *s, const fmpz *p) {
     int d = s->dimension;
-    fmpz_t g;
-    fmpz_init(g);
+    LOCAL(fmpz, g);
     _fmpz_vec_content(g, c, d);
     if (!fmpz_is_one(g))
         _fmpz_vec_scalar_divexact_fmpz(c, c, d, g);
@@ -53,7 +53,6 @@ static void finish_forms(fmpz *c, const scaled_simplex *s, const fmpz *p) {
         fmpz_divexact(g, s->common, g);
         _fmpz_vec_scalar_mul_fmpz(c, c, d, g);
     }
-    fmpz_clear(g);
 }
 
 static int first_nonzero(const fmpz *form) {
@@ -90,13 +89,11 @@ void form_of_side(fmpz *out, const fmpq *const *vertex, const fmpz *plane, int k
     const fmpz *p = s.at + k * dimension, *q = s.at + (k + 1) % dimension * dimension;
     fmpz_zero(out + dropped);
     if (dimension == 3) {
-        fmpz_t opposite;
-        fmpz_init(opposite);
+        LOCAL(fmpz, opposite);
         cross_integers(opposite, p, q, s.at + (k + 2) % 3 * 3, i, j);
         int left = fmpz_sgn(opposite) > 0;
         fmpz_sub(out + i, left ? p + j : q + j, left ? q + j : p + j);
         fmpz_sub(out + j, left ? q + i : p + i, left ? p + i : q + i);
-        fmpz_clear(opposite);
     } else {
         fmpz_sub(out + i, q + i, p + i);
     }
@@ -105,12 +102,9 @@ void form_of_side(fmpz *out, const fmpq *const *vertex, const fmpz *plane, int k
 }
 
 int form_sign(const fmpz *form, const fmpz *x, int dimension) {
-    fmpz_t value;
-    fmpz_init(value);
+    LOCAL(fmpz, value);
     _fmpz_vec_dot(value, form, x, dimension + 1);
-    int sign = fmpz_sgn(value);
-    fmpz_clear(value);
-    return sign;
+    return fmpz_sgn(value);
 }
 
 int form_compare(const fmpz *a, const fmpz *b, int dimension) {

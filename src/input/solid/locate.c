@@ -13,6 +13,7 @@
 #include <flint/fmpz_vec.h>
 #include <math.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "input/solid/forms.h"
 
@@ -92,7 +93,8 @@ static int settle(ray *r, size_t simplex) {
 
 static void cross_exactly(ray *r, size_t simplex) {
     int d = r->of->input->dimension;
-    fmpz *plane = _fmpz_vec_init(2 * (d + 1)), *side = plane + d + 1;
+    LOCAL_VEC(fmpz, plane, 2 * (d + 1));
+    fmpz *side = plane + d + 1;
     int facing = skin_plane(plane, r->of, simplex);
     int parallel = fmpz_is_zero(plane), plane_sign = form_sign(plane, r->x, d);
     int contains = plane_sign == 0;
@@ -107,7 +109,6 @@ static void cross_exactly(ray *r, size_t simplex) {
     }
     r->on_boundary |= contains;
     r->winding += crosses ? facing : 0;
-    _fmpz_vec_clear(plane, 2 * (d + 1));
 }
 
 static void descend(ray *r, size_t index) {
@@ -125,8 +126,7 @@ static void descend(ray *r, size_t index) {
 
 static void shoot(ray *r) {
     int d = r->of->input->dimension;
-    fmpq_t coordinate;
-    fmpq_init(coordinate);
+    LOCAL(fmpq, coordinate);
     r->around = (box){{0, 0, 0}, {0, 0, 0}};
     for (int i = 0; i < d; i++) {
         fmpq_set_fmpz_frac(coordinate, r->x + i, r->x + d);
@@ -136,7 +136,6 @@ static void shoot(ray *r) {
     double root_high = r->of->boxes->node[0].box.high[0];
     if (root_high > r->reach.high[0])
         r->reach.high[0] = root_high;
-    fmpq_clear(coordinate);
     descend(r, 0);
 }
 
@@ -160,29 +159,26 @@ graze_state solid_locate(const graze_solid *solid, const fmpz *x) {
 /* The point with the barycentric weights 1, w, w^2 ... in a simplex, homogeneous. */
 static void weighted_point(fmpz *x, const graze_solid *solid, size_t simplex, ulong w) {
     int d = solid->input.dimension;
-    fmpq *sum = _fmpq_vec_init(d);
+    LOCAL_VEC(fmpq, sum, d);
     ulong weight = 1, total = 0;
     for (int k = 0; k < d; k++, weight *= w) {
         const fmpq *v = solid->input.coordinates + solid->cut.item[simplex].vertex[k] * (size_t)d;
         total += weight;
         for (int i = 0; i < d; i++) {
-            fmpq_t term;
-            fmpq_init(term);
+            LOCAL(fmpq, term);
             fmpq_mul_ui(term, v + i, weight);
             fmpq_add(sum + i, sum + i, term);
-            fmpq_clear(term);
         }
     }
     _fmpq_vec_get_fmpz_vec_fmpz(x, x + d, sum, d);
     fmpz_mul_ui(x + d, x + d, total);
-    _fmpq_vec_clear(sum, d);
 }
 
 /* The winding number outside a simplex that is not parallel to the ray, near a point of its
  * relative interior that lies on no other simplex. Such a point exists: the others meet it in
  * finitely many segments. */
 static long winding_outside(const graze_solid *solid, size_t simplex, int facing) {
-    fmpz *x = _fmpz_vec_init(solid->input.dimension + 1);
+    LOCAL_VEC(fmpz, x, solid->input.dimension + 1);
     skin boundary = solid_skin(solid);
     ray r;
     ulong w = 1;
@@ -191,7 +187,6 @@ static long winding_outside(const graze_solid *solid, size_t simplex, int facing
         r = (ray){.of = &boundary, .x = x, .skip = simplex};
         shoot(&r);
     } while (r.on_boundary);
-    _fmpz_vec_clear(x, solid->input.dimension + 1);
     return facing > 0 ? r.winding : r.winding - 1;
 }
 
@@ -223,7 +218,7 @@ graze_status solid_check_sides(const graze_solid *solid, graze_context *context)
     unsigned char *done = calloc(count ? count : 1, 1);
     if (!done)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu components", count);
-    fmpz *plane = _fmpz_vec_init(solid->input.dimension + 1);
+    LOCAL_VEC(fmpz, plane, solid->input.dimension + 1);
     graze_status status = GRAZE_OK;
     for (size_t s = 0; s < solid->cut.count && status == GRAZE_OK; s++) {
         size_t component = solid->cut.item[s].component;
@@ -238,7 +233,6 @@ graze_status solid_check_sides(const graze_solid *solid, graze_context *context)
         if (status == GRAZE_OK)
             status = context_poll(context);
     }
-    _fmpz_vec_clear(plane, solid->input.dimension + 1);
     free(done);
     return status;
 }

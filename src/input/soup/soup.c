@@ -5,6 +5,7 @@
 
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 
 enum { POLL_MASK = 0xffff };
 
@@ -23,13 +24,11 @@ static graze_status make_room(graze_context *context, void *items, size_t *capac
 /* Add an empty part at `end`, behind `count` parts whose offsets are in `start`. */
 static graze_status add_part(graze_context *context, uint32_t **start, size_t *capacity,
                              size_t *count, size_t end) {
-    graze_status status = make_room(context, start, capacity, *count + 2, sizeof **start);
-    if (status == GRAZE_OK) {
-        (*start)[*count] = (uint32_t)end;
-        (*count)++;
-        (*start)[*count] = (uint32_t)end;
-    }
-    return status;
+    TRY(make_room(context, start, capacity, *count + 2, sizeof **start));
+    (*start)[*count] = (uint32_t)end;
+    (*count)++;
+    (*start)[*count] = (uint32_t)end;
+    return GRAZE_OK;
 }
 
 void soup_init(soup *s, int dimension) {
@@ -58,14 +57,9 @@ static graze_status may_add(graze_context *context, size_t count, const char *wh
 graze_status soup_add_vertex(soup *s, graze_context *context, const fmpq *coordinates) {
     size_t d = (size_t)s->dimension;
     size_t count = s->vertex_count * d;
-    graze_status status = may_add(context, s->vertex_count, "vertices");
-    if (status == GRAZE_OK) {
-        status = make_room(context, &s->coordinates, &s->coordinate_capacity, count + d,
-                           sizeof *s->coordinates);
-    }
-    if (status != GRAZE_OK) {
-        return status;
-    }
+    TRY(may_add(context, s->vertex_count, "vertices"));
+    TRY(make_room(context, &s->coordinates, &s->coordinate_capacity, count + d,
+                  sizeof *s->coordinates));
     for (size_t k = 0; k < d; k++) {
         fmpq_init(s->coordinates + count + k);
         fmpq_set(s->coordinates + count + k, coordinates + k);
@@ -75,10 +69,7 @@ graze_status soup_add_vertex(soup *s, graze_context *context, const fmpq *coordi
 }
 
 graze_status soup_add_facet(soup *s, graze_context *context) {
-    graze_status status = may_add(context, s->facet_count, "facets");
-    if (status != GRAZE_OK) {
-        return status;
-    }
+    TRY(may_add(context, s->facet_count, "facets"));
     return add_part(context, &s->facet_start, &s->facet_capacity, &s->facet_count, s->cycle_count);
 }
 

@@ -4,31 +4,29 @@
 #include "output/compare/ceiling.h"
 
 #include <stdio.h>
+#include "base/context/scope.h"
 
 enum { KEPT = 100000, NEXT = 1000000, SHORT = 10000 };
 
 /* x 10^power */
 static void scale_by_ten(fmpq_t out, const fmpq_t x, long power) {
-    fmpz_t ten;
-    fmpz_init_set_ui(ten, 10);
+    LOCAL(fmpz, ten);
+    fmpz_set_ui(ten, 10);
     fmpz_pow_ui(ten, ten, (ulong)(power < 0 ? -power : power));
     if (power < 0)
         fmpq_div_fmpz(out, x, ten);
     else
         fmpq_mul_fmpz(out, x, ten);
-    fmpz_clear(ten);
 }
 
 long decade_of(const fmpq_t x) {
-    fmpq_t scaled;
-    fmpq_init(scaled);
+    LOCAL(fmpq, scaled);
     /* Digits may be counted one too many, so this is not below k. */
     long k =
         (long)fmpz_sizeinbase(fmpq_numref(x), 10) - (long)fmpz_sizeinbase(fmpq_denref(x), 10) + 1;
     scale_by_ten(scaled, x, -k);
     while (fmpz_cmp(fmpq_numref(scaled), fmpq_denref(scaled)) < 0)
         scale_by_ten(scaled, x, -(--k));
-    fmpq_clear(scaled);
     return k;
 }
 
@@ -36,18 +34,14 @@ ceiling ceiling_of(const fmpq_t x) {
     ceiling out = {0, 0};
     if (fmpq_is_zero(x))
         return out;
-    fmpq_t scaled;
-    fmpz_t digits;
-    fmpq_init(scaled);
-    fmpz_init(digits);
+    LOCAL(fmpq, scaled);
+    LOCAL(fmpz, digits);
     out.exponent = decade_of(x);
     scale_by_ten(scaled, x, 5 - out.exponent);
     fmpz_cdiv_q(digits, fmpq_numref(scaled), fmpq_denref(scaled));
     out.digits = fmpz_get_ui(digits);
     if (out.digits == NEXT)
         out = (ceiling){KEPT, out.exponent + 1};
-    fmpz_clear(digits);
-    fmpq_clear(scaled);
     return out;
 }
 

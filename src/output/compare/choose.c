@@ -4,6 +4,7 @@
 #include "output/compare/choose.h"
 
 #include <string.h>
+#include "base/context/scope.h"
 #include "output/compare/judgement.h"
 #include "output/compare/sites.h"
 #include "output/compare/values.h"
@@ -100,16 +101,13 @@ static graze_status note_options(graze_comparison *c, graze_context *context, co
 }
 
 graze_status comparison_choose(graze_comparison *c, const table *golden, const table *candidate) {
-    graze_status status = sites_known(&c->contacts, golden, candidate);
-    if (!status && !c->contacts)
-        status = check_golden(golden);
-    if (!status)
-        status = check_notes(golden, candidate);
-    if (!status)
-        status = (c->contacts ? sites_choose : choose_columns)(c, golden, candidate);
-    if (!status)
-        status = (c->contacts ? key_of_contacts : key_of_points)(&c->key, golden, candidate);
-    return status ? status : note_options(c, golden->in.context, golden);
+    TRY(sites_known(&c->contacts, golden, candidate));
+    if (!c->contacts)
+        TRY(check_golden(golden));
+    TRY(check_notes(golden, candidate));
+    TRY((c->contacts ? sites_choose : choose_columns)(c, golden, candidate));
+    TRY((c->contacts ? key_of_contacts : key_of_points)(&c->key, golden, candidate));
+    return note_options(c, golden->in.context, golden);
 }
 
 int grouping_is_of(const graze_comparison *c, const table *golden, grouping g) {

@@ -5,6 +5,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "output/compare/choose.h"
 #include "output/compare/counts.h"
 #include "output/compare/judgement.h"
@@ -33,16 +34,12 @@ static graze_status check_rounding(graze_comparison *c, run *r, const char *path
 /* Open both tables and choose columns and a key; without a key rows match by order. */
 static graze_status start(graze_comparison *c, run *r, const char *golden, const char *candidate,
                           match_way way) {
-    graze_status status = table_open(&r->golden, r->context, golden);
-    if (!status)
-        status = table_open(&r->candidate, r->context, candidate);
-    if (!status)
-        status = comparison_choose(c, &r->golden, &r->candidate);
-    if (!status && (!(c->golden_columns = strdup(r->golden.names)) ||
-                    !(c->candidate_columns = strdup(r->candidate.names))))
-        status = comparison_no_memory(r->context);
-    if (status)
-        return status;
+    TRY(table_open(&r->golden, r->context, golden));
+    TRY(table_open(&r->candidate, r->context, candidate));
+    TRY(comparison_choose(c, &r->golden, &r->candidate));
+    if (!(c->golden_columns = strdup(r->golden.names)) ||
+        !(c->candidate_columns = strdup(r->candidate.names)))
+        TRY(comparison_no_memory(r->context));
     c->way = !c->key.count ? MATCH_ORDER : c->contacts ? MATCH_INDEXED : way;
     match_start(&r->match, r->context, &r->golden, &r->candidate, &c->key, c->way, c->contacts);
     for (int g = 0; g < GROUPING_COUNT; g++)
@@ -124,16 +121,15 @@ static graze_status show(graze_comparison *c, const run *r, const table_row *gol
 static graze_status count_groups(graze_comparison *c, const run *r, const table_row *row, char what,
                                  const valuation *value) {
     const value_error *error = value->judged ? &value->error : NULL;
-    graze_status status = GRAZE_OK;
     if (error && !errors_add(&c->values, *error))
-        status = comparison_no_memory(r->context);
-    for (int g = 0; g < GROUPING_COUNT && !status; g++) {
+        TRY(comparison_no_memory(r->context));
+    for (int g = 0; g < GROUPING_COUNT; g++) {
         field name = g == BY_SDF ? (field){value->decade, strlen(value->decade)}
                                  : table_field(&r->golden, row, grouping_column((grouping)g));
         if (c->grouped[g] && (name.length || g != BY_DISTANCE))
-            status = tally_add(&c->tallies[g], r->context, name, what, error);
+            TRY(tally_add(&c->tallies[g], r->context, name, what, error));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Count a golden row: missing, wrong, undecided or agreeing. `right` is its pmc. */
@@ -292,11 +288,11 @@ static graze_status compare_by(graze_comparison *out, graze_context *context, co
 graze_status comparison_make(graze_comparison *out, graze_context *context, const char *golden,
                              const char *candidate, const graze_compare_options *options) {
     match_way way = MATCH_STREAMED;
-    graze_status status = compare_by(out, context, golden, candidate, options, &way);
-    while (!status && way != out->way) {
+    TRY(compare_by(out, context, golden, candidate, options, &way));
+    while (way != out->way) {
         comparison_clear(out);
         memset(out, 0, sizeof *out);
-        status = compare_by(out, context, golden, candidate, options, &way);
+        TRY(compare_by(out, context, golden, candidate, options, &way));
     }
-    return status ? status : comparison_finish(out, context);
+    return comparison_finish(out, context);
 }

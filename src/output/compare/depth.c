@@ -4,6 +4,7 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "base/number/rounding.h"
 #include "decide/verdict/classify.h"
@@ -23,14 +24,12 @@ void depth_clear(depths *d) {
 
 /* Count a row whose distance is at least `least` by the parts of the size that this is beyond. */
 static void count_parts(depths *d, const fmpq_t least) {
-    fmpq_t scaled;
-    fmpq_init(scaled);
+    LOCAL(fmpq, scaled);
     fmpq_set(scaled, least);
     for (int k = DEPTH_PARTS - 1; k >= 0; k--) {
         fmpq_mul_ui(scaled, scaled, 1000);
         d->deeper[k] += fmpq_cmp(scaled, d->size) > 0;
     }
-    fmpq_clear(scaled);
 }
 
 /* Count a row by the bounds of its distance, which are no numbers of their own any more; *out is
@@ -52,21 +51,18 @@ static graze_status count_depth(ceiling *out, depths *d, graze_context *context,
 graze_status depth_take(ceiling *out, depths *d, const table *golden, const table_row *row,
                         int pmc) {
     graze_context *context = golden->in.context;
-    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
+    LOCAL_VEC(fmpq, low, 2);
+    fmpq *high = low + 1;
     d->wrong++;
-    graze_status status = table_number(low, context, table_field(golden, row, COLUMN_SDF_LOW));
-    if (!status)
-        status = table_number(high, context, table_field(golden, row, COLUMN_SDF_HIGH));
-    if (!status)
-        status = count_depth(out, d, context, pmc, low, high);
-    _fmpq_vec_clear(low, 2);
-    return status;
+    TRY(table_number(low, context, table_field(golden, row, COLUMN_SDF_LOW)));
+    TRY(table_number(high, context, table_field(golden, row, COLUMN_SDF_HIGH)));
+    return count_depth(out, d, context, pmc, low, high);
 }
 
 graze_status depth_scale(depths *d, graze_context *context, const graze_scene *scene) {
     double diagonal;
-    graze_status status = distance_diagonal(&diagonal, context, scene);
-    return status ? status : rational_from_double(d->size, context, diagonal);
+    TRY(distance_diagonal(&diagonal, context, scene));
+    return rational_from_double(d->size, context, diagonal);
 }
 
 static graze_status enclose_deep(distance *out, graze_context *context, const graze_scene *scene,
@@ -83,7 +79,8 @@ static graze_status enclose_deep(distance *out, graze_context *context, const gr
 
 static graze_status count_bounds(depth_bounds *out, depths *d, graze_context *context, int pmc,
                                  const distance *found) {
-    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
+    LOCAL_VEC(fmpq, low, 2);
+    fmpq *high = low + 1;
     graze_status status = rational_from_double(low, context, found->low);
     if (!status)
         status = rational_from_double(high, context, found->high);
@@ -91,25 +88,19 @@ static graze_status count_bounds(depth_bounds *out, depths *d, graze_context *co
     report_bound(out->high, found->high, 1);
     if (!status)
         status = count_depth(&out->size, d, context, pmc, low, high);
-    _fmpq_vec_clear(low, 2);
     return status;
 }
 
 graze_status depth_measure(depth_bounds *out, depths *d, graze_context *context,
                            const graze_scene *scene, const char *point, int pmc) {
     slong dimension = scene->motion->dimension;
-    fmpq *at = _fmpq_vec_init(dimension);
+    LOCAL_VEC(fmpq, at, dimension);
     distance found;
-    graze_status status = GRAZE_OK;
-    for (slong k = 0; k < dimension && !status; k++) {
+    for (slong k = 0; k < dimension; k++) {
         size_t length = strcspn(point, " ");
-        status = rational_parse(at + k, context, point, length);
+        TRY(rational_parse(at + k, context, point, length));
         point += length + (point[length] == ' ');
     }
-    if (!status)
-        status = enclose_deep(&found, context, scene, at, DEPTH_WIDTH * fmpq_get_d(d->size));
-    if (!status)
-        status = count_bounds(out, d, context, pmc, &found);
-    _fmpq_vec_clear(at, dimension);
-    return status;
+    TRY(enclose_deep(&found, context, scene, at, DEPTH_WIDTH * fmpq_get_d(d->size)));
+    return count_bounds(out, d, context, pmc, &found);
 }

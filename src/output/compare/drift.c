@@ -6,6 +6,7 @@
 #include "output/compare/drift.h"
 
 #include <flint/fmpq_vec.h>
+#include "base/context/scope.h"
 #include "base/number/rational.h"
 
 enum { BOX_BITS = 10, SIZE_BITS = 20 };
@@ -58,7 +59,8 @@ graze_status drift_add(drift *d, const table_row *right, const table_row *given)
     int differs = 0;
     if (same_fields(d, right, given))
         return GRAZE_OK;
-    fmpq *a = _fmpq_vec_init(2), *b = a + 1;
+    LOCAL_VEC(fmpq, a, 2);
+    fmpq *b = a + 1;
     for (size_t k = 0; k < d->axes.count && !status; k++) {
         status = read_drifting(a, d->golden, right, d->axes.at[k]);
         if (!status)
@@ -69,25 +71,21 @@ graze_status drift_add(drift *d, const table_row *right, const table_row *given)
     }
     d->any = 1;
     d->rows += differs != 0;
-    _fmpq_vec_clear(a, 2);
     return status;
 }
 
 /* The larger of two numbers' sizes. */
 static void larger_size(fmpq_t out, const fmpq_t a, const fmpq_t b) {
-    fmpq_t size;
-    fmpq_init(size);
+    LOCAL(fmpq, size);
     fmpq_abs(out, a);
     fmpq_abs(size, b);
     if (fmpq_cmp(size, out) > 0)
         fmpq_swap(size, out);
-    fmpq_clear(size);
 }
 
 int drift_is_small(const drift *d) {
     int small = 0;
-    fmpq_t bound;
-    fmpq_init(bound);
+    LOCAL(fmpq, bound);
     for (int k = 0; k < 3 && !small; k++) {
         fmpq_sub(bound, d->most[k], d->least[k]);
         fmpq_div_2exp(bound, bound, BOX_BITS);
@@ -96,6 +94,5 @@ int drift_is_small(const drift *d) {
         fmpq_div_2exp(bound, bound, SIZE_BITS);
         small |= fmpq_cmp(d->farthest, bound) <= 0;
     }
-    fmpq_clear(bound);
     return small;
 }

@@ -5,6 +5,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/number/rational.h"
 
 const char *const class_words[5] = {"regular", "fold", "fold_boundary", "boundary", "exterior"};
@@ -50,14 +51,12 @@ static int read_digits(unsigned long *out, field f) {
 
 /* A count, also as readers of floats write it: 1.0, 2.000e+00. */
 static int read_whole(unsigned long *out, const table *t, field f) {
-    fmpq_t value;
     if (read_digits(out, f))
         return 1;
-    fmpq_init(value);
+    LOCAL(fmpq, value);
     int whole = !table_number(value, t->in.context, f) && fmpz_is_one(fmpq_denref(value)) &&
                 fmpz_sgn(fmpq_numref(value)) >= 0 && fmpz_abs_fits_ui(fmpq_numref(value));
     *out = whole ? fmpz_get_ui(fmpq_numref(value)) : 0;
-    fmpq_clear(value);
     return whole;
 }
 

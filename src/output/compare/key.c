@@ -5,6 +5,7 @@
 
 #include <flint/fmpq.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "base/number/text.h"
 #include "output/compare/moment.h"
@@ -113,27 +114,23 @@ static int is_id_number(field f) {
 /* An id as it is written, the value of a number. */
 static void put_id(text *out, const table *t, const table_row *row) {
     field f = table_field(t, row, COLUMN_ID);
-    fmpq_t value;
-    fmpq_init(value);
+    LOCAL(fmpq, value);
     if (is_id_number(f) && table_number(value, t->in.context, f) == GRAZE_OK)
         text_rational(out, value);
     else
         text_bytes(out, f.start, f.length);
-    fmpq_clear(value);
 }
 
 /* All numbers of the key, parted by blanks, or the id. */
 static graze_status put_key(text *out, const row_key *key, const table *t, const table_row *row) {
     graze_status status = GRAZE_OK;
-    fmpq_t value;
-    fmpq_init(value);
+    LOCAL(fmpq, value);
     if (key->by_id)
         put_id(out, t, row);
     for (size_t k = 0; !status && k < key->count && !key->by_id; k++) {
         status = put_key_number(out, value, t, row, key->at[k]);
         text_put(out, " ");
     }
-    fmpq_clear(value);
     return !status && out->failed ? context_fail(t->in.context, GRAZE_ESYSTEM, "out of memory")
                                   : status;
 }
@@ -141,12 +138,10 @@ static graze_status put_key(text *out, const row_key *key, const table *t, const
 graze_status key_make(table_row *row, const row_key *key, const table *t) {
     if (row->keyed)
         return GRAZE_OK;
-    text bytes;
-    text_init(&bytes);
+    HELD(text, bytes);
     graze_status status = put_key(&bytes, key, t, row);
     if (!status)
         row->key = digest_of(bytes.data, bytes.length);
     row->keyed = !status;
-    text_clear(&bytes);
     return status;
 }

@@ -8,6 +8,7 @@
 #include "output/compare/match.h"
 
 #include "base/context/context.h"
+#include "base/context/scope.h"
 
 void match_start(match *m, graze_context *context, table *golden, table *candidate,
                  const row_key *key, match_way way, int sites) {
@@ -57,13 +58,12 @@ static graze_status fill(match *m, row_window *w, size_t count) {
 /* Fill both windows and make all keys. */
 static graze_status look_ahead(match *m) {
     row_window *const both[] = {&m->golden, &m->candidate};
-    graze_status status = GRAZE_OK;
-    for (int k = 0; k < 2 && !status; k++) {
-        status = fill(m, both[k], MATCH_AHEAD);
-        for (size_t r = 0; r < both[k]->count && !status; r++)
-            status = key_make(row_at(both[k], r), &m->key, both[k]->table);
+    for (int k = 0; k < 2; k++) {
+        TRY(fill(m, both[k], MATCH_AHEAD));
+        for (size_t r = 0; r < both[k]->count; r++)
+            TRY(key_make(row_at(both[k], r), &m->key, both[k]->table));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Same bytes are the same point; others are compared as numbers, after rounding. */
@@ -104,10 +104,10 @@ static void skip_window(match *m) {
 }
 
 static graze_status resynchronise(match *m) {
-    graze_status status = look_ahead(m);
-    if (!status && !nearest_rounding(m))
+    TRY(look_ahead(m));
+    if (!nearest_rounding(m))
         skip_window(m);
-    return status;
+    return GRAZE_OK;
 }
 
 static void add_key(digest *sum, digest key) {
@@ -174,20 +174,16 @@ graze_status match_next(match *m, const table_row **golden, const table_row **ca
     if (m->way == MATCH_INDEXED)
         return next_indexed(m, golden, candidate);
     int same = 0;
-    graze_status status = GRAZE_OK;
     if (!m->skip_golden && !m->skip_candidate) {
-        status = fill(m, &m->golden, 1);
-        if (!status)
-            status = fill(m, &m->candidate, 1);
+        TRY(fill(m, &m->golden, 1));
+        TRY(fill(m, &m->candidate, 1));
         int both = m->golden.count && m->candidate.count;
         same = both && m->way == MATCH_ORDER;
-        if (!status && both && !same)
-            status = same_row(&same, m, row_at(&m->golden, 0), row_at(&m->candidate, 0));
-        if (!status && both && !same)
-            status = resynchronise(m);
+        if (both && !same)
+            TRY(same_row(&same, m, row_at(&m->golden, 0), row_at(&m->candidate, 0)));
+        if (both && !same)
+            TRY(resynchronise(m));
     }
-    if (status)
-        return status;
     if (same)
         return together(m, golden, candidate);
     if (m->skip_golden || (m->golden.count && !m->skip_candidate))

@@ -3,6 +3,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/number/rational.h"
 
 /* The bytes before the first separator, or all; `rest` has what is behind it, or starts at NULL. */
@@ -49,11 +50,11 @@ graze_status moment_same(int *same, graze_context *context, field a, field b) {
     *same = field_equal(a, b);
     if (*same || !rational_is_token(a.start, a.length) || !rational_is_token(b.start, b.length))
         return GRAZE_OK;
-    fmpq *x = _fmpq_vec_init(2), *y = x + 1;
+    LOCAL_VEC(fmpq, x, 2);
+    fmpq *y = x + 1;
     graze_status status = rational_parse(x, context, a.start, a.length);
     if (!status)
         status = rational_parse(y, context, b.start, b.length);
     *same = !status && fmpq_equal(x, y);
-    _fmpq_vec_clear(x, 2);
     return status;
 }

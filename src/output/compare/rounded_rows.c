@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/context.h"
+#include "base/context/scope.h"
 #include "base/number/text.h"
 
 enum { MOST_ENTRIES = 1 << 21 };
@@ -49,8 +50,7 @@ static int grow_roundings(share *s) {
 /* The digest of a row's answers, each ended by a byte that no field holds. */
 static graze_status answers_of(uint64_t *out, const table *t, const table_row *row,
                                const column *columns, size_t count) {
-    text answers;
-    text_init(&answers);
+    HELD(text, answers);
     for (size_t k = 0; k < count; k++) {
         field f = table_field(t, row, columns[k]);
         text_bytes(&answers, f.start, f.length);
@@ -58,7 +58,6 @@ static graze_status answers_of(uint64_t *out, const table *t, const table_row *r
     }
     int failed = answers.failed;
     *out = failed ? 0 : digest_of(answers.data, answers.length).high;
-    text_clear(&answers);
     return failed ? context_fail(t->in.context, GRAZE_ESYSTEM, "out of memory") : GRAZE_OK;
 }
 

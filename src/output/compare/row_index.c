@@ -5,6 +5,7 @@
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/context.h"
+#include "base/context/scope.h"
 
 static int digest_order(digest a, digest b) {
     return a.high != b.high ? (a.high < b.high ? -1 : 1) : (a.low > b.low) - (a.low < b.low);
@@ -21,10 +22,8 @@ static int by_key(const void *a, const void *b) {
 }
 
 static graze_status keep_indexed(row_index *x, const table_row *row) {
-    graze_status status = array_grow(x->table->in.context, &x->rows, &x->capacity, x->count + 1,
-                                     sizeof *x->rows, "rows");
-    if (status)
-        return status;
+    TRY(array_grow(x->table->in.context, &x->rows, &x->capacity, x->count + 1, sizeof *x->rows,
+                   "rows"));
     char *text = table_row_text(row);
     if (!text)
         return context_fail(x->table->in.context, GRAZE_ESYSTEM, "out of memory for rows");
@@ -57,9 +56,7 @@ static graze_status give(row_index *x, const table_row **out, const kept_row *ke
     table_row *row = &x->at;
     size_t length = strlen(kept->text);
     graze_context *context = x->table->in.context;
-    graze_status status = array_grow(context, &row->bytes, &row->capacity, length + 1, 1, "a row");
-    if (status)
-        return status;
+    TRY(array_grow(context, &row->bytes, &row->capacity, length + 1, 1, "a row"));
     memcpy(row->bytes, kept->text, length + 1);
     row->line = kept->line;
     row->number = kept->number;

@@ -7,6 +7,7 @@
 #include "output/compare/sites.h"
 
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "output/compare/judgement.h"
 #include "output/compare/moment.h"
@@ -142,12 +143,10 @@ static const char *site_answer_fault(field f, column c) {
 static graze_status check_number(const table *t, const table_row *row, column c) {
     field f = table_field(t, row, c);
     graze_context *context = t->in.context;
-    fmpq_t value;
-    fmpq_init(value);
+    LOCAL(fmpq, value);
     graze_status status = rational_is_token(f.start, f.length)
                               ? rational_parse(value, context, f.start, f.length)
                               : GRAZE_OK;
-    fmpq_clear(value);
     if (status)
         context_item(context, status, NULL, 0, column_name(c));
     return status ? context_in(context, status, t->in.name, row->line) : GRAZE_OK;
@@ -179,14 +178,12 @@ graze_status sites_judge(int *wrong, const graze_comparison *c, const table *gol
         int same = 1;
         if (!c->judged[k])
             continue;
-        graze_status status = check_answer(golden, row, which);
-        if (!status && given)
-            status = check_answer(candidate, given, which);
-        if (!status && given)
-            status = moment_same(&same, golden->in.context, table_field(golden, row, which),
-                                 table_field(candidate, given, which));
-        if (status)
-            return status;
+        TRY(check_answer(golden, row, which));
+        if (given)
+            TRY(check_answer(candidate, given, which));
+        if (given)
+            TRY(moment_same(&same, golden->in.context, table_field(golden, row, which),
+                            table_field(candidate, given, which)));
         wrong[k] = !same;
     }
     return GRAZE_OK;

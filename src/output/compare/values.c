@@ -8,6 +8,7 @@
 
 #include <stdio.h>
 #include <string.h>
+#include "base/context/scope.h"
 
 /* A number of an option, 0 where there is none. Its sign is at least `least`. */
 static graze_status read_amount(fmpq_t out, graze_context *context, const char *name,
@@ -73,34 +74,30 @@ static graze_status read_bound(fmpq_t out, const table *t, const table_row *row,
 }
 
 static graze_status read_enclosure(enclosure *out, const table *t, const table_row *row, int pmc) {
-    graze_status status = read_bound(out->low, t, row, COLUMN_SDF_LOW);
-    if (!status)
-        status = read_bound(out->high, t, row, COLUMN_SDF_HIGH);
-    if (!status && !has_sign(out, pmc))
-        status = context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, row->line,
-                                 "sdf_low and sdf_high do not go with `%s`; expected an enclosure "
-                                 "of the signed distance",
-                                 pmc_words[pmc]);
-    return status;
+    TRY(read_bound(out->low, t, row, COLUMN_SDF_LOW));
+    TRY(read_bound(out->high, t, row, COLUMN_SDF_HIGH));
+    if (!has_sign(out, pmc))
+        return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, row->line,
+                               "sdf_low and sdf_high do not go with `%s`; expected an enclosure "
+                               "of the signed distance",
+                               pmc_words[pmc]);
+    return GRAZE_OK;
 }
 
 static void name_decade(char out[24], const enclosure *e, int pmc) {
-    fmpq_t size;
     if (pmc == PMC_ON) {
         strcpy(out, "0");
         return;
     }
-    fmpq_init(size);
+    LOCAL(fmpq, size);
     fmpq_abs(size, pmc == PMC_IN ? e->low : e->high);
     snprintf(out, 24, "%s1e%+03ld", pmc == PMC_IN ? "-" : "", decade_of(size));
-    fmpq_clear(size);
 }
 
 /* The error of a value against an enclosure. */
 static value_error error_of(const fmpq_t value, const enclosure *e, const fmpq_t tolerance) {
     value_error out = {{0, 0}, 0, 0};
-    fmpq_t by;
-    fmpq_init(by);
+    LOCAL(fmpq, by);
     out.side = fmpq_cmp(value, e->high) > 0 ? 1 : fmpq_cmp(value, e->low) < 0 ? -1 : 0;
     if (out.side > 0)
         fmpq_sub(by, value, e->high);
@@ -108,7 +105,6 @@ static value_error error_of(const fmpq_t value, const enclosure *e, const fmpq_t
         fmpq_sub(by, e->low, value);
     out.beyond = fmpq_cmp(by, tolerance) > 0;
     out.size = ceiling_of(by);
-    fmpq_clear(by);
     return out;
 }
 
@@ -126,11 +122,10 @@ graze_status valuation_read(valuation *out, const graze_comparison *c, const tab
                             const table_row *row, const table *candidate, const table_row *given,
                             int pmc) {
     enclosure e;
-    fmpq_t value;
     *out = (valuation){.certain = 1};
     fmpq_init(e.low);
     fmpq_init(e.high);
-    fmpq_init(value);
+    LOCAL(fmpq, value);
     graze_status status = read_enclosure(&e, golden, row, pmc);
     if (!status) {
         name_decade(out->decade, &e, pmc);
@@ -143,7 +138,6 @@ graze_status valuation_read(valuation *out, const graze_comparison *c, const tab
         if (!status)
             out->error = error_of(value, &e, c->tolerance);
     }
-    fmpq_clear(value);
     fmpq_clear(e.high);
     fmpq_clear(e.low);
     return status;

@@ -9,6 +9,7 @@
 #include <string.h>
 #include <unistd.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 
 void drawn_path_clear(drawn_path *p) {
     free(p->node);
@@ -60,15 +61,13 @@ graze_status canvas_finish(canvas *c, graze_context *context, const char *file, 
     if (!c)
         return GRAZE_OK;
     graze_status status = GRAZE_OK;
-    text bytes;
-    text_init(&bytes);
+    HELD(text, bytes);
     if (write) {
         c->kind->finish(c, append_bytes, &bytes);
         status = c->failed || bytes.failed
                      ? context_fail(context, GRAZE_ESYSTEM, "out of memory for a picture")
                      : save_file(context, file, &bytes);
     }
-    text_clear(&bytes);
     c->kind->destroy(c);
     return status;
 }
@@ -122,8 +121,7 @@ size_t canvas_character(const char *at) {
 }
 
 void canvas_text(canvas *c, double x, double y, const lettering *l, const char *string) {
-    text clean;
-    text_init(&clean);
+    HELD(text, clean);
     text_put(&clean, "");
     while (*string) {
         size_t n = canvas_character(string);
@@ -133,7 +131,6 @@ void canvas_text(canvas *c, double x, double y, const lettering *l, const char *
     c->failed |= clean.failed;
     if (!clean.failed)
         c->kind->text(c, x, y, l, clean.data);
-    text_clear(&clean);
 }
 
 double canvas_text_width(const char *string, double size) {

@@ -5,6 +5,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "decide/verdict/classify.h"
 
 /* Bands of the distance belong to answers. */
@@ -61,26 +62,24 @@ static graze_status classify_block(cells *c, graze_context *context, const graze
                                    size_t cell) {
     size_t n = c->parts, i = cell % c->count[0] * n, j = cell / c->count[0] * n;
     unsigned char *block = c->part + (c->split[cell] - 1) * n * n;
-    fmpq *point = _fmpq_vec_init(3);
+    LOCAL_VEC(fmpq, point, 3);
     graze_verdict verdict;
-    graze_status status = context_poll(context);
-    for (size_t k = 0; k < n * n && !status; k++) {
+    TRY(context_poll(context));
+    for (size_t k = 0; k < n * n; k++) {
         cells_place(point, c, 2 * n, 2 * (i + k % n) + 1, 2 * (j + k / n) + 1);
-        status = classify_verdict(&verdict, context, scene, (query_point){.rational = point});
-        if (!status)
-            block[k] = (unsigned char)part_tone(c, cell, &verdict);
+        TRY(classify_verdict(&verdict, context, scene, (query_point){.rational = point}));
+        block[k] = (unsigned char)part_tone(c, cell, &verdict);
     }
-    _fmpq_vec_clear(point, 3);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status parts_classify(cells *c, graze_context *context, const graze_scene *scene) {
     c->parts = parts_for(c);
-    graze_status status = choose_split(c, context);
-    for (size_t k = 0; k < c->count[0] * c->count[1] && !status; k++)
+    TRY(choose_split(c, context));
+    for (size_t k = 0; k < c->count[0] * c->count[1]; k++)
         if (c->split[k])
-            status = classify_block(c, context, scene, k);
-    return status;
+            TRY(classify_block(c, context, scene, k));
+    return GRAZE_OK;
 }
 
 static unsigned char tone_at(const cells *c, size_t i, size_t j) {

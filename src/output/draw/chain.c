@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 
 /* End `end` of a segment. */
 typedef struct chain_end {
@@ -77,9 +78,9 @@ static void put_chain(drawn_path *out, const chain_segment *segments, const size
 }
 
 void chain_path(drawn_path *out, const chain_segment *segments, size_t count, double apart) {
-    chain_end *ends = calloc(2 * count + 1, sizeof *ends);
-    size_t *next = calloc(2 * count + 1, sizeof *next);
-    char *taken = calloc(count + 1, 1);
+    FREED(chain_end, ends, calloc(2 * count + 1, sizeof *ends));
+    FREED(size_t, next, calloc(2 * count + 1, sizeof *next));
+    FREED(char, taken, calloc(count + 1, 1));
     out->failed |= !ends || !next || !taken;
     if (!out->failed) {
         for (size_t k = 0; k < 2 * count; k++)
@@ -89,7 +90,4 @@ void chain_path(drawn_path *out, const chain_segment *segments, size_t count, do
             if (!taken[k])
                 put_chain(out, segments, next, taken, first_end(next, k), apart);
     }
-    free(ends);
-    free(next);
-    free(taken);
 }

@@ -6,6 +6,7 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/number/decimal.h"
 #include "decide/verdict/classify.h"
 
@@ -18,19 +19,15 @@ tone tone_of(const graze_verdict *v) {
 /* Cells along one axis; the box grows to both sides by what the last cell exceeds it. */
 static graze_status lay_axis(cells *c, graze_context *context, int k, const fmpq *low,
                              const fmpq *high) {
-    fmpq_t length;
-    fmpz_t count;
-    fmpq_init(length);
-    fmpz_init(count);
+    LOCAL(fmpq, length);
+    LOCAL(fmpz, count);
     fmpq_sub(length, high + c->axis[k], low + c->axis[k]);
-    fmpq_t ratio;
-    fmpq_init(ratio);
+    LOCAL(fmpq, ratio);
     fmpq_div(ratio, length, c->side);
     fmpz_cdiv_q(count, fmpq_numref(ratio), fmpq_denref(ratio));
     unsigned long most = context->limits[GRAZE_LIMIT_GRID];
-    graze_status status = GRAZE_OK;
     if (fmpz_cmp_ui(count, most) > 0)
-        status = context_limit(context, GRAZE_LIMIT_GRID, "the cells of a picture");
+        return context_limit(context, GRAZE_LIMIT_GRID, "the cells of a picture");
     else
         c->count[k] = fmpz_get_ui(count);
     /* low - (count side - length) / 2 */
@@ -38,10 +35,7 @@ static graze_status lay_axis(cells *c, graze_context *context, int k, const fmpq
     fmpq_sub(ratio, length, ratio);
     fmpq_div_2exp(ratio, ratio, 1);
     fmpq_add(c->low + c->axis[k], low + c->axis[k], ratio);
-    fmpq_clear(ratio);
-    fmpq_clear(length);
-    fmpz_clear(count);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status cells_layout(cells *out, graze_context *context, int dimension, const int axis[2],
@@ -57,28 +51,24 @@ graze_status cells_layout(cells *out, graze_context *context, int dimension, con
     for (int k = 0; k < dimension; k++)
         if (k != axis[0] && k != axis[1])
             fmpq_set(out->low + k, plane);
-    fmpq_t other;
-    fmpq_init(other);
+    LOCAL(fmpq, other);
     fmpq_sub(out->side, high + axis[0], low + axis[0]);
     fmpq_sub(other, high + axis[1], low + axis[1]);
     int wide = fmpq_get_d(out->side) > CELLS_WIDE * fmpq_get_d(other);
     if (fmpq_cmp(other, out->side) > 0)
         fmpq_set(out->side, other);
-    fmpq_clear(other);
     if (!longer)
         longer = (wide ? 360 : 240) / (coarse ? 2 : 1);
-    fmpz_t parts;
-    fmpz_init_set_ui(parts, longer);
+    LOCAL(fmpz, parts);
+    fmpz_set_ui(parts, longer);
     fmpq_div_fmpz(out->side, out->side, parts);
-    fmpz_clear(parts);
-    graze_status status = lay_axis(out, context, 0, low, high);
-    if (!status)
-        status = lay_axis(out, context, 1, low, high);
-    if (!status && out->count[0] > context->limits[GRAZE_LIMIT_GRID] / out->count[1])
-        status = context_limit(context, GRAZE_LIMIT_GRID, "the cells of a picture");
-    if (!status && !(out->tone = calloc(out->count[0] * out->count[1], 1)))
-        status = context_fail(context, GRAZE_ESYSTEM, "out of memory for the cells of a picture");
-    return status;
+    TRY(lay_axis(out, context, 0, low, high));
+    TRY(lay_axis(out, context, 1, low, high));
+    if (out->count[0] > context->limits[GRAZE_LIMIT_GRID] / out->count[1])
+        return context_limit(context, GRAZE_LIMIT_GRID, "the cells of a picture");
+    if (!(out->tone = calloc(out->count[0] * out->count[1], 1)))
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the cells of a picture");
+    return GRAZE_OK;
 }
 
 void cells_clear(cells *c) {
@@ -95,8 +85,7 @@ void cells_clear(cells *c) {
 
 void cells_place(fmpq *out, const cells *c, size_t parts, size_t i, size_t j) {
     fmpq *at = c->section ? _fmpq_vec_init(2) : out;
-    fmpq_t share;
-    fmpq_init(share);
+    LOCAL(fmpq, share);
     for (int k = 0; k < c->dimension; k++)
         fmpq_set(at + k, c->low + k);
     for (int k = 0; k < 2; k++) {
@@ -104,7 +93,6 @@ void cells_place(fmpq *out, const cells *c, size_t parts, size_t i, size_t j) {
         fmpq_mul(share, share, c->side);
         fmpq_add(at + c->axis[k], at + c->axis[k], share);
     }
-    fmpq_clear(share);
     if (!c->section)
         return;
     section_point(out, c->section, at);
@@ -113,13 +101,12 @@ void cells_place(fmpq *out, const cells *c, size_t parts, size_t i, size_t j) {
 
 graze_status cells_ask(tone *out, const cells *c, graze_context *context, const graze_scene *scene,
                        size_t parts, size_t i, size_t j) {
-    fmpq *point = _fmpq_vec_init(3);
+    LOCAL_VEC(fmpq, point, 3);
     graze_verdict verdict;
     cells_place(point, c, parts, i, j);
     graze_status status =
         classify_verdict(&verdict, context, scene, (query_point){.rational = point});
     *out = status ? TONE_NONE : tone_of(&verdict);
-    _fmpq_vec_clear(point, 3);
     return status;
 }
 

@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "output/draw/marks.h"
 #include "output/draw/picture_kind.h"
 #include "output/report/closings.h"
@@ -40,26 +41,24 @@ typedef struct cones_maker {
 } cones_maker;
 
 static graze_status add_cone_ring(cones_maker *m, size_t contact, sector_question asked) {
-    graze_status status = array_grow(m->context, &m->ring, &m->capacity, m->count + 1,
-                                     sizeof *m->ring, "the rings of a picture");
-    if (!status)
-        m->ring[m->count++] = (ring){contact, asked};
-    return status;
+    TRY(array_grow(m->context, &m->ring, &m->capacity, m->count + 1, sizeof *m->ring,
+                   "the rings of a picture"));
+    m->ring[m->count++] = (ring){contact, asked};
+    return GRAZE_OK;
 }
 
 /* The contacts in order of time, what turns behind all of them, and what is left. */
 static graze_status list_rings(cones_maker *m) {
     germ_list *all = &m->germs;
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < all->count && !status; k++)
-        for (int part = GERM_REST; part < all->item[k].side_count && !status; part++)
-            status = add_cone_ring(m, k + 1, (sector_question){all, &all->item[k], part, NULL, 0});
-    for (size_t k = 0; k < all->turn_count && !status; k++)
-        status = add_cone_ring(m, all->turn[k].germ + 1,
-                               (sector_question){all, NULL, GERM_WHOLE, &all->turn[k], 0});
-    if (!status && all->bounded)
-        status = add_cone_ring(m, 0, (sector_question){all, NULL, GERM_WHOLE, NULL, 1});
-    return status;
+    for (size_t k = 0; k < all->count; k++)
+        for (int part = GERM_REST; part < all->item[k].side_count; part++)
+            TRY(add_cone_ring(m, k + 1, (sector_question){all, &all->item[k], part, NULL, 0}));
+    for (size_t k = 0; k < all->turn_count; k++)
+        TRY(add_cone_ring(m, all->turn[k].germ + 1,
+                          (sector_question){all, NULL, GERM_WHOLE, &all->turn[k], 0}));
+    if (all->bounded)
+        TRY(add_cone_ring(m, 0, (sector_question){all, NULL, GERM_WHOLE, NULL, 1}));
+    return GRAZE_OK;
 }
 
 /* -1, 1: before and after the time of the contact; 0: at it. */
@@ -185,14 +184,12 @@ static void draw_legend(cones_maker *m) {
         double y = FIRST_LINE + LINE * (double)(k + 1);
         style s = style_of(&m->ring[k]);
         drawn_path box = {NULL, 0, 0, 0};
-        text line;
-        text_init(&line);
+        HELD(text, line);
         put_legend_words(&line, m, &m->ring[k]);
         drawn_path_box(&box, LEGEND_X, y - 10, LEGEND_X + 22, y + 1);
         canvas_path(m->canvas, &box, &s, NULL);
         canvas_text(m->canvas, LEGEND_X + 30, y, &plain, line.failed ? "" : line.data);
         m->canvas->failed |= line.failed;
-        text_clear(&line);
     }
     canvas_end(m->canvas);
 }
@@ -203,8 +200,8 @@ static void draw_witness(cones_maker *m, const fmpq *point) {
     style s = {.stroke = PAINT(INK), .width = 2, .dash = on_ray ? 0 : 4};
     const lettering letters = {.size = 12, .anchor = ANCHOR_MIDDLE, .halo = 1};
     const double far = OUTER + 30, head = 12, spread = .04;
-    fmpz *direction = _fmpz_vec_init(2);
-    fmpq *way = _fmpq_vec_init(2);
+    LOCAL_VEC(fmpz, direction, 2);
+    LOCAL_VEC(fmpq, way, 2);
     drawn_path p = {NULL, 0, 0, 0};
     for (int k = 0; k < 2; k++)
         fmpq_sub(way + k, m->topo->witness + k, point + k);
@@ -221,21 +218,17 @@ static void draw_witness(cones_maker *m, const fmpq *point) {
                 MIDDLE_Y - (far + 16) * sin(angle) + 4, &letters,
                 on_ray ? "witness" : "a point that is out");
     canvas_end(m->canvas);
-    _fmpz_vec_clear(direction, 2);
-    _fmpq_vec_clear(way, 2);
 }
 
 static void draw_heading(cones_maker *m, const fmpq *point) {
     const lettering heading = {.size = 16, .bold = 1}, plain = {.size = 11};
-    text t;
-    text_init(&t);
+    HELD(text, t);
     sentence_put(&t, m->topo->level ? "cones-by" : "cones", point, 2,
                  graze_topo_name(m->topo->position), graze_topo_level_name(m->topo->level));
     canvas_text(m->canvas, 18, 26, &heading, t.failed ? "" : t.data);
     canvas_text(m->canvas, 18, 46, &plain,
                 "directions about P that the contacts cover to first order · graze " GRAZE_VERSION);
     m->canvas->failed |= t.failed;
-    text_clear(&t);
 }
 
 static graze_status draw_rings(cones_maker *m, const char *file, const fmpq *point) {

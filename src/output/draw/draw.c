@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "output/draw/cell_parts.h"
 #include "output/draw/eye_solid.h"
 #include "output/draw/levels.h"
@@ -22,24 +23,21 @@ static graze_status make_positions(picture *p, graze_context *context) {
     p->moved = calloc(n, sizeof *p->moved);
     if (!p->moved)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for a picture");
-    graze_status status = GRAZE_OK;
     if (p->scene->solid->curved)
-        status = eye_solid_make(&p->made, context, p->scene->solid->curved);
-    if (!status)
-        status = shape_standing(&p->standing, context, solid);
-    fmpq *t = _fmpq_vec_init(2), *step = t + 1;
+        TRY(eye_solid_make(&p->made, context, p->scene->solid->curved));
+    TRY(shape_standing(&p->standing, context, solid));
+    LOCAL_VEC(fmpq, t, 2);
+    fmpq *step = t + 1;
     fmpq_sub(step, motion->piece[motion->piece_count - 1].hi, motion->piece[0].lo);
-    for (unsigned long k = 0; k < n && !status; k++) {
+    for (unsigned long k = 0; k < n; k++) {
         fmpq_set_ui(t, k, n - 1);
         fmpq_mul(t, t, step);
         fmpq_add(t, t, motion->piece[0].lo);
-        status = shape_moved(&p->moved[k], context, solid, motion, t,
-                             p->scene->options.operation == GRAZE_UNSWEEP);
-        if (!status)
-            status = context_poll(context);
+        TRY(shape_moved(&p->moved[k], context, solid, motion, t,
+                        p->scene->options.operation == GRAZE_UNSWEEP));
+        TRY(context_poll(context));
     }
-    _fmpq_vec_clear(t, 2);
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status make_trails(picture *p, graze_context *context) {
@@ -54,16 +52,14 @@ static graze_status make_trails(picture *p, graze_context *context) {
     p->points = calloc(request->point_count + 1, 3 * sizeof *p->points);
     if (!p->trails || !p->points)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for a picture");
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < request->point_count && !status; k++) {
+    for (size_t k = 0; k < request->point_count; k++) {
         const fmpq *point = request->points + k * d;
         for (size_t i = 0; i < d; i++)
             p->points[3 * k + i] = fmpq_get_d(point + i);
-        status = trail_make(&p->trails[k], context, p->scene, point, fineness);
-        if (!status)
-            status = context_poll(context);
+        TRY(trail_make(&p->trails[k], context, p->scene, point, fineness));
+        TRY(context_poll(context));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Collect the signs that the legend explains. */
@@ -125,12 +121,12 @@ static layout lay_out(picture *p, const char *title, const char *remark) {
 }
 
 static graze_status draw_panels(canvas *c, graze_context *context, picture *p) {
-    graze_status status = view_classes(c, context, p);
-    if (!status && p->has_positions)
-        status = view_positions(c, context, p);
-    if (!status && p->has_trajectories)
-        status = view_trajectories(c, context, p);
-    return status;
+    TRY(view_classes(c, context, p));
+    if (p->has_positions)
+        TRY(view_positions(c, context, p));
+    if (p->has_trajectories)
+        TRY(view_trajectories(c, context, p));
+    return GRAZE_OK;
 }
 
 /* The picture's cells, and its gaps, in one line. */
@@ -158,8 +154,7 @@ static void put_remark(text *out, const picture *p) {
 static graze_status draw_all(picture *p, graze_context *context, const char *file) {
     const lettering heading = {.size = 16, .bold = 1}, plain = {.size = 11};
     const char *title = p->request->title ? p->request->title : "";
-    text says;
-    text_init(&says);
+    HELD(text, says);
     put_remark(&says, p);
     const char *remark = says.failed ? "" : says.data;
     layout l = lay_out(p, title, remark);
@@ -170,7 +165,6 @@ static graze_status draw_all(picture *p, graze_context *context, const char *fil
         canvas_text(c, MARGIN, 44, &plain, remark);
         c->failed |= says.failed;
     }
-    text_clear(&says);
     if (status)
         return status;
     status = draw_panels(c, context, p);

@@ -5,6 +5,7 @@
 
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "output/draw/eye_field.h"
 
 /* Squares along a side; halvings of a side that is crossed. */
@@ -72,34 +73,31 @@ static graze_status add_square(outliner *o, size_t i, size_t j) {
     simplices *cut = &o->out->cut;
     uint32_t vertex[4];
     size_t count = 0;
-    graze_status status = GRAZE_OK;
-    for (int k = 0; k < 4 && !status; k++) {
+    for (int k = 0; k < 4; k++) {
         size_t a = i + side[k][0], b = j + side[k][1];
         int up = side[k][2];
         size_t other = up ? (b + 1) * ACROSS + a : b * ACROSS + a + 1;
         if (o->inside[b * ACROSS + a] != o->inside[other])
-            status = find_side_point(&vertex[count++], o, a, b, up);
+            TRY(find_side_point(&vertex[count++], o, a, b, up));
     }
-    for (size_t k = 0; k + 1 < count && !status; k += 2) {
-        status = array_grow(o->context, &cut->item, &o->item_room, cut->count + 1,
-                            sizeof *cut->item, "an outline");
-        if (!status)
-            cut->item[cut->count++] = (simplex){.vertex = {vertex[k], vertex[k + 1], 0}};
+    for (size_t k = 0; k + 1 < count; k += 2) {
+        TRY(array_grow(o->context, &cut->item, &o->item_room, cut->count + 1, sizeof *cut->item,
+                       "an outline"));
+        cut->item[cut->count++] = (simplex){.vertex = {vertex[k], vertex[k + 1], 0}};
     }
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status trace_outline(outliner *o) {
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < ACROSS * ACROSS && !status; k++) {
+    for (size_t k = 0; k < ACROSS * ACROSS; k++) {
         double i = (double)(k % ACROSS), j = (double)(k / ACROSS);
         o->inside[k] =
             (unsigned char)holds_at(o, lattice_place_of(o, 0, i), lattice_place_of(o, 1, j));
-        status = context_poll(o->context);
+        TRY(context_poll(o->context));
     }
-    for (size_t k = 0; k < SQUARES * SQUARES && !status; k++)
-        status = add_square(o, k % SQUARES, k / SQUARES);
-    return status;
+    for (size_t k = 0; k < SQUARES * SQUARES; k++)
+        TRY(add_square(o, k % SQUARES, k / SQUARES));
+    return GRAZE_OK;
 }
 
 graze_status eye_outline_make(graze_solid *out, graze_context *context, const csg *solid) {

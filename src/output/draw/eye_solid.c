@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "output/draw/eye_field.h"
 #include "output/draw/eye_outline.h"
 
@@ -58,17 +59,16 @@ static int is_border(const size_t at[3]) {
 }
 
 static graze_status mark_corners(surface_maker *m) {
-    graze_status status = GRAZE_OK;
     size_t at[3];
     for (at[2] = 0; at[2] < ALONG; at[2]++)
-        for (at[1] = 0; at[1] < ALONG && !status; at[1]++) {
+        for (at[1] = 0; at[1] < ALONG; at[1]++) {
             for (at[0] = 0; at[0] < ALONG; at[0]++)
                 m->inside[cell_index(at)] =
                     !is_border(at) &&
                     holds_in(m, (double[]){(double)at[0], (double)at[1], (double)at[2]});
-            status = context_poll(m->context);
+            TRY(context_poll(m->context));
         }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Where a side along `axis` is crossed, and the normal there, both in units of the lattice. */
@@ -98,12 +98,9 @@ static void cross_side(double place[3], double normal[3], surface_maker *m, cons
 static graze_status add_crossing(uint32_t *vertex, surface_maker *m, const size_t cell[3],
                                  const double place[3], const double normal[3]) {
     uint32_t *known = &m->vertex[cell_index(cell)];
-    graze_status status = GRAZE_OK;
     if (!*known) {
-        status = array_grow(m->context, &m->met, &m->room, m->count + 1, sizeof *m->met,
-                            "a surface for the eye");
-        if (status)
-            return status;
+        TRY(array_grow(m->context, &m->met, &m->room, m->count + 1, sizeof *m->met,
+                       "a surface for the eye"));
         m->met[m->count] = (crossings){
             .cell = {(unsigned char)cell[0], (unsigned char)cell[1], (unsigned char)cell[2]}};
         *known = (uint32_t)++m->count;
@@ -132,16 +129,14 @@ static graze_status add_side(surface_maker *m, const size_t at[3], int axis) {
     double place[3], normal[3];
     uint32_t corner[4];
     cross_side(place, normal, m, at, axis);
-    graze_status status = array_grow(m->context, &cut->item, &m->item_room, cut->count + 2,
-                                     sizeof *cut->item, "a surface for the eye");
-    for (int k = 0; k < 4 && !status; k++) {
+    TRY(array_grow(m->context, &cut->item, &m->item_room, cut->count + 2, sizeof *cut->item,
+                   "a surface for the eye"));
+    for (int k = 0; k < 4; k++) {
         size_t cell[3] = {at[0], at[1], at[2]};
         cell[u] -= turn[k][0];
         cell[v] -= turn[k][1];
-        status = add_crossing(&corner[k], m, cell, place, normal);
+        TRY(add_crossing(&corner[k], m, cell, place, normal));
     }
-    if (status)
-        return status;
     int outwards = m->inside[cell_index(at)], b = outwards ? 1 : 3, d = outwards ? 3 : 1;
     cut->item[cut->count++] = (simplex){.vertex = {corner[0], corner[b], corner[2]}};
     cut->item[cut->count++] = (simplex){.vertex = {corner[0], corner[2], corner[d]}};
@@ -149,21 +144,19 @@ static graze_status add_side(surface_maker *m, const size_t at[3], int axis) {
 }
 
 static graze_status add_crossed_sides(surface_maker *m) {
-    graze_status status = GRAZE_OK;
     size_t at[3];
     for (at[2] = 0; at[2] < ALONG; at[2]++)
-        for (at[1] = 0; at[1] < ALONG && !status; at[1]++) {
+        for (at[1] = 0; at[1] < ALONG; at[1]++) {
             for (at[0] = 0; at[0] < ALONG; at[0]++)
-                for (int axis = 0; axis < 3 && !status; axis++) {
+                for (int axis = 0; axis < 3; axis++) {
                     size_t next[3] = {at[0], at[1], at[2]};
                     if (++next[axis] < ALONG &&
                         m->inside[cell_index(at)] != m->inside[cell_index(next)])
-                        status = add_side(m, at, axis);
+                        TRY(add_side(m, at, axis));
                 }
-            if (!status)
-                status = context_poll(m->context);
+            TRY(context_poll(m->context));
         }
-    return status;
+    return GRAZE_OK;
 }
 
 /* The place that is nearest to the planes, within the cell: (A + held I) x = b, by Cramer. */

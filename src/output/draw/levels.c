@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "decide/verdict/classify.h"
 #include "output/report/decimal_time.h"
 #include "questions/distance/distance.h"
@@ -59,7 +60,7 @@ graze_status cells_measure(cells *c, graze_context *context, const graze_scene *
     c->distance = calloc(count, sizeof *c->distance);
     if (!c->distance)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for the cells of a picture");
-    fmpq *point = _fmpq_vec_init(3);
+    LOCAL_VEC(fmpq, point, 3);
     graze_status status = GRAZE_OK;
     for (size_t k = 0; k < count && !status; k++) {
         cells_place(point, c, 2, 2 * (k % c->count[0]) + 1, 2 * (k / c->count[0]) + 1);
@@ -67,7 +68,6 @@ graze_status cells_measure(cells *c, graze_context *context, const graze_scene *
         if (!status)
             status = context_poll(context);
     }
-    _fmpq_vec_clear(point, 3);
     choose_step(c);
     for (size_t k = 0; k < count && !status; k++)
         c->tone[k] = (unsigned char)band_of(c, (tone)c->tone[k], c->distance[k]);
@@ -76,10 +76,9 @@ graze_status cells_measure(cells *c, graze_context *context, const graze_scene *
 
 int level_text(char out[LEVEL_ROOM], const cells *c, int k) {
     int exact;
-    fmpq_t value;
-    fmpz_t ten;
-    fmpq_init(value);
-    fmpz_init_set_ui(ten, 10);
+    LOCAL(fmpq, value);
+    LOCAL(fmpz, ten);
+    fmpz_set_ui(ten, 10);
     fmpz_pow_ui(ten, ten, (ulong)abs(c->step_exponent));
     fmpq_set_si(value, k * c->step_digit, 1);
     if (c->step_exponent < 0)
@@ -90,8 +89,6 @@ int level_text(char out[LEVEL_ROOM], const cells *c, int k) {
     snprintf(out, LEVEL_ROOM, "%s", decimal ? decimal : "");
     int made = decimal != NULL;
     free(decimal);
-    fmpq_clear(value);
-    fmpz_clear(ten);
     return made;
 }
 

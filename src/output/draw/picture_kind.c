@@ -7,6 +7,7 @@
 #include <dlfcn.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "output/draw/png_loader.h"
 #include "output/draw/svg.h"
 
@@ -38,9 +39,7 @@ static graze_status check_room(graze_context *context) {
 
 /* The shared object stays loaded until the process ends. */
 static graze_status load_library(canvas *(**create)(double, double, int), graze_context *context) {
-    graze_status status = check_room(context);
-    if (status)
-        return status;
+    TRY(check_room(context));
     void *library = dlopen(PNG_LIBRARY, RTLD_NOW | RTLD_LOCAL);
     void *symbol = library ? dlsym(library, "graze_png_create") : NULL;
     if (!symbol)
@@ -79,9 +78,7 @@ graze_status canvas_check(graze_context *context, const char *file) {
 graze_status canvas_create(canvas **out, graze_context *context, const char *file, double width,
                            double height) {
     *out = NULL;
-    graze_status status = canvas_check(context, file);
-    if (status)
-        return status;
+    TRY(canvas_check(context, file));
     if (file_has_extension(file, "svg"))
         return canvas_create_svg(out, context, width, height);
     return create_png(out, context, width, height, file_has_extension(file, "pdf"));

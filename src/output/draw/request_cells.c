@@ -4,6 +4,7 @@
 #include "output/draw/request_cells.h"
 
 #include <flint/fmpq_vec.h>
+#include "base/context/scope.h"
 #include "decide/scene/box.h"
 #include "decide/scene/demand.h"
 #include "output/draw/levels.h"
@@ -13,7 +14,8 @@ static graze_status roomy_box(fmpq *low, fmpq *high, graze_context *context,
                               const graze_scene *scene) {
     int d = scene->motion->dimension;
     graze_status status = scene_box(low, high, context, scene);
-    fmpq *margin = _fmpq_vec_init(2), *side = margin + 1;
+    LOCAL_VEC(fmpq, margin, 2);
+    fmpq *side = margin + 1;
     for (int k = 0; k < d; k++) {
         fmpq_sub(side, high + k, low + k);
         if (fmpq_cmp(side, margin) > 0)
@@ -24,7 +26,6 @@ static graze_status roomy_box(fmpq *low, fmpq *high, graze_context *context,
         fmpq_sub(low + k, low + k, margin);
         fmpq_add(high + k, high + k, margin);
     }
-    _fmpq_vec_clear(margin, 2);
     return status;
 }
 
@@ -33,9 +34,10 @@ static graze_status lay_out_section(cells *out, section *oblique, graze_context 
                                     const draw_request *request, const fmpq *low,
                                     const fmpq *high) {
     static const int axis[2] = {0, 1};
-    fmpq *least = _fmpq_vec_init(2), *most = _fmpq_vec_init(2), *middle = _fmpq_vec_init(3);
-    fmpq_t place;
-    fmpq_init(place);
+    LOCAL_VEC(fmpq, least, 2);
+    LOCAL_VEC(fmpq, most, 2);
+    LOCAL_VEC(fmpq, middle, 3);
+    LOCAL(fmpq, place);
     for (int k = 0; k < 3; k++) {
         fmpq_add(middle + k, low + k, high + k);
         fmpq_div_2exp(middle + k, middle + k, 1);
@@ -52,18 +54,13 @@ static graze_status lay_out_section(cells *out, section *oblique, graze_context 
         status = cells_layout(out, context, 2, axis, least, most, place, request->grid,
                               request->by_distance);
     out->section = oblique;
-    fmpq_clear(place);
-    _fmpq_vec_clear(least, 2);
-    _fmpq_vec_clear(most, 2);
-    _fmpq_vec_clear(middle, 3);
     return status;
 }
 
 static graze_status lay_out_cells(cells *out, graze_context *context, const draw_request *request,
                                   int d, const fmpq *low, const fmpq *high) {
     int axis[2] = {0, 1};
-    fmpq_t place;
-    fmpq_init(place);
+    LOCAL(fmpq, place);
     if (d == 3) {
         axis[0] = request->plane_axis == 0;
         axis[1] = request->plane_axis == 2 ? 1 : 2;
@@ -74,30 +71,23 @@ static graze_status lay_out_cells(cells *out, graze_context *context, const draw
     }
     graze_status status =
         cells_layout(out, context, d, axis, low, high, place, request->grid, request->by_distance);
-    fmpq_clear(place);
     return status;
 }
 
 graze_status request_cells(cells *out, section *oblique, graze_context *context,
                            const graze_scene *scene, const draw_request *request) {
     int d = scene->motion->dimension;
-    fmpq *low = _fmpq_vec_init(d), *high = _fmpq_vec_init(d);
-    graze_status status = GRAZE_OK;
+    LOCAL_VEC(fmpq, low, d);
+    LOCAL_VEC(fmpq, high, d);
     if (!request->low)
-        status = roomy_box(low, high, context, scene);
+        TRY(roomy_box(low, high, context, scene));
     for (int k = 0; k < d && request->low; k++) {
         fmpq_set(low + k, request->low + k);
         fmpq_set(high + k, request->high + k);
     }
-    if (!status)
-        status = request->normal ? lay_out_section(out, oblique, context, request, low, high)
-                                 : lay_out_cells(out, context, request, d, low, high);
-    _fmpq_vec_clear(low, d);
-    _fmpq_vec_clear(high, d);
-    if (!status)
-        status = demand_check(context, scene, (double)out->count[0] * (double)out->count[1],
-                              "the cells of a picture");
-    if (!status)
-        status = (request->by_distance ? cells_measure : cells_classify)(out, context, scene);
-    return status;
+    TRY(request->normal ? lay_out_section(out, oblique, context, request, low, high)
+                        : lay_out_cells(out, context, request, d, low, high));
+    TRY(demand_check(context, scene, (double)out->count[0] * (double)out->count[1],
+                     "the cells of a picture"));
+    return (request->by_distance ? cells_measure : cells_classify)(out, context, scene);
 }

@@ -6,12 +6,14 @@
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "output/report/decimal_time.h"
 
 /* Divide a vector by its largest entry, which has size 1 then. */
 static void divide_by_largest(fmpq *v) {
-    fmpq *most = _fmpq_vec_init(2), *size = most + 1;
+    LOCAL_VEC(fmpq, most, 2);
+    fmpq *size = most + 1;
     for (int k = 0; k < 3; k++) {
         fmpq_abs(size, v + k);
         if (fmpq_cmp(size, most) > 0)
@@ -19,25 +21,22 @@ static void divide_by_largest(fmpq *v) {
     }
     for (int k = 0; k < 3; k++)
         fmpq_div(v + k, v + k, most);
-    _fmpq_vec_clear(most, 2);
 }
 
 /* Give a vector, whose largest entry has size 1, the length 1 as nearly as a double can. */
 static void shorten(fmpq *v) {
     enum { BITS = 53 };
-    fmpq_t scale;
-    fmpq_init(scale);
+    LOCAL(fmpq, scale);
     _fmpq_vec_dot(scale, v, v, 3);
     fmpz_set_d(fmpq_numref(scale), ldexp(1 / sqrt(fmpq_get_d(scale)), BITS));
     fmpz_one(fmpq_denref(scale));
     fmpq_div_2exp(scale, scale, BITS);
     for (int k = 0; k < 3; k++)
         fmpq_mul(v + k, v + k, scale);
-    fmpq_clear(scale);
 }
 
 static void find_ways(section *s) {
-    fmpq *normal = _fmpq_vec_init(3);
+    LOCAL_VEC(fmpq, normal, 3);
     for (int k = 0; k < 3; k++)
         fmpq_set(normal + k, s->normal + k);
     divide_by_largest(normal);
@@ -59,12 +58,10 @@ static void find_ways(section *s) {
         int i = (k + 1) % 3, j = (k + 2) % 3;
         s->unit[k] = s->look.row[0][i] * s->look.row[1][j] - s->look.row[0][j] * s->look.row[1][i];
     }
-    _fmpq_vec_clear(normal, 3);
 }
 
 void section_make(section *out, const fmpq *normal, const fmpq_t place) {
-    fmpq_t square;
-    fmpq_init(square);
+    LOCAL(fmpq, square);
     *out = (section){.unit_height = 0};
     fmpq_init(&out->place);
     fmpq_set(&out->place, place);
@@ -82,7 +79,6 @@ void section_make(section *out, const fmpq *normal, const fmpq_t place) {
     find_ways(out);
     for (int k = 0; k < 3; k++)
         out->unit_height += out->unit[k] * fmpq_get_d(out->origin + k);
-    fmpq_clear(square);
 }
 
 void section_clear(section *s) {
@@ -110,17 +106,15 @@ static void height_of(fmpq_t out, const section *s, const fmpq *point) {
 }
 
 int section_holds(const section *s, const fmpq *point) {
-    fmpq_t height;
-    fmpq_init(height);
+    LOCAL(fmpq, height);
     height_of(height, s, point);
-    int holds = fmpq_is_zero(height);
-    fmpq_clear(height);
-    return holds;
+    return fmpq_is_zero(height);
 }
 
 /* Let a rectangle hold a point of the plane. */
 static void hold_point(fmpq *low, fmpq *high, int first, const section *s, const fmpq *point) {
-    fmpq *value = _fmpq_vec_init(2), *square = value + 1;
+    LOCAL_VEC(fmpq, value, 2);
+    fmpq *square = value + 1;
     for (int i = 0; i < 2; i++) {
         _fmpq_vec_dot(value, s->way[i], point, 3);
         _fmpq_vec_dot(square, s->way[i], s->way[i], 3);
@@ -130,12 +124,12 @@ static void hold_point(fmpq *low, fmpq *high, int first, const section *s, const
         if (first || fmpq_cmp(value, high + i) > 0)
             fmpq_set(high + i, value);
     }
-    _fmpq_vec_clear(value, 2);
 }
 
 /* The point in which the line from a to b meets the plane, which lies between them. */
 static void meet_edge(fmpq *out, const section *s, const fmpq *a, const fmpq *b) {
-    fmpq *from = _fmpq_vec_init(3), *to = from + 1, *share = from + 2;
+    LOCAL_VEC(fmpq, from, 3);
+    fmpq *to = from + 1, *share = from + 2;
     height_of(from, s, a);
     height_of(to, s, b);
     fmpq_sub(share, from, to);
@@ -145,7 +139,6 @@ static void meet_edge(fmpq *out, const section *s, const fmpq *a, const fmpq *b)
         fmpq_mul(out + k, out + k, share);
         fmpq_add(out + k, out + k, a + k);
     }
-    _fmpq_vec_clear(from, 3);
 }
 
 /* Enlarge an interval to multiples of a power of two, with 2^12 to 2^13 of them in its length: its
@@ -153,9 +146,9 @@ static void meet_edge(fmpq *out, const section *s, const fmpq *a, const fmpq *b)
  */
 static void round_extent(fmpq_t low, fmpq_t high) {
     enum { PARTS = 12 };
-    fmpq *length = _fmpq_vec_init(2), *unit = length + 1;
-    fmpz_t whole;
-    fmpz_init(whole);
+    LOCAL_VEC(fmpq, length, 2);
+    fmpq *unit = length + 1;
+    LOCAL(fmpz, whole);
     fmpq_sub(length, high, low);
     slong bits = (slong)fmpz_bits(fmpq_numref(length)) - (slong)fmpz_bits(fmpq_denref(length));
     fmpq_one(unit);
@@ -169,17 +162,15 @@ static void round_extent(fmpq_t low, fmpq_t high) {
     fmpq_div(length, high, unit);
     fmpz_cdiv_q(whole, fmpq_numref(length), fmpq_denref(length));
     fmpq_mul_fmpz(high, unit, whole);
-    _fmpq_vec_clear(length, 2);
-    fmpz_clear(whole);
 }
 
 int section_extent(fmpq *low, fmpq *high, const section *s, const fmpq *box_low,
                    const fmpq *box_high) {
     int found = 0;
-    fmpq *corner = _fmpq_vec_init(24), *point = _fmpq_vec_init(3);
-    fmpq_t height;
+    LOCAL_VEC(fmpq, corner, 24);
+    LOCAL_VEC(fmpq, point, 3);
     int sign[8];
-    fmpq_init(height);
+    LOCAL(fmpq, height);
     for (int c = 0; c < 8; c++) {
         for (int k = 0; k < 3; k++)
             fmpq_set(corner + 3 * c + k, (c >> k & 1 ? box_high : box_low) + k);
@@ -197,9 +188,6 @@ int section_extent(fmpq *low, fmpq *high, const section *s, const fmpq *box_low,
     for (int c = 0; c < 8; c++)
         if (sign[c] == 0)
             hold_point(low, high, !found++, s, corner + 3 * c);
-    fmpq_clear(height);
-    _fmpq_vec_clear(corner, 24);
-    _fmpq_vec_clear(point, 3);
     if (!found || fmpq_cmp(low, high) >= 0 || fmpq_cmp(low + 1, high + 1) >= 0)
         return 0;
     for (int i = 0; i < 2; i++)
@@ -209,8 +197,7 @@ int section_extent(fmpq *low, fmpq *high, const section *s, const fmpq *box_low,
 
 void section_equation(text *out, const section *s) {
     int first = 1;
-    fmpq_t size;
-    fmpq_init(size);
+    LOCAL(fmpq, size);
     for (int k = 0; k < 3; k++) {
         if (fmpq_is_zero(s->normal + k))
             continue;
@@ -226,7 +213,6 @@ void section_equation(text *out, const section *s) {
     }
     text_put(out, " = ");
     text_rational(out, &s->place);
-    fmpq_clear(size);
 }
 
 /* Three numbers: decimals of four digits, or exact. */

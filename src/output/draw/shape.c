@@ -5,6 +5,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "output/draw/chain.h"
 
 /* Map all vertices by d rows of d + 1 numbers. */
@@ -46,17 +47,16 @@ graze_status shape_moved(shape *out, graze_context *context, const graze_solid *
     while (k + 1 < motion->piece_count && fmpq_cmp(t, motion->piece[k].hi) > 0)
         k++;
     const motion_piece *piece = &motion->piece[k];
-    fmpq *u = _fmpq_vec_init(2), *width = u + 1;
+    LOCAL_VEC(fmpq, u, 2);
+    fmpq *width = u + 1;
     fmpq_sub(u, t, piece->lo);
     fmpq_sub(width, piece->hi, piece->lo);
     fmpq_div(u, u, width);
-    fmpq *exact = _fmpq_vec_init(entries);
+    LOCAL_VEC(fmpq, exact, entries);
     double map[12];
     point_map_at(exact, inverse ? &piece->inverse : &piece->forward, u);
     for (int e = 0; e < entries; e++)
         map[e] = fmpq_get_d(exact + e);
-    _fmpq_vec_clear(exact, entries);
-    _fmpq_vec_clear(u, 2);
     graze_status status = place_vertices(out, context, solid, map);
     out->reflected = determinant(map, d) < 0;
     return status;
@@ -81,7 +81,7 @@ static double nodes_apart(size_t count) {
 
 void shape_rings(drawn_path *out, const shape *s, const panel *p) {
     const simplices *cut = &s->solid->cut;
-    chain_segment *segments = calloc(cut->count + 1, sizeof *segments);
+    FREED(chain_segment, segments, calloc(cut->count + 1, sizeof *segments));
     out->failed |= !segments;
     for (size_t f = 0; f < cut->count && segments; f++)
         for (int k = 0; k < 2; k++) {
@@ -91,7 +91,6 @@ void shape_rings(drawn_path *out, const shape *s, const panel *p) {
         }
     if (segments)
         chain_path(out, segments, cut->count, nodes_apart(cut->count));
-    free(segments);
 }
 
 static double height_over(const double normal[3], const double *a) {
@@ -127,12 +126,11 @@ static int slice_triangle(chain_segment *out, const shape *s, const simplex *f, 
 void shape_slice(drawn_path *out, const shape *s, const panel *p, const double normal[3],
                  double place) {
     const simplices *cut = &s->solid->cut;
-    chain_segment *segments = calloc(cut->count + 1, sizeof *segments);
+    FREED(chain_segment, segments, calloc(cut->count + 1, sizeof *segments));
     size_t n = 0;
     out->failed |= !segments;
     for (size_t f = 0; f < cut->count && segments; f++)
         n += (size_t)slice_triangle(&segments[n], s, &cut->item[f], p, normal, place);
     if (segments)
         chain_path(out, segments, n, nodes_apart(cut->count));
-    free(segments);
 }

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "output/draw/raster.h"
 #include "output/draw/shown_edges.h"
 
@@ -163,8 +164,8 @@ graze_status shapes_paint(canvas *c, graze_context *context, const shape *shapes
     size_t n = 0, per_shape = shapes[0].solid->cut.count;
     edge_list edges;
     graze_status status = edges_make(&edges, context, shapes[0].solid);
-    face *faces = calloc(per_shape, count * sizeof *faces);
-    double *sums = calloc(per_shape, 2 * sizeof *sums);
+    FREED(face, faces, calloc(per_shape, count * sizeof *faces));
+    FREED(double, sums, calloc(per_shape, 2 * sizeof *sums));
     if (!status && (!faces || !sums))
         status = context_fail(context, GRAZE_ESYSTEM, "out of memory for the faces of a picture");
     for (size_t s = 0; s < count && !status; s++)
@@ -174,8 +175,6 @@ graze_status shapes_paint(canvas *c, graze_context *context, const shape *shapes
         qsort(faces, n, sizeof *faces, nearer_later);
         status = paint_faces(&b, context, shapes, finishes, faces, n);
     }
-    free(faces);
-    free(sums);
     edges_clear(&edges);
     return status;
 }

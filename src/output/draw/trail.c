@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "base/number/refine.h"
 #include "decide/verdict/classify.h"
 #include "decide/verdict/verdict.h"
@@ -39,9 +40,8 @@ static void add_place(follower *f, const double at[3]) {
 
 /* c(u), u taken to 2^-30. */
 static void place_at(double out[3], const follower *f, moment m) {
-    fmpz *x = _fmpz_vec_init(f->dimension + 1);
-    fmpq_t u;
-    fmpq_init(u);
+    LOCAL_VEC(fmpz, x, f->dimension + 1);
+    LOCAL(fmpq, u);
     fmpq_set_si(u, lround(ldexp(m.u, 30)), 1ul << 30);
     trajectory_at(x, &f->piece[m.piece], u);
     slong ex, ew;
@@ -52,8 +52,6 @@ static void place_at(double out[3], const follower *f, moment m) {
         slong shift = ex - ew;
         out[k] = ldexp(value / w, shift > 2000 ? 2000 : shift < -2000 ? -2000 : (int)shift);
     }
-    fmpq_clear(u);
-    _fmpz_vec_clear(x, f->dimension + 1);
 }
 
 /* Distance of p from the segment ab. */
@@ -108,7 +106,8 @@ static void add_trail_span(follower *f, graze_state state, moment from, moment t
 }
 
 static moment moment_of(graze_time *time) {
-    fmpq *low = _fmpq_vec_init(3), *high = low + 1, *width = low + 2;
+    LOCAL_VEC(fmpq, low, 3);
+    fmpq *high = low + 1, *width = low + 2;
     for (;;) {
         algebraic_bounds(low, high, &time->u);
         fmpq_sub(width, high, low);
@@ -117,7 +116,6 @@ static moment moment_of(graze_time *time) {
         algebraic_refine(&time->u);
     }
     moment m = {time->piece, (fmpq_get_d(low) + fmpq_get_d(high)) / 2};
-    _fmpq_vec_clear(low, 3);
     return m;
 }
 

@@ -4,6 +4,7 @@
 #include "output/draw/trajectories.h"
 
 #include <math.h>
+#include "base/context/scope.h"
 #include "output/draw/labels.h"
 #include "output/draw/shape_paint.h"
 
@@ -192,8 +193,7 @@ static graze_status draw_standing(canvas *c, graze_context *context, const pictu
 graze_status view_trajectories(canvas *c, graze_context *context, const picture *p) {
     const panel *at = &p->trajectories;
     size_t n = p->request->point_count;
-    labels names;
-    labels_init(&names, at, !picture_is_plane(p));
+    HELD(labels, names, at, !picture_is_plane(p));
     canvas_begin(c, "trajectories", NULL);
     canvas_clip(c, at->x, at->y, at->width, at->height);
     graze_status status = draw_standing(c, context, p);
@@ -221,7 +221,6 @@ graze_status view_trajectories(canvas *c, graze_context *context, const picture 
     }
     labels_tell(&names, c);
     c->failed |= names.failed;
-    labels_clear(&names);
     canvas_end(c);
     return status;
 }

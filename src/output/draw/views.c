@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "output/draw/cell_parts.h"
 #include "output/draw/contour.h"
 #include "output/draw/labels.h"
@@ -41,10 +42,9 @@ static double longer_side(const extent *e) {
 static graze_status fit_panel(panel *out, graze_context *context, const projection *look,
                               const extent *all, const char *title, int numbered) {
     *out = panel_fit(look, all, 480);
-    graze_status status = range_check(context, out->window.low, out->window.high, 2);
-    if (!status)
-        panel_name(out, title, numbered);
-    return status;
+    TRY(range_check(context, out->window.low, out->window.high, 2));
+    panel_name(out, title, numbered);
+    return GRAZE_OK;
 }
 
 /* Around the standing solid; trajectories may come from far and go far. */
@@ -66,19 +66,16 @@ static graze_status fit_trajectories(picture *p, graze_context *context, const p
 /* The plane of the cells, but for an equation that is long. */
 static void tell_plane(text *out, const picture *p) {
     enum { LONG = 44 };
-    text plane;
-    text_init(&plane);
+    HELD(text, plane);
     cells_plane(&plane, &p->cells, p->request->plane_axis);
     int told = !p->cells.section || plane.failed || strlen(plane.data) <= LONG;
     text_format(out, told ? " in the plane %s" : " in an oblique plane",
                 plane.failed ? "" : plane.data);
     out->failed |= plane.failed;
-    text_clear(&plane);
 }
 
 static void name_classes(picture *p) {
-    text title;
-    text_init(&title);
+    HELD(text, title);
     text_put(&title, p->request->by_distance
                          ? is_unsweep(p) ? "Distance to the unsweep" : "Distance to the sweep"
                      : is_unsweep(p) ? "The unsweep"
@@ -87,7 +84,6 @@ static void name_classes(picture *p) {
         tell_plane(&title, p);
     panel_name(&p->classes, title.failed ? "" : title.data, 1);
     p->failed |= title.failed;
-    text_clear(&title);
 }
 
 static graze_status fit_positions(picture *p, graze_context *context, const projection *look) {
@@ -132,12 +128,10 @@ size_t views_outside(const picture *p) {
 /* In E^3 by class, the region of each class and those after it, which are drawn over it. */
 static graze_status draw_cells(canvas *c, graze_context *context, const picture *p) {
     graze_status status = GRAZE_OK;
-    text layout;
-    text_init(&layout);
+    HELD(text, layout);
     cells_attributes(&layout, &p->cells, &p->classes);
     c->failed |= layout.failed;
     canvas_begin(c, "cells", layout.failed ? NULL : layout.data);
-    text_clear(&layout);
     int regions = !p->cells.split;
     for (int k = 0; k < 2 * TONE_COUNT && !status; k++) {
         tone t = (tone)(k % TONE_COUNT);
@@ -213,8 +207,7 @@ static int is_in_plane(const picture *p, size_t point) {
 static graze_status draw_points(canvas *c, graze_context *context, const picture *p,
                                 const panel *at, int plane_only) {
     graze_status status = GRAZE_OK;
-    labels names;
-    labels_init(&names, at, !plane_only);
+    HELD(labels, names, at, !plane_only);
     for (int pass = 0; pass < 2; pass++)
         for (size_t k = 0; k < p->request->point_count && !status; k++) {
             double x, y;
@@ -231,7 +224,6 @@ static graze_status draw_points(canvas *c, graze_context *context, const picture
             }
         }
     labels_tell(&names, c);
-    labels_clear(&names);
     return status;
 }
 

@@ -5,6 +5,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "decide/scene/box.h"
 #include "output/draw/eye_solid.h"
 #include "output/draw/marks.h"
@@ -40,14 +41,11 @@ static graze_status put_box(text *out, double box[6], graze_context *context, co
 static graze_status put_scene_box(text *out, double box[6], graze_context *context,
                                   const graze_scene *scene, const draw_request *request) {
     int d = scene->motion->dimension;
-    fmpq *own = _fmpq_vec_init(2 * d);
+    LOCAL_VEC(fmpq, own, 2 * d);
     const fmpq *low = request->low ? request->low : own;
     const fmpq *high = request->low ? request->high : own + d;
-    graze_status status = request->low ? GRAZE_OK : scene_box(own, own + d, context, scene);
-    if (!status)
-        status = put_box(out, box, context, low, high, d);
-    _fmpq_vec_clear(own, 2 * d);
-    return status;
+    TRY(request->low ? GRAZE_OK : scene_box(own, own + d, context, scene));
+    return put_box(out, box, context, low, high, d);
 }
 
 /* A curved solid as it is made for the eye, and the titles of its primitives. */
@@ -117,8 +115,7 @@ static const char *put_until(text *out, const char *from, const char *mark) {
 
 graze_status page_write(graze_context *context, const graze_scene *scene, const char *file,
                         const draw_request *request) {
-    text out;
-    text_init(&out);
+    HELD(text, out);
     const char *rest = put_until(&out, asset_template, "@LICENCE@");
     text_put(&out, asset_licence);
     rest = put_until(&out, rest, "@THREE@");
@@ -132,6 +129,5 @@ graze_status page_write(graze_context *context, const graze_scene *scene, const 
     if (!status)
         status = out.failed ? context_fail(context, GRAZE_ESYSTEM, "out of memory for a page")
                             : save_file(context, file, &out);
-    text_clear(&out);
     return status;
 }

@@ -5,6 +5,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
+#include "base/context/scope.h"
 #include "output/draw/shown_edges.h"
 #include "output/page/encode.h"
 #include "questions/boundary/bisect.h"
@@ -99,7 +100,7 @@ void page_motion(text *out, const graze_motion *motion, graze_operation operatio
 static void put_surface(text *out, const struct graze_boundary *b, const double *centre) {
     encoder e;
     int d = b->dimension;
-    fmpq *point = _fmpq_vec_init(d);
+    LOCAL_VEC(fmpq, point, d);
     text_format(out, "{\"level\":%u,\"closed\":%s,\"complete\":%s", b->reached,
                 b->closed ? "true" : "false", b->complete ? "true" : "false");
     encode_begin(&e, out, ",\"vertices\":");
@@ -114,7 +115,6 @@ static void put_surface(text *out, const struct graze_boundary *b, const double 
         encode_count(&e, (uint32_t)b->corners[k]);
     encode_end(&e);
     text_put(out, "}");
-    _fmpq_vec_clear(point, d);
 }
 
 graze_status page_surface(text *out, graze_context *context, const graze_scene *scene,

@@ -7,6 +7,7 @@
 #include "output/report/closings.h"
 
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 #include "output/report/sentences.h"
 #include "output/report/time_text.h"
 #include "questions/topo/cover.h"
@@ -43,8 +44,7 @@ void closings_place(text *t, const graze_scene *scene, const germ *g) {
     static const char *const cells[2][3] = {{"corner", "edge", ""}, {"vertex", "edge", "facet"}};
     const graze_motion *motion = scene->motion;
     size_t k = 0;
-    fmpq_t time;
-    fmpq_init(time);
+    LOCAL(fmpq, time);
     while (motion_tracing(&motion->piece[k], scene->options.operation) != g->map)
         k++;
     if (g->has_time) {
@@ -63,7 +63,6 @@ void closings_place(text *t, const graze_scene *scene, const germ *g) {
         tell_rational_time(t, motion, motion->piece[k].hi);
     }
     text_format(t, ", %s", cells[motion->dimension - 2][cone_cell_dimension(&g->cone)]);
-    fmpq_clear(time);
 }
 
 /* Does a germ alone cover a direction? */
@@ -78,7 +77,7 @@ static graze_status covers(int *out, const closings_maker *m, germ *g, const fmp
 /* Append a facet's half-space about the point. */
 static graze_status put_half_space(const closings_maker *m, germ *g) {
     int d = m->dimension, inside = 0;
-    fmpz *normal = _fmpz_vec_init(d);
+    LOCAL_VEC(fmpz, normal, d);
     for (int column = 0; column < d; column++)
         for (int row = 0; row < d; row++)
             fmpz_addmul(normal + column, g->to_body + row * d + column, g->cone.normal + row);
@@ -86,7 +85,6 @@ static graze_status put_half_space(const closings_maker *m, germ *g) {
     graze_status status = covers(&inside, m, g, normal);
     closings_form(m->t, normal, d);
     text_put(m->t, inside ? " >= 0" : " <= 0");
-    _fmpz_vec_clear(normal, d);
     return status;
 }
 
@@ -106,7 +104,7 @@ static graze_status put_in_plane(const closings_maker *m, germ *g) {
 /* Append the sides of the open plane that a germ covers. */
 static graze_status put_sides(const closings_maker *m, germ *g) {
     int side[2] = {0, 0};
-    fmpz *normal = _fmpz_vec_init(3);
+    LOCAL_VEC(fmpz, normal, 3);
     _fmpz_vec_set(normal, m->topo->across, 3);
     graze_status status = GRAZE_OK;
     for (int k = 0; k < 2 && !status; k++) {
@@ -118,7 +116,6 @@ static graze_status put_sides(const closings_maker *m, germ *g) {
         closings_form(m->t, m->topo->across, 3);
         text_put(m->t, side[0] && side[1] ? " on both sides of 0" : side[0] ? " > 0" : " < 0");
     }
-    _fmpz_vec_clear(normal, 3);
     return status;
 }
 

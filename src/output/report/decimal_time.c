@@ -9,6 +9,7 @@
 #include <mpfr.h>
 #include <flint/fmpq_vec.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/number/refine.h"
 
 int time_is_rational(const graze_time *time) {
@@ -20,29 +21,22 @@ int time_is_rational(const graze_time *time) {
 /* The digits of an interval's end, rounded to nearest, from its value in the given precision. */
 static char *end_digits(mpfr_exp_t *exponent, const fmpq_t end, mpfr_rnd_t direction,
                         mpfr_prec_t precision, int digits) {
-    mpq_t exact;
-    mpfr_t value;
-    mpq_init(exact);
-    mpfr_init2(value, precision);
+    LOCAL(mpq, exact);
+    LOCAL_MPFR(value, precision);
     fmpq_get_mpq(exact, end);
     mpfr_set_q(value, exact, direction);
-    char *text = mpfr_get_str(NULL, exponent, 10, (size_t)digits, value, MPFR_RNDN);
-    mpfr_clear(value);
-    mpq_clear(exact);
-    return text;
+    return mpfr_get_str(NULL, exponent, 10, (size_t)digits, value, MPFR_RNDN);
 }
 
 /* The isolating interval of a time, converted from the piece's parameter to the motion's. */
 static void bounds_in_t(fmpq_t low, fmpq_t high, const algebraic *u, const motion_piece *piece) {
-    fmpq_t length;
-    fmpq_init(length);
+    LOCAL(fmpq, length);
     fmpq_sub(length, piece->hi, piece->lo);
     algebraic_bounds(low, high, u);
     fmpq_mul(low, low, length);
     fmpq_add(low, low, piece->lo);
     fmpq_mul(high, high, length);
     fmpq_add(high, high, piece->lo);
-    fmpq_clear(length);
 }
 
 /* The digits that both ends round to; NULL if they round differently. */
@@ -61,9 +55,9 @@ static char *common_digits(const fmpq_t low, const fmpq_t high, mpfr_prec_t prec
 }
 
 static char *decimal_of_root(const graze_time *time, const fmpq_t since, int digits) {
-    algebraic u;
-    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
-    algebraic_init(&u);
+    LOCAL_VEC(fmpq, low, 2);
+    fmpq *high = low + 1;
+    HELD(algebraic, u);
     algebraic_set(&u, &time->u);
     char *out = NULL;
     ulong gain = FIRST_GAIN;
@@ -75,8 +69,6 @@ static char *decimal_of_root(const graze_time *time, const fmpq_t since, int dig
         fmpq_sub(high, high, since);
         out = common_digits(low, high, precision, digits);
     }
-    _fmpq_vec_clear(low, 2);
-    algebraic_clear(&u);
     return out;
 }
 
@@ -86,25 +78,20 @@ char *decimal_of_time_since(int *exact, const graze_time *time, const fmpq_t sin
             *exact = 0;
         return decimal_of_root(time, since, digits);
     }
-    fmpq_t later;
-    fmpq_init(later);
+    LOCAL(fmpq, later);
     fmpq_sub(later, time->low, since);
-    char *out = decimal_of_rational(exact, later, digits);
-    fmpq_clear(later);
-    return out;
+    return decimal_of_rational(exact, later, digits);
 }
 
 char *decimal_of_time(int *exact, const graze_time *time, int digits) {
-    fmpq_t zero;
-    fmpq_init(zero);
-    char *out = decimal_of_time_since(exact, time, zero, digits);
-    fmpq_clear(zero);
-    return out;
+    LOCAL(fmpq, zero);
+    return decimal_of_time_since(exact, time, zero, digits);
 }
 
 int time_origin(fmpq *origin, const graze_motion *motion) {
     const slong large = 1000;
-    fmpq *length = _fmpq_vec_init(2), *start = length + 1;
+    LOCAL_VEC(fmpq, length, 2);
+    fmpq *start = length + 1;
     fmpq_sub(length, motion->piece[motion->piece_count - 1].hi, motion->piece[0].lo);
     fmpq_mul_si(length, length, large);
     fmpq_abs(start, motion->piece[0].lo);
@@ -113,7 +100,6 @@ int time_origin(fmpq *origin, const graze_motion *motion) {
         fmpq_set(origin, motion->piece[0].lo);
     else if (origin)
         fmpq_zero(origin);
-    _fmpq_vec_clear(length, 2);
     return is_large;
 }
 

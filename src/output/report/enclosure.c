@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <mpfr.h>
+#include "base/context/scope.h"
 #include "output/report/decimal_time.h"
 #include "output/report/sentences.h"
 #include "output/report/time_text.h"
@@ -11,26 +12,21 @@
 enum { DECIMAL_DIGITS = 17 };
 
 void report_bound(char out[BOUND_ROOM], double bound, int up) {
-    mpfr_t x;
-    mpfr_init2(x, 53);
+    LOCAL_MPFR(x, 53);
     mpfr_set_d(x, bound + 0.0, MPFR_RNDN);
     mpfr_snprintf(out, BOUND_ROOM, up ? "%.17RUg" : "%.17RDg", x);
-    mpfr_clear(x);
 }
 
 void report_width(char out[BOUND_ROOM], double value, int up) {
     double next = nextafter(value, up ? (double)INFINITY : 0);
-    mpfr_t x, read;
-    mpfr_init2(x, 53);
-    mpfr_init2(read, 256);
+    LOCAL_MPFR(x, 53);
+    LOCAL_MPFR(read, 256);
     mpfr_set_d(x, value, MPFR_RNDN);
     for (int digits = 1, done = 0; digits <= 17 && !done; digits++) {
         mpfr_snprintf(out, BOUND_ROOM, up ? "%.*RUg" : "%.*RDg", digits, x);
         mpfr_set_str(read, out, 10, up ? MPFR_RNDD : MPFR_RNDU);
         done = up ? mpfr_cmp_d(read, next) < 0 : mpfr_cmp_d(read, next) > 0;
     }
-    mpfr_clear(x);
-    mpfr_clear(read);
 }
 
 /* Set the time of an enclosure and return 1, if it is rational; else return 0. */
@@ -45,13 +41,11 @@ static int rational_time(fmpq_t out, const graze_scene *scene, const distance *f
 }
 
 void report_distance_time(text *out, const graze_scene *scene, const distance *found) {
-    fmpq_t time;
-    fmpq_init(time);
+    LOCAL(fmpq, time);
     if (rational_time(time, scene, found))
         text_rational(out, time);
     else
         text_owned(out, decimal_of_time(NULL, found->at, DECIMAL_DIGITS));
-    fmpq_clear(time);
 }
 
 const char *report_certainty(const distance *found, double motion_error) {
@@ -73,12 +67,10 @@ void explain_distance(text *out, const graze_scene *scene, const distance *found
     sentence_put(out, "distance", scene->options.operation == GRAZE_SWEEP ? "sweep" : "unsweep",
                  low, high, found->wide ? ", which is wider than was asked for" : "",
                  found->at ? "distance-met" : "distance-shown");
-    fmpq_t time;
-    fmpq_init(time);
+    LOCAL(fmpq, time);
     if (rational_time(time, scene, found))
         tell_rational_time(out, scene->motion, time);
     else
         tell_near_time(out, found->at, DECIMAL_DIGITS);
-    fmpq_clear(time);
     text_put(out, ".\n");
 }

@@ -11,6 +11,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <stdio.h>
+#include "base/context/scope.h"
 #include "base/number/decimal.h"
 #include "decide/verdict/verdict.h"
 #include "output/report/enclosure.h"
@@ -30,8 +31,7 @@ static int is_long(const fmpq_t value) {
 /* Append coordinates; if one is a long ratio, append all of them as decimals too. */
 static void put_point(text *out, const fmpq *point, int d) {
     int any = 0, all = 1, exact;
-    text near;
-    text_init(&near);
+    HELD(text, near);
     for (int k = 0; k < d; k++) {
         text_put(out, k ? ", " : "(");
         formula_rational(out, point + k);
@@ -44,21 +44,18 @@ static void put_point(text *out, const fmpq *point, int d) {
     if (any)
         text_format(out, all ? " = (%s)" : ", about (%s),", near.failed ? "" : near.data);
     out->failed |= near.failed;
-    text_clear(&near);
 }
 
 static void put_answer(text *out, const graze_scene *scene, const fmpq *point,
                        const graze_trace *trace) {
     const graze_verdict *v = &trace->verdict;
     int unsweep = scene->options.operation == GRAZE_UNSWEEP;
-    text at;
-    text_init(&at);
+    HELD(text, at);
     put_point(&at, point, scene->motion->dimension);
     const char *place = at.failed ? "" : at.data, *pmc = graze_pmc_name(v->pmc);
     sentence_put(out, unsweep ? "answer-unsweep" : "answer-sweep", place, pmc,
                  unsweep ? trace->word : graze_class_name(v->class_), trace->word);
     out->failed |= at.failed;
-    text_clear(&at);
     tell_time_origin(out, scene->motion);
     text_put(out, "\n");
 }
@@ -67,9 +64,9 @@ static void put_answer(text *out, const graze_scene *scene, const fmpq *point,
 static void put_end_point(text *out, const graze_scene *scene, const fmpq *point,
                           const motion_piece *piece, ulong u) {
     int d = scene->motion->dimension;
-    fmpq *map = _fmpq_vec_init(d * (d + 1)), *image = _fmpq_vec_init(d);
-    fmpq_t at;
-    fmpq_init(at);
+    LOCAL_VEC(fmpq, map, d * (d + 1));
+    LOCAL_VEC(fmpq, image, d);
+    LOCAL(fmpq, at);
     fmpq_set_ui(at, u, 1);
     point_map_at(map, motion_tracing(piece, scene->options.operation), at);
     for (int row = 0; row < d; row++) {
@@ -78,9 +75,6 @@ static void put_end_point(text *out, const graze_scene *scene, const fmpq *point
             fmpq_addmul(image + row, map + row * (d + 1) + j, point + j);
     }
     put_point(out, image, d);
-    fmpq_clear(at);
-    _fmpq_vec_clear(image, d);
-    _fmpq_vec_clear(map, d * (d + 1));
 }
 
 static void put_end(text *out, const graze_scene *scene, const fmpq *point,

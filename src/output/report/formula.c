@@ -11,6 +11,7 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/number/rational.h"
 
 enum { LONG_NUMBER = 40, SHOWN_FIGURES = 12, LONG_POLYNOMIAL = 9, SHOWN_TERMS = 3 };
@@ -49,8 +50,7 @@ void formula_rational(text *out, const fmpq_t value) {
 }
 
 static void put_term(text *out, const fmpq_t coefficient, slong power, int first) {
-    fmpq_t size;
-    fmpq_init(size);
+    LOCAL(fmpq, size);
     fmpq_abs(size, coefficient);
     if (first)
         text_put(out, fmpq_sgn(coefficient) < 0 ? "-" : "");
@@ -63,7 +63,6 @@ static void put_term(text *out, const fmpq_t coefficient, slong power, int first
         text_put(out, unit ? "t" : "*t");
     if (power > 1)
         text_format(out, "^%ld", (long)power);
-    fmpq_clear(size);
 }
 
 static slong term_count(const fmpq_poly_t p) {
@@ -75,8 +74,7 @@ static slong term_count(const fmpq_poly_t p) {
 
 static void put_polynomial(text *out, const fmpq_poly_t p) {
     slong count = term_count(p), seen = 0;
-    fmpq_t coefficient;
-    fmpq_init(coefficient);
+    LOCAL(fmpq, coefficient);
     if (count == 0)
         text_put(out, "0");
     for (slong k = fmpq_poly_degree(p); k >= 0; k--) {
@@ -89,15 +87,12 @@ static void put_polynomial(text *out, const fmpq_poly_t p) {
         else if (seen == SHOWN_TERMS + 1)
             text_format(out, " + ... [%ld terms left out] ...", (long)(count - 2 * SHOWN_TERMS));
     }
-    fmpq_clear(coefficient);
 }
 
 void formula_polynomial(text *out, const fmpz_poly_t polynomial) {
-    fmpq_poly_t p;
-    fmpq_poly_init(p);
+    LOCAL(fmpq_poly, p);
     fmpq_poly_set_fmpz_poly(p, polynomial);
     put_polynomial(out, p);
-    fmpq_poly_clear(p);
 }
 
 /* Numerator and weight of one coordinate as polynomials in u. */
@@ -105,8 +100,7 @@ static void coordinate_in_u(fmpq_poly_t numerator, fmpq_poly_t weight, const poi
                             int coordinate, const fmpq *point) {
     int d = map->dimension;
     const fmpz_poly_struct *row = map->entry + coordinate * (d + 1);
-    fmpq_poly_t term;
-    fmpq_poly_init(term);
+    LOCAL(fmpq_poly, term);
     fmpq_poly_set_fmpz_poly(numerator, row + d);
     for (int j = 0; j < d; j++) {
         fmpq_poly_set_fmpz_poly(term, row + j);
@@ -114,16 +108,15 @@ static void coordinate_in_u(fmpq_poly_t numerator, fmpq_poly_t weight, const poi
         fmpq_poly_add(numerator, numerator, term);
     }
     fmpq_poly_set_fmpz_poly(weight, map->weight);
-    fmpq_poly_clear(term);
 }
 
 /* Put u = (t - lo)/(hi - lo) into both, take the common factor out, and make the weight a primitive
  * integer polynomial with positive leading coefficient. */
 static void to_lowest_terms(fmpq_poly_t numerator, fmpq_poly_t weight, const motion_piece *piece) {
-    fmpq_poly_t local, factor;
-    fmpq *slope = _fmpq_vec_init(2), *shift = slope + 1;
-    fmpq_poly_init(local);
-    fmpq_poly_init(factor);
+    LOCAL_VEC(fmpq, slope, 2);
+    fmpq *shift = slope + 1;
+    LOCAL(fmpq_poly, local);
+    LOCAL(fmpq_poly, factor);
     fmpq_sub(slope, piece->hi, piece->lo);
     fmpq_inv(slope, slope);
     fmpq_mul(shift, piece->lo, slope);
@@ -143,16 +136,12 @@ static void to_lowest_terms(fmpq_poly_t numerator, fmpq_poly_t weight, const mot
     fmpq_inv(slope, slope);
     fmpq_poly_scalar_mul_fmpq(weight, weight, slope);
     fmpq_poly_scalar_mul_fmpq(numerator, numerator, slope);
-    fmpq_poly_clear(local);
-    fmpq_poly_clear(factor);
-    _fmpq_vec_clear(slope, 2);
 }
 
 void formula_coordinate(text *out, const motion_piece *piece, const point_map *map, int coordinate,
                         const fmpq *point) {
-    fmpq_poly_t numerator, weight;
-    fmpq_poly_init(numerator);
-    fmpq_poly_init(weight);
+    LOCAL(fmpq_poly, numerator);
+    LOCAL(fmpq_poly, weight);
     coordinate_in_u(numerator, weight, map, coordinate, point);
     to_lowest_terms(numerator, weight, piece);
     int constant = fmpq_poly_degree(weight) <= 0;
@@ -166,6 +155,4 @@ void formula_coordinate(text *out, const motion_piece *piece, const point_map *m
         put_polynomial(out, weight);
         text_put(out, ")");
     }
-    fmpq_poly_clear(numerator);
-    fmpq_poly_clear(weight);
 }

@@ -7,6 +7,7 @@
  */
 #include "output/report/inside.h"
 
+#include "base/context/scope.h"
 #include "output/report/decimal_time.h"
 #include "output/report/json_values.h"
 
@@ -18,7 +19,6 @@ graze_status inside_find(inside_times *out, graze_context *context, const graze_
                          const graze_trace *trace) {
     const contact *c = trace->contact;
     size_t count = trace->contact_count, last = motion->piece_count - 1;
-    graze_status status = GRAZE_OK;
     *out = (inside_times){.undecided = trace->undecided != NULL};
     if (out->undecided)
         return GRAZE_OK;
@@ -31,10 +31,10 @@ graze_status inside_find(inside_times *out, graze_context *context, const graze_
     else if (count)
         out->last = (inside_end){.time = c[count - 1].to, .piece = last_piece(c[count - 1].to)};
     if (out->first.time)
-        status = time_canonicalise(c[0].from, context);
-    if (!status && out->last.time)
-        status = time_canonicalise(c[count - 1].to, context);
-    return status;
+        TRY(time_canonicalise(c[0].from, context));
+    if (out->last.time)
+        TRY(time_canonicalise(c[count - 1].to, context));
+    return GRAZE_OK;
 }
 
 static int is_never(const inside_end *m) {

@@ -5,6 +5,7 @@
 #include "output/report/json_rows.h"
 
 #include <stdio.h>
+#include "base/context/scope.h"
 #include "decide/verdict/verdict.h"
 #include "output/report/enclosure.h"
 #include "output/report/json_values.h"
@@ -133,11 +134,9 @@ static void json_distance(json_writer *w, const graze_scene *scene, const distan
         json_time(w, "sdf_t", found->at);
         return;
     }
-    fmpq_t time;
-    fmpq_init(time);
+    LOCAL(fmpq, time);
     distance_time(time, found, scene->motion);
     json_rational(w, "sdf_t", time);
-    fmpq_clear(time);
 }
 
 void report_json(text *out, const row *r) {

@@ -5,6 +5,7 @@
 #include "output/report/table_text.h"
 
 #include <string.h>
+#include "base/context/scope.h"
 #include "output/report/enclosure.h"
 #include "output/table/row_values.h"
 #include "questions/distance/diagonal.h"
@@ -201,12 +202,10 @@ graze_status report_values(text *out, graze_context *context, const row *r) {
             values_code(out, codes[k]);
         values_text(out, r->trace->word, strlen(r->trace->word));
     }
-    text further;
-    text_init(&further);
+    HELD(text, further);
     put_further(&further, r);
     if (further.length) /* without the comma before them */
         values_text(out, further.data + 1, further.length - 1);
     out->failed |= further.failed;
-    text_clear(&further);
     return status;
 }

@@ -5,6 +5,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "output/report/decimal_time.h"
 #include "output/report/formula.h"
 
@@ -19,18 +20,17 @@ static void put_later(text *out, const char *number) {
 }
 
 static void put_later_ratio(text *out, const fmpq_t later) {
-    text ratio;
-    text_init(&ratio);
+    HELD(text, ratio);
     formula_rational(&ratio, later);
     put_later(out, ratio.failed ? "" : ratio.data);
     out->failed |= ratio.failed;
-    text_clear(&ratio);
 }
 
 /* Append a time as its decimal, if that is exact; else as a ratio, with the decimal behind it if
  * `with_near`. */
 static void put_told(text *out, const graze_motion *motion, const fmpq_t time, int with_near) {
-    fmpq *origin = _fmpq_vec_init(2), *later = origin + 1;
+    LOCAL_VEC(fmpq, origin, 2);
+    fmpq *later = origin + 1;
     int exact;
     int is_large = time_origin(origin, motion);
     fmpq_sub(later, time, origin);
@@ -50,7 +50,6 @@ static void put_told(text *out, const graze_motion *motion, const fmpq_t time, i
             put_later(out, decimal);
     }
     free(decimal);
-    _fmpq_vec_clear(origin, 2);
 }
 
 void tell_rational_time(text *out, const graze_motion *motion, const fmpq_t time) {
@@ -58,8 +57,7 @@ void tell_rational_time(text *out, const graze_motion *motion, const fmpq_t time
 }
 
 void tell_near_time(text *out, const graze_time *time, int digits) {
-    fmpq_t origin;
-    fmpq_init(origin);
+    LOCAL(fmpq, origin);
     int is_large = time_origin(origin, time->motion);
     char *decimal = decimal_of_time_since(NULL, time, origin, digits);
     out->failed |= !decimal;
@@ -68,7 +66,6 @@ void tell_near_time(text *out, const graze_time *time, int digits) {
     else
         text_put(out, decimal ? decimal : "");
     free(decimal);
-    fmpq_clear(origin);
 }
 
 void tell_time(text *out, const graze_time *time) {
@@ -87,9 +84,8 @@ void tell_time(text *out, const graze_time *time) {
 }
 
 void tell_time_origin(text *out, const graze_motion *motion) {
-    fmpq_t origin;
     int exact;
-    fmpq_init(origin);
+    LOCAL(fmpq, origin);
     if (time_origin(origin, motion)) {
         char *decimal = decimal_of_rational(&exact, origin, DECIMAL_DIGITS);
         out->failed |= !decimal;
@@ -100,5 +96,4 @@ void tell_time_origin(text *out, const graze_motion *motion) {
         text_put(out, ".");
         free(decimal);
     }
-    fmpq_clear(origin);
 }

@@ -6,6 +6,7 @@
 #include "output/table/typed_npy.h"
 
 #include <string.h>
+#include "base/context/scope.h"
 
 /* Little-endian. */
 static void put_number(sink to, uint64_t value, size_t count) {
@@ -28,8 +29,7 @@ static size_t width_of(const typed_column *c) {
 
 /* A name as Python writes it between quotes. */
 static void put_name(text *out, const typed_table *t, size_t index) {
-    text name;
-    text_init(&name);
+    HELD(text, name);
     typed_name(&name, t, index);
     for (size_t k = 0; k < name.length; k++) {
         if (name.data[k] == '\'' || name.data[k] == '\\')
@@ -37,7 +37,6 @@ static void put_name(text *out, const typed_table *t, size_t index) {
         text_bytes(out, name.data + k, 1);
     }
     out->failed |= name.failed;
-    text_clear(&name);
 }
 
 /* The dictionary that describes the array. */
@@ -59,8 +58,7 @@ static void put_description(text *out, const typed_table *t) {
 
 /* Version 3 has a length of four bytes and UTF-8; head and description fill whole 64 bytes. */
 static graze_status put_head(sink to, const typed_table *t) {
-    text description;
-    text_init(&description);
+    HELD(text, description);
     put_description(&description, t);
     while (!description.failed && (12 + description.length + 1) % 64)
         text_put(&description, " ");
@@ -72,7 +70,6 @@ static graze_status put_head(sink to, const typed_table *t) {
         put_number(to, description.length, 4);
         to.put(to.to, description.data, description.length);
     }
-    text_clear(&description);
     return status;
 }
 
@@ -105,9 +102,9 @@ static void put_field(sink to, const typed_column *c, size_t row) {
 }
 
 graze_status typed_write_npy(const typed_table *t, sink to) {
-    graze_status status = put_head(to, t);
-    for (size_t row = 0; row < t->row_count && !status; row++)
+    TRY(put_head(to, t));
+    for (size_t row = 0; row < t->row_count; row++)
         for (size_t k = 0; k < t->column_count; k++)
             put_field(to, &t->column[k], row);
-    return status;
+    return GRAZE_OK;
 }

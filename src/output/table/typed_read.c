@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "base/number/rounding.h"
 
@@ -85,8 +86,7 @@ static int typed_reserve(typed_table *t) {
 
 /* *number: the field is a number, whether or not a double can hold it. */
 static graze_status read_number(double *out, int *number, graze_context *context, field f) {
-    fmpq_t value;
-    fmpq_init(value);
+    LOCAL(fmpq, value);
     graze_status status = rational_parse(value, context, f.start, f.length);
     *number = status == GRAZE_OK;
     if (!status)
@@ -94,7 +94,6 @@ static graze_status read_number(double *out, int *number, graze_context *context
     if (*number && status == GRAZE_EINPUT)
         status = context_fail(context, status, "'%.*s'; expected a number that binary64 can hold",
                               FIELD_SHOWN(f));
-    fmpq_clear(value);
     return status;
 }
 

@@ -10,6 +10,7 @@
  */
 #include "output/table/typed_vtk.h"
 
+#include "base/context/scope.h"
 #include "base/number/decimal.h"
 #include "output/table/vtk.h"
 
@@ -32,19 +33,18 @@ static field name_of(text *name, const typed_table *t, size_t index, const char 
 
 /* The texts of all columns, in the order of their numbers, as field data; 0 without memory. */
 static int put_texts(const vtk *w, const typed_table *t) {
-    text head, name;
+    text name;
     size_t count = 0;
     int failed = 0;
     for (size_t k = 0; k < t->column_count; k++)
         count += has_texts(&t->column[k]) != 0;
     if (!count || !t->row_count)
         return 1;
-    text_init(&head);
+    HELD(text, head);
     text_format(&head, "FIELD FieldData %zu\n", count);
     failed = head.failed;
     if (!failed)
         w->to.put(w->to.to, head.data, head.length);
-    text_clear(&head);
     for (size_t k = 0; k < t->column_count && !failed; k++) {
         const text *bytes = &t->column[k].texts.bytes;
         if (!has_texts(&t->column[k]))
@@ -69,12 +69,9 @@ static void put_decimal(text *out, const fmpq_t value) {
 
 /* The lines that say where the points of a grid are; 0 without memory. */
 static int put_grid(sink to, const typed_table *t) {
-    text out;
-    fmpq_t step;
-    fmpz_t parts;
-    text_init(&out);
-    fmpq_init(step);
-    fmpz_init(parts);
+    HELD(text, out);
+    LOCAL(fmpq, step);
+    LOCAL(fmpz, parts);
     text_format(&out, "DIMENSIONS %zu %zu %zu\nORIGIN", t->grid[0], t->grid[1], t->grid[2]);
     for (int k = 0; k < 3; k++)
         put_decimal(&out, t->low + k);
@@ -92,9 +89,6 @@ static int put_grid(sink to, const typed_table *t) {
     int good = !out.failed;
     if (good)
         to.put(to.to, out.data, out.length);
-    fmpq_clear(step);
-    fmpz_clear(parts);
-    text_clear(&out);
     return good;
 }
 

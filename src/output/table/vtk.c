@@ -6,6 +6,7 @@
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/number/rounding.h"
 
 static void vtk_put(const vtk *w, const char *text) {
@@ -76,13 +77,11 @@ graze_status vtk_rational_point(const vtk *w, graze_context *context, const mpq_
                                 int dimension) {
     double at[3] = {0, 0, 0};
     graze_status status = GRAZE_OK;
-    fmpq_t value;
-    fmpq_init(value);
+    LOCAL(fmpq, value);
     for (int k = 0; k < dimension && !status; k++) {
         fmpq_set_mpq(value, point[k]);
         status = rational_nearest(&at[k], context, value);
     }
-    fmpq_clear(value);
     if (status)
         return context_fail(
             context, status,

@@ -1,6 +1,7 @@
 /* graze check: is a pair of solid and motion legal.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/number/text.h"
+#include "base/context/scope.h"
 #include "program/cli/commands.h"
 #include "program/cli/values.h"
 #include "program/run/output.h"
@@ -31,9 +32,8 @@ static const char *plural(size_t count, const char *one, const char *many) {
 
 /* Set the step to a power of ten, so that the box's longest side is 10^4 to 10^6 steps. */
 static void set_step(mpz_t up, mpz_t down, mpq_t *low, mpq_t *high, int d) {
-    mpq_t side;
     long most = 0;
-    mpq_init(side);
+    LOCAL(mpq, side);
     for (int i = 0; i < d; i++) {
         mpq_sub(side, high[i], low[i]);
         long digits =
@@ -42,13 +42,11 @@ static void set_step(mpz_t up, mpz_t down, mpq_t *low, mpq_t *high, int d) {
     }
     mpz_ui_pow_ui(up, 10, most < 5 ? (unsigned long)(5 - most) : 0);
     mpz_ui_pow_ui(down, 10, most > 5 ? (unsigned long)(most - 5) : 0);
-    mpq_clear(side);
 }
 
 /* Round down, or up, to a multiple of down / up. */
 static void round_outward(mpq_t value, const mpz_t up, const mpz_t down, int upward) {
-    mpz_t denominator;
-    mpz_init(denominator);
+    LOCAL(mpz, denominator);
     mpz_mul(mpq_numref(value), mpq_numref(value), up);
     mpz_mul(denominator, mpq_denref(value), down);
     if (upward)
@@ -58,7 +56,6 @@ static void round_outward(mpq_t value, const mpz_t up, const mpz_t down, int upw
     mpz_mul(mpq_numref(value), mpq_numref(value), down);
     mpz_set(mpq_denref(value), up);
     mpq_canonicalize(value);
-    mpz_clear(denominator);
 }
 
 static graze_status put_decimal_number(text *out, graze_context *context, const mpq_t value) {
@@ -73,8 +70,8 @@ static graze_status put_decimal_number(text *out, graze_context *context, const 
 static graze_status put_checked_box(text *out, graze_context *context, const char *what, mpq_t *low,
                                     mpq_t *high, int d) {
     graze_status status = GRAZE_OK;
-    mpz_t up, down;
-    mpz_inits(up, down, NULL);
+    LOCAL(mpz, up);
+    LOCAL(mpz, down);
     set_step(up, down, low, high, d);
     text_put(out, what);
     for (int i = 0; i < d && !status; i++) {
@@ -92,7 +89,6 @@ static graze_status put_checked_box(text *out, graze_context *context, const cha
         status = put_decimal_number(out, context, low[i]);
     }
     text_put(out, "\n");
-    mpz_clears(up, down, NULL);
     return status;
 }
 
@@ -149,8 +145,7 @@ static void describe_solid(text *out, const loaded *l, int d) {
 static int describe_scene(const loaded *l) {
     int d = graze_solid_dimension(l->solid);
     size_t pieces = graze_motion_piece_count(l->motion);
-    text out;
-    text_init(&out);
+    HELD(text, out);
     text_format(&out, "legal\ndimension %d\n", d);
     describe_solid(&out, l, d);
     if (l->scene)
@@ -161,7 +156,6 @@ static int describe_scene(const loaded *l) {
         status = complain(EXIT_IO, "out of memory");
     if (!status)
         status = output_text(NULL, out.data);
-    text_clear(&out);
     return status;
 }
 

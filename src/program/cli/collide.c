@@ -1,6 +1,7 @@
 /* graze collide: a moving solid against a fixed one.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/number/text.h"
+#include "base/context/scope.h"
 #include "program/cli/commands.h"
 #include "program/cli/values.h"
 #include "program/run/cell_text.h"
@@ -103,17 +104,14 @@ static void scene_free(collide_scene *s) {
  * row of the motion's piece. */
 static graze_status tell_pair_time(text *t, const collide_scene *s, const graze_time *time) {
     char *decimal = NULL;
-    mpq_t exact;
-    mpq_init(exact);
+    LOCAL(mpq, exact);
     int rational = graze_time_rational(exact, time);
     unsigned long row = graze_time_row(time);
     graze_status status = graze_time_decimal(&decimal, s->context, time, 17);
     if (rational) {
-        fmpq_t value;
-        fmpq_init(value);
+        LOCAL(fmpq, value);
         fmpq_set_mpq(value, exact);
         text_rational(t, value);
-        fmpq_clear(value);
     } else {
         text_format(t, "%s...", decimal ? decimal : "");
     }
@@ -123,7 +121,6 @@ static graze_status tell_pair_time(text *t, const collide_scene *s, const graze_
     if (row)
         text_format(t, "%srow %lu)", near ? ", " : " (", row);
     graze_free(decimal);
-    mpq_clear(exact);
     return status;
 }
 
@@ -189,8 +186,7 @@ static graze_status tell_verdict(text *t, const collide_scene *s, int inside, in
 }
 
 static int print_text(const collide_scene *s, const collide_given *o) {
-    text t;
-    text_init(&t);
+    HELD(text, t);
     graze_status status = tell_verdict(&t, s, o->pair.question == GRAZE_PAIR_INSIDE, o->pair.first);
     text_format(&t, "word %s\n", graze_pair_word(s->pair));
     for (size_t k = 0; k < graze_pair_contact_count(s->pair) && !status; k++) {
@@ -200,7 +196,6 @@ static int print_text(const collide_scene *s, const collide_given *o) {
     int code = complain_of(status, s->context);
     if (!code)
         code = t.failed ? complain(EXIT_IO, "out of memory") : output_text(NULL, t.data);
-    text_clear(&t);
     return code;
 }
 

@@ -3,6 +3,7 @@
  */
 #include <string.h>
 #include <strings.h>
+#include "base/context/scope.h"
 #include "program/cli/commands.h"
 #include "program/cli/values.h"
 #include "program/run/load.h"
@@ -87,8 +88,7 @@ static int convert_solid_file(const convert_options *o, graze_context *context) 
 
 static int convert_scad_file(const convert_options *o, graze_context *context) {
     char *text = NULL, *report = NULL;
-    mpq_t tolerance;
-    mpq_init(tolerance);
+    LOCAL(mpq, tolerance);
     int status = o->near_rotation ? numbers_read(&tolerance, context, "--near-rotation",
                                                  o->near_rotation, strlen(o->near_rotation), 1)
                                   : EXIT_DONE;
@@ -106,7 +106,6 @@ static int convert_scad_file(const convert_options *o, graze_context *context) {
         status = put_converted(o, text, ".csg.json");
     graze_free(text);
     graze_free(report);
-    mpq_clear(tolerance);
     return status;
 }
 

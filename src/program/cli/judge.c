@@ -3,6 +3,7 @@
 #include <float.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "program/cli/commands.h"
 #include "program/cli/marks.h"
 #include "program/cli/values.h"
@@ -109,8 +110,8 @@ static int print_judgement(graze_context *context, const graze_judgement *judgem
 /* Is a distance certainly more than allowed? The text was read as a number before. */
 static int is_too_far(graze_context *context, const graze_judgement *judgement, const char *limit) {
     int far = 0;
-    mpq_t most, low;
-    mpq_inits(most, low, NULL);
+    LOCAL(mpq, most);
+    LOCAL(mpq, low);
     graze_status status = graze_number_parse(most, context, limit, strlen(limit));
     for (int k = 0; k < GRAZE_JUDGED_COUNT && !status; k++) {
         double least = graze_judgement_distance(judgement, (graze_judged)k).low;
@@ -118,7 +119,6 @@ static int is_too_far(graze_context *context, const graze_judgement *judgement, 
             mpq_set_d(low, least);
         far |= least > DBL_MAX || mpq_cmp(low, most) > 0;
     }
-    mpq_clears(most, low, NULL);
     return far;
 }
 
@@ -132,7 +132,7 @@ static int write_mesh_answers(const loaded *l, const judge_given *o, const graze
             "--answers %s: the mesh is not closed and has no answers; expected a closed "
             "one, or no --answers",
             o->answers);
-    graze_pmc *found = calloc(given->count + 1, sizeof *found);
+    FREED(graze_pmc, found, calloc(given->count + 1, sizeof *found));
     graze_rationals points = (graze_rationals)given->value;
     int code = found ? complain_of(graze_mesh_answers(found, l->context, mesh, points, given->count,
                                                       o->jobs),
@@ -141,7 +141,6 @@ static int write_mesh_answers(const loaded *l, const judge_given *o, const graze
     if (!code)
         code =
             answer_table_write(o->answers, rule == GRAZE_MESH_PARITY, points, found, given->count);
-    free(found);
     return code;
 }
 
@@ -169,7 +168,7 @@ static int ask_mesh_points(graze_comparison **out, const loaded *l, const judge_
 static int write_vertices(const loaded *l, const judge_given *o, const graze_mesh *mesh,
                           const graze_judgement *judgement) {
     size_t count = graze_mesh_get_facts(mesh).vertices;
-    graze_enclosure *found = calloc(count + 1, sizeof *found);
+    FREED(graze_enclosure, found, calloc(count + 1, sizeof *found));
     double width = o->page ? l->rows.sdf / PAGE_SHARE : l->rows.sdf;
     int code =
         found ? complain_of(graze_mesh_distances(found, l->context, l->scene, mesh, width, o->jobs),
@@ -181,7 +180,6 @@ static int write_vertices(const loaded *l, const judge_given *o, const graze_mes
         code =
             complain_of(graze_judgement_draw(l->context, l->scene, judgement, o->page, found, NULL),
                         l->context);
-    free(found);
     return code;
 }
 

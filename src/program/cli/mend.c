@@ -3,6 +3,7 @@
  */
 #include <string.h>
 #include <strings.h>
+#include "base/context/scope.h"
 #include "program/cli/commands.h"
 #include "program/cli/values.h"
 #include "program/run/load.h"
@@ -47,8 +48,7 @@ static const option_entry mend_table[] = {
 
 static int mend_file(const mend_options *o, graze_context *context, const char *path) {
     char *text = NULL, *report = NULL;
-    mpq_t weld;
-    mpq_init(weld);
+    LOCAL(mpq, weld);
     int status = o->weld ? numbers_read(&weld, context, "--weld", o->weld, strlen(o->weld), 1) : 0;
     graze_status made = GRAZE_EUSE;
     if (!status) {
@@ -56,7 +56,6 @@ static int mend_file(const mend_options *o, graze_context *context, const char *
             graze_solid_mend(&text, &report, context, path, o->weld ? weld : NULL, o->solid_flags);
         status = complain_of(made, context);
     }
-    mpq_clear(weld);
     if (made == GRAZE_EILLEGAL)
         status = EXIT_NO;
     if (report && (*report || !made)) {

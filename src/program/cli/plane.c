@@ -4,6 +4,7 @@
 #include "program/cli/plane.h"
 
 #include <string.h>
+#include "base/context/scope.h"
 #include "program/run/numbers.h"
 #include "program/run/status.h"
 
@@ -21,20 +22,17 @@ void plane_clear(plane_numbers *p) {
 
 /* place = normal . point */
 static void put_through(plane_numbers *p, const mpq_t *point) {
-    mpq_t product;
-    mpq_init(product);
+    LOCAL(mpq, product);
     mpq_set_ui(p->place, 0, 1);
     for (int k = 0; k < 3; k++) {
         mpq_mul(product, p->normal[k], point[k]);
         mpq_add(p->place, p->place, product);
     }
-    mpq_clear(product);
 }
 
 /* The cross product of the ways from the first point to the two others. */
 static void span_points(plane_numbers *p) {
-    mpq_t product;
-    mpq_init(product);
+    LOCAL(mpq, product);
     for (int k = 0; k < 6; k++)
         mpq_sub(p->given[3 + k], p->given[3 + k], p->given[k % 3]);
     for (int k = 0; k < 3; k++) {
@@ -43,7 +41,6 @@ static void span_points(plane_numbers *p) {
         mpq_mul(product, p->given[3 + j], p->given[6 + i]);
         mpq_sub(p->normal[k], p->normal[k], product);
     }
-    mpq_clear(product);
 }
 
 static int count_numbers(const char *text) {

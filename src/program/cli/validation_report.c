@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/number/text.h"
 #include "program/cli/validation_report.h"
 #include "program/run/output.h"
@@ -138,8 +139,7 @@ static void put_validation(text *out, const validation *v, const validate_option
 static int write_validation(const validation *v, const validate_options *o, const char *suffix,
                             graze_comparison_format format) {
     char *body = NULL, *path = o->output ? joined_texts(o->output, suffix) : NULL;
-    text report;
-    text_init(&report);
+    HELD(text, report);
     int status =
         complain_of(graze_comparison_report(&body, v->context, v->comparison, format), v->context);
     if (!status)
@@ -148,7 +148,6 @@ static int write_validation(const validation *v, const validate_options *o, cons
         status = complain(EXIT_IO, "out of memory");
     if (!status)
         status = output_text(path, report.data);
-    text_clear(&report);
     graze_free(body);
     free(path);
     return status;

@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/context/spelling.h"
 #include "program/run/coordinates.h"
 #include "program/run/load.h"
@@ -84,14 +85,12 @@ static int number_of_value(mpq_t out, const char *value, size_t length) {
 int value_sdf(void *to, const char *name, const char *value) {
     scene_options *out = to;
     size_t length = strlen(value);
-    mpq_t width;
-    mpq_init(width);
+    LOCAL(mpq, width);
     out->rows.sdf = 0;
     out->sdf_relative = length > 0 && value[length - 1] == 'r';
     int status = number_of_value(width, value, length - (size_t)out->sdf_relative);
     if (mpq_sgn(width) > 0)
         out->rows.sdf = mpq_get_d(width); /* rounds towards 0 */
-    mpq_clear(width);
     if (status || (out->rows.sdf > 0 && out->rows.sdf <= DBL_MAX))
         return status;
     return complain(EXIT_USAGE,
@@ -102,8 +101,8 @@ int value_sdf(void *to, const char *name, const char *value) {
 
 int value_motion_error(void *to, const char *name, const char *value) {
     double *out = to;
-    mpq_t exact, near;
-    mpq_inits(exact, near, NULL);
+    LOCAL(mpq, exact);
+    LOCAL(mpq, near);
     *out = 0;
     int status = number_of_value(exact, value, strlen(value));
     if (mpq_sgn(exact) > 0) {
@@ -114,7 +113,6 @@ int value_motion_error(void *to, const char *name, const char *value) {
                 *out = nextafter(*out, (double)INFINITY);
         }
     }
-    mpq_clears(exact, near, NULL);
     if (status || (*out > 0 && *out <= DBL_MAX))
         return status;
     return complain(EXIT_USAGE, "--%s %s: expected a positive number in the range of doubles", name,

@@ -4,6 +4,7 @@
 #include "program/run/answer.h"
 
 #include <string.h>
+#include "base/context/scope.h"
 #include "program/run/site_answer.h"
 #include "program/run/status.h"
 
@@ -20,10 +21,9 @@ static int write_point(answerer *a, row_run *r, const block *b, size_t first, si
     const row_source *from = &a->task.source;
     int d = graze_scene_dimension(a->task.scene);
     field tokens[3] = {{NULL, 0}, {NULL, 0}, {NULL, 0}};
-    text place;
     if (from->coordinates.form == COORDINATES_EXACT)
         return EXIT_DONE;
-    text_init(&place);
+    HELD(text, place);
     for (int k = 0; !from->grid && k < d; k++)
         tokens[k] = field_content(a->reader.cut.item[from->columns->where[k]]);
     if (from->coordinates.form == COORDINATES_DECIMAL)
@@ -32,7 +32,6 @@ static int write_point(answerer *a, row_run *r, const block *b, size_t first, si
     int status =
         coordinates_put(&a->written, &r->fault, &from->coordinates, a->reader.context,
                         a->points + n * (size_t)d, d, tokens, place.data ? place.data : "");
-    text_clear(&place);
     if (!status)
         text_bytes(&a->written, "", 1);
     return status;

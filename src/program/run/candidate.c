@@ -15,6 +15,7 @@
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
+#include "base/context/scope.h"
 #include "program/run/interrupt.h"
 #include "program/run/status.h"
 
@@ -87,11 +88,10 @@ static int split_command(char **words, const char *command, char *buffer,
 
 int candidate_split(char ***words, const char *command, const candidate_paths *paths) {
     size_t length = strlen(command);
-    char *buffer = malloc(length + 1);
+    FREED(char, buffer, malloc(length + 1));
     *words = calloc(length / 2 + 2, sizeof **words);
     int status = buffer && *words ? split_command(*words, command, buffer, paths)
                                   : complain(EXIT_IO, "out of memory");
-    free(buffer);
     if (status) {
         candidate_free(*words);
         *words = NULL;

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "base/number/text.h"
 #include "program/run/cell.h"
 #include "program/run/status.h"
@@ -246,12 +247,11 @@ static int is_named(field line, field name) {
 /* Add a name to the table's, changed until none of its own and of the others is the same. */
 static void put_free_name(text *out, const columns *c, field own, field others, field name) {
     field bare = field_content(name);
-    text one;
     if (!is_named(own, bare)) {
         text_bytes(out, name.start, name.length);
         return;
     }
-    text_init(&one);
+    HELD(text, one);
     text_bytes(&one, bare.start, bare.length);
     do
         text_put(&one, "_in");
@@ -264,7 +264,6 @@ static void put_free_name(text *out, const columns *c, field own, field others, 
                  c->name, FIELD_SHOWN(bare), one.data);
     out->failed |= one.failed;
     text_bytes(out, one.failed ? "" : one.data, one.length);
-    text_clear(&one);
 }
 
 char *columns_free_names(const columns *c, field own) {

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "program/run/envelope.h"
 
+#include "base/context/scope.h"
 #include "program/run/cell_text.h"
 #include "program/run/envelope_files.h"
 #include "program/run/output.h"
@@ -41,15 +42,13 @@ static graze_status put_decomposable_reason(text *t, graze_context *context,
 
 static int print_summary(graze_context *context, const graze_envelope *envelope) {
     graze_envelope_facts f = graze_envelope_get(envelope);
-    text t;
-    text_init(&t);
+    HELD(text, t);
     text_format(&t, "cells: %zu facets, %zu edges, %zu vertices\n", f.facets, f.edges, f.vertices);
     put_event_counts(&t, envelope);
     text_format(&t, "decomposable: %s\n", graze_decomposable_name(f.decomposable));
     int status = complain_of(put_decomposable_reason(&t, context, &f), context);
     if (!status)
         status = t.failed ? complain(EXIT_IO, "out of memory") : output_text(NULL, t.data);
-    text_clear(&t);
     return status;
 }
 

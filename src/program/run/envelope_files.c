@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "program/run/output.h"
 
 static int put_events(output *out, graze_context *context, const graze_envelope *envelope) {
@@ -59,12 +60,11 @@ static int put_curves(output *out, const char *times, graze_context *context,
                       const graze_envelope *envelope) {
     char *text = NULL, last[48];
     size_t rows = 0;
-    mpq_t time;
     int status = complain_of(graze_curve_header(&text, context, envelope, NULL), context);
     if (!status)
         output_put(out, text);
     graze_free(text);
-    mpq_init(time);
+    LOCAL(mpq, time);
     while (!status && times && !out->error) {
         const char *end = strchr(times, ',');
         size_t length = end ? (size_t)(end - times) : strlen(times);
@@ -74,7 +74,6 @@ static int put_curves(output *out, const char *times, graze_context *context,
                  : put_curve(out, &rows, context, envelope, time);
         times = end ? end + 1 : NULL;
     }
-    mpq_clear(time);
     snprintf(last, sizeof last, "# complete %zu\n", rows);
     if (!status)
         output_put(out, last);

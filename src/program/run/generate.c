@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/number/text.h"
 #include "program/run/distinct.h"
 #include "program/run/interrupt.h"
@@ -163,8 +164,7 @@ static int put_sample_point(int *is_new, maker *m, const coordinate_options *for
                             const graze_sample *made, unsigned long row) {
     char where[32];
     fault f = {EXIT_DONE, NULL};
-    text point;
-    text_init(&point);
+    HELD(text, point);
     snprintf(where, sizeof where, "point %lu", row + 1);
     int status = coordinates_put(&point, &f, form, m->l.context, m->point,
                                  graze_scene_dimension(m->l.scene), NULL, where);
@@ -179,7 +179,6 @@ static int put_sample_point(int *is_new, maker *m, const coordinate_options *for
     }
     fault_tell(&f);
     fault_clear(&f);
-    text_clear(&point);
     return status;
 }
 

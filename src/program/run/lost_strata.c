@@ -4,6 +4,7 @@
 #include "program/run/lost_strata.h"
 
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/number/text.h"
 
 graze_status lost_strata_dyadic(lost_strata *lost, const loaded *l, const scene_options *o,
@@ -14,9 +15,8 @@ graze_status lost_strata_dyadic(lost_strata *lost, const loaded *l, const scene_
     graze_generator *generator = NULL;
     char *json = NULL;
     graze_options options = o->scene;
-    mpq_t tolerance;
     options.size = sizeof options;
-    mpq_init(tolerance);
+    LOCAL(mpq, tolerance);
     mpq_set_ui(tolerance, 1, 1u << 20);
     graze_status status = graze_motion_write_dyadic(&json, NULL, context, l->motion, tolerance);
     if (!status)
@@ -33,7 +33,6 @@ graze_status lost_strata_dyadic(lost_strata *lost, const loaded *l, const scene_
     graze_scene_destroy(scene);
     graze_motion_destroy(motion);
     graze_free(json);
-    mpq_clear(tolerance);
     /* A motion near this one that is not legal, or has no points at all, is no help. */
     return status == GRAZE_ECANCELED || status == GRAZE_ESYSTEM ? status : GRAZE_OK;
 }

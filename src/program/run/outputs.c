@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include "base/context/scope.h"
 #include "output/table/typed_read.h"
 #include "output/table/typed_write.h"
 
@@ -107,21 +108,18 @@ static void put_head_notes(text *notes, const outputs *out, const row_source *so
 static int make_head(char **head, const outputs *out, const char *notes, const char *others) {
     const struct site_choice *sites = &out->o->sites;
     graze_context *context = out->l->context;
-    text all;
-    text_init(&all);
+    HELD(text, all);
     text_put(&all, sites->snap ? "shift" : "");
     text_put(&all, sites->snap && others ? "," : "");
     text_put(&all, others ? others : "");
     const char *columns = all.length ? all.data : NULL;
     if (all.failed) {
-        text_clear(&all);
         return complain(EXIT_IO, "out of memory");
     }
     graze_status made =
         sites->wanted
             ? graze_site_header(head, context, out->l->scene, notes, columns)
             : graze_report_header(head, context, out->l->scene, notes, columns, &out->l->rows);
-    text_clear(&all);
     return complain_of(made, context);
 }
 
@@ -158,8 +156,7 @@ static int begin_export(outputs *out, const row_source *source, const char *head
 
 static int begin_table(outputs *out, const row_source *source, const char *shard) {
     char *head = NULL;
-    text notes;
-    text_init(&notes);
+    HELD(text, notes);
     put_head_notes(&notes, out, source, shard);
     int status = notes.failed ? complain(EXIT_IO, "out of memory")
                               : make_free_head(&head, out, source, notes.data);
@@ -167,7 +164,6 @@ static int begin_table(outputs *out, const row_source *source, const char *shard
         status = is_exported(out, RESULT_TABLE) ? begin_export(out, source, head)
                                                 : results_begin(&out->file[RESULT_TABLE], head);
     graze_free(head);
-    text_clear(&notes);
     return status;
 }
 
@@ -179,12 +175,11 @@ static int begin_certificate(outputs *out, const char *shard) {
         return complain_of(made, out->l->context);
     char *signs = strstr(head, "\nsigns ") + 1;
     size_t room = strlen(head) + strlen(shard) + 1;
-    char *text = malloc(room);
+    FREED(char, text, malloc(room));
     if (text)
         snprintf(text, room, "%.*s%s%s", (int)(signs - head), head, shard, signs);
     int status = text ? results_begin(&out->file[RESULT_CERTIFICATE], text)
                       : complain(EXIT_IO, "out of memory");
-    free(text);
     graze_free(head);
     return status;
 }

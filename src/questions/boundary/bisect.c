@@ -15,6 +15,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "base/context/team.h"
 
 /* An edge under bisection. */
@@ -52,8 +53,7 @@ static graze_pmc edge_of(int64_t from[3], int64_t step[3], const struct graze_bo
 /* The point of an edge at a share. */
 static void point_at(fmpq *out, const struct graze_boundary *b, const int64_t from[3],
                      const int64_t step[3], const fmpq_t share) {
-    fmpq_t start;
-    fmpq_init(start);
+    LOCAL(fmpq, start);
     for (int k = 0; k < b->dimension; k++) {
         fmpq_set_si(start, from[k], 1);
         fmpq_mul_si(out + k, share, step[k]);
@@ -62,7 +62,6 @@ static void point_at(fmpq *out, const struct graze_boundary *b, const int64_t fr
         fmpq_div_2exp(out + k, out + k, b->depth + 1);
         fmpq_add(out + k, out + k, b->low + k);
     }
-    fmpq_clear(start);
 }
 
 /* Ask at x->share and keep the part of the interval that goes from out to not out. */
@@ -70,9 +69,7 @@ static graze_status ask_share(bisection *x) {
     asker *a = x->asker;
     graze_pmc pmc;
     point_at(a->point, a->boundary, x->from, x->step, x->share);
-    graze_status status = asker_pmc(&pmc, a, a->point);
-    if (status)
-        return status;
+    TRY(asker_pmc(&pmc, a, a->point));
     if (pmc == GRAZE_OUT) {
         fmpq_set(x->outside, x->share);
     } else {
@@ -97,15 +94,15 @@ static graze_status try_beside(bisection *x) {
 
 /* Ask at the simplest fraction of the interval, its ends' surroundings left out. */
 static graze_status try_simplest(bisection *x) {
-    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
+    LOCAL_VEC(fmpq, low, 2);
+    fmpq *high = low + 1;
     fmpq_sub(x->width, x->inside, x->outside);
     fmpq_div_2exp(x->width, x->width, 5);
     fmpq_add(low, x->outside, x->width);
     fmpq_sub(high, x->inside, x->width);
     fmpq_simplest_between(x->share, low, high);
-    _fmpq_vec_clear(low, 2);
-    graze_status status = ask_share(x);
-    return status ? status : try_beside(x);
+    TRY(ask_share(x));
+    return try_beside(x);
 }
 
 static graze_status bisect(bisection *x) {
@@ -173,10 +170,9 @@ static void bisection_clear(bisection *x) {
 }
 
 graze_status boundary_bisect(graze_context *context, struct graze_boundary *b) {
-    bisection *members = calloc((size_t)b->threads, sizeof *members);
+    FREED(bisection, members, calloc((size_t)b->threads, sizeof *members));
     b->shares = calloc(2 * b->vertices.count + 1, sizeof *b->shares);
     if (!b->shares || !members) {
-        free(members);
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for the surface");
     }
     for (size_t k = 0; k < 2 * b->vertices.count; k++)
@@ -187,7 +183,6 @@ graze_status boundary_bisect(graze_context *context, struct graze_boundary *b) {
         team_run(context, b->threads, b->vertices.count, bisect_vertex_edge, members);
     for (int k = 0; k < b->threads; k++)
         bisection_clear(&members[k]);
-    free(members);
     for (size_t v = 0; v < b->vertices.count; v++)
         b->exact += b->vertices.value[v] == GRAZE_ON && !fmpq_is_one(b->shares + 2 * v + 1);
     return status;
@@ -228,11 +223,9 @@ void bisect_vertex(fmpq *out, const struct graze_boundary *b, size_t index) {
         feature_vertex(out, &b->features[index - b->vertices.count], b->dimension);
         return;
     }
-    fmpq_t share;
-    fmpq_init(share);
+    LOCAL(fmpq, share);
     edge_of(from, step, b, b->vertices.key[index]);
     vertex_share(share, b->shares + 2 * index, b->shares + 2 * index + 1,
                  b->vertices.value[index] == GRAZE_ON);
     point_at(out, b, from, step, share);
-    fmpq_clear(share);
 }

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "decide/scene/box.h"
 #include "decide/scene/demand.h"
 #include "questions/boundary/bisect.h"
@@ -17,15 +18,14 @@
 /* The caller's box, or the scene's with a margin. */
 static graze_status set_box(struct graze_boundary *b, graze_context *context, const fmpq *low,
                             const fmpq *high) {
-    graze_status status = GRAZE_OK;
     if (!low)
-        status = scene_box(b->low, b->point, context, b->scene);
-    for (int k = 0; k < b->dimension && !status; k++) {
+        TRY(scene_box(b->low, b->point, context, b->scene));
+    for (int k = 0; k < b->dimension; k++) {
         if (low)
             fmpq_set(b->low + k, low + k);
         fmpq_sub(b->side + k, (high ? high : b->point) + k, b->low + k);
         if (fmpq_sgn(b->side + k) <= 0)
-            status = context_fail(context, GRAZE_EUSE, "the box is empty along axis %d", k);
+            return context_fail(context, GRAZE_EUSE, "the box is empty along axis %d", k);
         if (low)
             continue;
         fmpq_div_2exp(b->point + k, b->side + k, 4);
@@ -33,7 +33,7 @@ static graze_status set_box(struct graze_boundary *b, graze_context *context, co
         fmpq_mul_2exp(b->point + k, b->point + k, 1);
         fmpq_add(b->side + k, b->side + k, b->point + k);
     }
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status set_askers(struct graze_boundary *b, graze_context *context, int threads) {
@@ -51,16 +51,14 @@ static graze_status set_askers(struct graze_boundary *b, graze_context *context,
 
 static graze_status list_leaves(struct graze_boundary *b, graze_context *context) {
     size_t capacity = 0;
-    graze_status status = GRAZE_OK;
-    for (size_t i = 0; i < b->cell_count && !status; i++) {
+    for (size_t i = 0; i < b->cell_count; i++) {
         if (b->cells[i].child)
             continue;
-        status = array_grow(context, &b->leaves, &capacity, b->leaf_count + 1, sizeof *b->leaves,
-                            "the cells of a boundary");
-        if (!status)
-            b->leaves[b->leaf_count++] = i;
+        TRY(array_grow(context, &b->leaves, &capacity, b->leaf_count + 1, sizeof *b->leaves,
+                       "the cells of a boundary"));
+        b->leaves[b->leaf_count++] = i;
     }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status boundary_make(struct graze_boundary *b, graze_context *context,
@@ -80,25 +78,19 @@ graze_status boundary_make(struct graze_boundary *b, graze_context *context,
         fmpq_init(b->side + k);
         fmpq_init(b->point + k);
     }
-    graze_status status = set_box(b, context, low, high);
-    if (!status)
-        status = set_askers(b, context, options->threads > 1 ? options->threads : 1);
-    if (!status && options->contacts >= options->budget)
-        status = boundary_refuse_budget(context, b, options->contacts);
-    if (!status)
-        status = demand_check(context, scene, (double)boundary_least_points(b, options->contacts),
-                              "the points of a boundary");
-    if (!status)
-        status = boundary_contacts(context, b, options->contacts, options->seed);
-    if (!status)
-        status = boundary_refine(context, b);
-    if (!status)
-        status = boundary_surface(context, b);
-    if (!status)
-        status = boundary_bisect(context, b);
-    if (!status && b->sharp)
-        status = boundary_sharpen(context, b);
-    return status ? status : list_leaves(b, context);
+    TRY(set_box(b, context, low, high));
+    TRY(set_askers(b, context, options->threads > 1 ? options->threads : 1));
+    if (options->contacts >= options->budget)
+        TRY(boundary_refuse_budget(context, b, options->contacts));
+    TRY(demand_check(context, scene, (double)boundary_least_points(b, options->contacts),
+                     "the points of a boundary"));
+    TRY(boundary_contacts(context, b, options->contacts, options->seed));
+    TRY(boundary_refine(context, b));
+    TRY(boundary_surface(context, b));
+    TRY(boundary_bisect(context, b));
+    if (b->sharp)
+        TRY(boundary_sharpen(context, b));
+    return list_leaves(b, context);
 }
 
 void boundary_clear(struct graze_boundary *b) {

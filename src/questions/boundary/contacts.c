@@ -5,6 +5,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "decide/verdict/classify.h"
 #include "questions/generate/generate.h"
 
@@ -33,10 +34,8 @@ int sample_cell_has_contact(const struct graze_boundary *b, const sample_cell *c
 
 /* The smallest cell that holds a point; 0 if it is outside the box. */
 static int cell_of(uint32_t at[3], const struct graze_boundary *b, const fmpq *point) {
-    fmpq_t share;
-    fmpz_t whole;
-    fmpq_init(share);
-    fmpz_init(whole);
+    LOCAL(fmpq, share);
+    LOCAL(fmpz, whole);
     int inside = 1;
     memset(at, 0, 3 * sizeof *at);
     for (int k = 0; k < b->dimension && inside; k++) {
@@ -47,8 +46,6 @@ static int cell_of(uint32_t at[3], const struct graze_boundary *b, const fmpq *p
         inside = fmpz_sgn(whole) >= 0 && fmpz_cmp_ui(whole, 1ul << b->depth) < 0;
         at[k] = inside ? (uint32_t)fmpz_get_ui(whole) : 0;
     }
-    fmpq_clear(share);
-    fmpz_clear(whole);
     return inside;
 }
 
@@ -76,15 +73,13 @@ static graze_status ask_rows(graze_context *context, struct graze_boundary *b,
     b->contacts = malloc(count * sizeof *b->contacts);
     if (!b->contacts)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for contact points");
-    sample s;
-    sample_init(&s);
+    HELD(sample, s);
     graze_status status = GRAZE_OK;
     for (unsigned long row = 0; row < count && !status; row++) {
         status = generator_sample(&s, context, generator, row);
         if (!status)
             status = ask(context, b, s.point);
     }
-    sample_clear(&s);
     if (b->contact_count)
         qsort(b->contacts, b->contact_count, sizeof *b->contacts, compare_contacts);
     return status;

@@ -11,6 +11,7 @@
 #include <flint/fmpq_mat.h>
 #include <flint/fmpq_vec.h>
 #include <math.h>
+#include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "questions/boundary/bisect.h"
 #include "questions/boundary/probe.h"
@@ -72,13 +73,11 @@ static void put_row(fmpq_mat_t a, fmpq_mat_t right, int row, const fmpq *normal,
 
 /* The common point of the planes; with two in E^3 that of the line nearest to the reference. */
 static int meet_planes(fmpq *out, const selection *s, int d, const fmpq *reference) {
-    fmpq_mat_t a, right, x;
-    fmpq *along = _fmpq_vec_init(3);
-    fmpq_t value;
-    fmpq_init(value);
-    fmpq_mat_init(a, d, d);
-    fmpq_mat_init(right, d, 1);
-    fmpq_mat_init(x, d, 1);
+    LOCAL_VEC(fmpq, along, 3);
+    LOCAL(fmpq, value);
+    LOCAL(fmpq_mat, a, d, d);
+    LOCAL(fmpq_mat, right, d, 1);
+    LOCAL(fmpq_mat, x, d, 1);
     for (int row = 0; row < s->count; row++) {
         fmpq_neg(value, s->plane[row]->form + d);
         put_row(a, right, row, s->plane[row]->form, value);
@@ -91,18 +90,14 @@ static int meet_planes(fmpq *out, const selection *s, int d, const fmpq *referen
     int solved = fmpq_mat_solve(x, a, right);
     for (int k = 0; k < d && solved; k++)
         fmpq_set(out + k, fmpq_mat_entry(x, k, 0));
-    fmpq_mat_clear(a);
-    fmpq_mat_clear(right);
-    fmpq_mat_clear(x);
-    fmpq_clear(value);
-    _fmpq_vec_clear(along, 3);
     return solved;
 }
 
 /* A direction in doubles, scaled to one cell along the axis on which it is longest. */
 static void outward(fmpq *way, const struct graze_boundary *b, const double *direction) {
     enum { UNIT = 1024 };
-    fmpq *share = _fmpq_vec_init(2), *most = share + 1;
+    LOCAL_VEC(fmpq, share, 2);
+    fmpq *most = share + 1;
     for (int k = 0; k < b->dimension; k++) {
         fmpq_set_si(way + k, lround(direction[k] * UNIT), UNIT);
         fmpq_div(share, way + k, b->side + k);
@@ -113,7 +108,6 @@ static void outward(fmpq *way, const struct graze_boundary *b, const double *dir
     fmpq_mul_2exp(most, most, b->reached);
     for (int k = 0; k < b->dimension && !fmpq_is_zero(most); k++)
         fmpq_div(way + k, way + k, most);
-    _fmpq_vec_clear(share, 2);
 }
 
 /* Set the feature's points to base + share way. */
@@ -134,7 +128,8 @@ static graze_status confirm_on(feature *out, asker *a, const selection *s, const
     const struct graze_boundary *b = a->boundary;
     graze_status status = GRAZE_OK;
     graze_pmc pmc = GRAZE_PMC_NONE;
-    fmpq *zero = _fmpq_vec_init(2), *gap = zero + 1;
+    LOCAL_VEC(fmpq, zero, 2);
+    fmpq *gap = zero + 1;
     fmpq_one(gap);
     fmpq_div_2exp(gap, gap, BISECT_BITS);
     for (int k = 0; k <= s->count && !status && pmc != GRAZE_OUT; k++) {
@@ -144,7 +139,6 @@ static graze_status confirm_on(feature *out, asker *a, const selection *s, const
         status = asker_pmc(&pmc, a, out->outside);
     }
     out->pmc = pmc == GRAZE_OUT ? GRAZE_ON : GRAZE_PMC_NONE;
-    _fmpq_vec_clear(zero, 2);
     return status;
 }
 
@@ -154,7 +148,8 @@ static graze_status bisect_from(feature *out, asker *a, graze_pmc pmc, const fmp
     const struct graze_boundary *b = a->boundary;
     static const unsigned reach[] = {13, 8, 4};
     graze_status status = GRAZE_OK;
-    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
+    LOCAL_VEC(fmpq, low, 2);
+    fmpq *high = low + 1;
     out->pmc = GRAZE_PMC_NONE;
     for (size_t k = 0; k < sizeof reach / sizeof *reach && !status && !out->pmc; k++) {
         fmpq *far = pmc == GRAZE_OUT ? low : high, *near = pmc == GRAZE_OUT ? high : low;
@@ -165,14 +160,13 @@ static graze_status bisect_from(feature *out, asker *a, graze_pmc pmc, const fmp
     }
     if (out->pmc)
         set_points(out, b->dimension, base, way, low, high);
-    _fmpq_vec_clear(low, 2);
     return status;
 }
 
 static graze_status verify(feature *out, asker *a, const selection *s, const fmpq *base) {
     const struct graze_boundary *b = a->boundary;
     double sum[3] = {0, 0, 0};
-    fmpq *way = _fmpq_vec_init(b->dimension);
+    LOCAL_VEC(fmpq, way, b->dimension);
     graze_pmc pmc;
     for (int k = 0; k < s->count; k++)
         for (int i = 0; i < b->dimension; i++)
@@ -183,21 +177,19 @@ static graze_status verify(feature *out, asker *a, const selection *s, const fmp
         status = confirm_on(out, a, s, base, way);
     else if (!status)
         status = bisect_from(out, a, pmc, base, way);
-    _fmpq_vec_clear(way, b->dimension);
     return status;
 }
 
 static graze_status try_selection(feature *out, int *found, asker *a, const sample_cell *c,
                                   const selection *s, const fmpq *reference) {
     const struct graze_boundary *b = a->boundary;
-    fmpq *base = _fmpq_vec_init(b->dimension);
+    LOCAL_VEC(fmpq, base, b->dimension);
     graze_status status = GRAZE_OK;
     out->pmc = GRAZE_PMC_NONE;
     if (meet_planes(base, s, b->dimension, reference) && probe_in_cell(b, c, base))
         status = verify(out, a, s, base);
     *found = !status && out->pmc && probe_in_cell(b, c, out->inside) &&
              probe_in_cell(b, c, out->outside);
-    _fmpq_vec_clear(base, b->dimension);
     return status;
 }
 

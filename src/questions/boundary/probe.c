@@ -8,21 +8,20 @@
 #include "questions/boundary/probe.h"
 
 #include <flint/fmpq_vec.h>
+#include "base/context/scope.h"
 #include "base/number/vector.h"
 
 enum { BESIDE = 7, WITHIN = 5, PLACES = 21 };
 
 int probe_in_cell(const struct graze_boundary *b, const sample_cell *c, const fmpq *point) {
     int inside = 1;
-    fmpq_t at;
-    fmpq_init(at);
+    LOCAL(fmpq, at);
     for (int k = 0; k < b->dimension && inside; k++) {
         fmpq_sub(at, point + k, b->low + k);
         fmpq_div(at, at, b->side + k);
         fmpq_mul_2exp(at, at, c->level);
         inside = fmpq_cmp_ui(at, c->at[k]) > 0 && fmpq_cmp_ui(at, c->at[k] + 1ul) < 0;
     }
-    fmpq_clear(at);
     return inside;
 }
 
@@ -47,7 +46,8 @@ graze_status probe_line(fmpq_t low, fmpq_t high, graze_pmc *pmc, asker *a, const
     if (status || answer != GRAZE_OUT)
         return status;
     *pmc = first;
-    fmpq *width = _fmpq_vec_init(3), *gap = width + 1, *middle = width + 2;
+    LOCAL_VEC(fmpq, width, 3);
+    fmpq *gap = width + 1, *middle = width + 2;
     fmpq_one(gap);
     fmpq_div_2exp(gap, gap, bits);
     for (fmpq_sub(width, high, low); !status && fmpq_cmp(width, gap) > 0;
@@ -62,14 +62,14 @@ graze_status probe_line(fmpq_t low, fmpq_t high, graze_pmc *pmc, asker *a, const
             *pmc = answer;
         }
     }
-    _fmpq_vec_clear(width, 3);
     return status;
 }
 
 /* Along which axis `way` goes farthest, in cells. */
 static int main_axis(const struct graze_boundary *b, const fmpq *way) {
     int best = 0;
-    fmpq *share = _fmpq_vec_init(2), *most = share + 1;
+    LOCAL_VEC(fmpq, share, 2);
+    fmpq *most = share + 1;
     for (int k = 0; k < b->dimension; k++) {
         fmpq_div(share, way + k, b->side + k);
         fmpq_abs(share, share);
@@ -78,7 +78,6 @@ static int main_axis(const struct graze_boundary *b, const fmpq *way) {
             best = k;
         }
     }
-    _fmpq_vec_clear(share, 2);
     return best;
 }
 
@@ -97,8 +96,9 @@ static graze_status find_beside(fmpq *out, int *found, asker *a, const fmpq *ins
                                 const fmpq *way, int axis) {
     const struct graze_boundary *b = a->boundary;
     int d = b->dimension;
-    fmpq *base = _fmpq_vec_init(d);
-    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
+    LOCAL_VEC(fmpq, base, d);
+    LOCAL_VEC(fmpq, low, 2);
+    fmpq *high = low + 1;
     graze_pmc pmc = GRAZE_PMC_NONE;
     fmpq_set_si(low, -1, 1);
     fmpq_one(high);
@@ -108,8 +108,6 @@ static graze_status find_beside(fmpq *out, int *found, asker *a, const fmpq *ins
     for (int k = 0; k < d; k++)
         fmpq_addmul(out + k, way + k, low);
     *found = pmc != GRAZE_PMC_NONE;
-    _fmpq_vec_clear(low, 2);
-    _fmpq_vec_clear(base, d);
     return status;
 }
 
@@ -117,20 +115,19 @@ graze_status probe_normal(fmpq *out, int *found, asker *a, const fmpq *outside,
                           const fmpq *inside) {
     const struct graze_boundary *b = a->boundary;
     int d = b->dimension;
-    fmpq *room = _fmpq_vec_init(9), *way = room, *beside = room + 3;
+    LOCAL_VEC(fmpq, room, 9);
+    fmpq *way = room, *beside = room + 3;
     vector_sub(way, outside, inside, d);
     int axis = main_axis(b, way);
-    graze_status status = GRAZE_OK;
     axis_step(way, b, axis, WITHIN, fmpq_sgn(way + axis) < 0);
     *found = 1;
-    for (int k = 1; k < d && *found && !status; k++)
-        status = find_beside(beside + 3 * (k - 1), found, a, inside, way, (axis + k) % d);
+    for (int k = 1; k < d && *found; k++)
+        TRY(find_beside(beside + 3 * (k - 1), found, a, inside, way, (axis + k) % d));
     if (d == 3) {
         vector_cross(out, beside, beside + 3);
     } else {
         fmpq_set(out, beside + 1);
         fmpq_neg(out + 1, beside);
     }
-    _fmpq_vec_clear(room, 9);
-    return status;
+    return GRAZE_OK;
 }

@@ -10,14 +10,14 @@
 
 #include <string.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "questions/boundary/contacts.h"
 
 static graze_status push_cell(graze_context *context, struct graze_boundary *b, size_t index) {
-    graze_status status = array_grow(context, &b->work, &b->work_capacity, b->work_count + 1,
-                                     sizeof *b->work, "the cells of a boundary");
-    if (!status)
-        b->work[b->work_count++] = index;
-    return status;
+    TRY(array_grow(context, &b->work, &b->work_capacity, b->work_count + 1, sizeof *b->work,
+                   "the cells of a boundary"));
+    b->work[b->work_count++] = index;
+    return GRAZE_OK;
 }
 
 static uint64_t cell_centre(const struct graze_boundary *b, const sample_cell *c) {
@@ -37,26 +37,23 @@ static sample_cell child_of(const struct graze_boundary *b, const sample_cell *c
 /* Cut a leaf whose corners the budget allows, and hand its parts to the work. */
 static graze_status split_cell(graze_context *context, struct graze_boundary *b, size_t index) {
     unsigned parts = 1u << b->dimension;
-    graze_status status = context_poll(context);
-    for (unsigned p = 0; p < parts && !status; p++) {
+    TRY(context_poll(context));
+    for (unsigned p = 0; p < parts; p++) {
         sample_cell part = child_of(b, b->cells + index, p);
         graze_pmc pmc = GRAZE_IN;
-        for (unsigned k = 0; k < parts && !status && pmc; k++)
-            status = lattice_classify(&pmc, context, b, sample_cell_corner(b, &part, k));
-        if (!status && !pmc)
+        for (unsigned k = 0; k < parts && pmc; k++)
+            TRY(lattice_classify(&pmc, context, b, sample_cell_corner(b, &part, k)));
+        if (!pmc)
             return GRAZE_OK;
     }
-    if (!status)
-        status = array_grow(context, &b->cells, &b->cell_capacity, b->cell_count + parts,
-                            sizeof *b->cells, "the cells of a boundary");
-    if (status)
-        return status;
+    TRY(array_grow(context, &b->cells, &b->cell_capacity, b->cell_count + parts, sizeof *b->cells,
+                   "the cells of a boundary"));
     b->cells[index].child = b->cell_count;
-    for (unsigned p = 0; p < parts && !status; p++) {
+    for (unsigned p = 0; p < parts; p++) {
         b->cells[b->cell_count] = child_of(b, b->cells + index, p);
-        status = push_cell(context, b, b->cell_count++);
+        TRY(push_cell(context, b, b->cell_count++));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* *out = 1 if the cell must be cut. */
@@ -77,16 +74,15 @@ static graze_status is_of_interest(int *out, graze_context *context, struct graz
 static graze_status reach(graze_context *context, struct graze_boundary *b, const uint32_t at[3],
                           unsigned target) {
     size_t index = 0;
-    graze_status status = GRAZE_OK;
-    for (unsigned level = 0; level < target && !status && b->complete; level++) {
+    for (unsigned level = 0; level < target && b->complete; level++) {
         if (!b->cells[index].child)
-            status = split_cell(context, b, index);
+            TRY(split_cell(context, b, index));
         unsigned which = 0;
         for (int k = 0; k < b->dimension; k++)
             which |= (at[k] >> (target - level - 1) & 1) << k;
         index = b->cells[index].child + which;
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* 1 if the side of a cell along an axis has corners in `out` and in the rest. */
@@ -104,17 +100,16 @@ static int side_mixed(const struct graze_boundary *b, const sample_cell *c, int 
 }
 
 static graze_status track(graze_context *context, struct graze_boundary *b, sample_cell c) {
-    graze_status status = GRAZE_OK;
-    for (int axis = 0; axis < b->dimension && !status; axis++)
-        for (unsigned upper = 0; upper < 2 && !status; upper++) {
+    for (int axis = 0; axis < b->dimension; axis++)
+        for (unsigned upper = 0; upper < 2; upper++) {
             uint32_t last = upper ? (1u << c.level) - 1 : 0, at[3];
             if (!side_mixed(b, &c, axis, upper) || c.at[axis] == last)
                 continue;
             memcpy(at, c.at, sizeof at);
             at[axis] += upper ? 1 : (uint32_t)-1;
-            status = reach(context, b, at, c.level);
+            TRY(reach(context, b, at, c.level));
         }
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status work_to(graze_context *context, struct graze_boundary *b, unsigned target) {
@@ -151,22 +146,18 @@ graze_status boundary_refuse_budget(graze_context *context, const struct graze_b
 }
 
 static graze_status start_cells(graze_context *context, struct graze_boundary *b) {
-    graze_status status = array_grow(context, &b->cells, &b->cell_capacity, 1, sizeof *b->cells,
-                                     "the cells of a boundary");
-    if (status)
-        return status;
+    TRY(array_grow(context, &b->cells, &b->cell_capacity, 1, sizeof *b->cells,
+                   "the cells of a boundary"));
     memset(b->cells, 0, sizeof *b->cells);
     b->cell_count = 1;
     graze_pmc pmc;
-    for (unsigned k = 0; k < 1u << b->dimension && !status; k++)
-        status = lattice_classify(&pmc, context, b, sample_cell_corner(b, b->cells, k));
-    if (!status)
-        status = push_cell(context, b, 0);
-    if (!status)
-        status = work_to(context, b, b->coarse);
-    if (!status && !b->complete)
-        status = boundary_refuse_budget(context, b, b->asked);
-    return status;
+    for (unsigned k = 0; k < 1u << b->dimension; k++)
+        TRY(lattice_classify(&pmc, context, b, sample_cell_corner(b, b->cells, k)));
+    TRY(push_cell(context, b, 0));
+    TRY(work_to(context, b, b->coarse));
+    if (!b->complete)
+        TRY(boundary_refuse_budget(context, b, b->asked));
+    return GRAZE_OK;
 }
 
 graze_status boundary_refine(graze_context *context, struct graze_boundary *b) {

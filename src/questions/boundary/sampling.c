@@ -3,6 +3,7 @@
  */
 #include "questions/boundary/sampling.h"
 
+#include "base/context/scope.h"
 #include "decide/verdict/classify.h"
 
 uint64_t lattice_key(const uint32_t at[3]) {
@@ -53,10 +54,8 @@ graze_status lattice_classify(graze_pmc *out, graze_context *context, struct gra
 
 graze_status asker_pmc(graze_pmc *out, asker *a, const fmpq *point) {
     graze_verdict verdict;
-    graze_status status = classify_verdict(&verdict, a->context, a->boundary->scene,
-                                           (query_point){.rational = point});
-    if (status)
-        return status;
+    TRY(classify_verdict(&verdict, a->context, a->boundary->scene,
+                         (query_point){.rational = point}));
     a->asked++;
     *out = verdict.pmc;
     return GRAZE_OK;

@@ -22,6 +22,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "base/context/team.h"
 #include "base/number/vector.h"
 #include "questions/boundary/bisect.h"
@@ -99,17 +100,15 @@ static graze_status know_tangents(sharpening *s) {
 
 /* The mean of the rim's vertices. */
 static void rim_mean(fmpq *out, const struct graze_boundary *b, const rim *r) {
-    fmpq *at = _fmpq_vec_init(b->dimension);
-    fmpz_t count;
-    fmpz_init_set_ui(count, r->count);
+    LOCAL_VEC(fmpq, at, b->dimension);
+    LOCAL(fmpz, count);
+    fmpz_set_ui(count, r->count);
     for (size_t k = 0; k < r->count; k++) {
         bisect_vertex(at, b, r->vertex[k]);
         vector_add(out, out, at, b->dimension);
     }
     for (int k = 0; k < b->dimension; k++)
         fmpq_div_fmpz(out + k, out + k, count);
-    fmpz_clear(count);
-    _fmpq_vec_clear(at, b->dimension);
 }
 
 static graze_status try_patch(sharpening *s, size_t patch) {
@@ -125,21 +124,19 @@ static graze_status try_patch(sharpening *s, size_t patch) {
         return status;
     for (size_t k = 0; k < r.count; k++)
         list[k] = &s->tangents[r.vertex[k]];
-    fmpq *mean = _fmpq_vec_init(b->dimension);
+    LOCAL_VEC(fmpq, mean, b->dimension);
     rim_mean(mean, b, &r);
     status =
         feature_find(&f, &found, b->askers, &b->cells[b->patches[patch].cell], list, r.count, mean);
-    _fmpq_vec_clear(mean, b->dimension);
     return found ? keep_fan(s, patch, &r, &f) : status;
 }
 
 static graze_status keep_face(sharpening *s, const size_t *corner) {
     size_t d = (size_t)s->boundary->dimension;
-    graze_status status = array_grow(s->context, &s->corners, &s->corner_capacity,
-                                     (s->face_count + 1) * d, sizeof *s->corners, "the surface");
-    if (!status)
-        memcpy(s->corners + s->face_count++ * d, corner, d * sizeof *corner);
-    return status;
+    TRY(array_grow(s->context, &s->corners, &s->corner_capacity, (s->face_count + 1) * d,
+                   sizeof *s->corners, "the surface"));
+    memcpy(s->corners + s->face_count++ * d, corner, d * sizeof *corner);
+    return GRAZE_OK;
 }
 
 static graze_status add_triangle(sharpening *s, size_t a, size_t b, size_t c) {
@@ -150,10 +147,9 @@ static graze_status keep_patch(sharpening *s, size_t patch) {
     const struct graze_boundary *b = s->boundary;
     size_t first = b->patches[patch].first;
     size_t end = patch + 1 < b->patch_count ? b->patches[patch + 1].first : b->face_count;
-    graze_status status = GRAZE_OK;
-    for (size_t k = first; k < end && !status; k++)
-        status = keep_face(s, b->corners + k * (size_t)b->dimension);
-    return status;
+    for (size_t k = first; k < end; k++)
+        TRY(keep_face(s, b->corners + k * (size_t)b->dimension));
+    return GRAZE_OK;
 }
 
 /* The fan of the cell on the other side, or fan_count. */
@@ -186,28 +182,27 @@ static graze_status join_fans(sharpening *s, size_t index, size_t other, const r
     size_t u = vertex[run->first], v = vertex[(run->first + run->edges) % f->count];
     if (other < index)
         return GRAZE_OK;
-    graze_status status = add_triangle(s, apex_of(s, index), u, apex_of(s, other));
-    return status ? status : add_triangle(s, apex_of(s, index), apex_of(s, other), v);
+    TRY(add_triangle(s, apex_of(s, index), u, apex_of(s, other)));
+    return add_triangle(s, apex_of(s, index), apex_of(s, other), v);
 }
 
 static graze_status spread_in_space(sharpening *s, size_t index) {
     const fan *f = &s->fans[index];
     const size_t *vertex = s->rims + f->first;
     unsigned char joined[RIM_MOST] = {0};
-    graze_status status = GRAZE_OK;
-    for (int side = 0; side < 6 && !status; side++) {
+    for (int side = 0; side < 6; side++) {
         rim_run run;
         size_t other;
         if (!is_joined(&run, &other, s, f, side / 2, side % 2))
             continue;
         for (size_t k = 0; k < run.edges; k++)
             joined[(run.first + k) % f->count] = 1;
-        status = join_fans(s, index, other, &run);
+        TRY(join_fans(s, index, other, &run));
     }
-    for (size_t k = 0; k < f->count && !status; k++)
+    for (size_t k = 0; k < f->count; k++)
         if (!joined[k])
-            status = add_triangle(s, apex_of(s, index), vertex[k], vertex[(k + 1) % f->count]);
-    return status;
+            TRY(add_triangle(s, apex_of(s, index), vertex[k], vertex[(k + 1) % f->count]));
+    return GRAZE_OK;
 }
 
 static graze_status spread(sharpening *s, size_t index) {
@@ -215,8 +210,8 @@ static graze_status spread(sharpening *s, size_t index) {
     const size_t *vertex = s->rims + f->first;
     if (s->boundary->dimension == 3)
         return spread_in_space(s, index);
-    graze_status status = keep_face(s, (size_t[]){vertex[0], apex_of(s, index)});
-    return status ? status : keep_face(s, (size_t[]){apex_of(s, index), vertex[f->count - 1]});
+    TRY(keep_face(s, (size_t[]){vertex[0], apex_of(s, index)}));
+    return keep_face(s, (size_t[]){apex_of(s, index), vertex[f->count - 1]});
 }
 
 /* Take away the vertices that no face has; the others keep their order. */
@@ -254,18 +249,14 @@ static graze_status drop_vertices(sharpening *s) {
 
 static graze_status rebuild(sharpening *s) {
     struct graze_boundary *b = s->boundary;
-    graze_status status = GRAZE_OK;
     size_t next = 0;
-    for (size_t patch = 0; patch < b->patch_count && !status; patch++) {
+    for (size_t patch = 0; patch < b->patch_count; patch++) {
         if (next < s->fan_count && s->fans[next].patch == patch)
-            status = spread(s, next++);
+            TRY(spread(s, next++));
         else
-            status = keep_patch(s, patch);
+            TRY(keep_patch(s, patch));
     }
-    if (!status)
-        status = drop_vertices(s);
-    if (status)
-        return status;
+    TRY(drop_vertices(s));
     free(b->corners);
     b->corners = s->corners;
     b->face_count = s->face_count;

@@ -10,6 +10,7 @@
 #include "questions/boundary/surface.h"
 
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "questions/boundary/contacts.h"
 
 /* A simplex's corners with those in `out` last. */
@@ -137,20 +138,18 @@ static int ends_at_border(const struct graze_boundary *b, const sample_cell *c) 
 
 /* The faces that follow are those of a cell. */
 static graze_status begin_patch(graze_context *context, struct graze_boundary *b, size_t index) {
-    graze_status status = array_grow(context, &b->patches, &b->patch_capacity, b->patch_count + 1,
-                                     sizeof *b->patches, "the cells of a boundary");
-    if (!status)
-        b->patches[b->patch_count++] = (cell_faces){index, b->face_count};
-    return status;
+    TRY(array_grow(context, &b->patches, &b->patch_capacity, b->patch_count + 1, sizeof *b->patches,
+                   "the cells of a boundary"));
+    b->patches[b->patch_count++] = (cell_faces){index, b->face_count};
+    return GRAZE_OK;
 }
 
 graze_status boundary_surface(graze_context *context, struct graze_boundary *b) {
     static const int orders[6][3] = {{0, 1, 2}, {1, 0, 2}, {0, 2, 1},
                                      {2, 0, 1}, {1, 2, 0}, {2, 1, 0}};
     int simplices = b->dimension == 2 ? 2 : 6;
-    graze_status status = GRAZE_OK;
     b->closed = 1;
-    for (size_t i = 0; i < b->cell_count && !status; i++) {
+    for (size_t i = 0; i < b->cell_count; i++) {
         const sample_cell *c = b->cells + i;
         if (c->level != b->reached)
             continue;
@@ -160,9 +159,9 @@ graze_status boundary_surface(graze_context *context, struct graze_boundary *b) 
         }
         b->closed &= !ends_at_border(b, c);
         if (b->sharp)
-            status = begin_patch(context, b, i);
-        for (int k = 0; k < simplices && !status; k++)
-            status = cut_simplex(context, b, c, orders[k]);
+            TRY(begin_patch(context, b, i));
+        for (int k = 0; k < simplices; k++)
+            TRY(cut_simplex(context, b, c, orders[k]));
     }
-    return status;
+    return GRAZE_OK;
 }

@@ -10,6 +10,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
+#include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "decide/trace/point.h"
 #include "decide/trace/trajectory.h"
@@ -21,24 +22,22 @@
 static void facet_normal(fmpq *out, const soup *s, size_t facet) {
     uint32_t cycle = s->facet_start[facet];
     size_t from = s->cycle_start[cycle], end = s->cycle_start[cycle + 1];
-    fmpq *product = _fmpq_vec_init(3);
+    LOCAL_VEC(fmpq, product, 3);
     for (size_t k = from; k < end; k++) {
         size_t next = k + 1 < end ? k + 1 : from;
         vector_cross(product, s->coordinates + 3 * (size_t)s->index[k],
                      s->coordinates + 3 * (size_t)s->index[next]);
         vector_add(out, out, product, 3);
     }
-    _fmpq_vec_clear(product, 3);
 }
 
 /* A multiple of the trajectory's velocity. */
 static void velocity(fmpq *out, const point_map *map, const fmpq_t u, const fmpq *point) {
     int d = map->dimension;
-    trajectory path;
-    fmpq *w = _fmpq_vec_init(3), *slope = w + 1, *value = w + 2;
-    fmpz_poly_t derivative;
-    trajectory_init(&path, d);
-    fmpz_poly_init(derivative);
+    LOCAL_VEC(fmpq, w, 3);
+    fmpq *slope = w + 1, *value = w + 2;
+    HELD(trajectory, path, d);
+    LOCAL(fmpz_poly, derivative);
     trajectory_set(&path, map, point);
     fmpz_poly_evaluate_fmpq(w, &path.x[d], u);
     fmpz_poly_derivative(derivative, &path.x[d]);
@@ -50,9 +49,6 @@ static void velocity(fmpq *out, const point_map *map, const fmpq_t u, const fmpq
         fmpz_poly_evaluate_fmpq(value, &path.x[k], u);
         fmpq_submul(out + k, value, slope);
     }
-    fmpz_poly_clear(derivative);
-    _fmpq_vec_clear(w, 3);
-    trajectory_clear(&path);
 }
 
 /* The normal in the solid's frame, zero where the contact gives none. */
@@ -60,7 +56,8 @@ static void body_normal(fmpq *out, const graze_scene *scene, const graze_cell *c
                         const point_map *map, const fmpq_t u, const fmpq *point) {
     const soup *s = &scene->solid->input;
     int d = s->dimension;
-    fmpq *moves = _fmpq_vec_init(3), *along = _fmpq_vec_init(3);
+    LOCAL_VEC(fmpq, moves, 3);
+    LOCAL_VEC(fmpq, along, 3);
     if (cell->kind == GRAZE_CELL_EDGE)
         vector_sub(along, s->coordinates + cell->b * (size_t)d,
                    s->coordinates + cell->a * (size_t)d, d);
@@ -75,21 +72,17 @@ static void body_normal(fmpq *out, const graze_scene *scene, const graze_cell *c
     } else {
         vector_cross(out, along, moves);
     }
-    _fmpq_vec_clear(moves, 3);
-    _fmpq_vec_clear(along, 3);
 }
 
 /* The parameter of a time's piece, exact where it is rational. */
 static graze_status parameter_of(fmpq_t u, graze_context *context, const graze_time *time) {
     const motion_piece *piece = &time->motion->piece[time->piece];
-    fmpq_t length;
-    fmpq_init(length);
-    graze_status status = distance_contact_time(u, context, time);
+    LOCAL(fmpq, length);
+    TRY(distance_contact_time(u, context, time));
     fmpq_sub(length, piece->hi, piece->lo);
     fmpq_sub(u, u, piece->lo);
     fmpq_div(u, u, length);
-    fmpq_clear(length);
-    return status;
+    return GRAZE_OK;
 }
 
 /* The normal that a contact's highest cell gives, zero where there is none. */
@@ -98,30 +91,26 @@ static graze_status contact_normal(fmpq *out, graze_context *context, const graz
     const point_map *map =
         motion_tracing(&scene->motion->piece[c->from->piece], scene->options.operation);
     int d = map->dimension;
-    fmpq *body = _fmpq_vec_init(3), *carried = _fmpq_vec_init(POINT_MAP_ENTRIES);
-    fmpq_t u;
-    fmpq_init(u);
-    graze_status status = parameter_of(u, context, c->from);
-    if (!status) {
-        body_normal(body, scene, c->cell, map, u, point);
-        point_map_at(carried, map, u);
-    }
-    for (int j = 0; j < d && !status; j++) {
+    LOCAL_VEC(fmpq, body, 3);
+    LOCAL_VEC(fmpq, carried, POINT_MAP_ENTRIES);
+    LOCAL(fmpq, u);
+    TRY(parameter_of(u, context, c->from));
+    body_normal(body, scene, c->cell, map, u, point);
+    point_map_at(carried, map, u);
+    for (int j = 0; j < d; j++) {
         fmpq_zero(out + j);
         for (int i = 0; i < d; i++)
             fmpq_addmul(out + j, carried + i * (d + 1) + j, body + i);
     }
-    fmpq_clear(u);
-    _fmpq_vec_clear(body, 3);
-    _fmpq_vec_clear(carried, POINT_MAP_ENTRIES);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Turn the normal of a form outward, put the plane through a point and find the unit normal. */
 static void finish(tangent *t, int d, const fmpq *through, const fmpq *outside,
                    const fmpq *inside) {
-    fmpq *way = _fmpq_vec_init(d);
-    fmpq *value = _fmpq_vec_init(2), *most = value + 1;
+    LOCAL_VEC(fmpq, way, d);
+    LOCAL_VEC(fmpq, value, 2);
+    fmpq *most = value + 1;
     double squares = 0;
     vector_sub(way, outside, inside, d);
     _fmpq_vec_dot(value, t->form, way, d);
@@ -143,8 +132,6 @@ static void finish(tangent *t, int d, const fmpq *through, const fmpq *outside,
     for (int k = 0; k < d && side; k++)
         t->unit[k] /= sqrt(squares);
     t->known = side != 0;
-    _fmpq_vec_clear(value, 2);
-    _fmpq_vec_clear(way, d);
 }
 
 static graze_status from_contacts(tangent *out, asker *a, const fmpq *outside, const fmpq *point) {
@@ -167,16 +154,15 @@ static graze_status from_contacts(tangent *out, asker *a, const fmpq *outside, c
 graze_status tangent_find(tangent *out, asker *a, size_t vertex) {
     const struct graze_boundary *b = a->boundary;
     int d = b->dimension, found = 0;
-    fmpq *points = _fmpq_vec_init(2 * d), *outside = points, *inside = points + d;
-    graze_status status;
+    LOCAL_VEC(fmpq, points, 2 * d);
+    fmpq *outside = points, *inside = points + d;
     bisect_between(outside, inside, b, vertex);
     if (b->vertices.value[vertex] == GRAZE_ON) {
-        status = from_contacts(out, a, outside, inside);
+        TRY(from_contacts(out, a, outside, inside));
     } else {
-        status = probe_normal(out->form, &found, a, outside, inside);
-        if (!status && found)
+        TRY(probe_normal(out->form, &found, a, outside, inside));
+        if (found)
             finish(out, d, inside, outside, inside);
     }
-    _fmpq_vec_clear(points, 2 * d);
-    return status;
+    return GRAZE_OK;
 }

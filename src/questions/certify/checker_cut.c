@@ -3,19 +3,18 @@
  */
 #include "questions/certify/checker_cut.h"
 
+#include "base/context/scope.h"
 #include "input/solid/create.h"
 
 static graze_status add_fan(soup *out, graze_context *context, const soup *in, size_t facet) {
     size_t cycle = in->facet_start[facet], first = in->cycle_start[cycle];
     size_t n = in->cycle_start[cycle + 1] - first;
-    graze_status status = GRAZE_OK;
-    for (size_t k = 1; k + 1 < n && !status; k++) {
+    for (size_t k = 1; k + 1 < n; k++) {
         size_t corner[3] = {in->index[first], in->index[first + k], in->index[first + k + 1]};
-        status = soup_add_facet(out, context);
-        if (!status)
-            status = soup_add_cycle(out, context, corner, 3);
+        TRY(soup_add_facet(out, context));
+        TRY(soup_add_cycle(out, context, corner, 3));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* The fans of a legal solid's facets, planar ones, make up the same boundary or are refused: where

@@ -5,6 +5,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 #include "base/number/bernstein.h"
 #include "questions/certify/checker_cut.h"
 
@@ -45,9 +46,8 @@ void certifier_clear(certifier *c) {
 /* The determinant of the linear part of a point map without its weight. */
 static void find_det(fmpz_poly_t out, const point_map *m) {
     int d = m->dimension;
-    fmpz_poly_t a, b;
-    fmpz_poly_init(a);
-    fmpz_poly_init(b);
+    LOCAL(fmpz_poly, a);
+    LOCAL(fmpz_poly, b);
     fmpz_poly_zero(out);
     const fmpz_poly_struct *at[3] = {m->entry, m->entry + d + 1, m->entry + 2 * (d + 1)};
     for (int k = 0; k < d; k++) {
@@ -63,18 +63,15 @@ static void find_det(fmpz_poly_t out, const point_map *m) {
         fmpz_poly_mul(a, a, at[0] + k);
         fmpz_poly_add(out, out, a);
     }
-    fmpz_poly_clear(a);
-    fmpz_poly_clear(b);
 }
 
 static int one_sign(const fmpz_poly_t p, const dyadic_interval *at) {
     slong n = fmpz_poly_length(p);
-    fmpz *c = _fmpz_vec_init(n);
+    LOCAL_VEC(fmpz, c, n);
     bernstein_from_poly(c, p, n - 1, at);
     int same = 1;
     for (slong k = 0; k < n; k++)
         same = same && fmpz_sgn(c + k) == fmpz_sgn(c) && !fmpz_is_zero(c + k);
-    _fmpz_vec_clear(c, n);
     return same;
 }
 
@@ -83,24 +80,21 @@ static int one_sign(const fmpz_poly_t p, const dyadic_interval *at) {
 static void put_signs(text *out, const motion_piece *piece, const fmpz_poly_t det,
                       const dyadic_interval *at) {
     if (one_sign(piece->forward.weight, at) && one_sign(det, at)) {
-        fmpq *t = _fmpq_vec_init(2), *width = t + 1;
+        LOCAL_VEC(fmpq, t, 2);
+        fmpq *width = t + 1;
         dyadic_value(t, at->high, at->exponent);
         fmpq_sub(width, piece->hi, piece->lo);
         fmpq_mul(t, t, width);
         fmpq_add(t, t, piece->lo);
         text_put(out, " ");
         text_rational(out, t);
-        _fmpq_vec_clear(t, 2);
         return;
     }
-    dyadic_interval left, right;
-    dyadic_interval_init(&left);
-    dyadic_interval_init(&right);
+    HELD(dyadic_interval, left);
+    HELD(dyadic_interval, right);
     dyadic_interval_halves(&left, &right, at);
     put_signs(out, piece, det, &left);
     put_signs(out, piece, det, &right);
-    dyadic_interval_clear(&left);
-    dyadic_interval_clear(&right);
 }
 
 static void write_hash(text *out, const char *key, const unsigned char sha256[32]) {
@@ -124,15 +118,11 @@ graze_status certify_head(text *out, graze_context *context, const certifier *c)
     text_rational(out, m->piece[0].lo);
     graze_status status = GRAZE_OK;
     for (size_t k = 0; k < m->piece_count && !status; k++) {
-        dyadic_interval unit;
-        fmpz_poly_t det;
-        dyadic_interval_init(&unit);
-        fmpz_poly_init(det);
+        HELD(dyadic_interval, unit);
+        LOCAL(fmpz_poly, det);
         dyadic_interval_set_si(&unit, 0, 1);
         find_det(det, &m->piece[k].forward);
         put_signs(out, &m->piece[k], det, &unit);
-        fmpz_poly_clear(det);
-        dyadic_interval_clear(&unit);
         status = context_poll(context);
     }
     text_put(out, "\n");

@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 
 enum { UNKNOWN = 2 };
 
@@ -210,9 +211,8 @@ static profile profile_of(enclosure *e, const root_claim *claim, const fmpz *for
     if (sign)
         return (profile){sign, sign, sign};
     profile out = {0, 0, 0};
-    fmpz_poly_t f, quotient;
-    fmpz_poly_init(f);
-    fmpz_poly_init(quotient);
+    LOCAL(fmpz_poly, f);
+    LOCAL(fmpz_poly, quotient);
     trajectory_pullback(f, e->c, form);
     if (!fmpz_poly_is_zero(f)) {
         slong power = 0;
@@ -228,8 +228,6 @@ static profile profile_of(enclosure *e, const root_claim *claim, const fmpz *for
         out.mid = power ? 0 : UNKNOWN;
         out.right = sign ? sign * (power % 2 ? q_right : 1) : UNKNOWN;
     }
-    fmpz_poly_clear(f);
-    fmpz_poly_clear(quotient);
     return out;
 }
 

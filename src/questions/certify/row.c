@@ -7,6 +7,7 @@
 #include <flint/fmpz_poly_factor.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "base/number/order.h"
 #include "decide/filter/filter.h"
 #include "decide/trace/candidates.h"
@@ -49,27 +50,23 @@ static graze_status row_no_memory(graze_context *context) {
 /* Make q irreducible: what each pullback that is 0 at the time can be divided by. Returns 1 if it
  * was not. */
 static int find_factor(event *v) {
-    fmpz_poly_factor_t factors;
     slong degree = fmpz_poly_degree(v->q);
-    fmpz_poly_factor_init(factors);
+    LOCAL(fmpz_poly_factor, factors);
     fmpz_poly_factor(factors, v->q);
     for (slong k = 0; k < factors->num; k++)
         if (dyadic_sign(factors->p + k, v->known.low, v->known.exponent) !=
             dyadic_sign(factors->p + k, v->known.high, v->known.exponent))
             fmpz_poly_set(v->q, factors->p + k);
-    fmpz_poly_factor_clear(factors);
     v->irreducible = 1;
     return fmpz_poly_degree(v->q) < degree;
 }
 
 static void set_linear(fmpz_poly_t q, const fmpq_t root) {
-    fmpz_t c;
-    fmpz_init(c);
+    LOCAL(fmpz, c);
     fmpz_neg(c, fmpq_numref(root));
     fmpz_poly_zero(q);
     fmpz_poly_set_coeff_fmpz(q, 0, c);
     fmpz_poly_set_coeff_fmpz(q, 1, fmpq_denref(root));
-    fmpz_clear(c);
 }
 
 static void event_set(event *v, const algebraic *time) {
@@ -91,25 +88,17 @@ static void event_set(event *v, const algebraic *time) {
 
 /* The letter between ranks r and r + 1: B, or what one location finds. */
 static graze_status find_gap(char *out, piece_row *r, algebraic *from, algebraic *to) {
-    fmpq_t u;
-    graze_status status = GRAZE_OK;
-    fmpq_init(u);
+    LOCAL(fmpq, u);
     if (from && to)
-        status = algebraic_between(u, r->context, from, to);
+        TRY(algebraic_between(u, r->context, from, to));
     else if (to)
         fmpq_zero(u);
     else
         fmpq_one(u);
-    if (status) {
-        fmpq_clear(u);
-        return status;
-    }
-    fmpz *x = _fmpz_vec_init(r->c.dimension + 1);
+    LOCAL_VEC(fmpz, x, r->c.dimension + 1);
     trajectory_at(x, &r->c, u);
     graze_state state = solid_locate(r->with->solid, x);
     *out = state == GRAZE_STATE_I ? 'I' : 'O';
-    _fmpz_vec_clear(x, r->c.dimension + 1);
-    fmpq_clear(u);
     return state == GRAZE_STATE_I || state == GRAZE_STATE_O
                ? GRAZE_OK
                : context_fail(r->context, GRAZE_EINTERNAL,
@@ -117,19 +106,18 @@ static graze_status find_gap(char *out, piece_row *r, algebraic *from, algebraic
 }
 
 static graze_status find_gaps(piece_row *r) {
-    graze_status status = GRAZE_OK;
     for (size_t k = 0; k < r->t.count; k++)
         for (size_t j = r->t.item[k].from; j < r->t.item[k].to; j++)
             r->gap[j + 1] = 'B';
-    for (size_t k = 0; k <= r->count && !status; k++) {
+    for (size_t k = 0; k <= r->count; k++) {
         algebraic *from = k > 0 ? &r->t.time.item[r->t.by_rank[k - 1]] : NULL;
         algebraic *to = k < r->count ? &r->t.time.item[r->t.by_rank[k]] : NULL;
         int is_gap = (k > 0 || r->count == 0 || r->event[0].place != -1) &&
                      (k < r->count || r->count == 0 || r->event[k - 1].place != 1);
         if (is_gap && r->gap[k] != 'B')
-            status = find_gap(&r->gap[k], r, from, to);
+            TRY(find_gap(&r->gap[k], r, from, to));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status find_events(piece_row *r) {
@@ -160,36 +148,30 @@ static graze_status find_events(piece_row *r) {
 /* ---------------------------------------------------------------------------------- intervals */
 
 static void halve(dyadic_interval *at, int upper) {
-    dyadic_interval left, right;
-    dyadic_interval_init(&left);
-    dyadic_interval_init(&right);
+    HELD(dyadic_interval, left);
+    HELD(dyadic_interval, right);
     dyadic_interval_halves(&left, &right, at);
     dyadic_interval_swap(at, upper ? &right : &left);
-    dyadic_interval_clear(&left);
-    dyadic_interval_clear(&right);
 }
 
 /* Both halves of two neighbouring quarters: the middle half. */
 static void keep_middle(dyadic_interval *at) {
-    fmpz_t width;
-    fmpz_init(width);
+    LOCAL(fmpz, width);
     fmpz_sub(width, at->high, at->low);
     fmpz_mul_2exp(at->low, at->low, 2);
     fmpz_mul_2exp(at->high, at->high, 2);
     fmpz_add(at->low, at->low, width);
     fmpz_sub(at->high, at->high, width);
     at->exponent += 2;
-    fmpz_clear(width);
 }
 
 /* Sign of a / 2^i - b / 2^j. */
 static int compare_ends(const fmpz_t a, ulong i, const fmpz_t b, ulong j) {
-    fmpz *x = _fmpz_vec_init(2), *y = x + 1;
+    LOCAL_VEC(fmpz, x, 2);
+    fmpz *y = x + 1;
     fmpz_mul_2exp(x, a, j);
     fmpz_mul_2exp(y, b, i);
-    int order = fmpz_cmp(x, y);
-    _fmpz_vec_clear(x, 2);
-    return order;
+    return fmpz_cmp(x, y);
 }
 
 /* At most half of the interval, around the time. */
@@ -198,8 +180,7 @@ static void narrow(event *v) {
         halve(&v->at, v->place > 0);
         return;
     }
-    fmpz_t middle;
-    fmpz_init(middle);
+    LOCAL(fmpz, middle);
     ulong exponent = v->at.exponent + 1;
     fmpz_add(middle, v->at.low, v->at.high);
     int sign = 0;
@@ -211,7 +192,6 @@ static void narrow(event *v) {
         keep_middle(&v->at);
     else
         halve(&v->at, sign == dyadic_sign(v->q, v->known.low, v->known.exponent));
-    fmpz_clear(middle);
 }
 
 static int precedes(const event *v, const event *w) {
@@ -220,12 +200,10 @@ static int precedes(const event *v, const event *w) {
 
 /* Strictly inside [0, 1], but for the end that is the time itself. */
 static int is_inside(const event *v) {
-    fmpz_t one;
-    fmpz_init_set_ui(one, 1);
-    int inside = (v->place == -1 || fmpz_sgn(v->at.low) > 0) &&
-                 (v->place == 1 || compare_ends(v->at.high, v->at.exponent, one, 0) < 0);
-    fmpz_clear(one);
-    return inside;
+    LOCAL(fmpz, one);
+    fmpz_set_ui(one, 1);
+    return (v->place == -1 || fmpz_sgn(v->at.low) > 0) &&
+           (v->place == 1 || compare_ends(v->at.high, v->at.exponent, one, 0) < 0);
 }
 
 /* Why no interval could be proved. */
@@ -291,15 +269,12 @@ static graze_status put_gap(piece_row *r, char letter, const dyadic_interval *at
         depth > DEEPEST || r->e.out_of_memory ? too_deep(r) : context_poll(r->context);
     if (status)
         return status;
-    dyadic_interval left, right;
-    dyadic_interval_init(&left);
-    dyadic_interval_init(&right);
+    HELD(dyadic_interval, left);
+    HELD(dyadic_interval, right);
     dyadic_interval_halves(&left, &right, at);
     status = put_gap(r, letter, &left, depth + 1);
     if (!status)
         status = put_gap(r, letter, &right, depth + 1);
-    dyadic_interval_clear(&left);
-    dyadic_interval_clear(&right);
     return status;
 }
 
@@ -313,12 +288,11 @@ static void join(dyadic_interval *out, const fmpz_t from, ulong i, const fmpz_t 
 
 static graze_status put_piece(piece_row *r) {
     graze_status status = GRAZE_OK;
-    dyadic_interval gap;
-    fmpz_t at, one;
     ulong exponent = 0;
-    dyadic_interval_init(&gap);
-    fmpz_init(at);
-    fmpz_init_set_ui(one, 1);
+    HELD(dyadic_interval, gap);
+    LOCAL(fmpz, at);
+    LOCAL(fmpz, one);
+    fmpz_set_ui(one, 1);
     for (size_t k = 0; k <= r->count && !status; k++) {
         event *v = k < r->count ? &r->event[k] : NULL;
         int held = v && v->place && (r->gap[k] == 'B' || r->gap[k + 1] == 'B');
@@ -338,9 +312,6 @@ static graze_status put_piece(piece_row *r) {
         fmpz_set(at, v->at.high);
         exponent = v->at.exponent;
     }
-    fmpz_clear(at);
-    fmpz_clear(one);
-    dyadic_interval_clear(&gap);
     return status;
 }
 
@@ -395,15 +366,12 @@ static void write_row(text *out, const certifier *c, const fmpq *point, const gr
 graze_status certify_row(text *out, graze_context *context, const certifier *c, const fmpq *point,
                          const graze_trace *trace) {
     const graze_motion *motion = c->scene->motion;
-    graze_status status = GRAZE_OK;
-    row_lines lines;
     write_row(out, c, point, trace);
-    row_lines_init(&lines, out, c->with_contacts ? trace : NULL, motion);
-    for (size_t k = 0; k < motion->piece_count && !status; k++)
-        status = certify_piece(&lines, context, c, k, point);
-    if (!status && !out->failed && lines.trace && lines.said != trace->contact_count)
-        status = context_fail(context, GRAZE_EINTERNAL, "%zu contacts are certified; expected %zu",
-                              lines.said, trace->contact_count);
-    row_lines_clear(&lines);
-    return status;
+    HELD(row_lines, lines, out, c->with_contacts ? trace : NULL, motion);
+    for (size_t k = 0; k < motion->piece_count; k++)
+        TRY(certify_piece(&lines, context, c, k, point));
+    if (!out->failed && lines.trace && lines.said != trace->contact_count)
+        return context_fail(context, GRAZE_EINTERNAL, "%zu contacts are certified; expected %zu",
+                            lines.said, trace->contact_count);
+    return GRAZE_OK;
 }

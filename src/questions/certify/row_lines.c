@@ -6,6 +6,7 @@
 #include <flint/fmpq_poly.h>
 #include <flint/fmpq_vec.h>
 #include <string.h>
+#include "base/context/scope.h"
 
 void row_lines_init(row_lines *l, text *out, const graze_trace *trace, const graze_motion *motion) {
     *l = (row_lines){.out = out, .trace = trace};
@@ -26,21 +27,21 @@ void row_lines_clear(row_lines *l) {
 /* u in the motion's parameter. */
 static void line_number(text *out, const motion_piece *piece, const fmpz_t numerator,
                         ulong exponent) {
-    fmpq *t = _fmpq_vec_init(2), *width = t + 1;
+    LOCAL_VEC(fmpq, t, 2);
+    fmpq *width = t + 1;
     dyadic_value(t, numerator, exponent);
     fmpq_sub(width, piece->hi, piece->lo);
     fmpq_mul(t, t, width);
     fmpq_add(t, t, piece->lo);
     text_rational(out, t);
-    _fmpq_vec_clear(t, 2);
 }
 
 /* q in the motion's parameter, primitive: u = (t - lo) / (hi - lo). */
 static void to_parameter(fmpz_poly_t out, const motion_piece *piece, const fmpz_poly_struct *q) {
-    fmpq_poly_t f, u;
-    fmpq *width = _fmpq_vec_init(2), *shift = width + 1;
-    fmpq_poly_init(f);
-    fmpq_poly_init(u);
+    LOCAL_VEC(fmpq, width, 2);
+    fmpq *shift = width + 1;
+    LOCAL(fmpq_poly, f);
+    LOCAL(fmpq_poly, u);
     fmpq_sub(width, piece->hi, piece->lo);
     fmpq_div(shift, piece->lo, width);
     fmpq_neg(shift, shift);
@@ -51,9 +52,6 @@ static void to_parameter(fmpz_poly_t out, const motion_piece *piece, const fmpz_
     fmpq_poly_compose(f, f, u);
     fmpq_poly_get_numerator(out, f);
     fmpz_poly_primitive_part(out, out);
-    _fmpq_vec_clear(width, 2);
-    fmpq_poly_clear(u);
-    fmpq_poly_clear(f);
 }
 
 static void line_poly(text *out, const fmpz_poly_t q) {
@@ -64,12 +62,10 @@ static void line_poly(text *out, const fmpz_poly_t q) {
 /* The root of q in [l->start, end]: a number if q is linear. */
 static void line_root(text *out, const row_lines *l, const char *end, const fmpz_poly_t q) {
     if (fmpz_poly_degree(q) == 1) {
-        fmpq_t root;
-        fmpq_init(root);
+        LOCAL(fmpq, root);
         fmpz_neg(fmpq_numref(root), fmpz_poly_get_coeff_ptr(q, 0));
         fmpz_set(fmpq_denref(root), fmpz_poly_get_coeff_ptr(q, 1));
         text_rational(out, root);
-        fmpq_clear(root);
         return;
     }
     text_format(out, "root %s %s", l->start.data, end);
@@ -88,10 +84,9 @@ static void line_cells(text *out, const contact *c) {
 
 /* The contact of an interval with a B: its beginning is kept, its end is written. */
 static void follow_contact(row_lines *l, const char *kind, const char *end, const fmpz_poly_t q) {
-    text closed;
     size_t n = strlen(kind);
     char first = kind[0], last = kind[n - 1];
-    text_init(&closed);
+    HELD(text, closed);
     if (l->opened.length == 0) {
         if (n == 3 && first != 'B')
             line_root(&l->opened, l, end, q);
@@ -113,15 +108,13 @@ static void follow_contact(row_lines *l, const char *kind, const char *end, cons
         text_clear(&l->opened);
     }
     l->out->failed |= closed.failed || l->opened.failed;
-    text_clear(&closed);
 }
 
 void row_lines_put(row_lines *l, const char *kind, const fmpz_t high, ulong exponent,
                    const fmpz_poly_struct *q) {
     text end;
-    fmpz_poly_t p;
     text_init(&end);
-    fmpz_poly_init(p);
+    LOCAL(fmpz_poly, p);
     line_number(&end, l->piece, high, exponent);
     l->out->failed |= end.failed;
     text_format(l->out, "%s %s", kind, end.failed ? "" : end.data);
@@ -132,7 +125,6 @@ void row_lines_put(row_lines *l, const char *kind, const fmpz_t high, ulong expo
     text_put(l->out, "\n");
     if (l->trace && strchr(kind, 'B') && !l->out->failed)
         follow_contact(l, kind, end.data, p);
-    fmpz_poly_clear(p);
     text_clear(&l->start);
     l->start = end;
 }

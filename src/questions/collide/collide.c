@@ -4,16 +4,15 @@
 #include "questions/collide/collide.h"
 
 #include <string.h>
+#include "base/context/scope.h"
 #include "questions/collide/pair_search.h"
 
 /* Set `start` to t0 if the motion begins in state I. */
 static graze_status mark_start(graze_pair *pair, graze_context *context) {
-    algebraic zero;
     if (pair->walk.word[0] != GRAZE_STATE_I)
         return GRAZE_OK;
-    algebraic_init(&zero);
+    HELD(algebraic, zero);
     pair->start = time_create(pair->pair.motion, 0, &zero);
-    algebraic_clear(&zero);
     if (!pair->start)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for a time");
     return time_canonicalise(pair->start, context);

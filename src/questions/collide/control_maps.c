@@ -3,6 +3,7 @@
 
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "input/solid/box_image.h"
 
@@ -72,7 +73,8 @@ int control_maps_set(control_maps *out, const map_forms *forms) {
     int d = forms->dimension, n = form_count(d) - 1;
     if (!make_map_room(out, (size_t)forms->degree + 1, d))
         return 0;
-    fmpz *x = _fmpz_vec_init(2), *w = x + 1;
+    LOCAL_VEC(fmpz, x, 2);
+    fmpz *w = x + 1;
     for (slong j = 0; j <= forms->degree; j++) {
         wide_get_fmpz(w, &forms->form[n].c, j);
         if (fmpz_sgn(w) <= 0)
@@ -82,7 +84,6 @@ int control_maps_set(control_maps *out, const map_forms *forms) {
             out->entry[j * n + k] = quotient(x, w);
         }
     }
-    _fmpz_vec_clear(x, 2);
     measure_maps(out);
     return 1;
 }

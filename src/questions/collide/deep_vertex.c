@@ -5,6 +5,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "base/number/order.h"
 #include "decide/trace/touch.h"
 
@@ -15,7 +16,8 @@ enum { MOST_TRIED = 16, MOST_TRACED = 4 };
 static graze_status narrow_interval(fmpq_t low, fmpq_t high, graze_context *context, touches *t,
                                     algebraic *time) {
     graze_status status = GRAZE_OK;
-    fmpq *from = _fmpq_vec_init(2), *to = from + 1;
+    LOCAL_VEC(fmpq, from, 2);
+    fmpq *to = from + 1;
     for (size_t k = 0; k < t->time.count && !status; k++) {
         int order = 0;
         status = algebraic_compare(&order, context, &t->time.item[k], time);
@@ -25,7 +27,6 @@ static graze_status narrow_interval(fmpq_t low, fmpq_t high, graze_context *cont
         if (order > 0 && fmpq_cmp(from, high) < 0)
             fmpq_set(high, from);
     }
-    _fmpq_vec_clear(from, 2);
     return status;
 }
 
@@ -36,9 +37,9 @@ static graze_status trace_vertex(deep_interval *out, placing *whole, pair_side s
     const graze_solid *other = placing_solid(whole, (pair_side)!side);
     const trajectory *c = placing_vertex(whole, side, vertex);
     candidates list = {0};
-    touches found;
-    fmpq *low = _fmpq_vec_init(3), *high = low + 1, *width = low + 2;
-    touches_init(&found);
+    LOCAL_VEC(fmpq, low, 3);
+    fmpq *high = low + 1, *width = low + 2;
+    HELD(touches, found);
     fmpq_set_si(high, 1, 1);
     graze_status status = c ? candidates_find(&list, whole->context, other, c) : whole->status;
     if (!status)
@@ -51,8 +52,6 @@ static graze_status trace_vertex(deep_interval *out, placing *whole, pair_side s
         fmpq_set(out->low, low);
         fmpq_set(out->high, high);
     }
-    _fmpq_vec_clear(low, 3);
-    touches_clear(&found);
     free(list.item);
     return status;
 }
@@ -60,10 +59,9 @@ static graze_status trace_vertex(deep_interval *out, placing *whole, pair_side s
 graze_status deep_vertex_find(deep_interval *out, placing *whole, size_t piece,
                               const near_list *near, const dyadic_interval *interval) {
     placing at;
-    algebraic middle;
     graze_status status = GRAZE_OK;
     int traced = 0;
-    algebraic_init(&middle);
+    HELD(algebraic, middle);
     fmpz_add(fmpq_numref(middle.value), interval->low, interval->high);
     fmpq_div_2exp(middle.value, middle.value, interval->exponent + 1);
     fmpq_zero(out->low);
@@ -82,6 +80,5 @@ graze_status deep_vertex_find(deep_interval *out, placing *whole, size_t piece,
         }
     }
     placing_clear(&at);
-    algebraic_clear(&middle);
     return status;
 }

@@ -7,6 +7,7 @@
 
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "base/number/order.h"
 #include "base/number/rootless.h"
@@ -105,14 +106,12 @@ static void meet_vertex(finder *f, pair_side side, const meeting_cells *m) {
     int d = f->p->pair->motion->dimension;
     near_pair s = m->simplices;
     unsigned zero;
-    fmpz_poly_t q;
-    algebraic_list roots;
     int moves = side == SIDE_FIXED;
     if (runs_apart(f, (corner_run){s.moving, moves ? m->k : 0, moves ? 1 : d},
                    (corner_run){s.fixed, moves ? 0 : m->k, moves ? d : 1}))
         return;
-    fmpz_poly_init(q);
-    algebraic_list_init(&roots);
+    LOCAL(fmpz_poly, q);
+    HELD(algebraic_list, roots);
     placing_plane(q, f->p, side, m->key[1], m->key[0]);
     if (!fmpz_poly_is_zero(q))
         find_times(&roots, f, q);
@@ -127,8 +126,6 @@ static void meet_vertex(finder *f, pair_side side, const meeting_cells *m) {
         if (placing_inside(&zero, f->p, side, m->key[1], m->key[0]))
             note_time(f, &roots.item[k]);
     }
-    algebraic_list_clear(&roots);
-    fmpz_poly_clear(q);
 }
 
 /* Do two edges, whose lines are coplanar at the time, cross inside both? The signs of their ends at
@@ -153,15 +150,13 @@ static int cross_then(placing *p, const meeting_cells *m) {
 
 static void meet_two_edges(finder *f, const meeting_cells *m) {
     uint32_t moving[2], fixed[2];
-    fmpz_poly_t q;
-    algebraic_list roots;
     if (runs_apart(f, (corner_run){m->simplices.moving, m->k, 2},
                    (corner_run){m->simplices.fixed, m->l, 2}))
         return;
     simplex_side(moving, f->p->pair->moving, m->simplices.moving, m->k);
     simplex_side(fixed, f->p->pair->fixed, m->simplices.fixed, m->l);
-    fmpz_poly_init(q);
-    algebraic_list_init(&roots);
+    LOCAL(fmpz_poly, q);
+    HELD(algebraic_list, roots);
     placing_edges(q, f->p, moving, fixed);
     if (!fmpz_poly_is_zero(q))
         find_times(&roots, f, q);
@@ -170,14 +165,12 @@ static void meet_two_edges(finder *f, const meeting_cells *m) {
         if (cross_then(f->p, m) && !f->p->status)
             note_time(f, &roots.item[k]);
     }
-    algebraic_list_clear(&roots);
-    fmpz_poly_clear(q);
 }
 
 /* Append the found times to `out`, sorted, without duplicates. */
 static void order_times(algebraic_list *out, finder *f) {
     size_t n = f->found.count;
-    algebraic **order = malloc((n ? n : 1) * sizeof(algebraic *));
+    FREED(algebraic *, order, malloc((n ? n : 1) * sizeof(algebraic *)));
     if (!order && !f->p->status)
         f->p->status = context_fail(f->p->context, GRAZE_ESYSTEM, "out of memory for %zu times", n);
     for (size_t k = 0; order && k < n; k++)
@@ -186,7 +179,6 @@ static void order_times(algebraic_list *out, finder *f) {
         f->p->status = algebraic_sort_once(order, &n, f->p->context, NULL, NULL);
     for (size_t k = 0; k < n && !f->p->status; k++)
         algebraic_set(algebraic_list_append(out), order[k]);
-    free(order);
 }
 
 graze_status incidences_find(algebraic_list *out, placing *p, const near_list *near,

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "questions/collide/open_cones.h"
 #include "questions/collide/star.h"
 
@@ -87,7 +88,7 @@ static int is_common(const looker *l, pair_side side, uint32_t vertex) {
  * interior? Its first vertex tells. */
 static int finds_inside(looker *l, placing *rational, pair_side side) {
     const simplices *cut = &placing_solid(l->p, side)->cut;
-    unsigned char *seen = calloc(cut->component_count, 1);
+    FREED(unsigned char, seen, calloc(cut->component_count, 1));
     size_t left = cut->component_count;
     int found = 0;
     if (!seen)
@@ -103,7 +104,6 @@ static int finds_inside(looker *l, placing *rational, pair_side side) {
         if (rational->status)
             l->p->status = rational->status;
     }
-    free(seen);
     return found;
 }
 

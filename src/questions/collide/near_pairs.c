@@ -5,15 +5,15 @@
 
 #include <math.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "input/solid/box_image.h"
 #include "questions/collide/apart.h"
 
 graze_status node_list_add(node_list *list, graze_context *context, node_pair item) {
-    graze_status status = array_grow(context, &list->item, &list->capacity, list->count + 1,
-                                     sizeof *list->item, "pairs of boxes");
-    if (!status)
-        list->item[list->count++] = item;
-    return status;
+    TRY(array_grow(context, &list->item, &list->capacity, list->count + 1, sizeof *list->item,
+                   "pairs of boxes"));
+    list->item[list->count++] = item;
+    return GRAZE_OK;
 }
 
 graze_status near_pairs_take(near_list *out, graze_context *context, const solid_pair *pair,

@@ -10,6 +10,7 @@
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 
 static void moving_init(moving_vector *v) {
     for (int i = 0; i < 3; i++)
@@ -32,36 +33,29 @@ static void moving_negate(moving_vector *v) {
 }
 
 static void dot_moving(fmpz_poly_t out, const moving_vector *a, const moving_vector *b) {
-    fmpz_poly_t term;
-    fmpz_poly_init(term);
+    LOCAL(fmpz_poly, term);
     fmpz_poly_zero(out);
     for (int i = 0; i < 3; i++) {
         fmpz_poly_mul(term, &a->c[i], &b->c[i]);
         fmpz_poly_add(out, out, term);
     }
-    fmpz_poly_clear(term);
 }
 
 /* out = a x b; `out` is neither. */
 static void cross_moving(moving_vector *out, const moving_vector *a, const moving_vector *b) {
-    fmpz_poly_t term;
-    fmpz_poly_init(term);
+    LOCAL(fmpz_poly, term);
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
         fmpz_poly_mul(&out->c[i], &a->c[j], &b->c[k]);
         fmpz_poly_mul(term, &a->c[k], &b->c[j]);
         fmpz_poly_sub(&out->c[i], &out->c[i], term);
     }
-    fmpz_poly_clear(term);
 }
 
 static int dot_sign(placing *p, const moving_vector *a, const moving_vector *b) {
-    fmpz_poly_t dot;
-    fmpz_poly_init(dot);
+    LOCAL(fmpz_poly, dot);
     dot_moving(dot, a, b);
-    int sign = placing_sign(p, dot);
-    fmpz_poly_clear(dot);
-    return sign;
+    return placing_sign(p, dot);
 }
 
 /* The sign of (a x b) . n: positive if b is to the left of a, seen against n. */
@@ -78,24 +72,21 @@ static int turn_about(placing *p, const moving_vector *a, const moving_vector *b
 /* out = i a + j b with small integers; `out` may be a. */
 static void combine_moving(moving_vector *out, slong i, const moving_vector *a, slong j,
                            const moving_vector *b) {
-    fmpz_poly_t term;
-    fmpz_poly_init(term);
+    LOCAL(fmpz_poly, term);
     for (int k = 0; k < 3; k++) {
         fmpz_poly_scalar_mul_si(term, &b->c[k], j);
         fmpz_poly_scalar_mul_si(&out->c[k], &a->c[k], i);
         fmpz_poly_add(&out->c[k], &out->c[k], term);
     }
-    fmpz_poly_clear(term);
 }
 
 /* The ray in which the arc from a to b crosses the plane with normal n; the signs of n . a and n .
  * b are opposite. */
 static void ray_between(moving_vector *out, placing *p, const moving_vector *a,
                         const moving_vector *b, const moving_vector *n) {
-    fmpz_poly_t at_a, at_b, term;
-    fmpz_poly_init(at_a);
-    fmpz_poly_init(at_b);
-    fmpz_poly_init(term);
+    LOCAL(fmpz_poly, at_a);
+    LOCAL(fmpz_poly, at_b);
+    LOCAL(fmpz_poly, term);
     dot_moving(at_a, n, a);
     dot_moving(at_b, n, b);
     if (placing_sign(p, at_b) < 0)
@@ -107,9 +98,6 @@ static void ray_between(moving_vector *out, placing *p, const moving_vector *a,
         fmpz_poly_mul(term, &b->c[k], at_a);
         fmpz_poly_add(&out->c[k], &out->c[k], term);
     }
-    fmpz_poly_clear(at_a);
-    fmpz_poly_clear(at_b);
-    fmpz_poly_clear(term);
 }
 
 void sectors_about_clear(sectors_about *list) {
@@ -144,10 +132,9 @@ static void edge_vector(moving_vector *out, placing *p, pair_side side, uint32_t
     const graze_solid *solid = placing_solid(p, side);
     slong d = solid->input.dimension;
     const uint32_t *vertex = solid->cut.item[simplex].vertex;
-    fmpq *difference = _fmpq_vec_init(d);
-    fmpz *integer = _fmpz_vec_init(d + 1);
-    fmpz_poly_t term;
-    fmpz_poly_init(term);
+    LOCAL_VEC(fmpq, difference, d);
+    LOCAL_VEC(fmpz, integer, d + 1);
+    LOCAL(fmpz_poly, term);
     for (slong i = 0; i < d; i++)
         fmpq_sub(difference + i, solid->input.coordinates + vertex[b] * (size_t)d + i,
                  solid->input.coordinates + vertex[a] * (size_t)d + i);
@@ -162,9 +149,6 @@ static void edge_vector(moving_vector *out, placing *p, pair_side side, uint32_t
             fmpz_poly_add(&out->c[i], &out->c[i], term);
         }
     }
-    fmpz_poly_clear(term);
-    _fmpz_vec_clear(integer, d + 1);
-    _fmpq_vec_clear(difference, d);
 }
 
 /* Append a sector, with its orientation reversed if the motion mirrors or the solid is a

@@ -5,6 +5,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "questions/collide/deep_vertex.h"
 #include "questions/collide/incidences.h"
 
@@ -56,7 +57,8 @@ static void ends_of(fmpq_t low, fmpq_t high, const dyadic_interval *interval) {
 /* The part of an interval that the known deep interval covers: 2 all of it, 1 at least a quarter, 0
  * less. */
 static int is_deep(const searcher *s, const dyadic_interval *interval) {
-    fmpq *low = _fmpq_vec_init(3), *high = low + 1, *part = low + 2;
+    LOCAL_VEC(fmpq, low, 3);
+    fmpq *high = low + 1, *part = low + 2;
     ends_of(low, high, interval);
     int deep = fmpq_cmp(s->deep.low, low) < 0 && fmpq_cmp(high, s->deep.high) < 0 ? 2 : 0;
     fmpq_sub(part, high, low);
@@ -67,18 +69,16 @@ static int is_deep(const searcher *s, const dyadic_interval *interval) {
         fmpq_set(high, s->deep.high);
     fmpq_sub(high, high, low);
     deep = deep ? deep : fmpq_cmp(high, part) >= 0;
-    _fmpq_vec_clear(low, 3);
     return deep;
 }
 
 /* Walk to the end of an interval, by pair_walk_pass or pair_walk_on. */
 static graze_status go_over(searcher *s, const dyadic_interval *interval,
                             graze_status (*walk)(pair_walk *, size_t, const fmpq_t)) {
-    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
+    LOCAL_VEC(fmpq, low, 2);
+    fmpq *high = low + 1;
     ends_of(low, high, interval);
-    graze_status status = walk(s->walk, s->piece, high);
-    _fmpq_vec_clear(low, 2);
-    return status;
+    return walk(s->walk, s->piece, high);
 }
 
 static graze_status search_stretch(searcher *s, stretch_forms *during, const node_list *of);
@@ -112,9 +112,8 @@ static graze_status search_deep(int *done, searcher *s, stretch_forms *during,
 static graze_status ask_exactly(searcher *s, stretch_forms *during, const control_maps *maps,
                                 const node_list *leaves) {
     near_list near = {0};
-    algebraic_list times;
     int done = 0;
-    algebraic_list_init(&times);
+    HELD(algebraic_list, times);
     graze_status status = near_pairs_take(&near, s->walk->context, s->walk->pair, leaves);
     if (!status)
         status = search_deep(&done, s, during, &near, leaves);
@@ -124,7 +123,6 @@ static graze_status ask_exactly(searcher *s, stretch_forms *during, const contro
         status = pair_walk_to(s->walk, &s->whole, s->piece, &times.item[k], leaves);
     if (!status && !done && s->walk->first)
         status = go_over(s, &during->interval, pair_walk_on);
-    algebraic_list_clear(&times);
     free(near.item);
     return status;
 }
@@ -185,8 +183,7 @@ static graze_status search_piece(pair_walk *walk, size_t piece) {
 }
 
 graze_status pair_search(pair_walk *walk) {
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < walk->pair->motion->piece_count && !status && !walk->done; k++)
-        status = search_piece(walk, k);
-    return status;
+    for (size_t k = 0; k < walk->pair->motion->piece_count && !walk->done; k++)
+        TRY(search_piece(walk, k));
+    return GRAZE_OK;
 }

@@ -9,6 +9,7 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "base/number/order.h"
 #include "base/number/refine.h"
 #include "questions/collide/interiors.h"
@@ -53,11 +54,10 @@ static graze_status lack_memory(graze_context *context) {
 static graze_status take_near(scene_then *out, pair_walk *walk, int made, const node_list *of) {
     node_pair roots = {0, 0};
     const node_list all = {1, 1, &roots};
-    graze_status status = made ? GRAZE_OK : lack_memory(walk->context);
-    if (!status)
-        status = near_pairs_refine(&out->leaves, NULL, walk->context, walk->pair, &out->maps,
-                                   of ? of : &all, 1);
-    return status ? status : near_pairs_take(&out->near, walk->context, walk->pair, &out->leaves);
+    TRY(made ? GRAZE_OK : lack_memory(walk->context));
+    TRY(near_pairs_refine(&out->leaves, NULL, walk->context, walk->pair, &out->maps, of ? of : &all,
+                          1));
+    return near_pairs_take(&out->near, walk->context, walk->pair, &out->leaves);
 }
 
 /* Set the maps and the pairs at a rational time. */
@@ -65,10 +65,9 @@ static graze_status find_near_at(scene_then *out, pair_walk *walk, size_t piece,
                                  const node_list *of) {
     int d = walk->pair->motion->dimension;
     const motion_piece *m = &walk->pair->motion->piece[piece];
-    fmpq *map = _fmpq_vec_init(d * (d + 1));
+    LOCAL_VEC(fmpq, map, d * (d + 1));
     point_map_at(map, &m->forward, u);
     int made = control_maps_set_one(&out->maps, map, d);
-    _fmpq_vec_clear(map, d * (d + 1));
     return take_near(out, walk, made, of);
 }
 
@@ -84,32 +83,25 @@ static graze_status place_both_at(scene_then *out, pair_walk *walk, size_t piece
  * which is narrowed first. */
 static graze_status find_near_root(scene_then *out, pair_walk *walk, size_t piece, algebraic *time,
                                    const node_list *of) {
-    graze_status status = GRAZE_OK;
     ulong gain = FIRST_GAIN;
     const motion_piece *m = &walk->pair->motion->piece[piece];
-    for (int step = 0; step < 2 * CHEAP_HALVINGS && !status && !algebraic_is_rational(time); step++)
-        status = algebraic_narrow(walk->context, time, step, &gain);
-    if (status)
-        return status;
+    for (int step = 0; step < 2 * CHEAP_HALVINGS && !algebraic_is_rational(time); step++)
+        TRY(algebraic_narrow(walk->context, time, step, &gain));
     if (algebraic_is_rational(time))
         return find_near_at(out, walk, piece, time->value, of);
-    map_forms forms;
-    map_forms_init(&forms, &m->forward, &time->where);
+    HELD(map_forms, forms, &m->forward, &time->where);
     int made = control_maps_set(&out->maps, &forms);
-    map_forms_clear(&forms);
     return take_near(out, walk, made, of);
 }
 
 static graze_status add_letter(pair_walk *walk, graze_state state) {
     if (walk->length && walk->word[walk->length - 1] == (char)state)
         return GRAZE_OK;
-    graze_status status = array_grow(walk->context, &walk->word, &walk->word_capacity,
-                                     walk->length + 2, 1, "the word of a pair");
-    if (!status) {
-        walk->word[walk->length++] = (char)state;
-        walk->word[walk->length] = '\0';
-    }
-    return status;
+    TRY(array_grow(walk->context, &walk->word, &walk->word_capacity, walk->length + 2, 1,
+                   "the word of a pair"));
+    walk->word[walk->length++] = (char)state;
+    walk->word[walk->length] = '\0';
+    return GRAZE_OK;
 }
 
 /* Keep a time as the last one. */
@@ -127,12 +119,9 @@ static graze_status keep_time(pair_walk *walk, size_t piece, const algebraic *u)
 }
 
 static graze_status keep_rational(pair_walk *walk, size_t piece, const fmpq_t u) {
-    algebraic x;
-    algebraic_init(&x);
+    HELD(algebraic, x);
     fmpq_set(x.value, u);
-    graze_status status = keep_time(walk, piece, &x);
-    algebraic_clear(&x);
-    return status;
+    return keep_time(walk, piece, &x);
 }
 
 /* Begin a contact at the last time, with the cells that meet at a placing. */
@@ -164,16 +153,12 @@ static graze_status enter_gap(pair_walk *walk, graze_state state) {
 /* Enter the gap after t0, where there is no incidence; if it has the state B the contact begins at
  * t0. */
 static graze_status enter_start(pair_walk *walk, graze_state state, scene_then *then) {
-    graze_status status = GRAZE_OK;
     if (state == GRAZE_STATE_B) {
-        fmpq_t zero;
-        fmpq_init(zero);
-        status = keep_rational(walk, 0, zero);
-        fmpq_clear(zero);
-        if (!status)
-            status = open_contact(walk, GRAZE_STATE_ABSENT, &then->p, &then->near);
+        LOCAL(fmpq, zero);
+        TRY(keep_rational(walk, 0, zero));
+        TRY(open_contact(walk, GRAZE_STATE_ABSENT, &then->p, &then->near));
     }
-    return status ? status : enter_gap(walk, state);
+    return enter_gap(walk, state);
 }
 
 /* Find the state at a rational time, and enter the gap around it. */
@@ -192,12 +177,10 @@ static graze_status look_into_gap(pair_walk *walk, size_t piece, const fmpq_t u)
 }
 
 graze_status pair_walk_begin(pair_walk *walk) {
-    fmpq_t zero;
     if (!walk->first)
         return GRAZE_OK;
-    fmpq_init(zero);
+    LOCAL(fmpq, zero);
     graze_status status = look_into_gap(walk, 0, zero);
-    fmpq_clear(zero);
     walk->done = walk->gap == GRAZE_STATE_I;
     if (walk->gap == GRAZE_STATE_B) { /* the contact may last only an instant */
         walk->gap = GRAZE_STATE_ABSENT;
@@ -207,19 +190,18 @@ graze_status pair_walk_begin(pair_walk *walk) {
 }
 
 graze_status pair_walk_on(pair_walk *walk, size_t piece, const fmpq_t u) {
-    graze_status status = GRAZE_OK;
     if (!walk->open || walk->gap)
         return GRAZE_OK;
-    fmpq *after = _fmpq_vec_init(2), *step = after + 1;
+    LOCAL_VEC(fmpq, after, 2);
+    fmpq *step = after + 1;
     if (walk->last->piece == piece)
         algebraic_bounds(step, after, &walk->last->u);
     fmpq_sub(step, u, after);
     fmpq_div_2exp(step, step, SOON);
     fmpq_add(after, after, step);
     if (fmpq_sgn(step) > 0)
-        status = look_into_gap(walk, piece, after);
-    _fmpq_vec_clear(after, 2);
-    return status;
+        TRY(look_into_gap(walk, piece, after));
+    return GRAZE_OK;
 }
 
 /* A rational time between the last time and another one, or t0 if there is no last time. */
@@ -302,18 +284,15 @@ graze_status pair_walk_to(pair_walk *walk, placing *whole, size_t piece, const a
                           const node_list *near) {
     int same = 0;
     size_t before = 0;
-    fmpq_t u;
-    algebraic own;
-    algebraic_init(&own);
+    HELD(algebraic, own);
     algebraic_set(&own, time);
     graze_status status = is_last(&same, walk, piece, &own);
     graze_time *next = status || same ? NULL : time_create(walk->pair->motion, piece, &own);
-    algebraic_clear(&own);
     if (status || same)
         return status;
     if (!next)
         return lack_memory(walk->context);
-    fmpq_init(u);
+    LOCAL(fmpq, u);
     if (!time_is_start(next))
         status = know_gap(walk, &before, u, next);
     graze_state left = walk->gap;
@@ -322,22 +301,20 @@ graze_status pair_walk_to(pair_walk *walk, placing *whole, size_t piece, const a
     if (!status && !walk->done)
         status = walk_into(walk, whole, left, before, u, near);
     time_destroy(next);
-    fmpq_clear(u);
     return status;
 }
 
 graze_status pair_walk_pass(pair_walk *walk, size_t piece, const fmpq_t u) {
-    graze_status status = walk->gap ? GRAZE_OK : enter_gap(walk, GRAZE_STATE_I);
-    return status ? status : keep_rational(walk, piece, u);
+    TRY(walk->gap ? GRAZE_OK : enter_gap(walk, GRAZE_STATE_I));
+    return keep_rational(walk, piece, u);
 }
 
 graze_status pair_walk_end(pair_walk *walk) {
     size_t piece = walk->pair->motion->piece_count - 1;
     graze_status status = GRAZE_OK;
-    fmpq_t end;
     if (walk->done || (walk->last && time_is_end(walk->last)))
         return GRAZE_OK;
-    fmpq_init(end);
+    LOCAL(fmpq, end);
     if (!walk->last && !walk->gap)
         status = look_into_gap(walk, 0, end); /* a contact that lasts begins at t0 */
     fmpq_one(end);
@@ -347,6 +324,5 @@ graze_status pair_walk_end(pair_walk *walk) {
         status = keep_rational(walk, piece, end);
         walk->contact[walk->contact_count - 1].to = walk->last;
     }
-    fmpq_clear(end);
     return status;
 }

@@ -6,19 +6,17 @@
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "base/number/sign.h"
 #include "input/solid/locate.h"
 
 /* Does the motion reverse orientation? Its determinant never vanishes, so one time tells. */
 static int is_mirrored(const point_map *map) {
     int n = map->dimension * (map->dimension + 1);
-    fmpq *value = _fmpq_vec_init(n);
-    fmpq_t start;
-    fmpq_init(start);
+    LOCAL_VEC(fmpq, value, n);
+    LOCAL(fmpq, start);
     point_map_at(value, map, start);
     int sign = affine_orientation(value, map->dimension);
-    fmpq_clear(start);
-    _fmpq_vec_clear(value, n);
     return sign < 0;
 }
 
@@ -38,16 +36,14 @@ void placing_init(placing *p, graze_context *context, const solid_pair *pair, si
 /* The map at u, as constants. */
 static void freeze(point_map *out, const point_map *map, const fmpq_t u) {
     int n = map->dimension * (map->dimension + 1);
-    fmpq *value = _fmpq_vec_init(n);
-    fmpz *entry = _fmpz_vec_init(n + 1);
+    LOCAL_VEC(fmpq, value, n);
+    LOCAL_VEC(fmpz, entry, n + 1);
     point_map_init(out, map->dimension);
     point_map_at(value, map, u);
     _fmpq_vec_get_fmpz_vec_fmpz(entry, entry + n, value, n);
     for (int k = 0; k < n; k++)
         fmpz_poly_set_fmpz(&out->entry[k], entry + k);
     fmpz_poly_set_fmpz(out->weight, entry + n);
-    _fmpq_vec_clear(value, n);
-    _fmpz_vec_clear(entry, n + 1);
 }
 
 void placing_init_at(placing *p, graze_context *context, const solid_pair *pair, size_t piece,
@@ -127,20 +123,18 @@ static void pull_to_vertex(fmpz_poly_t out, placing *p, pair_side side, const fm
 }
 
 void placing_plane(fmpz_poly_t out, placing *p, pair_side side, uint32_t simplex, uint32_t vertex) {
-    fmpz *form = _fmpz_vec_init(4);
+    LOCAL_VEC(fmpz, form, 4);
     known_plane(form, &p->forms[side], placing_solid(p, side), simplex);
     pull_to_vertex(out, p, side, form, vertex);
-    _fmpz_vec_clear(form, 4);
 }
 
 void placing_side(fmpz_poly_t out, placing *p, pair_side side, uint32_t simplex, int k,
                   uint32_t vertex) {
-    fmpz *plane = _fmpz_vec_init(8);
+    LOCAL_VEC(fmpz, plane, 8);
     known_plane(plane, &p->forms[side], placing_solid(p, side), simplex);
     pull_to_vertex(
         out, p, side,
         known_side(plane + 4, &p->forms[side], placing_solid(p, side), simplex, plane, k), vertex);
-    _fmpz_vec_clear(plane, 8);
 }
 
 /* A vertex as d + 1 homogeneous integers, the last one positive. */
@@ -158,9 +152,9 @@ void placing_edges(fmpz_poly_t out, placing *p, const uint32_t moving[2], const 
                                        {{2, 1}, {0, 2}, {1, 0}, {0, 0}}};
     const trajectory *a = placing_vertex(p, SIDE_MOVING, moving[0]);
     const trajectory *b = a ? placing_vertex(p, SIDE_MOVING, moving[1]) : NULL;
-    fmpz *end = _fmpz_vec_init(12), *row = end + 8;
-    fmpz_poly_t product;
-    fmpz_poly_init(product);
+    LOCAL_VEC(fmpz, end, 12);
+    fmpz *row = end + 8;
+    LOCAL(fmpz_poly, product);
     fmpz_poly_zero(out);
     homogeneous_vertex(end, p->pair->fixed, fixed[0]);
     homogeneous_vertex(end + 4, p->pair->fixed, fixed[1]);
@@ -174,8 +168,6 @@ void placing_edges(fmpz_poly_t out, placing *p, const uint32_t moving[2], const 
         fmpz_poly_mul(product, product, &a->x[i]);
         fmpz_poly_add(out, out, product);
     }
-    fmpz_poly_clear(product);
-    _fmpz_vec_clear(end, 12);
 }
 
 /* Each zero sign narrows the time a little, and a time may have thousands of them, so it is not
@@ -184,13 +176,11 @@ enum { MOST_PLACES = 200 };
 
 static int sign_at_root(placing *p, const fmpz_poly_t q) {
     int sign = 0;
-    algebraic time;
-    algebraic_init(&time);
+    HELD(algebraic, time);
     algebraic_set(&time, p->when);
     p->status = algebraic_sign_at(&sign, p->context, q, &time);
     if (algebraic_is_rational(&time) || time.where.exponent <= MOST_PLACES)
         algebraic_set(p->when, &time);
-    algebraic_clear(&time);
     return sign;
 }
 
@@ -212,11 +202,9 @@ static int known_sign(placing *p, const fmpz_poly_t q) {
 int placing_sign(placing *p, const fmpz_poly_t q) {
     if (fmpz_poly_length(q) <= 1)
         return fmpz_poly_is_zero(q) ? 0 : fmpz_sgn(q->coeffs);
-    fmpz_poly_t part;
-    fmpz_poly_init(part);
+    LOCAL(fmpz_poly, part);
     fmpz_poly_primitive_part(part, q);
     int sign = known_sign(p, part);
-    fmpz_poly_clear(part);
     return fmpz_sgn(fmpz_poly_lead(q)) * sign;
 }
 
@@ -262,7 +250,7 @@ int placing_inside(unsigned *zero, placing *p, pair_side side, uint32_t simplex,
 int placing_in_interior(placing *p, pair_side side, uint32_t vertex) {
     int d = p->pair->motion->dimension, inside = 0;
     const trajectory *c = placing_vertex(p, side, vertex);
-    fmpz *x = _fmpz_vec_init(d + 1);
+    LOCAL_VEC(fmpz, x, d + 1);
     for (int i = 0; i <= d && c; i++)
         fmpz_poly_get_coeff_fmpz(x + i, &c->x[i], 0);
     if (c) {
@@ -273,6 +261,5 @@ int placing_in_interior(placing *p, pair_side side, uint32_t vertex) {
         inside =
             state == (side == SIDE_MOVING && p->pair->complement ? GRAZE_STATE_O : GRAZE_STATE_I);
     }
-    _fmpz_vec_clear(x, d + 1);
     return inside;
 }

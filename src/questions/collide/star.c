@@ -6,6 +6,7 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 
 typedef struct finder {
     star *out;
@@ -17,17 +18,14 @@ typedef struct finder {
 } finder;
 
 static int form_sign_there(finder *f, const fmpz *form) {
-    fmpz_poly_t q;
-    fmpz_poly_init(q);
+    LOCAL(fmpz_poly, q);
     trajectory_pullback(q, &f->at, form);
-    int sign = placing_sign(f->p, q);
-    fmpz_poly_clear(q);
-    return sign;
+    return placing_sign(f->p, q);
 }
 
 static void look_at_simplex(finder *f, uint32_t simplex) {
     star_simplex found = {.simplex = simplex};
-    fmpz *plane = _fmpz_vec_init(8);
+    LOCAL_VEC(fmpz, plane, 8);
     known_plane(plane, &f->p->forms[f->side], f->solid, simplex);
     int held = form_sign_there(f, plane) == 0;
     for (int k = 0; k < f->solid->input.dimension && held; k++) {
@@ -36,7 +34,6 @@ static void look_at_simplex(finder *f, uint32_t simplex) {
         held = sign >= 0;
         found.zero |= sign == 0 ? 1u << k : 0;
     }
-    _fmpz_vec_clear(plane, 8);
     if (held && !f->p->status)
         f->p->status = array_grow(f->p->context, &f->out->item, &f->out->capacity,
                                   f->out->count + 1, sizeof *f->out->item, "simplices at a point");
@@ -61,10 +58,9 @@ static void descend_star(finder *f, uint32_t node) {
 static void place_point(finder *f, const uint32_t edge[2], const fmpz_poly_struct share[2]) {
     slong d = f->solid->input.dimension;
     int ends = edge[0] == edge[1] ? 1 : 2;
-    fmpq *end = _fmpq_vec_init(2 * d);
-    fmpz *entry = _fmpz_vec_init(2 * d + 1);
-    fmpz_poly_t term;
-    fmpz_poly_init(term);
+    LOCAL_VEC(fmpq, end, 2 * d);
+    LOCAL_VEC(fmpz, entry, 2 * d + 1);
+    LOCAL(fmpz_poly, term);
     for (int k = 0; k < 2; k++)
         for (slong i = 0; i < d; i++)
             fmpq_set(end + k * d + i, f->solid->input.coordinates + edge[k] * (size_t)d + i);
@@ -78,9 +74,6 @@ static void place_point(finder *f, const uint32_t edge[2], const fmpz_poly_struc
                 fmpz_poly_scalar_mul_fmpz(term, &share[k], value);
             fmpz_poly_add(&f->at.x[i], &f->at.x[i], term);
         }
-    fmpz_poly_clear(term);
-    _fmpz_vec_clear(entry, 2 * d + 1);
-    _fmpq_vec_clear(end, 2 * d);
 }
 
 void star_find(star *out, placing *p, pair_side side, const uint32_t edge[2],

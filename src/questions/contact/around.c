@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "base/number/rounding.h"
 
 /* The simplices whose boxes meet a box, and the smallest extent of these boxes. */
@@ -39,15 +40,13 @@ static graze_status search_around(neighbours *n, size_t index) {
 /* The box of half width `half` around the point, rounded outward. */
 static graze_status search_box(neighbours *n, const fmpq *point, const fmpq_t half) {
     double unused;
-    fmpq_t side;
-    fmpq_init(side);
+    LOCAL(fmpq, side);
     for (int i = 0; i < n->solid->input.dimension; i++) {
         fmpq_sub(side, point + i, half);
         rational_bounds(&n->around.low[i], &unused, side);
         fmpq_add(side, point + i, half);
         rational_bounds(&unused, &n->around.high[i], side);
     }
-    fmpq_clear(side);
     n->count = 0;
     return search_around(n, 0);
 }
@@ -68,8 +67,7 @@ static void choose_half(fmpq_t half, double extent) {
 /* The sides of the box as forms behind the planes of the list. */
 static void set_box_sides(plane_list *list, const fmpq *point, const fmpq_t half) {
     size_t d = (size_t)list->dimension, first = list->count;
-    fmpq_t at;
-    fmpq_init(at);
+    LOCAL(fmpq, at);
     for (size_t k = 0; k < 2 * d; k++) {
         fmpz *form = list->form + (first + k) * (d + 1);
         (k % 2 ? fmpq_add : fmpq_sub)(at, point + k / 2, half);
@@ -78,7 +76,6 @@ static void set_box_sides(plane_list *list, const fmpq *point, const fmpq_t half
         list->start[first + k + 1] = list->start[first];
     }
     list->count += 2 * d;
-    fmpq_clear(at);
 }
 
 /* Make room for 2d more planes; 0 when out of memory. */
@@ -109,8 +106,7 @@ static graze_status list_planes(plane_list *out, const neighbours *n) {
 graze_status around_planes(plane_list *out, graze_context *context, const graze_solid *solid,
                            const fmpq *point) {
     neighbours n = {.context = context, .solid = solid, .extent = INFINITY};
-    fmpq_t half;
-    fmpq_init(half);
+    LOCAL(fmpq, half);
     graze_status status = search_box(&n, point, half);
     if (!status) {
         choose_half(half, n.extent);
@@ -120,7 +116,6 @@ graze_status around_planes(plane_list *out, graze_context *context, const graze_
         status = list_planes(out, &n);
     if (!status)
         set_box_sides(out, point, half);
-    fmpq_clear(half);
     free(n.item);
     return status;
 }

@@ -6,6 +6,7 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "input/solid/forms.h"
 
 /* The ends, and a zero of g for each facet and side. */
@@ -23,22 +24,18 @@ typedef struct edge_run {
 } edge_run;
 
 static int sign_of_form_at(const fmpz *form, const fmpq *corner) {
-    fmpz *x = _fmpz_vec_init(4);
+    LOCAL_VEC(fmpz, x, 4);
     _fmpq_vec_get_fmpz_vec_fmpz(x, x + 3, corner, 3);
-    int sign = form_sign(form, x, 3);
-    _fmpz_vec_clear(x, 4);
-    return sign;
+    return form_sign(form, x, 3);
 }
 
 static void edge_point_at(fmpq *out, const edge_run *r, const fmpq_t part) {
-    fmpq_t step;
-    fmpq_init(step);
+    LOCAL(fmpq, step);
     for (int i = 0; i < 3; i++) {
         fmpq_sub(step, r->v + i, r->u + i);
         fmpq_set(out + i, r->u + i);
         fmpq_addmul(out + i, part, step);
     }
-    fmpq_clear(step);
 }
 
 /* Is there a corner of a simplex outside a plane? */
@@ -77,21 +74,20 @@ static int compare_parts(const void *a, const void *b) {
 
 /* Add the place at which g of a facet is 0 on a side, if it changes its sign inside the edge. */
 static void add_zero(edge_run *r, int side, int facet) {
-    fmpq *at_u = _fmpq_vec_init(2), *at_v = at_u + 1;
+    LOCAL_VEC(fmpq, at_u, 2);
+    fmpq *at_v = at_u + 1;
     speed_along(at_u, r->speed, side, r->normal + 3 * facet, r->u);
     speed_along(at_v, r->speed, side, r->normal + 3 * facet, r->v);
     if (fmpq_sgn(at_u) * fmpq_sgn(at_v) < 0) {
         fmpq_sub(at_v, at_u, at_v);
         fmpq_div(r->part + r->count++, at_u, at_v);
     }
-    _fmpq_vec_clear(at_u, 2);
 }
 
 /* Is that point in contact, by the facets of the edge? */
 static int is_in_contact(const edge_run *r, const fmpq *y) {
     int holds = 1;
-    fmpq_t g;
-    fmpq_init(g);
+    LOCAL(fmpq, g);
     for (int side = 0; side < 2 && holds; side++) {
         int good = 0;
         if (!r->speed->present[side])
@@ -102,15 +98,14 @@ static int is_in_contact(const edge_run *r, const fmpq *y) {
         }
         holds = good > r->reflex;
     }
-    fmpq_clear(g);
     return holds;
 }
 
 /* Try all stretches, and all single points between them. */
 static void try_stretches(nearby *n, const edge_run *r) {
-    fmpq *here = _fmpq_vec_init(9), *before = here + 3, *middle = before + 3;
-    fmpq_t half;
-    fmpq_init(half);
+    LOCAL_VEC(fmpq, here, 9);
+    fmpq *before = here + 3, *middle = before + 3;
+    LOCAL(fmpq, half);
     for (size_t k = 0; k < r->count; k++) {
         edge_point_at(here, r, r->part + k);
         if (is_in_contact(r, here))
@@ -125,8 +120,6 @@ static void try_stretches(nearby *n, const edge_run *r) {
         for (int i = 0; i < 3; i++)
             fmpq_set(before + i, here + i);
     }
-    fmpq_clear(half);
-    _fmpq_vec_clear(here, 9);
 }
 
 graze_status edge_run_try(nearby *n, graze_context *context, const graze_solid *solid,
@@ -135,9 +128,8 @@ graze_status edge_run_try(nearby *n, graze_context *context, const graze_solid *
     neighborhood p;
     r.normal = _fmpq_vec_init(6);
     r.part = _fmpq_vec_init(RUN_PARTS);
-    fmpq *middle = _fmpq_vec_init(3);
-    fmpq_t half;
-    fmpq_init(half);
+    LOCAL_VEC(fmpq, middle, 3);
+    LOCAL(fmpq, half);
     fmpq_set_si(half, 1, 2);
     edge_point_at(middle, &r, half);
     graze_status status = neighborhood_locate(&p, context, solid, middle);
@@ -153,8 +145,6 @@ graze_status edge_run_try(nearby *n, graze_context *context, const graze_solid *
         try_stretches(n, &r);
     }
     neighborhood_clear(&p);
-    fmpq_clear(half);
-    _fmpq_vec_clear(middle, 3);
     _fmpq_vec_clear(r.part, RUN_PARTS);
     _fmpq_vec_clear(r.normal, 6);
     return status;

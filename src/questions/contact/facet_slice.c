@@ -7,6 +7,7 @@
 #include "questions/contact/facet_slice.h"
 
 #include <flint/fmpq_vec.h>
+#include "base/context/scope.h"
 
 /* Three corners, and at most one more for each cut. */
 enum { POLYGON_CORNERS = 8 };
@@ -38,7 +39,8 @@ static void outer_product(fmpq *out, const fmpq *a, const fmpq *b) {
 
 static void find_normal(polygon *p) {
     int d = p->dimension;
-    fmpq *a = _fmpq_vec_init(2 * d), *b = a + d;
+    LOCAL_VEC(fmpq, a, 2 * d);
+    fmpq *b = a + d;
     subtract(a, p->simplex[1], p->simplex[0], d);
     if (d == 2) {
         fmpq_set(p->normal, a + 1);
@@ -47,7 +49,6 @@ static void find_normal(polygon *p) {
         subtract(b, p->simplex[2], p->simplex[0], d);
         outer_product(p->normal, a, b);
     }
-    _fmpq_vec_clear(a, 2 * d);
 }
 
 /* g before t (0), and -g after it (1): not negative in the contact set. */
@@ -60,7 +61,8 @@ static void condition(fmpq_t out, const polygon *p, int side, const fmpq *y) {
 /* The point of the segment from a to b at which the condition, x at a and z at b, is 0. */
 static void put_crossing(fmpq *out, const fmpq *a, const fmpq *b, const fmpq_t x, const fmpq_t z,
                          int d) {
-    fmpq *part = _fmpq_vec_init(2), *step = part + 1;
+    LOCAL_VEC(fmpq, part, 2);
+    fmpq *step = part + 1;
     fmpq_sub(part, x, z);
     fmpq_div(part, x, part);
     for (int i = 0; i < d; i++) {
@@ -68,14 +70,14 @@ static void put_crossing(fmpq *out, const fmpq *a, const fmpq *b, const fmpq_t x
         fmpq_set(out + i, a + i);
         fmpq_addmul(out + i, part, step);
     }
-    _fmpq_vec_clear(part, 2);
 }
 
 /* Keep what has a condition that is not negative. */
 static void cut_polygon(polygon *p, int side) {
     int d = p->dimension, kept = 0;
     fmpq *out = _fmpq_vec_init(POLYGON_CORNERS * d);
-    fmpq *here = _fmpq_vec_init(2), *next = here + 1;
+    LOCAL_VEC(fmpq, here, 2);
+    fmpq *next = here + 1;
     for (int k = 0; k < p->count; k++) {
         const fmpq *a = corner_of(p, k), *b = corner_of(p, (k + 1) % p->count);
         condition(here, p, side, a);
@@ -88,7 +90,6 @@ static void cut_polygon(polygon *p, int side) {
         if (fmpq_sgn(here) * fmpq_sgn(next) < 0)
             put_crossing(out + d * kept++, a, b, here, next, d);
     }
-    _fmpq_vec_clear(here, 2);
     _fmpq_vec_clear(p->corner, POLYGON_CORNERS * d);
     p->corner = out;
     p->count = kept;
@@ -96,10 +97,10 @@ static void cut_polygon(polygon *p, int side) {
 
 /* Is a point of the simplex's plane in the triangle? */
 static int is_in_triangle(const polygon *p, const fmpq *y) {
-    fmpq *along = _fmpq_vec_init(9), *way = along + 3, *across = way + 3;
-    fmpq_t turn;
+    LOCAL_VEC(fmpq, along, 9);
+    fmpq *way = along + 3, *across = way + 3;
     int inside = 1;
-    fmpq_init(turn);
+    LOCAL(fmpq, turn);
     for (int k = 0; k < 3 && inside; k++) {
         subtract(along, p->simplex[(k + 1) % 3], p->simplex[k], 3);
         subtract(way, y, p->simplex[k], 3);
@@ -107,28 +108,25 @@ static int is_in_triangle(const polygon *p, const fmpq *y) {
         _fmpq_vec_dot(turn, across, p->normal, 3);
         inside = fmpq_sgn(turn) >= 0;
     }
-    fmpq_clear(turn);
-    _fmpq_vec_clear(along, 9);
     return inside;
 }
 
 static int holds_conditions(const polygon *p, const fmpq *y) {
-    fmpq_t value;
     int holds = 1;
-    fmpq_init(value);
+    LOCAL(fmpq, value);
     for (int side = 0; side < 2 && holds; side++)
         if (p->speed->present[side]) {
             condition(value, p, side, y);
             holds = fmpq_sgn(value) >= 0;
         }
-    fmpq_clear(value);
     return holds;
 }
 
 /* Try the foot in the plane, if it is in the set. */
 static void try_foot(nearby *n, const polygon *p) {
-    fmpq *foot = _fmpq_vec_init(3);
-    fmpq *height = _fmpq_vec_init(2), *square = height + 1;
+    LOCAL_VEC(fmpq, foot, 3);
+    LOCAL_VEC(fmpq, height, 2);
+    fmpq *square = height + 1;
     subtract(foot, p->simplex[0], n->from, 3);
     _fmpq_vec_dot(height, foot, p->normal, 3);
     _fmpq_vec_dot(square, p->normal, p->normal, 3);
@@ -139,8 +137,6 @@ static void try_foot(nearby *n, const polygon *p) {
     }
     if (is_in_triangle(p, foot) && holds_conditions(p, foot))
         nearby_try(n, foot);
-    _fmpq_vec_clear(height, 2);
-    _fmpq_vec_clear(foot, 3);
 }
 
 void facet_slice_try(nearby *n, const graze_solid *solid, size_t simplex, const speed *s) {

@@ -5,24 +5,22 @@
 #include "questions/contact/flow.h"
 
 #include <flint/fmpq_vec.h>
+#include "base/context/scope.h"
 #include "decide/trace/trajectory.h"
 
 /* Value and first two derivatives of a polynomial at u. */
 static void jet_of(fmpq *out, const fmpz_poly_struct *p, const fmpq_t u) {
-    fmpz_poly_t q;
-    fmpz_poly_init(q);
+    LOCAL(fmpz_poly, q);
     fmpz_poly_set(q, p);
     for (int k = 0; k < 3; k++) {
         fmpz_poly_evaluate_fmpq(out + k, q, u);
         fmpz_poly_derivative(q, q);
     }
-    fmpz_poly_clear(q);
 }
 
 /* First and second derivative of x / w from the values and derivatives of both. */
 static void quotient_derivatives(fmpq_t first, fmpq_t second, const fmpq *x, const fmpq *w) {
-    fmpq_t value;
-    fmpq_init(value);
+    LOCAL(fmpq, value);
     fmpq_div(value, x, w);
     fmpq_set(first, x + 1);
     fmpq_submul(first, value, w + 1);
@@ -32,32 +30,30 @@ static void quotient_derivatives(fmpq_t first, fmpq_t second, const fmpq *x, con
     fmpq_submul(second, first, w + 1);
     fmpq_submul(second, value, w + 2);
     fmpq_div(second, second, w);
-    fmpq_clear(value);
 }
 
 /* V = (M y)' and (M y)''. */
 static void body_velocity(fmpq *first, fmpq *second, const motion_piece *piece, const fmpq_t u,
                           const fmpq *y) {
     int d = piece->forward.dimension;
-    trajectory path;
-    fmpq *x = _fmpq_vec_init(3), *w = _fmpq_vec_init(3);
-    trajectory_init(&path, d);
+    LOCAL_VEC(fmpq, x, 3);
+    LOCAL_VEC(fmpq, w, 3);
+    HELD(trajectory, path, d);
     trajectory_set(&path, &piece->forward, y);
     jet_of(w, &path.x[d], u);
     for (int i = 0; i < d; i++) {
         jet_of(x, &path.x[i], u);
         quotient_derivatives(first + i, second + i, x, w);
     }
-    _fmpq_vec_clear(x, 3);
-    _fmpq_vec_clear(w, 3);
-    trajectory_clear(&path);
 }
 
 /* out = A' v. */
 static void turn_vector(fmpq *out, const motion_piece *piece, const fmpq_t u, const fmpq *v) {
     const point_map *map = &piece->forward;
     int d = map->dimension;
-    fmpq *x = _fmpq_vec_init(3), *w = _fmpq_vec_init(3), *ignored = _fmpq_vec_init(2);
+    LOCAL_VEC(fmpq, x, 3);
+    LOCAL_VEC(fmpq, w, 3);
+    LOCAL_VEC(fmpq, ignored, 2);
     jet_of(w, map->weight, u);
     for (int i = 0; i < d; i++) {
         fmpq_zero(out + i);
@@ -67,9 +63,6 @@ static void turn_vector(fmpq *out, const motion_piece *piece, const fmpq_t u, co
             fmpq_addmul(out + i, ignored, v + j);
         }
     }
-    _fmpq_vec_clear(x, 3);
-    _fmpq_vec_clear(w, 3);
-    _fmpq_vec_clear(ignored, 2);
 }
 
 /* out = L v, L the linear part of a map of d * (d + 1) entries. */
@@ -94,8 +87,7 @@ static void negate_vector(fmpq *a, int d) {
 
 /* Divide by the power of dt/du that derivatives by t want. */
 static void scale_to_time(flow *f, const motion_piece *piece) {
-    fmpq_t width;
-    fmpq_init(width);
+    LOCAL(fmpq, width);
     fmpq_sub(width, piece->hi, piece->lo);
     for (int i = 0; i < f->dimension; i++) {
         fmpq_div(f->w + i, f->w + i, width);
@@ -104,13 +96,14 @@ static void scale_to_time(flow *f, const motion_piece *piece) {
             fmpq_div(f->drift + i, f->drift + i, width);
         }
     }
-    fmpq_clear(width);
 }
 
 void flow_make(flow *out, const motion_piece *piece, const fmpq_t u, const fmpq *y) {
     int d = piece->forward.dimension;
-    fmpq *inverse = _fmpq_vec_init(d * (d + 1)), *velocity = _fmpq_vec_init(d);
-    fmpq *second = _fmpq_vec_init(d), *turned = _fmpq_vec_init(d);
+    LOCAL_VEC(fmpq, inverse, d * (d + 1));
+    LOCAL_VEC(fmpq, velocity, d);
+    LOCAL_VEC(fmpq, second, d);
+    LOCAL_VEC(fmpq, turned, d);
     *out = (flow){.dimension = d,
                   .w = _fmpq_vec_init(d),
                   .bend = _fmpq_vec_init(d),
@@ -128,10 +121,6 @@ void flow_make(flow *out, const motion_piece *piece, const fmpq_t u, const fmpq 
     negate_vector(out->bend, d);
     out->orientation = affine_orientation(inverse, d);
     scale_to_time(out, piece);
-    _fmpq_vec_clear(inverse, d * (d + 1));
-    _fmpq_vec_clear(velocity, d);
-    _fmpq_vec_clear(second, d);
-    _fmpq_vec_clear(turned, d);
 }
 
 void flow_clear(flow *f) {
@@ -144,12 +133,10 @@ void flow_clear(flow *f) {
 }
 
 void flow_along(fmpq_t out, const fmpz *normal, const fmpq *vector, int dimension) {
-    fmpq_t term;
-    fmpq_init(term);
+    LOCAL(fmpq, term);
     fmpq_zero(out);
     for (int i = 0; i < dimension; i++) {
         fmpq_mul_fmpz(term, vector + i, normal + i);
         fmpq_add(out, out, term);
     }
-    fmpq_clear(term);
 }

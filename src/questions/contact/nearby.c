@@ -4,6 +4,7 @@
 #include "questions/contact/nearby.h"
 
 #include <flint/fmpq_vec.h>
+#include "base/context/scope.h"
 
 void nearby_init(nearby *n, const fmpq *from, int dimension) {
     n->dimension = dimension;
@@ -27,9 +28,8 @@ static int lexicographic_order(const fmpq *a, const fmpq *b, int d) {
 
 void nearby_try(nearby *n, const fmpq *point) {
     int d = n->dimension;
-    fmpq *way = _fmpq_vec_init(d);
-    fmpq_t square;
-    fmpq_init(square);
+    LOCAL_VEC(fmpq, way, d);
+    LOCAL(fmpq, square);
     for (int i = 0; i < d; i++)
         fmpq_sub(way + i, point + i, n->from + i);
     _fmpq_vec_dot(square, way, way, d);
@@ -40,15 +40,15 @@ void nearby_try(nearby *n, const fmpq *point) {
             fmpq_set(n->point + i, point + i);
         n->found = 1;
     }
-    fmpq_clear(square);
-    _fmpq_vec_clear(way, d);
 }
 
 /* The foot is at a + s (b - a), s = (from - a)(b - a) / |b - a|^2, held to [0, 1]. */
 void nearby_try_segment(nearby *n, const fmpq *a, const fmpq *b) {
     int d = n->dimension;
-    fmpq *along = _fmpq_vec_init(3 * d), *way = along + d, *foot = way + d;
-    fmpq *s = _fmpq_vec_init(2), *length = s + 1;
+    LOCAL_VEC(fmpq, along, 3 * d);
+    fmpq *way = along + d, *foot = way + d;
+    LOCAL_VEC(fmpq, s, 2);
+    fmpq *length = s + 1;
     for (int i = 0; i < d; i++) {
         fmpq_sub(along + i, b + i, a + i);
         fmpq_sub(way + i, n->from + i, a + i);
@@ -67,6 +67,4 @@ void nearby_try_segment(nearby *n, const fmpq *a, const fmpq *b) {
         }
         nearby_try(n, foot);
     }
-    _fmpq_vec_clear(s, 2);
-    _fmpq_vec_clear(along, 3 * d);
 }

@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "input/solid/forms.h"
 
@@ -53,20 +54,16 @@ static graze_status add_facet_here(place_finder *f, size_t simplex, const fmpz *
     graze_cell name = solid_cell(f->solid, simplex, 0);
     if (is_known(p, &name, outward))
         return GRAZE_OK;
-    graze_status status = array_grow(f->context, &p->facet, &p->capacity, p->count + 1,
-                                     sizeof *p->facet, "the facets at a point");
-    if (status)
-        return status;
+    TRY(array_grow(f->context, &p->facet, &p->capacity, p->count + 1, sizeof *p->facet,
+                   "the facets at a point"));
     place_facet *made = &p->facet[p->count++];
     memset(made, 0, sizeof *made);
     made->name = name;
     made->simplex = simplex;
     _fmpz_vec_set(made->form, outward, d + 1);
-    fmpz_t content;
-    fmpz_init(content);
+    LOCAL(fmpz, content);
     _fmpz_vec_content(content, made->form, d);
     _fmpz_vec_scalar_divexact_fmpz(made->normal, made->form, d, content);
-    fmpz_clear(content);
     return GRAZE_OK;
 }
 
@@ -74,8 +71,8 @@ static graze_status add_facet_here(place_finder *f, size_t simplex, const fmpz *
 static graze_status try_simplex(place_finder *f, size_t simplex) {
     int d = f->out->dimension;
     unsigned zero = 0;
-    graze_status status = GRAZE_OK;
-    fmpz *plane = _fmpz_vec_init(2 * (d + 1)), *side = plane + d + 1;
+    LOCAL_VEC(fmpz, plane, 2 * (d + 1));
+    fmpz *side = plane + d + 1;
     int facing = solid_plane(plane, f->solid, simplex);
     int contains = form_sign(plane, f->x, d) == 0;
     for (int k = 0; k < d && contains; k++) {
@@ -86,16 +83,13 @@ static graze_status try_simplex(place_finder *f, size_t simplex) {
     }
     if (contains) {
         name_cell(f, simplex, zero);
-        status = array_grow(f->context, &f->simplex, &f->simplex_capacity, f->simplex_count + 1,
-                            sizeof *f->simplex, "the facets at a point");
-        if (!status)
-            f->simplex[f->simplex_count++] = simplex;
+        TRY(array_grow(f->context, &f->simplex, &f->simplex_capacity, f->simplex_count + 1,
+                       sizeof *f->simplex, "the facets at a point"));
+        f->simplex[f->simplex_count++] = simplex;
         _fmpz_vec_scalar_mul_si(plane, plane, d + 1, facing);
-        if (!status)
-            status = add_facet_here(f, simplex, plane);
+        TRY(add_facet_here(f, simplex, plane));
     }
-    _fmpz_vec_clear(plane, 2 * (d + 1));
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status search_place(place_finder *f, size_t index) {
@@ -104,14 +98,14 @@ static graze_status search_place(place_finder *f, size_t index) {
         return GRAZE_OK;
     if (!node->child)
         return try_simplex(f, node->simplex);
-    graze_status status = search_place(f, node->child);
-    return status ? status : search_place(f, node->child + 1);
+    TRY(search_place(f, node->child));
+    return search_place(f, node->child + 1);
 }
 
 /* Signs, against the outward normals, of the directions to the corners of a simplex. */
 static void look_at_corners(int *outside, int *inside, const place_finder *f, size_t simplex) {
     int d = f->out->dimension;
-    fmpz *corner = _fmpz_vec_init(d + 1);
+    LOCAL_VEC(fmpz, corner, d + 1);
     for (int k = 0; k < d; k++) {
         const fmpq *v =
             f->solid->input.coordinates + f->solid->cut.item[simplex].vertex[k] * (size_t)d;
@@ -122,7 +116,6 @@ static void look_at_corners(int *outside, int *inside, const place_finder *f, si
             *inside |= sign < 0;
         }
     }
-    _fmpz_vec_clear(corner, d + 1);
 }
 
 static void find_cone_kind(place_finder *f) {

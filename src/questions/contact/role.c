@@ -4,6 +4,7 @@
 #include "questions/contact/role.h"
 
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 #include "questions/contact/around.h"
 #include "questions/topo/borders.h"
 #include "questions/topo/first_order.h"
@@ -68,16 +69,14 @@ static graze_status leads_inside(int *out, graze_context *context, germ_list *ge
 static graze_status try_normals(int *found, graze_context *context, germ_list *germs,
                                 const neighborhood *p) {
     int d = p->dimension;
-    fmpz *sum = _fmpz_vec_init(d);
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < p->count && !status && !*found; k++) {
+    LOCAL_VEC(fmpz, sum, d);
+    for (size_t k = 0; k < p->count && !*found; k++) {
         _fmpz_vec_add(sum, sum, p->facet[k].normal, d);
-        status = is_in_none(found, context, germs, p->facet[k].normal);
+        TRY(is_in_none(found, context, germs, p->facet[k].normal));
     }
-    if (!status && !*found)
-        status = is_in_none(found, context, germs, sum);
-    _fmpz_vec_clear(sum, d);
-    return status;
+    if (!*found)
+        TRY(is_in_none(found, context, germs, sum));
+    return GRAZE_OK;
 }
 
 /* out = a direction about P, in the body; all germs carry it alike. */
@@ -94,30 +93,27 @@ static graze_status look_for_open(int *found, graze_context *context, germ_list 
     size_t count;
     graze_status status = GRAZE_OK;
     borders_around(&cell, &count, b, r);
-    fmpz *u = _fmpz_vec_init(b->dimension);
+    LOCAL_VEC(fmpz, u, b->dimension);
     for (size_t k = 0; k < count && !status && !*found; k += b->dimension == 2 ? 1 : 2) {
         carry_direction(u, &germs->item[0], cell + k * (size_t)b->dimension);
         status = is_in_none(found, context, germs, u);
     }
-    _fmpz_vec_clear(u, b->dimension);
     _fmpz_vec_clear(cell, (slong)count * b->dimension);
     return status;
 }
 
 static graze_status look_everywhere(int *found, graze_context *context, germ_list *germs) {
-    borders b;
     int refused = 0;
-    borders_init(&b, germs->item[0].cone.dimension);
-    graze_status status = borders_find(&b, &refused, context, germs);
-    if (!status && refused)
-        status = context_fail(context, GRAZE_ELIMIT,
-                              "more planes border what is covered about the point than the %d that "
-                              "are looked at",
-                              BORDER_PLANES);
-    for (size_t r = 0; r < b.ray_count && !status && !*found; r++)
-        status = look_for_open(found, context, germs, &b, r);
-    borders_clear(&b);
-    return status;
+    HELD(borders, b, germs->item[0].cone.dimension);
+    TRY(borders_find(&b, &refused, context, germs));
+    if (refused)
+        return context_fail(context, GRAZE_ELIMIT,
+                            "more planes border what is covered about the point than the %d that "
+                            "are looked at",
+                            BORDER_PLANES);
+    for (size_t r = 0; r < b.ray_count && !*found; r++)
+        TRY(look_for_open(found, context, germs, &b, r));
+    return GRAZE_OK;
 }
 
 /* Do the germs beside t leave a direction open? */

@@ -6,6 +6,7 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "decide/trace/trajectory.h"
 #include "decide/verdict/classify.h"
 #include "questions/contact/role.h"
@@ -52,14 +53,13 @@ void site_clear(graze_site *s) {
 /* out = map at u of a point; `out` is not the point. */
 static void carry_point(fmpq *out, const point_map *map, const fmpq_t u, const fmpq *point) {
     int d = map->dimension;
-    fmpq *entry = _fmpq_vec_init(d * (d + 1));
+    LOCAL_VEC(fmpq, entry, d * (d + 1));
     point_map_at(entry, map, u);
     for (int i = 0; i < d; i++) {
         fmpq_set(out + i, entry + i * (d + 1) + d);
         for (int j = 0; j < d; j++)
             fmpq_addmul(out + i, entry + i * (d + 1) + j, point + j);
     }
-    _fmpq_vec_clear(entry, d * (d + 1));
 }
 
 graze_status site_to_body(fmpq *point, graze_context *context, const graze_scene *scene,
@@ -71,11 +71,10 @@ graze_status site_to_body(fmpq *point, graze_context *context, const graze_scene
     graze_status status = sides_find(side, context, scene->motion, t);
     if (!status) {
         const site_side *one = &side[!side[0].present];
-        fmpq *body = _fmpq_vec_init(d);
+        LOCAL_VEC(fmpq, body, d);
         carry_point(body, &scene->motion->piece[one->piece].inverse, one->u, point);
         for (int i = 0; i < d; i++)
             fmpq_set(point + i, body + i);
-        _fmpq_vec_clear(body, d);
     }
     fmpq_clear(side[0].u);
     fmpq_clear(side[1].u);
@@ -90,12 +89,9 @@ static void find_world(graze_site *s) {
 /* Order and sign of the pullback of a facet's plane next to t, by its coefficients. */
 static void find_germ_order(site_germ *germ, const graze_site *s) {
     const site_side *side = &s->side[germ->side > 0];
-    trajectory path;
-    fmpz_poly_t f;
-    fmpq_t value;
-    trajectory_init(&path, s->dimension);
-    fmpz_poly_init(f);
-    fmpq_init(value);
+    HELD(trajectory, path, s->dimension);
+    LOCAL(fmpz_poly, f);
+    LOCAL(fmpq, value);
     trajectory_set(&path, &s->scene->motion->piece[side->piece].inverse, s->world);
     trajectory_pullback(f, &path, s->place.facet[germ->facet].form);
     germ->order = fmpz_poly_is_zero(f) ? GRAZE_ORDER_VANISHES : 0;
@@ -107,9 +103,6 @@ static void find_germ_order(site_germ *germ, const graze_site *s) {
     germ->sign = fmpq_sgn(value);
     if (germ->side < 0 && germ->order % 2 == 1)
         germ->sign = -germ->sign;
-    trajectory_clear(&path);
-    fmpz_poly_clear(f);
-    fmpq_clear(value);
 }
 
 /* Is the piece the same on both sides of t? Then the first side has the flow of both. */
@@ -217,19 +210,18 @@ static graze_status begin_facts(graze_site *s, graze_context *context) {
 }
 
 static graze_status fill_site(graze_site *s, graze_context *context, site_question asked) {
-    graze_status status = begin_facts(s, context);
-    if (!status && asked != SITE_ROLE)
-        status = classify_point(&s->trace, context, s->scene, (query_point){.rational = s->world},
-                                TRACE_CONTACTS);
-    if (!status && asked != SITE_ROLE)
-        status = (asked == SITE_ALL ? nearest_find : nearest_trim)(s, context);
-    if (!status && asked != SITE_ROLE)
-        status = check_states(s, context);
-    if (!status && asked != SITE_TRIM)
-        status = role_decide(&s->facts.role, context, s);
-    if (!status)
-        find_slice(s);
-    return status;
+    TRY(begin_facts(s, context));
+    if (asked != SITE_ROLE)
+        TRY(classify_point(&s->trace, context, s->scene, (query_point){.rational = s->world},
+                           TRACE_CONTACTS));
+    if (asked != SITE_ROLE)
+        TRY((asked == SITE_ALL ? nearest_find : nearest_trim)(s, context));
+    if (asked != SITE_ROLE)
+        TRY(check_states(s, context));
+    if (asked != SITE_TRIM)
+        TRY(role_decide(&s->facts.role, context, s));
+    find_slice(s);
+    return GRAZE_OK;
 }
 
 graze_status site_make_for(graze_site *out, graze_context *context, const graze_scene *scene,
@@ -263,8 +255,7 @@ static graze_status make_missed(graze_site *out, graze_context *context, const g
 
 graze_status site_snap(graze_site *out, graze_context *context, const graze_scene *scene,
                        const fmpq_t t, const fmpq *y, const graze_cell *cell) {
-    nearby n;
-    nearby_init(&n, y, scene->motion->dimension);
+    HELD(nearby, n, y, scene->motion->dimension);
     graze_status status = snap_find(&n, context, scene, t, cell);
     if (!status && n.found) {
         status = site_make(out, context, scene, t, n.point);
@@ -280,6 +271,5 @@ graze_status site_snap(graze_site *out, graze_context *context, const graze_scen
     } else if (!status) {
         status = make_missed(out, context, scene, t, y, cell);
     }
-    nearby_clear(&n);
     return status;
 }

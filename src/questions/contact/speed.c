@@ -5,10 +5,11 @@
 
 #include <flint/fmpq_vec.h>
 #include <string.h>
+#include "base/context/scope.h"
 
 static void field_make(velocity_field *out, const motion_piece *piece, const fmpq_t u) {
     int d = piece->forward.dimension;
-    fmpq *y = _fmpq_vec_init(d);
+    LOCAL_VEC(fmpq, y, d);
     flow f;
     *out = (velocity_field){d, _fmpq_vec_init(d), _fmpq_vec_init(d * d)};
     flow_make(&f, piece, u, y);
@@ -23,7 +24,6 @@ static void field_make(velocity_field *out, const motion_piece *piece, const fmp
         flow_clear(&f);
         fmpq_zero(y + j);
     }
-    _fmpq_vec_clear(y, d);
 }
 
 void speed_make(speed *out, const graze_motion *motion, const site_side side[2]) {
@@ -50,13 +50,11 @@ void speed_clear(speed *s) {
 void speed_along(fmpq_t out, const speed *s, int side, const fmpq *normal, const fmpq *y) {
     const velocity_field *f = &s->field[side];
     int d = s->dimension;
-    fmpq_t w;
-    fmpq_init(w);
+    LOCAL(fmpq, w);
     fmpq_zero(out);
     for (int i = 0; i < d; i++) {
         _fmpq_vec_dot(w, f->slope + i * d, y, d);
         fmpq_add(w, w, f->at_zero + i);
         fmpq_submul(out, w, normal + i);
     }
-    fmpq_clear(w);
 }

@@ -6,23 +6,21 @@
 #include "questions/contact/time_in_trace.h"
 
 #include <flint/fmpq_vec.h>
+#include "base/context/scope.h"
 #include "base/number/order.h"
 
 /* *out: sign of a time of the trace minus t. */
 static graze_status compare_to_site(int *out, graze_context *context, graze_time *time,
                                     const graze_site *s) {
     const motion_piece *piece = &s->scene->motion->piece[time->piece];
-    algebraic own;
-    fmpq *u = _fmpq_vec_init(2), *width = u + 1;
-    algebraic_init(&own);
+    LOCAL_VEC(fmpq, u, 2);
+    fmpq *width = u + 1;
+    HELD(algebraic, own);
     fmpq_sub(u, s->t, piece->lo);
     fmpq_sub(width, piece->hi, piece->lo);
     fmpq_div(u, u, width);
     algebraic_set_rational(&own, u);
-    graze_status status = algebraic_compare(out, context, &time->u, &own);
-    algebraic_clear(&own);
-    _fmpq_vec_clear(u, 2);
-    return status;
+    return algebraic_compare(out, context, &time->u, &own);
 }
 
 /* The contact that holds t, and whether t is its beginning and its end. */
@@ -31,11 +29,8 @@ static graze_status find_contact(size_t *out, int *begins, int *ends, graze_cont
     for (size_t k = 0; k < s->trace.contact_count; k++) {
         const contact *c = &s->trace.contact[k];
         int from, to;
-        graze_status status = compare_to_site(&from, context, c->from, s);
-        if (!status)
-            status = compare_to_site(&to, context, c->to, s);
-        if (status)
-            return status;
+        TRY(compare_to_site(&from, context, c->from, s));
+        TRY(compare_to_site(&to, context, c->to, s));
         *out = k;
         *begins = from == 0;
         *ends = to == 0;
@@ -49,7 +44,8 @@ static graze_status find_contact(size_t *out, int *begins, int *ends, graze_cont
 /* scale x - shift, or shift - scale x: a canonical time moved, scaled by a positive integer. */
 static void moved_time(algebraic *out, const graze_time *time, const fmpz_t scale,
                        const fmpz_t shift, int reflect) {
-    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
+    LOCAL_VEC(fmpq, low, 2);
+    fmpq *high = low + 1;
     fmpq_mul_fmpz(low, time->low, scale);
     fmpq_mul_fmpz(high, time->high, scale);
     fmpq_sub_fmpz(low, low, shift);
@@ -63,12 +59,11 @@ static void moved_time(algebraic *out, const graze_time *time, const fmpz_t scal
         algebraic_set_rational(out, low);
     } else {
         /* p((shift + X) / scale) or p((shift - X) / scale), times a power of the scale */
-        fmpz_poly_t linear;
-        fmpz_poly_init(linear);
+        LOCAL(fmpz_poly, linear);
         fmpz_poly_set_coeff_fmpz(linear, 0, shift);
         fmpz_poly_set_coeff_si(linear, 1, reflect ? -1 : 1);
-        fmpz_t power;
-        fmpz_init_set_ui(power, 1);
+        LOCAL(fmpz, power);
+        fmpz_set_ui(power, 1);
         fmpz_poly_set(out->poly, time->poly);
         for (slong k = fmpz_poly_degree(out->poly); k >= 0; k--) {
             fmpz_mul(out->poly->coeffs + k, out->poly->coeffs + k, power);
@@ -84,10 +79,7 @@ static void moved_time(algebraic *out, const graze_time *time, const fmpz_t scal
         fmpz_set(out->where.low, fmpq_numref(low));
         fmpz_set(out->where.high, fmpq_numref(high));
         out->low_sign = dyadic_sign(out->poly, out->where.low, out->where.exponent);
-        fmpz_poly_clear(linear);
-        fmpz_clear(power);
     }
-    _fmpq_vec_clear(low, 2);
 }
 
 /* The nearer of a time before t and one after it; NULL stands for none. */
@@ -99,16 +91,13 @@ static graze_status nearer(const graze_time **out, graze_context *context, const
     *out = before ? before : after;
     if (!before || !after || status)
         return status;
-    algebraic back, forth;
     int order = 0;
-    algebraic_init(&back);
-    algebraic_init(&forth);
+    HELD(algebraic, back);
+    HELD(algebraic, forth);
     moved_time(&back, before, fmpq_denref(s->t), fmpq_numref(s->t), 1);
     moved_time(&forth, after, fmpq_denref(s->t), fmpq_numref(s->t), 0);
     status = algebraic_compare(&order, context, &back, &forth);
     *out = order <= 0 ? before : after;
-    algebraic_clear(&back);
-    algebraic_clear(&forth);
     return status;
 }
 
@@ -116,11 +105,9 @@ static graze_status nearer(const graze_time **out, graze_context *context, const
 static graze_status own_time(const graze_time **out, graze_context *context, graze_site *s) {
     if (!s->itself) {
         const site_side *side = &s->side[!s->side[0].present];
-        algebraic u;
-        algebraic_init(&u);
+        HELD(algebraic, u);
         algebraic_set_rational(&u, side->u);
         s->itself = time_create(s->scene->motion, side->piece, &u);
-        algebraic_clear(&u);
         if (!s->itself)
             return context_fail(context, GRAZE_ESYSTEM, "out of memory for a time");
     }
@@ -145,9 +132,7 @@ static void interiors_beside(graze_time **before, graze_time **after, const graz
 static graze_status find_trim(graze_site *s, graze_context *context, size_t *k, int *is_instant) {
     const graze_trace *trace = &s->trace;
     int begins = 0, ends = 0;
-    graze_status status = find_contact(k, &begins, &ends, context, s);
-    if (status)
-        return status;
+    TRY(find_contact(k, &begins, &ends, context, s));
     graze_site_facts *f = &s->facts;
     f->left = begins ? trace->contact[*k].left : GRAZE_STATE_B;
     f->right = ends ? trace->contact[*k].right : GRAZE_STATE_B;

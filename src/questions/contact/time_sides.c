@@ -6,16 +6,15 @@
 #include <flint/fmpq_poly.h>
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "base/number/rational.h"
 
 /* u of a piece at t. */
 static void parameter_at(fmpq_t out, const motion_piece *piece, const fmpq_t t) {
-    fmpq_t width;
-    fmpq_init(width);
+    LOCAL(fmpq, width);
     fmpq_sub(width, piece->hi, piece->lo);
     fmpq_sub(out, t, piece->lo);
     fmpq_div(out, out, width);
-    fmpq_clear(width);
 }
 
 static void set_side(site_side *side, const graze_motion *motion, size_t piece, const fmpq_t t) {
@@ -28,10 +27,9 @@ static void set_side(site_side *side, const graze_motion *motion, size_t piece, 
 static int is_same_quotient(const fmpz_poly_struct *first, const fmpz_poly_struct *first_weight,
                             const fmpz_poly_struct *second, const fmpz_poly_struct *second_weight,
                             const fmpq_poly_t shift) {
-    fmpq_poly_t a, b, c;
-    fmpq_poly_init(a);
-    fmpq_poly_init(b);
-    fmpq_poly_init(c);
+    LOCAL(fmpq_poly, a);
+    LOCAL(fmpq_poly, b);
+    LOCAL(fmpq_poly, c);
     fmpq_poly_set_fmpz_poly(a, second_weight);
     fmpq_poly_compose(a, a, shift);
     fmpq_poly_set_fmpz_poly(c, first);
@@ -40,19 +38,15 @@ static int is_same_quotient(const fmpz_poly_struct *first, const fmpz_poly_struc
     fmpq_poly_compose(b, b, shift);
     fmpq_poly_set_fmpz_poly(c, first_weight);
     fmpq_poly_mul(b, b, c);
-    int same = fmpq_poly_equal(a, b);
-    fmpq_poly_clear(a);
-    fmpq_poly_clear(b);
-    fmpq_poly_clear(c);
-    return same;
+    return fmpq_poly_equal(a, b);
 }
 
 /* Do a piece and the next one continue each other as one rational function? */
 static int is_one_function(const motion_piece *first, const motion_piece *second) {
     int d = first->forward.dimension, same = 1;
-    fmpq_poly_t shift;
-    fmpq *at_zero = _fmpq_vec_init(2), *at_one = at_zero + 1;
-    fmpq_poly_init(shift);
+    LOCAL_VEC(fmpq, at_zero, 2);
+    fmpq *at_one = at_zero + 1;
+    LOCAL(fmpq_poly, shift);
     parameter_at(at_zero, second, first->lo);
     parameter_at(at_one, second, first->hi);
     fmpq_poly_set_coeff_fmpq(shift, 0, at_zero);
@@ -61,8 +55,6 @@ static int is_one_function(const motion_piece *first, const motion_piece *second
     for (int k = 0; k < d * (d + 1) && same; k++)
         same = is_same_quotient(&first->forward.entry[k], first->forward.weight,
                                 &second->forward.entry[k], second->forward.weight, shift);
-    fmpq_poly_clear(shift);
-    _fmpq_vec_clear(at_zero, 2);
     return same;
 }
 

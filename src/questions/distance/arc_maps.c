@@ -6,15 +6,15 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "questions/distance/bernstein_square.h"
 
 /* 1 if the linear part L of a map satisfies L^T L = W^2 I, as polynomials. */
 static int is_rigid(const point_map *map) {
     int d = map->dimension, rigid = 1;
-    fmpz_poly_t sum, term, square;
-    fmpz_poly_init(sum);
-    fmpz_poly_init(term);
-    fmpz_poly_init(square);
+    LOCAL(fmpz_poly, sum);
+    LOCAL(fmpz_poly, term);
+    LOCAL(fmpz_poly, square);
     fmpz_poly_sqr(square, map->weight);
     for (int i = 0; i < d && rigid; i++)
         for (int j = i; j < d && rigid; j++) {
@@ -25,9 +25,6 @@ static int is_rigid(const point_map *map) {
             }
             rigid = i == j ? fmpz_poly_equal(sum, square) : fmpz_poly_is_zero(sum);
         }
-    fmpz_poly_clear(sum);
-    fmpz_poly_clear(term);
-    fmpz_poly_clear(square);
     return rigid;
 }
 
@@ -87,10 +84,8 @@ static graze_status check_arc(graze_context *context, const arc *a, const carrie
 }
 
 static graze_status keep_arc(arc_maps *g, graze_context *context, const arc *a, ulong depth) {
-    graze_status status = array_grow(context, &g->arc, &g->arc_capacity, g->arc_count + 1,
-                                     sizeof *g->arc, "the maps of a motion");
-    if (status)
-        return status;
+    TRY(array_grow(context, &g->arc, &g->arc_capacity, g->arc_count + 1, sizeof *g->arc,
+                   "the maps of a motion"));
     g->arc[g->arc_count++] = *a;
     g->deepest = depth > g->deepest ? depth : g->deepest;
     return context_poll(context);
@@ -144,8 +139,7 @@ static graze_status make_pieces(arc_maps *g, graze_context *context) {
     const graze_motion *motion = g->scene->motion;
     graze_operation operation = g->scene->options.operation;
     graze_status status = GRAZE_OK;
-    dyadic_interval unit;
-    dyadic_interval_init(&unit);
+    HELD(dyadic_interval, unit);
     dyadic_interval_set_si(&unit, 0, 1);
     for (size_t k = 0; k < motion->piece_count && !status; k++) {
         g->first[k] = g->arc_count;
@@ -153,7 +147,6 @@ static graze_status make_pieces(arc_maps *g, graze_context *context) {
         status = make_arcs(g, context, k, rigid, &unit);
     }
     g->first[motion->piece_count] = g->arc_count;
-    dyadic_interval_clear(&unit);
     return status;
 }
 

@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "decide/filter/normal.h"
 
 /* Coefficients err by 2^-52 of themselves, and what is computed from them by a few roundings. */
@@ -50,15 +51,13 @@ static int bound_arc_world(box *out, const arc_maps *g, const arc *a) {
     const motion_piece *piece = &g->scene->motion->piece[a->piece];
     const graze_solid *solid = g->scene->solid;
     carrier map;
-    dyadic_interval part;
     int exponent;
     (void)frexp(a->length, &exponent);
-    dyadic_interval_init(&part);
+    HELD(dyadic_interval, part);
     fmpz_set_d(part.low, a->from / a->length);
     fmpz_add_ui(part.high, part.low, 1);
     part.exponent = (ulong)(1 - exponent);
     int made = carrier_make_on(&map, motion_placing(piece, g->scene->options.operation), &part);
-    dyadic_interval_clear(&part);
     *out = (box){{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
     if (made && map.usable && has_even_weight(&map))
         for (int i = 0; i < map.dimension; i++)

@@ -3,15 +3,16 @@
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
+#include "base/context/scope.h"
 
 /* Squares of sizes between these, and of what is much smaller, are doubles. */
 static const double LEAST_DIAGONAL = 0x1p-300, MOST_DIAGONAL = 0x1p300;
 
 /* sqrt of a sum of squares, rounded down. */
 static double length_down(const fmpq *low, const fmpq *high, int d) {
-    fmpq *sum = _fmpq_vec_init(2), *side = sum + 1;
-    fmpz_t n;
-    fmpz_init(n);
+    LOCAL_VEC(fmpq, sum, 2);
+    fmpq *side = sum + 1;
+    LOCAL(fmpz, n);
     for (int i = 0; i < d; i++) {
         fmpq_sub(side, high + i, low + i);
         fmpq_mul(side, side, side);
@@ -26,15 +27,12 @@ static double length_down(const fmpq *low, const fmpq *high, int d) {
     fmpz_fdiv_q(n, fmpq_numref(sum), fmpq_denref(sum));
     fmpz_sqrt(n, n);
     double out = ldexp(fmpz_get_d(n), (int)-k); /* FLINT cuts what a double has no place for */
-    _fmpq_vec_clear(sum, 2);
-    fmpz_clear(n);
     return out;
 }
 
 /* Extend the box by the image of a vertex, but for the translation, which changes no side of it. */
 static void extend(fmpq *low, fmpq *high, const fmpq *map, const fmpq *vertex, int d, int first) {
-    fmpq_t value;
-    fmpq_init(value);
+    LOCAL(fmpq, value);
     for (int i = 0; i < d; i++) {
         fmpq_zero(value);
         for (int j = 0; j < d; j++)
@@ -44,15 +42,15 @@ static void extend(fmpq *low, fmpq *high, const fmpq *map, const fmpq *vertex, i
         if (first || fmpq_cmp(value, high + i) > 0)
             fmpq_set(high + i, value);
     }
-    fmpq_clear(value);
 }
 
 graze_status distance_diagonal(double *out, graze_context *context, const graze_scene *scene) {
     const graze_solid *solid = scene->solid;
     int d = scene->motion->dimension;
-    fmpq *map = _fmpq_vec_init(d * (d + 1)), *low = _fmpq_vec_init(d), *high = _fmpq_vec_init(d);
-    fmpq_t zero;
-    fmpq_init(zero);
+    LOCAL_VEC(fmpq, map, d * (d + 1));
+    LOCAL_VEC(fmpq, low, d);
+    LOCAL_VEC(fmpq, high, d);
+    LOCAL(fmpq, zero);
     point_map_at(map, &scene->motion->piece[0].forward, zero);
     graze_status status = GRAZE_OK;
     for (size_t s = 0; s < solid->cut.count && !status; s++) {
@@ -64,10 +62,6 @@ graze_status distance_diagonal(double *out, graze_context *context, const graze_
             status = context_poll(context);
     }
     *out = length_down(low, high, d);
-    fmpq_clear(zero);
-    _fmpq_vec_clear(map, d * (d + 1));
-    _fmpq_vec_clear(low, d);
-    _fmpq_vec_clear(high, d);
     if (!status && !(*out >= LEAST_DIAGONAL && *out <= MOST_DIAGONAL))
         status = context_fail(context, GRAZE_ELIMIT,
                               "the diagonal of the solid's box at the start is beyond what "

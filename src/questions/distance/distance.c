@@ -6,6 +6,7 @@
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "base/number/refine.h"
 #include "base/number/rounding.h"
 #include "questions/distance/greatest.h"
@@ -17,15 +18,13 @@ enum { PLACES = 60 };
 /* Enclose a contact's time in its piece. */
 static graze_status narrow_time(fmpq_t low, fmpq_t high, graze_context *context,
                                 const graze_time *time, ulong places) {
-    algebraic x;
-    algebraic_init(&x);
+    HELD(algebraic, x);
     algebraic_set(&x, &time->u);
     graze_status status = GRAZE_OK;
     ulong gain = FIRST_GAIN;
     for (int step = 0; !status && !algebraic_is_rational(&x) && x.where.exponent < places; step++)
         status = algebraic_narrow(context, &x, step, &gain);
     algebraic_bounds(low, high, &x);
-    algebraic_clear(&x);
     return status;
 }
 
@@ -38,7 +37,8 @@ typedef struct moment {
 /* The last arc of a piece that begins at u or before, and doubles about v. */
 static size_t find_arc(double *low, double *high, graze_context *context, const arc_maps *base,
                        size_t piece, const fmpq_t u) {
-    fmpq *from = _fmpq_vec_init(3), *length = from + 1, *v = from + 2;
+    LOCAL_VEC(fmpq, from, 3);
+    fmpq *length = from + 1, *v = from + 2;
     size_t k = base->first[piece + 1];
     do
         (void)rational_from_double(from, context, base->arc[--k].from);
@@ -49,18 +49,17 @@ static size_t find_arc(double *low, double *high, graze_context *context, const 
     rational_bounds(low, high, v);
     *low = fmax(*low, 0);
     *high = fmin(*high, 1);
-    _fmpq_vec_clear(from, 3);
     return k;
 }
 
 static graze_status enclose_moment(moment *out, graze_context *context, const arc_maps *base,
                                    const graze_time *time) {
-    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
+    LOCAL_VEC(fmpq, low, 2);
+    fmpq *high = low + 1;
     double unused;
     graze_status status = narrow_time(low, high, context, time, PLACES + base->deepest);
     out->low_arc = find_arc(&out->low, &unused, context, base, time->piece, low);
     out->high_arc = find_arc(&unused, &out->high, context, base, time->piece, high);
-    _fmpq_vec_clear(low, 2);
     return status;
 }
 
@@ -90,19 +89,18 @@ static graze_status find_visits(stretch_of_time **list, size_t *count, graze_con
                                 graze_state wanted) {
     size_t last = base->arc_count - 1;
     moment from = {0, 0, 0, 0}, to;
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k <= trace->contact_count && !status; k++) {
+    for (size_t k = 0; k <= trace->contact_count; k++) {
         const contact *next = k < trace->contact_count ? &trace->contact[k] : NULL;
         graze_state state = next ? next->left : trace->last;
         to = (moment){last, last, 1, 1};
         if (next)
-            status = enclose_moment(&to, context, base, next->from);
-        if (!status && state == wanted)
-            status = add_visit(list, count, context, &from, &to);
-        if (!status && next)
-            status = enclose_moment(&from, context, base, next->to);
+            TRY(enclose_moment(&to, context, base, next->from));
+        if (state == wanted)
+            TRY(add_visit(list, count, context, &from, &to));
+        if (next)
+            TRY(enclose_moment(&from, context, base, next->to));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status find_greatest(search *s, const graze_trace *trace, graze_state wanted) {
@@ -173,45 +171,36 @@ int distance_is_certain(const distance *found, double motion_error) {
 
 /* From a piece's own parameter to the motion's. */
 static void to_motion(fmpq_t time, const motion_piece *piece) {
-    fmpq_t length;
-    fmpq_init(length);
+    LOCAL(fmpq, length);
     fmpq_sub(length, piece->hi, piece->lo);
     fmpq_mul(time, time, length);
     fmpq_add(time, time, piece->lo);
-    fmpq_clear(length);
 }
 
 graze_status distance_contact_time(fmpq_t out, graze_context *context, const graze_time *time) {
-    fmpq_t high;
-    fmpq_init(high);
+    LOCAL(fmpq, high);
     graze_status status = narrow_time(out, high, context, time, PLACES);
-    fmpq_clear(high);
     to_motion(out, &time->motion->piece[time->piece]);
     return status;
 }
 
 void distance_time(fmpq_t out, const distance *found, const graze_motion *motion) {
-    fmpq *length = _fmpq_vec_init(2), *v = length + 1;
+    LOCAL_VEC(fmpq, length, 2);
+    fmpq *v = length + 1;
     /* All three are finite. */
     (void)rational_from_double(out, NULL, found->from);
     (void)rational_from_double(length, NULL, found->length);
     (void)rational_from_double(v, NULL, found->v);
     fmpq_addmul(out, length, v);
-    _fmpq_vec_clear(length, 2);
     to_motion(out, &motion->piece[found->piece]);
 }
 
 graze_status distance_time_near(double *out, graze_context *context, const distance *found,
                                 const graze_motion *motion) {
-    graze_status status = GRAZE_OK;
-    fmpq_t time;
-    fmpq_init(time);
+    LOCAL(fmpq, time);
     if (found->at)
-        status = distance_contact_time(time, context, found->at);
+        TRY(distance_contact_time(time, context, found->at));
     else
         distance_time(time, found, motion);
-    if (!status)
-        status = rational_nearest(out, context, time);
-    fmpq_clear(time);
-    return status;
+    return rational_nearest(out, context, time);
 }

@@ -10,6 +10,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "decide/filter/normal.h"
 #include "questions/distance/gap.h"
 
@@ -78,11 +79,10 @@ static double window_most(double *floor, search *s, const point_arc *p,
 }
 
 static graze_status put_aside(search *s, const window_aside *window) {
-    graze_status status = array_grow(s->context, &s->window, &s->window_capacity,
-                                     s->window_count + 1, sizeof *s->window, "a distance");
-    if (!status)
-        s->window[s->window_count++] = *window;
-    return status;
+    TRY(array_grow(s->context, &s->window, &s->window_capacity, s->window_count + 1,
+                   sizeof *s->window, "a distance"));
+    s->window[s->window_count++] = *window;
+    return GRAZE_OK;
 }
 
 static graze_status explore_greatest(search *s, const stretch_of_time *of, const point_arc *p,
@@ -92,17 +92,16 @@ static graze_status explore_greatest(search *s, const stretch_of_time *of, const
 /* Go on in the halves of a window between its first and last sample. */
 static graze_status cut_greatest(search *s, const stretch_of_time *of, const point_arc *p,
                                  const time_sample *three, double most) {
-    graze_status status = GRAZE_OK;
     if (three[2].time - three[0].time <= SHORTEST || search_is_over(s)) {
         s->high = larger(s->high, most);
         return GRAZE_OK;
     }
     int right_first = three[0].high < three[2].high;
-    for (int half = 0; half < 2 && !status; half++) {
+    for (int half = 0; half < 2; half++) {
         const time_sample *at = &three[half == right_first ? 0 : 1];
-        status = explore_greatest(s, of, p, &at[0], &at[1], most);
+        TRY(explore_greatest(s, of, p, &at[0], &at[1], most));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Bound a window; `known` is the bound of the one that it is cut from. */
@@ -114,9 +113,7 @@ static graze_status explore_greatest(search *s, const stretch_of_time *of, const
     double middle = first->time + (last->time - first->time) / 2, floor = 0;
     if (take_sample(&here.sample[1], s, of, p, middle, ends, 2))
         here.most = smaller(known, window_most(&floor, s, p, here.sample));
-    graze_status status = search_poll(s);
-    if (status)
-        return status;
+    TRY(search_poll(s));
     if (here.most <= s->low + floor) {
         s->high = larger(s->high, here.most);
         return GRAZE_OK;

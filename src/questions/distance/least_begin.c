@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "decide/filter/normal.h"
 #include "questions/distance/along.h"
 #include "questions/distance/arc_tree.h"
@@ -128,18 +129,14 @@ static graze_status bound_aside(search *s) {
 
 static graze_status begin_near(search *s) {
     const arc_tree *t;
-    graze_status status = arc_tree_of(&t, s->context, s->base);
-    if (!status)
-        status = reach_arc(s, nearest_arc(s, t));
-    if (!status)
-        status = add_arcs(s, t, t->node);
-    if (!status)
-        status = reach_aside(s);
-    if (!status)
-        status = bound_aside(s);
-    if (!status && s->aside_count > 0)
+    TRY(arc_tree_of(&t, s->context, s->base));
+    TRY(reach_arc(s, nearest_arc(s, t)));
+    TRY(add_arcs(s, t, t->node));
+    TRY(reach_aside(s));
+    TRY(bound_aside(s));
+    if (s->aside_count > 0)
         qsort(s->aside, s->aside_count, sizeof *s->aside, compare_pairs);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status least_begin(search *s) {

@@ -4,17 +4,16 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/number/bernstein.h"
 #include "base/number/isolate.h"
 #include "base/number/order.h"
 #include "base/number/sign.h"
 
 static void append_end(algebraic_list *list, slong value) {
-    fmpq_t end;
-    fmpq_init(end);
+    LOCAL(fmpq, end);
     fmpq_set_si(end, value, 1);
     algebraic_set_rational(algebraic_list_append(list), end);
-    fmpq_clear(end);
 }
 
 /* The list's numbers in order, equal ones once. */
@@ -30,26 +29,20 @@ static graze_status order_points(axis *x, graze_context *context) {
 }
 
 graze_status axis_make(axis *out, graze_context *context, const fmpz_poly_struct *p, size_t count) {
-    dyadic_interval unit;
     memset(out, 0, sizeof *out);
     algebraic_list_init(&out->roots);
-    dyadic_interval_init(&unit);
+    HELD(dyadic_interval, unit);
     dyadic_interval_set_si(&unit, 0, 1);
     append_end(&out->roots, 0);
     append_end(&out->roots, 1);
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < count && !status; k++)
+    for (size_t k = 0; k < count; k++)
         if (!fmpz_poly_is_zero(p + k))
-            status = algebraic_roots(&out->roots, context, p + k, &unit);
-    dyadic_interval_clear(&unit);
-    if (!status)
-        status = order_points(out, context);
-    if (status)
-        return status;
+            TRY(algebraic_roots(&out->roots, context, p + k, &unit));
+    TRY(order_points(out, context));
     out->sample = _fmpq_vec_init((slong)out->count);
-    for (size_t k = 1; k < out->count && !status; k++)
-        status = algebraic_between(out->sample + k, context, out->point[k - 1], out->point[k]);
-    return status;
+    for (size_t k = 1; k < out->count; k++)
+        TRY(algebraic_between(out->sample + k, context, out->point[k - 1], out->point[k]));
+    return GRAZE_OK;
 }
 
 void axis_clear(axis *x) {
@@ -71,16 +64,12 @@ int axis_sign_before(const axis *x, const fmpz_poly_struct *p, size_t k) {
 int axis_one_sign(const fmpz_poly_struct *p) {
     if (fmpz_poly_is_zero(p))
         return 0;
-    dyadic_interval unit;
-    bernstein_form form;
-    dyadic_interval_init(&unit);
+    HELD(dyadic_interval, unit);
     dyadic_interval_set_si(&unit, 0, 1);
-    bernstein_form_init(&form, p, fmpz_poly_degree(p), &unit);
+    HELD(bernstein_form, form, p, fmpz_poly_degree(p), &unit);
     int low = wide_sign(&form.c, 0), high = wide_sign(&form.c, form.c.count - 1);
     int sign = low == high ? low : 0;
     if (sign && bernstein_variations(&form) != 0)
         sign = 0;
-    bernstein_form_clear(&form);
-    dyadic_interval_clear(&unit);
     return sign;
 }

@@ -9,6 +9,7 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "questions/envelope/decomposition.h"
 
 /* Two pieces that meet, the one with contact and the other one. */
@@ -21,35 +22,28 @@ typedef struct meeting_pieces {
 /* g at the break, on the side of contact or on the other one, times `turn`. */
 static void break_value(fmpz_t out, const meeting_pieces *m, int other, size_t facet,
                         size_t vertex) {
-    fmpz_poly_t g;
-    fmpz_poly_init(g);
+    LOCAL(fmpz_poly, g);
     derivatives_velocity(g, &m->e->field[other ? m->other : m->contact], facet, vertex);
     int at_one = (m->turn > 0) != other;
-    fmpz_t u;
-    fmpz_init_set_si(u, at_one);
+    LOCAL(fmpz, u);
+    fmpz_set_si(u, at_one);
     fmpz_poly_evaluate_fmpz(out, g, u);
     fmpz_mul_si(out, out, m->turn);
-    fmpz_clear(u);
-    fmpz_poly_clear(g);
 }
 
 static int break_sign(const meeting_pieces *m, int other, size_t facet, size_t vertex) {
-    fmpz_t value;
-    fmpz_init(value);
+    LOCAL(fmpz, value);
     break_value(value, m, other, facet, vertex);
-    int sign = fmpz_sgn(value);
-    fmpz_clear(value);
-    return sign;
+    return fmpz_sgn(value);
 }
 
 /* The sign of g times `turn` next to the break on the side of contact. */
 static int sign_beside(const meeting_pieces *m, size_t facet, size_t vertex) {
-    fmpz_poly_t g;
-    fmpz_t u, value;
     int sign = 0, flip = m->turn;
-    fmpz_poly_init(g);
-    fmpz_init_set_si(u, m->turn > 0);
-    fmpz_init(value);
+    LOCAL(fmpz_poly, g);
+    LOCAL(fmpz, u);
+    fmpz_set_si(u, m->turn > 0);
+    LOCAL(fmpz, value);
     derivatives_velocity(g, &m->e->field[m->contact], facet, vertex);
     while (!sign && !fmpz_poly_is_zero(g)) {
         fmpz_poly_evaluate_fmpz(value, g, u);
@@ -57,9 +51,6 @@ static int sign_beside(const meeting_pieces *m, size_t facet, size_t vertex) {
         flip = m->turn > 0 ? -flip : flip;
         fmpz_poly_derivative(g, g);
     }
-    fmpz_poly_clear(g);
-    fmpz_clear(u);
-    fmpz_clear(value);
     return sign;
 }
 
@@ -85,15 +76,14 @@ typedef struct edge_function {
 } edge_function;
 
 static int sign_along(const edge_function *f, const fmpq_t lambda) {
-    fmpq *value = _fmpq_vec_init(2), *rest = value + 1;
+    LOCAL_VEC(fmpq, value, 2);
+    fmpq *rest = value + 1;
     fmpq_mul_fmpz(value, lambda, f->at_v);
     fmpq_set_si(rest, 1, 1);
     fmpq_sub(rest, rest, lambda);
     fmpq_mul_fmpz(rest, rest, f->at_u);
     fmpq_add(value, value, rest);
-    int sign = fmpq_sgn(value);
-    _fmpq_vec_clear(value, 2);
-    return sign;
+    return fmpq_sgn(value);
 }
 
 static int compare_edge_places(const void *left, const void *right) {
@@ -103,11 +93,10 @@ static int compare_edge_places(const void *left, const void *right) {
 /* Is there a place on the edge at which the first two functions have different signs and the last
  * two are positive? Between zeros one place stands for all. */
 static int has_place(const edge_function f[4]) {
-    fmpq *place = _fmpq_vec_init(6);
+    LOCAL_VEC(fmpq, place, 6);
     slong count = 1;
     int found = 0;
-    fmpq_t middle;
-    fmpq_init(middle);
+    LOCAL(fmpq, middle);
     for (int k = 0; k < 4; k++)
         if (fmpz_sgn(f[k].at_u) * fmpz_sgn(f[k].at_v) < 0) {
             fmpz_sub(fmpq_denref(place + count), f[k].at_u, f[k].at_v);
@@ -122,8 +111,6 @@ static int has_place(const edge_function f[4]) {
         found = sign_along(&f[0], middle) * sign_along(&f[1], middle) < 0 &&
                 sign_along(&f[2], middle) > 0 && sign_along(&f[3], middle) > 0;
     }
-    fmpq_clear(middle);
-    _fmpq_vec_clear(place, 6);
     return found;
 }
 
@@ -154,7 +141,8 @@ static int is_edge_bad(const meeting_pieces *m, size_t edge) {
  * In E^2 the slice itself. */
 static int is_slice_bad(const meeting_pieces *m, size_t facet, size_t edge) {
     const cell_edge *e = &m->e->cells.edge[edge];
-    fmpz *u = _fmpz_vec_init(4), *v = u + 1, *other_u = u + 2, *other_v = u + 3;
+    LOCAL_VEC(fmpz, u, 4);
+    fmpz *v = u + 1, *other_u = u + 2, *other_v = u + 3;
     break_value(u, m, 0, facet, e->u);
     break_value(v, m, 0, facet, e->v);
     break_value(other_u, m, 1, facet, e->u);
@@ -162,9 +150,7 @@ static int is_slice_bad(const meeting_pieces *m, size_t facet, size_t edge) {
     int ends = fmpz_sgn(u) * fmpz_sgn(v) < 0, sign = fmpz_sgn(u);
     fmpz_mul(u, u, other_v);
     fmpz_submul(u, v, other_u);
-    int bad = ends && fmpz_sgn(u) * sign > 0;
-    _fmpz_vec_clear(u, 4);
-    return bad;
+    return ends && fmpz_sgn(u) * sign > 0;
 }
 
 /* A slice that ends so on an edge; or all of a facet that slides up to the break or from it. */
@@ -182,31 +168,28 @@ static int is_facet_bad(const meeting_pieces *m, size_t facet) {
 static graze_status judge_turn(const meeting_pieces *m, graze_context *context,
                                const algebraic *start, size_t piece) {
     const cell_complex *c = &m->e->cells;
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < c->facet_count && !status; k++)
+    for (size_t k = 0; k < c->facet_count; k++)
         if (is_facet_bad(m, k))
-            status = judge_find(m->e, context, GRAZE_REASON_BREAK, &c->facet[k].name,
-                                &c->facet[k].name, piece, start);
-    for (size_t k = 0; k < c->edge_count && !status; k++)
+            TRY(judge_find(m->e, context, GRAZE_REASON_BREAK, &c->facet[k].name, &c->facet[k].name,
+                           piece, start));
+    for (size_t k = 0; k < c->edge_count; k++)
         if (is_edge_bad(m, k))
-            status = judge_find(m->e, context, GRAZE_REASON_BREAK, &NO_CELL, &c->edge[k].name,
-                                piece, start);
-    for (size_t k = 0; k < c->vertex_count && !status; k++)
+            TRY(judge_find(m->e, context, GRAZE_REASON_BREAK, &NO_CELL, &c->edge[k].name, piece,
+                           start));
+    for (size_t k = 0; k < c->vertex_count; k++)
         if (is_vertex_bad(m, k))
-            status = judge_find(m->e, context, GRAZE_REASON_BREAK, &NO_CELL, &c->vertex[k].name,
-                                piece, start);
-    return status ? status : context_poll(context);
+            TRY(judge_find(m->e, context, GRAZE_REASON_BREAK, &NO_CELL, &c->vertex[k].name, piece,
+                           start));
+    return context_poll(context);
 }
 
 graze_status breaks_judge(graze_envelope *e, graze_context *context, size_t piece) {
-    algebraic start;
-    algebraic_init(&start);
+    HELD(algebraic, start);
     graze_status status =
         judge_find(e, context, GRAZE_REASON_PIECES, &NO_CELL, &NO_CELL, piece, &start);
     for (int turn = 1; turn >= -1 && !status && judge_wants(e, GRAZE_REASON_BREAK); turn -= 2) {
         meeting_pieces m = {e, turn > 0 ? piece - 1 : piece, turn > 0 ? piece : piece - 1, turn};
         status = judge_turn(&m, context, &start, piece);
     }
-    algebraic_clear(&start);
     return status;
 }

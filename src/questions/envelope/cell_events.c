@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "input/soup/cell_names.h"
 
 static const graze_cell NO_SECOND = {0, 0, 0};
@@ -48,19 +49,17 @@ void cell_events_clear(cell_event_list *list) {
 }
 
 graze_status cuts_add(moment_cuts *cuts, graze_context *context, size_t moment) {
-    graze_status status = array_grow(context, &cuts->item, &cuts->capacity, cuts->count + 1,
-                                     sizeof *cuts->item, "the changes of a cell");
-    if (!status)
-        cuts->item[cuts->count++] = moment;
-    return status;
+    TRY(array_grow(context, &cuts->item, &cuts->capacity, cuts->count + 1, sizeof *cuts->item,
+                   "the changes of a cell"));
+    cuts->item[cuts->count++] = moment;
+    return GRAZE_OK;
 }
 
 graze_status cuts_start(moment_cuts *cuts, graze_context *context, const moment_list *moments) {
-    graze_status status = GRAZE_OK;
     cuts->count = 0;
-    for (size_t k = 0; k < moments->hard_count && !status; k++)
-        status = cuts_add(cuts, context, moments->hard[k]);
-    return status;
+    for (size_t k = 0; k < moments->hard_count; k++)
+        TRY(cuts_add(cuts, context, moments->hard[k]));
+    return GRAZE_OK;
 }
 
 static int compare_moments(const void *left, const void *right) {
@@ -90,10 +89,9 @@ static graze_status add_moments(moment_cuts *cuts, graze_context *context,
         else
             high = middle;
     }
-    graze_status status = GRAZE_OK;
-    for (; low < list->count && compare_keys(&list->item[low], &key) == 0 && !status; low++)
-        status = cuts_add(cuts, context, list->item[low].moment);
-    return status;
+    for (; low < list->count && compare_keys(&list->item[low], &key) == 0; low++)
+        TRY(cuts_add(cuts, context, list->item[low].moment));
+    return GRAZE_OK;
 }
 
 graze_status cuts_add_of_facet(moment_cuts *cuts, graze_context *context,
@@ -104,15 +102,13 @@ graze_status cuts_add_of_facet(moment_cuts *cuts, graze_context *context,
 graze_status cuts_add_of_edge(moment_cuts *cuts, graze_context *context,
                               const cell_event_list *list, const cell_complex *c, size_t edge) {
     const cell_edge *side = &c->edge[edge];
-    graze_status status = add_moments(cuts, context, list, &side->name, &NO_SECOND);
+    TRY(add_moments(cuts, context, list, &side->name, &NO_SECOND));
     for (size_t j = c->edge_facets.start[edge]; j < c->edge_facets.start[edge + 1]; j++) {
         const graze_cell *facet = &c->facet[c->edge_facets.item[j]].name;
-        if (!status)
-            status = add_moments(cuts, context, list, facet, &c->vertex[side->u].name);
-        if (!status)
-            status = add_moments(cuts, context, list, facet, &c->vertex[side->v].name);
+        TRY(add_moments(cuts, context, list, facet, &c->vertex[side->u].name));
+        TRY(add_moments(cuts, context, list, facet, &c->vertex[side->v].name));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status cuts_add_of_vertex(moment_cuts *cuts, graze_context *context,

@@ -2,6 +2,7 @@
 #include "questions/envelope/chains.h"
 
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "questions/envelope/parts.h"
 
 /* An end of a part. */
@@ -78,10 +79,9 @@ static void join_whole(graze_curve *c, size_t *parent, const cell_complex *cells
 
 graze_status chains_find(graze_curve *c, graze_context *context, const cell_complex *cells) {
     size_t *parent = malloc((c->count + 1) * sizeof *parent), number = 0;
-    chain_end *end = malloc((2 * c->count + 1) * sizeof *end);
+    FREED(chain_end, end, malloc((2 * c->count + 1) * sizeof *end));
     if (!parent || !end) {
         free(parent);
-        free(end);
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for chains");
     }
     for (size_t k = 0; k < c->count; k++)
@@ -99,6 +99,5 @@ graze_status chains_find(graze_curve *c, graze_context *context, const cell_comp
     for (size_t k = 0; k < c->count; k++)
         c->part[k].facts.form = c->part[root_of(parent, k)].facts.form;
     free(parent);
-    free(end);
     return GRAZE_OK;
 }

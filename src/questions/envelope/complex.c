@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "questions/envelope/edges.h"
 
 static graze_status no_room_for_cells(graze_context *context) {
@@ -69,14 +70,13 @@ static graze_status number_positions(size_t *number, cell_complex *c, graze_cont
 static graze_status find_corners(cell_complex *c, graze_context *context) {
     const simplices *cut = &c->solid->cut;
     size_t d = (size_t)c->dimension;
-    size_t *number = calloc(c->solid->input.vertex_count, sizeof *number);
+    FREED(size_t, number, calloc(c->solid->input.vertex_count, sizeof *number));
     c->corner = malloc(cut->count * d * sizeof *c->corner);
     graze_status status =
         number && c->corner ? number_positions(number, c, context) : no_room_for_cells(context);
     for (size_t s = 0; s < cut->count && !status; s++)
         for (size_t k = 0; k < d; k++)
             c->corner[s * d + k] = number[cut->item[s].vertex[k]];
-    free(number);
     return status;
 }
 
@@ -91,16 +91,14 @@ static int compare_cell_facets(const void *left, const void *right) {
 /* The facet of one simplex. */
 static void set_facet(cell_facet *f, const cell_complex *c, size_t simplex) {
     int d = c->dimension;
-    fmpz_t content;
     memset(f, 0, sizeof *f);
     f->name = solid_cell(c->solid, simplex, 0);
     f->first = simplex;
     int facing = solid_plane(f->form, c->solid, simplex);
     _fmpz_vec_scalar_mul_si(f->form, f->form, d + 1, facing);
-    fmpz_init(content);
+    LOCAL(fmpz, content);
     _fmpz_vec_content(content, f->form, d);
     _fmpz_vec_scalar_divexact_fmpz(f->normal, f->form, d, content);
-    fmpz_clear(content);
 }
 
 static void clear_facet(cell_facet *f) {
@@ -198,16 +196,14 @@ static graze_status locate_vertices(cell_complex *c, graze_context *context) {
     c->vertex_facets.start = calloc(c->vertex_count + 1, sizeof(size_t));
     if (!c->vertex || !c->vertex_facets.start)
         return no_room_for_cells(context);
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < c->vertex_count && !status; k++) {
+    for (size_t k = 0; k < c->vertex_count; k++) {
         cell_vertex *v = &c->vertex[k];
         const fmpq *at = c->at + k * (size_t)d;
         _fmpq_vec_get_fmpz_vec_fmpz(v->x, v->x + d, at, d);
-        status = locate_next(&v->name, &v->kind, &l, at);
+        TRY(locate_next(&v->name, &v->kind, &l, at));
     }
-    if (!status)
-        sort_lists(&c->vertex_facets, c->vertex_count);
-    return status;
+    sort_lists(&c->vertex_facets, c->vertex_count);
+    return GRAZE_OK;
 }
 
 static graze_status locate_edges(cell_complex *c, graze_context *context) {
@@ -216,20 +212,17 @@ static graze_status locate_edges(cell_complex *c, graze_context *context) {
     c->edge_facets.start = calloc(c->edge_count + 1, sizeof(size_t));
     if (!c->edge_facets.start)
         return no_room_for_cells(context);
-    fmpq *middle = _fmpq_vec_init(d);
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < c->edge_count && !status; k++) {
+    LOCAL_VEC(fmpq, middle, d);
+    for (size_t k = 0; k < c->edge_count; k++) {
         cell_edge *e = &c->edge[k];
         for (int i = 0; i < d; i++) {
             fmpq_add(middle + i, c->at + e->u * (size_t)d + i, c->at + e->v * (size_t)d + i);
             fmpq_div_2exp(middle + i, middle + i, 1);
         }
-        status = locate_next(&e->name, &e->kind, &l, middle);
+        TRY(locate_next(&e->name, &e->kind, &l, middle));
     }
-    if (!status)
-        sort_lists(&c->edge_facets, c->edge_count);
-    _fmpq_vec_clear(middle, d);
-    return status;
+    sort_lists(&c->edge_facets, c->edge_count);
+    return GRAZE_OK;
 }
 
 /* The lists of `count` keys from pairs (key, item), items ascending: key_of(edge, j) for j = 0 up
@@ -279,18 +272,16 @@ static void list_lone_vertices(cell_lists *out, const cell_complex *c, size_t *s
 
 static graze_status find_lone_vertices(cell_lists *out, graze_context *context,
                                        const cell_complex *c) {
-    size_t *seen = calloc(c->facet_count, sizeof *seen);
+    FREED(size_t, seen, calloc(c->facet_count, sizeof *seen));
     out->start = calloc(c->facet_count + 2, sizeof(size_t));
     out->item = malloc((c->vertex_facets.start[c->vertex_count] + 1) * sizeof(size_t));
     if (!seen || !out->start || !out->item) {
-        free(seen);
         return no_room_for_cells(context);
     }
     list_lone_vertices(out, c, seen, 1);
     for (size_t k = 2; k < c->facet_count + 2; k++)
         out->start[k] += out->start[k - 1];
     list_lone_vertices(out, c, seen, 0);
-    free(seen);
     return GRAZE_OK;
 }
 
@@ -298,22 +289,14 @@ graze_status complex_make(cell_complex *out, graze_context *context, const graze
     memset(out, 0, sizeof *out);
     out->solid = solid;
     out->dimension = solid->input.dimension;
-    graze_status status = find_corners(out, context);
-    if (!status)
-        status = find_facets(out, context);
-    if (!status)
-        status = edges_find(out, context);
-    if (!status)
-        status = locate_vertices(out, context);
-    if (!status)
-        status = locate_edges(out, context);
-    if (!status)
-        status = invert_edges(&out->facet_edges, context, out, out->facet_count, 0);
-    if (!status)
-        status = invert_edges(&out->vertex_edges, context, out, out->vertex_count, 1);
-    if (!status)
-        status = find_lone_vertices(&out->lone_vertices, context, out);
-    return status;
+    TRY(find_corners(out, context));
+    TRY(find_facets(out, context));
+    TRY(edges_find(out, context));
+    TRY(locate_vertices(out, context));
+    TRY(locate_edges(out, context));
+    TRY(invert_edges(&out->facet_edges, context, out, out->facet_count, 0));
+    TRY(invert_edges(&out->vertex_edges, context, out, out->vertex_count, 1));
+    return find_lone_vertices(&out->lone_vertices, context, out);
 }
 
 static void clear_lists(cell_lists *lists) {

@@ -4,6 +4,7 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "questions/contact/site.h"
 #include "questions/envelope/chains.h"
 #include "questions/envelope/parts.h"
@@ -11,37 +12,31 @@
 
 static graze_status find_parts(graze_curve *c, graze_context *context, const snapshot *s) {
     const cell_complex *cells = &s->e->cells;
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < cells->facet_count && !status; k++) {
-        status = parts_of_facet(c, context, s, k);
-        if (!status)
-            status = context_work(context, 1000);
+    for (size_t k = 0; k < cells->facet_count; k++) {
+        TRY(parts_of_facet(c, context, s, k));
+        TRY(context_work(context, 1000));
     }
-    for (size_t k = 0; k < cells->edge_count && cells->dimension == 3 && !status; k++)
-        status = parts_of_edge(c, context, s, k);
-    for (size_t k = 0; k < cells->vertex_count && !status; k++)
-        status = parts_of_vertex(c, context, s, k);
-    return status;
+    for (size_t k = 0; k < cells->edge_count && cells->dimension == 3; k++)
+        TRY(parts_of_edge(c, context, s, k));
+    for (size_t k = 0; k < cells->vertex_count; k++)
+        TRY(parts_of_vertex(c, context, s, k));
+    return GRAZE_OK;
 }
 
 /* The verdict and orientation of a part's middle. */
 static graze_status look_at_middle(curve_part *part, graze_context *context, const snapshot *s) {
     int d = s->dimension;
     graze_site site;
-    fmpq *middle = _fmpq_vec_init(d);
+    LOCAL_VEC(fmpq, middle, d);
     for (int i = 0; i < d; i++) {
         fmpq_add(middle + i, part->a + i, part->b + i);
         fmpq_div_2exp(middle + i, middle + i, 1);
     }
-    graze_status status = site_make_for(&site, context, s->e->scene, s->t, middle, SITE_TRIM);
-    if (!status) {
-        part->facts.trim = site.facts.trim;
-        part->facts.orientation =
-            site.facts.on_slice ? site.facts.orientation : GRAZE_ORIENTATION_NONE;
-        site_clear(&site);
-    }
-    _fmpq_vec_clear(middle, d);
-    return status;
+    TRY(site_make_for(&site, context, s->e->scene, s->t, middle, SITE_TRIM));
+    part->facts.trim = site.facts.trim;
+    part->facts.orientation = site.facts.on_slice ? site.facts.orientation : GRAZE_ORIENTATION_NONE;
+    site_clear(&site);
+    return GRAZE_OK;
 }
 
 static graze_status judge_parts(graze_curve *c, graze_context *context, const snapshot *s) {

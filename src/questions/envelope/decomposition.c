@@ -1,6 +1,8 @@
 /* Findings. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "questions/envelope/decomposition.h"
 
+#include "base/context/scope.h"
+
 int judge_wants(const graze_envelope *e, graze_decomposable_reason reason) {
     return reason < e->found.reason;
 }
@@ -21,12 +23,9 @@ graze_status judge_find(graze_envelope *e, graze_context *context, graze_decompo
 graze_status judge_find_before(graze_envelope *e, graze_context *context,
                                graze_decomposable_reason reason, const graze_cell *facet,
                                const graze_cell *cell, size_t piece, const axis *x, size_t k) {
-    algebraic u;
-    algebraic_init(&u);
+    HELD(algebraic, u);
     algebraic_set_rational(&u, x->sample + k);
-    graze_status status = judge_find(e, context, reason, facet, cell, piece, &u);
-    algebraic_clear(&u);
-    return status;
+    return judge_find(e, context, reason, facet, cell, piece, &u);
 }
 
 int judge_is_break(const graze_envelope *e, size_t piece, const axis *x, size_t k) {

@@ -4,28 +4,24 @@
 #include "questions/envelope/derivatives.h"
 
 #include <stdlib.h>
+#include "base/context/scope.h"
 
 /* out = a' b - a b' */
 static void wronskian(fmpz_poly_t out, const fmpz_poly_struct *a, const fmpz_poly_struct *b) {
-    fmpz_poly_t first, second;
-    fmpz_poly_init(first);
-    fmpz_poly_init(second);
+    LOCAL(fmpz_poly, first);
+    LOCAL(fmpz_poly, second);
     fmpz_poly_derivative(first, a);
     fmpz_poly_mul(first, first, b);
     fmpz_poly_derivative(second, b);
     fmpz_poly_mul(second, second, a);
     fmpz_poly_sub(out, first, second);
-    fmpz_poly_clear(first);
-    fmpz_poly_clear(second);
 }
 
 static void add_field_product(fmpz_poly_struct *out, const fmpz_poly_struct *a,
                               const fmpz_poly_struct *b) {
-    fmpz_poly_t product;
-    fmpz_poly_init(product);
+    LOCAL(fmpz_poly, product);
     fmpz_poly_mul(product, a, b);
     fmpz_poly_add(out, out, product);
-    fmpz_poly_clear(product);
 }
 
 /* -A^-1 (N' W - N W'), N the forward map's entries and W its weight, over the inverse's weight
@@ -33,8 +29,7 @@ static void add_field_product(fmpz_poly_struct *out, const fmpz_poly_struct *a,
 static void set_velocity(derivatives *f, const motion_piece *piece) {
     const point_map *to = &piece->forward, *back = &piece->inverse;
     int d = f->dimension, columns = d + 1;
-    fmpz_poly_t rate;
-    fmpz_poly_init(rate);
+    LOCAL(fmpz_poly, rate);
     for (int j = 0; j < d; j++)
         for (int c = 0; c < columns; c++) {
             wronskian(rate, to->weight, &to->entry[j * columns + c]);
@@ -44,20 +39,17 @@ static void set_velocity(derivatives *f, const motion_piece *piece) {
         }
     fmpz_poly_mul(&f->delta, to->weight, to->weight);
     fmpz_poly_mul(&f->delta, &f->delta, back->weight);
-    fmpz_poly_clear(rate);
 }
 
 /* Divide Phi_1 and Delta by what all have in common; Delta stays positive. */
 static void reduce_velocity(derivatives *f) {
     int n = f->dimension * (f->dimension + 1);
-    fmpz_poly_t common;
-    fmpz_poly_init(common);
+    LOCAL(fmpz_poly, common);
     fmpz_poly_set(common, &f->delta);
     for (int k = 0; k < n; k++)
         fmpz_poly_gcd(common, common, &f->entry[0][k]);
     fmpz_poly_div(&f->delta, &f->delta, common);
-    fmpz_t value;
-    fmpz_init(value);
+    LOCAL(fmpz, value);
     fmpz_poly_get_coeff_fmpz(value, &f->delta, 0);
     if (fmpz_sgn(value) < 0) {
         fmpz_poly_neg(common, common);
@@ -65,16 +57,13 @@ static void reduce_velocity(derivatives *f) {
     }
     for (int k = 0; k < n; k++)
         fmpz_poly_div(&f->entry[0][k], &f->entry[0][k], common);
-    fmpz_clear(value);
-    fmpz_poly_clear(common);
 }
 
 /* Phi_(k+1) of Phi_k, k >= 1. */
 static void set_next(derivatives *f, int k) {
     int d = f->dimension, columns = d + 1;
-    fmpz_poly_t slope, term;
-    fmpz_poly_init(slope);
-    fmpz_poly_init(term);
+    LOCAL(fmpz_poly, slope);
+    LOCAL(fmpz_poly, term);
     fmpz_poly_derivative(slope, &f->delta);
     fmpz_poly_scalar_mul_si(slope, slope, -k);
     for (int i = 0; i < d; i++)
@@ -87,8 +76,6 @@ static void set_next(derivatives *f, int k) {
             for (int j = 0; j < d; j++)
                 add_field_product(out, row + j, &f->entry[0][j * columns + c]);
         }
-    fmpz_poly_clear(slope);
-    fmpz_poly_clear(term);
 }
 
 /* Phi_k of a vertex's homogeneous integers. */

@@ -6,6 +6,7 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "base/number/rounding.h"
 
 /* A side of a simplex from vertex u to vertex v, u < v. */
@@ -104,10 +105,8 @@ static graze_status add_inner(edge_finder *f, const fmpq_t lambda, size_t vertex
     for (size_t k = 0; k < f->inner_count; k++)
         if (f->inner[k].vertex == vertex)
             return GRAZE_OK;
-    graze_status status = array_grow(f->context, &f->inner, &f->inner_capacity, f->inner_count + 1,
-                                     sizeof *f->inner, "the vertices in an edge");
-    if (status)
-        return status;
+    TRY(array_grow(f->context, &f->inner, &f->inner_capacity, f->inner_count + 1, sizeof *f->inner,
+                   "the vertices in an edge"));
     fmpq_init(&f->inner[f->inner_count].lambda);
     fmpq_set(&f->inner[f->inner_count].lambda, lambda);
     f->inner[f->inner_count++].vertex = vertex;
@@ -122,24 +121,23 @@ static int is_within(const fmpq_t x) {
 /* Take a vertex if it lies within the side. */
 static graze_status try_inner_vertex(edge_finder *f, const side *e, size_t vertex) {
     int d = f->c->dimension;
-    graze_status status = GRAZE_OK;
     if (vertex == e->u || vertex == e->v)
         return GRAZE_OK;
-    fmpq *along = _fmpq_vec_init(9), *to = along + 3, *cross = along + 6;
+    LOCAL_VEC(fmpq, along, 9);
+    fmpq *to = along + 3, *cross = along + 6;
     difference(along, at_vertex(f->c, e->v), at_vertex(f->c, e->u), d);
     difference(to, at_vertex(f->c, vertex), at_vertex(f->c, e->u), d);
     cross_of(cross, along, to, d);
     if (is_zero_vector(cross)) {
-        fmpq *lambda = _fmpq_vec_init(2), *length = lambda + 1;
+        LOCAL_VEC(fmpq, lambda, 2);
+        fmpq *length = lambda + 1;
         dot_of(lambda, to, along);
         dot_of(length, along, along);
         fmpq_div(lambda, lambda, length);
         if (is_within(lambda))
-            status = add_inner(f, lambda, vertex);
-        _fmpq_vec_clear(lambda, 2);
+            TRY(add_inner(f, lambda, vertex));
     }
-    _fmpq_vec_clear(along, 9);
-    return status;
+    return GRAZE_OK;
 }
 
 static int compare_points(const fmpq *a, const fmpq *b, int d) {
@@ -188,7 +186,8 @@ static int meet_within(fmpq_t lambda, fmpq *v, const cell_complex *c, const side
                        size_t q) {
     int d = c->dimension, found = 0;
     fmpq *along = v, *other = v + 3, *to = v + 6, *normal = v + 9;
-    fmpq *mu = _fmpq_vec_init(2), *length = mu + 1;
+    LOCAL_VEC(fmpq, mu, 2);
+    fmpq *length = mu + 1;
     difference(along, at_vertex(c, e->v), at_vertex(c, e->u), d);
     difference(other, at_vertex(c, q), at_vertex(c, p), d);
     difference(to, at_vertex(c, p), at_vertex(c, e->u), d);
@@ -196,7 +195,7 @@ static int meet_within(fmpq_t lambda, fmpq *v, const cell_complex *c, const side
     dot_of(mu, to, normal);
     if (!is_zero_vector(normal) && fmpq_is_zero(mu)) {
         dot_of(length, normal, normal);
-        fmpq *side_of = _fmpq_vec_init(3);
+        LOCAL_VEC(fmpq, side_of, 3);
         cross_of(side_of, to, other, d);
         dot_of(lambda, side_of, normal);
         fmpq_div(lambda, lambda, length);
@@ -204,47 +203,39 @@ static int meet_within(fmpq_t lambda, fmpq *v, const cell_complex *c, const side
         dot_of(mu, side_of, normal);
         fmpq_div(mu, mu, length);
         found = is_within(lambda) && is_within(mu);
-        _fmpq_vec_clear(side_of, 3);
     }
-    _fmpq_vec_clear(mu, 2);
     return found;
 }
 
 /* Take the point in which another edge crosses the side. */
 static graze_status try_crossing(edge_finder *f, const side *e, size_t p, size_t q) {
     int d = f->c->dimension;
-    graze_status status = GRAZE_OK;
     if (p == e->u || p == e->v || q == e->u || q == e->v)
         return GRAZE_OK;
-    fmpq *v = _fmpq_vec_init(12);
-    fmpq_t lambda;
-    fmpq_init(lambda);
+    LOCAL_VEC(fmpq, v, 12);
+    LOCAL(fmpq, lambda);
     if (meet_within(lambda, v, f->c, e, p, q)) {
         size_t vertex;
         for (int i = 0; i < d; i++) {
             fmpq_mul(v + i, v + i, lambda);
             fmpq_add(v + i, v + i, at_vertex(f->c, e->u) + i);
         }
-        status = number_crossing(&vertex, f, v);
-        if (!status)
-            status = add_inner(f, lambda, vertex);
+        TRY(number_crossing(&vertex, f, v));
+        TRY(add_inner(f, lambda, vertex));
     }
-    _fmpq_vec_clear(v, 12);
-    fmpq_clear(lambda);
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status try_touching(edge_finder *f, const side *e, size_t simplex) {
     const cell_complex *c = f->c;
     size_t d = (size_t)c->dimension;
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < d && !status; k++)
-        status = try_inner_vertex(f, e, c->corner[simplex * d + k]);
-    for (size_t k = 0; k < d && d == 3 && !status; k++)
+    for (size_t k = 0; k < d; k++)
+        TRY(try_inner_vertex(f, e, c->corner[simplex * d + k]));
+    for (size_t k = 0; k < d && d == 3; k++)
         if (f->keep[simplex] >> k & 1)
-            status = try_crossing(f, e, c->corner[simplex * d + k],
-                                  c->corner[simplex * d + (k + 1) % d]);
-    return status;
+            TRY(try_crossing(f, e, c->corner[simplex * d + k],
+                             c->corner[simplex * d + (k + 1) % d]));
+    return GRAZE_OK;
 }
 
 static graze_status search_touching(edge_finder *f, const side *e, const box *around,
@@ -254,8 +245,8 @@ static graze_status search_touching(edge_finder *f, const side *e, const box *ar
         return GRAZE_OK;
     if (!node->child)
         return try_touching(f, e, node->simplex);
-    graze_status status = search_touching(f, e, around, node->child);
-    return status ? status : search_touching(f, e, around, node->child + 1);
+    TRY(search_touching(f, e, around, node->child));
+    return search_touching(f, e, around, node->child + 1);
 }
 
 static void box_of(box *out, const cell_complex *c, const side *e) {
@@ -276,11 +267,10 @@ static int compare_inner(const void *left, const void *right) {
 
 static graze_status append_edge(edge_finder *f, size_t a, size_t b) {
     cell_complex *c = f->c;
-    graze_status status = array_grow(f->context, &c->edge, &f->edge_capacity, c->edge_count + 1,
-                                     sizeof *c->edge, "the edges of a boundary");
-    if (!status)
-        c->edge[c->edge_count++] = (cell_edge){.u = a < b ? a : b, .v = a < b ? b : a};
-    return status;
+    TRY(array_grow(f->context, &c->edge, &f->edge_capacity, c->edge_count + 1, sizeof *c->edge,
+                   "the edges of a boundary"));
+    c->edge[c->edge_count++] = (cell_edge){.u = a < b ? a : b, .v = a < b ? b : a};
+    return GRAZE_OK;
 }
 
 static graze_status cut_side(edge_finder *f, const side *e) {

@@ -7,6 +7,7 @@
 #include "questions/envelope/enter.h"
 
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 #include "base/number/sign.h"
 #include "input/solid/forms.h"
 
@@ -21,16 +22,13 @@ typedef struct moment {
 } moment;
 
 static graze_status sign_at(int *out, const moment *m, size_t vertex) {
-    graze_status status = GRAZE_OK;
-    fmpz_poly_t g;
-    fmpz_poly_init(g);
+    LOCAL(fmpz_poly, g);
     derivatives_velocity(g, &m->e->field[m->piece], m->facet, vertex);
     if (m->before)
         *out = axis_sign_before(m->x, g, m->k);
     else
-        status = algebraic_sign_at(out, m->context, g, m->x->point[m->k]);
-    fmpz_poly_clear(g);
-    return status;
+        TRY(algebraic_sign_at(out, m->context, g, m->x->point[m->k]));
+    return GRAZE_OK;
 }
 
 /* Does a triangle hold the vertex? */
@@ -40,13 +38,13 @@ static int holds(const cell_complex *c, size_t simplex, size_t vertex) {
     for (size_t k = 0; k < 3; k++)
         if (c->corner[simplex * 3 + k] == vertex)
             return 1;
-    fmpz *plane = _fmpz_vec_init(8), *side = plane + 4;
+    LOCAL_VEC(fmpz, plane, 8);
+    fmpz *side = plane + 4;
     solid_plane(plane, c->solid, simplex);
     for (int k = 0; k < 3 && inside; k++) {
         solid_side(side, c->solid, simplex, plane, k);
         inside = form_sign(side, x, 3) >= 0;
     }
-    _fmpz_vec_clear(plane, 8);
     return inside;
 }
 
@@ -107,11 +105,11 @@ static graze_status enters(int *out, const moment *m, size_t vertex) {
     const cell_complex *c = &m->e->cells;
     const cell_facet *f = &c->facet[m->facet];
     *out = 0;
-    graze_status status = goes_along_flat_edge(out, m, vertex);
-    for (size_t j = 0; j < f->count && c->dimension == 3 && !status && !*out; j++)
+    TRY(goes_along_flat_edge(out, m, vertex));
+    for (size_t j = 0; j < f->count && c->dimension == 3 && !*out; j++)
         if (holds(c, c->order[f->first + j], vertex))
-            status = enters_simplex(out, m, c->order[f->first + j]);
-    return status;
+            TRY(enters_simplex(out, m, c->order[f->first + j]));
+    return GRAZE_OK;
 }
 
 graze_status enters_at(int *out, const graze_envelope *e, graze_context *context, size_t facet,

@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "decide/scene/demand.h"
 #include "questions/contact/time_sides.h"
 #include "questions/envelope/breaks.h"
@@ -48,22 +49,19 @@ static graze_status make_fields(graze_envelope *e, graze_context *context) {
 
 static graze_status gather_facet(graze_envelope *e, graze_context *context, size_t facet) {
     const cell_complex *c = &e->cells;
-    graze_status status = GRAZE_OK;
-    for (size_t j = c->facet_edges.start[facet]; j < c->facet_edges.start[facet + 1] && !status;
-         j++)
-        status = gather_slice(e, context, facet, c->facet_edges.item[j]);
-    if (!status && c->dimension == 3)
-        status = singular_gather(e, context, facet);
-    return status;
+    for (size_t j = c->facet_edges.start[facet]; j < c->facet_edges.start[facet + 1]; j++)
+        TRY(gather_slice(e, context, facet, c->facet_edges.item[j]));
+    if (c->dimension == 3)
+        TRY(singular_gather(e, context, facet));
+    return GRAZE_OK;
 }
 
 static graze_status gather_edge(graze_envelope *e, graze_context *context, size_t edge) {
     const cell_lists *lists = &e->cells.edge_facets;
-    graze_status status = GRAZE_OK;
     for (size_t i = lists->start[edge]; i < lists->start[edge + 1]; i++)
-        for (size_t j = i + 1; j < lists->start[edge + 1] && !status; j++)
-            status = gather_meet(e, context, edge, lists->item[i], lists->item[j]);
-    return status;
+        for (size_t j = i + 1; j < lists->start[edge + 1]; j++)
+            TRY(gather_meet(e, context, edge, lists->item[i], lists->item[j]));
+    return GRAZE_OK;
 }
 
 static graze_status gather_vertex(graze_envelope *e, graze_context *context, size_t vertex) {
@@ -80,19 +78,18 @@ static graze_status gather_vertex(graze_envelope *e, graze_context *context, siz
 }
 
 static graze_status gather(graze_envelope *e, graze_context *context) {
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < e->cells.facet_count && !status; k++)
-        status = gather_whole(e, context, k);
-    for (size_t k = 0; k < e->cells.facet_count && !status; k++)
-        status = gather_facet(e, context, k);
-    for (size_t k = 0; k < e->cells.edge_count && !status; k++)
-        status = gather_edge(e, context, k);
-    for (size_t k = 0; k < e->cells.vertex_count && !status; k++)
-        status = gather_vertex(e, context, k);
-    for (size_t k = 1; k < e->piece_count && !status; k++)
+    for (size_t k = 0; k < e->cells.facet_count; k++)
+        TRY(gather_whole(e, context, k));
+    for (size_t k = 0; k < e->cells.facet_count; k++)
+        TRY(gather_facet(e, context, k));
+    for (size_t k = 0; k < e->cells.edge_count; k++)
+        TRY(gather_edge(e, context, k));
+    for (size_t k = 0; k < e->cells.vertex_count; k++)
+        TRY(gather_vertex(e, context, k));
+    for (size_t k = 1; k < e->piece_count; k++)
         if (e->is_break[k])
-            status = breaks_judge(e, context, k);
-    return status;
+            TRY(breaks_judge(e, context, k));
+    return GRAZE_OK;
 }
 
 graze_status envelope_make(graze_envelope *out, graze_context *context, const graze_scene *scene) {

@@ -4,6 +4,7 @@
 #include <stddef.h>
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "base/number/order.h"
 #include "input/soup/cell_names.h"
 
@@ -22,10 +23,8 @@ void events_clear(event_list *list) {
 
 graze_status events_add(event_list *list, graze_context *context, const found_event *what,
                         size_t piece, const algebraic *u) {
-    graze_status status = array_grow(context, &list->item, &list->capacity, list->count + 1,
-                                     sizeof *list->item, "events");
-    if (status)
-        return status;
+    TRY(array_grow(context, &list->item, &list->capacity, list->count + 1, sizeof *list->item,
+                   "events"));
     found_event *made = &list->item[list->count++];
     *made = *what;
     made->piece = piece;
@@ -51,8 +50,7 @@ graze_status events_watch(event_list *list, graze_context *context, const found_
                           watch *past, size_t piece, const signs *s, watched_sign *sign) {
     size_t last = s->x.count - 1;
     watch left = piece > 0 ? *past : (watch){SIGN_NONE, SIGN_NONE};
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k <= last && !status; k++) {
+    for (size_t k = 0; k <= last; k++) {
         int here = sign(signs_at(s, k));
         int after = k < last ? sign(signs_before(s, k + 1)) : SIGN_NONE;
         watch right = {k > 0 ? sign(signs_before(s, k)) : left.before, here};
@@ -67,10 +65,10 @@ graze_status events_watch(event_list *list, graze_context *context, const found_
             found_event made = *what;
             made.before = right.before;
             made.after = after;
-            status = events_add(list, context, &made, piece, s->x.point[k]);
+            TRY(events_add(list, context, &made, piece, s->x.point[k]));
         }
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* The order of events at one time. */
@@ -121,7 +119,7 @@ static int compare_event_pieces(const void *left, const void *right) {
 }
 
 graze_status events_finish(event_list *list, graze_context *context) {
-    algebraic **where = malloc((list->count + 1) * sizeof *where);
+    FREED(algebraic *, where, malloc((list->count + 1) * sizeof *where));
     list->time = malloc((list->count + 1) * sizeof(graze_time *));
     graze_status status = where && list->time
                               ? GRAZE_OK
@@ -135,7 +133,6 @@ graze_status events_finish(event_list *list, graze_context *context) {
         status = number_times(list, context, where, k + 1 - first, list->item[k].piece);
         first = k + 1;
     }
-    free(where);
     if (!status && list->count)
         qsort(list->item, list->count, sizeof *list->item, compare_at_one_time);
     return status;

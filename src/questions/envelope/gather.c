@@ -6,6 +6,7 @@
  */
 #include "questions/envelope/gather.h"
 
+#include "base/context/scope.h"
 #include "questions/envelope/decomposition.h"
 #include "questions/envelope/enter.h"
 
@@ -13,12 +14,10 @@
 static void subtract_products(fmpz_poly_struct *out, const fmpz_poly_struct *a,
                               const fmpz_poly_struct *b, const fmpz_poly_struct *c,
                               const fmpz_poly_struct *d) {
-    fmpz_poly_t first;
-    fmpz_poly_init(first);
+    LOCAL(fmpz_poly, first);
     fmpz_poly_mul(first, a, d);
     fmpz_poly_mul(out, b, c);
     fmpz_poly_sub(out, first, out);
-    fmpz_poly_clear(first);
 }
 
 enum { CORNER_G, CORNER_THETA };
@@ -71,8 +70,7 @@ graze_status gather_corner(graze_envelope *e, graze_context *context, size_t fac
     watch g = {SIGN_NONE, SIGN_NONE}, theta = g;
     graze_status status = GRAZE_OK;
     for (size_t piece = 0; piece < e->piece_count && !status; piece++) {
-        signs s;
-        signs_init(&s, 2, 1);
+        HELD(signs, s, 2, 1);
         derivatives_velocity(&s.p[CORNER_G], &e->field[piece], facet, vertex);
         derivatives_along(&s.p[CORNER_THETA], &e->field[piece], 2, facet, vertex);
         int stays = fmpz_poly_is_zero(&s.p[CORNER_G]);
@@ -87,7 +85,6 @@ graze_status gather_corner(graze_envelope *e, graze_context *context, size_t fac
                                   stays ? corner_theta : no_sign);
         if (!status)
             status = judge_corner(e, context, facet, vertex, piece, &s);
-        signs_clear(&s);
     }
     return status;
 }
@@ -145,21 +142,18 @@ static int drop_if_apart(fmpz_poly_struct *a, fmpz_poly_struct *b) {
 
 /* The polynomials of a slice on a piece; 0, and zeros, if it never ends on the edge. */
 static int set_slice(signs *s, const derivatives *f, size_t facet, const cell_edge *edge) {
-    fmpz_poly_t at_u, at_v;
     derivatives_velocity(&s->p[SLICE_U], f, facet, edge->u);
     derivatives_velocity(&s->p[SLICE_V], f, facet, edge->v);
     if (drop_if_apart(&s->p[SLICE_U], &s->p[SLICE_V]))
         return 0;
-    fmpz_poly_init(at_u);
-    fmpz_poly_init(at_v);
+    LOCAL(fmpz_poly, at_u);
+    LOCAL(fmpz_poly, at_v);
     derivatives_along(at_u, f, 2, facet, edge->u);
     derivatives_along(at_v, f, 2, facet, edge->v);
     subtract_products(&s->p[SLICE_THETA], &s->p[SLICE_U], &s->p[SLICE_V], at_u, at_v);
     fmpz_poly_derivative(at_u, &s->p[SLICE_U]);
     fmpz_poly_derivative(at_v, &s->p[SLICE_V]);
     subtract_products(&s->p[SLICE_TURN], &s->p[SLICE_U], &s->p[SLICE_V], at_u, at_v);
-    fmpz_poly_clear(at_u);
-    fmpz_poly_clear(at_v);
     return 1;
 }
 
@@ -168,8 +162,7 @@ graze_status gather_slice(graze_envelope *e, graze_context *context, size_t face
     watch theta = {SIGN_NONE, SIGN_NONE}, turn = theta;
     graze_status status = GRAZE_OK;
     for (size_t piece = 0; piece < e->piece_count && !status; piece++) {
-        signs s;
-        signs_init(&s, SLICE_SIGNS, SLICE_SIGNS);
+        HELD(signs, s, SLICE_SIGNS, SLICE_SIGNS);
         int ends = set_slice(&s, &e->field[piece], facet, &e->cells.edge[edge]);
         status = signs_find(&s, context);
         what.kind = GRAZE_EVENT_CUSP;
@@ -180,7 +173,6 @@ graze_status gather_slice(graze_envelope *e, graze_context *context, size_t face
             status = events_watch(&e->events, context, &what, &turn, piece, &s, slice_turn);
         if (!status && ends)
             status = judge_slice(e, context, facet, edge, piece, &s);
-        signs_clear(&s);
     }
     return status;
 }
@@ -229,8 +221,7 @@ graze_status gather_meet(graze_envelope *e, graze_context *context, size_t edge,
     graze_status status = GRAZE_OK;
     for (size_t piece = 0; piece < e->piece_count && !status; piece++) {
         const unsigned char *still = e->still + piece * e->cells.facet_count;
-        signs s;
-        signs_init(&s, MEET_SIGNS, MEET_SIGNS);
+        HELD(signs, s, MEET_SIGNS, MEET_SIGNS);
         set_meet(&s, &e->field[piece], side, first, second);
         status = signs_find(&s, context);
         if (!status)
@@ -240,7 +231,6 @@ graze_status gather_meet(graze_envelope *e, graze_context *context, size_t edge,
                 status =
                     judge_find_before(e, context, GRAZE_REASON_REFLEX, &e->cells.facet[first].name,
                                       &side->name, piece, &s.x, k);
-        signs_clear(&s);
     }
     return status;
 }

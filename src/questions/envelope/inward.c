@@ -9,6 +9,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 #include "base/number/refine.h"
 #include "questions/contact/flow.h"
 #include "questions/topo/cone.h"
@@ -17,7 +18,8 @@
 
 /* Subtract from v its part along the vector b. */
 static void drop_part(fmpq *v, const fmpq *b, int d) {
-    fmpq *part = _fmpq_vec_init(2), *length = part + 1;
+    LOCAL_VEC(fmpq, part, 2);
+    fmpq *length = part + 1;
     for (int i = 0; i < d; i++) {
         fmpq_addmul(part, v + i, b + i);
         fmpq_addmul(length, b + i, b + i);
@@ -27,7 +29,6 @@ static void drop_part(fmpq *v, const fmpq *b, int d) {
         for (int i = 0; i < d; i++)
             fmpq_submul(v + i, b + i, part);
     }
-    _fmpq_vec_clear(part, 2);
 }
 
 static int is_zero(const fmpq *v, int d) {
@@ -44,7 +45,8 @@ static void velocity_near(fmpq *w, const graze_envelope *e, size_t vertex, size_
     const cell_complex *c = &e->cells;
     int d = c->dimension, basis_count = 0;
     const fmpz_poly_struct *p = derivatives_at(&e->field[piece], 1, vertex);
-    fmpq *basis = _fmpq_vec_init(d * d), *normal = _fmpq_vec_init(d);
+    LOCAL_VEC(fmpq, basis, d * d);
+    LOCAL_VEC(fmpq, normal, d);
     for (int i = 0; i < d; i++)
         fmpz_poly_evaluate_fmpq(w + i, p + i, u);
     size_t first = c->vertex_facets.start[vertex];
@@ -62,8 +64,6 @@ static void velocity_near(fmpq *w, const graze_envelope *e, size_t vertex, size_
         drop_part(w, normal, d);
         basis_count++;
     }
-    _fmpq_vec_clear(basis, d * d);
-    _fmpq_vec_clear(normal, d);
 }
 
 /* Are -n w of all facets of the signs? */
@@ -72,13 +72,11 @@ static int has_speed_signs(const fmpq *w, const graze_envelope *e, size_t vertex
     const cell_complex *c = &e->cells;
     size_t first = c->vertex_facets.start[vertex];
     int same = 1;
-    fmpq_t value;
-    fmpq_init(value);
+    LOCAL(fmpq, value);
     for (size_t j = first; j < c->vertex_facets.start[vertex + 1] && same; j++) {
         flow_along(value, c->facet[c->vertex_facets.item[j]].normal, w, c->dimension);
         same = -fmpq_sgn(value) == sign[j - first];
     }
-    fmpq_clear(value);
     return same;
 }
 
@@ -88,8 +86,9 @@ static graze_status find_direction(fmpz *out, const graze_envelope *e, graze_con
     int d = e->cells.dimension;
     graze_status status = GRAZE_OK;
     ulong gain = FIRST_GAIN;
-    fmpq *w = _fmpq_vec_init(d);
-    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
+    LOCAL_VEC(fmpq, w, d);
+    LOCAL_VEC(fmpq, low, 2);
+    fmpq *high = low + 1;
     for (;;) {
         algebraic_bounds(low, high, u);
         velocity_near(w, e, vertex, piece, low, sign);
@@ -100,8 +99,6 @@ static graze_status find_direction(fmpz *out, const graze_envelope *e, graze_con
             break;
     }
     direction_of_rationals(out, w, d);
-    _fmpq_vec_clear(w, d);
-    _fmpq_vec_clear(low, 2);
     return status;
 }
 
@@ -110,7 +107,7 @@ graze_status inward_decide(int *out, const graze_envelope *e, graze_context *con
     int d = e->cells.dimension;
     const plane_list *planes;
     local_cone cone = {.count = 0};
-    fmpz *direction = _fmpz_vec_init(d);
+    LOCAL_VEC(fmpz, direction, d);
     *out = 0;
     graze_status status = find_direction(direction, e, context, vertex, piece, u, sign);
     if (!status)
@@ -124,6 +121,5 @@ graze_status inward_decide(int *out, const graze_envelope *e, graze_context *con
         _fmpz_vec_neg(direction, direction, d);
     }
     cone_clear(&cone);
-    _fmpz_vec_clear(direction, d);
     return status;
 }

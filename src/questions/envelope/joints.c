@@ -5,6 +5,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "questions/envelope/limits.h"
 #include "questions/envelope/patch_ends.h"
 #include "questions/envelope/snapshot.h"
@@ -67,12 +68,11 @@ static graze_status emit_set(joining *j) {
 }
 
 static graze_status join_at_vertex(joining *j) {
-    graze_status status = GRAZE_OK;
     j->set.count = 0;
-    for (size_t k = 0; k < j->count && !status; k++)
+    for (size_t k = 0; k < j->count; k++)
         if (is_active(j, &j->place[k]))
-            status = members_add(&j->set, j->context, j->place[k].patch);
-    return status ? status : emit_set(j);
+            TRY(members_add(&j->set, j->context, j->place[k].patch));
+    return emit_set(j);
 }
 
 /* Whole facets with all of the edge. */
@@ -92,42 +92,38 @@ static graze_status join_along_edge(joining *j) {
 static void place_along(fmpq_t out, const snapshot *s, size_t edge, size_t facet) {
     const cell_complex *c = &s->e->cells;
     size_t d = (size_t)s->dimension;
-    fmpq_t other;
-    fmpq_init(other);
+    LOCAL(fmpq, other);
     snapshot_g(out, s, facet, c->at + c->edge[edge].u * d);
     snapshot_g(other, s, facet, c->at + c->edge[edge].v * d);
     fmpq_sub(other, out, other);
     fmpq_div(out, out, other);
-    fmpq_clear(other);
 }
 
 /* Patches that end at the place of entry `first`; `done` marks theirs. */
 static graze_status join_at_place(joining *j, const snapshot *s, size_t first,
                                   unsigned char *done) {
-    graze_status status = GRAZE_OK;
-    fmpq *here = _fmpq_vec_init(2), *there = here + 1;
+    LOCAL_VEC(fmpq, here, 2);
+    fmpq *there = here + 1;
     place_along(here, s, j->place->cell, j->place[first].facet);
     j->set.count = 0;
-    for (size_t k = first; k < j->count && !status; k++) {
+    for (size_t k = first; k < j->count; k++) {
         if (done[k] || j->place[k].facet == SIZE_MAX || !is_active(j, &j->place[k]))
             continue;
         place_along(there, s, j->place->cell, j->place[k].facet);
         if (!fmpq_equal(here, there))
             continue;
         done[k] = 1;
-        status = members_add(&j->set, j->context, j->place[k].patch);
+        TRY(members_add(&j->set, j->context, j->place[k].patch));
     }
-    _fmpq_vec_clear(here, 2);
-    return status ? status : emit_set(j);
+    return emit_set(j);
 }
 
 static graze_status join_within_edge(joining *j) {
     snapshot s;
-    fmpq_t t;
     unsigned char *done = calloc(j->count, 1);
     if (!done)
         return context_fail(j->context, GRAZE_ESYSTEM, "out of memory for the joints of patches");
-    fmpq_init(t);
+    LOCAL(fmpq, t);
     graze_status status = moments_between(t, j->context, &j->p->moments, j->from, j->to);
     if (!status) {
         status = snapshot_make(&s, j->context, j->p->envelope, t);
@@ -136,7 +132,6 @@ static graze_status join_within_edge(joining *j) {
                 status = join_at_place(j, &s, k, done);
         snapshot_clear(&s);
     }
-    fmpq_clear(t);
     free(done);
     return status;
 }
@@ -144,19 +139,16 @@ static graze_status join_within_edge(joining *j) {
 /* The moments at which joints of the cell may change: ends of its patches; of an edge all that
  * concern it. */
 static graze_status find_cuts(joining *j) {
-    graze_status status = GRAZE_OK;
     j->cuts.count = 0;
-    for (size_t k = 0; k < j->count && !status; k++) {
-        status = cuts_add(&j->cuts, j->context, j->p->item[j->place[k].patch].from);
-        if (!status)
-            status = cuts_add(&j->cuts, j->context, j->p->item[j->place[k].patch].to);
+    for (size_t k = 0; k < j->count; k++) {
+        TRY(cuts_add(&j->cuts, j->context, j->p->item[j->place[k].patch].from));
+        TRY(cuts_add(&j->cuts, j->context, j->p->item[j->place[k].patch].to));
     }
-    if (!status && j->place->is_edge)
-        status = cuts_add_of_edge(&j->cuts, j->context, &j->p->changes, &j->p->envelope->cells,
-                                  j->place->cell);
-    if (!status)
-        cuts_sort(&j->cuts);
-    return status;
+    if (j->place->is_edge)
+        TRY(cuts_add_of_edge(&j->cuts, j->context, &j->p->changes, &j->p->envelope->cells,
+                             j->place->cell));
+    cuts_sort(&j->cuts);
+    return GRAZE_OK;
 }
 
 static graze_status join_cell(joining *j) {

@@ -8,6 +8,7 @@
 
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "base/number/sign.h"
 
 /* A place that a patch has at a moment, seen from the motion's piece `piece` at its parameter `u`.
@@ -43,29 +44,23 @@ static void derived_g(fmpz_poly_t out, const limit_finder *f, const limit_place 
 /* The order of the zero of g at one end of the edge. */
 static graze_status zero_order(slong *out, const limit_finder *f, const limit_place *at, int at_v) {
     int sign = 0;
-    graze_status status = GRAZE_OK;
-    fmpz_poly_t g;
-    fmpz_poly_init(g);
+    LOCAL(fmpz_poly, g);
     derived_g(g, f, at, at_v);
-    for (*out = 0; !status && !fmpz_poly_is_zero(g); ++*out) {
-        status = algebraic_sign_at(&sign, f->context, g, at->u);
+    for (*out = 0; !fmpz_poly_is_zero(g); ++*out) {
+        TRY(algebraic_sign_at(&sign, f->context, g, at->u));
         if (sign)
             break;
         fmpz_poly_derivative(g, g);
     }
-    fmpz_poly_clear(g);
-    return status;
+    return GRAZE_OK;
 }
 
 /* A place on an edge becomes one of the edge's ends, or keeps within it. */
 static graze_status take_limit(const limit_finder *f, limit_place *at) {
     const cell_edge *edge = &f->p->envelope->cells.edge[at->cell];
     slong at_u = 0, at_v = 0;
-    graze_status status = zero_order(&at_u, f, at, 0);
-    if (!status)
-        status = zero_order(&at_v, f, at, 1);
-    if (status)
-        return status;
+    TRY(zero_order(&at_u, f, at, 0));
+    TRY(zero_order(&at_v, f, at, 1));
     at->order = at_u;
     if (at_u != at_v) {
         at->is_edge = 0;
@@ -130,9 +125,7 @@ static graze_status is_same_place(int *out, limit_finder *f, const limit_place *
 
 /* Add the patches that go on at the place of `at`. */
 static graze_status add_passing(limit_finder *f, const limit_place *at) {
-    graze_status status = GRAZE_OK;
-    for (size_t k = places_first(f->places, at->is_edge, at->cell); k < f->places->count && !status;
-         k++) {
+    for (size_t k = places_first(f->places, at->is_edge, at->cell); k < f->places->count; k++) {
         const patch_place *place = &f->places->item[k];
         const patch *item = &f->p->item[place->patch];
         limit_place there;
@@ -142,13 +135,12 @@ static graze_status add_passing(limit_finder *f, const limit_place *at) {
         if (item->from >= f->moment || item->to <= f->moment ||
             (place->is_edge && place->facet == SIZE_MAX))
             continue;
-        status = place_at_moment(&there, f, place);
-        if (!status)
-            status = is_same_place(&same, f, at, &there);
-        if (!status && same)
-            status = members_add(&f->set, f->context, place->patch);
+        TRY(place_at_moment(&there, f, place));
+        TRY(is_same_place(&same, f, at, &there));
+        if (same)
+            TRY(members_add(&f->set, f->context, place->patch));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* The joint at the place of entry `first`, whose patches are then marked by piece SIZE_MAX. */
@@ -201,21 +193,19 @@ static void begin_moment(limit_finder *f, size_t moment) {
 
 /* The joints of one moment, from the entries of a list. */
 static graze_status join_moment(limit_finder *f, const dated_place *list, size_t count) {
-    graze_status status = GRAZE_OK;
     begin_moment(f, list->moment);
-    for (size_t k = 0; k < count && !status; k++) {
+    for (size_t k = 0; k < count; k++) {
         const patch_place *place = &f->places->item[list[k].place];
         if (place->is_edge && place->facet == SIZE_MAX)
             continue;
-        status = array_grow(f->context, &f->item, &f->capacity, f->count + 1, sizeof *f->item,
-                            "the joints of patches");
-        if (!status)
-            status = place_at_moment(&f->item[f->count++], f, place);
+        TRY(array_grow(f->context, &f->item, &f->capacity, f->count + 1, sizeof *f->item,
+                       "the joints of patches"));
+        TRY(place_at_moment(&f->item[f->count++], f, place));
     }
-    for (size_t k = 0; k < f->count && !status; k++)
+    for (size_t k = 0; k < f->count; k++)
         if (f->item[k].piece != SIZE_MAX)
-            status = join_limits(f, k);
-    return status ? status : context_work(f->context, 1000);
+            TRY(join_limits(f, k));
+    return context_work(f->context, 1000);
 }
 
 /* All ends of patches by their moments, but for the ends of the motion. */
@@ -239,8 +229,7 @@ graze_status limits_find(graze_patches *p, graze_context *context, const place_l
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for the joints of patches");
     size_t count = date_places(dated, p, places);
     graze_status status = GRAZE_OK;
-    fmpq_t one;
-    fmpq_init(one);
+    LOCAL(fmpq, one);
     fmpq_one(one);
     algebraic_init(&f.before);
     algebraic_init(&f.after);
@@ -252,7 +241,6 @@ graze_status limits_find(graze_patches *p, graze_context *context, const place_l
     }
     algebraic_clear(&f.before);
     algebraic_clear(&f.after);
-    fmpq_clear(one);
     free(dated);
     free(f.item);
     free(f.set.item);

@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/number/order.h"
 #include "decide/trace/time.h"
 
@@ -24,15 +25,11 @@ static graze_status append_boundary(moment_list *list, graze_context *context,
         append_event_time(list, events, (*next)++);
         return GRAZE_OK;
     }
-    algebraic at;
-    fmpq_t value;
-    algebraic_init(&at);
-    fmpq_init(value);
+    HELD(algebraic, at);
+    LOCAL(fmpq, value);
     fmpq_set_si(value, u, 1);
     algebraic_set_rational(&at, value);
     graze_time *time = time_create(events->motion, piece, &at);
-    fmpq_clear(value);
-    algebraic_clear(&at);
     if (!time)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for times");
     list->own[list->own_count++] = time;
@@ -77,22 +74,17 @@ graze_status moments_between(fmpq_t out, graze_context *context, const moment_li
                              size_t from, size_t to) {
     const graze_time *first = list->time[from], *last = list->time[to];
     const motion_piece *piece = &first->motion->piece[first->piece];
-    algebraic low, high;
-    algebraic_init(&low);
-    algebraic_init(&high);
+    HELD(algebraic, low);
+    HELD(algebraic, high);
     algebraic_set(&low, &first->u);
     fmpq_one(out);
     algebraic_set_rational(&high, out);
     if (last->piece == first->piece)
         algebraic_set(&high, &last->u);
-    graze_status status = algebraic_between(out, context, &low, &high);
-    fmpq_t width;
-    fmpq_init(width);
+    TRY(algebraic_between(out, context, &low, &high));
+    LOCAL(fmpq, width);
     fmpq_sub(width, piece->hi, piece->lo);
     fmpq_mul(out, out, width);
     fmpq_add(out, out, piece->lo);
-    fmpq_clear(width);
-    algebraic_clear(&low);
-    algebraic_clear(&high);
-    return status;
+    return GRAZE_OK;
 }

@@ -9,6 +9,7 @@
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "input/solid/forms.h"
 #include "questions/contact/site.h"
 #include "questions/envelope/within.h"
@@ -23,10 +24,8 @@ typedef struct slice_point {
 static graze_status add_curve_part(graze_curve *c, graze_context *context, graze_curve_kind kind,
                                    const graze_cell *cell, size_t number, const slice_point *a,
                                    const slice_point *b) {
-    graze_status status = array_grow(context, &c->part, &c->capacity, c->count + 1, sizeof *c->part,
-                                     "the parts of a curve");
-    if (status)
-        return status;
+    TRY(array_grow(context, &c->part, &c->capacity, c->count + 1, sizeof *c->part,
+                   "the parts of a curve"));
     curve_part *made = &c->part[c->count++];
     made->facts = (graze_curve_part){
         .kind = kind, .cell = *cell, .theta_a = GRAZE_SIGN_ABSENT, .theta_b = GRAZE_SIGN_ABSENT};
@@ -71,10 +70,8 @@ static graze_status add_point(slice_points *list, graze_context *context, const 
     for (size_t k = 0; k < list->count; k++)
         if (end.vertex != SIZE_MAX && list->item[k].end.vertex == end.vertex)
             return GRAZE_OK;
-    graze_status status = array_grow(context, &list->item, &list->capacity, list->count + 1,
-                                     sizeof *list->item, "the points of a slice");
-    if (status)
-        return status;
+    TRY(array_grow(context, &list->item, &list->capacity, list->count + 1, sizeof *list->item,
+                   "the points of a slice"));
     slice_point *made = &list->item[list->count++];
     made->end = end;
     for (int i = 0; i < 3; i++)
@@ -95,13 +92,12 @@ static void clear_points(slice_points *list) {
 static graze_status meet_lone_vertices(slice_points *list, graze_context *context,
                                        const snapshot *s, size_t facet) {
     const cell_lists *lone = &s->e->cells.lone_vertices;
-    graze_status status = GRAZE_OK;
-    for (size_t j = lone->start[facet]; j < lone->start[facet + 1] && !status; j++) {
+    for (size_t j = lone->start[facet]; j < lone->start[facet + 1]; j++) {
         size_t v = lone->item[j];
         if (snapshot_g_sign(s, facet, vertex_at(s, v)) == 0)
-            status = add_point(list, context, vertex_at(s, v), end_at(v), s->dimension);
+            TRY(add_point(list, context, vertex_at(s, v), end_at(v), s->dimension));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* The points in which the slice meets the edges of its facet; *off: some g is not 0. */
@@ -109,27 +105,25 @@ static graze_status meet_edges(slice_points *list, int *off, graze_context *cont
                                const snapshot *s, size_t facet) {
     const cell_complex *c = &s->e->cells;
     int d = s->dimension;
-    graze_status status = GRAZE_OK;
-    fmpq *zero = _fmpq_vec_init(d + 2), *g = zero + d;
-    for (size_t j = c->facet_edges.start[facet]; j < c->facet_edges.start[facet + 1] && !status;
-         j++) {
+    LOCAL_VEC(fmpq, zero, d + 2);
+    fmpq *g = zero + d;
+    for (size_t j = c->facet_edges.start[facet]; j < c->facet_edges.start[facet + 1]; j++) {
         size_t edge = c->facet_edges.item[j];
         const cell_edge *e = &c->edge[edge];
         const size_t ends[] = {e->u, e->v};
         for (int k = 0; k < 2; k++)
             snapshot_g(g + k, s, facet, vertex_at(s, ends[k]));
-        for (int k = 0; k < 2 && !status; k++) {
+        for (int k = 0; k < 2; k++) {
             *off |= !fmpq_is_zero(g + k);
             if (fmpq_is_zero(g + k))
-                status = add_point(list, context, vertex_at(s, ends[k]), end_at(ends[k]), d);
+                TRY(add_point(list, context, vertex_at(s, ends[k]), end_at(ends[k]), d));
         }
-        if (!status && fmpq_sgn(g) * fmpq_sgn(g + 1) < 0) {
+        if (fmpq_sgn(g) * fmpq_sgn(g + 1) < 0) {
             snapshot_zero(zero, g, g + 1, vertex_at(s, e->u), vertex_at(s, e->v), d);
-            status = add_point(list, context, zero, end_within(edge, facet), d);
+            TRY(add_point(list, context, zero, end_within(edge, facet), d));
         }
     }
-    _fmpq_vec_clear(zero, d + 2);
-    return status ? status : meet_lone_vertices(list, context, s, facet);
+    return meet_lone_vertices(list, context, s, facet);
 }
 
 static int compare_slice_points(const void *left, const void *right) {
@@ -152,7 +146,8 @@ static int compare_edge_points(const void *left, const void *right) {
 int parts_facet_holds(const cell_complex *c, size_t facet, const fmpq *at) {
     const cell_facet *f = &c->facet[facet];
     int d = c->dimension, inside = 0;
-    fmpz *x = _fmpz_vec_init(3 * (d + 1)), *plane = x + d + 1, *side = plane + d + 1;
+    LOCAL_VEC(fmpz, x, 3 * (d + 1));
+    fmpz *plane = x + d + 1, *side = plane + d + 1;
     _fmpq_vec_get_fmpz_vec_fmpz(x, x + d, at, d);
     for (size_t j = 0; j < f->count && !inside; j++) {
         size_t simplex = c->order[f->first + j];
@@ -163,7 +158,6 @@ int parts_facet_holds(const cell_complex *c, size_t facet, const fmpq *at) {
             inside = form_sign(side, x, d) >= 0;
         }
     }
-    _fmpz_vec_clear(x, 3 * (d + 1));
     return inside;
 }
 
@@ -208,17 +202,15 @@ static graze_status add_whole(graze_curve *c, graze_context *context, const snap
 static graze_status add_segments(graze_curve *c, graze_context *context, const snapshot *s,
                                  size_t facet, const slice_points *list) {
     const cell_complex *cells = &s->e->cells;
-    graze_status status = GRAZE_OK;
-    fmpq *middle = _fmpq_vec_init(3);
-    for (size_t k = 1; k < list->count && !status; k++) {
+    LOCAL_VEC(fmpq, middle, 3);
+    for (size_t k = 1; k < list->count; k++) {
         const slice_point *a = &list->item[k - 1], *b = &list->item[k];
         middle_of(middle, a->at, b->at, 3);
         if (!are_joined(cells, a->end.vertex, b->end.vertex) &&
             parts_facet_holds(cells, facet, middle))
-            status = add_slice(c, context, s, facet, a, b);
+            TRY(add_slice(c, context, s, facet, a, b));
     }
-    _fmpq_vec_clear(middle, 3);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status parts_of_facet(graze_curve *c, graze_context *context, const snapshot *s,
@@ -270,23 +262,20 @@ static graze_status cut_edge(slice_points *list, graze_context *context, const s
     const cell_edge *e = &c->edge[edge];
     const fmpq *u = vertex_at(s, e->u), *v = vertex_at(s, e->v);
     int d = s->dimension;
-    fmpq *g = _fmpq_vec_init(d + 2), *zero = g + 2;
-    graze_status status = add_point(list, context, u, end_at(e->u), d);
-    for (size_t j = c->edge_facets.start[edge]; j < c->edge_facets.start[edge + 1] && !status;
-         j++) {
+    LOCAL_VEC(fmpq, g, d + 2);
+    fmpq *zero = g + 2;
+    TRY(add_point(list, context, u, end_at(e->u), d));
+    for (size_t j = c->edge_facets.start[edge]; j < c->edge_facets.start[edge + 1]; j++) {
         snapshot_g(g, s, c->edge_facets.item[j], u);
         snapshot_g(g + 1, s, c->edge_facets.item[j], v);
         if (fmpq_sgn(g) * fmpq_sgn(g + 1) < 0) {
             snapshot_zero(zero, g, g + 1, u, v, d);
-            status = add_point(list, context, zero, end_within(edge, c->edge_facets.item[j]), d);
+            TRY(add_point(list, context, zero, end_within(edge, c->edge_facets.item[j]), d));
         }
     }
-    if (!status)
-        status = add_point(list, context, v, end_at(e->v), d);
-    _fmpq_vec_clear(g, d + 2);
-    if (!status)
-        qsort(list->item, list->count, sizeof *list->item, compare_edge_points);
-    return status;
+    TRY(add_point(list, context, v, end_at(e->v), d));
+    qsort(list->item, list->count, sizeof *list->item, compare_edge_points);
+    return GRAZE_OK;
 }
 
 /* The runs between the points of an edge, joined where the point between is a contact too. */
@@ -299,7 +288,7 @@ static graze_status add_runs(graze_curve *c, graze_context *context, const snaps
     size_t from = 0;
     int open = 0;
     graze_status status = GRAZE_OK;
-    fmpq *middle = _fmpq_vec_init(3);
+    LOCAL_VEC(fmpq, middle, 3);
     for (size_t k = 0; k < list->count && !status; k++) {
         int is_end = k == 0 || k + 1 == list->count, here = 0, next = 0;
         if (k + 1 < list->count && compare_slice_points(&list->item[k], &list->item[k + 1]) == 0)
@@ -323,7 +312,6 @@ static graze_status add_runs(graze_curve *c, graze_context *context, const snaps
             from = k;
         }
     }
-    _fmpq_vec_clear(middle, 3);
     return status;
 }
 

@@ -4,14 +4,14 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 
 static graze_status add_patch_place(place_list *list, graze_context *context, int is_edge,
                                     size_t cell, size_t facet, size_t patch) {
-    graze_status status = array_grow(context, &list->item, &list->capacity, list->count + 1,
-                                     sizeof *list->item, "the ends of patches");
-    if (!status)
-        list->item[list->count++] = (patch_place){is_edge, cell, facet, patch};
-    return status;
+    TRY(array_grow(context, &list->item, &list->capacity, list->count + 1, sizeof *list->item,
+                   "the ends of patches"));
+    list->item[list->count++] = (patch_place){is_edge, cell, facet, patch};
+    return GRAZE_OK;
 }
 
 static graze_status add_end(place_list *list, graze_context *context, const part_end *end,
@@ -44,13 +44,11 @@ static graze_status add_patch_places(place_list *list, graze_context *context,
     const part_end *a = &item->end[0], *b = &item->end[1];
     if (item->facts.kind == GRAZE_CURVE_WHOLE)
         return add_border_places(list, context, c, item->number, patch);
-    graze_status status = add_end(list, context, a, patch);
-    if (!status)
-        status = add_end(list, context, b, patch);
-    if (!status && item->facts.kind == GRAZE_CURVE_RUN && a->vertex != SIZE_MAX &&
-        b->vertex != SIZE_MAX)
-        status = add_patch_place(list, context, 1, item->number, SIZE_MAX, patch);
-    return status;
+    TRY(add_end(list, context, a, patch));
+    TRY(add_end(list, context, b, patch));
+    if (item->facts.kind == GRAZE_CURVE_RUN && a->vertex != SIZE_MAX && b->vertex != SIZE_MAX)
+        TRY(add_patch_place(list, context, 1, item->number, SIZE_MAX, patch));
+    return GRAZE_OK;
 }
 
 static int compare_sizes(size_t a, size_t b) {
@@ -94,11 +92,10 @@ size_t places_first(const place_list *list, int is_edge, size_t cell) {
 }
 
 graze_status members_add(member_set *set, graze_context *context, size_t patch) {
-    graze_status status = array_grow(context, &set->item, &set->capacity, set->count + 1,
-                                     sizeof *set->item, "the patches of a joint");
-    if (!status)
-        set->item[set->count++] = patch;
-    return status;
+    TRY(array_grow(context, &set->item, &set->capacity, set->count + 1, sizeof *set->item,
+                   "the patches of a joint"));
+    set->item[set->count++] = patch;
+    return GRAZE_OK;
 }
 
 static int compare_members(const void *left, const void *right) {
@@ -118,13 +115,10 @@ void members_sort(member_set *set) {
 
 graze_status joint_add(graze_patches *p, graze_context *context, const graze_cell *cell,
                        graze_chain_form form, size_t from, size_t to, const member_set *set) {
-    graze_status status = array_grow(context, &p->joint, &p->joint_capacity, p->joint_count + 1,
-                                     sizeof *p->joint, "the joints of patches");
-    if (!status)
-        status = array_grow(context, &p->member, &p->member_capacity, p->member_count + set->count,
-                            sizeof *p->member, "the joints of patches");
-    if (status)
-        return status;
+    TRY(array_grow(context, &p->joint, &p->joint_capacity, p->joint_count + 1, sizeof *p->joint,
+                   "the joints of patches"));
+    TRY(array_grow(context, &p->member, &p->member_capacity, p->member_count + set->count,
+                   sizeof *p->member, "the joints of patches"));
     p->joint[p->joint_count++] = (patch_joint){*cell, form, from, to, p->member_count, set->count};
     for (size_t k = 0; k < set->count; k++)
         p->member[p->member_count++] = set->item[k];

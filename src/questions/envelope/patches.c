@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "questions/contact/site.h"
 #include "questions/envelope/contact_curve.h"
 #include "questions/envelope/joints.h"
@@ -37,9 +38,7 @@ static graze_status look_at_sample(patch *made, graze_context *context, const gr
         fmpq_add(made->body + i, part->a + i, part->b + i);
         fmpq_div_2exp(made->body + i, made->body + i, 1);
     }
-    graze_status status = site_make_for(&site, context, e->scene, made->t, made->body, SITE_TRIM);
-    if (status)
-        return status;
+    TRY(site_make_for(&site, context, e->scene, made->t, made->body, SITE_TRIM));
     made->facts.trim = site.facts.trim;
     made->facts.orientation = site.facts.on_slice ? site.facts.orientation : GRAZE_ORIENTATION_NONE;
     for (int i = 0; i < d; i++)
@@ -51,10 +50,8 @@ static graze_status look_at_sample(patch *made, graze_context *context, const gr
 static graze_status add_patch(graze_patches *p, graze_context *context, const curve_part *part,
                               const fmpq_t t, size_t from, size_t to) {
     const cell_complex *c = &p->envelope->cells;
-    graze_status status = array_grow(context, &p->item, &p->capacity, p->count + 1, sizeof *p->item,
-                                     "the patches of an envelope");
-    if (status)
-        return status;
+    TRY(array_grow(context, &p->item, &p->capacity, p->count + 1, sizeof *p->item,
+                   "the patches of an envelope"));
     patch *made = &p->item[p->count++];
     memset(made, 0, sizeof *made);
     made->number = part->number;

@@ -2,6 +2,7 @@
 #include "questions/envelope/saddle.h"
 
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 #include "input/soup/cell_names.h"
 #include "questions/envelope/decomposition.h"
 #include "questions/envelope/enter.h"
@@ -25,7 +26,7 @@ static void ray_of(fmpz *out, const cell_complex *c, size_t edge, size_t vertex)
  * parallel, or the plane is that of a facet there. */
 static int span_plane(fmpz *normal, const cell_complex *c, size_t vertex, size_t first,
                       size_t second) {
-    fmpz *ray = _fmpz_vec_init(6);
+    LOCAL_VEC(fmpz, ray, 6);
     int swap = cell_compare(&c->edge[first].name, &c->edge[second].name) > 0;
     ray_of(ray, c, swap ? second : first, vertex);
     ray_of(ray + 3, c, swap ? first : second, vertex);
@@ -33,7 +34,6 @@ static int span_plane(fmpz *normal, const cell_complex *c, size_t vertex, size_t
     int found = !_fmpz_vec_is_zero(normal, 3);
     for (size_t j = c->vertex_facets.start[vertex]; j < c->vertex_facets.start[vertex + 1]; j++)
         found = found && !directions_parallel(normal, c->facet[c->vertex_facets.item[j]].normal);
-    _fmpz_vec_clear(ray, 6);
     return found;
 }
 
@@ -45,35 +45,29 @@ static graze_status gather_pair(graze_envelope *e, graze_context *context, size_
                                 const fmpz *normal) {
     found_event what = {.kind = GRAZE_EVENT_SADDLE, .cell = e->cells.vertex[vertex].name};
     watch past = {SIGN_NONE, SIGN_NONE};
-    graze_status status = GRAZE_OK;
-    for (size_t piece = 0; piece < e->piece_count && !status; piece++) {
-        signs s;
-        signs_init(&s, 1, 1);
+    for (size_t piece = 0; piece < e->piece_count; piece++) {
+        HELD(signs, s, 1, 1);
         for (int i = 0; i < 3; i++)
             fmpz_poly_scalar_addmul_fmpz(&s.p[0], derivatives_at(&e->field[piece], 1, vertex) + i,
                                          normal + i);
-        status = signs_find(&s, context);
-        if (!status)
-            status = events_watch(&e->events, context, &what, &past, piece, &s, only_sign);
-        signs_clear(&s);
+        TRY(signs_find(&s, context));
+        TRY(events_watch(&e->events, context, &what, &past, piece, &s, only_sign));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status saddle_gather(graze_envelope *e, graze_context *context, size_t vertex) {
     const cell_complex *c = &e->cells;
     const size_t *edge = c->vertex_edges.item;
     size_t start = c->vertex_edges.start[vertex], end = c->vertex_edges.start[vertex + 1];
-    graze_status status = GRAZE_OK;
     if (c->dimension == 2)
         return GRAZE_OK;
-    fmpz *normal = _fmpz_vec_init(3);
+    LOCAL_VEC(fmpz, normal, 3);
     for (size_t i = start; i < end; i++)
-        for (size_t j = i + 1; j < end && !status; j++)
+        for (size_t j = i + 1; j < end; j++)
             if (span_plane(normal, c, vertex, edge[i], edge[j]))
-                status = gather_pair(e, context, vertex, normal);
-    _fmpz_vec_clear(normal, 3);
-    return status;
+                TRY(gather_pair(e, context, vertex, normal));
+    return GRAZE_OK;
 }
 
 /* A vertex on one piece. The signs are those of g of its facets there, then, edge by edge, those of
@@ -187,18 +181,17 @@ static int slice_comes(const corner_view *v, size_t facet, size_t own, size_t at
 static graze_status slice_reaches(int *out, const corner_view *v, size_t k, int before) {
     const cell_complex *c = &v->e->cells;
     const signed char *sign = before ? signs_before(&v->s, k) : signs_at(&v->s, k);
-    graze_status status = GRAZE_OK;
     *out = 0;
-    for (size_t j = 0; j < facets_at(c, v->vertex) && !status && !*out; j++) {
+    for (size_t j = 0; j < facets_at(c, v->vertex) && !*out; j++) {
         size_t facet = c->vertex_facets.item[c->vertex_facets.start[v->vertex] + j];
         if (sign[j] != 0)
             continue;
         *out = before ? enters_before(v->e, facet, v->vertex, v->piece, &v->s.x, k)
                       : slice_comes(v, facet, j, k);
         if (!*out && !before)
-            status = enters_at(out, v->e, v->context, facet, v->vertex, v->piece, &v->s.x, k);
+            TRY(enters_at(out, v->e, v->context, facet, v->vertex, v->piece, &v->s.x, k));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Does the velocity or its opposite lead into the solid, at point k or before it? */
@@ -210,15 +203,12 @@ static graze_status leads_in(int *out, const corner_view *v, size_t k, int befor
         *out |= sign[j] != 0;
     if (c->vertex[v->vertex].kind == PLACE_REFLEX || !*out)
         return GRAZE_OK;
-    algebraic u;
-    algebraic_init(&u);
+    HELD(algebraic, u);
     if (before)
         algebraic_set_rational(&u, v->s.x.sample + k);
     else
         algebraic_set(&u, v->s.x.point[k]);
-    graze_status status = inward_decide(out, v->e, v->context, v->vertex, v->piece, &u, sign);
-    algebraic_clear(&u);
-    return status;
+    return inward_decide(out, v->e, v->context, v->vertex, v->piece, &u, sign);
 }
 
 static graze_status judge_place(corner_view *v, size_t k, int before) {

@@ -2,6 +2,7 @@
 #include "questions/envelope/sample.h"
 
 #include <flint/fmpq_vec.h>
+#include "base/context/scope.h"
 #include "base/number/order.h"
 #include "base/number/random.h"
 #include "questions/envelope/contact_curve.h"
@@ -46,10 +47,9 @@ static time_gap find_time_gap(const graze_envelope *e, unsigned long wanted) {
 /* A rational parameter in a gap: between its ends, and by chance nearer to one of them. */
 static graze_status pick_parameter(fmpq_t out, graze_context *context, const graze_envelope *e,
                                    const time_gap *gap, random_stream *r) {
-    algebraic low, high, middle;
-    algebraic_init(&low);
-    algebraic_init(&high);
-    algebraic_init(&middle);
+    HELD(algebraic, low);
+    HELD(algebraic, high);
+    HELD(algebraic, middle);
     fmpq_one(out);
     algebraic_set_rational(&high, out);
     if (gap->from != SIZE_MAX)
@@ -62,22 +62,19 @@ static graze_status pick_parameter(fmpq_t out, graze_context *context, const gra
         status = random_below(r, 2) ? algebraic_between(out, context, &low, &middle)
                                     : algebraic_between(out, context, &middle, &high);
     }
-    algebraic_clear(&low);
-    algebraic_clear(&high);
-    algebraic_clear(&middle);
     return status;
 }
 
 /* A point of a part by chance, not one of its ends if it has two. */
 static void pick_point(fmpq *out, const curve_part *part, int d, random_stream *r) {
-    fmpq *lambda = _fmpq_vec_init(2), *step = lambda + 1;
+    LOCAL_VEC(fmpq, lambda, 2);
+    fmpq *step = lambda + 1;
     fmpq_set_si(lambda, (slong)random_below(r, 15) + 1, 16);
     for (int i = 0; i < d; i++) {
         fmpq_sub(step, part->b + i, part->a + i);
         fmpq_mul(step, step, lambda);
         fmpq_add(out + i, part->a + i, step);
     }
-    _fmpq_vec_clear(lambda, 2);
 }
 
 graze_status sample_make(graze_site *out, int *found, graze_context *context,
@@ -88,7 +85,8 @@ graze_status sample_make(graze_site *out, int *found, graze_context *context,
     random_seed(&r, seed, index);
     time_gap gap = find_time_gap(e, index);
     const motion_piece *piece = &e->scene->motion->piece[gap.piece];
-    fmpq *t = _fmpq_vec_init(2), *width = t + 1;
+    LOCAL_VEC(fmpq, t, 2);
+    fmpq *width = t + 1;
     *found = 0;
     graze_status status = pick_parameter(t, context, e, &gap, &r);
     fmpq_sub(width, piece->hi, piece->lo);
@@ -97,15 +95,13 @@ graze_status sample_make(graze_site *out, int *found, graze_context *context,
     if (!status)
         status = contact_curve_find(&curve, context, e, t);
     if (!status) {
-        fmpq *y = _fmpq_vec_init(d);
+        LOCAL_VEC(fmpq, y, d);
         if (curve.count) {
             pick_point(y, &curve.part[random_below(&r, curve.count)], d, &r);
             status = site_make(out, context, e->scene, t, y);
             *found = !status;
         }
-        _fmpq_vec_clear(y, d);
         contact_curve_clear(&curve);
     }
-    _fmpq_vec_clear(t, 2);
     return status;
 }

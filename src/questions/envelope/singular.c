@@ -1,16 +1,14 @@
 /* Times of contacts of order 4 or more. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "questions/envelope/singular.h"
 
+#include "base/context/scope.h"
 #include "questions/envelope/decomposition.h"
 #include "questions/envelope/singular_point.h"
 
 static graze_status exists_before(int *out, const singular_view *v, const axis *x, size_t k) {
-    algebraic u;
-    algebraic_init(&u);
+    HELD(algebraic, u);
     algebraic_set_rational(&u, x->sample + k);
-    graze_status status = singular_exists(out, v, &u);
-    algebraic_clear(&u);
-    return status;
+    return singular_exists(out, v, &u);
 }
 
 /* Is point k of the axis the end of a piece before another one? It is looked at as the beginning

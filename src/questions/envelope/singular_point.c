@@ -6,6 +6,7 @@
  */
 #include "questions/envelope/singular_point.h"
 
+#include "base/context/scope.h"
 #include "base/number/sign.h"
 
 static void derivative_at(fmpz_poly_struct *out, const singular_view *v, int row, size_t vertex) {
@@ -15,15 +16,13 @@ static void derivative_at(fmpz_poly_struct *out, const singular_view *v, int row
 /* The minors of rows a and b: their cross product. */
 static void set_minors(fmpz_poly_struct *out, const fmpz_poly_struct *a,
                        const fmpz_poly_struct *b) {
-    fmpz_poly_t second;
-    fmpz_poly_init(second);
+    LOCAL(fmpz_poly, second);
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
         fmpz_poly_mul(out + i, a + j, b + k);
         fmpz_poly_mul(second, a + k, b + j);
         fmpz_poly_sub(out + i, out + i, second);
     }
-    fmpz_poly_clear(second);
 }
 
 /* Number of the facet's triangles, and the corners of one of them. */
@@ -42,7 +41,6 @@ static const size_t *corners_at(const singular_view *v, size_t j) {
 
 void singular_view_make(singular_view *out, const graze_envelope *e, graze_context *context,
                         size_t facet, size_t piece) {
-    fmpz_poly_t term;
     *out = (singular_view){.e = e, .context = context, .facet = facet, .piece = piece};
     fmpz_poly_struct *p = out->p, *minor = out->p + SINGULAR_ROWS;
     for (int k = 0; k < SINGULAR_SIGNS; k++)
@@ -53,12 +51,11 @@ void singular_view_make(singular_view *out, const graze_envelope *e, graze_conte
     set_minors(minor, p, p + 3);
     set_minors(minor + 3, p, p + 6);
     set_minors(minor + 6, p + 3, p + 6);
-    fmpz_poly_init(term);
+    LOCAL(fmpz_poly, term);
     for (int k = 0; k < 3; k++) {
         fmpz_poly_mul(term, minor + k, p + 6 + k);
         fmpz_poly_add(p + SINGULAR_DETERMINANT, p + SINGULAR_DETERMINANT, term);
     }
-    fmpz_poly_clear(term);
 }
 
 void singular_view_clear(singular_view *v) {
@@ -68,15 +65,13 @@ void singular_view_clear(singular_view *v) {
 
 int singular_is_never(const singular_view *v) {
     int sign = 0, same = 1;
-    fmpz_poly_t g;
-    fmpz_poly_init(g);
+    LOCAL(fmpz_poly, g);
     for (size_t j = 0; j < 3 * triangle_count(v) && same; j++) {
         derivative_at(g, v, 0, corners_at(v, j / 3)[j % 3]);
         int here = axis_one_sign(g);
         same = here != 0 && (j == 0 || here == sign);
         sign = here;
     }
-    fmpz_poly_clear(g);
     return same;
 }
 
@@ -134,8 +129,7 @@ static graze_status is_point_in_triangle(int *out, const singular_view *v, algeb
                                          const fmpz_poly_struct *point) {
     graze_status status = GRAZE_OK;
     int zeros = 0;
-    fmpz_poly_t value;
-    fmpz_poly_init(value);
+    LOCAL(fmpz_poly, value);
     *out = 1;
     for (int k = 0; k < 3 && !status && *out; k++) {
         int sign = 0;
@@ -145,7 +139,6 @@ static graze_status is_point_in_triangle(int *out, const singular_view *v, algeb
         *out = sign > 0 || (sign == 0 && is_shared_side(v, j, k));
     }
     *out = *out && zeros < 2;
-    fmpz_poly_clear(value);
     return status;
 }
 
@@ -182,13 +175,11 @@ static graze_status is_line_in_triangle(int *out, const singular_view *v, algebr
                                         size_t j) {
     graze_status status = GRAZE_OK;
     int sign[3] = {0, 0, 0};
-    fmpz_poly_t value;
-    fmpz_poly_init(value);
+    LOCAL(fmpz_poly, value);
     for (int k = 0; k < 3 && !status; k++) {
         derivative_at(value, v, row, corners_at(v, j)[k]);
         status = algebraic_sign_at(&sign[k], v->context, value, u);
     }
-    fmpz_poly_clear(value);
     *out = 0;
     for (int k = 0; k < 3 && !status; k++) {
         int a = sign[k], b = sign[(k + 1) % 3];
@@ -198,11 +189,10 @@ static graze_status is_line_in_triangle(int *out, const singular_view *v, algebr
 }
 
 static graze_status is_line_in_facet(int *out, const singular_view *v, algebraic *u, int row) {
-    graze_status status = GRAZE_OK;
     *out = 0;
-    for (size_t j = 0; j < triangle_count(v) && !status && !*out; j++)
-        status = is_line_in_triangle(out, v, u, row, j);
-    return status;
+    for (size_t j = 0; j < triangle_count(v) && !*out; j++)
+        TRY(is_line_in_triangle(out, v, u, row, j));
+    return GRAZE_OK;
 }
 
 graze_status singular_exists(int *out, const singular_view *v, algebraic *u) {

@@ -2,6 +2,7 @@
 #include "questions/envelope/snapshot.h"
 
 #include <flint/fmpq_vec.h>
+#include "base/context/scope.h"
 #include "questions/contact/flow.h"
 
 static void evaluate_entries(fmpq *out, const fmpz_poly_struct *entry, int count, const fmpq_t u) {
@@ -12,28 +13,25 @@ static void evaluate_entries(fmpq *out, const fmpz_poly_struct *entry, int count
 /* Set u of a piece at t; 0 if t is not in it, or an end of the motion or a break. */
 static int parameter_within(fmpq_t u, const graze_envelope *e, size_t piece, const fmpq_t t) {
     const motion_piece *p = &e->scene->motion->piece[piece];
-    fmpq_t width;
     if (fmpq_cmp(t, p->lo) < 0 || fmpq_cmp(t, p->hi) >= 0 ||
         (fmpq_equal(t, p->lo) && (piece == 0 || e->is_break[piece])))
         return 0;
-    fmpq_init(width);
+    LOCAL(fmpq, width);
     fmpq_sub(u, t, p->lo);
     fmpq_sub(width, p->hi, p->lo);
     fmpq_div(u, u, width);
-    fmpq_clear(width);
     return 1;
 }
 
 graze_status snapshot_make(snapshot *out, graze_context *context, const graze_envelope *e,
                            const fmpq_t t) {
     int d = e->cells.dimension, found = 0;
-    fmpq_t u;
     *out = (snapshot){.e = e, .dimension = d};
     fmpq_init(out->t);
     fmpq_set(out->t, t);
     out->velocity = _fmpq_vec_init(d * (d + 1));
     out->bend = _fmpq_vec_init(d * (d + 1));
-    fmpq_init(u);
+    LOCAL(fmpq, u);
     for (size_t piece = 0; piece < e->piece_count && !found; piece++) {
         found = parameter_within(u, e, piece, t);
         if (found) {
@@ -41,7 +39,6 @@ graze_status snapshot_make(snapshot *out, graze_context *context, const graze_en
             evaluate_entries(out->bend, e->field[piece].entry[1], d * (d + 1), u);
         }
     }
-    fmpq_clear(u);
     return found ? GRAZE_OK
                  : context_fail(context, GRAZE_EINPUT,
                                 "the time of a curve is an end or a break of the motion, or not in "
@@ -58,14 +55,13 @@ void snapshot_clear(snapshot *s) {
 static void speed_along_normal(fmpq_t out, const snapshot *s, const fmpq *matrix, size_t facet,
                                const fmpq *y) {
     int d = s->dimension;
-    fmpq *image = _fmpq_vec_init(d);
+    LOCAL_VEC(fmpq, image, d);
     for (int i = 0; i < d; i++) {
         fmpq_set(image + i, matrix + i * (d + 1) + d);
         for (int j = 0; j < d; j++)
             fmpq_addmul(image + i, matrix + i * (d + 1) + j, y + j);
     }
     flow_along(out, s->e->cells.facet[facet].normal, image, d);
-    _fmpq_vec_clear(image, d);
 }
 
 void snapshot_g(fmpq_t out, const snapshot *s, size_t facet, const fmpq *y) {
@@ -74,12 +70,9 @@ void snapshot_g(fmpq_t out, const snapshot *s, size_t facet, const fmpq *y) {
 }
 
 static int speed_sign(const snapshot *s, const fmpq *matrix, size_t facet, const fmpq *y) {
-    fmpq_t value;
-    fmpq_init(value);
+    LOCAL(fmpq, value);
     speed_along_normal(value, s, matrix, facet, y);
-    int sign = fmpq_sgn(value);
-    fmpq_clear(value);
-    return sign;
+    return fmpq_sgn(value);
 }
 
 int snapshot_g_sign(const snapshot *s, size_t facet, const fmpq *y) {
@@ -91,7 +84,8 @@ int snapshot_theta_sign(const snapshot *s, size_t facet, const fmpq *y) {
 }
 
 void snapshot_zero(fmpq *out, const fmpq_t a, const fmpq_t b, const fmpq *p, const fmpq *q, int d) {
-    fmpq *lambda = _fmpq_vec_init(2), *step = lambda + 1;
+    LOCAL_VEC(fmpq, lambda, 2);
+    fmpq *step = lambda + 1;
     fmpq_sub(lambda, a, b);
     fmpq_div(lambda, a, lambda);
     for (int i = 0; i < d; i++) {
@@ -99,5 +93,4 @@ void snapshot_zero(fmpq *out, const fmpq_t a, const fmpq_t b, const fmpq *p, con
         fmpq_mul(step, step, lambda);
         fmpq_add(out + i, p + i, step);
     }
-    _fmpq_vec_clear(lambda, 2);
 }

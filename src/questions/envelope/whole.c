@@ -1,5 +1,6 @@
 /* Facets whose g vanishes all over at single times. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/number/sign.h"
+#include "base/context/scope.h"
 #include "questions/envelope/decomposition.h"
 #include "questions/envelope/whole.h"
 
@@ -8,14 +9,12 @@
 static void find_common(fmpz_poly_t out, const graze_envelope *e, size_t facet, size_t piece) {
     const cell_complex *c = &e->cells;
     size_t d = (size_t)c->dimension, simplex = c->order[c->facet[facet].first];
-    fmpz_poly_t g;
-    fmpz_poly_init(g);
+    LOCAL(fmpz_poly, g);
     fmpz_poly_zero(out);
     for (size_t k = 0; k < d; k++) {
         derivatives_velocity(g, &e->field[piece], facet, c->corner[simplex * d + k]);
         fmpz_poly_gcd(out, out, g);
     }
-    fmpz_poly_clear(g);
 }
 
 /* Is theta of the facet negative at a corner, at a point? */
@@ -24,8 +23,7 @@ static graze_status is_theta_negative(int *out, const graze_envelope *e, graze_c
     const cell_complex *c = &e->cells;
     size_t d = (size_t)c->dimension;
     graze_status status = GRAZE_OK;
-    fmpz_poly_t theta;
-    fmpz_poly_init(theta);
+    LOCAL(fmpz_poly, theta);
     *out = 0;
     for (size_t j = 0; j < c->facet[facet].count * d && !status && !*out; j++) {
         int sign = 0;
@@ -34,7 +32,6 @@ static graze_status is_theta_negative(int *out, const graze_envelope *e, graze_c
         status = algebraic_sign_at(&sign, context, theta, u);
         *out = sign < 0;
     }
-    fmpz_poly_clear(theta);
     return status;
 }
 
@@ -43,17 +40,14 @@ static graze_status moves_across(int *out, const graze_envelope *e, graze_contex
                                  size_t facet, size_t edge, size_t piece, algebraic *u) {
     const cell_complex *c = &e->cells;
     const size_t ends[] = {c->edge[edge].u, c->edge[edge].v};
-    graze_status status = GRAZE_OK;
-    fmpz_poly_t g;
-    fmpz_poly_init(g);
+    LOCAL(fmpz_poly, g);
     *out = 0;
     for (size_t j = c->edge_facets.start[edge]; j < c->edge_facets.start[edge + 1]; j++)
-        for (int k = 0; k < 2 && c->edge_facets.item[j] != facet && !status && !*out; k++) {
+        for (int k = 0; k < 2 && c->edge_facets.item[j] != facet && !*out; k++) {
             derivatives_velocity(g, &e->field[piece], c->edge_facets.item[j], ends[k]);
-            status = algebraic_sign_at(out, context, g, u);
+            TRY(algebraic_sign_at(out, context, g, u));
         }
-    fmpz_poly_clear(g);
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status judge_whole(graze_envelope *e, graze_context *context, size_t facet,
@@ -61,27 +55,26 @@ static graze_status judge_whole(graze_envelope *e, graze_context *context, size_
     const cell_complex *c = &e->cells;
     const graze_cell *name = &c->facet[facet].name;
     int found = 0;
-    graze_status status = is_theta_negative(&found, e, context, facet, piece, x->point[k]);
-    if (!status && found)
-        status = judge_find(e, context, GRAZE_REASON_THETA, name, name, piece, x->point[k]);
+    TRY(is_theta_negative(&found, e, context, facet, piece, x->point[k]));
+    if (found)
+        TRY(judge_find(e, context, GRAZE_REASON_THETA, name, name, piece, x->point[k]));
     for (size_t j = c->facet_edges.start[facet];
-         j < c->facet_edges.start[facet + 1] && !status && judge_is_inner(e, piece, x, k); j++) {
+         j < c->facet_edges.start[facet + 1] && judge_is_inner(e, piece, x, k); j++) {
         size_t edge = c->facet_edges.item[j];
         if (c->edge[edge].kind != PLACE_REFLEX)
             continue;
-        status = moves_across(&found, e, context, facet, edge, piece, x->point[k]);
-        if (!status && found)
-            status = judge_find(e, context, GRAZE_REASON_REFLEX, name, &c->edge[edge].name, piece,
-                                x->point[k]);
+        TRY(moves_across(&found, e, context, facet, edge, piece, x->point[k]));
+        if (found)
+            TRY(judge_find(e, context, GRAZE_REASON_REFLEX, name, &c->edge[edge].name, piece,
+                           x->point[k]));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status gather_whole(graze_envelope *e, graze_context *context, size_t facet) {
     graze_status status = GRAZE_OK;
     for (size_t piece = 0; piece < e->piece_count && !status; piece++) {
-        fmpz_poly_t common;
-        fmpz_poly_init(common);
+        LOCAL(fmpz_poly, common);
         find_common(common, e, facet, piece);
         e->still[piece * e->cells.facet_count + facet] = (unsigned char)fmpz_poly_is_zero(common);
         if (fmpz_poly_degree(common) > 0) {
@@ -95,7 +88,6 @@ graze_status gather_whole(graze_envelope *e, graze_context *context, size_t face
             }
             axis_clear(&x);
         }
-        fmpz_poly_clear(common);
     }
     return status;
 }

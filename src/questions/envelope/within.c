@@ -3,15 +3,15 @@
  */
 #include "questions/envelope/within.h"
 
+#include "base/context/scope.h"
+
 /* The point in the interior of the facet's first simplex of barycentric weights 1, s, s^2. */
 static void point_within(fmpq *out, const cell_complex *c, size_t facet, slong s) {
     int d = c->dimension;
     const size_t *corner = c->corner + c->order[c->facet[facet].first] * (size_t)d;
     slong weight = 1, sum = 0;
-    fmpz_t factor;
-    fmpq_t term;
-    fmpz_init(factor);
-    fmpq_init(term);
+    LOCAL(fmpz, factor);
+    LOCAL(fmpq, term);
     for (int i = 0; i < d; i++)
         fmpq_zero(out + i);
     for (int k = 0; k < d; k++, weight *= s) {
@@ -25,8 +25,6 @@ static void point_within(fmpq *out, const cell_complex *c, size_t facet, slong s
     fmpz_set_si(factor, sum);
     for (int i = 0; i < d; i++)
         fmpq_div_fmpz(out + i, out + i, factor);
-    fmpz_clear(factor);
-    fmpq_clear(term);
 }
 
 graze_status within_facet(fmpq *out, graze_context *context, const cell_complex *cells,

@@ -6,6 +6,7 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 
 /* Surfaces, pairs of surfaces, lines with surfaces, and surfaces at instants, that are looked at.
  */
@@ -39,11 +40,10 @@ static void polynomial_of(fmpq_mpoly_t out, const csg_surface *s, const fmpq_mpo
 /* Surfaces in the order of the primitives, so that neighbours are often of one body. */
 static graze_status order_surfaces(surveyor *s) {
     const csg *solid = s->out->solid;
-    char *seen = calloc(solid->surface_count + 1, 1);
+    FREED(char, seen, calloc(solid->surface_count + 1, 1));
     s->order = malloc((solid->surface_count + 1) * sizeof *s->order);
     s->polynomial = malloc((solid->surface_count + 1) * sizeof *s->polynomial);
     if (!seen || !s->order || !s->polynomial) {
-        free(seen);
         return context_fail(s->context, GRAZE_ESYSTEM, "out of memory for %zu surfaces",
                             solid->surface_count);
     }
@@ -57,7 +57,6 @@ static graze_status order_surfaces(surveyor *s) {
             polynomial_of(&s->polynomial[s->count], &solid->surface[surface], s->out->ring);
             s->order[s->count++] = surface;
         }
-    free(seen);
     return GRAZE_OK;
 }
 
@@ -95,19 +94,17 @@ static void draw_in_box(fmpq *point, surveyor *s) {
 static graze_status add_parallel_sections(surveyor *s, const fmpq_mpoly_struct *p, size_t first,
                                           slong (*normal)[3], size_t normals) {
     charts *faces = &s->out->faces;
-    graze_status status = GRAZE_OK;
-    fmpq *point = _fmpq_vec_init(3);
-    for (int k = 0; k < FURTHER && !status && faces->count > first; k++) {
+    LOCAL_VEC(fmpq, point, 3);
+    for (int k = 0; k < FURTHER && faces->count > first; k++) {
         const chart *from = &faces->item[first + random_below(&s->random, faces->count - first)];
         if (!chart_draw(point, from, &s->random, s->out->low, s->out->high))
             continue;
         if (k % 2)
             draw_in_box(point, s);
         plane_through(s, normal[random_below(&s->random, normals)], point);
-        status = charts_add_common(faces, s->linear, p);
+        TRY(charts_add_common(faces, s->linear, p));
     }
-    _fmpq_vec_clear(point, 3);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Conics of a surface of degree 3 or 4, such as circles of a torus: by planes with short normals
@@ -135,51 +132,45 @@ static graze_status add_conics(surveyor *s, const fmpq_mpoly_struct *p, size_t s
 }
 
 static graze_status survey_faces(surveyor *s) {
-    flat space;
-    graze_status status = GRAZE_OK;
-    flat_init(&space, s->out->solid->dimension);
-    for (size_t k = 0; k < s->count && !status; k++) {
+    HELD(flat, space, s->out->solid->dimension);
+    for (size_t k = 0; k < s->count; k++) {
         s->out->faces.mark = s->order[k];
         if (s->out->solid->surface[s->order[k]].degree <= 2)
-            status = charts_add_section(&s->out->faces, &space, &s->polynomial[k]);
+            TRY(charts_add_section(&s->out->faces, &space, &s->polynomial[k]));
         else
-            status = add_conics(s, &s->polynomial[k], s->order[k]);
+            TRY(add_conics(s, &s->polynomial[k], s->order[k]));
     }
-    flat_clear(&space);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Survey intersections of two surfaces, those near each other in the file first. */
 static graze_status survey_pairs(surveyor *s, charts *to) {
     int left = MOST_PAIRS;
-    graze_status status = GRAZE_OK;
-    for (size_t apart = 1; apart < s->count && left > 0 && !status; apart++)
-        for (size_t k = 0; k + apart < s->count && left > 0 && !status; k++, left--)
-            status = charts_add_common(to, &s->polynomial[k], &s->polynomial[k + apart]);
-    return status;
+    for (size_t apart = 1; apart < s->count && left > 0; apart++)
+        for (size_t k = 0; k + apart < s->count && left > 0; k++, left--)
+            TRY(charts_add_common(to, &s->polynomial[k], &s->polynomial[k + apart]));
+    return GRAZE_OK;
 }
 
 /* Singular points of quadrics. */
 static graze_status survey_apexes(surveyor *s) {
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < s->count && !status; k++)
+    for (size_t k = 0; k < s->count; k++)
         if (s->out->solid->surface[s->order[k]].degree == 2)
-            status = charts_add_singular(&s->out->vertices, &s->polynomial[k]);
-    return status;
+            TRY(charts_add_singular(&s->out->vertices, &s->polynomial[k]));
+    return GRAZE_OK;
 }
 
 /* Where edges that are straight meet further surfaces. */
 static graze_status survey_corners(surveyor *s) {
     int left = MOST_CORNERS;
-    graze_status status = GRAZE_OK;
-    for (size_t e = 0; e < s->out->edges.count && left > 0 && !status; e++) {
+    for (size_t e = 0; e < s->out->edges.count && left > 0; e++) {
         const chart *edge = &s->out->edges.item[e];
         if (edge->bent || edge->place.count != 1)
             continue;
-        for (size_t k = 0; k < s->count && left > 0 && !status; k++, left--)
-            status = charts_add_section(&s->out->vertices, &edge->place, &s->polynomial[k]);
+        for (size_t k = 0; k < s->count && left > 0; k++, left--)
+            TRY(charts_add_section(&s->out->vertices, &edge->place, &s->polynomial[k]));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* The normal velocity at a time, for points of a surface: the sum of each derivative of p times
@@ -210,55 +201,48 @@ static void normal_velocity(fmpq_mpoly_t out, surveyor *s, const fmpq_mpoly_stru
 /* Where lines of a cylinder or a cone are touched. */
 static graze_status add_ruled(surveyor *s, size_t surface, const fmpq_mpoly_t velocity) {
     const charts *faces = &s->out->faces;
-    graze_status status = GRAZE_OK;
     size_t k = 0;
     while (k < faces->count && faces->item[k].mark != surface)
         k++;
     if (k == faces->count || !faces->item[k].bent)
         return GRAZE_OK;
-    flat line;
-    flat_init(&line, s->out->solid->dimension);
+    HELD(flat, line, s->out->solid->dimension);
     line.count = 1;
-    for (int n = 0; n < LINES && !status; n++)
+    for (int n = 0; n < LINES; n++)
         if (chart_draw(line.origin, &faces->item[k], &s->random, s->out->low, s->out->high) &&
             quadratic_ruling(line.direction[0], &faces->item[k].curve, line.origin))
-            status = charts_add_section(&s->out->touches, &line, velocity);
-    flat_clear(&line);
-    return status;
+            TRY(charts_add_section(&s->out->touches, &line, velocity));
+    return GRAZE_OK;
 }
 
 /* Where the surfaces are touched at instants: at many where there are few surfaces. */
 static graze_status survey_touches(surveyor *s, const instant *instants, size_t count) {
     int left = MOST_TOUCHES;
-    graze_status status = GRAZE_OK;
     fmpq_mpoly_t velocity;
     fmpq_mpoly_init(velocity, s->out->ring);
     size_t stride = count * s->count / MOST_TOUCHES + 1;
-    for (size_t at = 0; at < count && left > 0 && !status; at += stride)
-        for (size_t k = 0; k < s->count && left > 0 && !status; k++, left--) {
+    for (size_t at = 0; at < count && left > 0; at += stride)
+        for (size_t k = 0; k < s->count && left > 0; k++, left--) {
             normal_velocity(velocity, s, &s->polynomial[k], &instants[at]);
             s->out->touches.mark = at;
             size_t before = s->out->touches.count;
-            status = charts_add_common(&s->out->touches, &s->polynomial[k], velocity);
-            if (!status && s->out->touches.count == before)
-                status = add_ruled(s, s->order[k], velocity);
+            TRY(charts_add_common(&s->out->touches, &s->polynomial[k], velocity));
+            if (s->out->touches.count == before)
+                TRY(add_ruled(s, s->order[k], velocity));
         }
     fmpq_mpoly_clear(velocity, s->out->ring);
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status survey(surveyor *s, const instant *instants, size_t count) {
     int d = s->out->solid->dimension;
-    graze_status status = order_surfaces(s);
-    if (!status)
-        status = survey_faces(s);
-    if (!status)
-        status = survey_pairs(s, d == 3 ? &s->out->edges : &s->out->vertices);
-    if (!status)
-        status = survey_apexes(s);
-    if (!status && d == 3)
-        status = survey_corners(s);
-    return status ? status : survey_touches(s, instants, count);
+    TRY(order_surfaces(s));
+    TRY(survey_faces(s));
+    TRY(survey_pairs(s, d == 3 ? &s->out->edges : &s->out->vertices));
+    TRY(survey_apexes(s));
+    if (d == 3)
+        TRY(survey_corners(s));
+    return survey_touches(s, instants, count);
 }
 
 graze_status atlas_make(atlas *out, graze_context *context, const csg *solid,

@@ -9,6 +9,7 @@
 #include <flint/fmpz.h>
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 
 /* Coordinates are multiples of 1/256 of the box; components of directions, from -16 to 16, or
  * simple ones. */
@@ -25,10 +26,8 @@ void charts_clear(charts *list) {
 }
 
 static graze_status append_chart(charts *list, const flat *place, const quadratic *curve) {
-    graze_status status = array_grow(list->context, &list->item, &list->capacity, list->count + 1,
-                                     sizeof *list->item, "rational points of surfaces");
-    if (status)
-        return status;
+    TRY(array_grow(list->context, &list->item, &list->capacity, list->count + 1, sizeof *list->item,
+                   "rational points of surfaces"));
     chart *to = &list->item[list->count++];
     *to = (chart){.bent = curve != NULL, .mark = list->mark};
     flat_init(&to->place, place->dimension);
@@ -41,53 +40,43 @@ static graze_status append_chart(charts *list, const flat *place, const quadrati
 
 /* The point where a quadratic polynomial and its gradient are zero, if there is one. */
 static graze_status add_singular(charts *list, const flat *place, quadratic *q) {
-    flat point;
-    graze_status status = GRAZE_OK;
-    flat_init(&point, place->dimension);
+    HELD(flat, point, place->dimension);
     if (quadratic_center(q) && fmpq_is_zero(q->value)) {
         flat_point(point.origin, place, q->start);
         point.count = 0;
-        status = append_chart(list, &point, NULL);
-        if (!status)
-            list->item[list->count - 1].isolated = 1;
+        TRY(append_chart(list, &point, NULL));
+        list->item[list->count - 1].isolated = 1;
     }
-    flat_clear(&point);
-    return status;
+    return GRAZE_OK;
 }
 
 /* The zeros of one factor: a flat, or a quadric on which a point is found. */
 static graze_status add_factor_zeros(charts *list, const flat *place, const fmpq_mpoly_t factor) {
     slong degree = fmpq_mpoly_total_degree_si(factor, list->ring);
-    graze_status status = GRAZE_OK;
     if (degree == 1) {
-        flat part;
-        flat_init(&part, place->dimension);
+        HELD(flat, part, place->dimension);
         flat_set(&part, place);
         flat_cut(&part, factor, list->ring);
-        status = append_chart(list, &part, NULL);
-        flat_clear(&part);
+        TRY(append_chart(list, &part, NULL));
     } else if (degree == 2 && place->count > 1) {
-        quadratic q;
-        quadratic_init(&q);
+        HELD(quadratic, q);
         quadratic_read(&q, factor, place->count, list->ring);
         if (quadratic_find_zero(&q))
-            status = append_chart(list, place, &q);
+            TRY(append_chart(list, place, &q));
         else
-            status = add_singular(list, place, &q);
-        quadratic_clear(&q);
+            TRY(add_singular(list, place, &q));
     }
-    return status ? status : context_poll(list->context);
+    return context_poll(list->context);
 }
 
 static graze_status add_zeros(charts *list, const flat *place, const fmpq_mpoly_t p) {
     fmpq_mpoly_factor_t parts;
-    graze_status status = GRAZE_OK;
     fmpq_mpoly_factor_init(parts, list->ring);
     if (!fmpq_mpoly_is_zero(p, list->ring) && fmpq_mpoly_factor(parts, p, list->ring))
-        for (slong k = 0; k < parts->num && !status; k++)
-            status = add_factor_zeros(list, place, parts->poly + k);
+        for (slong k = 0; k < parts->num; k++)
+            TRY(add_factor_zeros(list, place, parts->poly + k));
     fmpq_mpoly_factor_clear(parts, list->ring);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status charts_add_section(charts *list, const flat *place, const fmpq_mpoly_t p) {
@@ -97,37 +86,32 @@ graze_status charts_add_section(charts *list, const flat *place, const fmpq_mpol
         fmpq_mpoly_init(&x[i], list->ring);
     fmpq_mpoly_init(rest, list->ring);
     flat_coordinates(x, place, list->ring);
-    graze_status status = GRAZE_OK;
     if (fmpq_mpoly_compose_fmpq_mpoly(rest, p, at, list->ring, list->ring))
-        status = add_zeros(list, place, rest);
+        TRY(add_zeros(list, place, rest));
     fmpq_mpoly_clear(rest, list->ring);
     for (int i = 0; i < 3; i++)
         fmpq_mpoly_clear(&x[i], list->ring);
-    return status;
+    return GRAZE_OK;
 }
 
 /* The zeros of p where a linear polynomial is zero. */
 static graze_status add_plane_section(charts *list, const fmpq_mpoly_t linear,
                                       const fmpq_mpoly_t p) {
-    flat part;
-    flat_init(&part, list->dimension);
+    HELD(flat, part, list->dimension);
     flat_cut(&part, linear, list->ring);
-    graze_status status = charts_add_section(list, &part, p);
-    flat_clear(&part);
-    return status;
+    return charts_add_section(list, &part, p);
 }
 
 /* The zeros of p where a linear factor of q is zero. */
 static graze_status add_sections(charts *list, const fmpq_mpoly_t p, const fmpq_mpoly_t q) {
     fmpq_mpoly_factor_t parts;
-    graze_status status = GRAZE_OK;
     fmpq_mpoly_factor_init(parts, list->ring);
     if (!fmpq_mpoly_is_zero(q, list->ring) && fmpq_mpoly_factor(parts, q, list->ring))
-        for (slong k = 0; k < parts->num && !status; k++)
+        for (slong k = 0; k < parts->num; k++)
             if (fmpq_mpoly_total_degree_si(parts->poly + k, list->ring) == 1)
-                status = add_plane_section(list, parts->poly + k, p);
+                TRY(add_plane_section(list, parts->poly + k, p));
     fmpq_mpoly_factor_clear(parts, list->ring);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Where what the division of one by another leaves has linear factors. */
@@ -136,10 +120,10 @@ static graze_status add_remainder(charts *list, const fmpq_mpoly_t high, const f
     fmpq_mpoly_init(quotient, list->ring);
     fmpq_mpoly_init(rest, list->ring);
     fmpq_mpoly_divrem(quotient, rest, high, low, list->ring);
-    graze_status status = add_sections(list, low, rest);
+    TRY(add_sections(list, low, rest));
     fmpq_mpoly_clear(quotient, list->ring);
     fmpq_mpoly_clear(rest, list->ring);
-    return status;
+    return GRAZE_OK;
 }
 
 /* The common zeros of irreducible polynomials. */
@@ -151,33 +135,27 @@ static graze_status add_pair(charts *list, const fmpq_mpoly_t p, const fmpq_mpol
         return add_plane_section(list, p, q);
     if (of_q == 1)
         return add_plane_section(list, q, p);
-    graze_status status = of_p >= of_q ? add_remainder(list, p, q) : GRAZE_OK;
-    if (!status && of_p <= of_q && list->count == before)
-        status = add_remainder(list, q, p);
-    return status;
+    TRY(of_p >= of_q ? add_remainder(list, p, q) : GRAZE_OK);
+    if (of_p <= of_q && list->count == before)
+        TRY(add_remainder(list, q, p));
+    return GRAZE_OK;
 }
 
 graze_status charts_add_common(charts *list, const fmpq_mpoly_t p, const fmpq_mpoly_t q) {
     fmpq_mpoly_factor_t parts;
-    graze_status status = GRAZE_OK;
     fmpq_mpoly_factor_init(parts, list->ring);
     if (!fmpq_mpoly_is_zero(q, list->ring) && fmpq_mpoly_factor(parts, q, list->ring))
-        for (slong k = 0; k < parts->num && !status; k++)
-            status = add_pair(list, p, parts->poly + k);
+        for (slong k = 0; k < parts->num; k++)
+            TRY(add_pair(list, p, parts->poly + k));
     fmpq_mpoly_factor_clear(parts, list->ring);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status charts_add_singular(charts *list, const fmpq_mpoly_t p) {
-    quadratic q;
-    flat space;
-    quadratic_init(&q);
+    HELD(quadratic, q);
     quadratic_read(&q, p, list->dimension, list->ring);
-    flat_init(&space, list->dimension);
-    graze_status status = add_singular(list, &space, &q);
-    flat_clear(&space);
-    quadratic_clear(&q);
-    return status;
+    HELD(flat, space, list->dimension);
+    return add_singular(list, &space, &q);
 }
 
 /* The power of two that is at most the length of a side. */
@@ -201,7 +179,8 @@ int chart_draw(fmpq *point, const chart *from, random_stream *r, const fmpq *low
                const fmpq *high) {
     int n = from->place.count, made = 1;
     size_t kind = random_below(r, 4);
-    fmpq *s = _fmpq_vec_init(6), *v = s + 3;
+    LOCAL_VEC(fmpq, s, 6);
+    fmpq *v = s + 3;
     for (int j = 0; j < n; j++) {
         int axis = from->place.axis[j];
         if (from->bent) {
@@ -217,6 +196,5 @@ int chart_draw(fmpq *point, const chart *from, random_stream *r, const fmpq *low
     if (from->bent)
         made = quadratic_other_zero(s, &from->curve, v);
     flat_point(point, &from->place, s);
-    _fmpq_vec_clear(s, 6);
     return made;
 }

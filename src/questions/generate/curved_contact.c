@@ -7,6 +7,7 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "base/number/order.h"
 #include "base/number/vector.h"
 #include "decide/curved/pullbacks.h"
@@ -54,7 +55,7 @@ static int draw_from(touchpoint *p, const charts *list, random_stream *r, const 
 
 /* The gradient of a surface at y. */
 static void surface_gradient(fmpq *out, const csg_surface *s, const fmpq *y, int d) {
-    fmpq *term = _fmpq_vec_init(1);
+    LOCAL_VEC(fmpq, term, 1);
     for (int i = 0; i < d; i++) {
         fmpq_zero(out + i);
         for (size_t k = 0; k < s->count; k++) {
@@ -66,29 +67,24 @@ static void surface_gradient(fmpq *out, const csg_surface *s, const fmpq *y, int
             fmpq_add(out + i, out + i, term);
         }
     }
-    _fmpq_vec_clear(term, 1);
 }
 
 /* form = gradient . (x - y), in integers */
 static void tangent_plane(fmpz *form, const csg_surface *s, const fmpq *y, int d) {
-    fmpz_t common;
-    fmpq *plane = _fmpq_vec_init(4);
-    fmpz_init(common);
+    LOCAL_VEC(fmpq, plane, 4);
+    LOCAL(fmpz, common);
     surface_gradient(plane, s, y, d);
     for (int i = 0; i < d; i++)
         fmpq_submul(plane + d, plane + i, y + i);
     _fmpq_vec_get_fmpz_vec_fmpz(form, common, plane, d + 1);
-    _fmpq_vec_clear(plane, 4);
-    fmpz_clear(common);
 }
 
 /* A time at which the normal velocity of a point of a surface is zero, in a random piece. */
 static int draw_time(touchpoint *p, size_t surface, random_stream *r) {
     const graze_scene *scene = p->g->scene;
     size_t piece = random_below(r, scene->motion->piece_count);
-    fmpz_poly_t velocity;
-    fmpq *u = _fmpq_vec_init(SPECIAL_ROOTS);
-    fmpz_poly_init(velocity);
+    LOCAL_VEC(fmpq, u, SPECIAL_ROOTS);
+    LOCAL(fmpz_poly, velocity);
     tangent_plane(p->form, &p->g->atlas->solid->surface[surface], p->y, scene->motion->dimension);
     special_velocity(velocity, scene, piece, p->form, p->y);
     int found = special_roots(u, velocity);
@@ -96,8 +92,6 @@ static int draw_time(touchpoint *p, size_t surface, random_stream *r) {
         instant_init(&p->own, scene, piece, u + random_below(r, (size_t)found));
         p->when = &p->own;
     }
-    fmpz_poly_clear(velocity);
-    _fmpq_vec_clear(u, SPECIAL_ROOTS);
     return found > 0;
 }
 
@@ -152,7 +146,7 @@ static graze_status find_dependence(touchpoint *p) {
     const csg *solid = p->g->atlas->solid;
     int d = solid->dimension;
     expression e;
-    fmpz *x = _fmpz_vec_init(d + 1);
+    LOCAL_VEC(fmpz, x, d + 1);
     size_t count = 0, *vanishing = malloc((solid->surface_count + 1) * sizeof *vanishing);
     graze_status status = expression_init(&e, p->context, solid);
     if (!status && !vanishing)
@@ -168,7 +162,6 @@ static graze_status find_dependence(touchpoint *p) {
         status = expression_ask(&p->at, &e, vanishing, count);
     expression_clear(&e);
     free(vanishing);
-    _fmpz_vec_clear(x, d + 1);
     return status;
 }
 
@@ -176,10 +169,9 @@ static graze_status find_dependence(touchpoint *p) {
 static void measure_cell(touchpoint *p) {
     const csg *solid = p->g->atlas->solid;
     int d = solid->dimension, apex = 0;
-    fmpq_mat_t gradients;
     if (p->at.count == 0)
         return;
-    fmpq_mat_init(gradients, p->at.count, d);
+    LOCAL(fmpq_mat, gradients, p->at.count, d);
     for (int k = 0; k < p->at.count; k++) {
         fmpq *row = fmpq_mat_entry(gradients, k, 0);
         surface_gradient(row, &solid->surface[p->at.surface[k]], p->y, d);
@@ -190,7 +182,6 @@ static void measure_cell(touchpoint *p) {
         p->kind = d - 1;
     else if (!apex && !p->isolated && d == 3 && fmpq_mat_rref(gradients, gradients) < 3)
         p->kind = 1;
-    fmpq_mat_clear(gradients);
 }
 
 static int kind_fits(graze_stratum stratum, int kind, int d) {
@@ -224,13 +215,10 @@ static void choose_surface(touchpoint *p, random_stream *r) {
 
 /* Order of the contact with the surface: the multiplicity of the root, or that of a slide. */
 static graze_status order_of_contact(int *order, const touchpoint *p, const fmpq *world) {
-    trajectory c;
-    fmpz_poly_t f;
-    fmpq_t value;
     *order = 0;
-    trajectory_init(&c, p->when->dimension);
-    fmpz_poly_init(f);
-    fmpq_init(value);
+    HELD(trajectory, c, p->when->dimension);
+    LOCAL(fmpz_poly, f);
+    LOCAL(fmpq, value);
     trajectory_set(
         &c,
         motion_tracing(&p->g->scene->motion->piece[p->when->piece], p->g->scene->options.operation),
@@ -244,25 +232,19 @@ static graze_status order_of_contact(int *order, const touchpoint *p, const fmpq
         fmpz_poly_derivative(f, f);
         *order += fmpq_is_zero(value);
     }
-    trajectory_clear(&c);
-    fmpz_poly_clear(f);
-    fmpq_clear(value);
     return status;
 }
 
 /* The sign of a time of contact minus that of the instant. */
 static graze_status compare_times(int *out, const touchpoint *p, graze_time *time) {
-    algebraic u;
-    algebraic_init(&u);
+    HELD(algebraic, u);
     algebraic_set_rational(&u, p->when->u);
-    graze_status status = GRAZE_OK;
     *out = time->piece < p->when->piece ? -1 : 1;
     if (time->piece == p->when->piece)
-        status = algebraic_compare(out, p->context, &time->u, &u);
+        TRY(algebraic_compare(out, p->context, &time->u, &u));
     else if (time->piece + 1 == p->when->piece && fmpq_is_zero(p->when->u))
         *out = time_is_piece_end(time) ? 0 : -1;
-    algebraic_clear(&u);
-    return status;
+    return GRAZE_OK;
 }
 
 /* The primitive of a contact that has the surface; the number of primitives for none. */
@@ -317,9 +299,8 @@ static graze_status finish_contact(int *made, sample *out, fmpq *normal, touchpo
 graze_status curved_contact(int *made, sample *out, fmpq *normal, graze_context *context,
                             const struct graze_generator *g, graze_stratum stratum,
                             random_stream *r) {
-    touchpoint p;
     graze_status status = GRAZE_OK;
-    touchpoint_init(&p, context, g);
+    HELD(touchpoint, p, context, g);
     *made = draw_touch(&p, stratum, r);
     if (*made) {
         instant_move(out->point, p.when, p.y);
@@ -334,6 +315,5 @@ graze_status curved_contact(int *made, sample *out, fmpq *normal, graze_context 
         choose_surface(&p, r);
         status = finish_contact(made, out, normal, &p, stratum);
     }
-    touchpoint_clear(&p);
     return status ? status : context_poll(context);
 }

@@ -5,6 +5,7 @@
 
 #include <flint/fmpq.h>
 #include <flint/fmpq_vec.h>
+#include "base/context/scope.h"
 
 void flat_init(flat *f, int dimension) {
     f->dimension = f->count = dimension;
@@ -51,7 +52,7 @@ static void linear_coefficient(fmpq_t out, const fmpq_mpoly_t linear, int j,
 /* The parameter whose coefficient is the largest. */
 static int find_pivot(const fmpq *h, int count) {
     int pivot = 0;
-    fmpq *size = _fmpq_vec_init(2);
+    LOCAL_VEC(fmpq, size, 2);
     for (int j = 0; j < count; j++) {
         fmpq_abs(size + 1, h + j);
         if (fmpq_cmp(size + 1, size) <= 0)
@@ -59,7 +60,6 @@ static int find_pivot(const fmpq *h, int count) {
         fmpq_swap(size, size + 1);
         pivot = j;
     }
-    _fmpq_vec_clear(size, 2);
     return pivot;
 }
 
@@ -79,7 +79,8 @@ void flat_coordinates(fmpq_mpoly_struct *out, const flat *f, const fmpq_mpoly_ct
 
 /* With s_pivot = -(constant + sum h_j s_j) / h_pivot the others are the parameters. */
 void flat_cut(flat *f, const fmpq_mpoly_t linear, const fmpq_mpoly_ctx_t ring) {
-    fmpq *h = _fmpq_vec_init(4), *constant = h + 3;
+    LOCAL_VEC(fmpq, h, 4);
+    fmpq *constant = h + 3;
     for (int j = 0; j < f->count; j++)
         linear_coefficient(h + j, linear, j, ring);
     linear_coefficient(constant, linear, -1, ring);
@@ -103,5 +104,4 @@ void flat_cut(flat *f, const fmpq_mpoly_t linear, const fmpq_mpoly_ctx_t ring) {
         f->axis[to++] = f->axis[j];
     }
     f->count--;
-    _fmpq_vec_clear(h, 4);
 }

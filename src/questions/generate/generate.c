@@ -5,6 +5,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "decide/scene/box.h"
 #include "decide/verdict/classify.h"
 #include "questions/generate/level.h"
@@ -23,8 +24,7 @@ static graze_status make_instants(struct graze_generator *g, graze_context *cont
     if (!g->instants)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for %d times", INSTANTS);
     random_stream r;
-    fmpq_t u;
-    fmpq_init(u);
+    LOCAL(fmpq, u);
     random_seed(&r, g->seed, TIME_STREAM);
     for (int k = 0; k < INSTANTS; k++) {
         size_t piece = random_below(&r, g->scene->motion->piece_count);
@@ -37,7 +37,6 @@ static graze_status make_instants(struct graze_generator *g, graze_context *cont
         instant_init(&g->instants[k], g->scene, piece, u);
         g->instant_count++;
     }
-    fmpq_clear(u);
     return GRAZE_OK;
 }
 
@@ -47,13 +46,11 @@ static graze_status list_joints(struct graze_generator *g, graze_context *contex
     g->joints = malloc((pieces + 1) * sizeof *g->joints);
     if (!g->joints)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu break points", pieces);
-    fmpq_t u;
-    fmpq_init(u);
+    LOCAL(fmpq, u);
     for (size_t k = 0; k < pieces; k++)
         instant_init(&g->joints[g->joint_count++], g->scene, k, u);
     fmpq_one(u);
     instant_init(&g->joints[g->joint_count++], g->scene, pieces - 1, u);
-    fmpq_clear(u);
     return GRAZE_OK;
 }
 
@@ -73,19 +70,18 @@ static graze_status keep_decided(int *made, sample *out, graze_context *context,
 static graze_status try_row(int *made, sample *out, graze_context *context,
                             const struct graze_generator *g, graze_stratum stratum,
                             random_stream *r) {
-    graze_status status = GRAZE_OK;
     *made = 0;
-    for (int k = 0; k < TRIES && !*made && !status; k++) {
+    for (int k = 0; k < TRIES && !*made; k++) {
         if (stratum == GRAZE_STRATUM_LEVEL)
-            status = level_try(made, out, context, g, r);
+            TRY(level_try(made, out, context, g, r));
         else if (stratum == GRAZE_STRATUM_ROUNDED)
-            status = rounded_try(made, out, context, g, r);
+            TRY(rounded_try(made, out, context, g, r));
         else
-            status = stratum_try(made, out, context, g, stratum, r);
-        if (*made && !status && g->atlas)
-            status = keep_decided(made, out, context, g);
+            TRY(stratum_try(made, out, context, g, stratum, r));
+        if (*made && g->atlas)
+            TRY(keep_decided(made, out, context, g));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Does a trial make a point of the stratum? */
@@ -108,9 +104,8 @@ static graze_status try_stratum(int *made, sample *s, graze_context *context,
 
 /* Set the weight of strata that no trial makes to 0. */
 static graze_status try_strata(struct graze_generator *g, graze_context *context) {
-    sample s;
     graze_status status = GRAZE_OK;
-    sample_init(&s);
+    HELD(sample, s);
     for (int stratum = 0; stratum < GRAZE_STRATUM_COUNT && !status; stratum++) {
         int made;
         status = try_stratum(&made, &s, context, g, (graze_stratum)stratum);
@@ -118,7 +113,6 @@ static graze_status try_strata(struct graze_generator *g, graze_context *context
             g->weight[stratum] = 0;
         g->total += g->weight[stratum];
     }
-    sample_clear(&s);
     if (status)
         return status;
     if (g->total == 0)
@@ -149,15 +143,12 @@ graze_status generator_make(struct graze_generator *out, graze_context *context,
         fmpq_init(out->low + i);
         fmpq_init(out->high + i);
     }
-    graze_status status = scene_box(out->low, out->high, context, scene);
-    if (!status)
-        status = list_joints(out, context);
-    if (!status)
-        status = make_instants(out, context);
-    if (!status)
-        status = scene->solid->curved ? survey_curved(out, context)
-                                      : specials_find(&out->special, context, scene);
-    return status ? status : try_strata(out, context);
+    TRY(scene_box(out->low, out->high, context, scene));
+    TRY(list_joints(out, context));
+    TRY(make_instants(out, context));
+    TRY(scene->solid->curved ? survey_curved(out, context)
+                             : specials_find(&out->special, context, scene));
+    return try_strata(out, context);
 }
 
 void generator_clear(struct graze_generator *g) {

@@ -6,12 +6,12 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <math.h>
+#include "base/context/scope.h"
 
 /* The derivative of p of an order at a / b, times b^degree: b[n] is b^n. */
 static void evaluate(fmpz_t out, const fmpz_poly_struct *p, const fmpz_t a, const fmpz *b,
                      slong degree, slong order) {
-    fmpz_t c;
-    fmpz_init(c);
+    LOCAL(fmpz, c);
     fmpz_zero(out);
     for (slong n = fmpz_poly_degree(p); n >= order; n--) {
         fmpz_poly_get_coeff_fmpz(c, p, n);
@@ -20,7 +20,6 @@ static void evaluate(fmpz_t out, const fmpz_poly_struct *p, const fmpz_t a, cons
         fmpz_mul(out, out, a);
         fmpz_addmul(out, c, b + (degree - n + order));
     }
-    fmpz_clear(c);
 }
 
 /* The derivative of a point map of an order at a / b, its weight's row last, times a power of b. */
@@ -30,7 +29,7 @@ static void evaluate_rows(fmpz *out, const point_map *map, const fmpq_t u, slong
     for (int e = 0; e < entries; e++)
         if (fmpz_poly_degree(&map->entry[e]) > degree)
             degree = fmpz_poly_degree(&map->entry[e]);
-    fmpz *power = _fmpz_vec_init(degree + order + 1);
+    LOCAL_VEC(fmpz, power, degree + order + 1);
     fmpz_one(power);
     for (slong n = 1; n <= degree + order; n++)
         fmpz_mul(power + n, power + n - 1, fmpq_denref(u));
@@ -38,7 +37,6 @@ static void evaluate_rows(fmpz *out, const point_map *map, const fmpq_t u, slong
         evaluate(out + e, &map->entry[e], fmpq_numref(u), power, degree, order);
     _fmpz_vec_zero(out + entries, d);
     evaluate(out + entries + d, map->weight, fmpq_numref(u), power, degree, order);
-    _fmpz_vec_clear(power, degree + order + 1);
 }
 
 /* out = a b, square matrices. */
@@ -54,15 +52,14 @@ static void multiply(fmpz *out, const fmpz *a, const fmpz *b, int size) {
 /* The derivatives of the tracing map times the placing map. */
 static void carry(instant *i, const point_map *tracing, const point_map *placing) {
     int size = i->dimension + 1;
-    fmpz *place = _fmpz_vec_init(size * size), *derivative = _fmpz_vec_init(size * size);
+    LOCAL_VEC(fmpz, place, size * size);
+    LOCAL_VEC(fmpz, derivative, size * size);
     evaluate_rows(place, placing, i->u, 0);
     for (int k = 0; k < INSTANT_DERIVATIVES; k++) {
         i->carried[k] = _fmpz_vec_init(size * size);
         evaluate_rows(derivative, tracing, i->u, k + 1);
         multiply(i->carried[k], derivative, place, size);
     }
-    _fmpz_vec_clear(place, size * size);
-    _fmpz_vec_clear(derivative, size * size);
 }
 
 /* Numbers as doubles, scaled by one power of 2; 0 if one of them is too small beside another. */

@@ -6,6 +6,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
+#include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "decide/verdict/classify.h"
 #include "questions/distance/diagonal.h"
@@ -20,25 +21,23 @@ enum { DECADES_DOWN = 9, LEVEL_TRIES = 150 };
 
 /* 10^decade */
 static void power_of_ten(fmpq_t out, int decade) {
-    fmpz_t ten;
-    fmpz_init_set_ui(ten, 10);
+    LOCAL(fmpz, ten);
+    fmpz_set_ui(ten, 10);
     fmpz_pow_ui(ten, ten, (ulong)(decade < 0 ? -decade : decade));
     fmpq_set_fmpz(out, ten);
     if (decade < 0)
         fmpq_inv(out, out);
-    fmpz_clear(ten);
 }
 
 /* A length in the decade, small ones more often. */
 static graze_status draw_length(double *out, graze_context *context, int decade, random_stream *r) {
     slong j = 1 + (slong)random_below(r, STEPS - 1);
-    fmpq *length = _fmpq_vec_init(2), *part = length + 1;
+    LOCAL_VEC(fmpq, length, 2);
+    fmpq *part = length + 1;
     power_of_ten(length, decade);
     fmpq_set_si(part, STEPS * STEPS + 8 * j * j, STEPS * STEPS);
     fmpq_mul(length, length, part);
-    graze_status status = rational_nearest(out, context, length);
-    _fmpq_vec_clear(length, 2);
-    return status;
+    return rational_nearest(out, context, length);
 }
 
 /* The number of binary places of points that are displaced by a length. */
@@ -50,8 +49,7 @@ static long places_for(double length) {
 
 /* Round down to `places` binary places. */
 static void round_to_places(fmpq_t x, long places) {
-    fmpz_t whole;
-    fmpz_init(whole);
+    LOCAL(fmpz, whole);
     if (places >= 0)
         fmpq_mul_2exp(x, x, (ulong)places);
     else
@@ -62,7 +60,6 @@ static void round_to_places(fmpq_t x, long places) {
         fmpq_div_2exp(x, x, (ulong)places);
     else
         fmpq_mul_2exp(x, x, (ulong)-places);
-    fmpz_clear(whole);
 }
 
 /* Move a point by a length along a direction, near enough: the distance is asked afterwards. */
@@ -70,7 +67,8 @@ static graze_status move_along(fmpq *point, graze_context *context, const fmpq *
                                double length) {
     double n[3] = {0, 0, 0}, size = 0;
     graze_status status = GRAZE_OK;
-    fmpq *most = _fmpq_vec_init(2), *part = most + 1;
+    LOCAL_VEC(fmpq, most, 2);
+    fmpq *part = most + 1;
     for (int i = 0; i < d; i++) {
         fmpq_abs(part, normal + i);
         if (fmpq_cmp(part, most) > 0)
@@ -86,7 +84,6 @@ static graze_status move_along(fmpq *point, graze_context *context, const fmpq *
         fmpq_add(point + i, point + i, part);
         round_to_places(point + i, places_for(length));
     }
-    _fmpq_vec_clear(most, 2);
     return status;
 }
 
@@ -109,14 +106,13 @@ static graze_status measure(graze_pmc *pmc, distance *found, graze_context *cont
 static int is_in_decade(const distance *found, graze_context *context, int decade) {
     double low = fmin(fabs(found->low), fabs(found->high));
     double high = fmax(fabs(found->low), fabs(found->high));
-    fmpq *from = _fmpq_vec_init(4), *to = from + 1, *least = from + 2, *greatest = from + 3;
+    LOCAL_VEC(fmpq, from, 4);
+    fmpq *to = from + 1, *least = from + 2, *greatest = from + 3;
     power_of_ten(from, decade);
     power_of_ten(to, decade + 1);
-    int fits = !rational_from_double(least, context, low) &&
-               !rational_from_double(greatest, context, high) && fmpq_cmp(least, from) >= 0 &&
-               fmpq_cmp(greatest, to) < 0;
-    _fmpq_vec_clear(from, 4);
-    return fits;
+    return !rational_from_double(least, context, low) &&
+           !rational_from_double(greatest, context, high) && fmpq_cmp(least, from) >= 0 &&
+           fmpq_cmp(greatest, to) < 0;
 }
 
 /* Once the contact is made: is it `on`, and is the point beside it in the decade? */
@@ -145,7 +141,7 @@ static graze_status try_level(int *made, sample *out, graze_context *context,
     static const graze_stratum from[] = {GRAZE_STRATUM_FACE,  GRAZE_STRATUM_SLIDE,
                                          GRAZE_STRATUM_START, GRAZE_STRATUM_END,
                                          GRAZE_STRATUM_EDGE,  GRAZE_STRATUM_VERTEX};
-    fmpq *normal = _fmpq_vec_init(3);
+    LOCAL_VEC(fmpq, normal, 3);
     int touches = 0;
     *made = 0;
     out->made = (graze_sample){.stratum = GRAZE_STRATUM_LEVEL};
@@ -155,7 +151,6 @@ static graze_status try_level(int *made, sample *out, graze_context *context,
         status = place_beside(made, out, context, g, normal, where, r);
     out->made.outward = where.outward;
     out->made.decade = where.decade;
-    _fmpq_vec_clear(normal, 3);
     return status;
 }
 
@@ -166,17 +161,13 @@ graze_status level_try(int *made, sample *out, graze_context *context,
 
 static graze_status look_for(int *found, graze_context *context, const struct graze_generator *g,
                              level where, random_stream *r) {
-    sample s;
-    sample_init(&s);
-    graze_status status = GRAZE_OK;
+    HELD(sample, s);
     *found = 0;
-    for (int k = 0; k < LEVEL_TRIES && !status && !*found; k++) {
-        status = try_level(found, &s, context, g, where, r);
-        if (!status)
-            status = context_poll(context);
+    for (int k = 0; k < LEVEL_TRIES && !*found; k++) {
+        TRY(try_level(found, &s, context, g, where, r));
+        TRY(context_poll(context));
     }
-    sample_clear(&s);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status levels_find(struct graze_generator *g, graze_context *context) {

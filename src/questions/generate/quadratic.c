@@ -5,6 +5,7 @@
 
 #include <flint/fmpq_mat.h>
 #include <flint/fmpq_vec.h>
+#include "base/context/scope.h"
 #include "base/number/vector.h"
 
 /* Numbers in all; integers of directions, by variables; places beside the centre, in eighths. */
@@ -55,7 +56,7 @@ static void apply_form(fmpq *out, const quadratic *q, const fmpq *v) {
 }
 
 static void move_start(quadratic *q, const fmpq *v) {
-    fmpq *image = _fmpq_vec_init(4);
+    LOCAL_VEC(fmpq, image, 4);
     apply_form(image, q, v);
     for (int i = 0; i < q->count; i++) {
         fmpq_add(image + 3, q->slope + i, image + i);
@@ -63,15 +64,13 @@ static void move_start(quadratic *q, const fmpq *v) {
         fmpq_add(q->slope + i, image + 3, image + i);
         fmpq_add(q->start + i, q->start + i, v + i);
     }
-    _fmpq_vec_clear(image, 4);
 }
 
 /* 2 form v = -slope */
 int quadratic_center(quadratic *q) {
-    fmpq_mat_t form, slope, v;
-    fmpq_mat_init(form, q->count, q->count);
-    fmpq_mat_init(slope, q->count, 1);
-    fmpq_mat_init(v, q->count, 1);
+    LOCAL(fmpq_mat, form, q->count, q->count);
+    LOCAL(fmpq_mat, slope, q->count, 1);
+    LOCAL(fmpq_mat, v, q->count, 1);
     for (int i = 0; i < q->count; i++) {
         for (int j = 0; j < q->count; j++)
             fmpq_mul_2exp(fmpq_mat_entry(form, i, j), q->form + 3 * i + j, 1);
@@ -80,9 +79,6 @@ int quadratic_center(quadratic *q) {
     int found = fmpq_mat_can_solve(v, form, slope);
     if (found)
         move_start(q, fmpq_mat_entry(v, 0, 0));
-    fmpq_mat_clear(form);
-    fmpq_mat_clear(slope);
-    fmpq_mat_clear(v);
     return found;
 }
 
@@ -92,11 +88,10 @@ static int is_square(const fmpq_t x) {
 
 /* Coefficients of the polynomial along a line: of the square, and of the first power. */
 static void restrict_to_line(fmpq *square, fmpq *first, const quadratic *q, const fmpq *v) {
-    fmpq *image = _fmpq_vec_init(3);
+    LOCAL_VEC(fmpq, image, 3);
     apply_form(image, q, v);
     _fmpq_vec_dot(square, image, v, q->count);
     _fmpq_vec_dot(first, q->slope, v, q->count);
-    _fmpq_vec_clear(image, 3);
 }
 
 /* A rational root of a x^2 + b x + value, in x[2]. */
@@ -126,10 +121,10 @@ static int root_on_line(fmpq *x, const quadratic *q, const fmpq *v) {
 
 /* Start from a zero on the line along v that has a gradient. */
 static int take_zero_along(quadratic *q, const fmpq *v) {
-    quadratic moved;
-    fmpq *x = _fmpq_vec_init(7), *step = x + 4;
+    LOCAL_VEC(fmpq, x, 7);
+    fmpq *step = x + 4;
     int found = root_on_line(x, q, v);
-    quadratic_init(&moved);
+    HELD(quadratic, moved);
     if (found) {
         for (int i = 0; i < q->count; i++)
             fmpq_mul(step + i, v + i, x + 2);
@@ -139,14 +134,12 @@ static int take_zero_along(quadratic *q, const fmpq *v) {
     }
     if (found)
         quadratic_set(q, &moved);
-    quadratic_clear(&moved);
-    _fmpq_vec_clear(x, 7);
     return found;
 }
 
 /* Directions of small integers, the first one that is not zero positive. */
 static int search_lines(quadratic *q, int reach) {
-    fmpq *v = _fmpq_vec_init(3);
+    LOCAL_VEC(fmpq, v, 3);
     int side = 2 * reach + 1, count = 1, found = 0;
     for (int i = 0; i < q->count; i++)
         count *= side;
@@ -155,16 +148,14 @@ static int search_lines(quadratic *q, int reach) {
             fmpq_set_si(v + i, rest % side - reach, 1);
         found = take_zero_along(q, v);
     }
-    _fmpq_vec_clear(v, 3);
     return found;
 }
 
 /* Along axes through places beside the start. */
 static int search_beside(quadratic *q) {
-    quadratic moved;
-    fmpq *v = _fmpq_vec_init(3);
+    LOCAL_VEC(fmpq, v, 3);
     int found = 0;
-    quadratic_init(&moved);
+    HELD(quadratic, moved);
     for (int k = 0; k < 2 * BESIDE * q->count && !found; k++) {
         int axis = k % q->count, part = 1 + k / q->count / 2;
         quadratic_set(&moved, q);
@@ -180,8 +171,6 @@ static int search_beside(quadratic *q) {
     }
     if (found)
         quadratic_set(q, &moved);
-    quadratic_clear(&moved);
-    _fmpq_vec_clear(v, 3);
     return found;
 }
 
@@ -192,7 +181,7 @@ int quadratic_find_zero(quadratic *q) {
 
 /* The axis of a cylinder: the direction that the form maps to 0. */
 static int cylinder_axis(fmpq *out, const quadratic *q) {
-    fmpq *image = _fmpq_vec_init(4);
+    LOCAL_VEC(fmpq, image, 4);
     int found = 0;
     for (int k = 0; k < 3 && !found; k++) {
         vector_cross(out, q->form + 3 * k, q->form + 3 * ((k + 1) % 3));
@@ -200,24 +189,21 @@ static int cylinder_axis(fmpq *out, const quadratic *q) {
         _fmpq_vec_dot(image + 3, q->slope, out, 3);
         found = !vector_is_zero(out, 3) && vector_is_zero(image, 4);
     }
-    _fmpq_vec_clear(image, 4);
     return found;
 }
 
 int quadratic_ruling(fmpq *out, const quadratic *q, const fmpq *x) {
-    quadratic apex;
     if (q->count != 3 || cylinder_axis(out, q))
         return q->count == 3;
-    quadratic_init(&apex);
+    HELD(quadratic, apex);
     quadratic_set(&apex, q);
     int found = quadratic_center(&apex) && fmpq_is_zero(apex.value);
     vector_sub(out, x, apex.start, 3);
-    quadratic_clear(&apex);
     return found && !vector_is_zero(out, 3);
 }
 
 int quadratic_other_zero(fmpq *out, const quadratic *q, const fmpq *direction) {
-    fmpq *x = _fmpq_vec_init(3);
+    LOCAL_VEC(fmpq, x, 3);
     restrict_to_line(x, x + 1, q, direction);
     int found = !fmpq_is_zero(x) && !fmpq_is_zero(x + 1);
     if (found)
@@ -226,6 +212,5 @@ int quadratic_other_zero(fmpq *out, const quadratic *q, const fmpq *direction) {
         fmpq_set(out + i, q->start + i);
         fmpq_submul(out + i, x + 2, direction + i);
     }
-    _fmpq_vec_clear(x, 3);
     return found;
 }

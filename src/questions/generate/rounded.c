@@ -3,6 +3,7 @@
 
 #include <float.h>
 #include <math.h>
+#include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "decide/verdict/classify.h"
 
@@ -23,11 +24,9 @@ static double step_from_zero(const double *nearest, int d) {
 /* The neighbours of one coordinate; of a double that is to stay the double itself. */
 static graze_status find_neighbours(neighbours *out, int i, graze_context *context, const fmpq_t x,
                                     double nearest, double step, int stays) {
-    fmpq_t rounded;
-    fmpq_init(rounded);
+    LOCAL(fmpq, rounded);
     graze_status status = rational_from_double(rounded, context, nearest);
     int side = fmpq_cmp(rounded, x);
-    fmpq_clear(rounded);
     double low = nearest != 0 ? nextafter(nearest, -DBL_MAX) : -step;
     double high = nearest != 0 ? nextafter(nearest, DBL_MAX) : step;
     out->low[i] = side < 0 || (side == 0 && stays) ? nearest : low;
@@ -39,25 +38,23 @@ static graze_status find_neighbours(neighbours *out, int i, graze_context *conte
 static graze_status point_neighbours(neighbours *out, graze_context *context, const fmpq *point,
                                      int d, random_stream *r) {
     double nearest[3];
-    graze_status status = GRAZE_OK;
     *out = (neighbours){.d = d};
-    for (int i = 0; i < d && !status; i++)
-        status = rational_nearest(&nearest[i], context, point + i);
-    for (int i = 0; i < d && !status; i++) {
+    for (int i = 0; i < d; i++)
+        TRY(rational_nearest(&nearest[i], context, point + i));
+    for (int i = 0; i < d; i++) {
         int stays = (int)random_below(r, 2);
-        status = find_neighbours(out, i, context, point + i, nearest[i], step_from_zero(nearest, d),
-                                 stays);
+        TRY(find_neighbours(out, i, context, point + i, nearest[i], step_from_zero(nearest, d),
+                            stays));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Bit i of `choice` tells which neighbour of coordinate i. */
 static graze_status choose_neighbours(fmpq *point, graze_context *context, const neighbours *n,
                                       size_t choice) {
-    graze_status status = GRAZE_OK;
-    for (int i = 0; i < n->d && !status; i++)
-        status = rational_from_double(point + i, context, choice >> i & 1 ? n->high[i] : n->low[i]);
-    return status;
+    for (int i = 0; i < n->d; i++)
+        TRY(rational_from_double(point + i, context, choice >> i & 1 ? n->high[i] : n->low[i]));
+    return GRAZE_OK;
 }
 
 /* Go through the choices from a random one on until the answer is the one wanted; without it the

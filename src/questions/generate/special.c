@@ -8,6 +8,7 @@
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "input/solid/planes.h"
 
 /* Planes times pieces looked at, and special instants kept. */
@@ -16,7 +17,7 @@ enum { MOST_PAIRS = 4000, MOST_SPECIALS = 512 };
 /* The homogeneous position of a body point, d + 1 polynomials in u. */
 static void moving_point(fmpz_poly_struct *out, const point_map *map, const fmpq *y) {
     int d = map->dimension;
-    fmpz *x = _fmpz_vec_init(d + 1);
+    LOCAL_VEC(fmpz, x, d + 1);
     _fmpq_vec_get_fmpz_vec_fmpz(x, x + d, y, d);
     for (int i = 0; i < d; i++) {
         fmpz_poly_zero(&out[i]);
@@ -24,7 +25,6 @@ static void moving_point(fmpz_poly_struct *out, const point_map *map, const fmpq
             fmpz_poly_scalar_addmul_fmpz(&out[i], &map->entry[i * (d + 1) + j], x + j);
     }
     fmpz_poly_scalar_mul_fmpz(&out[d], map->weight, x + d);
-    _fmpz_vec_clear(x, d + 1);
 }
 
 void special_velocity(fmpz_poly_t out, const graze_scene *scene, size_t piece, const fmpz *form,
@@ -33,9 +33,8 @@ void special_velocity(fmpz_poly_t out, const graze_scene *scene, size_t piece, c
     const point_map *tracing = motion_tracing(p, scene->options.operation);
     int d = tracing->dimension;
     fmpz_poly_struct place[4];
-    fmpz_poly_t derivative, row;
-    fmpz_poly_init(derivative);
-    fmpz_poly_init(row);
+    LOCAL(fmpz_poly, derivative);
+    LOCAL(fmpz_poly, row);
     for (int i = 0; i <= d; i++)
         fmpz_poly_init(&place[i]);
     moving_point(place, motion_placing(p, scene->options.operation), y);
@@ -53,16 +52,12 @@ void special_velocity(fmpz_poly_t out, const graze_scene *scene, size_t piece, c
     }
     for (int i = 0; i <= d; i++)
         fmpz_poly_clear(&place[i]);
-    fmpz_poly_clear(derivative);
-    fmpz_poly_clear(row);
 }
 
 static graze_status append_special(specials *out, graze_context *context, const graze_scene *scene,
                                    size_t piece, const fmpq_t u, size_t simplex, int slides) {
-    graze_status status = array_grow(context, &out->item, &out->capacity, out->count + 1,
-                                     sizeof *out->item, "the special times");
-    if (status)
-        return status;
+    TRY(array_grow(context, &out->item, &out->capacity, out->count + 1, sizeof *out->item,
+                   "the special times"));
     special *added = &out->item[out->count++];
     instant_init(&added->when, scene, piece, u);
     added->simplex = simplex;
@@ -71,11 +66,10 @@ static graze_status append_special(specials *out, graze_context *context, const 
 }
 
 int special_roots(fmpq *out, const fmpz_poly_t p) {
-    fmpz_poly_factor_t factors;
     int count = 0;
     if (fmpz_poly_degree(p) < 1 || fmpz_poly_degree(p) > SPECIAL_ROOTS)
         return 0;
-    fmpz_poly_factor_init(factors);
+    LOCAL(fmpz_poly_factor, factors);
     fmpz_poly_factor(factors, p);
     for (slong k = 0; k < factors->num; k++) {
         if (fmpz_poly_degree(factors->p + k) != 1)
@@ -85,7 +79,6 @@ int special_roots(fmpq *out, const fmpz_poly_t p) {
         fmpq_neg(u, u);
         count += fmpq_sgn(u) > 0 && fmpq_cmp_ui(u, 1) < 0;
     }
-    fmpz_poly_factor_clear(factors);
     return count;
 }
 
@@ -93,39 +86,31 @@ int special_roots(fmpq *out, const fmpz_poly_t p) {
 static graze_status append_common_roots(specials *out, graze_context *context,
                                         const graze_scene *scene, size_t piece, size_t simplex,
                                         const fmpz_poly_t g) {
-    graze_status status = GRAZE_OK;
-    fmpq *u = _fmpq_vec_init(SPECIAL_ROOTS);
+    LOCAL_VEC(fmpq, u, SPECIAL_ROOTS);
     int count = special_roots(u, g);
-    for (int k = 0; k < count && !status && out->count < MOST_SPECIALS; k++)
-        status = append_special(out, context, scene, piece, u + k, simplex, 0);
-    _fmpq_vec_clear(u, SPECIAL_ROOTS);
-    return status;
+    for (int k = 0; k < count && out->count < MOST_SPECIALS; k++)
+        TRY(append_special(out, context, scene, piece, u + k, simplex, 0));
+    return GRAZE_OK;
 }
 
 static graze_status look_at(specials *out, graze_context *context, const graze_scene *scene,
                             size_t piece, size_t simplex, const fmpz *plane) {
     const graze_solid *solid = scene->solid;
     int d = solid->input.dimension;
-    fmpz_poly_t common, velocity;
-    fmpq_t half;
-    fmpz_poly_init(common);
-    fmpz_poly_init(velocity);
-    fmpq_init(half);
+    LOCAL(fmpz_poly, common);
+    LOCAL(fmpz_poly, velocity);
+    LOCAL(fmpq, half);
     fmpq_set_si(half, 1, 2);
     for (int k = 0; k < d; k++) {
         special_velocity(velocity, scene, piece, plane,
                          solid->input.coordinates + solid->cut.item[simplex].vertex[k] * (size_t)d);
         fmpz_poly_gcd(common, common, velocity);
     }
-    graze_status status = GRAZE_OK;
     if (fmpz_poly_is_zero(common))
-        status = append_special(out, context, scene, piece, half, simplex, 1);
+        TRY(append_special(out, context, scene, piece, half, simplex, 1));
     else
-        status = append_common_roots(out, context, scene, piece, simplex, common);
-    fmpz_poly_clear(common);
-    fmpz_poly_clear(velocity);
-    fmpq_clear(half);
-    return status;
+        TRY(append_common_roots(out, context, scene, piece, simplex, common));
+    return GRAZE_OK;
 }
 
 /* The first simplex of every plane, in the order of the simplices. */
@@ -134,35 +119,31 @@ static graze_status look_at_planes(specials *out, graze_context *context, const 
     size_t pieces = scene->motion->piece_count, seen = 0;
     size_t stride = planes->count * pieces / MOST_PAIRS + 1;
     size_t width = (size_t)planes->dimension + 1;
-    graze_status status = GRAZE_OK;
     for (size_t p = 0; p < planes->count; p++)
         plane_from[planes->order[planes->start[p]]] = (uint32_t)p + 1;
-    for (size_t s = 0; s < planes->simplex_count && !status; s++) {
+    for (size_t s = 0; s < planes->simplex_count; s++) {
         if (!plane_from[s])
             continue;
         const fmpz *form = planes->form + (plane_from[s] - 1) * width;
-        for (size_t piece = 0; piece < pieces && !status && out->count < MOST_SPECIALS; piece++)
+        for (size_t piece = 0; piece < pieces && out->count < MOST_SPECIALS; piece++)
             if (seen++ % stride == 0)
-                status = look_at(out, context, scene, piece, s, form);
-        if (!status)
-            status = context_poll(context);
+                TRY(look_at(out, context, scene, piece, s, form));
+        TRY(context_poll(context));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status specials_find(specials *out, graze_context *context, const graze_scene *scene) {
     const graze_solid *solid = scene->solid;
     plane_list planes;
     *out = (specials){.count = 0};
-    uint32_t *plane_from = calloc(solid->cut.count, sizeof *plane_from);
+    FREED(uint32_t, plane_from, calloc(solid->cut.count, sizeof *plane_from));
     if (!plane_from || planes_find(&planes, solid, NULL, solid->cut.count)) {
-        free(plane_from);
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for the planes of %zu simplices",
                             solid->cut.count);
     }
     graze_status status = look_at_planes(out, context, scene, &planes, plane_from);
     planes_clear(&planes);
-    free(plane_from);
     if (status)
         specials_clear(out);
     return status;

@@ -5,6 +5,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 #include "decide/trace/trajectory.h"
 #include "questions/generate/velocity.h"
 
@@ -62,11 +63,10 @@ static int draw_on_cell(touchpoint *p, const struct graze_generator *g, random_s
         if (part[2] <= 0)
             return 0;
     }
-    fmpq *weight = _fmpq_vec_init(3);
+    LOCAL_VEC(fmpq, weight, 3);
     for (int k = 0; k < 3; k++)
         fmpq_set_si(weight + k, part[k], PARTS);
     combine(p->y, g, p->simplex, weight);
-    _fmpq_vec_clear(weight, 3);
     return 1;
 }
 
@@ -83,9 +83,9 @@ static fmpz *touched_plane(int *facing, const touchpoint *p, const struct graze_
 static void corner_pullbacks(fmpq *out, const touchpoint *p, const struct graze_generator *g,
                              int k) {
     int d = p->when->dimension, facing;
-    fmpz *plane = touched_plane(&facing, p, g), *form = _fmpz_vec_init(d + 1);
-    fmpq_t term;
-    fmpq_init(term);
+    fmpz *plane = touched_plane(&facing, p, g);
+    LOCAL_VEC(fmpz, form, d + 1);
+    LOCAL(fmpq, term);
     instant_pullback(form, p->when, plane, k);
     for (int c = 0; c < d; c++) {
         fmpq_set_fmpz(out + c, form + d);
@@ -95,8 +95,6 @@ static void corner_pullbacks(fmpq *out, const touchpoint *p, const struct graze_
         }
     }
     _fmpz_vec_clear(plane, d + 1);
-    _fmpz_vec_clear(form, d + 1);
-    fmpq_clear(term);
 }
 
 /* A place between the ends of a line, in parts. */
@@ -109,9 +107,9 @@ static slong draw_place(random_stream *r) {
 static int draw_on_line(touchpoint *p, const struct graze_generator *g, random_stream *r,
                         const fmpq *value) {
     int d = p->when->dimension, found = 0;
-    fmpq *end = _fmpq_vec_init(6), *weight = _fmpq_vec_init(3);
-    fmpq_t span;
-    fmpq_init(span);
+    LOCAL_VEC(fmpq, end, 6);
+    LOCAL_VEC(fmpq, weight, 3);
+    LOCAL(fmpq, span);
     for (int k = 0; k < (d == 2 ? 1 : 3) && found < 2; k++) {
         int next = (k + 1) % d;
         if (fmpq_sgn(value + k) * fmpq_sgn(value + next) >= 0)
@@ -133,9 +131,6 @@ static int draw_on_line(touchpoint *p, const struct graze_generator *g, random_s
     if (enough)
         combine(p->y, g, p->simplex, weight);
     p->zero = 0;
-    _fmpq_vec_clear(end, 6);
-    _fmpq_vec_clear(weight, 3);
-    fmpq_clear(span);
     return enough;
 }
 
@@ -143,9 +138,8 @@ static int draw_on_line(touchpoint *p, const struct graze_generator *g, random_s
  * weights are the cross product of their corner values. */
 static int draw_on_point(touchpoint *p, const struct graze_generator *g, const fmpq *f,
                          const fmpq *h) {
-    fmpq *weight = _fmpq_vec_init(3);
-    fmpq_t total;
-    fmpq_init(total);
+    LOCAL_VEC(fmpq, weight, 3);
+    LOCAL(fmpq, total);
     for (int k = 0; k < 3; k++) {
         fmpq_mul(weight + k, f + (k + 1) % 3, h + (k + 2) % 3);
         fmpq_submul(weight + k, f + (k + 2) % 3, h + (k + 1) % 3);
@@ -159,22 +153,17 @@ static int draw_on_point(touchpoint *p, const struct graze_generator *g, const f
     if (inside)
         combine(p->y, g, p->simplex, weight);
     p->zero = 0;
-    _fmpq_vec_clear(weight, 3);
-    fmpq_clear(total);
     return inside;
 }
 
 /* Order of the contact with the simplex's plane: the multiplicity of the pullback's root, or that
  * of a slide. */
 static int order_at(const struct graze_generator *g, const touchpoint *p, const fmpq *world) {
-    trajectory c;
-    fmpz_poly_t f;
-    fmpq_t value;
     int order = 0, facing;
     fmpz *plane = touched_plane(&facing, p, g);
-    trajectory_init(&c, p->when->dimension);
-    fmpz_poly_init(f);
-    fmpq_init(value);
+    HELD(trajectory, c, p->when->dimension);
+    LOCAL(fmpz_poly, f);
+    LOCAL(fmpq, value);
     trajectory_set(
         &c, motion_tracing(&g->scene->motion->piece[p->when->piece], g->scene->options.operation),
         world);
@@ -189,9 +178,6 @@ static int order_at(const struct graze_generator *g, const touchpoint *p, const 
         }
     }
     _fmpz_vec_clear(plane, p->when->dimension + 1);
-    trajectory_clear(&c);
-    fmpz_poly_clear(f);
-    fmpq_clear(value);
     return order;
 }
 
@@ -218,7 +204,8 @@ static int draw_tangent(touchpoint *p, const struct graze_generator *g, random_s
             (void)draw_place(r);
         return 0;
     }
-    fmpq *velocity = _fmpq_vec_init(3), *bend = _fmpq_vec_init(3);
+    LOCAL_VEC(fmpq, velocity, 3);
+    LOCAL_VEC(fmpq, bend, 3);
     corner_pullbacks(velocity, p, g, 1);
     if (at_point) {
         corner_pullbacks(bend, p, g, 2);
@@ -226,8 +213,6 @@ static int draw_tangent(touchpoint *p, const struct graze_generator *g, random_s
     } else {
         drawn = draw_on_line(p, g, r, velocity);
     }
-    _fmpq_vec_clear(velocity, 3);
-    _fmpq_vec_clear(bend, 3);
     return drawn;
 }
 

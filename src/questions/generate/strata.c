@@ -4,6 +4,7 @@
 #include "questions/generate/strata.h"
 
 #include <flint/fmpq_vec.h>
+#include "base/context/scope.h"
 #include "questions/generate/curved_contact.h"
 #include "questions/generate/straight_contact.h"
 
@@ -22,7 +23,8 @@ enum {
 static void displace(sample *s, const struct graze_generator *g, const fmpq *normal, int outward,
                      int k) {
     int d = g->scene->motion->dimension, widest = 0;
-    fmpq *length = _fmpq_vec_init(2), *size = length + 1;
+    LOCAL_VEC(fmpq, length, 2);
+    fmpq *size = length + 1;
     for (int i = 0; i < d; i++) {
         fmpq_abs(size, normal + i);
         if (fmpq_cmp(size, length) > 0) {
@@ -40,21 +42,18 @@ static void displace(sample *s, const struct graze_generator *g, const fmpq *nor
         else
             fmpq_sub(s->point + i, s->point + i, size);
     }
-    _fmpq_vec_clear(length, 2);
     s->made.k = k;
     s->made.outward = outward;
 }
 
 static int try_random(sample *out, const struct graze_generator *g, random_stream *r) {
-    fmpq_t part;
-    fmpq_init(part);
+    LOCAL(fmpq, part);
     for (int i = 0; i < g->scene->motion->dimension; i++) {
         fmpq_sub(out->point + i, g->high + i, g->low + i);
         fmpq_set_si(part, (slong)random_below(r, (1u << BOX_BITS) + 1), 1u << BOX_BITS);
         fmpq_mul(out->point + i, out->point + i, part);
         fmpq_add(out->point + i, out->point + i, g->low + i);
     }
-    fmpq_clear(part);
     return sample_is_kept(out, g);
 }
 
@@ -71,11 +70,10 @@ graze_status stratum_contact(int *made, sample *out, fmpq *normal, graze_context
 static graze_status try_contact(int *made, sample *out, graze_context *context,
                                 const struct graze_generator *g, graze_stratum stratum,
                                 random_stream *r, int k) {
-    fmpq *normal = _fmpq_vec_init(3);
+    LOCAL_VEC(fmpq, normal, 3);
     graze_status status = stratum_contact(made, out, k ? normal : NULL, context, g, stratum, r);
     if (*made && k)
         displace(out, g, normal, (int)random_below(r, 2), k);
-    _fmpq_vec_clear(normal, 3);
     *made = *made && sample_is_kept(out, g);
     return status;
 }

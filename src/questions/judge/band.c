@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "base/context/team.h"
 #include "base/number/rounding.h"
 #include "decide/scene/box.h"
@@ -42,13 +43,13 @@ graze_status band_init(band *b, graze_context *context, const graze_scene *scene
         array_grow(context, &b->item, &b->capacity, 1, sizeof *b->item, "cubes of space");
     if (status)
         return status;
-    fmpq *box_low = _fmpq_vec_init(6), *box_high = box_low + 3;
+    LOCAL_VEC(fmpq, box_low, 6);
+    fmpq *box_high = box_low + 3;
     status = scene_box(box_low, box_high, context, scene);
     for (int k = 0; k < 3; k++) {
         rational_bounds(&low[k], &unused, box_low + k);
         rational_bounds(&unused, &high[k], box_high + k);
     }
-    _fmpq_vec_clear(box_low, 6);
     b->item[0] = (cube){.kind = CUBE_BAND};
     if (!status)
         choose_root(&b->item[0], low, high);
@@ -75,12 +76,11 @@ static graze_status decide_cube(cell_asker *ask, const judged_mesh *mesh, int fl
         return flat_child(c, ask->context, mesh);
     for (int k = 0; k < 3; k++)
         points.centre[k] = c->centre[k];
-    graze_status status = cell_certain(&pmc, ask, &points, &near);
-    if (!status)
-        c->kind = pmc == GRAZE_IN ? CUBE_IN : pmc == GRAZE_OUT ? CUBE_OUT : CUBE_BAND;
-    if (!status && mesh && c->kind == CUBE_BAND)
-        status = flat_decide(c, ask, mesh);
-    return status;
+    TRY(cell_certain(&pmc, ask, &points, &near));
+    c->kind = pmc == GRAZE_IN ? CUBE_IN : pmc == GRAZE_OUT ? CUBE_OUT : CUBE_BAND;
+    if (mesh && c->kind == CUBE_BAND)
+        TRY(flat_decide(c, ask, mesh));
+    return GRAZE_OK;
 }
 
 /* Set the kind of a cut cube, and of those that contain it, to the kinds of the cubes below. */
@@ -129,10 +129,10 @@ static void place_children(band *b, uint32_t index) {
 
 static graze_status decide_children(cell_asker *ask, const judged_mesh *mesh, int flat,
                                     cube *child) {
-    graze_status status = context_poll(ask->context);
-    for (int k = 0; k < 8 && !status; k++)
-        status = decide_cube(ask, mesh, flat, &child[k]);
-    return status;
+    TRY(context_poll(ask->context));
+    for (int k = 0; k < 8; k++)
+        TRY(decide_cube(ask, mesh, flat, &child[k]));
+    return GRAZE_OK;
 }
 
 static void count_children(band *b, uint32_t child) {
@@ -159,13 +159,9 @@ graze_status band_cut(int *done, band *b, uint32_t index) {
         return GRAZE_OK;
     uint32_t child = (uint32_t)b->count;
     int flat = b->item[index].kind == CUBE_FLAT;
-    graze_status status = reserve_cubes(b, 8);
-    if (status)
-        return status;
+    TRY(reserve_cubes(b, 8));
     place_children(b, index);
-    status = decide_children(&b->ask, flat || !b->gave_up ? b->mesh : NULL, flat, &b->item[child]);
-    if (status)
-        return status;
+    TRY(decide_children(&b->ask, flat || !b->gave_up ? b->mesh : NULL, flat, &b->item[child]));
     count_children(b, child);
     *done = 1;
     return GRAZE_OK;
@@ -181,13 +177,10 @@ typedef struct cut_run {
 /* No state is reused between cubes, so the result does not depend on their order. */
 static graze_status cut_one(void *data, graze_context *context, int member, size_t index) {
     const cut_run *r = data;
-    cell_asker ask;
     (void)member;
-    cell_asker_init(&ask, context, r->like->scene);
+    HELD(cell_asker, ask, context, r->like->scene);
     ask.time = r->like->time;
-    graze_status status = decide_children(&ask, r->mesh, 0, r->child + 8 * index);
-    cell_asker_clear(&ask);
-    return status;
+    return decide_children(&ask, r->mesh, 0, r->child + 8 * index);
 }
 
 graze_status band_cut_large(size_t *next, band *b, double radius, size_t most, int threads) {

@@ -6,6 +6,7 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "base/number/vector.h"
 
@@ -54,7 +55,8 @@ static graze_status add_to_cell(cube_cells *c, const fmpq *corner, unsigned side
         array_grow(c->context, &c->item, &c->capacity, k + 1, sizeof *c->item, "cells of a cube");
     if (status)
         return status;
-    fmpq *e = _fmpq_vec_init(13), *at = c->item[k].at;
+    LOCAL_VEC(fmpq, e, 13);
+    fmpq *at = c->item[k].at;
     if (k == c->count) {
         c->count++;
         c->item[k].sides = sides;
@@ -72,20 +74,19 @@ static graze_status add_to_cell(cube_cells *c, const fmpq *corner, unsigned side
     fmpq_abs(e + 12, e + 12);
     fmpq_div_fmpz(e + 12, e + 12, (fmpz[]){6});
     fmpq_add(at + 3, at + 3, e + 12);
-    _fmpq_vec_clear(e, 13);
     return GRAZE_OK;
 }
 
 /* Cut a tetrahedron by plane k and those behind it. */
 static graze_status cut_tetrahedron(cube_cells *c, const fmpq *corner, int k, unsigned sides) {
     int high = -1, low = -1;
-    graze_status status = GRAZE_OK;
     c->failed |= c->count > CUBE_CELLS || c->parts > CUBE_PARTS;
     if (c->failed)
         return GRAZE_OK;
     if (k == c->plane_count)
         return add_to_cell(c, corner, sides);
-    fmpq *value = _fmpq_vec_init(16), *part = value + 4;
+    LOCAL_VEC(fmpq, value, 16);
+    fmpq *part = value + 4;
     for (int v = 0; v < 4; v++) {
         _fmpq_vec_dot(value + v, c->plane + 4 * k, corner + 3 * v, 3);
         fmpq_add(value + v, value + v, c->plane + 4 * k + 3);
@@ -93,12 +94,12 @@ static graze_status cut_tetrahedron(cube_cells *c, const fmpq *corner, int k, un
         low = fmpq_sgn(value + v) < 0 ? v : low;
     }
     if (high < 0 || low < 0) {
-        status = cut_tetrahedron(c, corner, k + 1, sides | (unsigned)(high >= 0) << k);
+        TRY(cut_tetrahedron(c, corner, k + 1, sides | (unsigned)(high >= 0) << k));
     } else {
         /* the share of the way from high to low */
         fmpq_sub(value + low, value + high, value + low);
         fmpq_div(value + high, value + high, value + low);
-        for (int half = 0; half < 2 && !status; half++) {
+        for (int half = 0; half < 2; half++) {
             fmpq *cut = part + 3 * (half ? low : high);
             for (int i = 0; i < 12; i++)
                 fmpq_set(part + i, corner + i);
@@ -107,18 +108,16 @@ static graze_status cut_tetrahedron(cube_cells *c, const fmpq *corner, int k, un
                 fmpq_mul(cut + i, cut + i, value + high);
                 fmpq_add(cut + i, cut + i, corner + 3 * high + i);
             }
-            status = cut_tetrahedron(c, part, k, sides);
+            TRY(cut_tetrahedron(c, part, k, sides));
         }
     }
-    _fmpq_vec_clear(value, 16);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status cube_cells_make(cube_cells *c, const cube *of) {
-    graze_status status = GRAZE_OK;
-    fmpq *corner = _fmpq_vec_init(12);
+    LOCAL_VEC(fmpq, corner, 12);
     forget_cells(c);
-    for (int order = 0; order < 6 && !status; order++) {
+    for (int order = 0; order < 6; order++) {
         /* from the lowest corner to the highest along the axes in one order */
         int next = order % 3,
             axis[3] = {next, (next + 1 + order / 3) % 3, (next + 2 - order / 3) % 3};
@@ -131,8 +130,7 @@ graze_status cube_cells_make(cube_cells *c, const cube *of) {
             if (v < 3)
                 at[axis[v]] = of->centre[axis[v]] + of->half;
         }
-        status = cut_tetrahedron(c, corner, 0, 0);
+        TRY(cut_tetrahedron(c, corner, 0, 0));
     }
-    _fmpq_vec_clear(corner, 12);
-    return status;
+    return GRAZE_OK;
 }

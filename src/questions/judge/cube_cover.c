@@ -6,6 +6,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "decide/filter/chord.h"
 #include "input/solid/locate.h"
@@ -30,8 +31,8 @@ typedef struct covering {
 static void add_position_plane(covering *c, uint32_t simplex) {
     const graze_solid *solid = c->ask->scene->solid;
     const fmpq *map = c->map + 12 * c->count;
-    fmpz *body = _fmpz_vec_init(4);
-    fmpq *plane = _fmpq_vec_init(5);
+    LOCAL_VEC(fmpz, body, 4);
+    LOCAL_VEC(fmpq, plane, 5);
     (void)solid_plane(body, solid, simplex);
     fmpq_set_fmpz(plane + 3, body + 3);
     for (int j = 0; j < 4; j++)
@@ -40,8 +41,6 @@ static void add_position_plane(covering *c, uint32_t simplex) {
             fmpq_add(plane + j, plane + j, plane + 4);
         }
     cube_cells_plane(&c->cells, plane);
-    _fmpq_vec_clear(plane, 5);
-    _fmpz_vec_clear(body, 4);
 }
 
 static void add_position_planes(covering *c, const box *around, uint32_t node) {
@@ -91,17 +90,14 @@ static int add_position(covering *c, const cube *of, const fmpq *point) {
 }
 
 static int is_in_position(const covering *c, const fmpq *point, const fmpq *map) {
-    fmpq *place = _fmpq_vec_init(3);
-    fmpz *x = _fmpz_vec_init(4);
+    LOCAL_VEC(fmpq, place, 3);
+    LOCAL_VEC(fmpz, x, 4);
     for (int i = 0; i < 3; i++) {
         _fmpq_vec_dot(place + i, map + 4 * i, point, 3);
         fmpq_add(place + i, place + i, map + 4 * i + 3);
     }
     _fmpq_vec_get_fmpz_vec_fmpz(x, x + 3, place, 3);
-    int inside = solid_locate(c->ask->scene->solid, x) == GRAZE_STATE_I;
-    _fmpz_vec_clear(x, 4);
-    _fmpq_vec_clear(place, 3);
-    return inside;
+    return solid_locate(c->ask->scene->solid, x) == GRAZE_STATE_I;
 }
 
 /* A point of a cell that no position covers; NULL if positions cover all cells. */

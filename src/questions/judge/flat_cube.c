@@ -5,6 +5,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 #include "decide/filter/chord.h"
 #include "questions/judge/cube_cells.h"
 #include "questions/judge/winding.h"
@@ -31,16 +32,14 @@ static void find_triangles(flat *f, uint32_t node) {
     } else if (chord_meets(&f->here.shape, &f->here.all, corners->at + (size_t)here->simplex * 9,
                            corners->error) != CHORD_MISSES) {
         skin all = judged_skin(f->mesh);
-        fmpz *form = _fmpz_vec_init(4);
-        fmpq *plane = _fmpq_vec_init(4);
+        LOCAL_VEC(fmpz, form, 4);
+        LOCAL_VEC(fmpq, plane, 4);
         (void)skin_plane(form, &all, here->simplex);
         _fmpq_vec_set_fmpz_vec(plane, form, 4);
         cube_cells_plane(&f->cells, plane);
         f->cells.failed |= f->count == FLAT_TRIANGLES || f->cells.plane_count > FLAT_PLANES;
         if (!f->cells.failed)
             f->triangle[f->count++] = here->simplex;
-        _fmpq_vec_clear(plane, 4);
-        _fmpz_vec_clear(form, 4);
     }
 }
 
@@ -64,22 +63,21 @@ static graze_status begin_flat(flat *f, graze_context *context, const cube *c,
 
 /* The sign of a linear form at a point. */
 static int side_of_form(const fmpz *form, const fmpq *point) {
-    fmpq *sum = _fmpq_vec_init(2);
+    LOCAL_VEC(fmpq, sum, 2);
     fmpq_set_fmpz(sum, form + 3);
     for (int i = 0; i < 3; i++) {
         fmpq_mul_fmpz(sum + 1, point + i, form + i);
         fmpq_add(sum, sum, sum + 1);
     }
-    int sign = fmpq_sgn(sum);
-    _fmpq_vec_clear(sum, 2);
-    return sign;
+    return fmpq_sgn(sum);
 }
 
 /* Is a triangle certain to have no area in common with another: off its plane, or beyond a side? */
 static int is_beyond(const skin *s, size_t of, size_t other) {
     const fmpq *corner[3];
     int beyond = 0;
-    fmpz *form = _fmpz_vec_init(8), *side = form + 4;
+    LOCAL_VEC(fmpz, form, 8);
+    fmpz *side = form + 4;
     skin_vertices(corner, s, other);
     (void)skin_plane(form, s, of);
     for (int v = 0; v < 3; v++)
@@ -90,7 +88,6 @@ static int is_beyond(const skin *s, size_t of, size_t other) {
         for (int v = 0; v < 3; v++)
             beyond &= side_of_form(side, corner[v]) <= 0;
     }
-    _fmpz_vec_clear(form, 8);
     return beyond;
 }
 

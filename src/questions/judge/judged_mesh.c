@@ -6,12 +6,14 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 
 /* Add six times the signed volume of the tetrahedron of the origin and a triangle. */
 static void add_tetrahedron(fmpq_t sum, const skin *s, size_t simplex) {
     const fmpq *p[3];
     skin_vertices(p, s, simplex);
-    fmpq *minor = _fmpq_vec_init(2), *other = minor + 1;
+    LOCAL_VEC(fmpq, minor, 2);
+    fmpq *other = minor + 1;
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
         fmpq_mul(minor, p[1] + j, p[2] + k);
@@ -19,22 +21,19 @@ static void add_tetrahedron(fmpq_t sum, const skin *s, size_t simplex) {
         fmpq_sub(minor, minor, other);
         fmpq_addmul(sum, p[0] + i, minor);
     }
-    _fmpq_vec_clear(minor, 2);
 }
 
 /* Add tetrahedra by halves: sums of few terms have short denominators. */
 static void add_tetrahedra(fmpq_t sum, const skin *s, size_t first, size_t count) {
-    fmpq_t half;
     if (count <= 1) {
         if (count)
             add_tetrahedron(sum, s, first);
         return;
     }
-    fmpq_init(half);
+    LOCAL(fmpq, half);
     add_tetrahedra(sum, s, first, count / 2);
     add_tetrahedra(half, s, first + count / 2, count - count / 2);
     fmpq_add(sum, sum, half);
-    fmpq_clear(half);
 }
 
 static graze_mesh_rule rule_of(const loose_edges *open) {

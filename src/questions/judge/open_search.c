@@ -5,6 +5,7 @@
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "decide/filter/normal.h"
 #include "decide/verdict/classify.h"
@@ -40,15 +41,13 @@ int suprema_is_over(const suprema *s) {
 /* The signed distance of a point whose trace is known. */
 static graze_status enclose_point(struct distance *out, suprema *s, const double *point,
                                   const graze_trace *trace) {
-    fmpq *exact = _fmpq_vec_init(3);
+    LOCAL_VEC(fmpq, exact, 3);
     double tolerance = POINT_SHARE * s->within;
     for (int k = 0; k < 3; k++) {
         (void)rational_from_double(exact + k, NULL, point[k]);
         tolerance = larger(tolerance, FINEST_SHARE * fabs(point[k]));
     }
-    graze_status status = distance_find(out, s->context, s->scene, exact, trace, tolerance);
-    _fmpq_vec_clear(exact, 3);
-    return status;
+    return distance_find(out, s->context, s->scene, exact, trace, tolerance);
 }
 
 graze_status suprema_ask(known_point *out, suprema *s, const double *point, ask_distance distance) {
@@ -106,21 +105,18 @@ graze_status suprema_settle(int *done, suprema *s, uint32_t cube_index) {
 
 graze_status suprema_sample(cube_sample *out, suprema *s, uint32_t index) {
     const cube c = s->space.item[index];
-    graze_status status = GRAZE_OK;
     *out = (cube_sample){.has_in = 0};
-    for (int k = 0; k < 9 && !status && !(out->has_in && out->has_out); k++) {
+    for (int k = 0; k < 9 && !(out->has_in && out->has_out); k++) {
         double point[3];
         known_point known;
         for (int i = 0; i < 3; i++)
             point[i] = c.centre[i] + (k ? (k - 1) >> i & 1 ? AROUND : -AROUND : 0) * c.half;
-        status = suprema_ask(&known, s, point, ASK_NO_DISTANCE);
-        if (status)
-            return status;
+        TRY(suprema_ask(&known, s, point, ASK_NO_DISTANCE));
         int outside = known.pmc == GRAZE_OUT;
         memcpy(outside ? out->out : out->in, point, sizeof point);
         *(outside ? &out->has_out : &out->has_in) = 1;
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* The cube of the band nearest to a place among the eight from `child` on; UINT32_MAX if none is of

@@ -3,16 +3,15 @@
 
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 
 static int comes_before(const waiting_part *a, const waiting_part *b) {
     return a->bound > b->bound || (a->bound == b->bound && a->number < b->number);
 }
 
 graze_status priority_add(priority *p, graze_context *context, double bound, uint32_t number) {
-    graze_status status = array_grow(context, &p->item, &p->capacity, p->count + 1, sizeof *p->item,
-                                     "parts that wait");
-    if (status)
-        return status;
+    TRY(array_grow(context, &p->item, &p->capacity, p->count + 1, sizeof *p->item,
+                   "parts that wait"));
     waiting_part added = {bound, number};
     size_t at = p->count++;
     for (; at > 0 && comes_before(&added, &p->item[(at - 1) / 2]); at = (at - 1) / 2)

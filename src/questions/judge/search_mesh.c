@@ -9,6 +9,7 @@
 #include <math.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "decide/filter/chord.h"
 #include "decide/filter/normal.h"
 #include "questions/judge/flat_cube.h"
@@ -99,36 +100,31 @@ static double inside_bound(suprema *s, const asked_part *a) {
 
 /* Append a part: ask its reference point, unless the part it is cut from has the same point. */
 static graze_status take_mesh_part(suprema *s, const mesh_part *part, const asked_part *from) {
-    graze_status status = array_grow(s->context, &s->part, &s->part_capacity, s->part_count + 1,
-                                     sizeof *s->part, "parts of a mesh");
+    TRY(array_grow(s->context, &s->part, &s->part_capacity, s->part_count + 1, sizeof *s->part,
+                   "parts of a mesh"));
     asked_part added = {.part = *part};
-    if (status)
-        return status;
     if (from && memcmp(from->part.x, part->x, sizeof part->x) == 0)
         added.known = from->known;
     else
-        status = suprema_ask(&added.known, s, part->x, ASK_OUT);
+        TRY(suprema_ask(&added.known, s, part->x, ASK_OUT));
     uint32_t number = (uint32_t)s->part_count;
-    if (status)
-        return status;
     added.outside = smaller(outside_bound(s, &added), from ? from->outside : INFINITY);
     added.inside = smaller(inside_bound(s, &added), from ? from->inside : INFINITY);
     s->part[s->part_count++] = added;
     if (added.known.pmc == GRAZE_OUT)
         raise_low(&s->found[GRAZE_JUDGED_OUTSIDE], added.known.low - part->error, part->x);
-    status = priority_add(&s->outer, s->context, added.outside, number);
-    return status ? status : priority_add(&s->inner, s->context, added.inside, number);
+    TRY(priority_add(&s->outer, s->context, added.outside, number));
+    return priority_add(&s->inner, s->context, added.inside, number);
 }
 
 static graze_status cut_part(suprema *s, uint32_t number) {
     mesh_part halves[2];
     asked_part whole = s->part[number];
-    graze_status status = GRAZE_OK;
     s->part[number].is_cut = 1;
     mesh_part_cut(halves, s->mesh, &whole.part);
-    for (int k = 0; k < 2 && !status; k++)
-        status = take_mesh_part(s, &halves[k], &whole);
-    return status;
+    for (int k = 0; k < 2; k++)
+        TRY(take_mesh_part(s, &halves[k], &whole));
+    return GRAZE_OK;
 }
 
 static int is_stuck(const suprema *s, const mesh_part *part) {

@@ -4,6 +4,7 @@
 #include "questions/judge/search_sweep.h"
 
 #include <string.h>
+#include "base/context/scope.h"
 #include "decide/filter/normal.h"
 
 /* Two points that bracket the boundary are sought around cubes with a radius of at most
@@ -36,22 +37,19 @@ static void take_low(suprema *s, const double *point, double off) {
 /* Raise `low` by a place of the boundary between a point in the sweep and one outside. */
 static graze_status take_bracket(suprema *s, const cube_sample *ends, double length) {
     double a[3], b[3], middle[3];
-    graze_status status = GRAZE_OK;
     memcpy(a, ends->in, sizeof a);
     memcpy(b, ends->out, sizeof b);
-    while (!status && distance_above(a, b) > length) {
+    while (distance_above(a, b) > length) {
         known_point known;
         for (int i = 0; i < 3; i++)
             middle[i] = 0.5 * (a[i] + b[i]);
         if (memcmp(middle, a, sizeof a) == 0 || memcmp(middle, b, sizeof b) == 0)
             break; /* doubles hold none between */
-        status = suprema_ask(&known, s, middle, ASK_NO_DISTANCE);
-        if (!status)
-            memcpy(known.pmc == GRAZE_OUT ? b : a, middle, sizeof a);
+        TRY(suprema_ask(&known, s, middle, ASK_NO_DISTANCE));
+        memcpy(known.pmc == GRAZE_OUT ? b : a, middle, sizeof a);
     }
-    if (!status)
-        take_low(s, b, distance_above(a, b));
-    return status;
+    take_low(s, b, distance_above(a, b));
+    return GRAZE_OK;
 }
 
 /* For a cube with no sample in the sweep: the sweep's place nearest to the centre is on the
@@ -85,11 +83,10 @@ static graze_status ask_around_cube(int *done, int *hidden, suprema *s, uint32_t
 
 /* Queue those of the eight cubes of a cut cube that are of the band. */
 static graze_status add_below(suprema *s, uint32_t child, double most) {
-    graze_status status = GRAZE_OK;
-    for (uint32_t k = child; !status && k < child + 8; k++)
+    for (uint32_t k = child; k < child + 8; k++)
         if (s->space.item[k].kind & CUBE_BAND)
-            status = add_cube(s, k, most);
-    return status;
+            TRY(add_cube(s, k, most));
+    return GRAZE_OK;
 }
 
 /* Process the cube with the greatest bound: sample it if it is small; else, or in vain, cut it or
@@ -135,13 +132,13 @@ static graze_status finish_sweep(suprema *s) {
 }
 
 graze_status search_sweep_begin(suprema *s) {
-    graze_status status = add_cube(s, 0, INFINITY);
-    return status ? status : finish_sweep(s);
+    TRY(add_cube(s, 0, INFINITY));
+    return finish_sweep(s);
 }
 
 graze_status search_sweep_step(suprema *s) {
-    graze_status status = finish_sweep(s);
-    if (!status && s->cubes.count && !s->found[GRAZE_JUDGED_SWEEP].reached)
-        status = look_at_cube(s);
-    return status ? status : finish_sweep(s);
+    TRY(finish_sweep(s));
+    if (s->cubes.count && !s->found[GRAZE_JUDGED_SWEEP].reached)
+        TRY(look_at_cube(s));
+    return finish_sweep(s);
 }

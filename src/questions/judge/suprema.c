@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "decide/filter/time_ray.h"
 #include "questions/judge/search_mesh.h"
 #include "questions/judge/search_sweep.h"
@@ -30,13 +31,12 @@ static int most_open(const suprema *s) {
 /* Cut the cubes of the band until none has a radius larger than the width wanted: the volumes need
  * it. */
 static graze_status thin_band(suprema *s) {
-    graze_status status = GRAZE_OK;
-    for (size_t next = 0; next < s->space.count && !status && !suprema_is_over(s);) {
+    for (size_t next = 0; next < s->space.count && !suprema_is_over(s);) {
         size_t left = (s->budget - suprema_spent(s) + 7) / 8;
-        status = band_cut_large(&next, &s->space, s->within, left < TOGETHER ? left : TOGETHER,
-                                s->threads);
+        TRY(band_cut_large(&next, &s->space, s->within, left < TOGETHER ? left : TOGETHER,
+                           s->threads));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* The distance of the sweep's boundary to an empty mesh is infinite. */
@@ -60,11 +60,10 @@ static graze_status search_all(suprema *s) {
 }
 
 static graze_status tell_times(suprema *s) {
-    graze_status status = GRAZE_OK;
-    for (int k = 0; k < GRAZE_JUDGED_COUNT && !status; k++)
+    for (int k = 0; k < GRAZE_JUDGED_COUNT; k++)
         if (s->found[k].low > 0)
-            status = suprema_time(&s->found[k].time, s, s->found[k].at);
-    return status;
+            TRY(suprema_time(&s->found[k].time, s, s->found[k].at));
+    return GRAZE_OK;
 }
 
 graze_status suprema_find(suprema *out, graze_context *context, const graze_scene *scene,

@@ -4,6 +4,7 @@
 #include "questions/judge/volumes.h"
 
 #include <flint/fmpq_vec.h>
+#include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "decide/filter/chord.h"
 #include "questions/judge/flat_cube.h"
@@ -39,13 +40,11 @@ static int mesh_misses_cube(const judged_mesh *m, const cube *c) {
 }
 
 static mesh_place place_of_cube(const measuring *r, const cube *c) {
-    fmpq *point = _fmpq_vec_init(3);
+    LOCAL_VEC(fmpq, point, 3);
     long winding;
     for (int i = 0; i < 3; i++)
         (void)rational_from_double(point + i, NULL, c->centre[i]);
-    mesh_place place = judged_place(&winding, r->s->mesh, point);
-    _fmpq_vec_clear(point, 3);
-    return place;
+    return judged_place(&winding, r->s->mesh, point);
 }
 
 static void count_cube(measuring *r, const cube *c, int level, mesh_place mesh) {
@@ -62,7 +61,6 @@ static void count_cube(measuring *r, const cube *c, int level, mesh_place mesh) 
 
 static graze_status measure_cube(measuring *r, const cube *c, int level, mesh_place mesh) {
     suprema *s = r->s;
-    graze_status status = GRAZE_OK;
     cube part = *c;
     s->space.seen += MEASURED;
     if (c->beside)
@@ -78,12 +76,12 @@ static graze_status measure_cube(measuring *r, const cube *c, int level, mesh_pl
         return GRAZE_OK;
     }
     part.half *= 0.5;
-    for (uint32_t k = 0; k < 8 && !status; k++) {
+    for (uint32_t k = 0; k < 8; k++) {
         for (int i = 0; i < 3; i++)
             part.centre[i] = c->centre[i] + (k >> i & 1 ? part.half : -part.half);
-        status = measure_cube(r, c->child ? &s->space.item[c->child + k] : &part, level + 1, mesh);
+        TRY(measure_cube(r, c->child ? &s->space.item[c->child + k] : &part, level + 1, mesh));
     }
-    return status ? status : context_poll(s->context);
+    return context_poll(s->context);
 }
 
 /* Measure the space outside the root that the mesh reaches: the root is doubled towards the mesh,
@@ -119,10 +117,8 @@ static graze_status measure_around(measuring *r) {
 
 /* Add the volumes of the cubes of all levels; `root` is the volume of the root. */
 static void add_volumes(fmpq_t sum, const fmpq_t root, const size_t *count) {
-    fmpq_t term;
-    fmpz_t number;
-    fmpq_init(term);
-    fmpz_init(number);
+    LOCAL(fmpq, term);
+    LOCAL(fmpz, number);
     for (int level = 0; level < LEVELS; level++) {
         fmpz_set_ui(number, count[level]);
         fmpq_mul_fmpz(term, root, number);
@@ -130,19 +126,16 @@ static void add_volumes(fmpq_t sum, const fmpq_t root, const size_t *count) {
         fmpq_div_2exp(term, term, 3 * (ulong)level);
         fmpq_add(sum, sum, term);
     }
-    fmpz_clear(number);
-    fmpq_clear(term);
 }
 
 graze_status volumes_find(suprema *s) {
     measuring r = {.s = s, .has_inside = s->mesh->rule != GRAZE_MESH_NONE};
-    fmpq_t root;
     fmpq_init(r.flat);
     graze_status status = measure_cube(&r, &s->space.item[0], 0, MESH_UNTOLD);
     if (!status && r.has_inside && s->mesh->boxes.node_count)
         status = measure_around(&r);
     s->has_difference = r.has_inside;
-    fmpq_init(root);
+    LOCAL(fmpq, root);
     (void)rational_from_double(root, NULL, 2 * s->space.item[0].half);
     fmpq_pow_si(root, root, 3);
     for (int k = 0; k < VOLUME_COUNT; k++)
@@ -150,7 +143,6 @@ graze_status volumes_find(suprema *s) {
             add_volumes(s->volume + 2 * k + side, root, r.count[k][side]);
     for (int side = 0; side < 2; side++)
         fmpq_add(s->volume + 2 * IN_SWEEP + side, s->volume + 2 * IN_SWEEP + side, r.flat);
-    fmpq_clear(root);
     fmpq_clear(r.flat);
     return status;
 }

@@ -4,17 +4,17 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <math.h>
+#include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "decide/filter/normal.h"
 #include "input/solid/locate.h"
 
 mesh_place judged_place(long *winding, const judged_mesh *m, const fmpq *point) {
     skin triangles = judged_skin(m);
-    fmpz *x = _fmpz_vec_init(4);
+    LOCAL_VEC(fmpz, x, 4);
     int on;
     _fmpq_vec_get_fmpz_vec_fmpz(x, x + 3, point, 3);
     long crossings = skin_winding(&on, &triangles, x);
-    _fmpz_vec_clear(x, 4);
     *winding = m->rule == GRAZE_MESH_WINDING && !on ? crossings : 0;
     if (on)
         return MESH_ON;
@@ -31,7 +31,7 @@ static const double BESIDE = 0x1p-20;
 
 void judged_windings(judged_mesh *m) {
     size_t step = m->cut.count / WINDING_SAMPLES + 1;
-    fmpq *point = _fmpq_vec_init(3);
+    LOCAL_VEC(fmpq, point, 3);
     for (size_t k = 0; m->rule == GRAZE_MESH_WINDING && m->corners.at && k < m->cut.count;
          k += step) {
         const double *v = m->corners.at + 9 * k;
@@ -49,5 +49,4 @@ void judged_windings(judged_mesh *m) {
             m->most = winding > m->most ? winding : m->most;
         }
     }
-    _fmpq_vec_clear(point, 3);
 }

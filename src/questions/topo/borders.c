@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "questions/topo/directions.h"
 
 void borders_init(borders *b, int dimension) {
@@ -41,10 +42,8 @@ static graze_status add_vector(fmpz **list, size_t *count, size_t *capacity, gra
     for (size_t k = 0; k < *count; k++)
         if (_fmpz_vec_equal(*list + k * (size_t)d, v, d))
             return GRAZE_OK;
-    graze_status status = array_grow(context, list, capacity, (*count + 1) * (size_t)d,
-                                     sizeof **list, "the cells about a point");
-    if (status)
-        return status;
+    TRY(array_grow(context, list, capacity, (*count + 1) * (size_t)d, sizeof **list,
+                   "the cells about a point"));
     for (int i = 0; i < d; i++)
         fmpz_init_set(*list + *count * (size_t)d + i, v + i);
     ++*count;
@@ -68,20 +67,19 @@ static graze_status add_border(borders *b, graze_context *context, fmpz *normal)
 static graze_status add_body_border(borders *b, graze_context *context, const germ *g,
                                     const fmpz *normal) {
     int d = b->dimension;
-    fmpz *n = _fmpz_vec_init(d);
+    LOCAL_VEC(fmpz, n, d);
     for (int column = 0; column < d; column++)
         for (int row = 0; row < d; row++)
             fmpz_addmul(n + column, g->to_body + row * d + column, normal + row);
-    graze_status status = add_border(b, context, n);
-    _fmpz_vec_clear(n, d);
-    return status;
+    return add_border(b, context, n);
 }
 
 /* Add the planes that the edges of the cone sweep along e. Two planes of the cone meet in an edge
  * only if their common ray or its opposite is on the cone's boundary. */
 static graze_status add_swept_edges(borders *b, graze_context *context, germ *g, const fmpz *e) {
     int d = b->dimension;
-    fmpz *ray = _fmpz_vec_init(d), *normal = _fmpz_vec_init(d);
+    LOCAL_VEC(fmpz, ray, d);
+    LOCAL_VEC(fmpz, normal, d);
     graze_status status = GRAZE_OK;
     if (d == 2) {
         turn_quarter(normal, e);
@@ -99,62 +97,53 @@ static graze_status add_swept_edges(borders *b, graze_context *context, germ *g,
             if (!status && (state[0] == GRAZE_STATE_B || state[1] == GRAZE_STATE_B))
                 status = add_body_border(b, context, g, normal);
         }
-    _fmpz_vec_clear(ray, d);
-    _fmpz_vec_clear(normal, d);
     return status;
 }
 
 /* Add the plane along an edge of the cone and along the direction that leaves the edge, in E^3. */
 static graze_status add_swept_ray(borders *b, graze_context *context, const germ *g,
                                   const fmpz *ray, const fmpz *way) {
-    fmpz *normal = _fmpz_vec_init(3);
+    LOCAL_VEC(fmpz, normal, 3);
     directions_cross(normal, ray, way);
-    graze_status status = add_body_border(b, context, g, normal);
-    _fmpz_vec_clear(normal, 3);
-    return status;
+    return add_body_border(b, context, g, normal);
 }
 
 static graze_status add_germ_borders(borders *b, graze_context *context, germ *g) {
-    graze_status status = GRAZE_OK;
-    for (size_t j = 0; j < g->cone.count && !status; j++)
-        status = add_body_border(b, context, g, g->cone.normal + j * (size_t)b->dimension);
-    for (int s = 0; s < g->side_count && !status; s++) {
+    for (size_t j = 0; j < g->cone.count; j++)
+        TRY(add_body_border(b, context, g, g->cone.normal + j * (size_t)b->dimension));
+    for (int s = 0; s < g->side_count; s++) {
         const germ_side *side = &g->side[s];
-        status = add_swept_edges(b, context, g, side->e);
-        if (!status && side->has_later)
-            status = add_swept_ray(b, context, g, side->e, side->later);
+        TRY(add_swept_edges(b, context, g, side->e));
+        if (side->has_later)
+            TRY(add_swept_ray(b, context, g, side->e, side->later));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status add_axes(borders *b, graze_context *context) {
-    graze_status status = GRAZE_OK;
-    fmpz *axis = _fmpz_vec_init(b->dimension);
-    for (int i = 0; i < b->dimension && !status; i++) {
+    LOCAL_VEC(fmpz, axis, b->dimension);
+    for (int i = 0; i < b->dimension; i++) {
         _fmpz_vec_zero(axis, b->dimension);
         fmpz_one(axis + i);
-        status = add_border(b, context, axis);
+        TRY(add_border(b, context, axis));
     }
-    _fmpz_vec_clear(axis, b->dimension);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Add both rays in which planes i and j meet; in E^2 both rays of line i. */
 static graze_status add_rays(borders *b, graze_context *context, size_t i, size_t j) {
     int d = b->dimension;
-    graze_status status = GRAZE_OK;
-    fmpz *ray = _fmpz_vec_init(d);
+    LOCAL_VEC(fmpz, ray, d);
     if (d == 2)
         turn_quarter(ray, b->plane + i * 2);
     else
         directions_cross(ray, b->plane + i * 3, b->plane + j * 3);
     direction_reduce(ray, d);
-    for (int k = 0; k < 2 && !status; k++) {
-        status = add_vector(&b->ray, &b->ray_count, &b->ray_capacity, context, ray, d);
+    for (int k = 0; k < 2; k++) {
+        TRY(add_vector(&b->ray, &b->ray_count, &b->ray_capacity, context, ray, d));
         _fmpz_vec_neg(ray, ray, d);
     }
-    _fmpz_vec_clear(ray, d);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Find all rays of an arrangement. */
@@ -186,44 +175,39 @@ graze_status borders_of_cone(borders *b, int *refused, graze_context *context,
                              const local_cone *cone) {
     slong d = cone->dimension;
     *refused = 0;
-    fmpz *normal = _fmpz_vec_init(d);
-    graze_status status = add_axes(b, context);
-    for (size_t j = 0; j < cone->count && !status; j++) {
+    LOCAL_VEC(fmpz, normal, d);
+    TRY(add_axes(b, context));
+    for (size_t j = 0; j < cone->count; j++) {
         _fmpz_vec_set(normal, cone->normal + j * (size_t)d, d);
-        status = add_border(b, context, normal);
+        TRY(add_border(b, context, normal));
     }
-    _fmpz_vec_clear(normal, d);
-    return status ? status : find_rays(b, refused, context);
+    return find_rays(b, refused, context);
 }
 
 /* Add the planes of `all` that contain a direction, and planes that make the others complete. */
 static graze_status keep_planes_through(borders *b, graze_context *context, const borders *all,
                                         const fmpz *direction) {
-    graze_status status = GRAZE_OK;
-    fmpz *normal = _fmpz_vec_init(6), *axis = normal + 3;
-    fmpz_t at;
-    fmpz_init(at);
-    for (size_t p = 0; p < all->plane_count && !status; p++) {
+    LOCAL_VEC(fmpz, normal, 6);
+    fmpz *axis = normal + 3;
+    LOCAL(fmpz, at);
+    for (size_t p = 0; p < all->plane_count; p++) {
         _fmpz_vec_dot(at, all->plane + 3 * p, direction, 3);
         _fmpz_vec_set(normal, all->plane + 3 * p, 3);
         if (fmpz_is_zero(at))
-            status = add_border(b, context, normal);
+            TRY(add_border(b, context, normal));
     }
-    for (int i = 0; i < 3 && !status; i++) {
+    for (int i = 0; i < 3; i++) {
         _fmpz_vec_zero(axis, 3);
         fmpz_one(axis + i);
         directions_cross(normal, direction, axis);
-        status = add_border(b, context, normal);
+        TRY(add_border(b, context, normal));
     }
-    _fmpz_vec_clear(normal, 6);
-    fmpz_clear(at);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status borders_about(borders *b, graze_context *context, germ *g, const fmpz *direction) {
-    borders all;
     fmpz to_world[9];
-    borders_init(&all, 3);
+    HELD(borders, all, 3);
     memcpy(to_world, g->to_body, sizeof to_world);
     for (int i = 0; i < 9; i++)
         g->to_body[i] = i % 4 == 0; /* in directions of the body itself */
@@ -233,7 +217,6 @@ graze_status borders_about(borders *b, graze_context *context, germ *g, const fm
         status = keep_planes_through(b, context, &all, direction);
     if (!status)
         status = add_vector(&b->ray, &b->ray_count, &b->ray_capacity, context, direction, 3);
-    borders_clear(&all);
     return status;
 }
 
@@ -241,8 +224,10 @@ graze_status borders_about(borders *b, graze_context *context, germ *g, const fm
  * through v. */
 static void step_from_ray(fmpz *out, const borders *b, const fmpz *v, const fmpz *w) {
     int d = b->dimension;
-    fmpq *s = _fmpq_vec_init(2), *most = s + 1;
-    fmpz *at = _fmpz_vec_init(2), *slope = at + 1;
+    LOCAL_VEC(fmpq, s, 2);
+    fmpq *most = s + 1;
+    LOCAL_VEC(fmpz, at, 2);
+    fmpz *slope = at + 1;
     fmpq_one(most);
     for (size_t p = 0; p < b->plane_count; p++) {
         _fmpz_vec_dot(at, b->plane + p * (size_t)d, v, d);
@@ -257,21 +242,17 @@ static void step_from_ray(fmpz *out, const borders *b, const fmpz *v, const fmpz
     }
     _fmpz_vec_scalar_mul_fmpz(out, v, d, fmpq_denref(most));
     _fmpz_vec_scalar_addmul_fmpz(out, w, d, fmpq_numref(most));
-    _fmpq_vec_clear(s, 2);
-    _fmpz_vec_clear(at, 2);
 }
 
 /* The sign of det(v, a, b): is b to the left of a, seen against v? */
 static int turn_about_ray(const fmpz *v, const fmpz *a, const fmpz *b) {
     fmpz cross[3] = {0, 0, 0};
-    fmpz_t det;
-    fmpz_init(det);
+    LOCAL(fmpz, det);
     directions_cross(cross, a, b);
     _fmpz_vec_dot(det, cross, v, 3);
     int sign = fmpz_sgn(det);
     for (int i = 0; i < 3; i++)
         fmpz_clear(cross + i);
-    fmpz_clear(det);
     return sign;
 }
 
@@ -289,8 +270,7 @@ static size_t next_around(const fmpz *v, const fmpz *across, size_t count, size_
 /* The directions across the ray v in each plane through it; `out` has room for two a plane. */
 static size_t directions_across(fmpz *out, const borders *b, const fmpz *v) {
     size_t count = 0;
-    fmpz_t at;
-    fmpz_init(at);
+    LOCAL(fmpz, at);
     for (size_t p = 0; p < b->plane_count; p++) {
         _fmpz_vec_dot(at, b->plane + 3 * p, v, 3);
         if (!fmpz_is_zero(at))
@@ -299,12 +279,12 @@ static size_t directions_across(fmpz *out, const borders *b, const fmpz *v) {
         _fmpz_vec_neg(out + 3 * (count + 1), out + 3 * count, 3);
         count += 2;
     }
-    fmpz_clear(at);
     return count;
 }
 
 static void cells_around_in_space(fmpz **out, size_t *count, const borders *b, const fmpz *v) {
-    fmpz *across = _fmpz_vec_init((slong)b->plane_count * 6), *middle = _fmpz_vec_init(3);
+    LOCAL_VEC(fmpz, across, (slong)b->plane_count * 6);
+    LOCAL_VEC(fmpz, middle, 3);
     size_t n = directions_across(across, b, v), at = 0;
     *count = 2 * n;
     *out = _fmpz_vec_init((slong)*count * 3);
@@ -315,8 +295,6 @@ static void cells_around_in_space(fmpz **out, size_t *count, const borders *b, c
         step_from_ray(*out + 6 * k + 3, b, v, across + 3 * next);
         at = next;
     }
-    _fmpz_vec_clear(across, (slong)b->plane_count * 6);
-    _fmpz_vec_clear(middle, 3);
 }
 
 void borders_around(fmpz **out, size_t *count, const borders *b, size_t r) {
@@ -325,12 +303,11 @@ void borders_around(fmpz **out, size_t *count, const borders *b, size_t r) {
         cells_around_in_space(out, count, b, v);
         return;
     }
-    fmpz *w = _fmpz_vec_init(2);
+    LOCAL_VEC(fmpz, w, 2);
     *count = 2;
     *out = _fmpz_vec_init(4);
     turn_quarter(w, v);
     step_from_ray(*out, b, v, w);
     _fmpz_vec_neg(w, w, 2);
     step_from_ray(*out + 2, b, v, w);
-    _fmpz_vec_clear(w, 2);
 }

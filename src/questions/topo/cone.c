@@ -13,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "input/solid/forms.h"
 #include "input/solid/locate.h"
 
@@ -20,7 +21,7 @@
 static int plane_holds_point(const local_cone *cone, size_t plane) {
     int d = cone->dimension, found = 0;
     const plane_list *list = cone->planes;
-    fmpz *side = _fmpz_vec_init(d + 1);
+    LOCAL_VEC(fmpz, side, d + 1);
     for (uint32_t k = list->start[plane]; k < list->start[plane + 1] && !found; k++) {
         int inside = 1;
         for (int s = 0; s < d && inside; s++) {
@@ -29,7 +30,6 @@ static int plane_holds_point(const local_cone *cone, size_t plane) {
         }
         found = inside;
     }
-    _fmpz_vec_clear(side, d + 1);
     return found;
 }
 
@@ -50,8 +50,7 @@ graze_status cone_make(local_cone *cone, graze_context *context, const graze_sol
     cone->at = _fmpz_vec_init(d + 1);
     _fmpz_vec_set(cone->at, at, d + 1);
     cone->normal = _fmpz_vec_init((slong)planes->count * d);
-    fmpz_t value;
-    fmpz_init(value);
+    LOCAL(fmpz, value);
     for (size_t p = 0; p < planes->count; p++) {
         const fmpz *form = planes->form + p * (size_t)(d + 1);
         _fmpz_vec_dot(value, form, at, d + 1);
@@ -60,7 +59,6 @@ graze_status cone_make(local_cone *cone, graze_context *context, const graze_sol
         else if (plane_holds_point(cone, p))
             _fmpz_vec_set(cone->normal + cone->count++ * (size_t)d, form, d);
     }
-    fmpz_clear(value);
     return context_poll(context);
 }
 
@@ -73,14 +71,12 @@ void cone_clear(local_cone *cone) {
 }
 
 int cone_cell_dimension(const local_cone *cone) {
-    fmpz_mat_t normals;
-    fmpz_mat_init(normals, (slong)cone->count, cone->dimension);
+    LOCAL(fmpz_mat, normals, (slong)cone->count, cone->dimension);
     for (size_t j = 0; j < cone->count; j++)
         for (int i = 0; i < cone->dimension; i++)
             fmpz_set(fmpz_mat_entry(normals, (slong)j, i),
                      cone->normal + j * (size_t)cone->dimension + i);
     int rank = (int)fmpz_mat_rank(normals);
-    fmpz_mat_clear(normals);
     return cone->dimension - rank;
 }
 
@@ -95,10 +91,9 @@ static void point_beside(fmpz *out, const local_cone *cone, const fmpz *directio
 
 static graze_status locate_beside(graze_state *out, const local_cone *cone, graze_context *context,
                                   const fmpz *direction) {
-    fmpz *x = _fmpz_vec_init(cone->dimension + 1);
+    LOCAL_VEC(fmpz, x, cone->dimension + 1);
     point_beside(x, cone, direction);
     *out = solid_locate(cone->solid, x);
-    _fmpz_vec_clear(x, cone->dimension + 1);
     if (*out == GRAZE_STATE_ABSENT)
         return context_fail(context, GRAZE_EINTERNAL,
                             "the crossings of a ray beside a contact do not add up");
@@ -126,14 +121,12 @@ graze_status cone_state(graze_state *out, local_cone *cone, graze_context *conte
     if (status)
         return status;
     signed char *signs = cone->known_item + cone->known * width;
-    fmpz_t value;
-    fmpz_init(value);
+    LOCAL(fmpz, value);
     for (size_t j = 0; j < cone->count; j++) {
         _fmpz_vec_dot(value, cone->normal + j * (size_t)cone->dimension, direction,
                       cone->dimension);
         signs[j] = (signed char)fmpz_sgn(value);
     }
-    fmpz_clear(value);
     if (cone_knows(out, cone, signs))
         return GRAZE_OK;
     status = locate_beside(out, cone, context, direction);
@@ -150,9 +143,9 @@ static int compare_cuts(const void *a, const void *b) {
  * those along the ray. */
 static void add_ray(fmpz *w, const local_cone *cone, const fmpz *ray) {
     slong d = cone->dimension;
-    fmpz_t at, most;
-    fmpz_init(at);
-    fmpz_init_set_ui(most, 1);
+    LOCAL(fmpz, at);
+    LOCAL(fmpz, most);
+    fmpz_set_ui(most, 1);
     for (size_t j = 0; j < cone->count; j++) {
         _fmpz_vec_dot(at, cone->normal + j * (size_t)d, w, d);
         if (fmpz_cmpabs(at, most) > 0)
@@ -160,8 +153,6 @@ static void add_ray(fmpz *w, const local_cone *cone, const fmpz *ray) {
     }
     fmpz_add_ui(most, most, 1);
     _fmpz_vec_scalar_addmul_fmpz(w, ray, d, most);
-    fmpz_clear(at);
-    fmpz_clear(most);
 }
 
 /* Ask the state of the direction u + s e, times the denominator of s. */
@@ -170,13 +161,12 @@ static graze_status look_along(int *in_interior, int *in_cone, local_cone *cone,
                                const fmpz *e, const fmpq_t s) {
     graze_state state = GRAZE_STATE_O;
     slong d = cone->dimension;
-    fmpz *w = _fmpz_vec_init(d);
+    LOCAL_VEC(fmpz, w, d);
     _fmpz_vec_scalar_mul_fmpz(w, u, d, fmpq_denref(s));
     _fmpz_vec_scalar_addmul_fmpz(w, e, d, fmpq_numref(s));
     if (ray)
         add_ray(w, cone, ray);
     graze_status status = cone_state(&state, cone, context, w);
-    _fmpz_vec_clear(w, d);
     *in_interior |= state == GRAZE_STATE_I;
     *in_cone |= state != GRAZE_STATE_O;
     return status;
@@ -186,10 +176,10 @@ static graze_status look_along(int *in_interior, int *in_cone, local_cone *cone,
 graze_status cone_sweep(int *in_interior, int *in_cone, local_cone *cone, graze_context *context,
                         const fmpz *ray, const fmpz *u, const fmpz *e) {
     slong d = cone->dimension, count = 1;
-    fmpq *cut = _fmpq_vec_init((slong)cone->count + 1); /* the first one is 0 */
-    fmpz *a = _fmpz_vec_init(2), *b = a + 1;
-    fmpq_t between;
-    fmpq_init(between);
+    LOCAL_VEC(fmpq, cut, (slong)cone->count + 1); /* the first one is 0 */
+    LOCAL_VEC(fmpz, a, 2);
+    fmpz *b = a + 1;
+    LOCAL(fmpq, between);
     for (size_t j = 0; j < cone->count; j++) {
         _fmpz_vec_dot(a, cone->normal + j * (size_t)d, u, d);
         _fmpz_vec_dot(b, cone->normal + j * (size_t)d, e, d);
@@ -199,33 +189,27 @@ graze_status cone_sweep(int *in_interior, int *in_cone, local_cone *cone, graze_
     }
     qsort(cut, (size_t)count, sizeof *cut, compare_cuts);
     *in_interior = *in_cone = 0;
-    graze_status status = GRAZE_OK;
-    for (slong k = 0; k < count && !status && !*in_interior; k++) {
-        status = look_along(in_interior, in_cone, cone, context, ray, u, e, cut + k);
+    for (slong k = 0; k < count && !*in_interior; k++) {
+        TRY(look_along(in_interior, in_cone, cone, context, ray, u, e, cut + k));
         if (k + 1 < count) {
             fmpq_add(between, cut + k, cut + k + 1);
             fmpq_div_2exp(between, between, 1);
         } else {
             fmpq_add_si(between, cut + k, 1);
         }
-        if (!status)
-            status = look_along(in_interior, in_cone, cone, context, ray, u, e, between);
+        TRY(look_along(in_interior, in_cone, cone, context, ray, u, e, between));
     }
-    _fmpq_vec_clear(cut, (slong)cone->count + 1);
-    _fmpz_vec_clear(a, 2);
-    fmpq_clear(between);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status cone_meets_line(int *out, local_cone *cone, graze_context *context, const fmpz *u,
                              const fmpz *e) {
     slong d = cone->dimension;
     int in_cone = 0;
-    fmpz *back = _fmpz_vec_init(d);
+    LOCAL_VEC(fmpz, back, d);
     _fmpz_vec_neg(back, e, d);
-    graze_status status = cone_sweep(out, &in_cone, cone, context, NULL, u, e);
-    if (!status && !*out)
-        status = cone_sweep(out, &in_cone, cone, context, NULL, u, back);
-    _fmpz_vec_clear(back, d);
-    return status;
+    TRY(cone_sweep(out, &in_cone, cone, context, NULL, u, e));
+    if (!*out)
+        TRY(cone_sweep(out, &in_cone, cone, context, NULL, u, back));
+    return GRAZE_OK;
 }

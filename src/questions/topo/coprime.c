@@ -8,6 +8,7 @@
 #include "questions/topo/coprime.h"
 
 #include <flint/fmpz_mpoly_factor.h>
+#include "base/context/scope.h"
 #include "base/number/modular.h"
 #include "questions/topo/eliminate.h"
 
@@ -28,14 +29,13 @@ static ulong largest_bits(const fmpz_mpoly_t g) {
 static int is_coprime_in(const fmpz_mpoly_t a, const fmpz_mpoly_t b, int variable,
                          const fmpz_mpoly_ctx_t ring) {
     sliced_curve s, other;
-    fmpz_poly_t f, g;
-    fmpz_t line;
     if (fmpz_mpoly_degree_si(a, variable, ring) < 1 ||
         (b && fmpz_mpoly_degree_si(b, variable, ring) < 1))
         return 1;
-    fmpz_init_set_ui(line, LINE);
-    fmpz_poly_init(f);
-    fmpz_poly_init(g);
+    LOCAL(fmpz, line);
+    fmpz_set_ui(line, LINE);
+    LOCAL(fmpz_poly, f);
+    LOCAL(fmpz_poly, g);
     sliced_init(&s, a, variable, ring);
     if (b)
         sliced_init(&other, b, variable, ring);
@@ -46,9 +46,6 @@ static int is_coprime_in(const fmpz_mpoly_t a, const fmpz_mpoly_t b, int variabl
     int coprime = whole && polynomials_certainly_coprime(f, g);
     sliced_clear(&s);
     sliced_clear(&other);
-    fmpz_poly_clear(f);
-    fmpz_poly_clear(g);
-    fmpz_clear(line);
     return coprime;
 }
 
@@ -71,7 +68,6 @@ static graze_status split_curve(curve_list *out, int *refused, graze_context *co
     ulong degree = (ulong)fmpz_mpoly_total_degree_si(curve, ring);
     int small = degree * degree * largest_bits(curve) <= FACTORED;
     fmpz_mpoly_factor_t factors;
-    graze_status status = GRAZE_OK;
     if (!small && is_coprime(curve, NULL, ring))
         return curves_append(out, context, curve);
     if (!small && !is_bounded(context, curve, ring)) {
@@ -81,11 +77,11 @@ static graze_status split_curve(curve_list *out, int *refused, graze_context *co
     fmpz_mpoly_factor_init(factors, ring);
     if (!(small ? fmpz_mpoly_factor(factors, curve, ring)
                 : fmpz_mpoly_factor_squarefree(factors, curve, ring)))
-        status = context_fail(context, GRAZE_EINTERNAL, "a curve of a sweep is not factored");
-    for (slong k = 0; k < fmpz_mpoly_factor_length(factors, ring) && !status; k++)
-        status = curves_append(out, context, factors->poly + k);
+        return context_fail(context, GRAZE_EINTERNAL, "a curve of a sweep is not factored");
+    for (slong k = 0; k < fmpz_mpoly_factor_length(factors, ring); k++)
+        TRY(curves_append(out, context, factors->poly + k));
     fmpz_mpoly_factor_clear(factors, ring);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Divide part k and a curve by their common factor d, which becomes a part. The curve is coprime to

@@ -4,6 +4,7 @@
 #include "questions/topo/cover.h"
 
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 #include "questions/topo/signs.h"
 
 /* Is u + s e a direction of the cone's cell for some s > 0, which means that u is opposite to e;
@@ -11,9 +12,10 @@
 static int is_opposite(const local_cone *cone, const fmpz *u, const fmpz *e) {
     slong d = cone->dimension;
     int sign = -1, has_s = 0;
-    fmpz_t q;
-    fmpz *a = _fmpz_vec_init(3), *b = a + 1, *p = a + 2;
-    fmpz_init_set_ui(q, 1);
+    LOCAL_VEC(fmpz, a, 3);
+    fmpz *b = a + 1, *p = a + 2;
+    LOCAL(fmpz, q);
+    fmpz_set_ui(q, 1);
     for (size_t j = 0; j < cone->count; j++) {
         const fmpz *n = cone->normal + j * (size_t)d;
         _fmpz_vec_dot(a, n, u, d);
@@ -28,8 +30,6 @@ static int is_opposite(const local_cone *cone, const fmpz *u, const fmpz *e) {
         fmpz_submul(a, b, p);
         sign *= fmpz_is_zero(a);
     }
-    _fmpz_vec_clear(a, 3);
-    fmpz_clear(q);
     return sign < 0;
 }
 
@@ -78,25 +78,23 @@ graze_status germ_cover_part(germ_cover *out, germ *g, graze_context *context,
     if (g->root)
         return out->covered ? GRAZE_OK
                             : signs_cover_at_root(&out->covered, g, context, direction, part);
-    fmpz *u = _fmpz_vec_init(d);
+    LOCAL_VEC(fmpz, u, d);
     for (int i = 0; i < d; i++)
         _fmpz_vec_dot(u + i, g->to_body + i * d, direction, d);
-    graze_status status = part == GERM_WHOLE ? germ_cover_body(out, g, context, u, 0)
-                                             : cover_at_rest(out, g, context, u);
-    if (!status && part >= 0)
-        status = cover_by_side(out, g, &g->side[part], context, u);
-    _fmpz_vec_clear(u, d);
-    return status;
+    TRY(part == GERM_WHOLE ? germ_cover_body(out, g, context, u, 0)
+                           : cover_at_rest(out, g, context, u));
+    if (part >= 0)
+        TRY(cover_by_side(out, g, &g->side[part], context, u));
+    return GRAZE_OK;
 }
 
 graze_status germs_cover(germ_cover *out, germ_list *list, graze_context *context,
                          const fmpz *direction) {
-    graze_status status = GRAZE_OK;
     *out = (germ_cover){0, 0, 0, 0};
-    for (size_t k = 0; k < list->count && !status && !(out->open && out->exact); k++)
-        status = germ_cover_part(out, &list->item[k], context, direction, GERM_WHOLE);
-    for (size_t k = 0; k < list->turn_count && !status && !out->covered; k++)
-        status = signs_cover_in_turn(&out->covered, &list->turn[k], &list->item[list->turn[k].germ],
-                                     context, direction);
-    return status;
+    for (size_t k = 0; k < list->count && !(out->open && out->exact); k++)
+        TRY(germ_cover_part(out, &list->item[k], context, direction, GERM_WHOLE));
+    for (size_t k = 0; k < list->turn_count && !out->covered; k++)
+        TRY(signs_cover_in_turn(&out->covered, &list->turn[k], &list->item[list->turn[k].germ],
+                                context, direction));
+    return GRAZE_OK;
 }

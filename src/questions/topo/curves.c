@@ -8,6 +8,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "questions/topo/grid.h"
 
@@ -17,15 +18,11 @@ static graze_status meets_piece(int *out, graze_context *context, const fmpz_pol
     *out = fmpz_poly_is_zero(p);
     if (fmpz_poly_degree(p) < 1)
         return status;
-    dyadic_interval piece;
-    algebraic_list roots;
-    dyadic_interval_init(&piece);
+    HELD(dyadic_interval, piece);
     dyadic_interval_set_si(&piece, 0, 1);
-    algebraic_list_init(&roots);
+    HELD(algebraic_list, roots);
     status = algebraic_roots(&roots, context, p, &piece);
     *out = roots.count > 0;
-    algebraic_list_clear(&roots);
-    dyadic_interval_clear(&piece);
     return status;
 }
 
@@ -58,28 +55,26 @@ static void refuse_degree(curve_maker *m, slong degree) {
 /* Add the line at the end u = 0 or u = 1 of a piece. */
 static graze_status add_line_at(curve_maker *m, const pullback_form *f, slong u) {
     fmpz_mpoly_t curve;
-    fmpz_t when;
-    fmpz_init_set_si(when, u);
+    LOCAL(fmpz, when);
+    fmpz_set_si(when, u);
     fmpz_mpoly_init(curve, m->list->ring);
     pullback_at(curve, f, when, m->list->ring);
-    graze_status status = curves_append(m->list, m->context, curve);
+    TRY(curves_append(m->list, m->context, curve));
     fmpz_mpoly_clear(curve, m->list->ring);
-    fmpz_clear(when);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Add the curve where the pullback, of degree n >= 2 in time, has a double root or vanishes. */
 static graze_status add_discriminant(curve_maker *m, const pullback_form *f, slong n) {
     fmpz_mpoly_t curve;
     fmpz_mpoly_init(curve, m->list->ring);
-    graze_status status = grid_discriminant(curve, m->context, f, n, m->list->ring);
-    if (!status && fmpz_mpoly_is_zero(curve, m->list->ring))
-        status = context_fail(m->context, GRAZE_EINTERNAL,
-                              "the discriminant of an irreducible pullback vanishes");
-    if (!status)
-        status = curves_append(m->list, m->context, curve);
+    TRY(grid_discriminant(curve, m->context, f, n, m->list->ring));
+    if (fmpz_mpoly_is_zero(curve, m->list->ring))
+        return context_fail(m->context, GRAZE_EINTERNAL,
+                            "the discriminant of an irreducible pullback vanishes");
+    TRY(curves_append(m->list, m->context, curve));
     fmpz_mpoly_clear(curve, m->list->ring);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Make the pullback of a form, divided by the common factor of its coefficients, and its degree in
@@ -87,8 +82,7 @@ static graze_status add_discriminant(curve_maker *m, const pullback_form *f, slo
 static graze_status make_pullback(pullback_form *f, slong *degree, curve_maker *m,
                                   const motion_piece *piece, const fmpz *form) {
     int meets = 0;
-    fmpz_poly_t common;
-    fmpz_poly_init(common);
+    LOCAL(fmpz_poly, common);
     pullback_of_form(f, motion_tracing(piece, m->scene->options.operation), form, m->view);
     *degree = pullback_reduce(f, common);
     graze_status status = meets_piece(&meets, m->context, common);
@@ -96,7 +90,6 @@ static graze_status make_pullback(pullback_form *f, slong *degree, curve_maker *
         m->refused = in_plane;
     else
         refuse_degree(m, *degree);
-    fmpz_poly_clear(common);
     return status;
 }
 
@@ -144,8 +137,7 @@ static graze_status add_path(curve_maker *m, const motion_piece *piece, const fm
     fmpz scale[3] = {0, 0, 0};
     slong degree[2];
     pullback_form f[2];
-    fmpz_poly_t common;
-    fmpz_poly_init(common);
+    LOCAL(fmpz_poly, common);
     _fmpq_vec_get_fmpz_vec_fmpz(scale, scale + 2, vertex, 2);
     for (int row = 0; row < 2; row++) {
         pullback_init(&f[row]);
@@ -160,7 +152,6 @@ static graze_status add_path(curve_maker *m, const motion_piece *piece, const fm
         pullback_clear(&f[row]);
     for (int i = 0; i < 3; i++)
         fmpz_clear(scale + i);
-    fmpz_poly_clear(common);
     return status;
 }
 
@@ -168,7 +159,7 @@ static graze_status add_path(curve_maker *m, const motion_piece *piece, const fm
  * side's form. */
 static graze_status add_edge_path(curve_maker *m, const motion_piece *piece, size_t triangle,
                                   int k) {
-    fmpz *form = _fmpz_vec_init(8); /* two of 4 */
+    LOCAL_VEC(fmpz, form, 8); /* two of 4 */
     slong degree[2] = {0, 0};
     pullback_form f[2];
     graze_status status = GRAZE_OK;
@@ -183,36 +174,31 @@ static graze_status add_edge_path(curve_maker *m, const motion_piece *piece, siz
         status = add_common_zeros(m, f, degree);
     for (int i = 0; i < 2; i++)
         pullback_clear(&f[i]);
-    _fmpz_vec_clear(form, 8);
     return status;
 }
 
 static graze_status add_paths_of(curve_maker *m, const motion_piece *piece, size_t s) {
     const graze_solid *solid = m->scene->solid;
     size_t first = solid->cut.item[s].vertex[0];
-    graze_status status = GRAZE_OK;
     /* Each vertex is the first one of some facet. */
     if (m->view->dimension == 2)
         return add_path(m, piece, solid->input.coordinates + 2 * first);
-    for (int k = 0; k < 3 && !status && !m->refused; k++)
-        status = add_edge_path(m, piece, s, k);
-    return status;
+    for (int k = 0; k < 3 && !m->refused; k++)
+        TRY(add_edge_path(m, piece, s, k));
+    return GRAZE_OK;
 }
 
 static graze_status add_piece(curve_maker *m, const motion_piece *piece, const plane_list *planes) {
     size_t form_size = (size_t)planes->dimension + 1;
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < planes->count && !status && !m->refused; k++) {
-        status = add_curves_of_plane(m, piece, planes->form + form_size * k);
-        if (!status)
-            status = context_poll(m->context);
+    for (size_t k = 0; k < planes->count && !m->refused; k++) {
+        TRY(add_curves_of_plane(m, piece, planes->form + form_size * k));
+        TRY(context_poll(m->context));
     }
-    for (size_t s = 0; s < m->scene->solid->cut.count && !status && !m->refused; s++) {
-        status = add_paths_of(m, piece, s);
-        if (!status)
-            status = context_poll(m->context);
+    for (size_t s = 0; s < m->scene->solid->cut.count && !m->refused; s++) {
+        TRY(add_paths_of(m, piece, s));
+        TRY(context_poll(m->context));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status curves_of_scene(curve_list *list, const char **refused, graze_context *context,

@@ -3,6 +3,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 
 void directions_cross(fmpz *out, const fmpz *a, const fmpz *b) {
     for (int i = 0; i < 3; i++) {
@@ -13,37 +14,30 @@ void directions_cross(fmpz *out, const fmpz *a, const fmpz *b) {
 }
 
 int directions_parallel(const fmpz *a, const fmpz *b) {
-    fmpz *cross = _fmpz_vec_init(3);
+    LOCAL_VEC(fmpz, cross, 3);
     directions_cross(cross, a, b);
-    int parallel = _fmpz_vec_is_zero(cross, 3);
-    _fmpz_vec_clear(cross, 3);
-    return parallel;
+    return _fmpz_vec_is_zero(cross, 3);
 }
 
 void directions_basis(fmpz *h, fmpz *k, const fmpz *v) {
     int i = 0;
-    fmpz *axis = _fmpz_vec_init(3);
+    LOCAL_VEC(fmpz, axis, 3);
     while (fmpz_is_zero(v + i))
         i++;
     fmpz_one(axis + (i + 1) % 3);
     directions_cross(h, v, axis);
     directions_cross(k, v, h);
-    _fmpz_vec_clear(axis, 3);
 }
 
 void direction_reduce(fmpz *v, slong n) {
-    fmpz_t content;
-    fmpz_init(content);
+    LOCAL(fmpz, content);
     _fmpz_vec_content(content, v, n);
     if (!fmpz_is_zero(content))
         _fmpz_vec_scalar_divexact_fmpz(v, v, n, content);
-    fmpz_clear(content);
 }
 
 void direction_of_rationals(fmpz *out, const fmpq *x, slong n) {
-    fmpz_t common;
-    fmpz_init(common);
+    LOCAL(fmpz, common);
     _fmpq_vec_get_fmpz_vec_fmpz(out, common, x, n);
     direction_reduce(out, n);
-    fmpz_clear(common);
 }

@@ -4,6 +4,7 @@
 #include "questions/topo/edge_ways.h"
 
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 #include "questions/topo/borders.h"
 #include "questions/topo/cover.h"
 #include "questions/topo/directions.h"
@@ -12,21 +13,19 @@
 static graze_status look_to_both_sides(int *out, germ *g, graze_context *context,
                                        const fmpz *normal, const fmpz *e) {
     slong d = g->cone.dimension;
-    fmpz *other = _fmpz_vec_init(d);
+    LOCAL_VEC(fmpz, other, d);
     _fmpz_vec_neg(other, normal, d);
-    graze_status status = cone_meets_line(out, &g->cone, context, normal, e);
-    if (!status && *out)
-        status = cone_meets_line(out, &g->cone, context, other, e);
-    _fmpz_vec_clear(other, d);
-    return status;
+    TRY(cone_meets_line(out, &g->cone, context, normal, e));
+    if (*out)
+        TRY(cone_meets_line(out, &g->cone, context, other, e));
+    return GRAZE_OK;
 }
 
 /* Ask about each cell of the circle of directions around e, at a vertex of E^3. */
 static graze_status look_about(int *out, germ *g, graze_context *context, const fmpz *e) {
-    borders b;
     fmpz *cell;
     size_t count;
-    borders_init(&b, 3);
+    HELD(borders, b, 3);
     graze_status status = borders_about(&b, context, g, e);
     *out = !status;
     if (!status) {
@@ -35,7 +34,6 @@ static graze_status look_about(int *out, germ *g, graze_context *context, const 
             status = cone_meets_line(out, &g->cone, context, cell + 3 * k, e);
         _fmpz_vec_clear(cell, (slong)count * 3);
     }
-    borders_clear(&b);
     return status;
 }
 
@@ -50,31 +48,30 @@ static void direction_of_edge(fmpz *out, const local_cone *cone) {
  * point, meet the cone's interior? */
 static graze_status find_edge_way(germ *g, germ_side *side, graze_context *context, int cell) {
     int d = g->cone.dimension;
-    fmpz *edge = _fmpz_vec_init(6), *normal = edge + 3;
-    graze_status status = GRAZE_OK;
+    LOCAL_VEC(fmpz, edge, 6);
+    fmpz *normal = edge + 3;
     if (d == 2 && cell == 0) {
         fmpz_neg(normal, side->e + 1);
         fmpz_set(normal + 1, side->e);
-        status = look_to_both_sides(&side->edge_way, g, context, normal, side->e);
+        TRY(look_to_both_sides(&side->edge_way, g, context, normal, side->e));
     } else if (d == 3 && cell == 1) {
         direction_of_edge(edge, &g->cone);
         directions_cross(normal, edge, side->e);
-        status = look_to_both_sides(&side->edge_way, g, context, normal, side->e);
+        TRY(look_to_both_sides(&side->edge_way, g, context, normal, side->e));
     } else if (d == 3 && cell == 0) {
-        status = look_about(&side->edge_way, g, context, side->e);
+        TRY(look_about(&side->edge_way, g, context, side->e));
     }
-    _fmpz_vec_clear(edge, 6);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Set `covers_edge`: are all directions around the edge covered by sides that keep it? */
 static graze_status find_covered_edge(germ *g, graze_context *context) {
-    borders b;
-    fmpz *cell = NULL, *edge = _fmpz_vec_init(3);
+    fmpz *cell = NULL;
+    LOCAL_VEC(fmpz, edge, 3);
     size_t count = 0;
     int covered = 1;
     germ_cover last = {0, 0, 0, 0}, here = last;
-    borders_init(&b, 3);
+    HELD(borders, b, 3);
     direction_of_edge(edge, &g->cone);
     graze_status status = borders_about(&b, context, g, edge);
     if (!status)
@@ -93,17 +90,14 @@ static graze_status find_covered_edge(germ *g, graze_context *context) {
     }
     g->covers_edge = covered && !status;
     _fmpz_vec_clear(cell, (slong)count * 3);
-    _fmpz_vec_clear(edge, 3);
-    borders_clear(&b);
     return status;
 }
 
 graze_status edge_ways_find(germ *g, graze_context *context) {
     int cell = cone_cell_dimension(&g->cone);
-    graze_status status = GRAZE_OK;
-    for (int s = 0; s < g->side_count && !status; s++)
-        status = find_edge_way(g, &g->side[s], context, cell);
-    if (!status && g->cone.dimension == 3 && cell == 1)
-        status = find_covered_edge(g, context);
-    return status;
+    for (int s = 0; s < g->side_count; s++)
+        TRY(find_edge_way(g, &g->side[s], context, cell));
+    if (g->cone.dimension == 3 && cell == 1)
+        TRY(find_covered_edge(g, context));
+    return GRAZE_OK;
 }

@@ -10,6 +10,7 @@
 
 #include <flint/nmod_poly.h>
 #include <flint/ulong_extras.h>
+#include "base/context/scope.h"
 
 /* A resultant that takes at most this number of products of words is computed without polling. */
 enum { FEW_PRODUCTS = 20000 };
@@ -25,8 +26,7 @@ static void sliced_allocate(sliced_curve *out, slong degree, slong total) {
 void sliced_init(sliced_curve *out, const fmpz_mpoly_t g, int variable,
                  const fmpz_mpoly_ctx_t ring) {
     int other = variable == RING_X ? RING_Y : RING_X;
-    fmpz_t c;
-    fmpz_init(c);
+    LOCAL(fmpz, c);
     sliced_allocate(out, fmpz_mpoly_degree_si(g, variable, ring),
                     fmpz_mpoly_total_degree_si(g, ring));
     for (slong k = 0; k < fmpz_mpoly_length(g, ring); k++) {
@@ -35,7 +35,6 @@ void sliced_init(sliced_curve *out, const fmpz_mpoly_t g, int variable,
         fmpz_mpoly_get_term_coeff_fmpz(c, g, k, ring);
         fmpz_poly_set_coeff_fmpz(out->coefficient + e[variable], (slong)e[other], c);
     }
-    fmpz_clear(c);
 }
 
 void sliced_init_derivative(sliced_curve *out, const sliced_curve *s) {
@@ -58,14 +57,12 @@ void sliced_clear(sliced_curve *s) {
 }
 
 int sliced_at(fmpz_poly_t out, const sliced_curve *s, const fmpz_t at) {
-    fmpz_t value;
-    fmpz_init(value);
+    LOCAL(fmpz, value);
     fmpz_poly_zero(out);
     for (slong k = 0; k <= s->degree; k++) {
         fmpz_poly_evaluate_fmpz(value, s->coefficient + k, at);
         fmpz_poly_set_coeff_fmpz(out, k, value);
     }
-    fmpz_clear(value);
     return fmpz_poly_degree(out) == s->degree;
 }
 
@@ -127,8 +124,7 @@ static int resultant_modulo(nmod_poly_t out, const sliced_curve *a, const sliced
 
 /* The number of bits of the sum of the absolute values of all coefficients. */
 static ulong bits_of_sum(const sliced_curve *s) {
-    fmpz_t sum;
-    fmpz_init(sum);
+    LOCAL(fmpz, sum);
     for (slong k = 0; k <= s->degree; k++)
         for (slong i = 0; i < fmpz_poly_length(s->coefficient + k); i++) {
             const fmpz *c = fmpz_poly_get_coeff_ptr(s->coefficient + k, i);
@@ -137,9 +133,7 @@ static ulong bits_of_sum(const sliced_curve *s) {
             else
                 fmpz_add(sum, sum, c);
         }
-    ulong bits = fmpz_bits(sum);
-    fmpz_clear(sum);
-    return bits;
+    return fmpz_bits(sum);
 }
 
 /* The resultant from n values modulo each prime; n exceeds the resultant's degree. */
@@ -149,11 +143,10 @@ static graze_status resultant_by_primes(fmpz_poly_t out, graze_context *context,
     ulong prime = (ulong)1 << 61;
     ulong steps = (ulong)(a->degree + b->degree + 2); /* each has an inverse, like 50 products */
     ulong work = (ulong)n * (steps * steps + 50 * steps + (ulong)n);
-    graze_status status = GRAZE_OK;
-    fmpz_t modulus;
-    fmpz_init_set_ui(modulus, 1);
+    LOCAL(fmpz, modulus);
+    fmpz_set_ui(modulus, 1);
     fmpz_poly_zero(out);
-    while (fmpz_bits(modulus) <= bits && !status) {
+    while (fmpz_bits(modulus) <= bits) {
         nmod_poly_t residue;
         prime = n_nextprime(prime, 0);
         nmod_poly_init(residue, prime);
@@ -162,10 +155,9 @@ static graze_status resultant_by_primes(fmpz_poly_t out, graze_context *context,
             fmpz_mul_ui(modulus, modulus, prime);
         }
         nmod_poly_clear(residue);
-        status = context_work(context, work + (ulong)n * (ulong)fmpz_size(modulus));
+        TRY(context_work(context, work + (ulong)n * (ulong)fmpz_size(modulus)));
     }
-    fmpz_clear(modulus);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status eliminate(fmpz_poly_t out, graze_context *context, const sliced_curve *a,
@@ -183,14 +175,12 @@ graze_status resultant_of(fmpz_t out, graze_context *context, const fmpz_poly_t 
         return GRAZE_OK;
     }
     sliced_curve a, b;
-    fmpz_poly_t value;
-    fmpz_poly_init(value);
+    LOCAL(fmpz_poly, value);
     sliced_init_constant(&a, f);
     sliced_init_constant(&b, g);
     graze_status status = resultant_by_primes(value, context, &a, &b, 1);
     fmpz_poly_get_coeff_fmpz(out, value, 0);
     sliced_clear(&a);
     sliced_clear(&b);
-    fmpz_poly_clear(value);
     return status;
 }

@@ -10,6 +10,7 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "base/number/order.h"
 #include "decide/trace/candidates.h"
 #include "decide/trace/touch.h"
@@ -35,21 +36,18 @@ static int sweeps_outside(const germ_maker *m) {
 /* Set the linear part of the inverse map at a time, up to its positive weight. */
 static void set_to_body(germ *g, const germ_maker *m, const fmpq_t u) {
     int d = m->map->dimension;
-    fmpq *entry = _fmpq_vec_init(d * d);
+    LOCAL_VEC(fmpq, entry, d * d);
     for (int i = 0; i < d * d; i++)
         fmpz_poly_evaluate_fmpq(entry + i, &m->map->entry[i / d * (d + 1) + i % d], u);
     direction_of_rationals(g->to_body, entry, d * d);
-    _fmpq_vec_clear(entry, d * d);
 }
 
 /* The displacement of the trajectory from its place x at time u, times a positive function, in
  * powers of the time since u. */
 static void ways_from(fmpq_poly_t *way, const germ_maker *m, const fmpz *x, const fmpq_t u) {
     int d = m->path.dimension;
-    fmpz_poly_t p;
-    fmpq_poly_t later;
-    fmpz_poly_init(p);
-    fmpq_poly_init(later);
+    LOCAL(fmpz_poly, p);
+    LOCAL(fmpq_poly, later);
     fmpq_poly_set_coeff_fmpq(later, 0, u);
     fmpq_poly_set_coeff_si(later, 1, 1);
     for (int i = 0; i < d; i++) {
@@ -58,46 +56,38 @@ static void ways_from(fmpq_poly_t *way, const germ_maker *m, const fmpz *x, cons
         fmpq_poly_set_fmpz_poly(way[i], p);
         fmpq_poly_compose(way[i], way[i], later);
     }
-    fmpz_poly_clear(p);
-    fmpq_poly_clear(later);
 }
 
 /* Add the sides of a germ that are inside [0, 1], and the cover by both together. */
 static graze_status add_sides(germ_maker *m, germ *g, const fmpz *x, const fmpq_t u) {
     int d = m->path.dimension, same_way = 0;
-    graze_status status = GRAZE_OK;
     fmpq_poly_t way[3];
     for (int i = 0; i < d; i++)
         fmpq_poly_init(way[i]);
     ways_from(way, m, x, u);
     g->exact = planes_keep_directions(&same_way, &g->cone, m->map, &m->path);
     if (!fmpq_is_one(u))
-        status = sides_add(g, m->context, m->map, way, same_way, 1);
-    if (!status && !fmpq_is_zero(u))
-        status = sides_add(g, m->context, m->map, way, same_way, -1);
+        TRY(sides_add(g, m->context, m->map, way, same_way, 1));
+    if (!fmpq_is_zero(u))
+        TRY(sides_add(g, m->context, m->map, way, same_way, -1));
     for (int i = 0; i < d; i++)
         fmpq_poly_clear(way[i]);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Append a germ at a rational time. */
 static graze_status add_germ(germ_maker *m, const fmpq_t u) {
     int d = m->path.dimension;
     germ *g = NULL;
-    graze_status status = germs_append(&g, m->list, m->context, m->map);
-    if (status)
-        return status;
-    fmpz *x = _fmpz_vec_init(d + 1);
+    TRY(germs_append(&g, m->list, m->context, m->map));
+    LOCAL_VEC(fmpz, x, d + 1);
     g->has_time = 1;
     fmpq_init(&g->time);
     fmpq_set(&g->time, u);
     trajectory_at(x, &m->path, u);
     set_to_body(g, m, u);
-    status = cone_make(&g->cone, m->context, m->scene->solid, sweeps_outside(m), m->planes, x);
-    if (!status)
-        status = add_sides(m, g, x, u);
-    _fmpz_vec_clear(x, d + 1);
-    return status;
+    TRY(cone_make(&g->cone, m->context, m->scene->solid, sweeps_outside(m), m->planes, x));
+    return add_sides(m, g, x, u);
 }
 
 /* Append a germ at an irrational time. */
@@ -106,68 +96,56 @@ static graze_status add_root(germ_maker *m, const algebraic *time, const fmpz_po
     int found = 0;
     germ_place place = {m->context, m->scene->solid, sweeps_outside(m),
                         m->planes,  m->map,          &m->path};
-    graze_status status = germs_append(&g, m->list, m->context, m->map);
-    if (!status)
-        status = root_set_germ(&found, g, &place, time, minimal);
-    if (!status && !found) {
+    TRY(germs_append(&g, m->list, m->context, m->map));
+    TRY(root_set_germ(&found, g, &place, time, minimal));
+    if (!found) {
         germs_drop_last(m->list);
         germs_leave_open(m->list, "a contact at an irrational time is not looked at");
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Append a germ at any time; at an algebraic number of a high degree the cover remains unknown. */
 static graze_status add_germ_at(germ_maker *m, const algebraic *time) {
-    fmpz_poly_t minimal;
-    fmpq_t u;
-    fmpq_init(u);
-    fmpz_poly_init(minimal);
-    graze_status status = GRAZE_OK;
+    LOCAL(fmpq, u);
+    LOCAL(fmpz_poly, minimal);
     if (algebraic_is_rational(time))
-        status = add_germ(m, time->value);
+        TRY(add_germ(m, time->value));
     else if (!root_find_minimal(minimal, time))
         germs_leave_open(m->list, "a contact is at an irrational time of a high degree");
     else if (root_is_rational(u, minimal))
-        status = add_germ(m, u);
+        TRY(add_germ(m, u));
     else
-        status = add_root(m, time, minimal);
-    fmpz_poly_clear(minimal);
-    fmpq_clear(u);
-    return status;
+        TRY(add_root(m, time, minimal));
+    return GRAZE_OK;
 }
 
 /* Append a germ at a time `*u` between two times. */
 static graze_status add_germ_between(fmpq_t u, germ_maker *m, algebraic *from, algebraic *to) {
-    graze_status status = algebraic_between(u, m->context, from, to);
-    return status ? status : add_germ(m, u);
+    TRY(algebraic_between(u, m->context, from, to));
+    return add_germ(m, u);
 }
 
 /* Append a turning stretch and two more germs in it. */
 static graze_status add_turn(germ_maker *m, const fmpq_t u, algebraic *from, algebraic *to) {
     graze_status status = germs_append_turn(m->list, m->context, from, to);
-    algebraic middle;
-    fmpq_t v;
-    fmpq_init(v);
-    algebraic_init(&middle);
+    LOCAL(fmpq, v);
+    HELD(algebraic, middle);
     algebraic_set_rational(&middle, u);
     if (!status)
         status = add_germ_between(v, m, from, &middle);
     if (!status)
         status = add_germ_between(v, m, &middle, to);
-    algebraic_clear(&middle);
-    fmpq_clear(v);
     return status;
 }
 
 /* Add the germs of an interval between two successive times, in which the cell does not change. */
 static graze_status add_stretch(germ_maker *m, algebraic *from, algebraic *to) {
-    fmpq_t u;
-    fmpq_init(u);
-    graze_status status = add_germ_between(u, m, from, to);
-    if (!status && !m->list->item[m->list->count - 1].exact)
-        status = add_turn(m, u, from, to);
-    fmpq_clear(u);
-    return status;
+    LOCAL(fmpq, u);
+    TRY(add_germ_between(u, m, from, to));
+    if (!m->list->item[m->list->count - 1].exact)
+        TRY(add_turn(m, u, from, to));
+    return GRAZE_OK;
 }
 
 /* Does some touch contain all times from one rank to another? */
@@ -181,23 +159,21 @@ static int is_touched(const touches *t, size_t from, size_t to) {
 /* Add the germs of all touches; touches_order has given their ends ranks. */
 static graze_status add_touches(germ_maker *m, const touches *t) {
     size_t ranks = 0;
-    graze_status status = GRAZE_OK;
     for (size_t k = 0; k < t->count; k++)
         ranks = t->item[k].to >= ranks ? t->item[k].to + 1 : ranks;
-    for (size_t r = 0; r < ranks && !status; r++) {
+    for (size_t r = 0; r < ranks; r++) {
         algebraic *time = &t->time.item[t->by_rank[r]];
         if (is_touched(t, r, r))
-            status = add_germ_at(m, time);
-        if (!status && is_touched(t, r, r + 1))
-            status = add_stretch(m, time, &t->time.item[t->by_rank[r + 1]]);
+            TRY(add_germ_at(m, time));
+        if (is_touched(t, r, r + 1))
+            TRY(add_stretch(m, time, &t->time.item[t->by_rank[r + 1]]));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status add_contacts_of_piece(germ_maker *m) {
     candidates near = {0, 0, NULL};
-    touches t;
-    touches_init(&t);
+    HELD(touches, t);
     graze_status status = candidates_find(&near, m->context, m->scene->solid, &m->path);
     if (!status)
         status = touches_find(&t, m->context, m->scene->solid, &m->path, NULL, &near);
@@ -205,7 +181,6 @@ static graze_status add_contacts_of_piece(germ_maker *m) {
         status = touches_order(&t, m->context);
     if (!status)
         status = add_touches(m, &t);
-    touches_clear(&t);
     free(near.item);
     return status;
 }

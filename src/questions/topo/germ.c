@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 
 void germs_init(germ_list *list) {
     memset(list, 0, sizeof *list);
@@ -41,10 +42,8 @@ void germs_clear(germ_list *list) {
 
 graze_status germs_append(germ **out, germ_list *list, graze_context *context,
                           const point_map *map) {
-    graze_status status = array_grow(context, &list->item, &list->capacity, list->count + 1,
-                                     sizeof *list->item, "the contacts of a point");
-    if (status)
-        return status;
+    TRY(array_grow(context, &list->item, &list->capacity, list->count + 1, sizeof *list->item,
+                   "the contacts of a point"));
     *out = &list->item[list->count++];
     memset(*out, 0, sizeof **out);
     (*out)->map = map;

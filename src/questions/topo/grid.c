@@ -9,6 +9,7 @@
 #include "questions/topo/grid.h"
 
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 #include "questions/topo/eliminate.h"
 
 /* State of making a discriminant or, if `g` is set, a resultant. */
@@ -25,22 +26,18 @@ static slong node(slong k) {
 
 /* The polynomial in time at a place x, y. */
 static void function_at(fmpz_poly_t out, const pullback_form *f, slong x, slong y) {
-    fmpz_poly_t part;
-    fmpz_poly_init(part);
+    LOCAL(fmpz_poly, part);
     fmpz_poly_scalar_mul_si(out, &f->linear[0], x);
     fmpz_poly_scalar_mul_si(part, &f->linear[1], y);
     fmpz_poly_add(out, out, part);
     fmpz_poly_add(out, out, &f->linear[2]);
-    fmpz_poly_clear(part);
 }
 
 /* out *= c^power */
 static void multiply_by_power(fmpz_t out, const fmpz_t c, slong power) {
-    fmpz_t p;
-    fmpz_init(p);
+    LOCAL(fmpz, p);
     fmpz_pow_ui(p, c, (ulong)power);
     fmpz_mul(out, out, p);
-    fmpz_clear(p);
 }
 
 /* The determinant of Sylvester's matrix for degrees n and m, although the degrees may be lower
@@ -64,85 +61,71 @@ static graze_status resultant_of_degrees(fmpz_t out, graze_context *context, con
 static graze_status discriminant_of_degree(fmpz_t out, graze_context *context, const fmpz_poly_t f,
                                            slong n) {
     slong degree = fmpz_poly_degree(f);
-    graze_status status = GRAZE_OK;
-    fmpz_poly_t derivative;
     fmpz_zero(out);
     if (degree < n - 1)
-        return status;
-    fmpz_poly_init(derivative);
+        return GRAZE_OK;
+    LOCAL(fmpz_poly, derivative);
     fmpz_poly_derivative(derivative, f);
-    status = resultant_of(out, context, f, derivative);
-    if (!status) {
-        fmpz_divexact(out, out, fmpz_poly_lead(f));
-        multiply_by_power(out, fmpz_poly_lead(f), 2 * (n - degree));
-        if (degree * (degree - 1) / 2 % 2 == 1)
-            fmpz_neg(out, out);
-    }
-    fmpz_poly_clear(derivative);
-    return status;
+    TRY(resultant_of(out, context, f, derivative));
+    fmpz_divexact(out, out, fmpz_poly_lead(f));
+    multiply_by_power(out, fmpz_poly_lead(f), 2 * (n - degree));
+    if (degree * (degree - 1) / 2 % 2 == 1)
+        fmpz_neg(out, out);
+    return GRAZE_OK;
 }
 
 static graze_status value_at(fmpz_t out, const grid_maker *m, slong x, slong y) {
-    fmpz_poly_t f, g;
-    fmpz_poly_init(f);
-    fmpz_poly_init(g);
-    graze_status status = GRAZE_OK;
+    LOCAL(fmpz_poly, f);
+    LOCAL(fmpz_poly, g);
     function_at(f, m->f, x, y);
     if (m->g) {
         function_at(g, m->g, x, y);
-        status = resultant_of_degrees(out, m->context, f, m->n, g, m->m);
+        TRY(resultant_of_degrees(out, m->context, f, m->n, g, m->m));
     } else {
-        status = discriminant_of_degree(out, m->context, f, m->n);
+        TRY(discriminant_of_degree(out, m->context, f, m->n));
     }
-    fmpz_poly_clear(f);
-    fmpz_poly_clear(g);
-    return status ? status : context_poll(m->context);
+    return context_poll(m->context);
 }
 
 /* Replace values at the first `count` nodes, `step` entries apart, by divided differences. */
 static void divided_differences(fmpz *v, slong count, slong step) {
-    fmpz_t by;
-    fmpz_init(by);
+    LOCAL(fmpz, by);
     for (slong order = 1; order < count; order++)
         for (slong k = count - 1; k >= order; k--) {
             fmpz_sub(v + k * step, v + k * step, v + (k - 1) * step);
             fmpz_set_si(by, node(k) - node(k - order));
             fmpz_divexact(v + k * step, v + k * step, by);
         }
-    fmpz_clear(by);
 }
 
 /* Replace divided differences by coefficients of powers, by Horner's rule from the last node. */
 static void multiply_out(fmpz *v, slong count, slong step) {
-    fmpz_t by;
-    fmpz_init(by);
+    LOCAL(fmpz, by);
     for (slong last = count - 2; last >= 0; last--)
         for (slong k = last; k < count - 1; k++) {
             fmpz_set_si(by, node(last));
             fmpz_submul(v + k * step, by, v + (k + 1) * step);
         }
-    fmpz_clear(by);
 }
 
 /* Interpolate in y for each x, then in x: a difference of order j in y has the degree `degree` - j
  * in x. */
 static graze_status find_coefficients(const grid_maker *m) {
     slong width = m->degree + 1;
-    graze_status status = GRAZE_OK;
-    for (slong i = 0; i < width && !status; i++) {
+    for (slong i = 0; i < width; i++) {
         divided_differences(m->value + i * width, width - i, 1);
-        status = context_poll(m->context);
+        TRY(context_poll(m->context));
     }
-    for (slong j = 0; j < width && !status; j++) {
+    for (slong j = 0; j < width; j++) {
         divided_differences(m->value + j, width - j, width);
         multiply_out(m->value + j, width - j, width);
-        status = context_poll(m->context);
+        TRY(context_poll(m->context));
     }
-    for (slong i = 0; i < width && !status; i++) {
+    for (slong i = 0; i < width; i++) {
         multiply_out(m->value + i * width, width - i, 1);
-        status = context_poll(m->context);
+        TRY(context_poll(m->context));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status interpolate_grid(fmpz_mpoly_t out, grid_maker *m, const fmpz_mpoly_ctx_t ring) {

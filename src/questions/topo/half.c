@@ -5,6 +5,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 #include "questions/topo/directions.h"
 #include "questions/topo/signs.h"
 
@@ -26,25 +27,20 @@ static void ways_clear(plane_ways *w) {
 
 /* The constant term of plane j of a cone, whose form vanishes at the cone's point. */
 static void constant_of_plane(fmpq_t out, const local_cone *cone, size_t j) {
-    fmpz_t at;
-    fmpz_init(at);
+    LOCAL(fmpz, at);
     _fmpz_vec_dot(at, cone->normal + 3 * j, cone->at, 3);
     fmpz_neg(at, at);
     fmpq_set_fmpz_frac(out, at, cone->at + 3);
-    fmpz_clear(at);
 }
 
 /* Expand plane j of a germ at its time; the kept powers of `value` begin with `order`. */
 static void ways_init(plane_ways *w, const germ *g, size_t j, slong order, const fmpq *point) {
     static const fmpz axis[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    fmpz_poly_t p;
-    fmpq_poly_t sum, part, later;
-    fmpq_t c;
-    fmpz_poly_init(p);
-    fmpq_poly_init(sum);
-    fmpq_poly_init(part);
-    fmpq_poly_init(later);
-    fmpq_init(c);
+    LOCAL(fmpz_poly, p);
+    LOCAL(fmpq_poly, sum);
+    LOCAL(fmpq_poly, part);
+    LOCAL(fmpq_poly, later);
+    LOCAL(fmpq, c);
     for (int i = 0; i < 3; i++) {
         fmpq_init(w->normal[0] + i);
         fmpq_init(w->normal[1] + i);
@@ -74,34 +70,25 @@ static void ways_init(plane_ways *w, const germ *g, size_t j, slong order, const
     fmpq_poly_compose(sum, sum, later);
     for (int k = 0; k < 2; k++)
         fmpq_poly_get_coeff_fmpq(w->value + k, sum, order + k);
-    fmpz_poly_clear(p);
-    fmpq_poly_clear(sum);
-    fmpq_poly_clear(part);
-    fmpq_poly_clear(later);
-    fmpq_clear(c);
 }
 
 static void value_on(fmpq_t out, const fmpq *a, const fmpz *b) {
-    fmpq_t part;
-    fmpq_init(part);
+    LOCAL(fmpq, part);
     fmpq_zero(out);
     for (int i = 0; i < 3; i++) {
         fmpq_mul_fmpz(part, a + i, b + i);
         fmpq_add(out, out, part);
     }
-    fmpq_clear(part);
 }
 
 /* Write a linear form on the plane, by its values at the basis, as a polynomial in b. */
 static void linear_on_plane(fmpq_poly_t out, const open_plane *h, const fmpq *normal) {
-    fmpq_t value;
-    fmpq_init(value);
+    LOCAL(fmpq, value);
     fmpq_poly_zero(out);
     for (int i = 0; i < 2; i++) {
         value_on(value, normal, h->basis[i]);
         fmpq_poly_set_coeff_fmpq(out, i, value);
     }
-    fmpq_clear(value);
 }
 
 /* out = v |v|^(n - 1). */
@@ -123,7 +110,8 @@ static int form_of_facet(half_germ *out, const open_plane *h, const germ *g,
         return 0;
     ways_init(&w, g, 0, n, h->point);
     int f_sign = fmpq_sgn(w.value) * (n % 2 == 1 ? side->sign : 1);
-    fmpq *factor = _fmpq_vec_init(2), *scale = factor + 1;
+    LOCAL_VEC(fmpq, factor, 2);
+    fmpq *scale = factor + 1;
     linear_on_plane(out->turn, h, w.normal[1]);
     if (f_sign * side->sign > 0)
         fmpq_poly_neg(out->turn, out->turn);
@@ -139,7 +127,6 @@ static int form_of_facet(half_germ *out, const open_plane *h, const germ *g,
     fmpq_div(factor, factor, scale);
     fmpq_poly_pow(out->form, out->turn, (ulong)n);
     fmpq_poly_scalar_mul_fmpq(out->form, out->form, factor);
-    _fmpq_vec_clear(factor, 2);
     ways_clear(&w);
     return 1;
 }
@@ -147,24 +134,20 @@ static int form_of_facet(half_germ *out, const open_plane *h, const germ *g,
 /* out = a p + b q, for vectors of n rationals. */
 static void combine_ways(fmpq *out, const fmpq_t a, const fmpq *p, const fmpq_t b, const fmpq *q,
                          slong n) {
-    fmpq_t part;
-    fmpq_init(part);
+    LOCAL(fmpq, part);
     for (slong i = 0; i < n; i++) {
         fmpq_mul(part, a, p + i);
         fmpq_mul(out + i, b, q + i);
         fmpq_add(out + i, out + i, part);
     }
-    fmpq_clear(part);
 }
 
 /* Set the form -X L^m / ((r0 N) |r0 N|^(m - 1)), with X = -p x / b as `reach` and L = g X + r1 x as
  * `turn`. */
 static void form_of_ways(half_germ *out, const open_plane *h, const plane_ways *both,
                          const plane_ways *p, slong order) {
-    fmpq_t factor;
-    fmpq_poly_t part;
-    fmpq_init(factor);
-    fmpq_poly_init(part);
+    LOCAL(fmpq, factor);
+    LOCAL(fmpq_poly, part);
     linear_on_plane(out->reach, h, p->normal[0]);
     fmpq_poly_scalar_div_fmpq(out->reach, out->reach, p->value);
     fmpq_poly_neg(out->reach, out->reach);
@@ -177,8 +160,6 @@ static void form_of_ways(half_germ *out, const open_plane *h, const plane_ways *
     signed_power(factor, factor, order);
     fmpq_neg(factor, factor);
     fmpq_poly_scalar_div_fmpq(out->form, out->form, factor);
-    fmpq_clear(factor);
-    fmpq_poly_clear(part);
 }
 
 /* Set the form of an edge met with an order, from the combination of its two planes that does not
@@ -186,9 +167,8 @@ static void form_of_ways(half_germ *out, const open_plane *h, const plane_ways *
 static int form_of_edge(half_germ *out, const open_plane *h, const germ *g, size_t other,
                         slong order) {
     plane_ways w[2], both;
-    fmpq_t a;
-    fmpz *across = _fmpz_vec_init(3);
-    fmpq_init(a);
+    LOCAL_VEC(fmpz, across, 3);
+    LOCAL(fmpq, a);
     ways_init(&w[0], g, 0, order, h->point);
     ways_init(&w[1], g, other, order, h->point);
     ways_init(&both, g, 0, order, h->point);
@@ -201,8 +181,6 @@ static int form_of_edge(half_germ *out, const open_plane *h, const germ *g, size
     if (lies)
         form_of_ways(out, h, &both, fmpq_is_zero(w[0].value) ? &w[1] : &w[0], order);
     out->order = order;
-    fmpq_clear(a);
-    _fmpz_vec_clear(across, 3);
     ways_clear(&w[0]);
     ways_clear(&w[1]);
     ways_clear(&both);
@@ -230,13 +208,11 @@ static int form_of_edge_side(half_germ *out, const open_plane *h, const germ *g,
 
 /* Is the germ's first facet, which holds the trajectory's place, parallel to the plane? */
 static int is_along_plane(const open_plane *h, const germ *g) {
-    fmpz *across = _fmpz_vec_init(3);
+    LOCAL_VEC(fmpz, across, 3);
     for (int column = 0; column < 3; column++)
         for (int row = 0; row < 3; row++)
             fmpz_addmul(across + column, g->to_body + 3 * row + column, g->cone.normal + row);
-    int along = directions_parallel(across, h->normal);
-    _fmpz_vec_clear(across, 3);
-    return along;
+    return directions_parallel(across, h->normal);
 }
 
 /* Has the germ two sides in one piece, of odd order? */
@@ -267,7 +243,7 @@ static int form_of_germ(half_germ *out, const open_plane *h, const germ *g, int 
 static graze_status closes_side(int *out, const open_plane *h, graze_context *context, germ *g,
                                 int sign) {
     graze_state state = GRAZE_STATE_O;
-    fmpz *u = _fmpz_vec_init(3);
+    LOCAL_VEC(fmpz, u, 3);
     graze_status status = GRAZE_OK;
     for (int i = 0; i < 3; i++) {
         _fmpz_vec_dot(u + i, g->to_body + 3 * i, h->normal, 3);
@@ -279,16 +255,14 @@ static graze_status closes_side(int *out, const open_plane *h, graze_context *co
     else
         status = cone_state(&state, &g->cone, context, u);
     *out = *out || state == GRAZE_STATE_I;
-    _fmpz_vec_clear(u, 3);
     return status;
 }
 
 graze_status half_of_germ(int *found, half_germ *out, const open_plane *h, graze_context *context,
                           germ *g, int sign, int way) {
-    graze_status status = GRAZE_OK;
     *found = 0;
     out->above = sign > 0;
     if (form_of_germ(out, h, g, way))
-        status = closes_side(found, h, context, g, sign);
-    return status;
+        TRY(closes_side(found, h, context, g, sign));
+    return GRAZE_OK;
 }

@@ -2,6 +2,7 @@
  */
 #include "questions/topo/half_germ.h"
 
+#include "base/context/scope.h"
 #include "base/number/sign.h"
 
 void half_init(half_germ *half) {
@@ -18,23 +19,20 @@ void half_clear(half_germ *half) {
 }
 
 void half_in_chart(fmpz_poly_t out, const fmpq_poly_t form, slong degree, direction_chart chart) {
-    fmpq_poly_t p;
-    fmpq_poly_init(p);
+    LOCAL(fmpq_poly, p);
     fmpq_poly_set(p, form);
     if (chart.swapped)
         fmpq_poly_reverse(p, p, degree + 1);
     fmpq_poly_get_numerator(out, p);
     if (chart.opposite && degree % 2 == 1)
         fmpz_poly_neg(out, out);
-    fmpq_poly_clear(p);
 }
 
 graze_status half_is_valid(int *out, const half_germ *half, graze_context *context,
                            direction_chart chart, algebraic *at) {
     int sign = 0;
     graze_status status = GRAZE_OK;
-    fmpz_poly_t p;
-    fmpz_poly_init(p);
+    LOCAL(fmpz_poly, p);
     *out = 1;
     if (half->has_reach) {
         half_in_chart(p, half->reach, 1, chart);
@@ -46,6 +44,5 @@ graze_status half_is_valid(int *out, const half_germ *half, graze_context *conte
         status = algebraic_sign_at(&sign, context, p, at);
         *out = sign >= 0;
     }
-    fmpz_poly_clear(p);
     return status;
 }

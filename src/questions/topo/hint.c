@@ -4,6 +4,7 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <math.h>
+#include "base/context/scope.h"
 #include "questions/topo/beyond.h"
 #include "questions/topo/directions.h"
 
@@ -26,7 +27,8 @@ static void divide_2exp(fmpq_t x, slong places) {
 /* Try the place P + 2^-places (v + 2^-places w), for vectors about as long as the solid's width: is
  * it out? */
 static graze_status try_place(hint_maker *m, const fmpz *v, const fmpz *w, ulong places) {
-    fmpq *step = _fmpq_vec_init(2), *bend = step + 1;
+    LOCAL_VEC(fmpq, step, 2);
+    fmpq *bend = step + 1;
     slong down = (slong)places - m->exponent;
     for (int k = 0; k < 3; k++) {
         fmpq_set_fmpz(step, v + k);
@@ -36,46 +38,41 @@ static graze_status try_place(hint_maker *m, const fmpz *v, const fmpz *w, ulong
         fmpq_add(step, step, bend);
         fmpq_add(m->out + k, m->point + k, step);
     }
-    graze_status status = beyond_closed(&m->found, m->context, m->scene, m->out);
-    _fmpq_vec_clear(step, 2);
-    return status;
+    return beyond_closed(&m->found, m->context, m->scene, m->out);
 }
 
 /* Try a direction, straight and bent to both sides of the plane. */
 static graze_status look_along_both(hint_maker *m, const fmpz *v, const fmpz *normal,
                                     ulong places) {
-    graze_status status = GRAZE_OK;
-    fmpz *bend = _fmpz_vec_init(3);
-    for (slong sign = 0; sign < 3 && !status && !m->found; sign++) {
+    LOCAL_VEC(fmpz, bend, 3);
+    for (slong sign = 0; sign < 3 && !m->found; sign++) {
         _fmpz_vec_scalar_mul_si(bend, normal, 3, sign == 2 ? -1 : sign);
         if (sign == 0 || !_fmpz_vec_is_zero(normal, 3))
-            status = try_place(m, v, bend, places);
+            TRY(try_place(m, v, bend, places));
     }
-    _fmpz_vec_clear(bend, 3);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Try the 26 directions with entries -1, 0, 1 and, if there is a plane, their projections to it. */
 static graze_status look_about_point(hint_maker *m, const topo_finding *topo, ulong places) {
-    graze_status status = GRAZE_OK;
-    fmpz *v = _fmpz_vec_init(12), *normal = v + 3, *in_plane = v + 6, *other = v + 9;
+    LOCAL_VEC(fmpz, v, 12);
+    fmpz *normal = v + 3, *in_plane = v + 6, *other = v + 9;
     if (topo->has_across)
         _fmpz_vec_set(normal, topo->across, 3);
     if (topo->has_open)
-        status = look_along_both(m, topo->open, normal, places);
-    for (slong k = 0; k < 27 && !status && !m->found; k++) {
+        TRY(look_along_both(m, topo->open, normal, places));
+    for (slong k = 0; k < 27 && !m->found; k++) {
         fmpz_set_si(v, k % 3 - 1);
         fmpz_set_si(v + 1, k / 3 % 3 - 1);
         fmpz_set_si(v + 2, k / 9 - 1);
         directions_cross(other, normal, v);
         directions_cross(in_plane, normal, other);
         if (!_fmpz_vec_is_zero(v, 3))
-            status = look_along_both(m, v, normal, places);
-        if (!status && !m->found && !_fmpz_vec_is_zero(in_plane, 3))
-            status = look_along_both(m, in_plane, normal, places);
+            TRY(look_along_both(m, v, normal, places));
+        if (!m->found && !_fmpz_vec_is_zero(in_plane, 3))
+            TRY(look_along_both(m, in_plane, normal, places));
     }
-    _fmpz_vec_clear(v, 12);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status hint_find(int *found, fmpq *out, ulong *places, graze_context *context,

@@ -4,6 +4,7 @@
 #include "questions/topo/invariant.h"
 
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 #include "questions/topo/directions.h"
 #include "questions/topo/sides.h"
 #include "questions/topo/signs.h"
@@ -16,8 +17,7 @@ typedef struct normal_span {
 
 static void span_add(normal_span *s, const fmpz *v) {
     fmpz *cross = s->basis + 6;
-    fmpz_t volume;
-    fmpz_init(volume);
+    LOCAL(fmpz, volume);
     if (s->rank == 0 && !_fmpz_vec_is_zero(v, 3)) {
         _fmpz_vec_set(s->basis, v, 3);
         s->rank = 1;
@@ -29,14 +29,13 @@ static void span_add(normal_span *s, const fmpz *v) {
         _fmpz_vec_dot(volume, cross, v, 3);
         s->rank += !fmpz_is_zero(volume);
     }
-    fmpz_clear(volume);
 }
 
 /* Add a normal's coefficients of all powers of time. */
 static void span_add_normal(normal_span *s, const point_map *map, const fmpz *normal) {
     static const fmpz axis[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     slong length = 0;
-    fmpz *v = _fmpz_vec_init(3);
+    LOCAL_VEC(fmpz, v, 3);
     fmpz_poly_struct entry[3];
     for (int i = 0; i < 3; i++) {
         fmpz_poly_init(entry + i);
@@ -50,23 +49,18 @@ static void span_add_normal(normal_span *s, const point_map *map, const fmpz *no
     }
     for (int i = 0; i < 3; i++)
         fmpz_poly_clear(entry + i);
-    _fmpz_vec_clear(v, 3);
 }
 
 /* 1 and a plane's normal about the point if the plane does not move and contains the trajectory. */
 static int plane_stays(fmpz *normal, const germ *g, size_t j, const fmpq *point) {
     normal_span s = {0, _fmpz_vec_init(9)};
-    trajectory path;
-    fmpz_poly_t away;
-    trajectory_init(&path, 3);
-    fmpz_poly_init(away);
+    HELD(trajectory, path, 3);
+    LOCAL(fmpz_poly, away);
     trajectory_set(&path, g->map, point);
     distance_from_plane(away, &g->cone, j, &path);
     span_add_normal(&s, g->map, g->cone.normal + 3 * j);
     int stays = fmpz_poly_is_zero(away) && s.rank == 1;
     _fmpz_vec_set(normal, s.basis, 3);
-    trajectory_clear(&path);
-    fmpz_poly_clear(away);
     _fmpz_vec_clear(s.basis, 9);
     return stays;
 }
@@ -74,14 +68,13 @@ static int plane_stays(fmpz *normal, const germ *g, size_t j, const fmpq *point)
 /* Find the kernel of all normals; if there is a `step`, without unmoved planes across it. */
 static int find_kernel(fmpz *out, const germ_list *list, const fmpz *step, const fmpq *point) {
     normal_span s = {0, _fmpz_vec_init(9)};
-    fmpz *stays = _fmpz_vec_init(3);
+    LOCAL_VEC(fmpz, stays, 3);
     for (size_t k = 0; k < list->count && s.rank < 3; k++) {
         const germ *g = &list->item[k];
         for (size_t j = 0; j < g->cone.count && s.rank < 3; j++)
             if (!step || !plane_stays(stays, g, j, point) || !directions_parallel(stays, step))
                 span_add_normal(&s, g->map, g->cone.normal + 3 * j);
     }
-    _fmpz_vec_clear(stays, 3);
     if (s.rank == 1)
         directions_basis(s.basis + 6, s.basis + 3, s.basis);
     int found = s.rank == 1 || s.rank == 2;
@@ -97,9 +90,8 @@ int invariant_direction(fmpz *out, const germ_list *list) {
 
 int invariant_beside_step(fmpz *out, fmpz *step, const germ_list *list, const fmpq *point) {
     int found = 0;
-    fmpz *normal = _fmpz_vec_init(3);
-    fmpz_t product;
-    fmpz_init(product);
+    LOCAL_VEC(fmpz, normal, 3);
+    LOCAL(fmpz, product);
     _fmpz_vec_zero(step, 3);
     for (size_t k = 0; k < list->count && !found; k++)
         for (size_t j = 0; j < list->item[k].cone.count && !found; j++) {
@@ -112,7 +104,5 @@ int invariant_beside_step(fmpz *out, fmpz *step, const germ_list *list, const fm
         }
     if (!found)
         _fmpz_vec_zero(step, 3);
-    fmpz_clear(product);
-    _fmpz_vec_clear(normal, 3);
     return found;
 }

@@ -8,6 +8,7 @@
 #include "questions/topo/leading.h"
 
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 #include "questions/topo/beyond.h"
 #include "questions/topo/borders.h"
 #include "questions/topo/cover.h"
@@ -89,7 +90,7 @@ static graze_status set_boundary(leading_maker *m, const fmpz *direction) {
     slong d = m->borders.dimension;
     topo_finding *out = m->out;
     graze_status status = GRAZE_OK;
-    fmpz *simple = _fmpz_vec_init(d);
+    LOCAL_VEC(fmpz, simple, d);
     for (size_t k = 0; k < sizeof bits / sizeof *bits && !status && !out->has_witness; k++) {
         round_direction(simple, direction, d, bits[k]);
         status = try_direction(m, simple);
@@ -98,7 +99,6 @@ static graze_status set_boundary(leading_maker *m, const fmpz *direction) {
         tilt_direction(simple, d);
         status = try_direction(m, simple);
     }
-    _fmpz_vec_clear(simple, d);
     if (!status && out->has_witness)
         finding_set(out, GRAZE_TOPO_BOUNDARY, GRAZE_LEVEL_FIRST_ORDER);
     else if (!status)
@@ -115,10 +115,9 @@ static void keep_open_direction(topo_finding *out, const fmpz *direction, int d)
 
 /* Add a direction without a covered neighbourhood to their span, in E^3. */
 static void note_open(leading_maker *m, const fmpz *direction) {
-    fmpz_t volume;
     if (m->borders.dimension == 2 || m->open_rank == 3)
         return;
-    fmpz_init(volume);
+    LOCAL(fmpz, volume);
     if (m->open_rank == 0 || (m->open_rank == 1 && !directions_parallel(m->open, direction)))
         _fmpz_vec_set(m->open + 3 * m->open_rank++, direction, 3);
     if (m->open_rank == 2) {
@@ -126,7 +125,6 @@ static void note_open(leading_maker *m, const fmpz *direction) {
         _fmpz_vec_dot(volume, m->open + 6, direction, 3);
         m->open_rank += !fmpz_is_zero(volume);
     }
-    fmpz_clear(volume);
 }
 
 /* Take a cell's cover into `is_interior`.
@@ -213,25 +211,23 @@ static graze_status look_at_second_order(int *covers, leading_maker *m) {
 
 /* Take the cells around all rays, until one decides the point. */
 static graze_status look_at_rays(leading_maker *m) {
-    graze_status status = GRAZE_OK;
     m->open_rank = m->out->has_open = 0;
     for (int by = 0; by < BY_COUNT; by++)
         m->is_interior[by] = 1;
-    for (size_t r = 0; r < m->borders.ray_count && !status && m->out->position == GRAZE_TOPO_NONE &&
+    for (size_t r = 0; r < m->borders.ray_count && m->out->position == GRAZE_TOPO_NONE &&
                        (m->germs.bounded || m->is_interior[BY_EDGES] ||
                         (m->borders.dimension == 3 && m->open_rank < 3));
          r++)
-        status = look_around(m, r);
-    return status;
+        TRY(look_around(m, r));
+    return GRAZE_OK;
 }
 
 /* Take all cells again with ways along edges, which are costly: only if cones do not decide. */
 static graze_status look_again_along_edges(leading_maker *m) {
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < m->germs.count && !status; k++)
+    for (size_t k = 0; k < m->germs.count; k++)
         if (!m->germs.item[k].root)
-            status = edge_ways_find(&m->germs.item[k], m->context);
-    return status ? status : look_at_rays(m);
+            TRY(edge_ways_find(&m->germs.item[k], m->context));
+    return look_at_rays(m);
 }
 
 static graze_status look_at_all(leading_maker *m) {

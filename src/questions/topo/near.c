@@ -9,6 +9,7 @@
 #include "questions/topo/near.h"
 
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 #include "questions/topo/binary_places.h"
 #include "questions/topo/coprime.h"
 #include "questions/topo/eliminate.h"
@@ -60,8 +61,7 @@ static void stay_below_roots(near_maker *m, const fmpz_poly_t p) {
 static void stay_clear_of(near_maker *m, const fmpz_mpoly_t g) {
     const fmpz_mpoly_ctx_struct *ring = m->n->through.ring;
     slong length = fmpz_mpoly_length(g, ring);
-    fmpz_t c;
-    fmpz_init(c);
+    LOCAL(fmpz, c);
     fmpz_mpoly_get_term_coeff_fmpz(c, g, length - 1, ring); /* the constant is the last one */
     ulong constant = fmpz_bits(c);
     for (slong k = 0; k < length - 1; k++) {
@@ -71,7 +71,6 @@ static void stay_clear_of(near_maker *m, const fmpz_mpoly_t g) {
         places_for_term(&m->n->places, constant, fmpz_bits(c), e[0] + e[1], (ulong)length);
     }
     look_at_limit(m);
-    fmpz_clear(c);
 }
 
 /* Keep a part, in coordinates about the point, if it passes the point; else shrink the square until
@@ -87,7 +86,8 @@ static graze_status take_part(near_maker *m, const fmpz_mpoly_t part) {
 /* out = g(x, x) or, if `falling`, g(x, -x). */
 static void on_diagonal(fmpz_poly_t out, const fmpz_mpoly_t g, int falling,
                         const fmpz_mpoly_ctx_t ring) {
-    fmpz *c = _fmpz_vec_init(2), *sum = c + 1;
+    LOCAL_VEC(fmpz, c, 2);
+    fmpz *sum = c + 1;
     fmpz_poly_zero(out);
     for (slong k = 0; k < fmpz_mpoly_length(g, ring); k++) {
         ulong e[2];
@@ -101,20 +101,17 @@ static void on_diagonal(fmpz_poly_t out, const fmpz_mpoly_t g, int falling,
             fmpz_add(sum, sum, c);
         fmpz_poly_set_coeff_fmpz(out, power, sum);
     }
-    _fmpz_vec_clear(c, 2);
 }
 
 /* Shrink the square below the common zeros of two curves. */
 static graze_status stay_below_event(near_maker *m, const sliced_curve *a, const sliced_curve *b) {
-    fmpz_poly_t event;
-    fmpz_poly_init(event);
+    LOCAL(fmpz_poly, event);
     graze_status status = eliminate(event, m->context, a, b);
     if (!status && fmpz_poly_is_zero(event))
         status = context_fail(m->context, GRAZE_EINTERNAL,
                               "parts of curves of a sweep have a factor in common");
     else if (!status)
         stay_below_roots(m, event);
-    fmpz_poly_clear(event);
     return status;
 }
 
@@ -149,14 +146,12 @@ static graze_status stay_below_meetings(near_maker *m, size_t k, int variable) {
 }
 
 static void stay_below_corners(near_maker *m, size_t k) {
-    fmpz_poly_t p;
-    fmpz_poly_init(p);
+    LOCAL(fmpz_poly, p);
     for (int falling = 0; falling < 2; falling++) {
         on_diagonal(p, &m->n->through.item[k], falling, m->n->through.ring);
         if (!fmpz_poly_is_zero(p))
             stay_below_roots(m, p);
     }
-    fmpz_poly_clear(p);
 }
 
 /* Split the curves through the point into parts; shrink the square until it misses all other
@@ -204,7 +199,8 @@ graze_status near_make(near_curves *n, int *refused, graze_context *context, con
 static void curve_on_side(fmpz_poly_t out, const fmpz_mpoly_t g, const near_curves *n, int axis,
                           int negative) {
     ulong degree = (ulong)fmpz_mpoly_degree_si(g, axis, n->through.ring);
-    fmpz *c = _fmpz_vec_init(2), *sum = c + 1;
+    LOCAL_VEC(fmpz, c, 2);
+    fmpz *sum = c + 1;
     fmpz_poly_zero(out);
     for (slong k = 0; k < fmpz_mpoly_length(g, n->through.ring); k++) {
         ulong e[2];
@@ -218,16 +214,13 @@ static void curve_on_side(fmpz_poly_t out, const fmpz_mpoly_t g, const near_curv
             fmpz_add(sum, sum, c);
         fmpz_poly_set_coeff_fmpz(out, (slong)e[1 - axis], sum);
     }
-    _fmpz_vec_clear(c, 2);
 }
 
 void near_side(fmpz_poly_t out, const near_curves *n, int axis, int negative) {
-    fmpz_poly_t one;
-    fmpz_poly_init(one);
+    LOCAL(fmpz_poly, one);
     fmpz_poly_set_ui(out, 1);
     for (size_t k = 0; k < n->through.count; k++) {
         curve_on_side(one, &n->through.item[k], n, axis, negative);
         fmpz_poly_mul(out, out, one);
     }
-    fmpz_poly_clear(one);
 }

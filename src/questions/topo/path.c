@@ -7,6 +7,7 @@
 #include "questions/topo/path.h"
 
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 #include "questions/topo/beyond.h"
 #include "questions/topo/binary_places.h"
 
@@ -14,9 +15,9 @@
 static void curve_on_path(fmpz_poly_t out, const fmpz_mpoly_t curve, const topo_finding *f,
                           const fmpz_mpoly_ctx_t ring) {
     slong most = fmpz_mpoly_degree_si(curve, RING_Y, ring);
-    fmpz *c = _fmpz_vec_init(2), *power = c + 1;
-    fmpz_poly_t term;
-    fmpz_poly_init(term);
+    LOCAL_VEC(fmpz, c, 2);
+    fmpz *power = c + 1;
+    LOCAL(fmpz_poly, term);
     fmpz_poly_zero(out);
     for (slong k = 0; k < fmpz_mpoly_length(curve, ring); k++) {
         ulong e[RING_VARIABLES];
@@ -31,8 +32,6 @@ static void curve_on_path(fmpz_poly_t out, const fmpz_mpoly_t curve, const topo_
             term, f->order * (slong)e[RING_X] + (f->order + 1) * (slong)e[RING_Y], c);
         fmpz_poly_add(out, out, term);
     }
-    _fmpz_vec_clear(c, 2);
-    fmpz_poly_clear(term);
 }
 
 /* Take the path's place at s = 2^-places as the witness, if it is out. */
@@ -60,8 +59,7 @@ graze_status path_decide(topo_finding *out, graze_context *context, const graze_
     ulong places = 0;
     int clear = 1;
     graze_status status = GRAZE_OK;
-    fmpz_poly_t p;
-    fmpz_poly_init(p);
+    LOCAL(fmpz_poly, p);
     for (size_t k = 0; k < curves->count && !status && clear; k++) {
         curve_on_path(p, &curves->item[k], out, curves->ring);
         clear = !fmpz_poly_is_zero(p);
@@ -70,6 +68,5 @@ graze_status path_decide(topo_finding *out, graze_context *context, const graze_
         clear = clear && places <= context->limits[GRAZE_LIMIT_BITS];
         status = context_poll(context);
     }
-    fmpz_poly_clear(p);
     return clear && !status ? try_path(out, context, scene, view, places) : status;
 }

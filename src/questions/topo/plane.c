@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 
 void view_init(plane_view *view) {
     view->dimension = 2;
@@ -33,8 +34,7 @@ void view_clear(plane_view *view) {
 }
 
 void view_point(fmpq *out, const plane_view *view, const fmpq *xy) {
-    fmpq_t way;
-    fmpq_init(way);
+    LOCAL(fmpq, way);
     for (int i = 0; i < view->dimension; i++) {
         fmpq_set(out + i, view->origin + i);
         for (int k = 0; k < 2; k++) {
@@ -42,7 +42,6 @@ void view_point(fmpq *out, const plane_view *view, const fmpq *xy) {
             fmpq_add(out + i, out + i, way);
         }
     }
-    fmpq_clear(way);
 }
 
 void curves_init(curve_list *list) {
@@ -60,10 +59,8 @@ void curves_clear(curve_list *list) {
 graze_status curves_append(curve_list *list, graze_context *context, const fmpz_mpoly_t curve) {
     if (fmpz_mpoly_is_fmpz(curve, list->ring))
         return GRAZE_OK;
-    graze_status status = array_grow(context, &list->item, &list->capacity, list->count + 1,
-                                     sizeof *list->item, "the curves of a sweep");
-    if (status)
-        return status;
+    TRY(array_grow(context, &list->item, &list->capacity, list->count + 1, sizeof *list->item,
+                   "the curves of a sweep"));
     fmpz_mpoly_init(&list->item[list->count], list->ring);
     fmpz_mpoly_set(&list->item[list->count++], curve, list->ring);
     return GRAZE_OK;

@@ -8,6 +8,7 @@
 #include "questions/topo/plane_gap.h"
 
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 
 void gap_init(plane_gap *gap) {
     fmpq_init(&gap->lift);
@@ -24,10 +25,8 @@ void gap_clear(plane_gap *gap) {
 
 /* The form of a germ at the direction of the gap. */
 static void height_at(fmpq_t out, const half_germ *g, direction_chart chart, const fmpq_t b) {
-    fmpq_poly_t form;
-    fmpq_t scale;
-    fmpq_init(scale);
-    fmpq_poly_init(form);
+    LOCAL(fmpq, scale);
+    LOCAL(fmpq_poly, form);
     fmpq_poly_set(form, g->form);
     if (chart.swapped)
         fmpq_poly_reverse(form, form, g->order + 2);
@@ -37,8 +36,6 @@ static void height_at(fmpq_t out, const half_germ *g, direction_chart chart, con
     fmpq_mul(out, out, scale);
     if (chart.opposite && g->order % 2 == 0)
         fmpq_neg(out, out);
-    fmpq_poly_clear(form);
-    fmpq_clear(scale);
 }
 
 /* The m-th powers of the leading terms in one direction: the largest of the germs below the plane
@@ -61,10 +58,8 @@ static graze_status find_range(height_range *r, graze_context *context, slong or
                                const half_germ *item, size_t count, direction_chart chart,
                                const fmpq_t b) {
     graze_status status = GRAZE_OK;
-    algebraic at;
-    fmpq_t height;
-    fmpq_init(height);
-    algebraic_init(&at);
+    LOCAL(fmpq, height);
+    HELD(algebraic, at);
     algebraic_set_rational(&at, b);
     r->has_low = r->has_high = 0;
     for (size_t k = 0; k < count && !status; k++) {
@@ -78,16 +73,13 @@ static graze_status find_range(height_range *r, graze_context *context, slong or
             height_at(height, &item[k], chart, b);
         take_height(r, item[k].above, height);
     }
-    algebraic_clear(&at);
-    fmpq_clear(height);
     return status;
 }
 
 /* Complete a range that lacks an end: its length becomes 1 plus the absolute value of the end that
  * it has, if any. */
 static void close_range(height_range *r) {
-    fmpq_t length;
-    fmpq_init(length);
+    LOCAL(fmpq, length);
     if (!r->has_low && !r->has_high)
         fmpq_zero(r->low);
     fmpq_abs(length, r->has_high ? r->high : r->low);
@@ -96,7 +88,6 @@ static void close_range(height_range *r) {
         fmpq_add(r->high, r->low, length);
     else if (!r->has_low)
         fmpq_sub(r->low, r->high, length);
-    fmpq_clear(length);
 }
 
 /* out = v |v|^(order - 1). */
@@ -111,10 +102,8 @@ static void signed_height(fmpq_t out, const fmpq_t v, slong order) {
  * there is none. */
 static int find_dyadic(fmpq_t out, slong order, const fmpq_t low, const fmpq_t high, ulong places) {
     int found = 0;
-    fmpz_t root;
-    fmpq_t power;
-    fmpz_init(root);
-    fmpq_init(power);
+    LOCAL(fmpz, root);
+    LOCAL(fmpq, power);
     fmpq_mul_2exp(power, low, places * (ulong)order);
     fmpz_tdiv_q(root, fmpq_numref(power), fmpq_denref(power));
     fmpz_abs(root, root);
@@ -129,23 +118,19 @@ static int find_dyadic(fmpq_t out, slong order, const fmpq_t low, const fmpq_t h
         signed_height(power, out, order);
         found = fmpq_cmp(low, power) < 0 && fmpq_cmp(power, high) < 0;
     }
-    fmpz_clear(root);
-    fmpq_clear(power);
     return found;
 }
 
 /* Set the lift so that its signed power lies in the middle half of the range. */
 static void set_lift(fmpq_t out, slong order, height_range *r) {
     ulong places = 0;
-    fmpq_t quarter;
-    fmpq_init(quarter);
+    LOCAL(fmpq, quarter);
     fmpq_sub(quarter, r->high, r->low);
     fmpq_div_2exp(quarter, quarter, 2);
     fmpq_add(r->low, r->low, quarter);
     fmpq_sub(r->high, r->high, quarter);
     while (!find_dyadic(out, order, r->low, r->high, places))
         places++;
-    fmpq_clear(quarter);
 }
 
 /* The largest order of a germ that is less than a bound; 0 if there is none. */

@@ -2,6 +2,7 @@
 #include "questions/topo/pullback.h"
 
 #include <flint/fmpq_vec.h>
+#include "base/context/scope.h"
 
 void pullback_init(pullback_form *f) {
     for (int i = 0; i < 3; i++)
@@ -17,10 +18,8 @@ void pullback_of_form(pullback_form *f, const point_map *map, const fmpz *form,
                       const plane_view *view) {
     int d = map->dimension;
     fmpz scale[4] = {0, 0, 0, 0}; /* the origin's numerators over the common denominator scale[d] */
-    fmpz_t factor;
-    fmpz_poly_t column;
-    fmpz_init(factor);
-    fmpz_poly_init(column);
+    LOCAL(fmpz, factor);
+    LOCAL(fmpz_poly, column);
     _fmpq_vec_get_fmpz_vec_fmpz(scale, scale + d, view->origin, d);
     for (int i = 0; i < 3; i++)
         fmpz_poly_zero(&f->linear[i]);
@@ -38,8 +37,6 @@ void pullback_of_form(pullback_form *f, const point_map *map, const fmpz *form,
     }
     for (int i = 0; i < 4; i++)
         fmpz_clear(scale + i);
-    fmpz_clear(factor);
-    fmpz_poly_clear(column);
 }
 
 slong pullback_reduce(pullback_form *f, fmpz_poly_t common) {
@@ -57,12 +54,10 @@ slong pullback_reduce(pullback_form *f, fmpz_poly_t common) {
 void pullback_at(fmpz_mpoly_t out, const pullback_form *f, const fmpz_t time,
                  const fmpz_mpoly_ctx_t ring) {
     static const ulong power[3][RING_VARIABLES] = {{1, 0}, {0, 1}, {0, 0}};
-    fmpz_t value;
-    fmpz_init(value);
+    LOCAL(fmpz, value);
     fmpz_mpoly_zero(out, ring);
     for (int i = 0; i < 3; i++) {
         fmpz_poly_evaluate_fmpz(value, &f->linear[i], time);
         fmpz_mpoly_set_coeff_fmpz_ui(out, value, power[i], ring);
     }
-    fmpz_clear(value);
 }

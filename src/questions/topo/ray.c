@@ -13,6 +13,7 @@
 #include <flint/fmpz_vec.h>
 #include <math.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "base/number/sign.h"
 #include "decide/trace/candidates.h"
@@ -76,8 +77,7 @@ static int is_steady(const ray_form *f) {
  * form has the same sign as at s = 0. */
 static graze_status stay_below(ray_maker *m, const ray_form *f, algebraic *time) {
     int sign = 0, slope = 0, there = 0;
-    fmpz_poly_t p;
-    fmpz_poly_init(p);
+    LOCAL(fmpz_poly, p);
     graze_status status = algebraic_sign_at(&sign, m->context, &f->plain_at, time);
     if (!status)
         status = algebraic_sign_at(&slope, m->context, &f->plain_slope, time);
@@ -92,15 +92,13 @@ static graze_status stay_below(ray_maker *m, const ray_form *f, algebraic *time)
         m->places += step;
         m->special = m->places > m->context->limits[GRAZE_LIMIT_BITS];
     }
-    fmpz_poly_clear(p);
     return status;
 }
 
 static graze_status stay_below_all(ray_maker *m, const ray_form *form, algebraic *time) {
-    graze_status status = GRAZE_OK;
-    for (int k = 0; k <= m->path.dimension && !status; k++)
-        status = stay_below(m, form + k, time);
-    return status;
+    for (int k = 0; k <= m->path.dimension; k++)
+        TRY(stay_below(m, form + k, time));
+    return GRAZE_OK;
 }
 
 /* Do that with all forms at all roots of a polynomial in a window of time. */
@@ -108,91 +106,70 @@ static graze_status stay_below_at_roots(ray_maker *m, const ray_form *form, cons
                                         const dyadic_interval *window) {
     if (fmpz_poly_degree(p) < 1)
         return GRAZE_OK;
-    algebraic_list roots;
-    algebraic_list_init(&roots);
-    graze_status status = algebraic_roots(&roots, m->context, p, window);
-    for (size_t k = 0; k < roots.count && !status && !m->special; k++)
-        status = stay_below_all(m, form, &roots.item[k]);
-    algebraic_list_clear(&roots);
-    return status;
+    HELD(algebraic_list, roots);
+    TRY(algebraic_roots(&roots, m->context, p, window));
+    for (size_t k = 0; k < roots.count && !m->special; k++)
+        TRY(stay_below_all(m, form, &roots.item[k]));
+    return GRAZE_OK;
 }
 
 /* out = a d - b c. */
 static void cross_terms(fmpz_poly_t out, const fmpz_poly_t a, const fmpz_poly_t b,
                         const fmpz_poly_t c, const fmpz_poly_t d) {
-    fmpz_poly_t other;
-    fmpz_poly_init(other);
+    LOCAL(fmpz_poly, other);
     fmpz_poly_mul(out, a, d);
     fmpz_poly_mul(other, b, c);
     fmpz_poly_sub(out, out, other);
-    fmpz_poly_clear(other);
 }
 
 /* Keep `reach` below places whose trajectories meet the plane at a double root, or at a root that
  * does not depend on s. */
 static graze_status stay_below_plane(ray_maker *m, const ray_form *form,
                                      const dyadic_interval *window) {
-    algebraic any;
-    fmpz_poly_t a, b, p;
-    fmpz_poly_init(a);
-    fmpz_poly_init(b);
-    fmpz_poly_init(p);
-    algebraic_init(&any);
-    graze_status status = GRAZE_OK;
+    LOCAL(fmpz_poly, a);
+    LOCAL(fmpz_poly, b);
+    LOCAL(fmpz_poly, p);
+    HELD(algebraic, any);
     if (is_steady(form)) {
-        status = stay_below(m, form, &any);
+        TRY(stay_below(m, form, &any));
         fmpz_poly_set(p, &form->common);
     } else {
         fmpz_poly_derivative(a, &form->at);
         fmpz_poly_derivative(b, &form->slope);
         cross_terms(p, a, b, &form->at, &form->slope);
     }
-    if (!status)
-        status = stay_below_at_roots(m, form, p, window);
-    algebraic_clear(&any);
-    fmpz_poly_clear(a);
-    fmpz_poly_clear(b);
-    fmpz_poly_clear(p);
-    return status;
+    return stay_below_at_roots(m, form, p, window);
 }
 
 /* Keep `reach` below places at which the plane's form and a side form vanish at the same time. */
 static graze_status stay_below_side(ray_maker *m, const ray_form *form, int side,
                                     const dyadic_interval *window) {
-    fmpz_poly_t p;
-    fmpz_poly_init(p);
+    LOCAL(fmpz_poly, p);
     cross_terms(p, &form->at, &form->slope, &form[side].at, &form[side].slope);
     m->special = m->special || (fmpz_poly_is_zero(p) && !is_steady(form));
-    graze_status status = stay_below_at_roots(m, form, p, window);
-    fmpz_poly_clear(p);
-    return status;
+    return stay_below_at_roots(m, form, p, window);
 }
 
 /* Keep `reach` below places at which a form vanishes at an end of the piece in the window. */
 static graze_status stay_below_at_ends(ray_maker *m, const ray_form *form, const candidate *near) {
-    graze_status status = GRAZE_OK;
-    algebraic end;
-    fmpq_t u;
-    fmpq_init(u);
-    algebraic_init(&end);
-    for (slong k = 0; k < 2 && !status; k++) {
+    LOCAL(fmpq, u);
+    HELD(algebraic, end);
+    for (slong k = 0; k < 2; k++) {
         fmpq_set_si(u, k, 1);
         algebraic_set_rational(&end, u);
         if (k ? near->to == UINT32_C(1) << WINDOW_LEVELS : near->from == 0)
-            status = stay_below_all(m, form, &end);
+            TRY(stay_below_all(m, form, &end));
     }
-    algebraic_clear(&end);
-    fmpq_clear(u);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Keep `reach` below the events of one simplex that the ray can meet in a window of time. */
 static graze_status stay_below_simplex(ray_maker *m, const candidate *near) {
     int d = m->path.dimension;
-    fmpz *form = _fmpz_vec_init(2 * (d + 1)), *side = form + d + 1;
+    LOCAL_VEC(fmpz, form, 2 * (d + 1));
+    fmpz *side = form + d + 1;
     ray_form f[FORMS];
-    dyadic_interval window;
-    dyadic_interval_init(&window);
+    HELD(dyadic_interval, window);
     fmpz_set_ui(window.low, near->from);
     fmpz_set_ui(window.high, near->to);
     window.exponent = WINDOW_LEVELS;
@@ -212,8 +189,6 @@ static graze_status stay_below_simplex(ray_maker *m, const candidate *near) {
         status = stay_below_side(m, f, k, &window);
     for (int k = 0; k <= d; k++)
         ray_form_clear(&f[k]);
-    dyadic_interval_clear(&window);
-    _fmpz_vec_clear(form, 2 * (d + 1));
     return status ? status : context_poll(m->context);
 }
 
@@ -222,19 +197,16 @@ static graze_status stay_below_simplex(ray_maker *m, const candidate *near) {
 static graze_status stay_below_piece(ray_maker *m) {
     int d = m->path.dimension;
     candidates near = {0, 0, NULL};
-    trajectory far;
-    fmpz *end = _fmpz_vec_init(d + 1);
+    LOCAL_VEC(fmpz, end, d + 1);
     _fmpz_vec_scalar_mul_fmpz(end, m->place, d + 1, fmpq_denref(m->reach));
     _fmpz_vec_scalar_addmul_fmpz(end, m->direction, d, fmpq_numref(m->reach));
-    trajectory_init(&far, d);
+    HELD(trajectory, far, d);
     trajectory_carry(&m->path, m->map, m->place);
     trajectory_carry(&far, m->map, end);
     graze_status status =
         candidates_find_between(&near, m->context, m->scene->solid, &m->path, &far);
     for (size_t k = 0; k < near.count && !status && !m->special; k++)
         status = stay_below_simplex(m, &near.item[k]);
-    trajectory_clear(&far);
-    _fmpz_vec_clear(end, d + 1);
     free(near.item);
     return status;
 }

@@ -11,6 +11,7 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_poly_factor.h>
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 #include "base/number/sign.h"
 #include "questions/topo/directions.h"
 #include "questions/topo/sides.h"
@@ -22,44 +23,35 @@ int root_find_minimal(fmpz_poly_t out, const algebraic *time) {
     int found = 0;
     if (fmpz_poly_degree(time->poly) > FACTORED_DEGREE)
         return 0;
-    fmpz_poly_factor_t factors;
-    fmpz_poly_factor_init(factors);
+    LOCAL(fmpz_poly_factor, factors);
     fmpz_poly_factor(factors, time->poly);
     for (slong k = 0; k < factors->num && !found; k++) {
         found = algebraic_sign_before(factors->p + k, &time->where) != 0;
         if (found)
             fmpz_poly_set(out, factors->p + k);
     }
-    fmpz_poly_factor_clear(factors);
     return found;
 }
 
 int root_is_rational(fmpq_t out, const fmpz_poly_t minimal) {
     if (fmpz_poly_degree(minimal) != 1)
         return 0;
-    fmpz_t c;
-    fmpz_init(c);
+    LOCAL(fmpz, c);
     fmpz_neg(c, fmpz_poly_get_coeff_ptr(minimal, 0));
     fmpq_set_fmpz_frac(out, c, fmpz_poly_get_coeff_ptr(minimal, 1));
-    fmpz_clear(c);
     return 1;
 }
 
 /* The rational factor that makes one residue of another; 0 if there is none. */
 static int multiple_of(fmpq_t out, const fmpq_poly_t residue, const fmpq_poly_t base) {
-    fmpq_t lead;
-    fmpq_poly_t multiple;
     slong degree = fmpq_poly_degree(base);
-    fmpq_init(lead);
-    fmpq_poly_init(multiple);
+    LOCAL(fmpq, lead);
+    LOCAL(fmpq_poly, multiple);
     fmpq_poly_get_coeff_fmpq(lead, base, degree);
     fmpq_poly_get_coeff_fmpq(out, residue, degree);
     fmpq_div(out, out, lead);
     fmpq_poly_scalar_mul_fmpq(multiple, base, out);
-    int is_one = fmpq_poly_equal(multiple, residue);
-    fmpq_poly_clear(multiple);
-    fmpq_clear(lead);
-    return is_one;
+    return fmpq_poly_equal(multiple, residue);
 }
 
 /* Coprime integers proportional, by a positive factor, to the values of n polynomials at a time;
@@ -68,11 +60,10 @@ static graze_status ratio_of(int *rational, fmpz *out, slong n, const fmpz_poly_
                              graze_context *context, algebraic *time, const fmpz_poly_t minimal) {
     int sign = 1;
     graze_status status = GRAZE_OK;
-    fmpq *ratio = _fmpq_vec_init(n);
-    fmpq_poly_t modulus, residue, base;
-    fmpq_poly_init(modulus);
-    fmpq_poly_init(residue);
-    fmpq_poly_init(base);
+    LOCAL_VEC(fmpq, ratio, n);
+    LOCAL(fmpq_poly, modulus);
+    LOCAL(fmpq_poly, residue);
+    LOCAL(fmpq_poly, base);
     fmpq_poly_set_fmpz_poly(modulus, minimal);
     *rational = 1;
     for (slong k = 0; k < n && *rational && !status; k++) {
@@ -89,10 +80,6 @@ static graze_status ratio_of(int *rational, fmpz *out, slong n, const fmpz_poly_
             fmpq_neg(ratio + k, ratio + k);
     }
     direction_of_rationals(out, ratio, n);
-    fmpq_poly_clear(modulus);
-    fmpq_poly_clear(residue);
-    fmpq_poly_clear(base);
-    _fmpq_vec_clear(ratio, n);
     return status;
 }
 
@@ -122,11 +109,10 @@ static graze_status find_order(slong *order, germ *g, const germ_place *place) {
 /* A direction whose scalar products with the normals are given integers; 0 if there is none. */
 static int direction_with_products(fmpz *out, const local_cone *cone, const fmpz *product) {
     slong d = cone->dimension, n = (slong)cone->count;
-    fmpq *x = _fmpq_vec_init(d);
-    fmpq_mat_t a, b, e;
-    fmpq_mat_init(a, n, d);
-    fmpq_mat_init(b, n, 1);
-    fmpq_mat_init(e, d, 1);
+    LOCAL_VEC(fmpq, x, d);
+    LOCAL(fmpq_mat, a, n, d);
+    LOCAL(fmpq_mat, b, n, 1);
+    LOCAL(fmpq_mat, e, d, 1);
     for (slong j = 0; j < n; j++) {
         for (slong i = 0; i < d; i++)
             fmpq_set_fmpz(fmpq_mat_entry(a, j, i), cone->normal + j * d + i);
@@ -136,10 +122,6 @@ static int direction_with_products(fmpz *out, const local_cone *cone, const fmpz
     for (slong i = 0; i < d; i++)
         fmpq_set(x + i, fmpq_mat_entry(e, i, 0));
     direction_of_rationals(out, x, d);
-    fmpq_mat_clear(a);
-    fmpq_mat_clear(b);
-    fmpq_mat_clear(e);
-    _fmpq_vec_clear(x, d);
     return found;
 }
 
@@ -147,9 +129,8 @@ static int direction_with_products(fmpz *out, const local_cone *cone, const fmpz
  * cone's point. */
 static void set_direction_near(germ *g, const germ_place *place, slong order, const fmpq_t near) {
     int d = g->cone.dimension;
-    fmpq *x = _fmpq_vec_init(d);
-    fmpz_poly_t way;
-    fmpz_poly_init(way);
+    LOCAL_VEC(fmpq, x, d);
+    LOCAL(fmpz_poly, way);
     for (int i = 0; i < d; i++) {
         fmpz_poly_scalar_mul_fmpz(way, &place->path->x[i], g->cone.at + d);
         fmpz_poly_scalar_submul_fmpz(way, &place->path->x[d], g->cone.at + i);
@@ -158,8 +139,6 @@ static void set_direction_near(germ *g, const germ_place *place, slong order, co
         fmpz_poly_evaluate_fmpq(x + i, way, near);
     }
     direction_of_rationals(g->side[0].e, x, d);
-    fmpz_poly_clear(way);
-    _fmpq_vec_clear(x, d);
 }
 
 /* Set the linear part of the inverse map: exactly if it is rational up to a factor, else
@@ -168,7 +147,7 @@ static graze_status set_map_near(int *rational, germ *g, const germ_place *place
                                  const fmpz_poly_t minimal, const fmpq_t near) {
     int d = place->map->dimension;
     fmpz_poly_struct entry[9];
-    fmpq *value = _fmpq_vec_init(d * d);
+    LOCAL_VEC(fmpq, value, d * d);
     for (int i = 0; i < d * d; i++)
         entry[i] = place->map->entry[i / d * (d + 1) + i % d]; /* borrowed */
     graze_status status =
@@ -177,7 +156,6 @@ static graze_status set_map_near(int *rational, germ *g, const germ_place *place
         fmpz_poly_evaluate_fmpq(value + i, entry + i, near);
     if (!*rational)
         direction_of_rationals(g->to_body, value, d * d);
-    _fmpq_vec_clear(value, d * d);
     return status;
 }
 
@@ -190,7 +168,7 @@ static graze_status set_direction(int *rational, int *found, germ *g, const germ
     slong n = (slong)root->count;
     size_t along = 0;
     graze_status status = GRAZE_OK;
-    fmpz *product = _fmpz_vec_init(n);
+    LOCAL_VEC(fmpz, product, n);
     for (slong j = 0; j < n && !status; j++) {
         int sign = 0;
         status = algebraic_sign_at(&sign, place->context, root->way + j, &root->time);
@@ -203,7 +181,6 @@ static graze_status set_direction(int *rational, int *found, germ *g, const germ
         *rational = direction_with_products(g->side[0].e, &g->cone, product);
     if (!status && !*rational)
         set_direction_near(g, place, order, near);
-    _fmpz_vec_clear(product, n);
     return status;
 }
 
@@ -252,11 +229,9 @@ static graze_status set_ways(int *found, germ *g, const germ_place *place,
 graze_status root_set_germ(int *found, germ *g, const germ_place *place, const algebraic *time,
                            const fmpz_poly_t minimal) {
     int d = place->map->dimension;
-    fmpz *x = _fmpz_vec_init(d + 1);
-    fmpq_t near;
-    algebraic at;
-    fmpq_init(near);
-    algebraic_init(&at);
+    LOCAL_VEC(fmpz, x, d + 1);
+    LOCAL(fmpq, near);
+    HELD(algebraic, at);
     algebraic_set(&at, time);
     graze_status status = place_find(found, x, near, place, &at);
     if (!status && *found) {
@@ -267,8 +242,5 @@ graze_status root_set_germ(int *found, germ *g, const germ_place *place, const a
         if (!status)
             status = set_ways(found, g, place, minimal, near);
     }
-    _fmpz_vec_clear(x, d + 1);
-    fmpq_clear(near);
-    algebraic_clear(&at);
     return status;
 }

@@ -11,6 +11,7 @@
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "base/number/order.h"
 #include "base/number/sign.h"
@@ -48,31 +49,27 @@ static graze_status add_half(second_maker *m, germ *g, int sign, int way) {
 static void excess(fmpz_poly_t out, const half_germ *below, const half_germ *above,
                    direction_chart chart) {
     slong order = FLINT_MAX(below->order, above->order);
-    fmpq_poly_t difference;
-    fmpq_poly_init(difference);
+    LOCAL(fmpq_poly, difference);
     if (below->order == order)
         fmpq_poly_set(difference, below->form);
     if (above->order == order)
         fmpq_poly_sub(difference, difference, above->form);
     half_in_chart(out, difference, order + 1, chart);
-    fmpq_poly_clear(difference);
 }
 
 /* The sign of the excess of germ i over germ j at a parameter; -1 if one of them is not valid
  * there. */
 static graze_status excess_at(int *out, const second_maker *m, size_t i, size_t j, algebraic *at) {
     int valid[2] = {1, 1};
-    fmpz_poly_t p;
     *out = -1;
     graze_status status = half_is_valid(&valid[0], &m->item[i], m->context, m->chart, at);
     if (!status && valid[0])
         status = half_is_valid(&valid[1], &m->item[j], m->context, m->chart, at);
     if (status || !valid[0] || !valid[1])
         return status;
-    fmpz_poly_init(p);
+    LOCAL(fmpz_poly, p);
     excess(p, &m->item[i], &m->item[j], m->chart);
     status = algebraic_sign_at(out, m->context, p, at);
-    fmpz_poly_clear(p);
     return status;
 }
 
@@ -101,38 +98,30 @@ static graze_status look_at_slope(int *out, int *sign, const second_maker *m, al
  * rational it is tried, although leading terms that are equal need not leave one. */
 static graze_status look_at_end(int *out, const second_maker *m, algebraic *at) {
     int sign = 0;
-    graze_status status = look_at_slope(out, &sign, m, at);
-    if (!status && sign <= 0 && !m->gap->order && algebraic_is_rational(at))
-        status = gap_set(m->gap, &m->plane, m->context, m->item, m->count, m->chart, at->value);
-    return status;
+    TRY(look_at_slope(out, &sign, m, at));
+    if (sign <= 0 && !m->gap->order && algebraic_is_rational(at))
+        TRY(gap_set(m->gap, &m->plane, m->context, m->item, m->count, m->chart, at->value));
+    return GRAZE_OK;
 }
 
 /* Set the gap at a parameter between two, a third of the way to a simple number: a direction with
  * larger numbers is seldom parallel to facets and edges. */
 static graze_status keep_gap(const second_maker *m, const fmpq_t low, algebraic *high) {
-    algebraic first;
-    fmpq_t b;
-    fmpq_init(b);
-    algebraic_init(&first);
+    LOCAL(fmpq, b);
+    HELD(algebraic, first);
     algebraic_set_rational(&first, low);
-    graze_status status = algebraic_between(b, m->context, &first, high);
+    TRY(algebraic_between(b, m->context, &first, high));
     fmpq_sub(b, b, low);
     fmpq_div_fmpz(b, b, &(fmpz){3});
     fmpq_add(b, b, low);
-    if (!status)
-        status = gap_set(m->gap, &m->plane, m->context, m->item, m->count, m->chart, b);
-    algebraic_clear(&first);
-    fmpq_clear(b);
-    return status;
+    return gap_set(m->gap, &m->plane, m->context, m->item, m->count, m->chart, b);
 }
 
 /* Look between two successive parameters, and at the second one. */
 static graze_status look_from_to(int *out, const second_maker *m, algebraic *from, algebraic *to) {
-    algebraic middle;
     int sign = 0;
-    fmpq_t between;
-    fmpq_init(between);
-    algebraic_init(&middle);
+    LOCAL(fmpq, between);
+    HELD(algebraic, middle);
     graze_status status = algebraic_between(between, m->context, from, to);
     algebraic_set_rational(&middle, between);
     if (!status)
@@ -141,20 +130,16 @@ static graze_status look_from_to(int *out, const second_maker *m, algebraic *fro
         status = keep_gap(m, between, to);
     if (!status)
         status = look_at_end(out, m, to);
-    algebraic_clear(&middle);
-    fmpq_clear(between);
     return status;
 }
 
 /* Look at the roots of all excesses in [-1, 1], at both ends, and between each two successive ones.
  */
 static graze_status look_at_slopes(int *out, const second_maker *m, algebraic_list *roots) {
-    algebraic last, next;
     int order = 0;
-    fmpq_t end;
-    fmpq_init(end);
-    algebraic_init(&last);
-    algebraic_init(&next);
+    LOCAL(fmpq, end);
+    HELD(algebraic, last);
+    HELD(algebraic, next);
     fmpq_set_si(end, -1, 1);
     algebraic_set_rational(&last, end);
     graze_status status = look_at_end(out, m, &last);
@@ -170,9 +155,6 @@ static graze_status look_at_slopes(int *out, const second_maker *m, algebraic_li
         status = look_from_to(out, m, &last, &next);
         algebraic_set(&last, &next);
     }
-    algebraic_clear(&last);
-    algebraic_clear(&next);
-    fmpq_clear(end);
     return status;
 }
 
@@ -185,8 +167,7 @@ static void add_factor(fmpz_poly_t product, const fmpz_poly_t p) {
 /* The product of all excesses in the chart and of all forms `reach` and `turn`: between its roots
  * no excess changes sign and no germ becomes valid or invalid. */
 static void product_of_signs(fmpz_poly_t product, const second_maker *m) {
-    fmpz_poly_t p;
-    fmpz_poly_init(p);
+    LOCAL(fmpz_poly, p);
     fmpz_poly_set_ui(product, 1);
     for (size_t i = 0; i < m->count; i++) {
         const half_germ *half = &m->item[i];
@@ -203,26 +184,17 @@ static void product_of_signs(fmpz_poly_t product, const second_maker *m) {
         if (half->has_turn)
             add_factor(product, p);
     }
-    fmpz_poly_clear(p);
 }
 
 /* Look at all directions of the current chart. */
 static graze_status look_at_chart(int *out, const second_maker *m) {
-    fmpz_poly_t product;
-    dyadic_interval range;
-    algebraic_list roots;
-    fmpz_poly_init(product);
-    dyadic_interval_init(&range);
+    LOCAL(fmpz_poly, product);
+    HELD(dyadic_interval, range);
     dyadic_interval_set_si(&range, -1, 1);
-    algebraic_list_init(&roots);
+    HELD(algebraic_list, roots);
     product_of_signs(product, m);
-    graze_status status = algebraic_roots(&roots, m->context, product, &range);
-    if (!status)
-        status = look_at_slopes(out, m, &roots);
-    fmpz_poly_clear(product);
-    dyadic_interval_clear(&range);
-    algebraic_list_clear(&roots);
-    return status;
+    TRY(algebraic_roots(&roots, m->context, product, &range));
+    return look_at_slopes(out, m, &roots);
 }
 
 graze_status second_covers(int *out, plane_gap *gap, germ_list *list, graze_context *context,

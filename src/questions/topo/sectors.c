@@ -8,6 +8,7 @@
 
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "questions/topo/borders.h"
 #include "questions/topo/cover.h"
 #include "questions/topo/signs.h"
@@ -29,11 +30,11 @@ static int compare_angles(const void *a, const void *b) {
     int order = quarter_of(v) - quarter_of(w);
     if (order)
         return order;
-    fmpz *left = _fmpz_vec_init(2), *right = left + 1;
+    LOCAL_VEC(fmpz, left, 2);
+    fmpz *right = left + 1;
     fmpz_mul(left, v + 1, w);
     fmpz_mul(right, v, w + 1);
     order = fmpz_cmp(left, right);
-    _fmpz_vec_clear(left, 2);
     return order;
 }
 
@@ -75,7 +76,7 @@ static graze_status find_between(sector_list *out, graze_context *context,
     int *covered = calloc(count, sizeof *covered);
     if (!covered)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory");
-    fmpz *middle = _fmpz_vec_init(2);
+    LOCAL_VEC(fmpz, middle, 2);
     out->all = 1;
     for (size_t k = 0; k < count && !status; k++) {
         _fmpz_vec_add(middle, ray + 2 * k, ray + 2 * ((k + 1) % count), 2);
@@ -85,7 +86,6 @@ static graze_status find_between(sector_list *out, graze_context *context,
     if (!status && !out->all)
         join_cells(out, ray, covered, count);
     free(covered);
-    _fmpz_vec_clear(middle, 2);
     return status;
 }
 
@@ -117,20 +117,17 @@ static size_t drop_equal_rays(fmpz *ray, size_t count) {
 graze_status sectors_find(sector_list *out, graze_context *context, const sector_question *asked) {
     germ_list alone = {.count = 1, .capacity = 1, .item = asked->germ, .bounded = 1};
     size_t more = !asked->germ && asked->list->turn_count ? TURN_RAYS : 0;
-    borders b;
     int refused = 0;
-    borders_init(&b, 2);
-    graze_status status = borders_find(&b, &refused, context, asked->germ ? &alone : asked->list);
-    if (!status && !refused) {
+    HELD(borders, b, 2);
+    TRY(borders_find(&b, &refused, context, asked->germ ? &alone : asked->list));
+    if (!refused) {
         size_t count = b.ray_count + more;
-        fmpz *ray = _fmpz_vec_init((slong)(2 * count));
+        LOCAL_VEC(fmpz, ray, (slong)(2 * count));
         _fmpz_vec_set(ray, b.ray, (slong)(2 * b.ray_count));
         if (more)
             add_turn_rays(ray + 2 * b.ray_count);
         qsort(ray, count, 2 * sizeof *ray, compare_angles);
-        status = find_between(out, context, asked, ray, drop_equal_rays(ray, count));
-        _fmpz_vec_clear(ray, (slong)(2 * count));
+        TRY(find_between(out, context, asked, ray, drop_equal_rays(ray, count)));
     }
-    borders_clear(&b);
-    return status;
+    return GRAZE_OK;
 }

@@ -8,46 +8,43 @@
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 #include "questions/topo/eliminate.h"
 
 /* Multiply each g_ij by c^(D - i - j) or, with `back`, by c^(i + j). */
 static void scale_terms(sliced_curve *s, const fmpz_t c, int back) {
-    fmpz_t power;
-    fmpz_init(power);
+    LOCAL(fmpz, power);
     for (slong j = 0; j <= s->degree; j++)
         for (slong i = 0; i < fmpz_poly_length(s->coefficient + j); i++) {
             fmpz_pow_ui(power, c, (ulong)(back ? i + j : s->total - i - j));
             fmpz_mul(fmpz_poly_get_coeff_ptr(s->coefficient + j, i),
                      fmpz_poly_get_coeff_ptr(s->coefficient + j, i), power);
         }
-    fmpz_clear(power);
 }
 
 /* Replace X by X + a in each coefficient. */
 static graze_status shift_coefficients(sliced_curve *s, graze_context *context, const fmpz_t a) {
-    graze_status status = GRAZE_OK;
-    for (slong k = 0; k <= s->degree && !status; k++) {
+    for (slong k = 0; k <= s->degree; k++) {
         fmpz_poly_taylor_shift(s->coefficient + k, s->coefficient + k, a);
-        status = context_poll(context);
+        TRY(context_poll(context));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 static void content_of(fmpz_t out, const sliced_curve *s) {
-    fmpz_t content;
-    fmpz_init(content);
+    LOCAL(fmpz, content);
     fmpz_zero(out);
     for (slong k = 0; k <= s->degree; k++) {
         fmpz_poly_content(content, s->coefficient + k);
         fmpz_gcd(out, out, content);
     }
-    fmpz_clear(content);
 }
 
 /* Convert to a polynomial, divided by its content. */
 static void to_polynomial(fmpz_mpoly_t out, const sliced_curve *s, int variable,
                           const fmpz_mpoly_ctx_t ring) {
-    fmpz *content = _fmpz_vec_init(2), *c = content + 1;
+    LOCAL_VEC(fmpz, content, 2);
+    fmpz *c = content + 1;
     content_of(content, s);
     fmpz_mpoly_zero(out, ring);
     for (slong k = 0; k <= s->degree; k++)
@@ -60,7 +57,6 @@ static void to_polynomial(fmpz_mpoly_t out, const sliced_curve *s, int variable,
                 fmpz_mpoly_push_term_fmpz_ui(out, c, e, ring);
         }
     fmpz_mpoly_sort_terms(out, ring);
-    _fmpz_vec_clear(content, 2);
 }
 
 graze_status shift_curve(fmpz_mpoly_t out, graze_context *context, const fmpz_mpoly_t curve,

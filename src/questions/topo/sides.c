@@ -5,21 +5,18 @@
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 #include "questions/topo/directions.h"
 
 /* Are two polynomials multiples of one another (0 is one of every polynomial)? */
 static int are_proportional(const fmpz_poly_t p, const fmpz_poly_t q) {
     if (fmpz_poly_is_zero(p) || fmpz_poly_is_zero(q))
         return 1;
-    fmpz_poly_t a, b;
-    fmpz_poly_init(a);
-    fmpz_poly_init(b);
+    LOCAL(fmpz_poly, a);
+    LOCAL(fmpz_poly, b);
     fmpz_poly_scalar_mul_fmpz(a, p, fmpz_poly_lead(q));
     fmpz_poly_scalar_mul_fmpz(b, q, fmpz_poly_lead(p));
-    int same = fmpz_poly_equal(a, b);
-    fmpz_poly_clear(a);
-    fmpz_poly_clear(b);
-    return same;
+    return fmpz_poly_equal(a, b);
 }
 
 /* An entry of a plane's normal, pulled back to directions about P, as a function of time. */
@@ -34,8 +31,7 @@ static void pull_back_column(fmpz_poly_t out, const point_map *map, const fmpz *
 /* Is a pulled back normal a constant vector times a function of time, `factor`? */
 static int keeps_direction(fmpz_poly_t factor, const point_map *map, const fmpz *normal) {
     int same = 1;
-    fmpz_poly_t p;
-    fmpz_poly_init(p);
+    LOCAL(fmpz_poly, p);
     fmpz_poly_zero(factor);
     for (int column = 0; column < map->dimension && same; column++) {
         pull_back_column(p, map, normal, column);
@@ -43,22 +39,18 @@ static int keeps_direction(fmpz_poly_t factor, const point_map *map, const fmpz 
         if (fmpz_poly_is_zero(factor))
             fmpz_poly_set(factor, p);
     }
-    fmpz_poly_clear(p);
     return same;
 }
 
 void distance_from_plane(fmpz_poly_t out, const local_cone *cone, size_t j,
                          const trajectory *path) {
     int d = cone->dimension;
-    fmpz *form = _fmpz_vec_init(d + 1);
-    fmpz_t at;
-    fmpz_init(at);
+    LOCAL_VEC(fmpz, form, d + 1);
+    LOCAL(fmpz, at);
     _fmpz_vec_dot(at, cone->normal + j * (size_t)d, cone->at, d);
     _fmpz_vec_scalar_mul_fmpz(form, cone->normal + j * (size_t)d, d, cone->at + d);
     fmpz_neg(form + d, at);
     trajectory_pullback(out, path, form);
-    fmpz_clear(at);
-    _fmpz_vec_clear(form, d + 1);
 }
 
 int planes_keep_directions(int *same_way, const local_cone *cone, const point_map *map,
@@ -87,24 +79,21 @@ int planes_keep_directions(int *same_way, const local_cone *cone, const point_ma
 }
 
 static void coefficients_at(fmpz *out, fmpq_poly_t *way, slong k, int d) {
-    fmpq *c = _fmpq_vec_init(d);
+    LOCAL_VEC(fmpq, c, d);
     for (int i = 0; i < d; i++)
         fmpq_poly_get_coeff_fmpq(c + i, way[i], k);
     direction_of_rationals(out, c, d);
-    _fmpq_vec_clear(c, d);
 }
 
 /* Is a vector a direction of the cell? *planes is the number of planes that it is parallel to. */
 static int is_in_cell(size_t *planes, const local_cone *cone, const fmpz *v) {
     slong d = cone->dimension;
-    fmpz_t a;
-    fmpz_init(a);
+    LOCAL(fmpz, a);
     *planes = 0;
     for (size_t j = 0; j < cone->count; j++) {
         _fmpz_vec_dot(a, cone->normal + j * (size_t)d, v, d);
         *planes += fmpz_is_zero(a) != 0;
     }
-    fmpz_clear(a);
     return *planes == cone->count;
 }
 
@@ -122,11 +111,11 @@ static void find_later(germ_side *side, fmpq_poly_t *way, slong length, int sign
 
 /* The edge keeps its direction if that is parallel to its planes throughout the piece. */
 int edge_keeps_direction(const germ *g, const point_map *map) {
-    fmpz *world = _fmpz_vec_init(9), *normal = world + 3;
-    fmpz_poly_t sum, p;
+    LOCAL_VEC(fmpz, world, 9);
+    fmpz *normal = world + 3;
     int keeps = 1;
-    fmpz_poly_init(sum);
-    fmpz_poly_init(p);
+    LOCAL(fmpz_poly, sum);
+    LOCAL(fmpz_poly, p);
     for (size_t j = 0; j < 2; j++)
         for (int column = 0; column < 3; column++)
             for (int row = 0; row < 3; row++)
@@ -141,9 +130,6 @@ int edge_keeps_direction(const germ *g, const point_map *map) {
         }
         keeps = fmpz_poly_is_zero(sum);
     }
-    _fmpz_vec_clear(world, 9);
-    fmpz_poly_clear(sum);
-    fmpz_poly_clear(p);
     return keeps;
 }
 

@@ -8,6 +8,7 @@
 
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "base/number/order.h"
 #include "base/number/sign.h"
@@ -15,16 +16,14 @@
 
 void signs_pull_back(fmpz_poly_t out, const point_map *map, const fmpz *normal,
                      const fmpz *direction) {
-    fmpz_t factor;
     int d = map->dimension;
-    fmpz_init(factor);
+    LOCAL(fmpz, factor);
     fmpz_poly_zero(out);
     for (int row = 0; row < d; row++)
         for (int column = 0; column < d; column++) {
             fmpz_mul(factor, normal + row, direction + column);
             fmpz_poly_scalar_addmul_fmpz(out, &map->entry[row * (d + 1) + column], factor);
         }
-    fmpz_clear(factor);
 }
 
 /* Ask the state of a direction in every cell of the arrangement. */
@@ -32,9 +31,8 @@ static graze_status learn_all(local_cone *cone, graze_context *context) {
     slong d = cone->dimension;
     graze_state state;
     int refused = 0;
-    borders b;
-    borders_init(&b, (int)d);
-    fmpz *none = _fmpz_vec_init(d);
+    HELD(borders, b, (int)d);
+    LOCAL_VEC(fmpz, none, d);
     graze_status status = cone_state(&state, cone, context, none);
     if (!status)
         status = borders_of_cone(&b, &refused, context, cone);
@@ -47,8 +45,6 @@ static graze_status learn_all(local_cone *cone, graze_context *context) {
             status = cone_state(&state, cone, context, cell + k * (size_t)d);
         _fmpz_vec_clear(cell, (slong)count * d);
     }
-    _fmpz_vec_clear(none, d);
-    borders_clear(&b);
     cone->knows_all = !status && !refused;
     return status;
 }
@@ -119,16 +115,13 @@ static graze_status sweep_init(root_sweep *s, germ *g, graze_context *context,
 /* Is plane j crossed before plane k (-1), together with it (0), or after it (1)? Plane j is crossed
  * at s = -at_j / way_j, times `side`. */
 static graze_status compare_crossing_places(int *out, root_sweep *s, int side, size_t j, size_t k) {
-    fmpz_poly_t a, b;
-    fmpz_poly_init(a);
-    fmpz_poly_init(b);
+    LOCAL(fmpz_poly, a);
+    LOCAL(fmpz_poly, b);
     fmpz_poly_mul(a, s->at + k, s->way + j);
     fmpz_poly_mul(b, s->at + j, s->way + k);
     fmpz_poly_sub(a, a, b);
     graze_status status = algebraic_sign_at(out, s->context, a, &s->g->root->time);
     *out *= side * s->way_sign[j] * s->way_sign[k];
-    fmpz_poly_clear(a);
-    fmpz_poly_clear(b);
     return status;
 }
 
@@ -174,11 +167,11 @@ static graze_status look_at_rank(int *covered, root_sweep *s, int side, int rank
 
 /* Ask all u + s e with s > 0 on one side; `side` is the sign of `way` there. */
 static graze_status look_at_side(int *covered, root_sweep *s, int side) {
-    graze_status status = order_crossings(s, side);
+    TRY(order_crossings(s, side));
     int last = s->cut_count > 0 ? s->rank[s->cut_count - 1] : -1;
-    for (int rank = -1; rank <= last && !status && !*covered; rank++)
-        status = look_at_rank(covered, s, side, rank);
-    return status;
+    for (int rank = -1; rank <= last && !*covered; rank++)
+        TRY(look_at_rank(covered, s, side, rank));
+    return GRAZE_OK;
 }
 
 graze_status signs_cover_at_root(int *covered, germ *g, graze_context *context,
@@ -217,16 +210,12 @@ static graze_status look_at_time(int *covered, local_cone *cone, graze_context *
 static graze_status look_between(int *covered, local_cone *cone, graze_context *context,
                                  const fmpz_poly_struct *p, signed char *sign, algebraic *from,
                                  algebraic *to) {
-    algebraic middle;
-    fmpq_t u;
-    fmpq_init(u);
-    algebraic_init(&middle);
+    LOCAL(fmpq, u);
+    HELD(algebraic, middle);
     graze_status status = algebraic_between(u, context, from, to);
     algebraic_set_rational(&middle, u);
     if (!status)
         status = look_at_time(covered, cone, context, p, sign, &middle);
-    algebraic_clear(&middle);
-    fmpq_clear(u);
     return status;
 }
 
@@ -257,19 +246,16 @@ graze_status signs_cover_in_turn(int *covered, turning_stretch *t, germ *g, graz
                                  const fmpz *direction) {
     local_cone *cone = &g->cone;
     size_t n = cone->count;
-    fmpz_poly_struct *p = malloc((n + 1) * sizeof *p);
+    FREED(fmpz_poly_struct, p, malloc((n + 1) * sizeof *p));
     signed char *sign = malloc(n + 1);
-    fmpz_poly_t product;
-    dyadic_interval piece;
-    algebraic_list roots;
     graze_status status =
         p && sign ? GRAZE_OK
                   : context_fail(context, GRAZE_ESYSTEM, "out of memory for a slide along a point");
-    fmpz_poly_init(product);
+    LOCAL(fmpz_poly, product);
     fmpz_poly_set_ui(product, 1);
-    dyadic_interval_init(&piece);
+    HELD(dyadic_interval, piece);
     dyadic_interval_set_si(&piece, 0, 1);
-    algebraic_list_init(&roots);
+    HELD(algebraic_list, roots);
     *covered = 0;
     for (size_t j = 0; j < n && !status; j++) {
         fmpz_poly_init(p + j);
@@ -284,10 +270,6 @@ graze_status signs_cover_in_turn(int *covered, turning_stretch *t, germ *g, graz
         for (size_t j = 0; j < n; j++)
             fmpz_poly_clear(p + j);
     }
-    free(p);
     free(sign);
-    fmpz_poly_clear(product);
-    dyadic_interval_clear(&piece);
-    algebraic_list_clear(&roots);
     return status;
 }

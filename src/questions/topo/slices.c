@@ -8,6 +8,7 @@
 #include "questions/topo/slices.h"
 
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 #include "questions/topo/curves.h"
 #include "questions/topo/directions.h"
 #include "questions/topo/first_order.h"
@@ -59,15 +60,11 @@ static graze_status find_invariant(fmpz *out, fmpz *step, graze_context *context
 
 /* Does a plane along two directions, 6 integers, cross a third one? */
 static int crosses(const fmpz *along, const fmpz *direction) {
-    fmpz *normal = _fmpz_vec_init(3);
-    fmpz_t product;
-    fmpz_init(product);
+    LOCAL_VEC(fmpz, normal, 3);
+    LOCAL(fmpz, product);
     directions_cross(normal, along, along + 3);
     _fmpz_vec_dot(product, normal, direction, 3);
-    int does = !fmpz_is_zero(product);
-    fmpz_clear(product);
-    _fmpz_vec_clear(normal, 3);
-    return does;
+    return !fmpz_is_zero(product);
 }
 
 static int is_decided(const topo_finding *f) {
@@ -79,24 +76,22 @@ static int is_decided(const topo_finding *f) {
 static graze_status decide_beside_step(topo_finding *out, graze_context *context,
                                        const graze_scene *scene, const plane_list *planes,
                                        const fmpq *point, const fmpz *step, const fmpz *invariant) {
-    fmpz *along = _fmpz_vec_init(6);
-    graze_status status = GRAZE_OK;
+    LOCAL_VEC(fmpz, along, 6);
     directions_basis(along, along + 3, step);
     _fmpz_vec_add(along + 3, along + 3, invariant, 3);
-    for (int side = 0; side < 2 && !status && (!side || out->position == GRAZE_TOPO_INTERIOR);
-         side++) {
+    for (int side = 0; side < 2 && (!side || out->position == GRAZE_TOPO_INTERIOR); side++) {
         finding_undecided(out, out->reason);
-        status = look_in_plane(out, context, scene, planes, point, along, GRAZE_LEVEL_SECTION, 0);
+        TRY(look_in_plane(out, context, scene, planes, point, along, GRAZE_LEVEL_SECTION, 0));
         _fmpz_vec_scalar_submul_si(along + 3, invariant, 3, 2);
     }
-    _fmpz_vec_clear(along, 6);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status slices_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
                            const plane_list *planes, const fmpq *point) {
     const char *reason = out->reason;
-    fmpz *along = _fmpz_vec_init(12), *invariant = along + 6, *step = along + 9;
+    LOCAL_VEC(fmpz, along, 12);
+    fmpz *invariant = along + 6, *step = along + 9;
     graze_status status = find_invariant(invariant, step, context, scene, planes, point);
     int has_gap = out->order > 0, has_step = !_fmpz_vec_is_zero(step, 3);
     for (int k = has_gap ? -1 : 0; k < SLICES && !status && !is_decided(out); k++) {
@@ -119,6 +114,5 @@ graze_status slices_decide(topo_finding *out, graze_context *context, const graz
         finding_undecided(out, reason);
     else if (!status)
         out->reason = "";
-    _fmpz_vec_clear(along, 12);
     return status;
 }

@@ -9,6 +9,7 @@
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "base/number/order.h"
 #include "questions/topo/beyond.h"
@@ -38,7 +39,7 @@ static void set_square(square_maker *m) {
 /* Classify the point of a side at the coordinate `along`. */
 static graze_status sample_at(square_maker *m, const fmpq_t along) {
     int beyond = 0;
-    fmpq *sample = _fmpq_vec_init(2);
+    LOCAL_VEC(fmpq, sample, 2);
     fmpq_set_si(sample + m->axis, m->negative ? -1 : 1, 1);
     fmpq_div_2exp(sample + m->axis, sample + m->axis, m->near.places);
     fmpq_set(sample + (1 - m->axis), along);
@@ -50,7 +51,6 @@ static graze_status sample_at(square_maker *m, const fmpq_t along) {
         finding_set(m->out, GRAZE_TOPO_BOUNDARY, m->level);
         set_square(m);
     }
-    _fmpq_vec_clear(sample, 2);
     return status;
 }
 
@@ -61,25 +61,20 @@ static graze_status sample_gap(square_maker *m, algebraic *low, algebraic *high)
     graze_status status = algebraic_compare(&sign, m->context, low, high);
     if (status || sign == 0)
         return status;
-    fmpq_t along;
-    fmpq_init(along);
+    LOCAL(fmpq, along);
     status = algebraic_between(along, m->context, low, high);
     if (!status)
         status = sample_at(m, along);
-    fmpq_clear(along);
     return status;
 }
 
 static graze_status sample_side(square_maker *m) {
-    fmpz_poly_t product;
-    dyadic_interval side;
     algebraic end[2];
-    algebraic_list roots;
-    fmpz_poly_init(product);
-    dyadic_interval_init(&side);
+    LOCAL(fmpz_poly, product);
+    HELD(dyadic_interval, side);
     dyadic_interval_set_si(&side, -1, 1);
     side.exponent = m->near.places;
-    algebraic_list_init(&roots);
+    HELD(algebraic_list, roots);
     for (int k = 0; k < 2; k++) {
         algebraic_init(&end[k]);
         algebraic_set_dyadic(&end[k], k ? side.high : side.low, side.exponent);
@@ -91,9 +86,6 @@ static graze_status sample_side(square_maker *m) {
                             k < roots.count ? &roots.item[k] : &end[1]);
     for (int k = 0; k < 2; k++)
         algebraic_clear(&end[k]);
-    algebraic_list_clear(&roots);
-    dyadic_interval_clear(&side);
-    fmpz_poly_clear(product);
     return status;
 }
 

@@ -8,6 +8,7 @@
 #include <flint/fmpz_mat.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "base/number/refine.h"
 #include "base/number/sign.h"
 #include "input/solid/forms.h"
@@ -18,17 +19,15 @@ enum { FIRST_PLACES = 40, ATTEMPTS = 10 };
 
 /* A rational time near an algebraic one, from an interval of width about 2^-places. */
 static graze_status time_near(fmpq_t out, graze_context *context, algebraic *time, ulong places) {
-    fmpq_t high;
     graze_status status = GRAZE_OK;
     ulong gain = FIRST_GAIN;
-    fmpq_init(high);
+    LOCAL(fmpq, high);
     for (int step = 0; !status && !algebraic_is_rational(time) && time->where.exponent < places;
          step++)
         status = algebraic_narrow(context, time, step, &gain);
     algebraic_bounds(out, high, time);
     fmpq_add(out, out, high);
     fmpq_div_2exp(out, out, 1);
-    fmpq_clear(high);
     return status;
 }
 
@@ -43,23 +42,20 @@ typedef struct place_finder {
 /* Keep a plane that contains the place, if it is independent of those kept. */
 static void keep_independent(place_finder *f, const fmpz *form) {
     int d = f->place->map->dimension;
-    fmpz_mat_t normals;
     if (f->rank == d)
         return;
     f->basis[f->rank] = form;
-    fmpz_mat_init(normals, f->rank + 1, d);
+    LOCAL(fmpz_mat, normals, f->rank + 1, d);
     for (int k = 0; k <= f->rank; k++)
         for (int i = 0; i < d; i++)
             fmpz_set(fmpz_mat_entry(normals, k, i), f->basis[k] + i);
     f->rank = (int)fmpz_mat_rank(normals);
-    fmpz_mat_clear(normals);
 }
 
 static graze_status find_signs(place_finder *f, algebraic *time) {
     const plane_list *planes = f->place->planes;
     graze_status status = GRAZE_OK;
-    fmpz_poly_t distance;
-    fmpz_poly_init(distance);
+    LOCAL(fmpz_poly, distance);
     for (size_t p = 0; p < planes->count && !status; p++) {
         int sign = 0;
         const fmpz *form = planes->form + p * (size_t)(planes->dimension + 1);
@@ -71,7 +67,6 @@ static graze_status find_signs(place_finder *f, algebraic *time) {
         if (!status)
             status = context_poll(f->place->context);
     }
-    fmpz_poly_clear(distance);
     return status;
 }
 
@@ -79,12 +74,10 @@ static graze_status find_signs(place_finder *f, algebraic *time) {
  * planes. */
 static void project(fmpz *x, const place_finder *f) {
     int d = f->place->map->dimension;
-    fmpq *moved = _fmpq_vec_init(d);
-    fmpq_mat_t gram, rest;
-    fmpz_t value;
-    fmpz_init(value);
-    fmpq_mat_init(gram, f->rank, f->rank);
-    fmpq_mat_init(rest, f->rank, 1);
+    LOCAL_VEC(fmpq, moved, d);
+    LOCAL(fmpz, value);
+    LOCAL(fmpq_mat, gram, f->rank, f->rank);
+    LOCAL(fmpq_mat, rest, f->rank, 1);
     for (int i = 0; i < f->rank; i++) {
         for (int j = 0; j < f->rank; j++) {
             _fmpz_vec_dot(value, f->basis[i], f->basis[j], d);
@@ -98,18 +91,12 @@ static void project(fmpz *x, const place_finder *f) {
     for (int i = 0; i < d; i++) {
         fmpq_set_fmpz_frac(moved + i, x + i, x + d);
         for (int k = 0; k < f->rank; k++) {
-            fmpq_t way;
-            fmpq_init(way);
+            LOCAL(fmpq, way);
             fmpq_mul_fmpz(way, fmpq_mat_entry(rest, k, 0), f->basis[k] + i);
             fmpq_add(moved + i, moved + i, way);
-            fmpq_clear(way);
         }
     }
     _fmpq_vec_get_fmpz_vec_fmpz(x, x + d, moved, d);
-    _fmpq_vec_clear(moved, d);
-    fmpq_mat_clear(gram);
-    fmpq_mat_clear(rest);
-    fmpz_clear(value);
 }
 
 static int has_signs(const fmpz *x, const place_finder *f) {

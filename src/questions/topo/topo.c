@@ -2,6 +2,7 @@
 #include "questions/topo/topo.h"
 
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "questions/topo/curves.h"
 #include "questions/topo/leading.h"
 #include "questions/topo/slices.h"
@@ -72,17 +73,16 @@ static graze_status shares_of(const scene_shares **out, graze_context *context,
 
 graze_status topo_planes(const plane_list **out, graze_context *context, const graze_scene *scene) {
     const scene_shares *s = NULL;
-    graze_status status = shares_of(&s, context, scene, 0);
-    if (!status)
-        *out = &s->planes;
-    return status;
+    TRY(shares_of(&s, context, scene, 0));
+    *out = &s->planes;
+    return GRAZE_OK;
 }
 
 graze_status topo_by_leading(topo_finding *out, graze_context *context, const graze_scene *scene,
                              const fmpq *point) {
     const scene_shares *s = NULL;
-    graze_status status = shares_of(&s, context, scene, 0);
-    return status ? status : leading_decide(out, context, scene, &s->planes, point);
+    TRY(shares_of(&s, context, scene, 0));
+    return leading_decide(out, context, scene, &s->planes, point);
 }
 
 graze_status topo_by_curves(topo_finding *out, graze_context *context, const graze_scene *scene,
@@ -105,8 +105,8 @@ graze_status topo_by_curves(topo_finding *out, graze_context *context, const gra
 static graze_status by_slices(topo_finding *out, graze_context *context, const graze_scene *scene,
                               const fmpq *point) {
     const scene_shares *s = NULL;
-    graze_status status = shares_of(&s, context, scene, 0);
-    return status ? status : slices_decide(out, context, scene, &s->planes, point);
+    TRY(shares_of(&s, context, scene, 0));
+    return slices_decide(out, context, scene, &s->planes, point);
 }
 
 /* Decide an `on` point relative to the closed sweep; for an unsweep, of the solid's complement. */
