@@ -50,7 +50,7 @@ comma   := ,
 LIB_C   := $(wildcard src/api/*.c) $(filter-out src/program/% src/output/png/%,$(wildcard src/*/*/*.c))
 LIB_CXX := $(wildcard src/*/*/*.cpp)
 LIB_O   := $(LIB_C:%.c=$B/%.o) $(LIB_CXX:%.cpp=$B/%.o)
-CLI_O   := $(patsubst %.c,$B/%.o,$(wildcard src/program/cli/*.c src/program/run/*.c))
+CLI_O   := $(patsubst %.c,$B/%.o,$(wildcard src/program/cli/*.c src/program/io/*.c src/program/points/*.c src/program/run/*.c))
 # graze-mpi is graze classify with ranks that answer rows, built where Open MPI is.
 MPI     := $(if $(shell command -v mpicc),$B/graze-mpi)
 MPI_O   := $(filter-out %/main.o %/run/jobs.o,$(CLI_O)) $(patsubst %.c,$B/%.o,$(wildcard src/program/mpi/*.c))
@@ -206,7 +206,7 @@ $B/tests/bench/inside $B/tests/bench/pairs: $B/tests/bench/%: $B/tests/bench/%.o
 $B/tests/proofs/table: $B/tests/proofs/table.o $B/libgraze.a
 	@$(call say,LINK,$@)
 	$Q$(CXX) $(OPT) $(LDFLAGS) -Wl,--wrap=tracer_locate -o $@ $^ $(LIBS)
-# The program with a filter whose decisions can be falsified (src/decide/filter/flip.h).
+# The program with a filter whose decisions can be falsified (src/decide/bounds/bounds.h).
 $B/tests/flip/%.o: src/decide/filter/%.c | $B/.packages-build
 	@mkdir -p $(@D)
 	@$(call say,CC,$<)

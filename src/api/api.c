@@ -16,11 +16,12 @@
 #include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "base/number/rounding.h"
-#include "decide/filter/time_ray.h"
-#include "decide/scene/box.h"
+#include "decide/filter/filter.h"
 #include "decide/scene/scene.h"
-#include "decide/verdict/classify.h"
+#include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
 #include "input/validate/validate.h"
 
 graze_status api_misuse(graze_context *context, const char *function, const char *reason) {

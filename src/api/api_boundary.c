@@ -1,15 +1,16 @@
 /* The public functions of boundaries by sampling.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "api/api.h"
+
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
-#include "api/api.h"
 #include "base/context/scope.h"
 #include "base/context/team.h"
-#include "questions/boundary/bisect.h"
+#include "decide/scene/scene.h"
+#include "input/solid/solid.h"
 #include "questions/boundary/boundary.h"
-#include "questions/boundary/contacts.h"
 
 /* The caller's box, if there is one, as rationals. */
 static graze_status take_box(fmpq *low, fmpq *high, graze_context *context, int dimension,

@@ -1,13 +1,16 @@
 /* The public functions of certificates.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "api/api.h"
+
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
-#include "api/api_rows.h"
 #include "base/context/scope.h"
-#include "decide/verdict/classify.h"
-#include "questions/certify/head.h"
-#include "questions/certify/row.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "decide/verdict/verdict.h"
+#include "output/report/report.h"
+#include "questions/certify/certify.h"
 
 struct graze_certifier {
     certifier inner;

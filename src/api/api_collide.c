@@ -1,11 +1,15 @@
 /* The public functions of pairs. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "api/api.h"
+
 #include <stdlib.h>
 #include <string.h>
-#include "api/api.h"
 #include "base/context/scope.h"
+#include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
-#include "input/motion/relative.h"
-#include "output/report/pair_json.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+#include "output/report/report.h"
+#include "questions/collide/collide.h"
 
 static const char name[] = "graze_pair_create";
 

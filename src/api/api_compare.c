@@ -1,14 +1,13 @@
 /* The public functions of comparisons: argument checks and one call each.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "api/api.h"
+
 #include <stdlib.h>
 #include <string.h>
-#include "api/api.h"
 #include "base/context/scope.h"
+#include "decide/filter/filter.h"
 #include "output/compare/compare.h"
-#include "output/compare/counts.h"
-#include "output/compare/report_json.h"
-#include "output/compare/report_text.h"
 
 static int compare_options_known(const graze_compare_options *o) {
     return (unsigned)o->question <= GRAZE_QUESTION_CLOSED &&

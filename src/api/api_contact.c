@@ -1,13 +1,16 @@
 /* The public functions of sites.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "api/api.h"
+
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
-#include "api/api.h"
 #include "base/context/scope.h"
-#include "output/report/site_rows.h"
-#include "questions/contact/site.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "output/report/report.h"
+#include "questions/contact/contact.h"
 
 /* P in the place of y, or the reverse: carried to the body by the inverse map. */
 static graze_status create(graze_site **out, graze_context *context, const graze_scene *scene,

@@ -1,14 +1,12 @@
 /* The public functions that make motion files.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <stdlib.h>
 #include "api/api.h"
+
+#include <stdlib.h>
 #include "base/context/scope.h"
-#include "input/convert/dyadic_motion.h"
-#include "input/convert/poses.h"
-#include "input/convert/turn.h"
-#include "input/convert/uniform.h"
-#include "input/motion/motion_read.h"
+#include "input/convert/convert.h"
+#include "input/motion/motion.h"
 
 static void clear_texts(char **json, char **report) {
     if (json)

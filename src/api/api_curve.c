@@ -1,13 +1,15 @@
 /* The public functions of curves of contact.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "api/api.h"
+
 #include <stdlib.h>
 #include <string.h>
-#include "api/api.h"
 #include "base/context/scope.h"
-#include "output/report/event_rows.h"
-#include "questions/envelope/contact_curve.h"
-#include "questions/envelope/sample.h"
+#include "decide/bounds/bounds.h"
+#include "output/report/report.h"
+#include "questions/contact/contact.h"
+#include "questions/envelope/envelope.h"
 
 graze_status graze_curve_create(graze_curve **out, graze_context *context,
                                 const graze_envelope *envelope, const mpq_t time) {

@@ -1,14 +1,15 @@
 /* The public functions of distances. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "api/api.h"
+
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include <string.h>
-#include "api/api_distance.h"
-#include "api/api.h"
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "decide/verdict/classify.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "decide/verdict/verdict.h"
 #include "graze/distance.h"
-#include "questions/distance/diagonal.h"
 #include "questions/distance/distance.h"
 
 graze_status api_enclose(graze_enclosure *out, graze_context *context, const graze_scene *scene,

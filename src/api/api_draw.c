@@ -1,15 +1,16 @@
 /* The public function of pictures: argument checks, defaults, one call.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "api/api.h"
+
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include <string.h>
-#include "api/api.h"
 #include "base/context/scope.h"
-#include "output/draw/cones.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "input/solid/solid.h"
 #include "output/draw/draw.h"
-#include "output/draw/marks.h"
-#include "output/draw/picture_kind.h"
 #include "output/page/page.h"
 #include "questions/topo/topo.h"
 

@@ -1,11 +1,14 @@
 /* The public functions of envelopes.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "api/api.h"
+
 #include <stdlib.h>
 #include <string.h>
-#include "api/api.h"
 #include "base/context/scope.h"
-#include "output/report/event_rows.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "output/report/report.h"
 #include "questions/envelope/envelope.h"
 
 graze_status graze_envelope_create(graze_envelope **out, graze_context *context,

@@ -1,11 +1,13 @@
 /* The public function of binary files of rows. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "api/api_grid.h"
-#include "api/api_rows.h"
+#include "api/api.h"
+
 #include "base/context/scope.h"
-#include "output/report/table_text.h"
-#include "output/table/typed_read.h"
-#include "output/table/typed_write.h"
+#include "decide/lattice/lattice.h"
+#include "decide/scene/scene.h"
+#include "input/delimited/delimited.h"
+#include "output/report/report.h"
+#include "output/table/table.h"
 
 static void put_in_text(void *to, const char *bytes, size_t length) {
     text_bytes(to, bytes, length);

@@ -1,9 +1,12 @@
 /* The public functions of the generator.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <stdlib.h>
 #include "api/api.h"
+
+#include <stdlib.h>
 #include "base/context/scope.h"
+#include "decide/scene/scene.h"
+#include "input/solid/solid.h"
 #include "questions/generate/generate.h"
 
 const char *graze_stratum_name(graze_stratum stratum) {

@@ -1,15 +1,19 @@
 /* The public functions of grids.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "api/api.h"
+
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
-#include "api/api.h"
-#include "api/api_grid.h"
 #include "base/context/scope.h"
-#include "decide/filter/time_ray.h"
-#include "decide/verdict/classify.h"
-#include "output/table/row_values.h"
+#include "decide/filter/filter.h"
+#include "decide/lattice/lattice.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "decide/verdict/verdict.h"
+#include "input/solid/solid.h"
+#include "output/table/table.h"
 
 /* The sizes give no more points than the limit allows. */
 static graze_status check_sizes(graze_context *context, const size_t *size, int dimension) {

@@ -1,17 +1,18 @@
 /* The public functions of meshes that are judged. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "api/api.h"
+
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include <stdlib.h>
-#include "api/api.h"
-#include "api/api_distance.h"
 #include "base/context/scope.h"
 #include "base/context/team.h"
 #include "base/number/rounding.h"
+#include "decide/scene/scene.h"
 #include "input/read/read.h"
-#include "output/compare/judge_report.h"
-#include "output/compare/mesh_rows.h"
+#include "input/soup/soup.h"
+#include "output/compare/compare.h"
+#include "questions/generate/generate.h"
 #include "questions/judge/judge.h"
-#include "questions/judge/winding.h"
 
 enum { DEFAULT_BUDGET = 10000000 };
 

@@ -1,14 +1,17 @@
 /* The public function of the page of a mesh that is judged.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "api/api.h"
+
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
-#include "api/api.h"
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "decide/scene/box.h"
-#include "output/draw/picture_kind.h"
+#include "decide/scene/scene.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "output/draw/draw.h"
 #include "output/page/page.h"
 #include "questions/judge/judge.h"
 

@@ -2,9 +2,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "api/api.h"
+
 #include "base/context/scope.h"
-#include "input/motion/motion_read.h"
-#include "input/motion/write_motion.h"
+#include "input/motion/motion.h"
 
 graze_status graze_motion_read(graze_motion **out, graze_context *context, const char *path) {
     if (out)

@@ -1,12 +1,14 @@
 /* The public functions of patches and joints.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "api/api.h"
+
 #include <stdlib.h>
 #include <string.h>
-#include "api/api.h"
 #include "base/context/scope.h"
-#include "output/report/event_rows.h"
-#include "questions/envelope/patches.h"
+#include "decide/trace/trace.h"
+#include "output/report/report.h"
+#include "questions/envelope/envelope.h"
 
 graze_status graze_patches_create(graze_patches **out, graze_context *context,
                                   const graze_envelope *envelope) {

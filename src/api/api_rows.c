@@ -1,16 +1,16 @@
 /* The public functions of rows and reports.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "api/api_rows.h"
+#include "api/api.h"
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
-#include "decide/filter/time_ray.h"
-#include "decide/verdict/classify.h"
-#include "output/report/explain.h"
-#include "output/report/json_rows.h"
-#include "output/report/table_text.h"
+#include "decide/filter/filter.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "decide/verdict/verdict.h"
+#include "output/report/report.h"
 
 graze_status api_rows(graze_row_options *out, graze_context *context, const char *function,
                       const graze_row_options *options) {

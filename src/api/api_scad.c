@@ -1,15 +1,14 @@
 /* The public functions of OpenSCAD's `.csg` files.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "api/api_scad.h"
+#include "api/api.h"
 
 #include <stdlib.h>
 #include <string.h>
-#include "api/api.h"
 #include "base/context/file.h"
 #include "base/context/scope.h"
-#include "input/scad/scad_write.h"
-#include "input/solid/create.h"
+#include "input/scad/scad.h"
+#include "input/solid/solid.h"
 
 /* A file, what is made of it, and what is said of that. */
 typedef struct scad_work {

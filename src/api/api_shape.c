@@ -1,13 +1,13 @@
 /* The public function of tools, cylinders, balls and boxes.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "api/api.h"
+
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
-#include "api/api.h"
 #include "base/context/scope.h"
-#include "input/convert/tool_csg.h"
-#include "input/convert/tool_fit.h"
-#include "input/convert/tool_off.h"
+#include "input/convert/convert.h"
+#include "input/solid/solid.h"
 
 /* A number of at least a sign; NULL: 0. */
 static graze_status take_number(fmpq_t out, graze_context *context, mpq_srcptr value, int least,

@@ -1,22 +1,21 @@
 /* The public functions of solids: from files, from arrays, and their properties.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "api/api.h"
+
 #include <flint/fmpq_vec.h>
 #include <stdint.h>
 #include <string.h>
 #include <strings.h>
-#include "api/api.h"
-#include "api/api_scad.h"
 #include "base/context/file.h"
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "input/csg/csg_read.h"
+#include "input/csg/csg.h"
 #include "input/mend/mend.h"
-#include "input/read/nesting.h"
 #include "input/read/read.h"
-#include "input/scad/scad_write.h"
-#include "input/solid/create.h"
-#include "input/solid/write_solid.h"
+#include "input/scad/scad.h"
+#include "input/solid/solid.h"
+#include "input/soup/soup.h"
 #include "input/validate/validate.h"
 
 /* `sha256` is that of a file validated before, or NULL. */

@@ -1,10 +1,13 @@
 /* The public functions of positions relative to the closed sweep and the regularised unsweep.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "api/api.h"
+
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
-#include "api/api.h"
 #include "base/context/scope.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
 #include "questions/topo/topo.h"
 
 struct graze_topology {

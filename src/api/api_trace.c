@@ -1,14 +1,16 @@
 /* The public functions of traces and their times.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "api/api.h"
+
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
-#include "api/api.h"
 #include "base/context/scope.h"
-#include "decide/verdict/classify.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
-#include "output/report/decimal_time.h"
+#include "output/report/report.h"
 
 graze_status graze_trace_create(graze_trace **out, graze_context *context, const graze_scene *scene,
                                 graze_rationals point) {

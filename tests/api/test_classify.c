@@ -157,7 +157,7 @@ static void irrational_time(void **state) {
 static void random_points(double *points, ulong seed) {
     random_start(seed);
     for (int k = 0; k < 2 * MANY; k++)
-        points[k] = (double)(random_below(97) - 8) / 8;
+        points[k] = (double)(draw_below(97) - 8) / 8;
 }
 
 /* A point on one eighth steps is exact in both ways, so the verdicts are the same bytes. */

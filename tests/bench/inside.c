@@ -20,9 +20,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "graze.h"
 #include "input/read/read.h"
+#include "input/soup/soup.h"
 #include "input/validate/validate.h"
+#include "graze.h"
 #include "process.h"
 
 /* Absent from graze.h until the filter counts what it hands on; then `exact=-1` turns into a

@@ -5,10 +5,11 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "program/cli/commands.h"
-#include "program/run/status.h"
+#include "input/motion/draft.h"
+#include "program/cli/cli.h"
+#include "program/cli/values.h"
+#include "program/io/io.h"
 #include "fuzz.h"
-#include "input/motion/expression.h"
 
 /* Decimals have a second reader: strtod and strtof round correctly, to nearest and even. */
 static int is_decimal(const char *text) {

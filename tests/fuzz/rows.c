@@ -3,9 +3,11 @@
  */
 #include <stdlib.h>
 #include <string.h>
-#include "program/cli/commands.h"
-#include "program/run/answer.h"
-#include "program/run/csv.h"
+#include "program/cli/cli.h"
+#include "program/cli/values.h"
+#include "program/io/io.h"
+#include "program/points/points.h"
+#include "program/run/run.h"
 #include "fuzz.h"
 
 /* The limits as the options hold them. */

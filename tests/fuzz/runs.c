@@ -5,8 +5,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "program/cli/classify.h"
-#include "program/run/receipt.h"
+#include "program/cli/cli.h"
+#include "program/cli/values.h"
+#include "program/io/io.h"
+#include "program/points/points.h"
+#include "program/run/run.h"
 #include "fuzz.h"
 
 static const char cube_text[] =

@@ -5,9 +5,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "program/cli/commands.h"
-#include "program/run/checksum.h"
-#include "program/run/status.h"
+#include "program/cli/cli.h"
+#include "program/cli/values.h"
+#include "program/io/io.h"
+#include "program/points/points.h"
 #include "fuzz.h"
 
 /* The counts of a comparison agree with one another, and both forms of its report are whole. */

@@ -21,13 +21,13 @@ static inline void random_start(ulong seed) {
 }
 
 /* An integer from 0 to n - 1. */
-static inline slong random_below(slong n) {
+static inline slong draw_below(slong n) {
     return (slong)n_randint(chance, (ulong)n);
 }
 
 /* An integer from -range to range. */
 static inline slong random_about(slong range) {
-    return random_below(2 * range + 1) - range;
+    return draw_below(2 * range + 1) - range;
 }
 
 /* In [-1, 1), with 53 random bits. */

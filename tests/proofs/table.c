@@ -12,8 +12,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include "decide/scene/scene.h"
-#include "decide/trace/word.h"
+#include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
+#include "input/motion/motion.h"
 
 enum { LONGEST = 64 };
 

@@ -7,16 +7,16 @@
 #ifndef GRAZE_TESTS_UNIT_FILTER_SCENE_H
 #define GRAZE_TESTS_UNIT_FILTER_SCENE_H
 
-#include "../lib/harness.h"
-#include "../lib/random.h"
-
-#include "decide/filter/curve.h"
-
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <math.h>
+#include "../lib/harness.h"
+#include "../lib/random.h"
 #include "base/number/bernstein.h"
 #include "base/number/rounding.h"
+#include "decide/bounds/bounds.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
 
 enum { MOST_DEGREE = 8 };
 
@@ -43,11 +43,11 @@ static void set_double(fmpq_t out, double value) {
 
 static void random_number(fmpq_t out, int kind) {
     if (kind == 0)
-        fmpq_set_si(out, random_below(17) - 8, 1);
+        fmpq_set_si(out, draw_below(17) - 8, 1);
     else if (kind == 1)
-        fmpq_set_si(out, random_below(2001) - 1000, (ulong)random_below(998) + 1);
+        fmpq_set_si(out, draw_below(2001) - 1000, (ulong)draw_below(998) + 1);
     else
-        set_double(out, ldexp(random_fraction(), kind == 2 ? 0 : (int)random_below(40) - 20));
+        set_double(out, ldexp(random_fraction(), kind == 2 ? 0 : (int)draw_below(40) - 20));
 }
 
 static void forms_init(forms f) {
@@ -69,8 +69,7 @@ static void forms_set(forms out, forms f) {
 }
 
 static void random_corners(scene *s) {
-    int kind = (int)random_below(4), d = s->d,
-        shift = random_below(4) ? 0 : (int)random_below(300) - 150;
+    int kind = (int)draw_below(4), d = s->d, shift = draw_below(4) ? 0 : (int)draw_below(300) - 150;
     s->bounds = (corners){.at = s->near};
     for (int k = 0; k < d * d; k++) {
         random_number(&s->corner[k], kind);
@@ -88,14 +87,14 @@ static void random_corners(scene *s) {
 
 /* Control points in the simplex's plane, about a place in or near the simplex. */
 static void random_controls(scene *s) {
-    int d = s->d, weights = s->steep ? 0 : (int)random_below(3);
-    double spread = ldexp(1, -12 * (s->steep + (int)random_below(4))), centre[3];
+    int d = s->d, weights = s->steep ? 0 : (int)draw_below(3);
+    double spread = ldexp(1, -12 * (s->steep + (int)draw_below(4))), centre[3];
     fmpq_t share, rest, term;
     fmpq_init(share);
     fmpq_init(rest);
     fmpq_init(term);
     for (int v = 1; v < d; v++)
-        centre[v] = s->steep || random_below(4) ? 0.3 : 0;
+        centre[v] = s->steep || draw_below(4) ? 0.3 : 0;
     for (int k = 0; k <= s->n; k++) {
         for (int i = 0; i < d; i++)
             fmpq_zero(&s->control[i][k]);
@@ -110,7 +109,7 @@ static void random_controls(scene *s) {
         }
         set_double(&s->control[d][k], weights == 0   ? 1
                                       : weights == 1 ? 1 + 0.5 * random_fraction()
-                                                     : (double)random_below(9) + 1);
+                                                     : (double)draw_below(9) + 1);
     }
     fmpq_clear(share);
     fmpq_clear(rest);
@@ -121,8 +120,8 @@ static void random_controls(scene *s) {
 static void scene_init(scene *s, ulong seed, int steep) {
     *s = (scene){.seed = seed, .steep = steep};
     random_start(seed);
-    s->d = 2 + (int)random_below(2);
-    s->n = steep ? 3 : 1 + (int)random_below(MOST_DEGREE);
+    s->d = 2 + (int)draw_below(2);
+    s->n = steep ? 3 : 1 + (int)draw_below(MOST_DEGREE);
     for (int k = 0; k < 9; k++)
         fmpq_init(&s->corner[k]);
     forms_init(s->control);
@@ -130,12 +129,12 @@ static void scene_init(scene *s, ulong seed, int steep) {
     curve_init(&s->curve);
     random_corners(s);
     random_controls(s);
-    int kind = s->steep ? 1 : (int)random_below(4);
+    int kind = s->steep ? 1 : (int)draw_below(4);
     for (int j = 0; j < 3; j++) {
         fmpq_init(&s->point[j]);
         random_number(&s->point[j], kind);
     }
-    kind = s->steep ? 2 : (int)random_below(4);
+    kind = s->steep ? 2 : (int)draw_below(4);
     for (int e = 0; e < 9; e++)
         for (int k = 0; k <= MOST_DEGREE; k++) {
             fmpq_init(&s->linear[e][k]);

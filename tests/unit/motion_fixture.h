@@ -6,8 +6,8 @@
 #ifndef GRAZE_TESTS_UNIT_MOTION_FIXTURE_H
 #define GRAZE_TESTS_UNIT_MOTION_FIXTURE_H
 
+#include "input/motion/motion.h"
 #include "fixture.h"
-#include "input/motion/motion_read.h"
 
 enum { ENTRIES = 12, TEXT = 4000 };
 

@@ -5,8 +5,9 @@
 #define GRAZE_TESTS_UNIT_READER_FIXTURE_H
 
 #include <unistd.h>
-#include "fixture.h"
 #include "input/read/read.h"
+#include "input/soup/soup.h"
+#include "fixture.h"
 
 #define NEF "tests/refuse/common/nef3/"
 

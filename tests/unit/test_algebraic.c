@@ -38,7 +38,7 @@ static int is_square(slong m) {
 /* A known number in (0, 1]; the irrational ones have m/n that is no square, as neither m n is. */
 static known random_known(void) {
     for (;;) {
-        known k = {random_below(12) + 1, random_below(12) + 1, (int)random_below(2)};
+        known k = {draw_below(12) + 1, draw_below(12) + 1, (int)draw_below(2)};
         if (k.m <= k.n && !(k.irrational && is_square(k.m * k.n)))
             return k;
     }
@@ -58,7 +58,7 @@ static void test_known_roots(void **unused) {
     unit_interval(&unit);
     for (int round = 0; round < 400; round++) {
         known root[5];
-        int n = (int)random_below(5) + 1, kept = 0;
+        int n = (int)draw_below(5) + 1, kept = 0;
         fmpz_poly_t p, factor;
         fmpz_poly_init(p);
         fmpz_poly_init(factor);
@@ -69,7 +69,7 @@ static void test_known_roots(void **unused) {
             for (int j = 0; j < kept; j++)
                 repeated |= !known_less(root[j], candidate) && !known_less(candidate, root[j]);
             known_factor(factor, candidate);
-            for (ulong e = random_below(3) + 1; e > 0; e--)
+            for (ulong e = draw_below(3) + 1; e > 0; e--)
                 fmpz_poly_mul(p, p, factor);
             if (repeated)
                 continue;
@@ -117,12 +117,12 @@ static void test_windows(void **unused) {
     dyadic_interval_init(&window);
     for (int round = 0; round < 600; round++) {
         known root[] = {random_known(), random_known()};
-        int e = (int)random_below(14), order = known_less(root[1], root[0]);
+        int e = (int)draw_below(14), order = known_less(root[1], root[0]);
         known first = root[order], second = root[1 - order];
         int same = !known_less(first, second);
         double at = (double)root[0].m / (double)root[0].n;
         slong low = (slong)ldexp(root[0].irrational ? sqrt(at) : at, e);
-        slong below = (slong)random_below(3), to = low + 1 + (slong)random_below(3);
+        slong below = (slong)draw_below(3), to = low + 1 + (slong)draw_below(3);
         slong from = low > below ? low - below : 0;
         fmpz_poly_t p, factor;
         fmpz_poly_init(p);
@@ -130,7 +130,7 @@ static void test_windows(void **unused) {
         fmpz_poly_one(p);
         for (int k = 0; k < 2; k++) {
             known_factor(factor, root[k]);
-            for (ulong times = random_below(3) + 1; times > 0; times--)
+            for (ulong times = draw_below(3) + 1; times > 0; times--)
                 fmpz_poly_mul(p, p, factor);
         }
         dyadic_interval_set_si(&window, from, to);
@@ -168,15 +168,15 @@ static void test_simplest(void **unused) {
     dyadic_interval window;
     dyadic_interval_init(&window);
     for (int round = 0; round < 2000; round++) {
-        slong e = (slong)random_below(9), unit = (slong)1 << e;
-        slong low = (slong)random_below((ulong)(3 * unit)), high = low + 1 + (slong)random_below(4);
+        slong e = (slong)draw_below(9), unit = (slong)1 << e;
+        slong low = (slong)draw_below((ulong)(3 * unit)), high = low + 1 + (slong)draw_below(4);
         slong a = 0, b = 0;
         for (int found = 0; !found;) {
             b++;
             a = (low * b + unit - 1) / unit;
             found = a * unit <= high * b;
         }
-        int times = (int)random_below(3), other = (int)random_below(2);
+        int times = (int)draw_below(3), other = (int)draw_below(2);
         fmpz_poly_t p, factor, rest;
         fmpq_t root;
         fmpz_t large;
@@ -188,7 +188,7 @@ static void test_simplest(void **unused) {
         fmpz_poly_set_coeff_si(p, 2, other ? 7 : 1);
         fmpz_poly_set_coeff_si(p, 0, -5);
         fmpz_set_ui(large, 3);
-        fmpz_pow_ui(large, large, (ulong)random_below(90));
+        fmpz_pow_ui(large, large, (ulong)draw_below(90));
         fmpz_poly_scalar_mul_fmpz(p, p, large);
         fmpz_poly_set(rest, p);
         fmpz_poly_set_coeff_si(factor, 1, b);
@@ -265,9 +265,9 @@ static void test_counts_against_sturm(void **unused) {
     for (int round = 0; round < 2000; round++) {
         fmpz_poly_t p;
         fmpz_poly_init(p);
-        slong degree = random_below(9) + 1;
+        slong degree = draw_below(9) + 1;
         for (slong k = 0; k <= degree; k++)
-            fmpz_poly_set_coeff_si(p, k, random_below(41) - 20);
+            fmpz_poly_set_coeff_si(p, k, draw_below(41) - 20);
         if (fmpz_poly_is_zero(p) || fmpz_is_zero(p->coeffs)) {
             fmpz_poly_clear(p);
             continue;

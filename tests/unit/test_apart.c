@@ -4,11 +4,14 @@
  * All coordinates are small multiples of 1/8, so that places are doubles exactly. The motion is
  * halfway between two maps at some time.
  */
-#include "fixture.h"
-#include "../lib/random.h"
-
 #include <math.h>
-#include "questions/collide/apart.h"
+#include "../lib/random.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "questions/collide/collide.h"
+#include "questions/collide/near_pairs.h"
+#include "questions/collide/placing.h"
+#include "fixture.h"
 
 enum { ROUNDS = 4000, NODE_PAIRS = 20000, ROOM = 18 };
 
@@ -30,8 +33,8 @@ static int are_apart(corner_run a, corner_run b) {
 
 /* Eighths of the corners of a run: the last one's are 1, 2, 4 or 8. */
 static void random_weights(int out[3], corner_run run, int d) {
-    int last = run.count == 1 ? 8 : 1 << random_below(3);
-    int first = run.count < 3 ? 8 - last : (int)random_below(9 - last);
+    int last = run.count == 1 ? 8 : 1 << draw_below(3);
+    int first = run.count < 3 ? 8 - last : (int)draw_below(9 - last);
     const int weight[3][3] = {{8, 0, 0}, {first, last, 0}, {first, 8 - last - first, last}};
     out[0] = out[1] = out[2] = 0;
     for (int k = 0; k < run.count; k++)
@@ -65,13 +68,13 @@ static void let_meet(corner_run a, corner_run b, int d) {
     }
 }
 
-static void common_points(void **state) {
+static void points_in_common(void **state) {
     (void)state;
     random_start(20261126);
     for (int round = 0; round < ROUNDS; round++) {
         int d = 2 + round % 2;
-        corner_run a = {0, (int)random_below(d), 1 + (int)random_below(d)};
-        corner_run b = {0, (int)random_below(d), 1 + (int)random_below(d)};
+        corner_run a = {0, (int)draw_below(d), 1 + (int)draw_below(d)};
+        corner_run b = {0, (int)draw_below(d), 1 + (int)draw_below(d)};
         set_scene(d);
         for (int k = 0; k < 2 * d * (d + 1); k++)
             entry[k] = (double)random_about(4);
@@ -176,8 +179,8 @@ static void nodes(const char *path) {
     const solid_pair self = {.moving = solid, .fixed = solid};
     const double size = solid->corners.reach;
     for (int k = 0; k < NODE_PAIRS; k++) {
-        uint32_t a = (uint32_t)random_below((slong)solid->boxes.node_count);
-        uint32_t b = (uint32_t)random_below((slong)solid->boxes.node_count);
+        uint32_t a = (uint32_t)draw_below((slong)solid->boxes.node_count);
+        uint32_t b = (uint32_t)draw_below((slong)solid->boxes.node_count);
         set_triangles(moving_at, fixed_at, solid->input.dimension, 0);
         for (int i = 0; i < maps.dimension * (maps.dimension + 1); i++) {
             double by = (double)random_about(8) * 0x1p-12 *
@@ -291,7 +294,7 @@ static void slabs_of_nodes(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(common_points),
+        cmocka_unit_test(points_in_common),
         cmocka_unit_test(gaps),
         cmocka_unit_test(far_off),
         cmocka_unit_test(slabs_by_hand),

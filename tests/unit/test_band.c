@@ -3,14 +3,18 @@
  * ball fits, most of the inside is known by facets that go through whole cubes.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "fixture.h"
-#include "../lib/random.h"
-
 #include <math.h>
+#include "../lib/random.h"
 #include "base/number/rounding.h"
-#include "decide/filter/time_ray.h"
-#include "decide/verdict/classify.h"
-#include "questions/judge/band.h"
+#include "decide/filter/filter.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "decide/verdict/verdict.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+#include "questions/judge/cube.h"
+#include "questions/judge/judge.h"
+#include "fixture.h"
 
 enum { PLACES = 3, ON_LEVELS = 20 };
 
@@ -36,7 +40,7 @@ static const banded SCENES[] = {
 /* A place of a closed cube: on a corner, side or face, or inside. */
 static void random_place(double at[3], const cube *c) {
     for (int k = 0; k < 3; k++) {
-        double share = random_below(3) ? random_fraction() : random_below(2) ? 1 : -1;
+        double share = draw_below(3) ? random_fraction() : draw_below(2) ? 1 : -1;
         at[k] = c->centre[k] + c->half * share;
     }
 }

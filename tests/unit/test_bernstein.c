@@ -104,14 +104,14 @@ static void test_rebuilt(void **unused) {
     fmpz_init(m);
     fmpz_init(n);
     for (int round = 0; round < 1500; round++) {
-        slong degree = random_below(round % 20 ? 10 : 40);
+        slong degree = draw_below(round % 20 ? 10 : 40);
         do
-            random_polynomial(p, degree, 1 + (ulong)random_below(300));
+            random_polynomial(p, degree, 1 + (ulong)draw_below(300));
         while (fmpz_poly_is_zero(p));
-        slong formal = degree + random_below(3);
-        whole.exponent = (ulong)random_below(random_below(2) ? 4 : 400);
-        fmpz_randtest(whole.low, chance, 1 + (ulong)random_below(200));
-        fmpz_randtest_not_zero(whole.high, chance, 1 + (ulong)random_below(200));
+        slong formal = degree + draw_below(3);
+        whole.exponent = (ulong)draw_below(draw_below(2) ? 4 : 400);
+        fmpz_randtest(whole.low, chance, 1 + (ulong)draw_below(200));
+        fmpz_randtest_not_zero(whole.high, chance, 1 + (ulong)draw_below(200));
         fmpz_abs(whole.high, whole.high);
         fmpz_add(whole.high, whole.low, whole.high);
         bernstein_form form, upper;
@@ -166,9 +166,9 @@ static void test_values(void **unused) {
     fmpq_init(value);
     fmpq_init(other);
     for (int round = 0; round < 3000; round++) {
-        ulong exponent = (ulong)random_below(100);
-        random_polynomial(p, random_below(8), 1 + (ulong)random_below(200));
-        fmpq_randtest(x, chance, 1 + (ulong)random_below(100));
+        ulong exponent = (ulong)draw_below(100);
+        random_polynomial(p, draw_below(8), 1 + (ulong)draw_below(200));
+        fmpq_randtest(x, chance, 1 + (ulong)draw_below(100));
         if (round % 2)
             dyadic_value(x, fmpq_numref(x), exponent);
         if (round % 3 == 0) {

@@ -1,10 +1,9 @@
 /* Times with a certain state (proofs/cells.md C76 (b)), from crossings set by hand.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "../lib/harness.h"
-
 #include <math.h>
-#include "decide/filter/certain_times.h"
+#include "../lib/harness.h"
+#include "decide/filter/filter.h"
 
 /* Look among `count` crossings; windows and lost pieces as many as given. */
 static int find(piece_time *out, crossing *item, size_t count, size_t pieces, int outside,

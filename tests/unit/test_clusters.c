@@ -297,9 +297,9 @@ static void test_signs(void **unused) {
     fmpz_poly_init(p);
     fmpq_init(x);
     for (int round = 0; round < 300; round++) {
-        ulong digits = 1 + (ulong)random_below(12), exponent = 1 + (ulong)random_below(3000);
+        ulong digits = 1 + (ulong)draw_below(12), exponent = 1 + (ulong)draw_below(3000);
         power_of_ten(a, digits);
-        mignotte(p, 10 + random_below(40), -2, a, 2);
+        mignotte(p, 10 + draw_below(40), -2, a, 2);
         if (round % 2) { /* near 1/a, of any size and sign otherwise */
             fmpz_one_2exp(numerator, exponent);
             fmpz_fdiv_q(numerator, numerator, a);

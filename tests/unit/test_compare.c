@@ -2,10 +2,13 @@
  * while they were made.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "fixture.h"
-#include "../lib/random.h"
 #include <unistd.h>
+#include "../lib/random.h"
+#include "decide/filter/filter.h"
+#include "input/delimited/delimited.h"
 #include "output/compare/compare.h"
+#include "output/compare/counts.h"
+#include "fixture.h"
 
 static char golden_path[] = "/tmp/graze-test-golden-XXXXXX";
 static char candidate_path[] = "/tmp/graze-test-candidate-XXXXXX";
@@ -247,7 +250,7 @@ static void rounding_matches(void **state) {
 
 static const char *pick(unsigned long *agree, unsigned long *wrong, int golden) {
     static const char *const words[] = {"in", "on", "out"};
-    int given = random_below(8) ? golden : (golden + 1) % 3;
+    int given = draw_below(8) ? golden : (golden + 1) % 3;
     *(given == golden ? agree : wrong) += 1;
     return words[given];
 }
@@ -265,14 +268,13 @@ static void random_tables(void **state) {
         fputs(HEAD, golden);
         fputs("x,y,pmc\n", candidate);
         for (unsigned long k = 0; k < count + gap; k++) {
-            int answer = (int)random_below(3),
-                drop = random_below(10) == 0 || (k > 1 && k < 2 + gap);
+            int answer = (int)draw_below(3), drop = draw_below(10) == 0 || (k > 1 && k < 2 + gap);
             drop = drop && k > 0;
             fprintf(golden, "%lu/7,%u%s", k, seed, rows[answer]);
             missing += (unsigned long)drop;
             if (!drop)
                 fprintf(candidate, "%lu/7,%u,%s\n", k, seed, pick(&agree, &wrong, answer));
-            if (!drop && random_below(20) == 0) {
+            if (!drop && draw_below(20) == 0) {
                 fprintf(candidate, "%lu/7,-1,in\n", k);
                 extra++;
             }

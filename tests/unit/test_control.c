@@ -1,14 +1,16 @@
-/* A piece cleared in doubles (questions/certify/control.h) is clear in rationals: pieces of curves
+/* A piece cleared in doubles (questions/certify/prove.h) is clear in rationals: pieces of curves
  * in the plane of a triangle or in its sides, and beside them by about as much as doubles can tell.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "fixture.h"
-#include "../lib/random.h"
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <math.h>
+#include "../lib/random.h"
 #include "base/number/rounding.h"
-#include "questions/certify/control.h"
+#include "decide/trace/trace.h"
+#include "input/solid/solid.h"
+#include "questions/certify/prove.h"
+#include "fixture.h"
 
 enum { ROUNDS = 60000, POINTS = 3 };
 
@@ -22,14 +24,14 @@ typedef struct triangle {
 /* Axis-parallel ones, slivers and long coordinates, at several distances from the origin. */
 static void draw_triangle(triangle *out) {
     static const double size[] = {1, 0x1p-20, 0x1p-44, 0x1p30}, away[] = {0, 0, 1, 1000};
-    double scale = size[random_below(4)], shift = away[random_below(4)];
-    int flat = (int)random_below(6), is_rounded = random_below(3) == 0;
+    double scale = size[draw_below(4)], shift = away[draw_below(4)];
+    int flat = (int)draw_below(6), is_rounded = draw_below(3) == 0;
     fmpq_t more;
     fmpq_init(more);
     out->solid.corners.error = out->solid.corners.reach = 0;
     for (int k = 0; k < 9; k++) {
         int same = k >= 3 && k % 3 == flat;
-        double fraction = random_below(2) ? random_fraction() : (double)random_about(3);
+        double fraction = draw_below(2) ? random_fraction() : (double)random_about(3);
         out->at[k] = same ? out->at[flat] : scale * fraction + shift;
         assert_int_equal(rational_from_double(out->corner + k, context, out->at[k]), GRAZE_OK);
         out->solid.corners.reach = fmax(out->solid.corners.reach, fabs(out->at[k]));
@@ -60,8 +62,8 @@ static void draw_point(fmpq *p, const triangle *t, int side) {
         for (int k = 0; k < 3; k++)
             fmpq_addmul(p + i, weight[k], t->corner + 3 * k + i);
         fmpq_set_si(step, random_about(1), 1);
-        fmpq_div_2exp(step, step, (mp_bitcnt_t)random_below(120));
-        if (random_below(2))
+        fmpq_div_2exp(step, step, (mp_bitcnt_t)draw_below(120));
+        if (draw_below(2))
             fmpq_add(p + i, p + i, step);
     }
     for (int k = 0; k < 3; k++)
@@ -154,7 +156,7 @@ static void triangles(void **state) {
     random_start(20261122);
     for (int round = 0; round < ROUNDS; round++) {
         draw_triangle(&t);
-        int side = (int)random_below(2);
+        int side = (int)draw_below(2);
         for (int p = 0; p < POINTS; p++)
             draw_point(points + 3 * p, &t, side);
         int want = is_clear(&t, points), got = clears(&c, &t, points);

@@ -4,11 +4,11 @@
  * The maps at a time are computed from the pieces' own coefficients, in doubles with room for their
  * rounding.
  */
-#include "../lib/harness.h"
-
 #include <math.h>
 #include <string.h>
-#include "decide/filter/course.h"
+#include "../lib/harness.h"
+#include "decide/bounds/bounds.h"
+#include "input/motion/motion.h"
 #include "graze.h"
 
 enum { PLACES = 64 };

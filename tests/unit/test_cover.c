@@ -4,8 +4,10 @@
  * u lies opposite to e where u + s e, s > 0, is a direction of the cell: 0 alone at a corner, a
  * multiple of (0, 0, 1) on the edge along z, any (0, y, z) on the face x = 0.
  */
-#include "fixture.h"
+#include "input/solid/solid.h"
 #include "questions/topo/cover.h"
+#include "questions/topo/topo.h"
+#include "fixture.h"
 
 enum { CORNER, EDGE, FACE };
 

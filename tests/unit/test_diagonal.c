@@ -1,14 +1,17 @@
-/* The diagonal of the box of a solid at the motion's start (questions/distance/diagonal.h).
+/* The diagonal of the box of a solid at the motion's start (questions/distance/distance.h).
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Boxes of whole diagonals, 3-4-5 and 2-3-6-7, give these exactly at every power of two; else the
  * square of the answer is at most the sum of the sides' squares, and that of the next double more.
  */
-#include "fixture.h"
 #include <math.h>
-#include "graze.h"
 #include "base/number/rounding.h"
-#include "questions/distance/diagonal.h"
+#include "decide/scene/scene.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+#include "questions/distance/distance.h"
+#include "fixture.h"
+#include "graze.h"
 
 static const char turned[] = "{\"dimension\": 2, \"pieces\": [{\"t\": [0, 1], \"transform\": "
                              "{\"matrix\": [[0, -1, \"7-t\"], [1, 0, \"t-9\"]]}}]}";

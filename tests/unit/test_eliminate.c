@@ -2,15 +2,13 @@
  * compositions and factors.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/topo/eliminate.h"
 #include <flint/fmpq_mpoly.h>
 #include <flint/fmpz_mpoly_factor.h>
 #include <time.h>
-#include "fixture.h"
-#include "questions/topo/coprime.h"
-#include "questions/topo/grid.h"
-#include "questions/topo/shift.h"
 #include "../lib/random.h"
+#include "questions/topo/cover.h"
+#include "questions/topo/eliminate.h"
+#include "fixture.h"
 
 enum { PAIRS = 300, DEGREE = 4 };
 
@@ -21,9 +19,9 @@ static void random_number(fmpz_t out, ulong bits) {
     fmpz_zero(out);
     for (ulong k = 0; k < bits; k += 8) {
         fmpz_mul_2exp(out, out, 8);
-        fmpz_add_ui(out, out, random_below(256));
+        fmpz_add_ui(out, out, draw_below(256));
     }
-    if (random_below(2))
+    if (draw_below(2))
         fmpz_neg(out, out);
 }
 
@@ -37,7 +35,7 @@ static void random_curve(fmpz_mpoly_t out, ulong degree, ulong bits) {
             for (ulong j = 0; i + j <= degree; j++) {
                 ulong e[RING_VARIABLES] = {[RING_X] = i, [RING_Y] = j};
                 random_number(c, bits);
-                if (random_below(2))
+                if (draw_below(2))
                     fmpz_mpoly_set_coeff_fmpz_ui(out, c, e, ring);
             }
     fmpz_clear(c);

@@ -1,11 +1,12 @@
 /* Expressions: values derived by hand, random trees evaluated a second way, refusals, rounding.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "fixture.h"
 #include "../lib/random.h"
 #include "base/number/rational.h"
 #include "base/number/rounding.h"
-#include "input/motion/expression.h"
+#include "input/motion/affine.h"
+#include "input/motion/draft.h"
+#include "fixture.h"
 
 /* t runs from 1 to 3 while u and s run from 0 to 1. */
 static fmpz_poly_q_t t, s, value;
@@ -188,7 +189,7 @@ static int grow_operation(grown *out, int depth, const fmpq_t at_t, const fmpq_t
     grown *side = calloc(2, sizeof *side);
     fmpq_init(side[0].value);
     fmpq_init(side[1].value);
-    int k = (int)random_below(4);
+    int k = (int)draw_below(4);
     int ok = grow(&side[0], depth - 1, at_t, at_s) && grow(&side[1], depth - 1, at_t, at_s) &&
              !(k == 3 && fmpq_is_zero(side[1].value));
     if (ok) {
@@ -207,7 +208,7 @@ static int grow_operation(grown *out, int depth, const fmpq_t at_t, const fmpq_t
 static int grow_power(grown *out, int depth, const fmpq_t at_t, const fmpq_t at_s) {
     grown *base = calloc(1, sizeof *base);
     fmpq_init(base->value);
-    int n = (int)random_below(7) - 3;
+    int n = (int)draw_below(7) - 3;
     int ok = grow(base, depth - 1, at_t, at_s) && !(n < 0 && fmpq_is_zero(base->value));
     if (ok) {
         snprintf(out->text, sizeof out->text, "-(%.3900s)^%d", base->text, n);
@@ -220,7 +221,7 @@ static int grow_power(grown *out, int depth, const fmpq_t at_t, const fmpq_t at_
 }
 
 static int grow(grown *out, int depth, const fmpq_t at_t, const fmpq_t at_s) {
-    unsigned kind = random_below(depth > 0 ? 8 : 3);
+    unsigned kind = draw_below(depth > 0 ? 8 : 3);
     if (kind == 0) {
         snprintf(out->text, sizeof out->text, "t");
         fmpq_set(out->value, at_t);
@@ -228,7 +229,7 @@ static int grow(grown *out, int depth, const fmpq_t at_t, const fmpq_t at_s) {
         snprintf(out->text, sizeof out->text, "s");
         fmpq_set(out->value, at_s);
     } else if (kind == 2) {
-        int n = (int)random_below(100);
+        int n = (int)draw_below(100);
         snprintf(out->text, sizeof out->text, "%d.%de-1", n / 10, n % 10);
         fmpq_set_si(out->value, n, 100);
     } else {
@@ -248,7 +249,7 @@ static void random_trees_agree(void **state) {
     fmpq_init(at_s);
     fmpq_init(got);
     for (int k = 0; k < 3000; k++) {
-        fmpq_set_si(at_s, random_below(100), 97);
+        fmpq_set_si(at_s, draw_below(100), 97);
         quotient_at(at_t, t, at_s);
         if (!grow(tree, 4, at_t, at_s)) {
             continue;

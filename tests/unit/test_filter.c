@@ -4,8 +4,9 @@
  * The trajectories stray from a simplex's plane by about as much as the filter can just tell from
  * zero, and by more. Exact touches are those of src/base/number. A failure prints its seed.
  */
-#include "decide/filter/chord.h"
-#include "decide/filter/meet.h"
+#include "decide/bounds/bounds.h"
+#include "decide/filter/search.h"
+#include "input/solid/solid.h"
 #include "filter_scene.h"
 #include "numbers.h"
 
@@ -124,7 +125,7 @@ static void check_span(scene *s, const span *piece, forms f) {
     check_hull(s, piece, f);
     fmpq_t at;
     fmpq_init(at);
-    double place = random_below(4) ? 0.5 + 0.5 * random_fraction() : 0.5;
+    double place = draw_below(4) ? 0.5 + 0.5 * random_fraction() : 0.5;
     set_double(at, place);
     check_place(s, piece, f, at, place);
     fmpq_clear(at);
@@ -293,7 +294,7 @@ static void check_curve(scene *s, tally *count, int levels) {
             break;
         assert_true(curve_cut(&s->curve, at));
         exact_cut(left, right, whole, s, half);
-        int later = (int)random_below(2);
+        int later = (int)draw_below(2);
         at = s->curve.spans[at].child + (uint32_t)later;
         forms_set(whole, later ? right : left);
     }
@@ -311,14 +312,13 @@ static void test_random(void **state) {
         double certain;
         scene_init(&s, seed, 0);
         if (prepare(&s, &certain)) {
-            int exponent = random_below(2) ? 0 : (int)random_below(50),
-                parts = (int)random_below(4);
+            int exponent = draw_below(2) ? 0 : (int)draw_below(50), parts = (int)draw_below(4);
             for (int k = 0; k <= s.n; k++) {
-                double value = parts ? 2 * random_fraction() : (double)random_below(3) - 1;
+                double value = parts ? 2 * random_fraction() : (double)draw_below(3) - 1;
                 bend(&s, k, ldexp(certain * value, exponent));
             }
             if (scene_convert(&s))
-                check_curve(&s, &count, (int)random_below(20) ? (int)random_below(4) : 20);
+                check_curve(&s, &count, (int)draw_below(20) ? (int)draw_below(4) : 20);
         }
         scene_clear(&s);
     }
@@ -340,8 +340,7 @@ static void test_triple(void **state) {
         scene_init(&s, seed, 1);
         if (prepare(&s, &certain)) {
             double h = 0.015 + 0.015 * random_fraction();
-            double size =
-                certain * (1.006 + 0.008 * random_fraction()) * (random_below(2) ? 1 : -1);
+            double size = certain * (1.006 + 0.008 * random_fraction()) * (draw_below(2) ? 1 : -1);
             double value[] = {h - 1, 1 - h / 3, -1, 1};
             for (int k = 0; k <= 3; k++)
                 bend(&s, k, size * value[k]);
@@ -381,11 +380,11 @@ static void test_through(void **state) {
         if (seed % 2)
             straighten(&s);
         if (prepare(&s, &certain)) {
-            int exponent = 40 + (int)random_below(14), side = random_below(2) ? 1 : -1;
+            int exponent = 40 + (int)draw_below(14), side = draw_below(2) ? 1 : -1;
             for (int k = 0; k <= s.n; k++)
                 bend(&s, k, side * ldexp(certain * (2 * k - s.n + random_fraction()), exponent));
             if (scene_convert(&s))
-                check_curve(&s, &count, (int)random_below(6));
+                check_curve(&s, &count, (int)draw_below(6));
         }
         scene_clear(&s);
     }

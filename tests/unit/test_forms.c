@@ -1,26 +1,25 @@
-/* Forms of simplices (input/solid/forms.h, input/solid/planes.h, input/solid/solid.h) against their
+/* Forms of simplices (input/solid/solid.h, input/solid/solid.h, input/solid/solid.h) against their
  * definition: signs at known points, normalisation, planes in common; and the location that rests
  * on them, against the definition of a box. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
-#include "base/number/cross.h"
-#include "input/solid/forms.h"
-#include "input/solid/locate.h"
-#include "input/solid/planes.h"
-#include "fixture.h"
 #include "../lib/random.h"
+#include "base/number/cross.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "fixture.h"
 
 /* Integers, decimals, doubles, long ratios, and coordinates that agree with one another. */
 static void draw_coordinate(fmpq_t out) {
     static const ulong denominator[] = {1, 1, 10, 1000, 7, 3037000499};
-    fmpq_set_si(out, (slong)random_below(21) - 10, denominator[random_below(6)]);
-    if (random_below(4) == 0)
-        fmpq_div_2exp(out, out, random_below(120));
-    if (random_below(8) == 0)
+    fmpq_set_si(out, (slong)draw_below(21) - 10, denominator[draw_below(6)]);
+    if (draw_below(4) == 0)
+        fmpq_div_2exp(out, out, draw_below(120));
+    if (draw_below(8) == 0)
         for (int k = 0; k < 12; k++) {
             fmpz_mul_ui(fmpq_denref(out), fmpq_denref(out), 1000003);
-            fmpz_add_ui(fmpq_numref(out), fmpq_numref(out), random_below(1000));
+            fmpz_add_ui(fmpq_numref(out), fmpq_numref(out), draw_below(1000));
         }
     fmpq_canonicalise(out);
 }
@@ -97,7 +96,7 @@ static void draw_in_plane(fmpq *x, int *sign, const fmpq *const *v, int d) {
     while (sum == 0) {
         sum = 0;
         for (int k = 0; k < d; k++) {
-            part[k] = (slong)random_below(7) - 3;
+            part[k] = (slong)draw_below(7) - 3;
             sum += part[k];
         }
     }
@@ -162,9 +161,9 @@ static void forms_by_definition(void **state) {
         const fmpq *v[3] = {x, x + d, x + 2 * d}, *back[3] = {v[1], v[0], v[2]};
         for (int k = 0; k < 9; k++)
             draw_coordinate(x + k);
-        if (random_below(3) == 0) /* a plane along an axis */
+        if (draw_below(3) == 0) /* a plane along an axis */
             for (int k = 1; k < d; k++)
-                fmpq_set(x + k * d + (int)(random_below(2)), x + (int)(random_below(2)));
+                fmpq_set(x + k * d + (int)(draw_below(2)), x + (int)(draw_below(2)));
         if (!degenerate(v, d)) {
             int facing = form_of_plane(plane, v, d);
             check_plane(plane, facing, v, d);
@@ -261,10 +260,10 @@ static void forms_remembered(void **state) {
     for (int round = 0; round < 20000; round++) {
         /* Some rounds with one solid, then some with the other. */
         const graze_solid *of = solid[round / 2000 % 2];
-        uint32_t simplex = (uint32_t)random_below(of->cut.count);
-        int k = (int)random_below(3);
+        uint32_t simplex = (uint32_t)draw_below(of->cut.count);
+        int k = (int)draw_below(3);
         solid_plane(plane, of, simplex);
-        if (random_below(2)) {
+        if (draw_below(2)) {
             known_plane(told, &memory, of, simplex);
             assert_int_equal(form_compare(told, plane, 3), 0);
         } else {
@@ -291,12 +290,12 @@ static void location_in_box(void **state) {
         fmpz *x = _fmpz_vec_init(4);
         for (int round = 0; round < 4000; round++) {
             int inside = 1, on = 1;
-            unsigned bits = 1 + (unsigned)random_below(90);
+            unsigned bits = 1 + (unsigned)draw_below(90);
             /* In units of 1/18, displaced by 2^-bits of that: the box is [0, 6]^3. */
             fmpz_set_ui(x + 3, 18);
             fmpz_mul_2exp(x + 3, x + 3, bits);
             for (int i = 0; i < 3; i++) {
-                slong k = (slong)random_below(9) - 1, off = beside[random_below(3)];
+                slong k = (slong)draw_below(9) - 1, off = beside[draw_below(3)];
                 fmpz_set_si(x + i, k);
                 fmpz_mul_2exp(x + i, x + i, bits);
                 fmpz_add_si(x + i, x + i, off);
@@ -323,7 +322,7 @@ static void cross_by_definition(void **state) {
     fmpq_init(expected);
     fmpq_init(found);
     for (int round = 0; round < 3000; round++) {
-        int i = (int)random_below(3), j = (i + 1 + (int)random_below(2)) % 3;
+        int i = (int)draw_below(3), j = (i + 1 + (int)draw_below(2)) % 3;
         for (int k = 0; k < 9; k++)
             draw_coordinate(x + k);
         fmpq_sub(e, x + 3 + i, x + i);

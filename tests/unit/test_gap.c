@@ -6,17 +6,19 @@
  * places are random ones and that which is nearest then, computed here. Upper bounds are held
  * against the place that they are about. Where a window is short the bounds must be narrow too.
  */
-#include "../lib/harness.h"
-#include "../lib/random.h"
-
 #include <flint/fmpq_vec.h>
 #include <math.h>
-#include "questions/distance/along.h"
-#include "questions/distance/foot.h"
+#include "../lib/harness.h"
+#include "../lib/random.h"
+#include "base/number/rounding.h"
+#include "decide/scene/scene.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "questions/distance/distance.h"
 #include "questions/distance/gap.h"
 #include "questions/distance/time_search.h"
 #include "graze.h"
-#include "base/number/rounding.h"
 
 enum { ROUNDS = 400, PLACES = 12 };
 
@@ -291,13 +293,13 @@ static int check_windows(graze_context *context, const graze_scene *scene, doubl
     assert_int_equal(arc_maps_of(&t.base, context, scene), GRAZE_OK);
     const point_map *placing = motion_placing(&scene->motion->piece[0], scene->options.operation);
     for (int round = 0; round < ROUNDS; round++) {
-        double point[3], length = ldexp(1, -(int)random_below(36));
+        double point[3], length = ldexp(1, -(int)draw_below(36));
         for (int i = 0; i < d; i++)
             point[i] = shift + 6 * random_fraction() + (round % 8 ? 0 : 1000);
-        size_t arc = (size_t)random_below((slong)t.base->arc_count);
+        size_t arc = (size_t)draw_below((slong)t.base->arc_count);
         assert_int_equal(point_arc_make(&t.p, context, t.base, arc, point, point), GRAZE_OK);
         double from = (1 - length) * fabs(random_fraction()), to = fmin(from + length, 1);
-        if (trial_make(&t, from, to, (size_t)random_below(d == 2 ? 3 : 4)))
+        if (trial_make(&t, from, to, (size_t)draw_below(d == 2 ? 3 : 4)))
             narrow += check_window(&t, placing, shift);
     }
     return narrow;

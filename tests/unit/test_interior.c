@@ -2,15 +2,15 @@
  * parts of them and boxes of several, in solids whose coordinates are no doubles as well.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "fixture.h"
-#include "../lib/random.h"
-
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <math.h>
+#include "../lib/random.h"
 #include "base/number/rounding.h"
-#include "decide/filter/interior.h"
-#include "input/solid/locate.h"
+#include "decide/filter/filter.h"
+#include "decide/filter/search.h"
+#include "input/solid/solid.h"
+#include "fixture.h"
 
 enum { BOXES = 3000, PLACES = 4 };
 
@@ -36,8 +36,8 @@ static graze_state exact_state(void *data, const double at[3]) {
 /* A box in the solid's, from a fraction of a brick to several, often with a brick's own ends. */
 static box random_box(const interior *m) {
     box b = {{0, 0, 0}, {0, 0, 0}};
-    double size = ldexp(random_fraction(), (int)random_below(5) - 2);
-    int whole = random_below(3) == 0;
+    double size = ldexp(random_fraction(), (int)draw_below(5) - 2);
+    int whole = draw_below(3) == 0;
     for (int k = 0; k < m->dimension; k++) {
         double at = fabs(random_fraction()) * (double)m->count[k], end = at + fabs(size);
         at = whole ? floor(at) : at;
@@ -51,7 +51,7 @@ static box random_box(const interior *m) {
 /* An end of the box, or between them. */
 static void random_place(double at[3], const box *b) {
     for (int k = 0; k < 3; k++) {
-        double share = random_below(3) ? fabs(random_fraction()) : (double)random_below(2);
+        double share = draw_below(3) ? fabs(random_fraction()) : (double)draw_below(2);
         at[k] = fmin(b->low[k] + share * (b->high[k] - b->low[k]), b->high[k]);
     }
 }

@@ -1,13 +1,15 @@
-/* Meshes without assumptions (questions/judge/judged_mesh.h): what they lack, their volume, and
+/* Meshes without assumptions (questions/judge/judge.h): what they lack, their volume, and
  * their winding numbers, for shapes whose values are evident.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #define _DEFAULT_SOURCE /* mkstemps */
-#include "fixture.h"
 #include <unistd.h>
 #include <flint/fmpq_vec.h>
 #include "input/read/read.h"
-#include "questions/judge/winding.h"
+#include "input/soup/soup.h"
+#include "input/validate/validate.h"
+#include "questions/judge/judge.h"
+#include "fixture.h"
 
 enum { MOST_VERTICES = 64, MOST_FACETS = 128 };
 
@@ -282,7 +284,7 @@ static void several_cubes(void **state) {
 
 /* A band of 2 n triangles around the z axis, `twisted` by half a turn or not, as quads i, i + 1 of
  * a polygon: vertex 2 i at its foot, 2 i + 1 above. */
-static shape *band(int twisted) {
+static shape *twisted_band(int twisted) {
     static const slong ring[6][2] = {{4, 0}, {2, 3}, {-2, 3}, {-4, 0}, {-2, -3}, {2, -3}};
     shape *s = shape_new();
     for (int i = 0; i < 6; i++)
@@ -304,7 +306,7 @@ static void bands(void **state) {
     (void)state;
     for (int twisted = 0; twisted < 2; twisted++) {
         made m;
-        shape *s = band(twisted);
+        shape *s = twisted_band(twisted);
         expect(&m, s, GRAZE_MESH_NONE, 12, 12 + (size_t)twisted);
         assert_int_equal(m.mesh.open.kept_count, LOOSE_EDGES_KEPT);
         for (size_t k = 0; k < LOOSE_EDGES_KEPT; k++) { /* odd ones alone, though 0-1 is not */

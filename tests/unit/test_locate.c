@@ -6,18 +6,18 @@
  * never changes the sign of the volume. Coordinates are thirds, sevenths and doubles in all
  * octants.
  */
-#include "fixture.h"
-#include "../lib/random.h"
 #include <flint/fmpq_mat.h>
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
-#include "input/solid/locate.h"
+#include "../lib/random.h"
+#include "input/solid/solid.h"
+#include "fixture.h"
 
 enum { ROUNDS = 400, POINTS = 40 };
 
 static void draw_coordinate(fmpq_t out) {
     static const ulong denominator[] = {1, 3, 7, 1024};
-    fmpq_set_si(out, (slong)random_below(81) - 40, denominator[random_below(4)]);
+    fmpq_set_si(out, (slong)draw_below(81) - 40, denominator[draw_below(4)]);
 }
 
 /* The sign of the volume of a tetrahedron with x in the place of vertex `k`, or its own for k = 4.
@@ -74,23 +74,23 @@ static graze_solid *make_solid(const fmpq *vertex, int whole) {
 /* A point on an edge or at its end, moved back along the ray, and aside by very little. */
 static void draw_point(fmpq *x, const fmpq *vertex) {
     fmpq_t share, step;
-    int aside = random_below(3) != 0;
+    int aside = draw_below(3) != 0;
     fmpq_init(share);
     fmpq_init(step);
-    const fmpq *a = vertex + 3 * random_below(4), *b = vertex + 3 * random_below(4);
-    fmpq_set_si(share, (slong)random_below(6), 5);
+    const fmpq *a = vertex + 3 * draw_below(4), *b = vertex + 3 * draw_below(4);
+    fmpq_set_si(share, (slong)draw_below(6), 5);
     for (int j = 0; j < 3; j++) {
         fmpq_sub(x + j, b + j, a + j);
         fmpq_mul(x + j, x + j, share);
         fmpq_add(x + j, x + j, a + j);
     }
-    fmpq_set_si(step, (slong)random_below(4), 1);
-    if (random_below(2))
+    fmpq_set_si(step, (slong)draw_below(4), 1);
+    if (draw_below(2))
         fmpq_div_2exp(step, step, 50);
     fmpq_sub(x, x, step);
     for (int j = 1; j < 3 && aside; j++) {
-        fmpq_set_si(step, (slong)random_below(7) - 3, 1);
-        fmpq_div_2exp(step, step, 46 + random_below(12));
+        fmpq_set_si(step, (slong)draw_below(7) - 3, 1);
+        fmpq_div_2exp(step, step, 46 + draw_below(12));
         fmpq_add(x + j, x + j, step);
     }
     fmpq_clear(share);

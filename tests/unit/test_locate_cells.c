@@ -1,4 +1,4 @@
-/* Location (input/solid/locate.h) in affine images of sets of grid cells, in E^2 and E^3: solids
+/* Location (input/solid/solid.h) in affine images of sets of grid cells, in E^2 and E^3: solids
  * that are not convex, with cavities, holes and several components, which may touch in edges and
  * vertices. SPDX-License-Identifier: GPL-3.0-or-later
  *
@@ -6,12 +6,12 @@
  * or none, or some, and the point is in its interior, outside, or on its boundary. Under maps along
  * the axes the ray of the location runs in faces and meets edges and vertices.
  */
-#include "fixture.h"
-#include "../lib/random.h"
 #include <flint/fmpq_mat.h>
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
-#include "input/solid/locate.h"
+#include "../lib/random.h"
+#include "input/solid/solid.h"
+#include "fixture.h"
 
 enum {
     N = 4,
@@ -164,10 +164,10 @@ static void map_init(map *m, int d, int kind) {
             for (int j = 0; j < d; j++) {
                 int zero = kind == 0 ? i != j : kind == 1 && i > j;
                 fmpq_set_si(fmpq_mat_entry(m->linear, i, j), zero ? 0 : random_about(9),
-                            denominator[random_below(4)]);
+                            denominator[draw_below(4)]);
             }
             fmpq_set_si(fmpq_mat_entry(m->offset, i, 0), random_about(40),
-                        denominator[random_below(4)]);
+                        denominator[draw_below(4)]);
         }
         fmpq_mat_det(volume, m->linear);
     }
@@ -241,11 +241,11 @@ static graze_state expected_state(const cells *c, const fmpq *p) {
 static void draw_point(fmpq *p, int d) {
     fmpq_t step;
     fmpq_init(step);
-    int aside = random_below(3) == 0;
+    int aside = draw_below(3) == 0;
     for (int j = 0; j < d; j++) {
-        fmpq_set_si(p + j, random_below(2 * N + 3) - 1, 2);
+        fmpq_set_si(p + j, draw_below(2 * N + 3) - 1, 2);
         fmpq_canonicalise(p + j);
-        fmpq_set_si(step, random_about(1), random_below(2) ? 3 : 1);
+        fmpq_set_si(step, random_about(1), draw_below(2) ? 3 : 1);
         if (fmpz_is_one(fmpq_denref(step)))
             fmpq_div_2exp(step, step, 60);
         if (aside)
@@ -257,7 +257,7 @@ static void draw_point(fmpq *p, int d) {
 /* The first sets have a known form, the others are random. */
 static void draw_cells(cells *c, int d, int number) {
     *c = (cells){.d = d};
-    int at[3] = {0, 0, 0}, any = 0, dense = (int)random_below(2);
+    int at[3] = {0, 0, 0}, any = 0, dense = (int)draw_below(2);
     do {
         int inner = 1, last = 1, first = 1;
         for (int k = 0; k < d; k++) {
@@ -269,7 +269,7 @@ static void draw_cells(cells *c, int d, int number) {
                    : number == 1 ? first || last        /* two components apart */
                    : number == 2 ? inner || first       /* two that touch in a vertex */
                    : number == 3 ? at[0] == 0 || !at[1] /* not convex */
-                                 : random_below(8) < (dense ? 7 : 4);
+                                 : draw_below(8) < (dense ? 7 : 4);
         c->full[at[0]][at[1]][at[2]] = (unsigned char)full;
         any |= full;
     } while (next_cell(c, at));

@@ -1,15 +1,16 @@
-/* Boundaries and their images, by trees (decide/scene/meeting.h) against all simplices at once.
+/* Boundaries and their images, by trees (decide/scene/scene.h) against all simplices at once.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The solids are boxes apart from each other; a third of the maps are moves by whole numbers, under
  * which faces come to lie on faces or just beside them.
  */
-#include "fixture.h"
-#include "../lib/random.h"
 #include <flint/fmpq_mat.h>
 #include <flint/fmpq_vec.h>
-#include "decide/scene/meeting.h"
-#include "input/validate/overlap.h"
+#include "../lib/random.h"
+#include "decide/scene/scene.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "fixture.h"
 
 enum { SOLIDS = 60, MAPS = 12, PLACES = 4, MOST_BOXES = 12 };
 
@@ -28,8 +29,8 @@ static void add_box(boxes *b, slong place) {
                    3 * (place / PLACES / PLACES)};
     slong low[3], high[3];
     for (int i = 0; i < 3; i++) {
-        low[i] = 8 * at[i] + random_below(4);
-        high[i] = low[i] + 8 + random_below(5);
+        low[i] = 8 * at[i] + draw_below(4);
+        high[i] = low[i] + 8 + draw_below(5);
     }
     for (size_t corner = 0; corner < 8; corner++)
         for (size_t i = 0; i < 3; i++) {
@@ -50,7 +51,7 @@ static graze_solid *random_solid(void) {
     boxes b = {.count = 0};
     graze_solid *solid;
     for (slong place = 0; place < PLACES * PLACES * PLACES && b.count < MOST_BOXES; place++)
-        if (random_below(6) == 0 || place == 7)
+        if (draw_below(6) == 0 || place == 7)
             add_box(&b, place);
     assert_int_equal(graze_solid_from_arrays(&solid, context, 3, b.x, 8 * b.count, b.size,
                                              6 * b.count, b.index, 0),
@@ -62,7 +63,7 @@ static graze_solid *random_solid(void) {
 
 /* A move by whole numbers, by eighths, or a map of small entries; 0 if it is singular. */
 static int random_map(fmpq *map) {
-    int kind = (int)random_below(3), regular;
+    int kind = (int)draw_below(3), regular;
     fmpq_mat_t linear;
     fmpq_mat_init(linear, 3, 3);
     for (int i = 0; i < 3; i++)

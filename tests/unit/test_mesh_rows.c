@@ -1,16 +1,24 @@
 /* Memberships of boxes against the sweep of the cube [0,2]^3 by (8t, 0, 0), which is the box
- * [0,10] x [0,2]^2 (output/compare/mesh_rows.h): counts by hand, and laws on points of all strata.
+ * [0,10] x [0,2]^2 (output/compare/compare.h): counts by hand, and laws on points of all strata.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "fixture.h"
-#include "../lib/failing.h"
 #include <flint/fmpq_vec.h>
+#include "../lib/failing.h"
+#include "decide/filter/filter.h"
+#include "decide/scene/scene.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+#include "input/soup/soup.h"
+#include "output/compare/compare.h"
+#include "output/compare/counts.h"
+#include "questions/generate/generate.h"
+#include "questions/judge/judge.h"
+#include "fixture.h"
 #include "graze.h"
-#include "output/compare/mesh_rows.h"
 
 enum { GENERATED = 1000 };
 
-static graze_solid *cube;
+static graze_solid *block;
 static graze_motion *slide;
 static graze_scene *scene;
 
@@ -25,15 +33,15 @@ static int set_up_scene(void **state) {
     for (int k = 0; k < 24; k++)
         at[k] = 2 * (k / 3 >> k % 3 & 1);
     return set_up(state) ||
-           graze_solid_from_doubles(&cube, context, 3, at, 8, sizes, 6, quads[0], 0) != GRAZE_OK ||
+           graze_solid_from_doubles(&block, context, 3, at, 8, sizes, 6, quads[0], 0) != GRAZE_OK ||
            graze_motion_from_json(&slide, context, motion, strlen(motion)) != GRAZE_OK ||
-           graze_scene_create(&scene, context, cube, slide, NULL) != GRAZE_OK;
+           graze_scene_create(&scene, context, block, slide, NULL) != GRAZE_OK;
 }
 
 static int tear_down_scene(void **state) {
     graze_scene_destroy(scene);
     graze_motion_destroy(slide);
-    graze_solid_destroy(cube);
+    graze_solid_destroy(block);
     return tear_down(state);
 }
 

@@ -1,13 +1,11 @@
 /* Common factors: the certificate against resultants and built-in factors, also where the prime
  * divides leading coefficients or whole polynomials. SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include <flint/fmpz.h>
 #include "../lib/harness.h"
 #include "../lib/random.h"
-
-#include <flint/fmpz.h>
-
 #include "base/number/modular.h"
-#include "input/motion/quotient.h"
+#include "input/motion/affine.h"
 
 static void random_polynomial(fmpz_poly_t out, slong degree, slong size) {
     fmpz_poly_zero(out);
@@ -40,8 +38,8 @@ static void test_against_resultants(void **unused) {
         fmpz_poly_init(exact);
         fmpz_init(resultant);
         slong size = round % 2 ? 9 : 1;
-        random_polynomial(p, random_below(6) + 1, size);
-        random_polynomial(q, random_below(6) + 1, size);
+        random_polynomial(p, draw_below(6) + 1, size);
+        random_polynomial(q, draw_below(6) + 1, size);
         fmpz_poly_resultant(resultant, p, q);
         int expected = !fmpz_is_zero(resultant);
         if (polynomials_certainly_coprime(p, q) != expected)
@@ -73,12 +71,12 @@ static void test_prime_in_the_factor(void **unused) {
         fmpz_poly_init(q);
         fmpz_poly_init(g);
         fmpz_init_set_ui(prime, (UINT64_C(1) << 61) - 1);
-        random_polynomial(g, random_below(4) + 1, 5);
+        random_polynomial(g, draw_below(4) + 1, 5);
         slong degree = fmpz_poly_degree(g), from = round % 3 == 0 ? 1 : round % 3 == 1 ? degree : 0;
         for (slong k = from; k <= degree; k++)
             fmpz_mul(g->coeffs + k, g->coeffs + k, prime);
-        random_polynomial(p, random_below(5), 1000);
-        random_polynomial(q, random_below(5), 1000);
+        random_polynomial(p, draw_below(5), 1000);
+        random_polynomial(q, draw_below(5), 1000);
         fmpz_poly_mul(p, p, g);
         fmpz_poly_mul(q, q, g);
         if (polynomials_certainly_coprime(p, q))
@@ -161,14 +159,14 @@ static void test_lowest_terms(void **unused) {
     random_start(5);
     for (int k = 0; k < 20000; k++) {
         fmpz_poly_struct *top = fmpz_poly_q_numref(given), *bottom = fmpz_poly_q_denref(given);
-        random_polynomial(top, random_below(5) - 1, 30);
-        random_polynomial(bottom, random_below(4), 30);
-        random_polynomial(factor, random_below(3), 6);
-        if (random_below(2)) {
+        random_polynomial(top, draw_below(5) - 1, 30);
+        random_polynomial(bottom, draw_below(4), 30);
+        random_polynomial(factor, draw_below(3), 6);
+        if (draw_below(2)) {
             fmpz_poly_mul(top, top, factor);
             fmpz_poly_mul(bottom, bottom, factor);
         }
-        fmpz_poly_scalar_mul_si(bottom, bottom, random_below(2) ? 12 : -1);
+        fmpz_poly_scalar_mul_si(bottom, bottom, draw_below(2) ? 12 : -1);
         fmpz_poly_set(fmpz_poly_q_numref(expected), top);
         fmpz_poly_set(fmpz_poly_q_denref(expected), bottom);
         fmpz_poly_q_canonicalise(expected);
@@ -176,7 +174,7 @@ static void test_lowest_terms(void **unused) {
         if (!fmpz_poly_equal(top, fmpz_poly_q_numref(expected)) ||
             !fmpz_poly_equal(bottom, fmpz_poly_q_denref(expected)))
             fail_with(top, bottom, "not in lowest terms");
-        random_polynomial(common, random_below(2) * random_below(3), 9);
+        random_polynomial(common, draw_below(2) * draw_below(3), 9);
         fmpz_poly_mul(common, common, bottom);
         quotient_over(factor, given, common);
         fmpz_poly_mul(factor, factor, bottom);

@@ -36,16 +36,16 @@ static void check_map(const point_map *map, const char *text) {
 
 /* A random transform that is legal for t in [0, 1]. */
 static void random_transform(char *out, size_t size, int d) {
-    int a = (int)random_below(9) - 4, b = (int)random_below(5) + 1;
-    int c = random_below(2) ? b : -1 - b; /* t + c and t^2 + c are not 0 on [0, 1] */
+    int a = (int)draw_below(9) - 4, b = (int)draw_below(5) + 1;
+    int c = draw_below(2) ? b : -1 - b; /* t + c and t^2 + c are not 0 on [0, 1] */
     const char *axes[] = {"[0, 0, 1]", "[2, -1, 2]", "[\"1-t^2\", 0, \"2*t\"]"};
-    const char *axis = axes[random_below(3)];
+    const char *axis = axes[draw_below(3)];
     char more[80] = "";
     if (d == 3) {
         snprintf(more, sizeof more, ", \"axis\": %s", axis);
     }
     const char *third = d == 3 ? ", \"t^2-t\"" : "";
-    switch (random_below(6)) {
+    switch (draw_below(6)) {
     case 0:
         snprintf(out, size, "{\"translate\": [\"%d*t\", \"1/(t%+d)\"%s]}", a, c, third);
         break;
@@ -112,7 +112,7 @@ static void random_motions(void **state) {
     fmpq_init(t);
     for (int round = 0; round < 150; round++) {
         int d = 2 + round % 2;
-        int last = (int)random_below(STEPS);
+        int last = (int)draw_below(STEPS);
         size_t used = (size_t)snprintf(all, sizeof all, "{\"compose\": [");
         for (int k = 0; k <= last; k++) {
             random_transform(step[k], sizeof step[k], d);
@@ -125,7 +125,7 @@ static void random_motions(void **state) {
             check_map(&motion->piece[k].forward, text);
             check_map(&motion->piece[k].inverse, text);
         }
-        fmpq_set_si(t, random_below(61), 60);
+        fmpq_set_si(t, draw_below(61), 60);
         map_at(forward, motion, t, 0);
         map_at(inverse, motion, t, 1);
         for (int k = last; k >= 0; k--) {
@@ -154,10 +154,10 @@ typedef struct frames {
 
 /* Often even, or the second a multiple of the first; never zero between the two. */
 static void random_frames(frames *f, int d) {
-    long factor = 1 + random_below(3), multiple = random_below(3) == 0;
+    long factor = 1 + draw_below(3), multiple = draw_below(3) == 0;
     for (int n = 0; n < 2; n++) {
         for (int k = 0; k < 4; k++) {
-            long other = (random_below(9) - 4) * factor;
+            long other = (draw_below(9) - 4) * factor;
             f->quaternion[n][k] = d == 2 && (k == 1 || k == 2) ? 0 : other;
             if (n == 1 && multiple) {
                 f->quaternion[1][k] = 3 * f->quaternion[0][k];
@@ -165,7 +165,7 @@ static void random_frames(frames *f, int d) {
         }
         f->quaternion[n][0] = labs(f->quaternion[n][0]) + factor;
         for (int k = 0; k < 3; k++) {
-            f->position[n][k] = random_below(25) - 12;
+            f->position[n][k] = draw_below(25) - 12;
         }
     }
 }

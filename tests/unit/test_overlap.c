@@ -2,10 +2,10 @@
  * separating axes: a second method that shares nothing with the first. And cancelling.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/validate/overlap.h"
+#include "../lib/random.h"
+#include "input/soup/soup.h"
 #include "input/validate/validate.h"
 #include "fixture.h"
-#include "../lib/random.h"
 
 typedef struct body {
     long x[4][3]; /* a tetrahedron, or a triangle with z = 0 */

@@ -1,12 +1,11 @@
-/* How near to 0 a polynomial has no other root (questions/topo/binary_places.h): of random ones,
+/* How near to 0 a polynomial has no other root (questions/topo/eliminate.h): of random ones,
  * and of ones whose roots are known, the constant that is left exceeds all other terms at the place
  * found. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "../lib/harness.h"
-
 #include <flint/fmpq.h>
 #include <flint/fmpz_poly.h>
-#include "questions/topo/binary_places.h"
+#include "../lib/harness.h"
+#include "questions/topo/eliminate.h"
 
 enum { ROUNDS = 2000 };
 

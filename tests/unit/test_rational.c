@@ -108,13 +108,13 @@ static void digits_are_limited(void **state) {
 /* A decimal with a random sign, up to 25 digits, and an exponent over and past the range. */
 static void random_decimal(char *out, size_t size, int range) {
     char digits[26];
-    int n = 1 + (int)random_below(25);
+    int n = 1 + (int)draw_below(25);
     for (int k = 0; k < n; k++) {
-        digits[k] = (char)('0' + random_below(10));
+        digits[k] = (char)('0' + draw_below(10));
     }
     digits[n] = '\0';
-    snprintf(out, size, "%s%s.%se%d", random_below(2) ? "-" : "", digits,
-             random_below(2) ? "5" : "", (int)random_below(2 * range) - range);
+    snprintf(out, size, "%s%s.%se%d", draw_below(2) ? "-" : "", digits, draw_below(2) ? "5" : "",
+             (int)draw_below(2 * range) - range);
 }
 
 static void check_rounding(const char *token, double expected, graze_rounding rounding,
@@ -268,31 +268,31 @@ static void corner_digits(char *out) {
     fmpz_t value;
     fmpz_init(value);
     out[0] = '\0';
-    switch (random_below(4)) {
+    switch (draw_below(4)) {
     case 0:
         fmpz_set_ui(value, 1);
-        fmpz_mul_2exp(value, value, 62 + random_below(3));
-        fmpz_add_si(value, value, random_below(5) - 2);
+        fmpz_mul_2exp(value, value, 62 + draw_below(3));
+        fmpz_add_si(value, value, draw_below(5) - 2);
         break;
     case 1:
         fmpz_set_ui(value, 5);
-        fmpz_pow_ui(value, value, random_below(30));
-        fmpz_mul_2exp(value, value, random_below(70));
+        fmpz_pow_ui(value, value, draw_below(30));
+        fmpz_mul_2exp(value, value, draw_below(70));
         break;
     case 2:
-        fmpz_set_ui(value, random_below(1000));
+        fmpz_set_ui(value, draw_below(1000));
         break;
     default:
-        for (unsigned k = 1 + random_below(24); k > 0; k--) {
+        for (unsigned k = 1 + draw_below(24); k > 0; k--) {
             fmpz_mul_ui(value, value, 10);
-            fmpz_add_ui(value, value, random_below(10));
+            fmpz_add_ui(value, value, draw_below(10));
         }
     }
-    for (unsigned k = random_below(3) ? 0 : random_below(25); k > 0; k--) {
+    for (unsigned k = draw_below(3) ? 0 : draw_below(25); k > 0; k--) {
         strcat(out, "0");
     }
     fmpz_get_str(out + strlen(out), 10, value);
-    for (unsigned k = random_below(3) ? 0 : random_below(25); k > 0; k--) {
+    for (unsigned k = draw_below(3) ? 0 : draw_below(25); k > 0; k--) {
         strcat(out, "0");
     }
     fmpz_clear(value);
@@ -335,17 +335,17 @@ static void tokens_agree_with_long_arithmetic(void **state) {
     fmpz_init(power);
     for (int round = 0; round < 40000; round++) {
         corner_digits(digits);
-        const char *sign = random_below(3) ? "" : random_below(2) ? "-" : "+";
+        const char *sign = draw_below(3) ? "" : draw_below(2) ? "-" : "+";
         fmpz_set_str(fmpq_numref(expected), digits, 10);
-        if (random_below(4) == 0) {
+        if (draw_below(4) == 0) {
             do {
                 corner_digits(more);
                 fmpz_set_str(fmpq_denref(expected), more, 10);
             } while (fmpz_is_zero(fmpq_denref(expected)));
             snprintf(token, sizeof token, "%s%s/%s", sign, digits, more);
         } else {
-            size_t behind = random_below(strlen(digits) + 1);
-            long exponent = random_below(2) ? 0 : random_below(80) - 40;
+            size_t behind = draw_below(strlen(digits) + 1);
+            long exponent = draw_below(2) ? 0 : draw_below(80) - 40;
             snprintf(token, sizeof token, "%s%.*s.%se%ld", sign, (int)(strlen(digits) - behind),
                      digits, digits + strlen(digits) - behind, exponent);
             long shift = exponent - (long)behind;
@@ -377,10 +377,10 @@ static void canonical_is_what_the_gcd_says(void **state) {
         corner_digits(denominator);
         fmpz_set_str(fmpq_numref(value), numerator, 10);
         fmpz_set_str(fmpq_denref(value), denominator, 10);
-        if (random_below(2)) {
+        if (draw_below(2)) {
             fmpz_neg(fmpq_numref(value), fmpq_numref(value));
         }
-        if (random_below(8) == 0) {
+        if (draw_below(8) == 0) {
             fmpz_neg(fmpq_denref(value), fmpq_denref(value));
         }
         if (is_canonical(value) != fmpq_is_canonical(value)) {

@@ -18,10 +18,10 @@ static void mutate_and_read(const char *extension, const char *bytes, size_t siz
     int accepted = 0;
     for (int k = 0; k < MUTANTS; k++) {
         random_start(seed + (ulong)k);
-        size_t length = random_below(4) == 0 ? (size_t)random_below((slong)size + 1) : size;
+        size_t length = draw_below(4) == 0 ? (size_t)draw_below((slong)size + 1) : size;
         memcpy(copy, bytes, size);
-        for (slong changes = random_below(4); changes > 0 && length > 0; changes--) {
-            copy[random_below((slong)length)] = pieces[random_below(sizeof pieces - 1)];
+        for (slong changes = draw_below(4); changes > 0 && length > 0; changes--) {
+            copy[draw_below((slong)length)] = pieces[draw_below(sizeof pieces - 1)];
         }
         soup s;
         graze_status status = read_bytes(&s, extension, copy, length);

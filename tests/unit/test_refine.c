@@ -256,7 +256,7 @@ static void random_polynomial(fmpz_poly_t out, slong degree, ulong bits) {
     fmpz_poly_zero(out);
     do
         for (slong k = 0; k <= degree; k++) {
-            fmpz_randbits(c, chance, 1 + (ulong)random_below(bits));
+            fmpz_randbits(c, chance, 1 + (ulong)draw_below(bits));
             fmpz_poly_set_coeff_fmpz(out, k, c);
         }
     while (fmpz_poly_degree(out) < degree);
@@ -300,15 +300,15 @@ static void test_against_tarski(void **unused) {
     fmpz_poly_init(p);
     fmpz_poly_init(q);
     for (int round = 0; round < 1500; round++) {
-        ulong bits = 2 + (ulong)random_below(60);
-        random_polynomial(g, 1 + random_below(3), bits);
-        random_polynomial(p, random_below(4), bits);
-        random_polynomial(q, random_below(4), bits);
+        ulong bits = 2 + (ulong)draw_below(60);
+        random_polynomial(g, 1 + draw_below(3), bits);
+        random_polynomial(p, draw_below(4), bits);
+        random_polynomial(q, draw_below(4), bits);
         fmpz_poly_mul(p, p, g);
         if (round % 4 > 0)
             fmpz_poly_mul(q, q, g);
         if (round % 4 > 1) {
-            fmpz_poly_scalar_mul_2exp(q, q, (ulong)random_below(200));
+            fmpz_poly_scalar_mul_2exp(q, q, (ulong)draw_below(200));
             fmpz_add_si(q->coeffs, q->coeffs, round % 4 == 2 ? 1 : -1);
         }
         if (fmpz_poly_degree(q) < 1 || !fmpz_poly_is_squarefree(p) || !fmpz_poly_is_squarefree(q))

@@ -1,14 +1,15 @@
 /* Decimals, formulas, rows and the explanation, on traces made by hand.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include <mpfr.h>
 #include "../lib/harness.h"
 #include "../lib/random.h"
-#include <mpfr.h>
-#include "output/report/decimal_time.h"
-#include "output/report/explain.h"
-#include "output/report/formula.h"
-#include "output/report/json_rows.h"
-#include "output/report/table_text.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+#include "output/report/report.h"
+#include "output/report/row_parts.h"
 
 static void set(fmpq_t out, const char *text) {
     assert_int_equal(fmpq_set_str(out, text, 10), 0);
@@ -138,16 +139,16 @@ static void decimals_against_mpfr(void **state) {
     mpfr_init2(value, 2000);
     for (int round = 0; round < 3000; round++) {
         slong numerator = random_about(1000000);
-        ulong denominator = round % 8 ? (ulong)random_below(30000) * 10 + 3 : 1;
-        int digits = 2 + (int)random_below(40), exact;
+        ulong denominator = round % 8 ? (ulong)draw_below(30000) * 10 + 3 : 1;
+        int digits = 2 + (int)draw_below(40), exact;
         if (numerator == 0)
             continue;
         fmpq_set_si(x, numerator, denominator);
         if (fmpz_is_one(fmpq_denref(x))) {
             whole++;
         } else {
-            fmpz *side = random_below(2) ? fmpq_numref(x) : fmpq_denref(x);
-            for (slong k = random_below(40); k > 0; k--, scaled++)
+            fmpz *side = draw_below(2) ? fmpq_numref(x) : fmpq_denref(x);
+            for (slong k = draw_below(40); k > 0; k--, scaled++)
                 fmpz_mul_ui(side, side, 10);
             fmpq_canonicalise(x);
         }

@@ -36,8 +36,7 @@ static void with_root(fmpz_poly_t p, slong a, slong b) {
     fmpz_poly_set_coeff_si(linear, 0, -a);
     fmpz_poly_set_coeff_si(linear, 1, b);
     do
-        fmpz_poly_randtest(p, chance, 1 + random_below(10),
-                           (flint_bitcnt_t)(1 + random_below(2000)));
+        fmpz_poly_randtest(p, chance, 1 + draw_below(10), (flint_bitcnt_t)(1 + draw_below(2000)));
     while (fmpz_poly_is_zero(p));
     fmpz_poly_mul(p, p, linear);
     fmpz_poly_clear(linear);
@@ -51,8 +50,8 @@ static void around(dyadic_interval *interval, slong a, slong b, ulong places) {
     interval->exponent = places;
     fmpz_mul_si(interval->low, one, a);
     fmpz_fdiv_q_si(interval->low, interval->low, b);
-    fmpz_add_ui(interval->high, interval->low, 1 + (ulong)random_below(3));
-    fmpz_sub_ui(interval->low, interval->low, (ulong)random_below(2));
+    fmpz_add_ui(interval->high, interval->low, 1 + (ulong)draw_below(3));
+    fmpz_sub_ui(interval->low, interval->low, (ulong)draw_below(2));
     if (fmpz_sgn(interval->low) < 0)
         fmpz_zero(interval->low);
     if (fmpz_cmp(interval->high, one) > 0)
@@ -82,9 +81,9 @@ static void test_roots_are_never_lost(void **state) {
     dyadic_interval *interval = &asked->interval;
     random_start(7);
     for (int k = 0; k < ROUNDS; k++) {
-        slong b = 1 + random_below(1 << random_below(20)), a = random_below(b + 1);
+        slong b = 1 + draw_below(1 << draw_below(20)), a = draw_below(b + 1);
         with_root(p, a, b);
-        around(interval, a, b, (ulong)random_below(51));
+        around(interval, a, b, (ulong)draw_below(51));
         if (says_rootless(p, interval, 0))
             fail_msg("round %d: a root was lost", k);
     }

@@ -3,14 +3,14 @@
  * of chords by hand (proofs/slabs.md C93).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "fixture.h"
-#include "../lib/random.h"
-
 #include <flint/fmpq_vec.h>
 #include <math.h>
+#include "../lib/random.h"
 #include "base/number/rounding.h"
-#include "decide/filter/chord.h"
+#include "decide/bounds/bounds.h"
 #include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "fixture.h"
 
 enum { BOXES = 400 };
 
@@ -90,7 +90,7 @@ static void corners_inside(void **state) {
 static const tree_node *random_node(const graze_solid *solid) {
     const tree_node *node;
     do
-        node = &solid->boxes.node[random_below((slong)solid->boxes.node_count)];
+        node = &solid->boxes.node[draw_below((slong)solid->boxes.node_count)];
     while (!node->child || !isfinite(slab_below(&solid->slabs, node)->low));
     return node;
 }
@@ -98,7 +98,7 @@ static const tree_node *random_node(const graze_solid *solid) {
 /* About in the node's box, and from as large as it down to much smaller. */
 static box random_box(const box *near) {
     box out;
-    double thick = ldexp(fabs(random_fraction()), -(int)random_below(12)) * box_extent(near);
+    double thick = ldexp(fabs(random_fraction()), -(int)draw_below(12)) * box_extent(near);
     for (int i = 0; i < 3; i++) {
         double middle = 0.5 * (near->low[i] + near->high[i]);
         double at = middle + random_fraction() * (near->high[i] - near->low[i]);

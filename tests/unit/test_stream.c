@@ -1,4 +1,4 @@
-/* Lines of files (input/delimited/stream.h) against the lines they were made of: long and empty
+/* Lines of files (input/delimited/delimited.h) against the lines they were made of: long and empty
  * ones, both line ends, a last line without an end, places gone back to, the limit, pipes, and
  * beginnings. SPDX-License-Identifier: GPL-3.0-or-later
  */
@@ -8,8 +8,8 @@
 #include <time.h>
 #include <unistd.h>
 #include "../lib/random.h"
+#include "input/delimited/delimited.h"
 #include "fixture.h"
-#include "input/delimited/stream.h"
 
 enum { LINES = 9 };
 
@@ -51,14 +51,14 @@ static void make_sample(sample *s) {
     memset(s, 0, sizeof *s);
     s->text = malloc(LINES * 150010);
     assert_non_null(s->text);
-    s->count = 1 + random_below(LINES);
-    s->mark = random_below(2) == 0;
+    s->count = 1 + draw_below(LINES);
+    s->mark = draw_below(2) == 0;
     if (s->mark)
         s->length = (size_t)sprintf(s->text, "\xef\xbb\xbf");
     for (size_t k = 0; k < s->count; k++) {
-        size_t size = sizes[random_below(sizeof sizes / sizeof *sizes)];
-        s->ended[k] = k + 1 < s->count || random_below(2) == 0;
-        s->cr[k] = random_below(3) == 0;
+        size_t size = sizes[draw_below(sizeof sizes / sizeof *sizes)];
+        s->ended[k] = k + 1 < s->count || draw_below(2) == 0;
+        s->cr[k] = draw_below(3) == 0;
         size += !s->ended[k] && size == 0; /* or there is no such line */
         s->start[k] = s->length;
         s->size[k] = size;
@@ -133,7 +133,7 @@ static void expect_places(const sample *s, int reopened) {
         expect_line(&in, s, k);
     }
     for (int round = 0; round < 12; round++) {
-        size_t k = random_below((unsigned)s->count);
+        size_t k = draw_below((unsigned)s->count);
         assert_int_equal(stream_seek(&in, place[k]), GRAZE_OK);
         expect_line(&in, s, k);
         expect_line(&in, s, k + 1);

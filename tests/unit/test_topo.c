@@ -2,11 +2,17 @@
  * generated points of every pair of the examples' solids and motions.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/topo/topo.h"
 #include <flint/fmpq_vec.h>
+#include "decide/filter/filter.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "decide/verdict/verdict.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+#include "questions/topo/near.h"
+#include "questions/topo/topo.h"
 #include "fixture.h"
 #include "graze.h"
-#include "decide/verdict/classify.h"
 
 enum { POINTS = 25 };
 

@@ -3,7 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "base/number/rational.h"
-#include "input/validate/overlap.h"
+#include "input/soup/soup.h"
 #include "input/validate/validate.h"
 #include "fixture.h"
 

@@ -1,13 +1,17 @@
-/* Normal velocities in doubles (questions/generate/velocity.h) against the exact ones, on
+/* Normal velocities in doubles (questions/generate/strata.h) against the exact ones, on
  * tetrahedra whose coordinates doubles do not hold. Half of the motions slide along a face, whose
  * velocity is then 0: a bound that is too small shows. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "fixture.h"
-#include "../lib/random.h"
-
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
-#include "questions/generate/velocity.h"
+#include "../lib/random.h"
+#include "decide/scene/scene.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "questions/generate/generate.h"
+#include "questions/generate/strata.h"
+#include "fixture.h"
 
 enum { SCENES = 400, TIMES = 8 };
 
@@ -23,10 +27,10 @@ static void draw_far(mpq_t out, int far) {
     if (far) {
         mpq_t more;
         mpq_init(more);
-        mpq_set_si(more, 1000000 + random_below(1000), 1000003);
+        mpq_set_si(more, 1000000 + draw_below(1000), 1000003);
         mpq_canonicalize(more);
         mpq_add(out, out, more);
-        mpq_set_si(more, (1 << 30) * (random_below(2) ? 1L : 1024L), 1);
+        mpq_set_si(more, (1 << 30) * (draw_below(2) ? 1L : 1024L), 1);
         mpq_add(out, out, more);
         mpq_clear(more);
     }
@@ -37,7 +41,7 @@ static int draw_solid(tetrahedron *t) {
     static const size_t size[4] = {3, 3, 3, 3};
     static const size_t turned[2][12] = {{0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3},
                                          {0, 1, 2, 0, 3, 1, 1, 3, 2, 2, 3, 0}};
-    int far = random_below(4) > 0;
+    int far = draw_below(4) > 0;
     for (int k = 0; k < 12; k++)
         draw_far(t->at[k], far);
     for (int side = 0; side < 2; side++)
@@ -52,7 +56,7 @@ static graze_motion *draw_motion(tetrahedron *t) {
     char *text = NULL;
     mpq_t step[3], part;
     mpq_inits(step[0], step[1], step[2], part, NULL);
-    slong a = random_about(9), b = random_about(9), kind = random_below(4);
+    slong a = random_about(9), b = random_about(9), kind = draw_below(4);
     for (int i = 0; i < 3; i++) {
         mpq_set_si(part, a, 1);
         mpq_sub(step[i], t->at[3 + i], t->at[i]);
@@ -119,7 +123,7 @@ static void one_sign_is_exact(void **state) {
         assert_int_equal(graze_scene_create(&scene, context, t.solid, motion, NULL), GRAZE_OK);
         for (int n = 0; n < TIMES; n++) {
             instant when;
-            fmpq_set_si(u, random_below(65), 64);
+            fmpq_set_si(u, draw_below(65), 64);
             instant_init(&when, scene, 0, u);
             for (size_t s = 0; s < 4; s++) {
                 int sign = exact_sign(&when, t.solid, s),

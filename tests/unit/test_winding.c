@@ -1,4 +1,4 @@
-/* Winding numbers of random meshes that cross themselves (questions/judge/winding.h), at points of
+/* Winding numbers of random meshes that cross themselves (questions/judge/judge.h), at points of
  * a coarse grid; many of them lie on the mesh or have rays that meet edges and vertices.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
@@ -9,10 +9,11 @@
  * is on a triangle if it is in its plane and, seen from a point off that plane, inside the three
  * planes through it and the sides.
  */
-#include "fixture.h"
 #include "../lib/random.h"
-#include "questions/judge/flat_cube.h"
-#include "questions/judge/winding.h"
+#include "input/soup/soup.h"
+#include "questions/judge/cube.h"
+#include "questions/judge/judge.h"
+#include "fixture.h"
 
 /* A grid of vertices that closes as a torus, and as a Klein bottle; places are whole numbers. */
 enum {
@@ -53,7 +54,7 @@ static void make_sample(sample_mesh *s, int turned) {
         fmpq_init(place[i]);
     for (size_t v = 0; v < VERTICES; v++) {
         for (int i = 0; i < 3; i++) {
-            s->at[v][i] = 2 * random_below(SPAN);
+            s->at[v][i] = 2 * draw_below(SPAN);
             fmpq_set_si(place[i], s->at[v][i], 2);
         }
         assert_int_equal(soup_add_vertex(&s->input, context, *place), GRAZE_OK);
@@ -150,8 +151,8 @@ static mesh_place expected_place(long *sum, const sample_mesh *s, const slong *x
 /* Compare at the middle of two vertices or beside it; all coordinates are doubled here. */
 static mesh_place check_point(const sample_mesh *s) {
     slong x[3];
-    size_t u = (size_t)random_below(VERTICES), v = (size_t)random_below(VERTICES);
-    int aside = random_below(3) != 0;
+    size_t u = (size_t)draw_below(VERTICES), v = (size_t)draw_below(VERTICES);
+    int aside = draw_below(3) != 0;
     long sum = 0, found;
     fmpq_t place[3];
     for (int i = 0; i < 3; i++) {

@@ -5,7 +5,7 @@
  * no leading coefficient, discriminant or resultant by y has a root, the roots in y of all forms
  * are continuous and distinct; so one x in each interval and one y in each gap are enough (C129).
  */
-#include "decide/curved/apex.h"
+#include "decide/curved/curved.h"
 
 #include <flint/fmpq_mpoly.h>
 #include <flint/fmpz_mpoly.h>
@@ -16,6 +16,8 @@
 #include "base/number/order.h"
 #include "base/number/refine.h"
 #include "decide/curved/arrangement.h"
+#include "decide/curved/walker.h"
+#include "input/csg/csg.h"
 
 enum { X, Y, VARIABLES, PARTS = CSG_FREE_MOST * CSG_DEGREE + VARIABLES };
 

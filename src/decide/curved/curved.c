@@ -8,8 +8,13 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
+#include "decide/bounds/bounds.h"
 #include "decide/curved/walker.h"
-#include "decide/filter/surface_search.h"
+#include "decide/filter/filter.h"
+#include "decide/scene/scene.h"
+#include "decide/surfaces/surfaces.h"
+#include "decide/trace/trace.h"
+#include "input/validate/validate.h"
 
 typedef struct finding_walk {
     tracer *r;

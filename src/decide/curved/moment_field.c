@@ -1,7 +1,7 @@
 /* Polynomials in the local time, and their signs at a time or along a gap.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/curved/moment_field.h"
+#include "decide/curved/curved.h"
 
 #include <flint/fmpz_poly_factor.h>
 #include <flint/fmpz_vec.h>
@@ -10,6 +10,7 @@
 #include "base/context/scope.h"
 #include "base/number/modular.h"
 #include "base/number/sign.h"
+#include "decide/curved/walker.h"
 
 /* Leave of the time's polynomial the irreducible factor that has the time as a root. */
 static graze_status make_irreducible(graze_context *context, algebraic *time) {

@@ -1,14 +1,19 @@
 /* Pullbacks of surfaces, and their roots.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/curved/pullbacks.h"
+#include "decide/curved/curved.h"
 
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "base/number/order.h"
-#include "decide/filter/curve.h"
+#include "decide/bounds/bounds.h"
+#include "decide/curved/walker.h"
+#include "decide/filter/filter.h"
+#include "decide/trace/trace.h"
+#include "input/csg/csg.h"
+#include "input/validate/validate.h"
 
 enum { SIDE = CSG_DEGREE + 1, MONOMIALS = SIDE * SIDE * SIDE * SIDE };
 

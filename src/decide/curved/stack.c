@@ -6,7 +6,7 @@
  * point on the vertical line through it, and in its width branches meet at the abscissa of the
  * point alone. Then those in the window are the branches that end in the point (C126).
  */
-#include "decide/curved/stack.h"
+#include "decide/curved/curved.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_mpoly.h>
@@ -18,8 +18,12 @@
 #include "base/number/order.h"
 #include "base/number/refine.h"
 #include "base/number/sign.h"
-#include "decide/curved/pullbacks.h"
-#include "decide/filter/curve.h"
+#include "decide/bounds/bounds.h"
+#include "decide/curved/walker.h"
+#include "decide/filter/filter.h"
+#include "decide/trace/trace.h"
+#include "input/csg/csg.h"
+#include "input/validate/validate.h"
 
 /* Work of a resultant beside the sizes of both members, as measured: a size is the square of the
  * degree and LEAST_SIZE more, times the bits over SIZE_BITS. */

@@ -1,13 +1,11 @@
 /* The rules, from the cheapest to the last.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/curved/state.h"
+#include "decide/curved/curved.h"
 
 #include "base/context/scope.h"
 #include "decide/curved/arrangement.h"
-#include "decide/curved/circuits.h"
-#include "decide/curved/apex.h"
-#include "decide/curved/curve_field.h"
+#include "decide/curved/walker.h"
 
 /* Patterns of the smooth members' tangent planes occur where no other member is. */
 static void see_cells(sign_germ *g, unsigned smooth) {

@@ -1,11 +1,13 @@
 /* Tables of truth, without the surfaces that change nothing.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/curved/truth.h"
+#include "decide/curved/curved.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "decide/curved/arrangement.h"
+#include "input/csg/csg.h"
 
 graze_status expression_init(expression *e, graze_context *context, const csg *solid) {
     *e = (expression){.solid = solid, .context = context};

@@ -5,14 +5,18 @@
  * state is constant between the roots of all signs that were asked for (C101). A time is decided
  * when the gap behind it is known, since the states beside it say what is arbitrarily near (C95).
  */
-#include "decide/curved/walker.h"
+#include "decide/curved/curved.h"
 
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "base/number/order.h"
 #include "base/number/sign.h"
-#include "decide/curved/stack.h"
+#include "decide/bounds/bounds.h"
+#include "decide/curved/walker.h"
+#include "decide/filter/filter.h"
+#include "decide/trace/trace.h"
+#include "input/csg/csg.h"
 
 /* Whether a primitive has one of some surfaces. */
 static int node_meets(const csg *solid, const csg_node *node, const dependence *d) {

@@ -1,12 +1,12 @@
 /* The word and the contacts of a trace, built from states.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/curved/word_builder.h"
-
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "input/soup/cell_names.h"
+#include "decide/curved/walker.h"
+#include "decide/trace/trace.h"
+#include "input/soup/soup.h"
 
 static graze_state last_of(const word_builder *l) {
     return l->length ? (graze_state)l->out->word[l->length - 1] : GRAZE_STATE_ABSENT;

@@ -2,14 +2,14 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A box around the curve in the window leaves out nearly all of them; the others are met at another
- * time, or not at all, by the tests of meet.h. The bounds are those of proofs/membership.md (C56).
+ * time, or not at all, by the tests of search.h. The bounds are those of proofs/membership.md
+ * (C56).
  */
-#include "decide/filter/alone.h"
-
 #include <math.h>
-#include "decide/filter/chord.h"
-#include "decide/filter/flip.h"
-#include "decide/filter/normal.h"
+#include "decide/bounds/bounds.h"
+#include "decide/filter/search.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
 
 typedef struct neighbourhood {
     const curve *curve;

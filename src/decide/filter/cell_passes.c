@@ -2,12 +2,13 @@
  * and those that differ have no place in common near the cell.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/filter/cell_passes.h"
+#include "decide/filter/filter.h"
 
-#include "decide/filter/chord.h"
-#include "decide/filter/common_place.h"
-#include "decide/filter/flip.h"
-#include "decide/filter/normal.h"
+#include "decide/bounds/bounds.h"
+#include "decide/filter/search.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
 
 /* Parts of time are cut to this level; simplices near one of them, and nodes visited for a cell. */
 enum { PASS_LEVELS = 20, PASS_NEAR = 64, PASS_VISITS = 30000 };

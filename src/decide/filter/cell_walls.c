@@ -1,10 +1,15 @@
 /* The plane's form of a moved corner is a polynomial of the time; where its Bernstein coefficients
  * on a part have one sign, so has it. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/filter/cell_walls.h"
+#include "decide/filter/filter.h"
 
 #include <flint/fmpq_poly.h>
 #include "base/context/scope.h"
+#include "decide/bounds/bounds.h"
+#include "decide/filter/search.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
 
 /* The form on all of a piece, with the weight as a positive factor. */
 static void form_of_corner(fmpq_poly_t form, const fmpq *plane, const point_map *map,

@@ -1,7 +1,7 @@
 /* Between two successive certain crossings the state is the one into which the first crossing
  * leads. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/filter/certain_times.h"
+#include "decide/filter/filter.h"
 
 typedef struct stretches {
     piece_time *best;

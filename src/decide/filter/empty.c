@@ -1,10 +1,10 @@
 /* A box against the solid's tree: boxes by comparisons, simplices by the span that the box is.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/filter/empty.h"
-
-#include "decide/filter/chord.h"
-#include "decide/filter/flip.h"
+#include "decide/bounds/bounds.h"
+#include "decide/filter/search.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
 
 typedef struct emptiness {
     const graze_solid *solid;

@@ -1,21 +1,80 @@
-/* The certified floating-point filter of a scene: it finds the certain crossings of the boundary,
- * and the windows of time for which the exact path must be asked.
- * SPDX-License-Identifier: GPL-3.0-or-later
- *
- * For a simplex it reports no contact, one certain crossing, or a question; it never decides a
- * tangency, an edge, a vertex or an end (proofs/filter.md C36, C37).
- */
-#ifndef GRAZE_FILTER_FILTER_H
-#define GRAZE_FILTER_FILTER_H
+/* filter: certain crossings of a trajectory in doubles with proved bounds, and the windows in
+ * which the exact path is asked.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_DECIDE_FILTER_H
+#define GRAZE_DECIDE_FILTER_H
 
+#include <flint/fmpq.h>
 #include <pthread.h>
 #include <stdatomic.h>
-#include "decide/filter/curve.h"
-#include "decide/filter/findings.h"
-#include "decide/filter/interior.h"
-#include "decide/filter/surface_curve.h"
-#include "input/solid/known.h"
+#include <stddef.h>
+#include <stdint.h>
+#include "decide/bounds/bounds.h"
+#include "decide/surfaces/surfaces.h"
+#include "input/motion/motion.h"
 #include "input/solid/solid.h"
+#include "input/validate/validate.h"
+
+/* Results of the filter's search: certain crossings, and candidates for the exact path. */
+
+/** The trajectory may meet the simplex within the closed window, in units of 2^-WINDOW_LEVELS. */
+typedef struct candidate {
+    uint32_t piece, simplex;
+    uint32_t from, to;
+} candidate;
+
+typedef struct candidates {
+    size_t count, capacity;
+    candidate *item;
+} candidates;
+
+/** Append a candidate; 0 if memory runs out. */
+int candidates_append(candidates *list, candidate item);
+
+/** Sort by piece, simplex and time, and join windows of one simplex that touch. */
+void candidates_join(candidates *list);
+
+/** A certain crossing: once, at some time of the window, which is in units of a piece, the curve
+ * goes through the relative interior of the simplex; `enters`: from outside to inside. */
+typedef struct crossing {
+    double from, to;
+    uint32_t piece, simplex;
+    int enters;
+} crossing;
+
+/** Candidates first ... first + count - 1 with overlapping windows: the exact path answers for all
+ * of [from, to] at once. */
+typedef struct exact_window {
+    uint32_t piece, from, to;
+    size_t first, count;
+} exact_window;
+
+/** The crossings and the windows in order of time, disjoint within each piece; and, in order, the
+ * pieces for which the filter cannot be used. At all other times the trajectory is off the
+ * boundary. */
+typedef struct findings {
+    size_t crossing_count, crossing_capacity;
+    crossing *crossing;
+    candidates asked;
+    size_t window_count, window_capacity;
+    exact_window *window;
+    size_t lost_count, lost_capacity;
+    uint32_t *lost;
+} findings;
+
+/** A grid of equal bricks over the solid's box; `state` is NULL if there is none. */
+typedef struct interior {
+    int dimension;
+    size_t count[3];
+    double low[3], step[3];
+    unsigned char *state; /* a graze_state for each brick; ABSENT: not certain */
+} interior;
+
+/* The certified floating-point filter of a scene: it finds the certain crossings of the boundary,
+ * and the windows of time for which the exact path must be asked.
+ *
+ * For a simplex it reports no contact, one certain crossing, or a question; it never decides a
+ * tangency, an edge, a vertex or an end (proofs/filter.md C36, C37). */
 
 /** Bricks; one thread lays them, under the lock, when memberships alone are first asked for. */
 typedef struct brick_memo {
@@ -67,5 +126,126 @@ void filter_begin(filter_workspace *w);
  * @return 0 if the filter cannot be used for this point, or without memory: ask the exact search */
 int filter_search(filter_workspace *w, int *settled, const interior *bricks, const filter *f,
                   const filter_point *point);
+
+/** The sides of a simplex at the times of a window at which the curve is in its plane
+ * (proofs/doubles.md C65).
+ * @param[out] inside bit k: the curve is certainly on the inner side of side k
+ * @return 0 if the curve is certainly beyond a side, and so off the simplex */
+int sides_meet(unsigned *inside, const curve *c, const span *piece, const double *corner,
+               double corner_error, const meet_window *at);
+
+/* Planes that cut a part out of a cell, and a test for simplices that never reach the part. */
+
+/** The points of a cell that are strictly on one side of each plane n x + d = 0. */
+typedef struct cell_walls {
+    int count;
+    const fmpq *plane; /* four numbers each */
+    unsigned sides;    /* bit k: the part is where plane k is positive */
+} cell_walls;
+
+/* Times at which the state of a trajectory is certain from its certain crossings. */
+
+/** A time: the motion's piece and the piece's parameter, in [0, 1]. */
+typedef struct piece_time {
+    uint32_t piece;
+    double at;
+} piece_time;
+
+/** Bound of the number of times that a call finds. */
+enum { CERTAIN_TIMES_MOST = 2 };
+
+/** Find the middles of the longest stretches of time in which the point of a search is certainly
+ * inside, with `outside` certainly outside (proofs/cells.md C76).
+ * @param found the findings of filter_search
+ * @return the number of times found; 0 also if a finding is not certain, or there is no crossing */
+int certain_times_find(piece_time out[CERTAIN_TIMES_MOST], const findings *found,
+                       size_t piece_count, int outside);
+
+/* Tests of the trajectories of all points of a box at once against the boundary. */
+
+/** A box of query points: coordinate i of each differs from the centre's by at most half[i]. */
+typedef struct point_box {
+    double centre[3]; /* exact */
+    double half[3];
+} point_box;
+
+/** A time and a box of places; at that time some place of the box is in the state that decides a
+ * membership (proofs/bricks.md C87). */
+typedef struct anchor {
+    piece_time when;
+    box around;
+} anchor;
+
+/** Set a thread's memory to a cell's centre. All functions below take the memory of the cell they
+ * ask about.
+ * @return 0 if the filter cannot be used for it, or if memory runs out */
+int point_box_begin(curve *memory, const filter *f, const point_box *points);
+
+/** Is it certain that no point of the cell meets the boundary at any time (proofs/cells.md C76)?
+ * @return 0 if that is not certain */
+int point_box_is_clear(curve *memory, const filter *f, const point_box *points);
+
+/** Make an anchor around the place of the cell's centre, at a time at which the centre is in the
+ * deciding state.
+ * @return 0 if there is no bound */
+int point_box_anchor(anchor *out, curve *memory, const filter *f, const piece_time *when);
+
+/** Is it certain that at the anchor's time the boundary does not separate the anchor from any point
+ * of the cell? Then all points of the cell have the anchor's state (proofs/bricks.md C87).
+ * @return 0 if that is not certain */
+int point_box_joins(curve *memory, const filter *f, const point_box *points, const anchor *to);
+
+/** Is it certain that at some time all points of the cell are in the state that decides their
+ * membership (proofs/bricks.md C86)?
+ * @param[in,out] hint the time that is tried first; 0 for the first cell
+ * @return 0 if that is not certain */
+int point_box_is_settled(curve *memory, const filter *f, const point_box *points, size_t *hint);
+
+/** Find a box around the places of the cell's points at a time; if `half` is NULL, around the
+ * centre's. 0 if there is none. */
+int point_box_places(box *out, curve *memory, const filter *f, const piece_time *when,
+                     const double *half);
+
+/* Tests whether the trajectories of all points of a box cross the boundary, and none only touches
+ * it. */
+
+/** Results about the trajectories of a cell's points (proofs/judging.md C116). */
+typedef enum cell_passage {
+    CELL_DOUBTFUL, /* nothing is certain */
+    CELL_PASSES,   /* no point of the cell is `on`, so all have one membership */
+    CELL_PIERCED /* a facet crosses the whole cell: all points are `in` a sweep, `out` of an unsweep
+                  */
+} cell_passage;
+
+/**
+ * @param memory set to the cell (point_box_begin)
+ * @param walls  NULL, or the part of the cell that is asked about (proofs/judging.md C123)
+ * @param motion of the sweep; used with walls */
+cell_passage cell_passes(curve *memory, const filter *f, const point_box *points,
+                         const cell_walls *walls, const graze_motion *motion);
+
+/* The search of a curve for the surfaces of a curved solid that it meets. */
+
+/**
+ * Find all surfaces that a point's trajectory meets: findings, whose simplices are surfaces, are in
+ * the workspace until the next search, and the signs at the start in its truths
+ * (proofs/surfaces.md C106).
+ * @param exactly let every time be asked: one window a piece
+ * @return 0 if the filter cannot be used for this point, or without memory
+ */
+int surfaces_search(filter_workspace *w, const surface_filter *f, const filter_point *point,
+                    int exactly);
+
+/* Where a trajectory is at one time, by a ray in doubles (proofs/filter.md C38). */
+
+/** Lay the bricks that spare searches for memberships alone, unless they are. */
+graze_status filter_lay_bricks(const filter *f, graze_context *context);
+
+/**
+ * The state at u of a piece.
+ * @return GRAZE_STATE_I or GRAZE_STATE_O, or GRAZE_STATE_ABSENT: ask the exact location
+ */
+graze_state filter_locate(filter_workspace *w, const filter *f, size_t piece,
+                          const filter_point *point, double u);
 
 #endif

@@ -1,11 +1,13 @@
 /* Blocks of bricks are halved until no simplex meets them; the state of such a block is that of a
  * brick beside it, or of its middle. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/filter/interior.h"
+#include "decide/filter/filter.h"
 
 #include <math.h>
 #include <stdlib.h>
-#include "decide/filter/empty.h"
+#include "decide/filter/search.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
 
 /* Bricks: a number for each simplex, within limits; and tests of simplices for each of either. */
 enum { BRICKS_A_SIMPLEX = 8, LEAST_BRICKS = 1 << 14, MOST_BRICKS = 1 << 19, TESTS_EACH = 8 };

@@ -1,13 +1,13 @@
 /* Spans made as thick as the box that the points are from, against the solid's tree.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/filter/point_box.h"
+#include "decide/filter/filter.h"
 
 #include <math.h>
-#include "decide/filter/chord.h"
-#include "decide/filter/empty.h"
-#include "decide/filter/flip.h"
-#include "decide/filter/normal.h"
+#include "decide/bounds/bounds.h"
+#include "decide/filter/search.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
 
 /* Spans are cut down to these levels: for the sake of boxes, and of one simplex. */
 enum { CELL_BOX_LEVELS = 16, CELL_LEVELS = 8 };

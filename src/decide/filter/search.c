@@ -1,12 +1,12 @@
 /* Time and tree are subdivided together: a span that is thick beside the box it meets is cut before
  * the descent goes on. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/filter/search.h"
+#include "decide/filter/filter.h"
 
-#include "decide/filter/alone.h"
-#include "decide/filter/chord.h"
-#include "decide/filter/flip.h"
-#include "decide/filter/meet.h"
+#include "decide/bounds/bounds.h"
+#include "decide/filter/search.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
 
 /* Spans are cut down to these levels: for the sake of boxes, of one simplex before its Bernstein
  * forms, and after them. */

@@ -1,13 +1,109 @@
-/* The descent of a curve's spans through a solid's tree.
- * SPDX-License-Identifier: GPL-3.0-or-later
- */
-#ifndef GRAZE_FILTER_SEARCH_H
-#define GRAZE_FILTER_SEARCH_H
+/* The search of a trajectory's crossings, and of bricks that prove a state.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_DECIDE_FILTER_SEARCH_H
+#define GRAZE_DECIDE_FILTER_SEARCH_H
 
-#include "decide/filter/curve.h"
-#include "decide/filter/findings.h"
-#include "decide/filter/interior.h"
+#include <flint/fmpq.h>
+#include <stddef.h>
+#include <stdint.h>
+#include "decide/bounds/bounds.h"
+#include "decide/filter/filter.h"
+#include "input/motion/motion.h"
 #include "input/solid/solid.h"
+#include "input/validate/validate.h"
+
+/* Results of the filter's search: certain crossings, and candidates for the exact path. */
+
+/** The part [start, start + 2^(WINDOW_LEVELS - level)] of a piece, in units of 2^-WINDOW_LEVELS. */
+typedef struct time_part {
+    uint32_t piece, start;
+    int level;
+} time_part;
+
+/** Convert a window of a part's parameter to the piece's parameter, rounded outward. */
+candidate candidate_in(time_part part, uint32_t simplex, const meet_window *w);
+
+/** A crossing in a window of a part's own parameter. */
+crossing crossing_in(time_part part, uint32_t simplex, const meet_window *w);
+
+int findings_add_crossing(findings *found, crossing item);
+int findings_add_window(findings *found, exact_window item);
+int findings_lose(findings *found, uint32_t piece);
+void findings_clear(findings *found);
+
+/* Bricks of space that are certainly inside the solid, or certainly outside it. */
+
+/** Gives the certain state of a brick that no simplex meets, by the brick's middle. */
+typedef graze_state locate_function(void *data, const double middle[3]);
+
+/** Lay one brick per simplex, or some thousands.
+ * @param locate the state at a place in doubles, or ABSENT
+ * @return 0 without memory */
+int interior_make(interior *out, const graze_solid *solid, locate_function *locate, void *data);
+void interior_clear(interior *m);
+
+/** The state of all places of a box, or ABSENT if it is not certain (proofs/bricks.md C86). */
+graze_state interior_state(const interior *m, const box *b);
+
+/* Tests a span of a curve against a simplex: certainly no contact, one certain crossing, or a
+ * question for the exact path. */
+
+typedef enum meeting {
+    MEET_NONE,     /* no time of the closed span is on the closed simplex */
+    MEET_CROSSING, /* one time is, in its relative interior; the curve crosses to the other side */
+    MEET_ASK,      /* not certain; every time on the simplex lies in the window */
+    MEET_CUT       /* as MEET_ASK, but halves of the span may decide */
+} meeting;
+
+/**
+ * @param corner d corners of d coordinates, outward oriented (validate.h)
+ * @param corner_error each is within it of the exact coordinate */
+meeting meet_simplex(meet_window *out, const curve *c, const span *piece, const double *corner,
+                     double corner_error);
+
+/* Tests whether a certain crossing is alone at its time: then the point is inside beside it. */
+
+/** Is it certain that no other simplex is met at the time of a certain crossing? Then the curve is
+ * outside just before or after that time, and inside on the other side (proofs/membership.md C56).
+ * @param at the window of the span in which meet_simplex found the crossing of `simplex`
+ * @return 0 if that is not certain */
+int crossing_is_alone(const curve *c, const span *piece, const graze_solid *solid, uint32_t simplex,
+                      const meet_window *at);
+
+/* Planes that cut a part out of a cell, and a test for simplices that never reach the part. */
+
+/** Are some corners of a moved simplex outside one of the planes at all times of a span
+ * (proofs/judging.md C123)? Exact.
+ * @param motion of a sweep
+ * @param part   of one piece; of degree 0: its beginning alone
+ * @param mask   the corners, some */
+int walls_hold_out(const cell_walls *walls, const graze_motion *motion, const graze_solid *solid,
+                   const span *part, uint32_t simplex, unsigned mask);
+
+/** Bound, by coordinates, the distance of a point's trajectory from the centre's during a span; 0
+ * if there is no bound. */
+int point_box_spread(double spread[3], const curve *memory, const point_box *points,
+                     const span *part);
+
+/** Enlarge a box by the spread: a span meets this box if the span, widened by the spread, meets the
+ * given one. */
+box box_around(const box *b, const double *spread);
+
+/** Does a node's slab certainly miss a span widened by the spread? */
+int point_box_misses_slab(const filter *f, const span *part, const tree_node *node,
+                          const double *spread);
+
+/** Widen a span by the spread. */
+span point_box_widen(const span *part, const double *spread);
+
+/* Tests whether a box of space is free of the boundary. */
+
+/**
+ * @param[in,out] tests bound of the number of simplices to test; what remains of it
+ * @return 0 if some simplex may meet the box, or `tests` do not suffice (proofs/bricks.md C87) */
+int box_is_empty(const graze_solid *solid, const box *b, size_t *tests);
+
+/* The descent of a curve's spans through a solid's tree. */
 
 /** Conditions that end a search early: a time at which the curve is certainly in `state`, or a
  * certain crossing, which has both states beside it (proofs/membership.md C56, proofs/bricks.md
@@ -23,5 +119,19 @@ typedef struct early_end {
  * @return 0 without memory
  */
 int search_curve(findings *out, early_end *early, curve *c, const graze_solid *solid);
+
+/* From the findings of a search to disjoint windows: what is not certainly apart is asked
+ * together. */
+
+/** Make of crossings and candidates, in any order, disjoint windows and crossings in order of time:
+ * what is not certainly apart is asked together (proofs/filter.md C37). 0 without memory. */
+int findings_settle(findings *found);
+
+/**
+ * The state at a place.
+ * @param at, error d + 1 homogeneous coordinates, the last one positive, each within its error
+ */
+graze_state ray_locate(filter_workspace *w, const graze_solid *solid, const double *at,
+                       const double *error);
 
 #endif

@@ -1,12 +1,13 @@
 /* Windows that touch are united, and take in the crossings that they touch, until none does.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/filter/settle.h"
+#include "decide/filter/filter.h"
 
 #include <math.h>
 #include <stdlib.h>
-#include "decide/filter/curve.h"
-#include "decide/filter/flip.h"
+#include "decide/bounds/bounds.h"
+#include "decide/filter/search.h"
+#include "input/validate/validate.h"
 
 static int compare_by_time(const void *left, const void *right) {
     const candidate *a = left, *b = right;

@@ -2,11 +2,13 @@
  * signs of Bernstein coefficients decide, on halves where they do not.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/filter/surface_search.h"
+#include "decide/filter/filter.h"
 
-#include "decide/filter/flip.h"
-#include "decide/filter/normal.h"
-#include "decide/filter/settle.h"
+#include "decide/bounds/bounds.h"
+#include "decide/filter/search.h"
+#include "decide/surfaces/surfaces.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
 
 /* Spans are cut down to these levels: for the sake of boxes, and of one surface. */
 enum { BOX_LEVELS = 6, SURFACE_LEVELS = 10 };

@@ -1,15 +1,16 @@
 /* A brick is halved along its axes until all points of a cell have one membership, or the cell is
  * small and its points are asked one by one. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/lattice/brick.h"
+#include "decide/lattice/lattice.h"
 
 #include <flint/fmpq_vec.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "decide/filter/normal.h"
-#include "decide/lattice/cell_asker.h"
-#include "decide/verdict/classify.h"
+#include "decide/filter/filter.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "decide/verdict/verdict.h"
 
 /* Cells with fewer points along each axis are not asked as cells. */
 enum { LEAST_SIDE = 2 };

@@ -1,8 +1,9 @@
 /* Bricks of a grid, shared by threads. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "decide/lattice/bricks.h"
+#include "decide/lattice/lattice.h"
 
 #include <stdlib.h>
 #include <string.h>
+#include "decide/scene/scene.h"
 
 /* Rows are asked for in order, by threads that are not far apart. So only the current layer of
  * bricks along the last axis, and LAYERS_KEPT layers before it, are kept. */

@@ -1,13 +1,15 @@
 /* All contacts of a cell's points missed together, or all of its points joined with a place.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/lattice/cell_asker.h"
+#include "decide/lattice/lattice.h"
 
 #include <string.h>
 #include "base/context/scope.h"
-#include "decide/filter/cell_passes.h"
-#include "decide/filter/time_ray.h"
-#include "decide/verdict/classify.h"
+#include "decide/bounds/bounds.h"
+#include "decide/filter/filter.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "decide/verdict/verdict.h"
 
 void cell_asker_init(cell_asker *out, graze_context *context, const graze_scene *scene) {
     *out = (cell_asker){.context = context, .scene = scene};

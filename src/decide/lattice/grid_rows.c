@@ -1,5 +1,5 @@
 /* Rows of grid points. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "decide/lattice/grid_rows.h"
+#include "decide/lattice/lattice.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -9,13 +9,15 @@
  * tiny times, halves are cut only as long as the limit `work` allows; then bounds are taken as they
  * are, and the box is larger.
  */
-#include "decide/scene/box.h"
+#include "decide/scene/scene.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
 #include "base/number/bernstein.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
 
 enum { CORNERS = 8, POLYNOMIALS = 3 * CORNERS + 1, SIGNIFICANT_BITS = 12 };
 /* Levels of halves that are always allowed; no more than the stack holds; operations on words for

@@ -5,13 +5,14 @@
  * between; then a lattice in what the boxes of both sets have in common. A point at which no
  * surface vanishes and the expression is true is an inner point.
  */
-#include "decide/scene/common_point.h"
+#include "decide/scene/scene.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
+#include "input/csg/csg.h"
 
 /* Terms of surfaces that are evaluated, at most, but for the first few points; points of the
  * lattice along each coordinate. */

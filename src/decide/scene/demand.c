@@ -1,9 +1,9 @@
 /* A point asks for the roots of functions made of those of one piece, so the largest piece bounds
  * it, and pieces are not counted. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/scene/demand.h"
+#include "decide/scene/scene.h"
 
-#include "input/motion/quotient.h"
+#include "input/motion/motion.h"
 
 enum { WORK_A_UNIT = 256 };
 

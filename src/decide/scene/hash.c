@@ -1,15 +1,19 @@
-/* The canonical text of a scene and its SHA-256 (hash.h defines the text).
+/* The canonical text of a scene and its SHA-256 (scene.h defines the text).
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The text is hashed line by line and never held as a whole.
  */
-#include "decide/scene/hash.h"
+#include "decide/scene/scene.h"
 
 #include <flint/fmpz_vec.h>
 #include <sha256.h>
 #include "base/context/scope.h"
 #include "base/number/text.h"
-#include "input/solid/forms.h"
+#include "input/csg/csg.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+#include "input/soup/soup.h"
+#include "input/validate/validate.h"
 
 typedef struct hasher {
     SHA2_CTX sha;

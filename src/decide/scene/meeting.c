@@ -2,13 +2,14 @@
  * are apart. The remaining simplices are tested exactly, in batches.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/scene/meeting.h"
+#include "decide/scene/scene.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include "base/number/rounding.h"
-#include "input/solid/box_image.h"
-#include "input/validate/overlap.h"
+#include "input/solid/solid.h"
+#include "input/soup/soup.h"
+#include "input/validate/validate.h"
 
 /* Sizes of batches: the first one is small, since a meeting is often found at once. */
 enum { FEWEST = 16, MOST = 65536 };

@@ -17,10 +17,11 @@
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "decide/scene/common_point.h"
-#include "decide/scene/hash.h"
-#include "decide/scene/meeting.h"
-#include "input/solid/locate.h"
+#include "decide/filter/filter.h"
+#include "decide/surfaces/surfaces.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
 
 /* d x (d + 1) affine maps as square homogeneous matrices, so that FLINT multiplies and inverts. */
 static void homogeneous_matrix(fmpq_mat_t out, const point_map *map, const fmpq_t u) {

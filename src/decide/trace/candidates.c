@@ -2,14 +2,17 @@
  * that are left. Pieces of the curve are cut when first needed and kept for all branches of the
  * tree. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/trace/candidates.h"
+#include "decide/trace/trace.h"
 
 #include <flint/fmpz_vec.h>
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "decide/filter/curve.h"
+#include "decide/bounds/bounds.h"
+#include "decide/filter/filter.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
 
 /* The piece [start, start + 2^(LEVELS - level)] of the curve. */
 typedef struct exact_span {

@@ -1,11 +1,13 @@
 /* From touches, piece after piece, to contacts: maximal closed intervals of time on the boundary.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/trace/contact.h"
+#include "decide/trace/trace.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "input/motion/motion.h"
+#include "input/soup/soup.h"
 
 /* Sort the cells of a contact; each once. */
 static void order_cells(contact *c) {

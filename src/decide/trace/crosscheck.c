@@ -1,7 +1,8 @@
 /* The filter checked against the exact path. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "decide/trace/crosscheck.h"
+#include "decide/trace/trace.h"
 
 #include "base/context/scope.h"
+#include "decide/bounds/bounds.h"
 
 static const uint32_t WHOLE = UINT32_C(1) << WINDOW_LEVELS;
 

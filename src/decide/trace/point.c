@@ -4,14 +4,14 @@
  * Without the filter, or where it cannot be used, the one window is the whole piece, with the
  * candidates of the exact search.
  */
-#include "decide/trace/point.h"
+#include "decide/trace/trace.h"
 
 #include <math.h>
 #include "base/context/scope.h"
-#include "decide/trace/candidates.h"
-#include "decide/trace/contact.h"
-#include "decide/trace/crosscheck.h"
-#include "decide/trace/word.h"
+#include "decide/bounds/bounds.h"
+#include "decide/filter/filter.h"
+#include "decide/scene/scene.h"
+#include "input/validate/validate.h"
 
 /* Contacts in windows that hold all touches of the candidates, which come in any order. */
 static graze_status trace_window(tracer *r, size_t piece, candidates *list, int opens) {

@@ -2,7 +2,7 @@
  * interval (src/program/cli/formats.md, TIME), so that equal times are equal text (proofs/claims.md
  * C28, proofs/separation.md C44). SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/trace/time.h"
+#include "decide/trace/trace.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_poly_factor.h>
@@ -12,6 +12,7 @@
 #include "base/number/modular.h"
 #include "base/number/order.h"
 #include "base/number/refine.h"
+#include "input/motion/motion.h"
 
 graze_time *time_create(const graze_motion *motion, size_t piece, const algebraic *u) {
     graze_time *time = malloc(sizeof *time);

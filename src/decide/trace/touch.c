@@ -2,7 +2,7 @@
  * Where the plane's pullback is zero throughout, the trajectory slides in the plane and the sides'
  * roots cut its path. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/trace/touch.h"
+#include "decide/trace/trace.h"
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
@@ -13,9 +13,10 @@
 #include "base/number/order.h"
 #include "base/number/rounding.h"
 #include "base/number/sign.h"
-#include "decide/filter/meet.h"
-#include "input/solid/forms.h"
-#include "input/solid/planes.h"
+#include "decide/bounds/bounds.h"
+#include "decide/filter/filter.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
 
 typedef struct finder {
     touches *out;

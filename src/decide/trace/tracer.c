@@ -1,7 +1,7 @@
 /* The exact trajectories of a point, made when they are needed, and its state at a time.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/trace/tracer.h"
+#include "decide/trace/trace.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
@@ -9,8 +9,10 @@
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "decide/filter/time_ray.h"
-#include "input/solid/locate.h"
+#include "decide/bounds/bounds.h"
+#include "decide/filter/filter.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
 
 static int dimension_of(const tracer *r) {
     return r->scene->motion->dimension;

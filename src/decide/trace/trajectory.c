@@ -1,12 +1,14 @@
 /* Trajectories: pullbacks, points, boxes.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/trace/trajectory.h"
+#include "decide/trace/trace.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
 
 void trajectory_init(trajectory *c, int dimension) {
     c->dimension = dimension;

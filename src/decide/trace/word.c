@@ -1,7 +1,7 @@
 /* The states between the contacts of a trace, and its word.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/trace/word.h"
+#include "decide/trace/trace.h"
 
 #include <stdlib.h>
 #include "base/context/scope.h"

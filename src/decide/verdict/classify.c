@@ -1,10 +1,10 @@
 /* Traces points and decides them. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "decide/verdict/classify.h"
+#include "decide/verdict/verdict.h"
 
 #include "base/context/scope.h"
 #include "decide/curved/curved.h"
-#include "decide/trace/point.h"
-#include "decide/verdict/verdict.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
 
 graze_status classify_point(graze_trace *out, graze_context *context, const graze_scene *scene,
                             query_point point, trace_detail detail) {

@@ -4,6 +4,7 @@
 #include "decide/verdict/verdict.h"
 
 #include <string.h>
+#include "decide/trace/trace.h"
 
 /* [EI] Definitions 3 and 4 at the ends of the motion: the germ that is present decides. */
 graze_kind verdict_kind(graze_state left, graze_state right) {

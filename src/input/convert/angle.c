@@ -1,11 +1,10 @@
 /* Half angles as exact pairs, by MPFR.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/convert/angle.h"
-
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
+#include "input/convert/angle.h"
 
 void half_angle_init(half_angle *h) {
     fmpq_init(h->w);

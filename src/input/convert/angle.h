@@ -1,17 +1,20 @@
-/* Half angles as exact pairs (w, c), and proved bounds on their distance from the angles wanted.
- * SPDX-License-Identifier: GPL-3.0-or-later
- *
- * A rotation about the axis v of length L by the angle a has the quaternion (w, c v) for every pair
- * with w + i c L a positive multiple of exp(i a/2). A wanted angle is an exact fraction f of a
- * whole turn of the half angle: a/2 = 2 pi f. MPFR's results carry at most half a unit in the last
- * of ANGLE_BITS bits; a chain of at most eight operations on numbers up to 8 in size is off by less
- * than ANGLE_SLACK = 2^-300, which is added to every bound; all further steps round up.
- */
-#ifndef GRAZE_CONVERT_ANGLE_H
-#define GRAZE_CONVERT_ANGLE_H
+/* Angles and joints in exact numbers near given ones.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_INPUT_CONVERT_ANGLE_H
+#define GRAZE_INPUT_CONVERT_ANGLE_H
 
 #include <flint/fmpq.h>
 #include <mpfr.h>
+#include "base/number/text.h"
+#include "input/convert/convert.h"
+
+/* Half angles as exact pairs (w, c), and proved bounds on their distance from the angles wanted.
+ *
+ * A rotation about the axis v of length L by the angle a has the quaternion (w, c v) for every
+ * pair with w + i c L a positive multiple of exp(i a/2). A wanted angle is an exact fraction f of
+ * a whole turn of the half angle: a/2 = 2 pi f. MPFR's results carry at most half a unit in the
+ * last of ANGLE_BITS bits; a chain of at most eight operations on numbers up to 8 in size is off
+ * by less than ANGLE_SLACK = 2^-300, which is added to every bound; all further steps round up. */
 
 enum { ANGLE_BITS = 320, ANGLE_SLACK = 300, ANGLE_FINEST = 256 };
 
@@ -62,5 +65,44 @@ int bound_exceeds(const mpfr_t bound, const fmpq_t most);
 
 /** An upper bound of the root of a number that is not negative. */
 void root_above(mpfr_t out, const fmpq_t square);
+
+/* Joints as the caller gives them, made ready: exact numbers, the axis's length, how far points
+ * are. */
+
+/** out = value / divisor, not 0. */
+void divide_by(fmpq_t out, const fmpq_t value, ulong divisor);
+
+/** Write a vector as JSON strings in brackets: `d` rationals. */
+void put_vector(text *t, const fmpq *v, int d);
+/** Write `, "center": [...]` if there is one. */
+void put_center(text *t, const joint *j, int dimension);
+/** Write a bound, rounded up to three digits. */
+void put_bound(text *t, const mpfr_t bound);
+/** Write a name and a value of the report: one line. */
+void put_fact(text *t, const char *name, const mpfr_t bound, const char *unit);
+/** put_fact for a rational without a unit. */
+void put_rational_fact(text *t, const char *name, const fmpq_t bound);
+
+/**
+ * The bits a pair needs for an angle whose error moves no point by more than 1/8 of the tolerance,
+ * shared by `count` joints.
+ * @return GRAZE_EUSE the tolerance asks for more than ANGLE_FINEST bits
+ */
+graze_status joint_bits(slong *bits, graze_context *context, const joint *j, const target *goal,
+                        size_t count);
+
+/** Make both with that many sides and pieces of the arc, coordinates of directions on a grid of
+ * 2^-bits. tool_pair_clear in any case. */
+void tool_pair_make(tool_pair *out, const tool *s, size_t sides, size_t pieces, slong bits);
+
+/* Decides whether two polyhedra hold a tool between them. */
+
+/**
+ * Decide exactly whether the inner polyhedron is a convex part of the body, the body is a part of
+ * the outer one, which is convex too, and no corner is further than `tolerance` from its partner:
+ * then either is within `tolerance` of the body (proof in tool_check.c).
+ * @param[out] square the largest square of the distance of partners
+ */
+int tool_pair_holds(fmpq_t square, const tool_pair *p, const tool *s, const fmpq_t tolerance);
 
 #endif

@@ -1,4 +1,4 @@
-/* Rounds the pieces of a motion to a dyadic grid (dyadic_motion.h).
+/* Rounds the pieces of a motion to a dyadic grid (convert.h).
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * An entry sum c_k u^k of a piece, u from 0 to 1, is changed into one with the same or rounded
@@ -8,13 +8,13 @@
  * grid's step and n the degree, n g / 2 at most where n is 1 or more. Both pieces at a break point
  * round the same value, so the motion stays continuous; beside a piece that is kept it is kept too.
  */
-#include "input/convert/dyadic_motion.h"
+#include "input/convert/convert.h"
 
 #include <flint/fmpq_poly.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "input/convert/joint.h"
-#include "input/motion/write_motion.h"
+#include "input/convert/angle.h"
+#include "input/motion/motion.h"
 
 typedef struct rounding_task {
     const graze_motion *motion;

@@ -1,10 +1,11 @@
 /* Takes joints over and bounds how far from their axes points can come.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/convert/joint.h"
+#include "input/convert/convert.h"
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
+#include "input/convert/angle.h"
 
 void joint_init(joint *j) {
     j->is_slide = j->centered = 0;

@@ -2,12 +2,13 @@
  * between rotations add up.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/convert/poses_angles.h"
+#include "input/convert/convert.h"
 
 #include <flint/fmpq_vec.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "input/convert/angle.h"
+#include "input/convert/poses_list.h"
 
 static const angle_order orders[] = {
     {"kuka", {"A", "B", "C"}, {2, 1, 0}, 0},       {"fanuc", {"R", "P", "W"}, {2, 1, 0}, 0},

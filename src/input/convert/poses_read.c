@@ -1,7 +1,7 @@
 /* Reads lists of poses.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/convert/poses_read.h"
+#include "input/convert/convert.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +9,8 @@
 #include "base/context/file.h"
 #include "base/context/scope.h"
 #include "base/number/rational.h"
-#include "input/delimited/stream.h"
+#include "input/convert/poses_list.h"
+#include "input/delimited/delimited.h"
 
 typedef struct reading {
     graze_context *context;

@@ -14,12 +14,10 @@
  * between their rotations is at most 2 asin(E / |Q|) < 5 E < 2^(9 - bits) at each time, and
  * angle_sway bounds that between Q and SLERP.
  */
-#include "input/convert/poses_slerp.h"
-
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
-#include "input/convert/joint.h"
-#include "input/convert/poses_turned.h"
+#include "input/convert/angle.h"
+#include "input/convert/poses_list.h"
 
 enum { WAY_WORK = 10000, HALVINGS_MOST = 31 }; /* of context_work */
 

@@ -7,13 +7,14 @@
  * rotations differ by the angle d between u and a. sin d = |u x a| / L, and for d < 90 degrees
  * d <= (pi / 2) sin d, thus d^2 <= (5/2) |u x a|^2 / L^2, a rational number.
  */
-#include "input/convert/poses_turned.h"
+#include "input/convert/convert.h"
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "input/convert/joint.h"
+#include "input/convert/angle.h"
+#include "input/convert/poses_list.h"
 
 enum { BITS_LEAST = 32 }; /* of angles */
 

@@ -1,13 +1,13 @@
 /* Bodies of a diameter, corner, taper and length.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/convert/tool.h"
+#include "input/convert/convert.h"
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "input/convert/joint.h"
+#include "input/convert/angle.h"
 
 enum { TAPER_BITS = 40 };
 

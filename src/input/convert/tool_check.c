@@ -9,10 +9,11 @@
  * convex function, largest on R at a corner: R, and K with it, is within E of Q, and R, which is
  * within E of Q, within E of K.
  */
-#include "input/convert/tool_check.h"
+#include "input/convert/convert.h"
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
+#include "input/convert/angle.h"
 
 /* (b - a) x (c - b) */
 static int turn_sign(const fmpq *a, const fmpq *b, const fmpq *c) {

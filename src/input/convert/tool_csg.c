@@ -8,7 +8,7 @@
  * cover, which is in the ball of the square radius corner^2 - flat^2 about its centre; and that is
  * in the tool.
  */
-#include "input/convert/tool_csg.h"
+#include "input/convert/convert.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdarg.h>

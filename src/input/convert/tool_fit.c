@@ -1,12 +1,11 @@
 /* Chooses numbers of sides in doubles and lets tool_pair_holds decide.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/convert/tool_fit.h"
+#include "input/convert/convert.h"
 
 #include <math.h>
 #include "base/context/scope.h"
-#include "input/convert/joint.h"
-#include "input/convert/tool_check.h"
+#include "input/convert/angle.h"
 
 static const double half_turn = 3.14159265358979;
 

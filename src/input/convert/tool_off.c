@@ -1,7 +1,7 @@
 /* Writes polyhedra of rings as OFF. Numbers are finite decimals where they have one, as other
  * programs read no ratios. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/convert/tool_off.h"
+#include "input/convert/convert.h"
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"

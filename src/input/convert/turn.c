@@ -6,11 +6,12 @@
  * half is approximated by a convergent. Every position on the way is exactly one of the turn asked
  * for, only the last one overshoots or falls short.
  */
-#include "input/convert/turn.h"
+#include "input/convert/convert.h"
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
-#include "input/convert/uniform.h"
+#include "input/convert/angle.h"
+#include "input/convert/poses_list.h"
 
 /* `degrees` without its whole quarters, whose number has the same sign. */
 static void split_quarters(fmpq_t rest, fmpz_t quarters, const fmpq_t degrees) {

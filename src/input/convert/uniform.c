@@ -7,12 +7,14 @@
  * until the bounds of all joints add up to the tolerance at most: the joints before and after one
  * keep distances, so errors of displacement add.
  */
-#include "input/convert/uniform.h"
+#include "input/convert/convert.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "input/motion/motion_read.h"
+#include "input/convert/angle.h"
+#include "input/convert/poses_list.h"
+#include "input/motion/motion.h"
 
 enum { PIECE_WORK = 10000 }; /* of context_work, for the angles of a joint in a piece */
 

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
+#include "input/csg/csg_reader.h"
 
 void csg_box_init(csg_box *box) {
     box->dimension = 0;

@@ -1,16 +1,18 @@
-/* A curved solid: a Boolean expression over the signs of polynomials.
- * SPDX-License-Identifier: GPL-3.0-or-later
- *
- * The solid is the closure of the open cells, of the arrangement of its surfaces, at which the
- * expression is true (proofs/curved.md C94). Surfaces are irreducible over Q and pairwise
- * distinct.
- */
-#ifndef GRAZE_CSG_CSG_H
-#define GRAZE_CSG_CSG_H
+/* csg: a curved solid of a `.csg.json` file: a Boolean expression over signs of irreducible
+ * polynomials.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_INPUT_CSG_H
+#define GRAZE_INPUT_CSG_H
 
 #include <flint/fmpq.h>
 #include <stdint.h>
 #include "base/context/context.h"
+
+/* A curved solid: a Boolean expression over the signs of polynomials.
+ *
+ * The solid is the closure of the open cells, of the arrangement of its surfaces, at which the
+ * expression is true (proofs/curved.md C94). Surfaces are irreducible over Q and pairwise
+ * distinct. */
 
 /** Greatest degree of a polynomial that bounds a primitive. */
 enum { CSG_DEGREE = 4 };
@@ -42,7 +44,6 @@ typedef struct csg_box {
 } csg_box;
 
 void csg_box_init(csg_box *box);
-void csg_box_set(csg_box *to, const csg_box *from);
 void csg_box_clear(csg_box *box);
 
 /** A primitive of the file, in its order. */
@@ -82,5 +83,25 @@ size_t csg_table_words(int free);
  * @param work room for node_count * csg_table_words(free) words
  */
 void csg_table(uint64_t *out, uint64_t *work, const csg *solid, const signed char *sign, int free);
+
+/** At least the root of a number that is not negative: the root itself if it is rational. */
+void csg_upper_root(fmpq_t out, const fmpq_t value);
+
+/* Curved solids of `.csg.json` files (src/program/cli/formats.md, Curved solids). */
+
+/** 1 if a file of this name has a curved solid. */
+int csg_is_named(const char *path);
+
+/**
+ * Read a file.
+ * @param[out] out    on success cleared by csg_clear
+ * @param[out] sha256 of the file's bytes
+ * @return GRAZE_ESYSTEM, GRAZE_EINPUT, GRAZE_EILLEGAL, GRAZE_ELIMIT, GRAZE_ECANCELED
+ */
+graze_status csg_read(csg *out, unsigned char sha256[32], graze_context *context, const char *path);
+
+/** As csg_read, from text, which messages call `name`. */
+graze_status csg_read_text(csg *out, graze_context *context, const char *name, const char *text,
+                           size_t length);
 
 #endif

@@ -5,11 +5,12 @@
  * the axis a reaches R sqrt(|g|^2 - (g . a)^2 / |a|^2) from its centre, and a ball of radius r
  * along it r |g| further.
  */
-#include "input/csg/csg_bound.h"
+#include "input/csg/csg.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
+#include "input/csg/csg_reader.h"
 
 /* Bits of a root that is not rational. */
 enum { ROOT_BITS = 24 };

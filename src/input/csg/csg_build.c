@@ -4,7 +4,7 @@
  * f <= 0 is true, on an open cell, iff an odd number of its factors of odd order, the constant
  * among them, is negative there (proofs/curved.md C94).
  */
-#include "input/csg/csg_build.h"
+#include "input/csg/csg.h"
 
 #include <flint/fmpq.h>
 #include <flint/fmpz_mat.h>
@@ -15,6 +15,7 @@
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
+#include "input/csg/csg_reader.h"
 
 enum { TERM_WORK = 4 };   /* what a term costs, for each of its words */
 enum { LONG_WORDS = 64 }; /* from here on a common divisor costs more than a word's time each */

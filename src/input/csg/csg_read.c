@@ -1,7 +1,7 @@
 /* Curved solids of JSON: nodes, Boolean operations, affine maps.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/csg/csg_read.h"
+#include "input/csg/csg.h"
 
 #include <flint/fmpq_mat.h>
 #include <stdlib.h>
@@ -9,11 +9,8 @@
 #include <strings.h>
 #include "base/context/file.h"
 #include "base/context/scope.h"
-#include "input/csg/csg_bound.h"
-#include "input/csg/polyhedron.h"
-#include "input/csg/polynomial.h"
-#include "input/csg/primitives.h"
-#include "input/motion/entry.h"
+#include "input/csg/csg_reader.h"
+#include "input/motion/motion.h"
 
 enum {
     NAME,

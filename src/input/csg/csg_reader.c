@@ -1,11 +1,12 @@
 /* Numbers and linear forms of the nodes of a curved solid.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/csg/csg_reader.h"
+#include "input/csg/csg.h"
 
 #include "base/context/scope.h"
 #include "base/number/rational.h"
-#include "input/motion/entry.h"
+#include "input/csg/csg_reader.h"
+#include "input/motion/motion.h"
 
 void csg_reader_init(csg_reader *r) {
     const fmpq_mpoly_ctx_struct *ring = r->build.ring;

@@ -1,12 +1,49 @@
-/* The state in which the nodes of a curved solid are read.
- * SPDX-License-Identifier: GPL-3.0-or-later
- */
-#ifndef GRAZE_CSG_CSG_READER_H
-#define GRAZE_CSG_CSG_READER_H
+/* Reading a Boolean expression over surfaces.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_INPUT_CSG_CSG_READER_H
+#define GRAZE_INPUT_CSG_CSG_READER_H
 
+#include <flint/fmpq.h>
 #include <flint/fmpq_mat.h>
-#include "input/csg/csg_build.h"
-#include "input/motion/json_tree.h"
+#include <flint/fmpq_mpoly.h>
+#include <stdint.h>
+#include "base/context/context.h"
+#include "input/csg/csg.h"
+#include "input/motion/motion.h"
+
+void csg_box_set(csg_box *to, const csg_box *from);
+
+/* A curved solid that grows: polynomials are factored to surfaces, nodes appended. */
+
+typedef struct csg_builder {
+    graze_context *context;
+    csg *out;
+    fmpq_mpoly_ctx_t ring; /* of the coordinates */
+} csg_builder;
+
+/** Begin with an empty solid. Functions after it return GRAZE_ELIMIT past the limit `cells` of
+ * nodes or of operands, GRAZE_ECANCELED, GRAZE_ESYSTEM. */
+void csg_build_begin(csg_builder *b, graze_context *context, csg *out, int dimension);
+/** Free the builder's memory; what it has built stays. */
+void csg_build_clear(csg_builder *b);
+
+/** One more primitive, whose signs follow. `name` may be NULL. */
+graze_status csg_add_primitive(csg_builder *b, const char *kind, const char *name);
+
+/** The set f <= 0 of the last primitive; f is not zero, of degree at most CSG_DEGREE. */
+graze_status csg_add_sign(size_t *node, csg_builder *b, const fmpq_mpoly_t f);
+
+/** A node of nodes, each the operand of one node at most. */
+graze_status csg_add_node(size_t *node, csg_builder *b, csg_operation operation,
+                          const size_t *operands, size_t count);
+
+/** Turn a node into its complement. */
+void csg_complement(csg_builder *b, size_t node);
+
+/** Let equal surfaces be one. */
+graze_status csg_build_finish(csg_builder *b);
+
+/* The state in which the nodes of a curved solid are read. */
 
 /** Coordinates of a point in the frame of the node at hand, as linear forms of those of the solid;
  * the way back; and room for the polynomials of one primitive. */
@@ -14,7 +51,7 @@ typedef struct csg_reader {
     csg_builder build;
     int dimension;
     fmpq_mat_t place; /* from the frame of the node to that of the solid, homogeneous */
-    csg_box box;      /* of the last node, in the frame of the solid (csg_bound.h) */
+    csg_box box;      /* of the last node, in the frame of the solid (csg_reader.h) */
     fmpq_mpoly_struct coordinate[3];
     fmpq_mpoly_struct from[3];                /* the point minus a primitive's own point */
     fmpq_mpoly_struct square, along, f, term; /* |from|^2, axis . from, the polynomial, a summand */
@@ -46,5 +83,48 @@ void csg_linear_form(fmpq_mpoly_t out, csg_reader *r, const fmpq *factor,
 
 /** f <= 0 of r->f, or f >= 0 if `other`. */
 graze_status csg_add_side(size_t *node, csg_reader *r, int other);
+
+/* Boxes that hold the nodes of a curved solid (proofs/curved.md C102). */
+
+/**
+ * Let the reader's box hold, beside what it holds, the sum of a disk and a ball.
+ * @param point the centre of the disk, in the frame of the node at hand
+ * @param axis  normal to the disk; unused if `disk` is 0
+ * @param ball  radius of the ball, 0 or more
+ * @param disk  the square of the disk's radius
+ */
+void csg_bound_round(csg_reader *r, const fmpq *point, const fmpq *axis, const fmpq_t ball,
+                     const fmpq_t disk);
+
+/** Likewise the box with these opposite corners, in the frame of the node at hand. */
+void csg_bound_corners(csg_reader *r, const fmpq *low, const fmpq *high);
+
+/** Let the box of some nodes be that of their union, or intersection, with another node. Where two
+ * boxes have no interior in common the intersection is empty, and the first stays. */
+void csg_bound_union(csg_box *box, const csg_box *other);
+void csg_bound_intersection(csg_box *box, const csg_box *other);
+
+/* Convex polyhedra of curved solids. */
+
+/** A csg_primitive_reader. */
+graze_status csg_read_polyhedron(size_t *node, csg_reader *r, const json *value);
+
+/* Polynomials and polygons of curved solids. */
+
+/* Each is a csg_primitive_reader. */
+graze_status csg_read_polynomial(size_t *node, csg_reader *r, const json *value);
+graze_status csg_read_polygon(size_t *node, csg_reader *r, const json *value);
+
+/* Primitives of curved solids. */
+
+/* Each is a csg_primitive_reader. */
+graze_status csg_read_halfspace(size_t *node, csg_reader *r, const json *value);
+graze_status csg_read_box(size_t *node, csg_reader *r, const json *value);
+graze_status csg_read_ball(size_t *node, csg_reader *r, const json *value);
+graze_status csg_read_ellipsoid(size_t *node, csg_reader *r, const json *value);
+graze_status csg_read_cylinder(size_t *node, csg_reader *r, const json *value);
+graze_status csg_read_cone(size_t *node, csg_reader *r, const json *value);
+graze_status csg_read_torus(size_t *node, csg_reader *r, const json *value);
+graze_status csg_read_capsule(size_t *node, csg_reader *r, const json *value);
 
 #endif

@@ -6,14 +6,14 @@
  * the points equally often everywhere, at least once: they lie in it, face outward, and their sum
  * has no boundary. So the hull is the intersection of the half-spaces of the triangles.
  */
-#include "input/csg/polyhedron.h"
+#include "input/csg/csg.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "input/csg/csg_bound.h"
-#include "input/motion/entry.h"
+#include "input/csg/csg_reader.h"
+#include "input/motion/motion.h"
 
 /* An edge from low to high, or back. */
 typedef struct edge {

@@ -7,15 +7,15 @@
  * the ray goes from a point outwards, and inside each edge, between the planes through its ends, is
  * the part of a cone or a cylinder.
  */
-#include "input/csg/polynomial.h"
+#include "input/csg/csg.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "input/csg/csg_bound.h"
-#include "input/motion/entry.h"
+#include "input/csg/csg_reader.h"
+#include "input/motion/motion.h"
 
 /* Powers from a key such as "2,0,1". */
 static graze_status read_powers(ulong *out, csg_reader *r, const json *term) {

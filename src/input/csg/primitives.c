@@ -4,11 +4,12 @@
  * With y the point minus a primitive's own point and a its axis, h = a . y / |a| is the height of y
  * and |y|^2 - h^2 the square of its distance from the axis; multiplied by |a|^2 all is polynomial.
  */
-#include "input/csg/primitives.h"
+#include "input/csg/csg.h"
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
-#include "input/csg/csg_bound.h"
+#include "input/csg/csg_reader.h"
+#include "input/motion/motion.h"
 
 /* Numbers of a primitive; those that are not given stay as they are. */
 typedef struct placed {

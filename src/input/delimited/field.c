@@ -1,7 +1,7 @@
 /* Cuts a line of CSV into its fields.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/delimited/field.h"
+#include "input/delimited/delimited.h"
 
 #include <stdlib.h>
 #include <string.h>

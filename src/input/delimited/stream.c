@@ -1,7 +1,7 @@
 /* Lines out of a buffer that grows only for a long line.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/delimited/stream.h"
+#include "input/delimited/delimited.h"
 
 #include <errno.h>
 #include <poll.h>

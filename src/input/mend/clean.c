@@ -2,10 +2,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #define _GNU_SOURCE /* qsort_r */
-#include "input/mend/clean.h"
-
 #include <stdlib.h>
 #include "base/context/scope.h"
+#include "input/mend/mesh.h"
 
 static int order_of_points(const void *a, const void *b, void *data) {
     const mesh *m = data;

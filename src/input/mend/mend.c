@@ -4,11 +4,9 @@
 #include "input/mend/mend.h"
 
 #include "base/context/scope.h"
-#include "input/mend/clean.h"
-#include "input/mend/orient.h"
-#include "input/mend/split.h"
-#include "input/mend/weld.h"
-#include "input/solid/create.h"
+#include "input/mend/mesh.h"
+#include "input/solid/solid.h"
+#include "input/soup/soup.h"
 
 /* The mesh as it is now, validated. */
 static graze_status try_mesh(graze_solid **out, const mesh *m, unsigned flags) {

@@ -1,11 +1,13 @@
-/* Mending of meshes that bound no solid.
- * SPDX-License-Identifier: GPL-3.0-or-later
- */
-#ifndef GRAZE_MEND_MEND_H
-#define GRAZE_MEND_MEND_H
+/* mend: a legal solid of a soup that bounds none, by steps that move no point.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_INPUT_MEND_H
+#define GRAZE_INPUT_MEND_H
 
 #include "base/number/text.h"
 #include "input/solid/solid.h"
+#include "input/soup/soup.h"
+
+/* Mending of meshes that bound no solid. */
 
 /**
  * Make a legal solid of a mesh in E^3 by steps that move no point: equal vertices become one,

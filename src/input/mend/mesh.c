@@ -1,8 +1,6 @@
 /* Facets of a mesh that is being mended.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/mend/mesh.h"
-
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,6 +8,8 @@
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/cross.h"
+#include "input/mend/mesh.h"
+#include "input/soup/soup.h"
 
 enum { FEW = 8 };
 

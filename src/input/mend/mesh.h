@@ -1,11 +1,13 @@
-/* A mesh that is being mended: the facets of a soup, which change, and its vertices, which stay.
- * SPDX-License-Identifier: GPL-3.0-or-later
- */
-#ifndef GRAZE_MEND_MESH_H
-#define GRAZE_MEND_MESH_H
+/* The steps by which a soup becomes a legal solid.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_INPUT_MEND_MESH_H
+#define GRAZE_INPUT_MEND_MESH_H
 
 #include "base/number/text.h"
+#include "input/mend/mend.h"
 #include "input/soup/soup.h"
+
+/* A mesh that is being mended: the facets of a soup, which change, and its vertices, which stay. */
 
 /** Facets, each one cycle of vertices. Zeroed: none. */
 typedef struct facets {
@@ -71,5 +73,44 @@ typedef struct few {
 void few_add(few *f, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /** Add the line `WHAT N THINGS: first, second, ...` if there are any, and clear. */
 void few_report(few *f, mesh *m, const char *what, const char *things);
+
+/* Equal vertices and facets without area. */
+
+/** Let facets name the first vertex at each position. */
+graze_status clean_vertices(mesh *m);
+/** Take away corners that repeat the one before them, and facets all of whose corners lie on one
+ * line: the boundary has the same points without them. */
+graze_status clean_facets(mesh *m);
+
+/* Orientation of facets. */
+
+/**
+ * Turn facets round so that neighbours at edges of two facets run against each other, shells face
+ * outward, and those inside an odd number of others inward. Shells that bound nothing by themselves
+ * are left as they are.
+ * @param flags GRAZE_SOLID_TRIANGULATE
+ * @return GRAZE_EILLEGAL the facets of a shell cannot be oriented
+ */
+graze_status orient_facets(mesh *m, unsigned flags);
+
+/* T-junctions. */
+
+/** Split edges that an odd number of facets have at the ends of other such edges in their middle.
+ * Facets keep their points. */
+graze_status split_edges(mesh *m);
+
+/** The ends of edges that an odd number of facets have, malloc'ed, each once. */
+graze_status split_open_ends(uint32_t **out, size_t *count, mesh *m);
+
+/* Vertices that are one within a distance. */
+
+/** Let facets name, in place of a vertex, the nearest one before it that stays, where that is no
+ * further than `distance`, a positive number. The report has the largest displacement, rounded up;
+ * it is at most `distance`. */
+graze_status weld_vertices(mesh *m, const fmpq_t distance);
+
+/** Where edges are left open and the ends of each are near those of others, compared with their
+ * extent: add a line with a weld distance that may close the surface. It is found in doubles. */
+graze_status weld_advise(mesh *m);
 
 #endif

@@ -6,14 +6,13 @@
  * not cross, so one is inside another if a point of it is, and it is turned by the number of those
  * it is inside of. Whether the result is legal is not decided here.
  */
-#include "input/mend/orient.h"
-
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "input/solid/create.h"
-#include "input/solid/locate.h"
+#include "input/mend/mesh.h"
+#include "input/solid/solid.h"
+#include "input/soup/soup.h"
 
 /* Each shell is looked at beside each other one. */
 enum { SHELLS_MOST = 1000 };

@@ -6,11 +6,10 @@
  * facets that have it.
  */
 #define _GNU_SOURCE /* qsort_r */
-#include "input/mend/split.h"
-
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
+#include "input/mend/mesh.h"
 
 /* A vertex that goes into the side that begins at a corner. */
 typedef struct insertion {

@@ -7,15 +7,12 @@
 #include <mpfr.h>
 #include <flint/fmpq.h>
 #include <flint/fmpq_vec.h>
-
-#include "input/mend/weld.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/context/slots.h"
 #include "base/number/vector.h"
-#include "input/mend/split.h"
+#include "input/mend/mesh.h"
 
 enum { ENDS_COMPARED = 4096 }; /* each with all others at worst */
 

@@ -1,10 +1,9 @@
 /* Affine maps of E^d whose entries are rational functions of one parameter u.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/motion/affine.h"
-
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
+#include "input/motion/affine.h"
 
 void affine_init(affine *a, int dimension) {
     a->dimension = dimension;

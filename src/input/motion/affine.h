@@ -1,11 +1,83 @@
-/* Affine maps of E^d whose entries are rational functions of one parameter u.
- * SPDX-License-Identifier: GPL-3.0-or-later
- */
-#ifndef GRAZE_MOTION_AFFINE_H
-#define GRAZE_MOTION_AFFINE_H
+/* Affine maps whose entries are rational functions of a parameter.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_INPUT_MOTION_AFFINE_H
+#define GRAZE_INPUT_MOTION_AFFINE_H
 
+#include <flint/fmpq.h>
+#include <flint/fmpz_poly.h>
+#include <flint/fmpz_poly_q.h>
+#include "base/context/context.h"
 #include "input/motion/motion.h"
-#include "input/motion/quotient.h"
+
+/* Rational functions of one variable over Q, with the limits acting at every step.
+ *
+ * Values are FLINT's fmpz_poly_q: numerator and denominator coprime in Z[u], leading coefficient
+ * of the denominator positive. Two values within the limits make a result of at most about twice
+ * their size, so it is enough that every result is looked at.
+ *
+ * The cost of a motion in time and memory is the product of its pieces, their degree and the
+ * digits of their coefficients, and no limit on one of the three bounds it. So the work of all
+ * results is counted as they are made: w + w^2/64 for a coefficient of w words of 64 bits, and a
+ * constant for the operation. A unit of it then takes about 100 ns at most, whatever the three
+ * are. */
+
+/** A calculation: after the first failure its operations do nothing and `status` keeps the cause.
+ */
+typedef struct calculation {
+    graze_context *context;
+    graze_status status;
+} calculation;
+
+void quotient_add(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, const fmpz_poly_q_t b);
+void quotient_sub(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, const fmpz_poly_q_t b);
+void quotient_mul(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, const fmpz_poly_q_t b);
+/** GRAZE_EINPUT when b is the zero function. */
+void quotient_div(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, const fmpz_poly_q_t b);
+/** a^n for any integer n, a^0 = 1; GRAZE_EINPUT for a negative power of zero. */
+void quotient_power(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, const fmpz_t n);
+
+/** Bring a quotient of polynomials into lowest terms, the denominator's leading coefficient
+ * positive; most are seen to be coprime modulo a prime (proofs/claims.md C29). */
+void quotient_reduce(fmpz_poly_q_t a);
+/** common = lcm(common, other), but for the sign; neither is zero. */
+void polynomial_widen(fmpz_poly_t common, const fmpz_poly_t other);
+/** g = gcd(g, p) in Z[u], but for the sign. */
+void polynomial_narrow(fmpz_poly_t g, const fmpz_poly_t p);
+/** out = p / divisor, which divides p, not zero. */
+void polynomial_divide(fmpz_poly_t out, const fmpz_poly_t p, const fmpz_poly_t divisor);
+/** The numerator of a over a common denominator, a multiple of its own. */
+void quotient_over(fmpz_poly_t out, const fmpz_poly_q_t a, const fmpz_poly_t common);
+
+void quotient_set_rational(fmpz_poly_q_t out, const fmpq_t value);
+/** low + (high - low) u. */
+void quotient_set_line(fmpz_poly_q_t out, const fmpq_t low, const fmpq_t high);
+/** The value at a place that is no pole. */
+void quotient_at(fmpq_t out, const fmpz_poly_q_t a, const fmpq_t u);
+/** out(u) = a(line(u)), where the denominator of `line` is a constant. `out` is not `a`. */
+void quotient_substitute(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a,
+                         const fmpz_poly_q_t line);
+/** 1 and one of the two roots if a is a square in Q(u), else 0. */
+int quotient_square_root(fmpz_poly_q_t out, const fmpz_poly_q_t a);
+
+/** GRAZE_ELIMIT in the calculation if degree or digits of a are past the limits, or the work done
+ * for the motion, making a included. */
+void quotient_check(calculation *c, const fmpz_poly_q_t a);
+
+/** quotient_check for a polynomial. */
+void polynomial_check(calculation *c, const fmpz_poly_t p);
+
+/** Count work; GRAZE_ELIMIT past the limit `work`. */
+void calculation_spend(calculation *c, unsigned long work);
+
+/**
+ * Has p, not zero, a root in [0, 1]? If so *found is 1, and low <= the first one <= high, equal
+ * when it is seen to be rational.
+ * @return GRAZE_ELIMIT, GRAZE_ECANCELED
+ */
+graze_status polynomial_root(int *found, fmpq_t low, fmpq_t high, graze_context *context,
+                             const fmpz_poly_t p);
+
+/* Affine maps of E^d whose entries are rational functions of one parameter u. */
 
 enum { AFFINE_ENTRIES = POINT_MAP_ENTRIES };
 
@@ -35,5 +107,142 @@ void affine_substitute(calculation *c, affine *out, const affine *a, const fmpq_
                        const fmpq_t high);
 /** The constant map that a is at u, where it has no pole. */
 void affine_at_time(affine *out, const affine *a, const fmpq_t u);
+
+/* Determinants and inverses of affine maps. */
+
+/** The determinant of the linear part. */
+void affine_determinant(calculation *c, fmpz_poly_q_t out, const affine *a);
+/** The inverse map; the determinant is not the zero function. `orthogonal`: the linear part is
+ * known to be orthogonal. `out` is not `a`. */
+void affine_inverse(calculation *c, affine *out, const affine *a, int orthogonal);
+
+/* Affine maps over two common denominators, and the point maps of such a map and of its inverse. */
+
+/**
+ * P -> (N P) / w + B / v with polynomials of u. Invariant: w has no factor in Z[u] that all of N
+ * have too, v none that all of B have; both are positive at u = 0.
+ */
+typedef struct common_map {
+    int dimension;
+    fmpz_poly_struct linear[9]; /* N, dimension * dimension in use, row by row */
+    fmpz_poly_struct shift[3];  /* B */
+    fmpz_poly_t w, v;
+} common_map;
+
+/** All polynomials zero, to be set. */
+void common_map_init(common_map *m);
+void common_map_clear(common_map *m);
+
+/** The entry of N in row i and column j. */
+fmpz_poly_struct *common_map_linear(common_map *m, int i, int j);
+
+/** Entries times the least common multiples of their denominators, which are in lowest terms. */
+void common_map_from_affine(calculation *c, common_map *out, const affine *a);
+void common_map_to_affine(calculation *c, affine *out, const common_map *m);
+/** Is the linear part orthogonal? It is where N^T N = w^2. 0 after a failure too. */
+int common_map_is_orthogonal(calculation *c, const common_map *m);
+
+/** The point map of m, which has no pole on [0, 1]. @param[out] out initialised */
+void common_map_forward(calculation *c, point_map *out, const common_map *m);
+/** The point map of m's inverse, whose linear part is the transpose, as m's is orthogonal.
+ * @param[out] out initialised */
+void common_map_backward(calculation *c, point_map *out, const common_map *m);
+
+/* The entries of a motion file: JSON values to functions, numbers and integers. */
+
+/** Fault for which an entry is refused while the entry that makes a motion illegal is searched for.
+ */
+typedef enum entry_fault { FAULT_NONE, FAULT_POLE, FAULT_SINGULAR } entry_fault;
+
+/** The part of a piece that is being made, with u in [0, 1] running along it. */
+typedef struct stretch {
+    int dimension;
+    fmpq_t from, to;    /* in s, which runs from 0 to 1 along the piece as written */
+    fmpq_t lo, hi;      /* the same in t */
+    fmpz_poly_q_t t, s; /* as functions of u */
+    entry_fault fault;  /* fault for which an entry is refused on this stretch, beside bad input */
+} stretch;
+
+/** All of a piece lo < hi; dimension d. */
+void stretch_init(stretch *part, int dimension, const fmpq_t lo, const fmpq_t hi);
+void stretch_clear(stretch *part);
+/** Narrow to [from, to] in s. */
+void stretch_set(stretch *part, const fmpq_t lo, const fmpq_t hi, const fmpq_t from,
+                 const fmpq_t to);
+
+/** The function of u an expression or a JSON number stands for. */
+graze_status entry_function(fmpz_poly_q_t out, graze_context *context, const json *value,
+                            const stretch *part);
+/** entry_function that refuses a pole on a stretch whose fault is FAULT_POLE. */
+graze_status entry_finite(fmpz_poly_q_t out, graze_context *context, const json *value,
+                          const stretch *part);
+/** An array of `count` such functions. */
+graze_status entry_vector(fmpz_poly_q_t *out, graze_context *context, const json *value,
+                          size_t count, const stretch *part);
+
+/** GRAZE_EILLEGAL "... `what` at t = ..." if p has a root on the stretch [lo, hi] of t, or is zero.
+ */
+graze_status entry_no_root(graze_context *context, const json *where, const fmpz_poly_t p,
+                           const fmpq_t lo, const fmpq_t hi, const char *what);
+
+/* The rotation of a quaternion whose numbers are polynomials. */
+
+/**
+ * Set the linear part and its denominator to the rotation of a quaternion w, x, y, z, of any
+ * length; in E^2 x and y are zero. q is divided by what its numbers have in common.
+ * @param[in,out] out its dimension is set
+ * @return GRAZE_EILLEGAL at `where` if they vanish together on the stretch [lo, hi] of t
+ */
+graze_status quaternion_rotation(common_map *out, graze_context *context, const json *where,
+                                 fmpz_poly_struct q[4], const fmpq_t lo, const fmpq_t hi);
+
+/* Rotations of a motion file as affine maps. */
+
+/* Rotations, in rotation.c. `out` is initialised; the value is that of the key. */
+
+/** {"tan_half": e, "times": n, "center": [...], "axis": [...]} */
+graze_status rotation_by_tangent(affine *out, graze_context *context, const json *value,
+                                 const stretch *part);
+/** {"quarters": n, "center": [...], "axis": [...]} */
+graze_status rotation_by_quarters(affine *out, graze_context *context, const json *value,
+                                  const stretch *part);
+/** The integer of "quarters" in the value of a turn. */
+graze_status rotation_quarters(fmpz_t out, graze_context *context, const json *value);
+/** [w, x, y, z]; not about a center yet. */
+graze_status rotation_by_quaternion(affine *out, graze_context *context, const json *value,
+                                    const stretch *part);
+
+/**
+ * The rotation of a quaternion w, x, y, z, of any length; in E^2 x and y are zero and w + iz is the
+ * half angle as a complex number. Only the ratios count, so a pole of the four is harmless.
+ * @return GRAZE_EILLEGAL at `where` if they vanish together on the stretch [lo, hi] of t
+ */
+graze_status rotation_of(affine *out, graze_context *context, const json *where, fmpz_poly_q_t q[4],
+                         const fmpq_t lo, const fmpq_t hi);
+
+/* Transforms of a motion file: JSON to affine maps over a stretch of a piece
+ * (src/program/cli/formats.md, Motions). */
+
+/** Places in s at which the turns of a transform cut its piece, ascending, each once, from 0 to 1.
+ */
+typedef struct cut_list {
+    size_t count, capacity; /* places up to `capacity` are initialised */
+    fmpq *place;
+} cut_list;
+
+void cut_list_init(cut_list *cuts);
+void cut_list_clear(cut_list *cuts);
+/** @return GRAZE_ELIMIT more parts than the limit `pieces`; what transform_map returns */
+graze_status transform_cuts(cut_list *cuts, graze_context *context, const json *transform);
+
+/**
+ * The map of a transform over one stretch between two of its cuts.
+ * @param[out] out initialised, of the stretch's dimension
+ * @return GRAZE_EINPUT keys, types, expressions; GRAZE_EILLEGAL an axis whose length is not a
+ * rational function, vanishes or has a pole, a quaternion that vanishes, and what the
+ * stretch's fault says: an entry with a pole, or a singular scale or matrix; GRAZE_ELIMIT
+ */
+graze_status transform_map(affine *out, graze_context *context, const json *transform,
+                           const stretch *part);
 
 #endif

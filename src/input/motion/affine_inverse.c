@@ -1,9 +1,8 @@
 /* Determinants and inverses of affine maps whose entries are rational functions.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/motion/affine_inverse.h"
-
 #include "base/context/scope.h"
+#include "input/motion/affine.h"
 
 /* out = p q - r s */
 static void minor(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t p, const fmpz_poly_q_t q,

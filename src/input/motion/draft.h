@@ -1,10 +1,12 @@
-/* Motions in the making: pieces with rational functions as entries, not yet point maps.
- * SPDX-License-Identifier: GPL-3.0-or-later
- */
-#ifndef GRAZE_MOTION_DRAFT_H
-#define GRAZE_MOTION_DRAFT_H
+/* A motion while it is read: pieces, entries, expressions.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_INPUT_MOTION_DRAFT_H
+#define GRAZE_INPUT_MOTION_DRAFT_H
 
-#include "input/motion/common_map.h"
+#include "input/motion/affine.h"
+#include "input/motion/motion.h"
+
+/* Motions in the making: pieces with rational functions as entries, not yet point maps. */
 
 /** M(t) for t = lo + (hi - lo) u, u in [0, 1]. */
 typedef struct draft_piece {
@@ -54,5 +56,42 @@ graze_status draft_follow(draft *out, graze_context *context, const draft *next,
 
 /** The motion of a legal draft, rigid or not; `out` is NULL on failure. */
 graze_status draft_finish(graze_motion **out, graze_context *context, const draft *d);
+
+/* Expressions in t and s: text to rational function (src/program/cli/formats.md, Motions). */
+
+/**
+ * The value of an expression. Numbers are rounded token by token as the context says; a text that
+ * is wholly one number token, such as "22/7", is rounded as one.
+ *
+ *   sum     = product { (+|-) product }
+ *   product = signed { (*|/) signed }
+ *   signed  = (+|-) signed | power
+ *   power   = primary [ ^ [+|-] digits ]
+ *   primary = number | t | s | ( sum )
+ *
+ * @param[out] out  initialised; in lowest terms
+ * @param t, s      what the two names stand for, rational functions of one common variable; both
+ *                  NULL where only a number makes sense
+ * @return GRAZE_EINPUT with the place in the text; GRAZE_ELIMIT digits, degree or depth
+ */
+graze_status expression_value(fmpz_poly_q_t out, graze_context *context, const char *text,
+                              size_t length, const fmpz_poly_q_struct *t,
+                              const fmpz_poly_q_struct *s);
+
+/**
+ * Read a MOTION and check that it is legal: pieces in order, no pole and no zero determinant on a
+ * closed piece, continuous at the breaks; and so for every motion it is made of.
+ * @param[out] out  uninitialised; the caller clears it, also after a failure
+ * @param dimension dimension of the motion around this one, or 0
+ * @return GRAZE_EINPUT, GRAZE_EILLEGAL, GRAZE_ELIMIT with file, line and path; GRAZE_ECANCELED
+ */
+graze_status motion_read_draft(draft *out, graze_context *context, const json *value,
+                               int dimension);
+
+/* Motions made of pieces and of keyframes, from parsed JSON. */
+
+/** The two forms made of frames and of pieces; `out` is empty and has its dimension. */
+graze_status motion_read_pieces(draft *out, graze_context *context, const json *pieces);
+graze_status motion_read_keyframes(draft *out, graze_context *context, const json *keyframes);
 
 #endif

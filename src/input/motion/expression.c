@@ -4,10 +4,11 @@
  * Invariant: `place` is the first byte not yet read. After the first failure in `calculation` every
  * function returns at once, its value meaningless.
  */
-#include "base/number/rational.h"
-#include "input/motion/expression.h"
 #include <string.h>
 #include "base/context/scope.h"
+#include "base/number/rational.h"
+#include "input/motion/affine.h"
+#include "input/motion/draft.h"
 
 enum { SHOWN = 60 };
 enum { CHARACTERS_A_UNIT = 16 }; /* of work */

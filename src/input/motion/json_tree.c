@@ -4,6 +4,8 @@
  * yajl reads the text; its callbacks append to the tree. Invariant while reading: `open` is the
  * innermost array or object not yet closed, `depth` the number of open ones.
  */
+#include "input/motion/motion.h"
+
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,7 +13,6 @@
 #include <yajl/yajl_parse.h>
 #include "base/context/array.h"
 #include "base/context/json_memory.h"
-#include "input/motion/json_tree.h"
 
 enum { PATH_SIZE = 400 };
 

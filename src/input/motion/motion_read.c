@@ -1,13 +1,13 @@
 /* Motions from parsed JSON: the four forms, and those made of other motions.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/motion/motion_read.h"
+#include "input/motion/motion.h"
 
 #include <stdlib.h>
 #include "base/context/file.h"
 #include "base/context/scope.h"
-#include "input/motion/entry.h"
-#include "input/motion/pieces.h"
+#include "input/motion/affine.h"
+#include "input/motion/draft.h"
 
 enum { DIMENSION, PIECES, KEYFRAMES, RELATIVE, SEQUENCE, KEYS };
 

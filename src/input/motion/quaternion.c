@@ -1,9 +1,10 @@
 /* The rotation of a quaternion whose numbers are polynomials.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/motion/quaternion.h"
+#include "input/motion/motion.h"
 
 #include "base/context/scope.h"
+#include "input/motion/affine.h"
 
 /* Divide the four by their common factor, whose roots are where all four vanish. */
 static graze_status divide_numbers(graze_context *context, const json *where, fmpz_poly_struct q[4],

@@ -1,7 +1,8 @@
 /* Rational functions of one variable over Q, with the limits acting at every step.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/motion/quotient.h"
+#include "input/motion/motion.h"
+
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
@@ -9,6 +10,7 @@
 #include "base/number/isolate.h"
 #include "base/number/modular.h"
 #include "base/number/refine.h"
+#include "input/motion/affine.h"
 
 enum { OPERATION_WORK = 8 }; /* what an operation costs beside the words of its result */
 enum { LONG_WORDS = 64 };    /* from here on a common divisor costs more than a word's time each */

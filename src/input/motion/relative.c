@@ -1,8 +1,9 @@
 /* Drafts of both motions over their common times. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "input/motion/relative.h"
+#include "input/motion/motion.h"
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
+#include "input/motion/affine.h"
 #include "input/motion/draft.h"
 
 /* The later start and the earlier end. */

@@ -4,12 +4,12 @@
  * Each becomes a quaternion, whose length may be any. The angle n 2 atan(p/q) about the axis v has
  * the half angle of the complex number (q + ip)^n = a + ib, so its quaternion is (a |v|, b v).
  */
-#include "input/motion/quaternion.h"
+#include "input/motion/motion.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
-#include "input/motion/rotation.h"
+#include "input/motion/affine.h"
 
 static void init4(fmpz_poly_q_t q[4]) {
     for (int k = 0; k < 4; k++) {

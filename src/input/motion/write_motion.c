@@ -1,7 +1,7 @@
 /* A motion as plain pieces: every entry a quotient of polynomials in the motion's own parameter.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/motion/write_motion.h"
+#include "input/motion/motion.h"
 
 #include <flint/fmpq_poly.h>
 #include <flint/fmpq_vec.h>

@@ -9,12 +9,10 @@
  * The text is homogeneous integers, so the rounding of the context acts on the quotients, after
  * vertices were found to lie in their planes.
  */
-#include "input/read/nef3.h"
-
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "input/read/nef3_links.h"
 #include "input/read/nef3_text.h"
+#include "input/soup/soup.h"
 
 static graze_status illegal(const nef *n, const char *kind, size_t index, const char *what) {
     return nef_fail(n, GRAZE_EILLEGAL, "%s %zu %s", kind, index, what);

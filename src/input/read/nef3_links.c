@@ -4,11 +4,10 @@
  * After these checks `next` and `snext` are permutations whose orbits are the cycles of the facets
  * and sfaces that list them, each once, and every mark is its facet's or volume's.
  */
-#include "input/read/nef3_links.h"
-
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
+#include "input/read/nef3_text.h"
 
 static graze_status wrong_link(const nef *n, const char *kind, size_t index, const char *what) {
     return nef_fail(n, GRAZE_EINPUT, "%s %zu: %s", kind, index, what);

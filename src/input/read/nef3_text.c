@@ -4,8 +4,6 @@
  * Counts are held against the file's size before anything is allocated. Functions do nothing once
  * n->status is a failure, so that an item is read by a plain sequence of calls.
  */
-#include "input/read/nef3_text.h"
-
 #include <flint/fmpz_vec.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -13,6 +11,8 @@
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
+#include "input/read/nef3_text.h"
+#include "input/read/token_lines.h"
 
 enum { DETAIL_SIZE = 512, ITEM_BYTES_LEAST = 7 };
 

@@ -1,17 +1,25 @@
-/* A selective Nef complex as CGAL writes it, parsed and linked, for the stages of the .nef3 reader.
- * SPDX-License-Identifier: GPL-3.0-or-later
+/* Reading CGAL's text of a Nef polyhedron.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_INPUT_READ_NEF3_TEXT_H
+#define GRAZE_INPUT_READ_NEF3_TEXT_H
+
+#include <stdint.h>
+#include "input/read/read.h"
+#include "input/read/token_lines.h"
+
+/* The reader of .nef3 files. */
+
+/** A selective Nef complex of CGAL: GRAZE_EILLEGAL unless it is bounded and regular closed. */
+soup_reader read_nef3;
+
+/* A selective Nef complex as CGAL writes it, parsed and linked, for the stages of the .nef3
+ * reader.
  *
  * A vertex has a sphere map: its half-edges are the points of that map (svertices), shalfedges and
  * shalfloops its arcs and full circles, sfaces its regions. A facet's boundary runs along
  * shalfedges by `next`, one at each corner; a shalfloop in a facet is a vertex that only touches
- * it. A half-facet's plane has its volume on the positive side, and seen from there its outer cycle
- * runs counter-clockwise.
- */
-#ifndef GRAZE_READ_NEF3_TEXT_H
-#define GRAZE_READ_NEF3_TEXT_H
-
-#include <stdint.h>
-#include "input/read/token_lines.h"
+ * it. A half-facet's plane has its volume on the positive side, and seen from there its outer
+ * cycle runs counter-clockwise. */
 
 #define NEF_NONE SIZE_MAX
 
@@ -100,5 +108,10 @@ void nef_clear(nef *n);
 /** Fail with "path: " before the message. */
 graze_status nef_fail(const nef *n, graze_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
+
+/* The links of a selective Nef complex. */
+
+/** GRAZE_EINPUT unless all links answer one another and the lists name each thing once. */
+graze_status nef_check_links(const nef *n);
 
 #endif

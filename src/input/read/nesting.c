@@ -5,13 +5,14 @@
  * first edge does that is not on the other. Such a point is found among 1/2, 1/3, 1/4, ... of the
  * edge, since each edge of the other ring holds at most one of them.
  */
-#include "input/read/nesting.h"
+#include "input/read/read.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/cross.h"
-#include "input/validate/crossing.h"
+#include "input/soup/soup.h"
+#include "input/validate/validate.h"
 
 typedef struct ring {
     const size_t *vertex;

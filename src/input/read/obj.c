@@ -5,13 +5,12 @@
  * vertices. A negative index counts back from the vertices above its line. What only concerns
  * looks is passed over; curves, lines and points have no place in a boundary and are refused.
  */
-#include "input/read/obj.h"
-
 #include <flint/fmpq_vec.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "input/read/token_lines.h"
+#include "input/soup/soup.h"
 
 static int is_one_of(token t, const char *const *words) {
     while (*words != NULL &&

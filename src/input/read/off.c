@@ -5,13 +5,12 @@
  * colour, ST a position in a texture. They and the colours behind a facet's indices are passed
  * over; `#` begins a comment.
  */
-#include "input/read/off.h"
-
 #include <flint/fmpq_vec.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "input/read/token_lines.h"
+#include "input/soup/soup.h"
 
 /* Declarations of the head. Each letter stands once, in any order: Geomview writes ST C N, others N
  * C ST. */

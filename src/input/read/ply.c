@@ -4,8 +4,6 @@
  * Other elements and properties are passed over. As text every entry has a line of its own. Tokens
  * of coordinates are exact, whatever their declared type is.
  */
-#include "input/read/ply.h"
-
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -13,7 +11,8 @@
 #include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "base/number/rounding.h"
-#include "input/read/ply_header.h"
+#include "input/read/token_lines.h"
+#include "input/soup/soup.h"
 
 enum { DETAIL_SIZE = 256 };
 

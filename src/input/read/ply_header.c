@@ -1,11 +1,10 @@
-/* The header of a PLY file (ply_header.h).
+/* The header of a PLY file (token_lines.h).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/read/ply_header.h"
-
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
+#include "input/read/token_lines.h"
 
 enum { ENTRIES_MOST = 1000 };
 

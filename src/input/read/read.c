@@ -8,12 +8,9 @@
 #include <strings.h>
 #include "base/context/file.h"
 #include "base/context/scope.h"
-#include "input/read/nef3.h"
-#include "input/read/obj.h"
-#include "input/read/off.h"
-#include "input/read/ply.h"
-#include "input/read/stl.h"
-#include "input/read/wkt.h"
+#include "input/read/nef3_text.h"
+#include "input/read/token_lines.h"
+#include "input/soup/soup.h"
 
 static const struct format {
     const char *extension;

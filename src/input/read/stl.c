@@ -4,13 +4,12 @@
  * Vertices are numbered in order of first appearance. Normals and attributes are passed over. A
  * binary file may begin with "solid" too, so its size decides: 84 + 50 n bytes for n triangles.
  */
-#include "input/read/stl.h"
-
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/context/slots.h"
 #include "base/number/rounding.h"
 #include "input/read/token_lines.h"
+#include "input/soup/soup.h"
 
 enum { HEADER = 84, RECORD = 50 };
 

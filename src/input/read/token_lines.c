@@ -1,13 +1,12 @@
 /* A text as lines of tokens (token_lines.h).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/read/token_lines.h"
-
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
 #include "base/number/rational.h"
+#include "input/read/token_lines.h"
 
 enum { DETAIL_SIZE = 1024 };
 

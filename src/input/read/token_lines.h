@@ -1,14 +1,26 @@
-/* A text as lines of tokens, with line numbers for messages, for the readers of solids.
- * SPDX-License-Identifier: GPL-3.0-or-later
- *
- * A token is a run of bytes without blanks; a byte of `marks` is a token by itself. Tokens point
- * into the text and nothing is copied.
- */
-#ifndef GRAZE_READ_TOKEN_LINES_H
-#define GRAZE_READ_TOKEN_LINES_H
+/* Reading meshes and WKT, line by line.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_INPUT_READ_TOKEN_LINES_H
+#define GRAZE_INPUT_READ_TOKEN_LINES_H
 
 #include <flint/fmpq.h>
 #include "base/context/context.h"
+#include "input/read/read.h"
+#include "input/soup/soup.h"
+
+/* The type of the readers of solids; read.c chooses one by the file's extension.
+ *
+ * Each takes a whole file's bytes and fills an initialised soup of the format's dimension. What it
+ * leaves in the soup on failure is the caller's to clear. A message names path and line, or path
+ * and byte in a binary file. */
+
+typedef graze_status soup_reader(soup *s, graze_context *context, const char *path,
+                                 const char *text, size_t length);
+
+/* A text as lines of tokens, with line numbers for messages, for the readers of solids.
+ *
+ * A token is a run of bytes without blanks; a byte of `marks` is a token by itself. Tokens point
+ * into the text and nothing is copied. */
 
 typedef struct token {
     const char *text;
@@ -68,5 +80,80 @@ int token_integer(token t, long long *out);
 
 /** For messages: `%.*s` of the token, shortened. */
 #define TOKEN_SHOWN(t) ((t).length > 40 ? 40 : (int)(t).length), (t).text
+
+/* The reader of .obj files. */
+
+/** Wavefront OBJ, a polygon mesh. */
+soup_reader read_obj;
+
+/* The reader of .off files. */
+
+/** OFF, a polygon mesh. */
+soup_reader read_off;
+
+/* The reader of .ply files. */
+
+/** PLY, a polygon mesh, ASCII or binary. */
+soup_reader read_ply;
+
+/* The header of a PLY file: the elements that follow, their properties, and their form. */
+
+typedef enum ply_format { PLY_ASCII, PLY_LITTLE_ENDIAN, PLY_BIG_ENDIAN } ply_format;
+
+/** The types of values; the integers stand before the floats. */
+typedef enum ply_type {
+    PLY_INT8,
+    PLY_UINT8,
+    PLY_INT16,
+    PLY_UINT16,
+    PLY_INT32,
+    PLY_UINT32,
+    PLY_FLOAT32,
+    PLY_FLOAT64,
+    PLY_TYPE_COUNT
+} ply_type;
+
+/** The meaning of a property; one that has none for Graze is passed over. */
+typedef enum ply_role { PLY_X, PLY_Y, PLY_Z, PLY_INDICES, PLY_PASSED } ply_role;
+
+typedef struct ply_property {
+    token name;
+    int is_list;
+    ply_type count_type; /* of a list */
+    ply_type type;
+    ply_role role;
+} ply_property;
+
+/** Invariant: "vertex" has exactly one of each of x, y, z, none of them a list; "face" has exactly
+ * one list of indices, with integers. */
+typedef struct ply_element {
+    token name;
+    int is_vertex, is_face;
+    size_t count;
+    size_t first, property_count; /* of ply_header.property */
+} ply_element;
+
+typedef struct ply_header {
+    ply_format format;
+    ply_element *element;
+    size_t element_count;
+    ply_property *property;
+    size_t property_count;
+    size_t vertex_count;
+} ply_header;
+
+/** Read the header; `l` then stands behind "end_header". On failure nothing is left to clear. */
+graze_status ply_header_read(ply_header *out, lines *l);
+void ply_header_clear(ply_header *header);
+
+/* The reader of .stl files. */
+
+/** STL, a triangle mesh, ASCII or binary. */
+soup_reader read_stl;
+
+/* The reader of .wkt files. */
+
+/** POLYGON and MULTIPOLYGON of E^2. */
+soup_reader read_wkt;
 
 #endif

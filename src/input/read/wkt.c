@@ -5,12 +5,11 @@
  * which repeats the first. Rings come in either orientation; turning one changes the order in its
  * cycle, never the numbers of vertices.
  */
-#include "input/read/wkt.h"
-
 #include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "input/read/token_lines.h"
-#include "input/validate/crossing.h"
+#include "input/soup/soup.h"
+#include "input/validate/validate.h"
 
 typedef struct wkt {
     soup *s;

@@ -1,12 +1,11 @@
 /* Reads arguments: numbers and nested lists of them.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/scad/arguments.h"
-
 #include <ctype.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
+#include "input/scad/arguments.h"
 
 static scad_span trimmed(scad_span s) {
     for (; s.length > 0 && isspace((unsigned char)*s.at); s.length--)

@@ -1,11 +1,74 @@
-/* Arguments of the nodes of OpenSCAD's `.csg` files.
- * SPDX-License-Identifier: GPL-3.0-or-later
- */
-#ifndef GRAZE_SCAD_ARGUMENTS_H
-#define GRAZE_SCAD_ARGUMENTS_H
+/* The tree of a .csg file, and arguments of its nodes.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_INPUT_SCAD_ARGUMENTS_H
+#define GRAZE_INPUT_SCAD_ARGUMENTS_H
 
 #include <flint/fmpq.h>
+#include "base/context/context.h"
 #include "input/scad/scad.h"
+
+/* The nodes of OpenSCAD's `.csg` files (src/program/cli/formats.md, OpenSCAD). */
+
+/** Kind of a node; groups, colors and renders are unions. */
+typedef enum scad_role {
+    SCAD_UNION,
+    SCAD_DIFFERENCE,
+    SCAD_INTERSECTION,
+    SCAD_MAP,
+    SCAD_EXTRUSION,
+    SCAD_REVOLUTION,
+    SCAD_CUBE,
+    SCAD_SPHERE,
+    SCAD_CYLINDER,
+    SCAD_POLYHEDRON,
+    SCAD_SQUARE,
+    SCAD_CIRCLE,
+    SCAD_POLYGON
+} scad_role;
+
+/** Bytes of the text, borrowed. */
+typedef struct scad_span {
+    const char *at;
+    size_t length;
+} scad_span;
+
+typedef struct scad_node {
+    scad_span name, arguments;
+    size_t line;
+    char mark;     /* `%`, `*` or `!`; 0 without one of these */
+    int absent;    /* no part of the solid, by a mark of its own or around it */
+    int empty;     /* no set: groups without children, and what they leave nothing of */
+    int dimension; /* 2 or 3, 0 if it is empty */
+    scad_role role;
+    size_t parent, first, last, next; /* 0: none */
+} scad_node;
+
+/** A file: node 0 is the union of what it holds; a node stands before its children. */
+typedef struct scad {
+    const char *source; /* name of the file, borrowed, for messages */
+    scad_node *node;
+    size_t count, capacity, root; /* the root is node 0 or the first one with `!` */
+} scad;
+
+/**
+ * Read the nodes of a text, which must outlive them.
+ * @param[out] out cleared by scad_clear, also after a failure
+ * @return GRAZE_EINPUT with the line: what OpenSCAD does not write, and nodes that are not taken;
+ * GRAZE_EILLEGAL nothing is there; GRAZE_ELIMIT `depth`, `cells`; GRAZE_ESYSTEM
+ */
+graze_status scad_parse(scad *out, graze_context *context, const char *source, const char *text,
+                        size_t length);
+void scad_clear(scad *file);
+
+/** The first child of a node, or the one after a child, that is part of the solid; 0 if none. */
+size_t scad_first(const scad *file, size_t node);
+size_t scad_next(const scad *file, size_t child);
+
+/** Fail with "source:line: name: message". */
+graze_status scad_fail(const scad *file, graze_context *context, graze_status status, size_t node,
+                       const char *format, ...) __attribute__((format(printf, 5, 6)));
+
+/* Arguments of the nodes of OpenSCAD's `.csg` files. */
 
 /** The node whose arguments are read, and where failures are told. */
 typedef struct scad_place {

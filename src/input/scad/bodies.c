@@ -1,10 +1,10 @@
 /* Writes primitives of space.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/scad/bodies.h"
-
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
+#include "input/scad/arguments.h"
+#include "input/scad/writer.h"
 
 static graze_status write_cube(scad_writer *w, const scad_place *p) {
     LOCAL_VEC(fmpq, low, 6);

@@ -1,12 +1,11 @@
 /* Reads and composes maps, and bounds what they do.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/scad/map.h"
-
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
-#include "input/csg/csg_bound.h"
-#include "input/scad/near_rotation.h"
+#include "input/csg/csg.h"
+#include "input/scad/arguments.h"
+#include "input/scad/writer.h"
 
 /* Binary places of bounds. */
 enum { BOUND_BITS = 60 };

@@ -1,14 +1,13 @@
 /* Takes a rotation, times a scale, instead of a matrix of few digits.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/scad/near_rotation.h"
-
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "input/convert/poses_nearest.h"
-#include "input/csg/csg_bound.h"
+#include "input/convert/convert.h"
+#include "input/csg/csg.h"
+#include "input/scad/writer.h"
 
 /* Binary places of a quaternion, at most. */
 enum { QUATERNION_BITS = 52 };

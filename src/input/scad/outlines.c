@@ -1,13 +1,14 @@
 /* Writes primitives of the plane: as they are, as prisms, or revolved about an axis.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/scad/outlines.h"
-
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "input/csg/csg_bound.h"
+#include "input/csg/csg.h"
+#include "input/motion/motion.h"
+#include "input/scad/arguments.h"
+#include "input/scad/writer.h"
 
 /* Rings of points, after the map at hand. */
 typedef struct rings {

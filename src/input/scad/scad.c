@@ -4,8 +4,6 @@
  * NAME(ARGUMENTS); or NAME(ARGUMENTS) {NODES}, with a mark before the name. Invariant while
  * reading: `open` is the innermost node whose brace is not closed, `depth` the number of such ones.
  */
-#include "input/scad/scad.h"
-
 #include <ctype.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -13,6 +11,7 @@
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
+#include "input/scad/arguments.h"
 
 typedef struct scan {
     graze_context *context;

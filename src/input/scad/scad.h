@@ -1,68 +1,31 @@
-/* The nodes of OpenSCAD's `.csg` files (src/program/cli/formats.md, OpenSCAD).
- * SPDX-License-Identifier: GPL-3.0-or-later
- */
-#ifndef GRAZE_SCAD_SCAD_H
-#define GRAZE_SCAD_SCAD_H
+/* scad: the text of a `.csg.json` file of OpenSCAD's `.csg`.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_INPUT_SCAD_H
+#define GRAZE_INPUT_SCAD_H
 
-#include "base/context/context.h"
+#include "base/number/json.h"
 
-/** Kind of a node; groups, colors and renders are unions. */
-typedef enum scad_role {
-    SCAD_UNION,
-    SCAD_DIFFERENCE,
-    SCAD_INTERSECTION,
-    SCAD_MAP,
-    SCAD_EXTRUSION,
-    SCAD_REVOLUTION,
-    SCAD_CUBE,
-    SCAD_SPHERE,
-    SCAD_CYLINDER,
-    SCAD_POLYHEDRON,
-    SCAD_SQUARE,
-    SCAD_CIRCLE,
-    SCAD_POLYGON
-} scad_role;
+/** Changes to a file that the caller allows. */
+typedef struct scad_choice {
+    int smooth; /* a number of sides, $fn, stands for a round surface */
+    const fmpq
+        *near_rotation; /* an exact rotation, times a scale, is taken instead of a linear part
+                   whose entries over the scale are as near to it as this; NULL: none is */
+} scad_choice;
 
-/** Bytes of the text, borrowed. */
-typedef struct scad_span {
-    const char *at;
-    size_t length;
-} scad_span;
+/* A `.csg.json` file of OpenSCAD's `.csg` file. */
 
-typedef struct scad_node {
-    scad_span name, arguments;
-    size_t line;
-    char mark;     /* `%`, `*` or `!`; 0 without one of these */
-    int absent;    /* no part of the solid, by a mark of its own or around it */
-    int empty;     /* no set: groups without children, and what they leave nothing of */
-    int dimension; /* 2 or 3, 0 if it is empty */
-    scad_role role;
-    size_t parent, first, last, next; /* 0: none */
-} scad_node;
-
-/** A file: node 0 is the union of what it holds; a node stands before its children. */
-typedef struct scad {
-    const char *source; /* name of the file, borrowed, for messages */
-    scad_node *node;
-    size_t count, capacity, root; /* the root is node 0 or the first one with `!` */
-} scad;
+/** Whether a file of this name is one of OpenSCAD's. */
+int scad_is_named(const char *path);
 
 /**
- * Read the nodes of a text, which must outlive them.
- * @param[out] out cleared by scad_clear, also after a failure
- * @return GRAZE_EINPUT with the line: what OpenSCAD does not write, and nodes that are not taken;
- * GRAZE_EILLEGAL nothing is there; GRAZE_ELIMIT `depth`, `cells`; GRAZE_ESYSTEM
+ * Write the solid of a text. Each node stands in the line in which the text has it, so messages on
+ * what is written name lines of the text.
+ * @param[out] out    initialised
+ * @param[out] report lines on rotations that were taken; initialised
+ * @return as scad_parse, and GRAZE_EILLEGAL for a primitive that there is not
  */
-graze_status scad_parse(scad *out, graze_context *context, const char *source, const char *text,
-                        size_t length);
-void scad_clear(scad *file);
-
-/** The first child of a node, or the one after a child, that is part of the solid; 0 if none. */
-size_t scad_first(const scad *file, size_t node);
-size_t scad_next(const scad *file, size_t child);
-
-/** Fail with "source:line: name: message". */
-graze_status scad_fail(const scad *file, graze_context *context, graze_status status, size_t node,
-                       const char *format, ...) __attribute__((format(printf, 5, 6)));
+graze_status scad_write(text *out, text *report, graze_context *context, const char *source,
+                        const char *bytes, size_t length, const scad_choice *choice);
 
 #endif

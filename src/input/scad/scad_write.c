@@ -5,16 +5,15 @@
  * solid iff (distance from the axis, height) is in the outline: so nodes of the plane are written
  * where they stand, in the form of the extrusion around them.
  */
-#include "input/scad/scad_write.h"
+#include "input/scad/scad.h"
 
 #include <flint/fmpq_vec.h>
 #include <string.h>
 #include <strings.h>
 #include "base/context/scope.h"
 #include "base/number/decimal.h"
-#include "input/scad/bodies.h"
-#include "input/scad/map.h"
-#include "input/scad/outlines.h"
+#include "input/scad/arguments.h"
+#include "input/scad/writer.h"
 
 static graze_status write_node(scad_writer *w, size_t node);
 

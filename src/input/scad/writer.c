@@ -1,11 +1,11 @@
 /* Writes what nodes of OpenSCAD's files have in common.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/scad/writer.h"
-
 #include <flint/fmpq_vec.h>
 #include <stdio.h>
 #include "base/context/scope.h"
+#include "input/scad/arguments.h"
+#include "input/scad/writer.h"
 
 void scad_open(scad_writer *w, const scad_place *p, const char *key, char bracket) {
     for (; w->line < p->file->node[p->node].line; w->line++)

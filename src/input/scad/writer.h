@@ -1,19 +1,15 @@
-/* The state in which the nodes of OpenSCAD's files are written.
- * SPDX-License-Identifier: GPL-3.0-or-later
- */
-#ifndef GRAZE_SCAD_WRITER_H
-#define GRAZE_SCAD_WRITER_H
+/* Writing a .csg.json file of OpenSCAD's nodes.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_INPUT_SCAD_WRITER_H
+#define GRAZE_INPUT_SCAD_WRITER_H
 
+#include <flint/fmpq.h>
+#include "base/context/context.h"
 #include "base/number/json.h"
 #include "input/scad/arguments.h"
+#include "input/scad/scad.h"
 
-/** Changes to a file that the caller allows. */
-typedef struct scad_choice {
-    int smooth; /* a number of sides, $fn, stands for a round surface */
-    const fmpq
-        *near_rotation; /* an exact rotation, times a scale, is taken instead of a linear part
-                   whose entries over the scale are as near to it as this; NULL: none is */
-} scad_choice;
+/* The state in which the nodes of OpenSCAD's files are written. */
 
 /** Forms in which nodes of the plane are written: themselves, prisms, or solids of revolution about
  * the z axis, where x is the distance from the axis and y the height. */
@@ -60,5 +56,54 @@ void scad_hold(fmpq_t reach, const fmpq *x, int dimension);
 graze_status scad_box(fmpq *low, fmpq *high, scad_writer *w, const scad_place *p, int dimension);
 void scad_put_box(scad_writer *w, const scad_place *p, const fmpq *low, const fmpq *high,
                   int dimension);
+
+/* Primitives of space of OpenSCAD's files. */
+
+/** Write a cube, a sphere, a cylinder or a polyhedron; `reach` is set. */
+graze_status scad_write_body(scad_writer *w, const scad_place *p);
+
+/* Maps of OpenSCAD's nodes. */
+
+/** A map: its linear part, 9 in rows, and its shift; of a node of the plane those of x and y. */
+typedef struct scad_map {
+    fmpq *linear, *shift;
+    fmpq_t error; /* at least the norm of what a rotation that is taken changes */
+} scad_map;
+
+void scad_map_init(scad_map *m);
+void scad_map_clear(scad_map *m);
+
+/** Read a multmatrix.
+ * @param[out] turned whether a rotation is taken instead of its linear part */
+graze_status scad_map_read(scad_map *out, scad_writer *w, const scad_place *p, int *turned);
+
+/** Compose the map at hand, of what is revolved, with another one, which acts first. */
+void scad_compose(scad_writer *w, const scad_map *m);
+
+/** Let `reach` and `moved` be those of the image of the last node. */
+void scad_map_bounds(scad_writer *w, const scad_map *m);
+
+/* Rotations near matrices of few digits. */
+
+/**
+ * Replace a linear part by a number times a rotation or reflection, if each entry divided by that
+ * number is within the tolerance of the rotation's.
+ * @param[in,out] matrix 9 entries, rows
+ * @param[out] error     at least the norm of the difference; 0 if none is taken
+ * @return whether one is taken; not if the matrix is such a one itself
+ */
+int scad_turn(fmpq *matrix, fmpq_t error, graze_context *context, const fmpq_t tolerance);
+
+/** At least the norm of a linear part, and no more for a rotation or reflection times a rational
+ * number. */
+void scad_norm(fmpq_t out, const fmpq *matrix);
+
+/* Primitives of the plane of OpenSCAD's files. */
+
+/** Write a square, a circle or a polygon in the form at hand; `reach` is set. */
+graze_status scad_write_outline(scad_writer *w, const scad_place *p);
+
+/** Ends of an interval that holds its first coordinates, after the map at hand. */
+graze_status scad_outline_extent(fmpq *low_high, scad_writer *w, const scad_place *p);
 
 #endif

@@ -1,5 +1,5 @@
 /* Boxes around images of boxes. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "input/solid/box_image.h"
+#include "input/solid/solid.h"
 
 void box_image(box *out, const double *entry, int d, const box *of) {
     for (int i = 0; i < 3; i++)

@@ -1,10 +1,12 @@
 /* Corners in doubles from bounds of the coordinates.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/solid/corners.h"
+#include "input/solid/solid.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include "input/soup/soup.h"
+#include "input/validate/validate.h"
 
 /* Bounds of the coordinates of the simplices' corners; other vertices do not count. */
 static void find_reach(corners *out, size_t d, const simplices *cut, const double *low,

@@ -1,15 +1,15 @@
 /* A solid from a soup: validation, bounds, boxes, tree, side tests.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/solid/create.h"
+#include "input/solid/solid.h"
 
 #include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "input/csg/csg_read.h"
-#include "input/solid/locate.h"
+#include "input/csg/csg.h"
+#include "input/soup/soup.h"
 #include "input/validate/validate.h"
 
 static graze_status make_slabs(graze_solid *solid, graze_context *context) {

@@ -4,7 +4,7 @@
  * The vertices are multiplied by one common denominator w, so that all products are of integers;
  * a form c . X + m W through the scaled point w p becomes (w c) . X + m W for the point itself.
  */
-#include "input/solid/forms.h"
+#include "input/solid/solid.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>

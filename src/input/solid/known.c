@@ -1,10 +1,11 @@
 /* A table with one place for a simplex, which the last one that needs it takes.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/solid/known.h"
+#include "input/solid/solid.h"
 
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
+#include "input/validate/validate.h"
 
 enum { KNOWN_SIMPLICES = 1024 };
 

@@ -7,7 +7,7 @@
  * of facets that the ray leaves through is the winding number at x (proofs/claims.md C6).
  * Doubles settle the triangles that the ray clearly passes or clearly crosses beyond x.
  */
-#include "input/solid/locate.h"
+#include "input/solid/solid.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "input/solid/forms.h"
+#include "input/validate/validate.h"
 
 typedef struct ray {
     const skin *of;

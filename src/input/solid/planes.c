@@ -2,11 +2,11 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #define _GNU_SOURCE /* qsort_r */
-#include "input/solid/planes.h"
+#include "input/solid/solid.h"
 
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
-#include "input/solid/forms.h"
+#include "input/validate/validate.h"
 
 static const fmpz *form_at(const plane_list *list, size_t k) {
     return list->form + k * (size_t)(list->dimension + 1);

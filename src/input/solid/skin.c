@@ -1,11 +1,12 @@
 /* Bounds, boxes and forms of simplices.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/solid/skin.h"
+#include "input/solid/solid.h"
 
 #include <stdlib.h>
 #include "base/number/rounding.h"
-#include "input/solid/forms.h"
+#include "input/soup/soup.h"
+#include "input/validate/validate.h"
 
 graze_status skin_bounds(double **low, double **high, graze_context *context, const soup *input) {
     size_t n = input->vertex_count * (size_t)input->dimension;

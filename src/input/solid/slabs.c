@@ -2,10 +2,11 @@
  * makes a slab thin, and not right.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/solid/slabs.h"
+#include "input/solid/solid.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include "input/validate/validate.h"
 
 /* A node of more simplices is seldom flat; below one of fewer their own tests are as near, and half
  * of all nodes are such. */

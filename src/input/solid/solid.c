@@ -3,6 +3,8 @@
  */
 #include "input/solid/solid.h"
 
+#include "input/validate/validate.h"
+
 int solid_bounded(const graze_solid *solid) {
     return !solid->curved || solid->curved->box.dimension > 0;
 }

@@ -1,7 +1,7 @@
 /* Median splits along the widest axis of the boxes' centres.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/solid/tree.h"
+#include "input/solid/solid.h"
 
 #include <stdlib.h>
 

@@ -1,7 +1,9 @@
 /* A solid as an exact file: OFF of its triangles, or WKT of its rings.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/solid/write_solid.h"
+#include "input/solid/solid.h"
+
+#include "input/soup/soup.h"
 
 static void put_position(text *out, const fmpq *x, int d) {
     for (int k = 0; k < d; k++) {

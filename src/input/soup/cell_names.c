@@ -1,7 +1,7 @@
-/* Looking up the names of cells (cell_names.h).
+/* Looking up the names of cells (soup.h).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/soup/cell_names.h"
+#include "input/soup/soup.h"
 
 #include <stdlib.h>
 

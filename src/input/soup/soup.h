@@ -1,21 +1,24 @@
-/* A polygon soup: the boundary as a file or the caller's arrays give it, indices checked, geometry
- * not yet. SPDX-License-Identifier: GPL-3.0-or-later
- *
- * In E^3 a facet is one or more cycles of vertices (an outer one, then holes; only .nef3 has more
- * than one), outward oriented: seen from outside the outer cycle runs counter-clockwise. In E^2 a
- * facet is one polygon: its cycles are rings, the outer one counter-clockwise, the holes clockwise
- * (the WKT reader turns them so). A cycle does not repeat its first vertex at its end.
- */
-#ifndef GRAZE_SOUP_SOUP_H
-#define GRAZE_SOUP_SOUP_H
+/* soup: the boundary as a file or arrays give it: polygons, indices checked, geometry not yet.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_INPUT_SOUP_H
+#define GRAZE_INPUT_SOUP_H
 
 #include <flint/fmpq.h>
 #include <stdint.h>
 #include "base/context/context.h"
+#include "graze/core.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* A polygon soup: the boundary as a file or the caller's arrays give it, indices checked, geometry
+ * not yet.
+ *
+ * In E^3 a facet is one or more cycles of vertices (an outer one, then holes; only .nef3 has more
+ * than one), outward oriented: seen from outside the outer cycle runs counter-clockwise. In E^2 a
+ * facet is one polygon: its cycles are rings, the outer one counter-clockwise, the holes clockwise
+ * (the WKT reader turns them so). A cycle does not repeat its first vertex at its end. */
 
 typedef struct soup {
     int dimension;
@@ -44,6 +47,30 @@ graze_status soup_add_facet(soup *s, graze_context *context);
 graze_status soup_add_cycle(soup *s, graze_context *context, const size_t *vertex, size_t count);
 /** Append a vertex number to the last cycle, which soup_add_cycle may have begun with none. */
 graze_status soup_add_index(soup *s, graze_context *context, size_t vertex);
+
+/* The input's names of boundary cells where a facet has several vertices at one position.
+ *
+ * A simplex has one vertex at each corner, even where several vertices of its facet share the
+ * position, so the vertex or edge it gives (solid_cell) may be one name of several, or none of the
+ * input's. */
+
+/**
+ * The input's name of the cell that simplices call key[k] is name[k]. Sorted by key, then by name,
+ * each pair once; a cell that is no key has its own name only.
+ */
+typedef struct cell_names {
+    size_t count;
+    graze_cell *key, *name; /* malloc'ed, one block each; NULL where count is 0 */
+} cell_names;
+
+/** The order of cells in reports: faces, edges, vertices, each by number. As qsort takes it. */
+int cell_compare(const void *a, const void *b);
+
+/** The input's names of a cell that a simplex gave, sorted; borrowed from the table or from the
+ * argument. */
+const graze_cell *cell_names_of(size_t *count, const cell_names *table, const graze_cell *cell);
+
+void cell_names_clear(cell_names *table);
 
 #ifdef __cplusplus
 }

@@ -1,4 +1,4 @@
-/* The edges at which triangles do not close (loose.h).
+/* The edges at which triangles do not close (validate.h).
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Whole edges cancel first. What is left is summed along lines, since the sides of triangles may
@@ -6,9 +6,10 @@
  * the ends of such edges are gone through in their order, and each part between two of them is an
  * edge that is run through by those that began before and end behind it.
  */
-#include "input/validate/loose.h"
+#include "input/validate/validate.h"
 
 #include <array>
+#include "input/soup/soup.h"
 #include "input/validate/cgal.hpp"
 #include "input/validate/components.hpp"
 #include "input/validate/facets.hpp"

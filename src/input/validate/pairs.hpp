@@ -4,11 +4,11 @@
 #ifndef GRAZE_VALIDATE_PAIRS_HPP
 #define GRAZE_VALIDATE_PAIRS_HPP
 
+#include "input/validate/validate.h"
+
 #include <cstdint>
 #include <vector>
-#include "input/soup/soup.h"
 #include "input/validate/points.hpp"
-#include "input/validate/simplices.h"
 
 /**
  * A simplex with the data that the tests use again and again. Invariant for d = 3: the positions

@@ -1,8 +1,9 @@
 /* Frees simplices. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "input/validate/simplices.h"
+#include "input/validate/validate.h"
 
 #include <stdlib.h>
 #include <string.h>
+#include "input/soup/soup.h"
 
 void simplices_clear(simplices *cut) {
     free(cut->item);

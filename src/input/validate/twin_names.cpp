@@ -1,6 +1,6 @@
 /* The input's names of the cells of facets that have several vertices at one position: after one
- * another, where sides have no length, or apart, where the facet touches itself (cell_names.h).
- * SPDX-License-Identifier: GPL-3.0-or-later
+ * another, where sides have no length, or apart, where the facet touches itself
+ * (src/input/soup/soup.h). SPDX-License-Identifier: GPL-3.0-or-later
  *
  * In E^3 all triangles of a planar facet have one vertex at a position, those of a fan the last of
  * each run of vertices there, so the triangles' name of a corner is that of its own vertex or of

@@ -1,4 +1,4 @@
-/* Names of cells that the pieces do not have (input/soup/cell_names.h).
+/* Names of cells that the pieces do not have (input/soup/soup.h).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_VALIDATE_TWIN_NAMES_HPP

@@ -26,8 +26,9 @@
  */
 #include "input/validate/validate.h"
 
-#include "input/validate/cgal.hpp"
 #include <CGAL/version.h>
+#include "input/soup/soup.h"
+#include "input/validate/cgal.hpp"
 #include "input/validate/facets.hpp"
 #include "input/validate/outline.hpp"
 #include "input/validate/pieces_out.hpp"

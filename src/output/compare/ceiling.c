@@ -1,10 +1,11 @@
 /* Rounds numbers up to decimal digits, exactly.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/compare/ceiling.h"
+#include "output/compare/compare.h"
 
 #include <stdio.h>
 #include "base/context/scope.h"
+#include "output/compare/counts.h"
 
 enum { KEPT = 100000, NEXT = 1000000, SHORT = 10000 };
 

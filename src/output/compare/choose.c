@@ -1,13 +1,14 @@
 /* Checks that two tables go together and chooses columns.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/compare/choose.h"
+#include "output/compare/compare.h"
 
 #include <string.h>
 #include "base/context/scope.h"
+#include "decide/filter/filter.h"
+#include "output/compare/counts.h"
 #include "output/compare/judgement.h"
-#include "output/compare/sites.h"
-#include "output/compare/values.h"
+#include "output/compare/rows.h"
 
 /* The golden column of each grouping. */
 static const column by[GROUPING_COUNT] = {COLUMN_STRATUM, COLUMN_K,          COLUMN_SDF_LOW,

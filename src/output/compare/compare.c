@@ -6,12 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "output/compare/choose.h"
+#include "decide/filter/filter.h"
+#include "input/delimited/delimited.h"
 #include "output/compare/counts.h"
 #include "output/compare/judgement.h"
-#include "output/compare/match.h"
-#include "output/compare/rounded_rows.h"
-#include "output/compare/sites.h"
+#include "output/compare/rows.h"
 
 /* Both tables and their matching during a comparison. */
 typedef struct run {

@@ -1,17 +1,326 @@
+/* compare: confusion, error rates and first disagreements of two tables, or of a scene and a mesh.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_OUTPUT_COMPARE_H
+#define GRAZE_OUTPUT_COMPARE_H
+
+#include <flint/fmpq.h>
+#include <stdint.h>
+#include "base/number/text.h"
+#include "decide/filter/filter.h"
+#include "decide/scene/scene.h"
+#include "graze/compare.h"
+#include "input/delimited/delimited.h"
+#include "questions/generate/generate.h"
+#include "questions/judge/judge.h"
+
+/** digits * 10^(exponent - 5) with 100000 <= digits <= 999999, the least such number that is not
+ * below the one it was made of; digits 0: zero. */
+typedef struct ceiling {
+    unsigned long digits;
+    long exponent;
+} ceiling;
+
+/** Errors below the first decade count as its least number; those past the last one are counted
+ * alone. */
+enum { FIRST_DECADE = -99, LAST_DECADE = 99, DECADES = LAST_DECADE - FIRST_DECADE + 1 };
+
+typedef struct errors {
+    unsigned long rows;          /* values judged */
+    unsigned long over, under;   /* above and below the enclosure; the others are within */
+    unsigned long beyond;        /* by more than the tolerance */
+    unsigned long past;          /* errors past the last decade */
+    unsigned long *bin[DECADES]; /* by two digits, 10 to 99; NULL: none */
+    ceiling largest, largest_over;
+} errors;
+
+/** Columns that a comparison uses; others are skipped. Those from COLUMN_TIME on are of tables of
+ * contact points. */
+typedef enum column {
+    COLUMN_X,
+    COLUMN_Y,
+    COLUMN_Z,
+    COLUMN_ID,
+    COLUMN_PMC,
+    COLUMN_CLASS,
+    COLUMN_DEFINITION,
+    COLUMN_CASE,
+    COLUMN_I,
+    COLUMN_T,
+    COLUMN_WORD,
+    COLUMN_TOPO,
+    COLUMN_STRATUM,
+    COLUMN_ORDER,
+    COLUMN_CELL,
+    COLUMN_K,
+    COLUMN_SDF,
+    COLUMN_SDF_LOW,
+    COLUMN_SDF_HIGH,
+    COLUMN_TIME,
+    COLUMN_BX,
+    COLUMN_BY,
+    COLUMN_BZ,
+    COLUMN_ROLE,
+    COLUMN_THETA,
+    COLUMN_CONTACT_ORDER,
+    COLUMN_ORIENTATION,
+    COLUMN_LEFT,
+    COLUMN_RIGHT,
+    COLUMN_TRIMMED,
+    COLUMN_STATUS,
+    COLUMN_NEAR,
+    COLUMN_NEAR_IN,
+    COLUMN_SHIFT,
+    COLUMN_COUNT
+} column;
+
+/** Keys of `#` lines that a comparison uses. */
+typedef enum note {
+    NOTE_GRAZE,
+    NOTE_DIMENSION,
+    NOTE_SOLID,
+    NOTE_MOTION,
+    NOTE_SCENE,
+    NOTE_OPERATION,
+    NOTE_FOLDS,
+    NOTE_ROUND,
+    NOTE_TRIANGULATE,
+    NOTE_COLUMNS,
+    NOTE_SDF,
+    NOTE_DIAGONAL,
+    NOTE_COUNT
+} note;
+
+typedef struct table {
+    stream in;
+    char *notes[NOTE_COUNT];  /* values of `#` lines; NULL where there is none */
+    int dimension;            /* of the points; 0 without columns x and y */
+    long where[COLUMN_COUNT]; /* -1 where there is no such column */
+    size_t columns;
+    unsigned long head; /* the line of the column line */
+    int doubled;        /* the first column of contact points whose name stands twice, or -1 */
+    char *names;        /* the column line */
+    unsigned long rows; /* handed out */
+    int complete;       /* 1 once `# complete N` has been read, and N is the number of rows */
+} table;
+
+/** Parts of the size that rows may be deeper than: 1e-12, 1e-9, 1e-6, 1e-3. */
+enum { DEPTH_PARTS = 4 };
+
+/** Zeroed at first, with `size` initialised. */
+typedef struct depths {
+    unsigned long wrong, stride;       /* rows offered; every stride-th waits */
+    size_t waiting;                    /* number of rows that wait */
+    errors by[3];                      /* sizes of s, by golden pmc */
+    fmpq_t size;                       /* the diagonal of S^0's box; 0: not known */
+    unsigned long deeper[DEPTH_PARTS]; /* rows that are certainly deeper than these parts of it */
+    char *unmeasured;                  /* the limit that distances meet, malloc'ed; NULL: none */
+} depths;
+
+/** Columns that make a key, `id` alone or numbers; none where the order of rows alone matches. */
+typedef struct row_key {
+    int by_id;
+    size_t count;
+    column at[4];
+} row_key;
+
+/** Differences of coordinates over the rows counted so far. Tables are borrowed. */
+typedef struct drift {
+    const table *golden, *candidate;
+    row_key axes;             /* coordinates that both tables have */
+    unsigned long rows;       /* whose points differ */
+    fmpq_t farthest;          /* the greatest difference of a coordinate */
+    fmpq_t least[3], most[3]; /* of the golden coordinates of rows that are written otherwise */
+    int any;                  /* 1: there are such rows */
+} drift;
+
+/** Ways to match rows. */
+typedef enum match_way {
+    MATCH_STREAMED, /* equal keys in the same order, but for rows that are missing or extra; rows
+                       ahead are read only where the next ones differ, at most MATCH_AHEAD */
+    MATCH_INDEXED,  /* equal keys in any order; the candidate's rows are in memory */
+    MATCH_ORDER     /* the first row with the first one, and so on, whatever their keys */
+} match_way;
+
+typedef struct group {
+    char *name;
+    unsigned long rows, wrong, undecided, missing;
+    errors *values; /* NULL: none */
+} group;
+
+typedef struct tally {
+    size_t count, capacity;
+    group *groups;
+    group others;
+} tally;
+
+/* Options and counts of a comparison. */
+
+/** Answers that are judged, in the order of their columns; those of points and those of contact
+ * points have the word in common. */
+enum {
+    JUDGED_PMC,
+    JUDGED_CLASS,
+    JUDGED_I,
+    JUDGED_T,
+    JUDGED_CELL,
+    JUDGED_ROLE,
+    JUDGED_THETA,
+    JUDGED_CONTACT_ORDER,
+    JUDGED_ORIENTATION,
+    JUDGED_LEFT,
+    JUDGED_RIGHT,
+    JUDGED_TRIMMED,
+    JUDGED_STATUS,
+    JUDGED_NEAR,
+    JUDGED_NEAR_IN,
+    JUDGED_WORD,
+    JUDGED_SHIFT,
+    JUDGED_SDF,
+    JUDGED_COUNT
+};
+
+/** Groupings of errors. */
+typedef enum grouping {
+    BY_STRATUM,
+    BY_DISTANCE,
+    BY_SDF, /* the decade of the signed distance */
+    BY_CLASS,
+    BY_DEFINITION,
+    BY_CASE,
+    BY_STATUS, /* of contact points */
+    BY_ROLE,
+    GROUPING_COUNT
+} grouping;
+
+/** Conventions for `on`, by graze_on_as. */
+enum { CONVENTIONS = GRAZE_ON_AS_OUT + 1 };
+
+/** One disagreement, as it is shown. Texts are malloc'ed. */
+typedef struct disagreement {
+    unsigned long order; /* in which it was met */
+    int pmc;             /* the golden answer of a wrong row; -1: a row is missing or extra */
+    ceiling depth;       /* upper bound of |s|, where it is known */
+    char *stratum;       /* NULL: not told */
+    unsigned long row;   /* golden rows before it */
+    unsigned long golden_line, candidate_line; /* 0: no such row */
+    char *point;                               /* coordinates with blanks between */
+    char *golden, *candidate;                  /* the answers; NULL where there is no row */
+    char *golden_row, *candidate_row;          /* whole rows, of transient tables alone */
+} disagreement;
+
+/** Candidate's answers beside golden ones; the last column of a matrix counts missing rows. */
+typedef struct matrix {
+    unsigned long pmc[3][4];    /* in, on, out */
+    unsigned long class_[5][6]; /* in the order of Definitions 5 to 9 */
+} matrix;
+
+struct graze_comparison {
+    graze_compare_options options;
+    graze_rounding rounding;
+    char *golden, *candidate, *solid, *motion; /* names */
+    char *golden_columns, *candidate_columns;  /* their column lines */
+    int contacts;                              /* 1: tables of contact points */
+    row_key key;                               /* by which rows are matched, */
+    match_way way;                             /* and how */
+    unsigned long drifted;     /* rows matched by order alone whose points differ, */
+    ceiling drift;             /* and the largest difference of a coordinate */
+    int judged[JUDGED_COUNT];  /* 1: the candidate answers this */
+    int lacking[JUDGED_COUNT]; /* of contact points: 1 the candidate, 2 the golden table alone does
+                                  not have the column */
+    int valued;                /* values are compared with the golden enclosures */
+    int enclosed;              /* these are read */
+    fmpq_t tolerance, eta;     /* of values, and of the motion */
+    char *explain_options;     /* of `graze explain`, with a blank before each */
+    unsigned long rows, agree, wrong, undecided, missing, extra;
+    unsigned long column_wrong[JUDGED_COUNT];
+    unsigned long wrong_as[CONVENTIONS];  /* rows that each convention would call wrong */
+    unsigned long golden_on, answered_on; /* rows of either table; golden ones with an answer */
+    unsigned long undecided_answers[3];   /* the candidate's, for such rows */
+    unsigned long undecided_by_motion;    /* rows that the motion error leaves undecided */
+    unsigned long open;                   /* golden rows that are undecided themselves, */
+    unsigned long of_pmc;                 /* and those judged by pmc alone, as the rest is */
+    int of_mesh;         /* 1: the candidate is a mesh (compare.h), and these rows are undecided: */
+    unsigned long apart; /* points on the mesh whose golden answer is `in` or `out` */
+    errors values;
+    depths depth; /* of wrong rows */
+    matrix confusion;
+    int grouped[GROUPING_COUNT]; /* 1: the golden table has the column */
+    tally tallies[GROUPING_COUNT];
+    unsigned long met; /* disagreements that were offered; the number shown or kept for that, */
+    size_t shown, shown_capacity, shown_alone; /* the number of these that are missing or extra */
+    int by_depth;                              /* 1: the deepest wrong rows come first */
+    disagreement *disagreements;
+};
+
+/** Does the candidate never answer `on`, though golden rows are? */
+int comparison_has_no_on(const graze_comparison *c);
+
 /* Comparison of a golden table with the table of a candidate.
- * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Invariant of a finished comparison: rows = agree + wrong + undecided + missing, and every tally
- * adds up to the rows that have a value for it.
- */
-#ifndef GRAZE_COMPARE_COMPARE_H
-#define GRAZE_COMPARE_COMPARE_H
-
-#include "output/compare/comparison.h"
+ * adds up to the rows that have a value for it. */
 
 /** Open both tables, match their rows, judge them. `out` is zeroed by the caller and cleared by
  * comparison_clear in either case. */
 graze_status comparison_make(graze_comparison *out, graze_context *context, const char *golden,
                              const char *candidate, const graze_compare_options *options);
+
+typedef struct judgement {
+    int wrong[JUDGED_COUNT];
+    int any_wrong;
+    int wrong_as[CONVENTIONS]; /* any_wrong under each convention for `on` */
+    int undecided; /* the golden answer is `on`, and the closed sweep may hold the point inside; or
+                      the motion error leaves it undecided */
+    int truth;     /* the golden pmc under the question asked */
+} judgement;
+
+void comparison_clear(graze_comparison *c);
+
+/* Reports of a mesh that was judged. */
+
+/** Bounds are decimals that are bounds too.
+ * @param points what the mesh says of points, or NULL
+ * @return GRAZE_ESYSTEM */
+graze_status judge_report(text *out, graze_context *context, const graze_judgement *judgement,
+                          const graze_comparison *points, graze_judgement_format format);
+
+/* A mesh as a candidate: its memberships beside golden ones, with no table of either. */
+
+/** Points that a mesh is asked about. */
+typedef struct mesh_points {
+    const struct graze_generator *generator; /* those of its rows from 0 on; or NULL: */
+    const fmpq *point;                       /* these, 3 canonical rationals each */
+    size_t count;
+    const char *explain_options; /* for `graze explain`, with a blank before each; NULL: none */
+} mesh_points;
+
+/**
+ * Compare what a mesh says of points with exact answers, as graze_compare does with tables; the
+ * report is the same, with the rows that disagree in it.
+ *
+ * A point on the mesh has no membership: with GRAZE_ON_AS_ANY it is undecided and counted as
+ * `apart` unless the golden answer is `on`, and in the matrix in any case; with the other
+ * conventions its answer is `on`.
+ *
+ * @param[out] out zeroed by the caller, and cleared by comparison_clear in either case
+ * @param scene in space; shared by threads
+ * @param mesh not of GRAZE_MESH_NONE
+ * @param options on_as, show, solid, motion and scene (to measure wrong points in; NULL: none)
+ * alone
+ * @param threads at most TEAM_MOST
+ * @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM, GRAZE_EINTERNAL
+ */
+graze_status comparison_of_mesh(graze_comparison *out, graze_context *context,
+                                const graze_scene *scene, const judged_mesh *mesh,
+                                const mesh_points *points, int threads,
+                                const graze_compare_options *options);
+
+/* A comparison as JSON. */
+
+/** The report as JSON. */
+graze_status comparison_json(char **out, graze_context *context, const graze_comparison *c);
+
+/** The report as Markdown. */
+graze_status comparison_text(char **out, graze_context *context, const graze_comparison *c);
 
 #endif

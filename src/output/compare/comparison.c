@@ -1,5 +1,7 @@
 /* Names of answers and of groupings. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/compare/comparison.h"
+#include "output/compare/compare.h"
+
+#include "output/compare/counts.h"
 
 const char *const pmc_words[3] = {"in", "on", "out"};
 

@@ -1,11 +1,13 @@
 /* Counts, disagreements kept and depths of a comparison.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/compare/counts.h"
+#include "output/compare/compare.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "decide/filter/filter.h"
+#include "output/compare/counts.h"
 
 graze_status comparison_no_memory(graze_context *context) {
     return context_fail(context, GRAZE_ESYSTEM, "out of memory");

@@ -1,17 +1,157 @@
-/* Counts and rows that every comparison keeps, whether its rows are read or asked for.
- * SPDX-License-Identifier: GPL-3.0-or-later
- */
-#ifndef GRAZE_COMPARE_COUNTS_H
-#define GRAZE_COMPARE_COUNTS_H
+/* Counts of compared rows: confusion, errors, depths, values.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_OUTPUT_COMPARE_COUNTS_H
+#define GRAZE_OUTPUT_COMPARE_COUNTS_H
 
-#include "output/compare/judgement.h"
+#include <flint/fmpq.h>
+#include "decide/filter/filter.h"
+#include "decide/scene/scene.h"
+#include "graze/compare.h"
+#include "input/delimited/delimited.h"
+#include "output/compare/compare.h"
+#include "output/compare/rows.h"
+#include "output/report/report.h"
+
+/* Numbers rounded up to a few decimal digits, for reports. */
+
+/** The ceiling of a number that is not negative. */
+ceiling ceiling_of(const fmpq_t x);
+
+/** Negative, 0 or positive as a is less than, equal to or greater than b. */
+int ceiling_compare(ceiling a, ceiling b);
+
+/** The bound rounded up to two digits. */
+ceiling ceiling_short(ceiling c);
+
+/** As 1.5e-05, without zeros at the end of the digits; zero is 0. */
+enum { CEILING_ROOM = 48 };
+void ceiling_text(char out[CEILING_ROOM], ceiling c);
+
+/** The k with 10^k <= x < 10^(k + 1), of a positive number. */
+long decade_of(const fmpq_t x);
+
+/* Errors of values: their number, sides, quantiles and the largest.
+ *
+ * Memory does not grow with the rows: errors are counted by their two leading digits, rounded up.
+ */
+
+/** An error: its size, side (1 above, -1 below, 0 within the enclosure), and whether it is more
+ * than the tolerance. */
+typedef struct value_error {
+    ceiling size;
+    int side, beyond;
+} value_error;
+
+/** Count an error. 0 when out of memory. */
+int errors_add(errors *e, value_error one);
+
+/** The least number of two digits (of the largest error if that is past the last decade) that at
+ * least `per_mille` thousandths of the errors do not exceed; 0 of none. */
+ceiling errors_quantile(const errors *e, unsigned long per_mille);
+
+void errors_clear(errors *e);
+
+/* How deep wrong rows are: enclosures of the signed distances of their points.
+ *
+ * They stand in the golden table, or are computed for at most MOST_MEASURED rows, spread evenly
+ * over the wrong ones. */
+
+enum { MOST_MEASURED = 1000 };
+extern const char *const depth_parts[DEPTH_PARTS];
+
+void depth_clear(depths *d);
+
+/** Take the enclosure that a golden row has; *out is the larger size of its bounds. GRAZE_EINPUT,
+ * GRAZE_ELIMIT, GRAZE_ESYSTEM. */
+graze_status depth_take(ceiling *out, depths *d, const table *golden, const table_row *row,
+                        int pmc);
+
+/** Bounds of a signed distance, as decimals, and the larger of their sizes. */
+typedef struct depth_bounds {
+    char low[BOUND_ROOM], high[BOUND_ROOM];
+    ceiling size;
+} depth_bounds;
+
+/** Take the size from the scene. GRAZE_ELIMIT, GRAZE_ECANCELED. */
+graze_status depth_scale(depths *d, graze_context *context, const graze_scene *scene);
+
+/** Enclose the signed distance of a wrong row's point to 1e-13 of the size, and count it.
+ * @param point coordinates with blanks between
+ * @return as graze_distances */
+graze_status depth_measure(depth_bounds *out, depths *d, graze_context *context,
+                           const graze_scene *scene, const char *point, int pmc);
+
+/* How far the points of rows are apart that were matched by something else. */
+
+void drift_init(drift *d, const table *golden, const table *candidate);
+void drift_clear(drift *d);
+
+/** Count two rows, after the rounding of the context. GRAZE_EINPUT, GRAZE_ELIMIT. */
+graze_status drift_add(drift *d, const table_row *right, const table_row *given);
+
+/** Can numbers that were rounded or printed explain the differences: are all at most 2^-10 of the
+ * box of the golden points that differ, or 2^-20 of their size? Other points differ by more. */
+int drift_is_small(const drift *d);
+
+/* Rows counted by group. */
+
+/** Groups past this number are counted as one. */
+enum { MOST_GROUPS = 1000 };
+
+/** Count a row under its group. `status` is 'a' (agree), 'w' (wrong), 'u' (undecided) or 'm'
+ * (missing).
+ * @param value the error of its value, or NULL
+ * @return GRAZE_ESYSTEM */
+graze_status tally_add(tally *t, graze_context *context, field name, char status,
+                       const value_error *value);
+/** Order the groups by name, numbers by value. */
+void tally_sort(tally *t);
+void tally_clear(tally *t);
+
+/** Is this an answer of a table of contact points (1), or of graze classify (0)? */
+int judged_of(int judged, int contacts);
+
+/** Answers, and indices of them. */
+extern const char *const pmc_words[3];
+enum { PMC_IN, PMC_ON, PMC_OUT };
+
+/** The name of a grouping, and a longer one for the head of a table. Static. */
+const char *grouping_name(grouping g);
+const char *grouping_title(grouping g);
+
+/** Most wrong rows of one stratum that are shown where the deepest are. */
+enum { MOST_OF_STRATUM = 2 };
+
+/* A candidate's signed distance against the enclosure of the exact one. */
+
+/** Position of a value relative to the enclosure of its row. */
+typedef struct valuation {
+    int certain; /* pmc is the same for every motion within the comparison's motion error */
+    int judged;  /* the candidate's value is */
+    value_error error;
+    char decade[24]; /* the power of ten at or below the greater bound's size, with the sign of the
+                        answer; 0: `on` */
+} valuation;
+
+/** Take over what the options ask of values, and refuse tables that cannot answer it.
+ * @return GRAZE_EINPUT, GRAZE_ELIMIT */
+graze_status values_choose(graze_comparison *c, const table *golden);
+
+/**
+ * Read the enclosure of a golden row, and judge the value of the candidate's row, if there is one.
+ * @param pmc the golden answer
+ * @return GRAZE_EINPUT columns that are no enclosure with the sign of the answer; GRAZE_ELIMIT
+ */
+graze_status valuation_read(valuation *out, const graze_comparison *c, const table *golden,
+                            const table_row *row, const table *candidate, const table_row *given,
+                            int pmc);
+
+/* Counts and rows that every comparison keeps, whether its rows are read or asked for. */
 
 /** Fill a comparison that is all zero with options and names. 0 without memory; comparison_clear in
  * either case. */
 int comparison_begin(graze_comparison *c, const graze_context *context, const char *golden,
                      const char *candidate, const graze_compare_options *options);
-
-void comparison_clear(graze_comparison *c);
 
 /** Count a golden row. `answered`: the candidate has it.
  * @return what became of it, as tally_add takes it */
@@ -29,5 +169,38 @@ graze_status comparison_finish(graze_comparison *c, graze_context *context);
 
 /** GRAZE_ESYSTEM. */
 graze_status comparison_no_memory(graze_context *context);
+
+/* Times as tables of contact points have them: a number, or `root(c0 c1 ...;a;b)`. */
+
+/** The forms, for messages. */
+#define MOMENT_FORMS "1/2 or root(-1 0 2;0;1)"
+
+/** Is a field a root: whole numbers with a blank between each two, at least three, and the two ends
+ * of an interval? Equal roots are equal text (src/program/cli/formats.md, Contact points). */
+int moment_is_root(field f);
+/** Is it a number token or a root? */
+int moment_is_token(field f);
+
+/** Is it the same time? Numbers go by their value after rounding. GRAZE_EINPUT, GRAZE_ELIMIT. */
+graze_status moment_same(int *same, graze_context *context, field a, field b);
+
+/* Tables of contact points: which they are, and the judgement of their rows. */
+
+/** Find out whether both tables have contact points.
+ * @return GRAZE_EINPUT one of them does, the other has answers of graze classify; a column of
+ * contact points stands twice */
+graze_status sites_known(int *contacts, const table *golden, const table *candidate);
+
+/** Choose the columns to judge: those that both tables have.
+ * @return GRAZE_EINPUT there is none; an option is asked for that contact points do not have */
+graze_status sites_choose(graze_comparison *c, const table *golden, const table *candidate);
+
+/**
+ * Judge a pair of rows; without a row of the candidate (NULL) the golden one is only read.
+ * @param[out] wrong JUDGED_COUNT numbers, 1 where the candidate's answer is another or none
+ * @return GRAZE_EINPUT a field is no answer; GRAZE_ELIMIT
+ */
+graze_status sites_judge(int *wrong, const graze_comparison *c, const table *golden,
+                         const table_row *row, const table *candidate, const table_row *given);
 
 #endif

@@ -1,5 +1,5 @@
 /* Measures wrong rows. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/compare/depth.h"
+#include "output/compare/compare.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
@@ -7,8 +7,13 @@
 #include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "base/number/rounding.h"
-#include "decide/verdict/classify.h"
-#include "questions/distance/diagonal.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "decide/verdict/verdict.h"
+#include "output/compare/counts.h"
+#include "output/compare/rows.h"
+#include "output/report/report.h"
+#include "questions/distance/distance.h"
 
 /* The width of an enclosure, in diagonals. */
 static const double DEPTH_WIDTH = 1e-13;

@@ -3,11 +3,14 @@
  *
  * No answer hangs on these figures: they tell rounded rows from rows in another order.
  */
-#include "output/compare/drift.h"
+#include "output/compare/compare.h"
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
+#include "input/delimited/delimited.h"
+#include "output/compare/counts.h"
+#include "output/compare/rows.h"
 
 enum { BOX_BITS = 10, SIZE_BITS = 20 };
 

@@ -1,10 +1,11 @@
 /* Counts errors by their leading digits.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/compare/errors.h"
+#include "output/compare/compare.h"
 
 #include <stdlib.h>
 #include <string.h>
+#include "output/compare/counts.h"
 
 enum { LEAST = 10, MOST = 99, BINS = MOST - LEAST + 1, UNIT = 10000 };
 

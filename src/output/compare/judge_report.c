@@ -1,14 +1,12 @@
 /* Text, Markdown and JSON of a judgement. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/compare/judge_report.h"
+#include "output/compare/compare.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include "base/number/rounding.h"
-#include "output/compare/report_json.h"
-#include "output/compare/report_text.h"
-#include "output/report/enclosure.h"
-#include "output/report/json_values.h"
+#include "output/report/report.h"
+#include "questions/judge/judge.h"
 
 static const char *const titles[GRAZE_JUDGED_COUNT] = {"mesh outside the sweep, from the sweep",
                                                        "mesh inside the sweep, from the outside",

@@ -1,10 +1,15 @@
-/* The answers of a row, and the judgement of the candidate's.
- * SPDX-License-Identifier: GPL-3.0-or-later
- */
-#ifndef GRAZE_COMPARE_JUDGEMENT_H
-#define GRAZE_COMPARE_JUDGEMENT_H
+/* Texts and JSON of comparisons and of judged meshes.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_OUTPUT_COMPARE_JUDGEMENT_H
+#define GRAZE_OUTPUT_COMPARE_JUDGEMENT_H
 
-#include "output/compare/values.h"
+#include "base/number/json.h"
+#include "input/delimited/delimited.h"
+#include "output/compare/compare.h"
+#include "output/compare/counts.h"
+#include "output/compare/rows.h"
+
+/* The answers of a row, and the judgement of the candidate's. */
 
 /** Names of the judged answers, and of their values in the matrices. */
 const char *judged_name(int judged);
@@ -16,15 +21,6 @@ typedef struct answer {
     unsigned long i, t;
     field word;
 } answer;
-
-typedef struct judgement {
-    int wrong[JUDGED_COUNT];
-    int any_wrong;
-    int wrong_as[CONVENTIONS]; /* any_wrong under each convention for `on` */
-    int undecided; /* the golden answer is `on`, and the closed sweep may hold the point inside; or
-                      the motion error leaves it undecided */
-    int truth;     /* the golden pmc under the question asked */
-} judgement;
 
 /** The column with this index among those judged. */
 column judged_column(int judged);
@@ -51,5 +47,59 @@ void judge_pmc(judgement *j, graze_on_as on_as, int given);
 judgement judge(const graze_comparison *c, const int *judged, const table *golden,
                 const table_row *row, const answer *right, const answer *given,
                 const valuation *value);
+
+/* Rows in reports: how they were matched, shares, conventions for `on`, and how deep errors are. */
+
+/** A share with two digits, rounded to nearest, from whole numbers: it does not depend on the
+ * locale. */
+void put_share(text *out, unsigned long part, unsigned long whole);
+
+/** A line on the columns by which points were matched; of contact points none. Where nothing but
+ * the order told, it says how far the points are apart. */
+void put_matched(text *out, const graze_comparison *c);
+
+/** The share of wrong rows and their number by column; where rows are missing there is no share. */
+void put_wrong_rows(text *out, const graze_comparison *c);
+
+/** A line on the points that lie on a mesh; of tables none. */
+void put_apart(text *out, const graze_comparison *c);
+
+/** A line on the wrong rows under every convention for `on`, if the candidate never answers it. */
+void put_conventions(text *out, const graze_comparison *c);
+
+/** A table of the sizes of the wrong rows' signed distances, by the golden answer; nothing where
+ * none was taken. */
+void put_depths(text *out, const graze_comparison *c);
+
+/** Rows as members of a JSON object. */
+void put_json_rows(json_writer *w, const graze_comparison *c);
+
+/* The part of a comparison's report that is of contact points alone; empty for other tables. */
+
+/** By what rows are matched, and which columns are not judged. */
+void put_sites(text *out, const graze_comparison *c);
+/** How many rows of both tables agree in each column. */
+void put_sites_by_column(text *out, const graze_comparison *c);
+
+/** Sites as members of a JSON object, which has the errors by column anyway. */
+void put_json_sites(json_writer *w, const graze_comparison *c);
+
+/* A comparison as text. */
+
+/** A likely reason where many rows have no counterpart; NULL if nothing points to one. Static. */
+const char *comparison_hint(const graze_comparison *c);
+
+/** The command that explains a disagreement, malloc'ed; NULL when out of memory. */
+char *explain_command(const graze_comparison *c, const disagreement *d);
+
+/* The part of a comparison's report that has the errors of values. */
+
+/** The question, and the errors of all values. */
+void put_values(text *out, const graze_comparison *c);
+/** The errors by stratum, k and distance. */
+void put_values_by(text *out, const graze_comparison *c);
+
+/** Both as members of a JSON object, in one call. */
+void put_json_values(json_writer *w, const graze_comparison *c);
 
 #endif

@@ -1,14 +1,16 @@
 /* Chooses the columns of keys, checks their numbers and makes digests of them.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/compare/key.h"
+#include "output/compare/compare.h"
 
 #include <flint/fmpq.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "base/number/text.h"
-#include "output/compare/moment.h"
+#include "input/delimited/delimited.h"
+#include "output/compare/counts.h"
+#include "output/compare/rows.h"
 
 static const row_key the_id = {1, 1, {COLUMN_ID}};
 

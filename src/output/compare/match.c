@@ -5,10 +5,13 @@
  * the fewest rows are without a counterpart. If there is none, the golden table goes on alone until
  * it comes to a row of the candidate's window.
  */
-#include "output/compare/match.h"
+#include "output/compare/compare.h"
 
 #include "base/context/context.h"
 #include "base/context/scope.h"
+#include "input/delimited/delimited.h"
+#include "output/compare/counts.h"
+#include "output/compare/rows.h"
 
 void match_start(match *m, graze_context *context, table *golden, table *candidate,
                  const row_key *key, match_way way, int sites) {

@@ -1,13 +1,20 @@
 /* Asks a mesh and the scene about points, in threads, and counts in the order of the points.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/compare/mesh_rows.h"
+#include "output/compare/compare.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/team.h"
-#include "decide/verdict/classify.h"
+#include "decide/filter/filter.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "decide/verdict/verdict.h"
+#include "input/delimited/delimited.h"
 #include "output/compare/counts.h"
+#include "output/compare/judgement.h"
+#include "questions/generate/generate.h"
+#include "questions/judge/judge.h"
 
 /* Both answers at a point. */
 typedef struct mesh_row {

@@ -1,10 +1,10 @@
 /* Reads the forms of times, and compares them. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/compare/moment.h"
-
 #include <flint/fmpq_vec.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
+#include "input/delimited/delimited.h"
+#include "output/compare/counts.h"
 
 /* The bytes before the first separator, or all; `rest` has what is behind it, or starts at NULL. */
 static field root_part(field *rest, char separator) {

@@ -4,13 +4,11 @@
  * Counts are JSON numbers, everything else text. Bytes above 127 that come from the files become
  * `?`, so that the object is UTF-8.
  */
-#include "output/compare/report_json.h"
+#include "output/compare/compare.h"
 
+#include "decide/filter/filter.h"
+#include "output/compare/counts.h"
 #include "output/compare/judgement.h"
-#include "output/compare/report_rows.h"
-#include "output/compare/report_sites.h"
-#include "output/compare/report_text.h"
-#include "output/compare/report_values.h"
 
 static void put_json_summary(json_writer *w, const graze_comparison *c) {
     static const char *const on_as[] = {"on", "any", "in", "out"};

@@ -1,6 +1,7 @@
 /* Reports on rows, as Markdown and as JSON. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/compare/report_rows.h"
+#include "output/compare/compare.h"
 
+#include "output/compare/counts.h"
 #include "output/compare/judgement.h"
 
 static const struct quantile {

@@ -1,7 +1,8 @@
 /* Contact points in reports. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/compare/report_sites.h"
+#include "output/compare/compare.h"
 
 #include "output/compare/judgement.h"
+#include "output/compare/rows.h"
 
 static void put_lacking(text *out, const graze_comparison *c, int whose, const char *name) {
     int any = 0;

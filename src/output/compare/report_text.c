@@ -1,14 +1,13 @@
 /* Reports of comparisons as Markdown.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/compare/report_text.h"
+#include "output/compare/compare.h"
 
 #include <stdlib.h>
 #include <string.h>
+#include "decide/filter/filter.h"
+#include "output/compare/counts.h"
 #include "output/compare/judgement.h"
-#include "output/compare/report_rows.h"
-#include "output/compare/report_sites.h"
-#include "output/compare/report_values.h"
 
 /* A word for the shell; quoted where it holds more than plain characters. */
 static void put_word(text *out, const char *word) {

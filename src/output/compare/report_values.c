@@ -1,7 +1,10 @@
 /* Reports errors of values, as Markdown and as JSON.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/compare/report_values.h"
+#include "output/compare/compare.h"
+
+#include "output/compare/counts.h"
+#include "output/compare/judgement.h"
 
 static const struct quantile {
     const char *name;

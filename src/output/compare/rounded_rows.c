@@ -4,13 +4,15 @@
  * One pass over the table keeps the digests of those rows whose key falls to it; a table too large
  * for one pass is read several times, each for its share of the keys.
  */
-#include "output/compare/rounded_rows.h"
+#include "output/compare/compare.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/context.h"
 #include "base/context/scope.h"
 #include "base/number/text.h"
+#include "input/delimited/delimited.h"
+#include "output/compare/rows.h"
 
 enum { MOST_ENTRIES = 1 << 21 };
 

@@ -1,11 +1,13 @@
 /* Sorts the rows of a table by key. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/compare/row_index.h"
+#include "output/compare/compare.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/context.h"
 #include "base/context/scope.h"
+#include "input/delimited/delimited.h"
+#include "output/compare/rows.h"
 
 static int digest_order(digest a, digest b) {
     return a.high != b.high ? (a.high < b.high ? -1 : 1) : (a.low > b.low) - (a.low < b.low);

@@ -4,13 +4,16 @@
  * An answer may be empty where graze contact leaves it so; an empty answer equals an empty one
  * alone. Times and numbers go by their value, everything else by its text.
  */
-#include "output/compare/sites.h"
+#include "output/compare/compare.h"
 
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
+#include "decide/filter/filter.h"
+#include "input/delimited/delimited.h"
+#include "output/compare/counts.h"
 #include "output/compare/judgement.h"
-#include "output/compare/moment.h"
+#include "output/compare/rows.h"
 
 /* Kind of rows that a table has, if its columns tell. */
 typedef enum table_kind { KIND_ANY, KIND_POINTS, KIND_CONTACTS } table_kind;

@@ -1,7 +1,7 @@
 /* Reads the `#` lines, the column line and the rows of a table.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/compare/table.h"
+#include "output/compare/compare.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,6 +10,8 @@
 #include "base/context/file.h"
 #include "base/context/spelling.h"
 #include "base/number/rational.h"
+#include "input/delimited/delimited.h"
+#include "output/compare/rows.h"
 
 static const char *const column_names[COLUMN_COUNT] = {
     "x",     "y",       "z",      "id",      "pmc",           "class",       "definition",

@@ -4,12 +4,14 @@
  * Groups past MOST_GROUPS are counted together, so that a column of different names costs no
  * memory.
  */
-#include "output/compare/tally.h"
+#include "output/compare/compare.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/context.h"
+#include "input/delimited/delimited.h"
+#include "output/compare/counts.h"
 
 static group *find(tally *t, field name) {
     for (size_t k = 0; k < t->count; k++)

@@ -4,11 +4,15 @@
  * Under a motion error ETA the signed distance lies in [sdf_low - ETA, sdf_high + ETA], and its
  * sign is certain where this interval has one (proofs/distance.md C73).
  */
-#include "output/compare/values.h"
+#include "output/compare/compare.h"
 
 #include <stdio.h>
 #include <string.h>
 #include "base/context/scope.h"
+#include "decide/filter/filter.h"
+#include "input/delimited/delimited.h"
+#include "output/compare/counts.h"
+#include "output/compare/rows.h"
 
 /* A number of an option, 0 where there is none. Its sign is at least `least`. */
 static graze_status read_amount(fmpq_t out, graze_context *context, const char *name,

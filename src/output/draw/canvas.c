@@ -1,7 +1,7 @@
 /* Parts of both kinds of canvas: paths, texts, the file.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/canvas.h"
+#include "output/draw/draw.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -10,6 +10,7 @@
 #include <unistd.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
+#include "output/draw/views.h"
 
 void drawn_path_clear(drawn_path *p) {
     free(p->node);

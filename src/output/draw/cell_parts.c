@@ -1,12 +1,15 @@
 /* Split cells: which ones, their tones, runs of parts.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/cell_parts.h"
+#include "output/draw/draw.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "decide/verdict/classify.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "decide/verdict/verdict.h"
+#include "output/draw/panel.h"
 
 /* Bands of the distance belong to answers. */
 static tone tone_side(unsigned char t) {

@@ -1,11 +1,13 @@
 /* Segments with equal keys at their ends are neighbours.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/chain.h"
+#include "output/draw/draw.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
+#include "output/draw/panel.h"
+#include "output/draw/views.h"
 
 /* End `end` of a segment. */
 typedef struct chain_end {

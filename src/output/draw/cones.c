@@ -1,7 +1,7 @@
 /* Rings of sectors about a point: each contact at rest and on its sides, and what all leave open.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/cones.h"
+#include "output/draw/draw.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
@@ -10,13 +10,11 @@
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "output/draw/marks.h"
-#include "output/draw/picture_kind.h"
-#include "output/report/closings.h"
-#include "output/report/sentences.h"
-#include "questions/topo/directions.h"
-#include "questions/topo/first_order.h"
-#include "questions/topo/sectors.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "input/solid/solid.h"
+#include "output/draw/views.h"
+#include "output/report/report.h"
 #include "questions/topo/topo.h"
 
 enum { MIDDLE_X = 280, MIDDLE_Y = 330, INNER = 36, OUTER = 220, WIDEST = 30, LEGEND_X = 580 };

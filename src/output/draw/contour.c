@@ -1,11 +1,13 @@
 /* Marching squares whose nodes are bisected, or interpolated between distances.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/contour.h"
+#include "output/draw/draw.h"
 
 #include <stdlib.h>
 #include "base/context/array.h"
-#include "output/draw/chain.h"
+#include "decide/scene/scene.h"
+#include "output/draw/panel.h"
+#include "output/draw/views.h"
 
 /* The grid with a ring of cells that are like their neighbours, from (1, 1) on, and beyond it
  * cells of which none is in the region. */

@@ -8,12 +8,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "output/draw/cell_parts.h"
-#include "output/draw/eye_solid.h"
-#include "output/draw/levels.h"
-#include "output/draw/picture_kind.h"
-#include "output/draw/request_cells.h"
-#include "output/draw/trajectories.h"
+#include "decide/scene/scene.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+#include "output/draw/panel.h"
+#include "output/draw/views.h"
 
 /* S at times spread evenly over the motion, both ends included. */
 static graze_status make_positions(picture *p, graze_context *context) {

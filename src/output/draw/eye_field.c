@@ -1,12 +1,12 @@
 /* Surfaces' values in doubles, scaled, since only signs and directions are asked for.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/eye_field.h"
-
 #include <flint/fmpz.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "input/csg/csg.h"
+#include "output/draw/panel.h"
 
 static void put_scaled(double *out, const csg_surface *s) {
     slong shift = 0, most = 0;

@@ -1,12 +1,13 @@
 /* Squares of a lattice, whose sides are crossed where the expression changes.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/eye_outline.h"
-
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "output/draw/eye_field.h"
+#include "input/csg/csg.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "output/draw/panel.h"
 
 /* Squares along a side; halvings of a side that is crossed. */
 enum { SQUARES = 256, ACROSS = SQUARES + 1, HALVINGS = 16 };

@@ -3,14 +3,16 @@
  * Losasso, Schaefer, Warren 2002). Four cells around a crossed side make two triangles.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/eye_solid.h"
+#include "output/draw/draw.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "output/draw/eye_field.h"
-#include "output/draw/eye_outline.h"
+#include "input/csg/csg.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "output/draw/panel.h"
 
 /* Cells along a side; halvings of a side that is crossed. */
 enum { CELLS = 64, ALONG = CELLS + 1, TIMES_HALVED = 12 };

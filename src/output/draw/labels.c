@@ -1,13 +1,15 @@
 /* Places for names: rings of candidates around the point, the nearest free one wins.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/labels.h"
+#include "output/draw/draw.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "output/draw/panel.h"
+#include "output/draw/views.h"
 
 /* The bin along an axis, the first or last one for what lies outside. */
 static int bin_of(const labels *l, int axis, double pixel) {

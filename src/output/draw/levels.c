@@ -1,15 +1,19 @@
 /* Measures cells, and writes the numbers of their levels.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/levels.h"
+#include "output/draw/draw.h"
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "decide/verdict/classify.h"
-#include "output/report/decimal_time.h"
+#include "base/number/decimal.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "decide/verdict/verdict.h"
+#include "output/draw/panel.h"
+#include "output/draw/views.h"
 #include "questions/distance/distance.h"
 
 /* Cells' sides in one width of an enclosure. */

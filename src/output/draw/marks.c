@@ -1,7 +1,10 @@
 /* Colours, signs, the legend.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/marks.h"
+#include "output/draw/draw.h"
+
+#include "input/solid/solid.h"
+#include "output/draw/views.h"
 
 enum { SLIDE = 0xcc79a7 };
 

@@ -1,16 +1,19 @@
-/* One frame of a picture: a window on a plane onto which points are projected.
- * SPDX-License-Identifier: GPL-3.0-or-later
- */
-#ifndef GRAZE_DRAW_PANEL_H
-#define GRAZE_DRAW_PANEL_H
+/* Panels of a picture: trails, sections, cells, solids.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_OUTPUT_DRAW_PANEL_H
+#define GRAZE_OUTPUT_DRAW_PANEL_H
 
-#include "output/draw/canvas.h"
+#include <flint/fmpq.h>
+#include <stddef.h>
+#include <stdint.h>
+#include "base/number/text.h"
+#include "decide/bounds/bounds.h"
+#include "decide/scene/scene.h"
+#include "input/csg/csg.h"
+#include "input/solid/solid.h"
+#include "output/draw/draw.h"
 
-/** Two rows that take a point to the coordinates of the picture's plane. In E^2 the third
- * coordinate of every point is 0. */
-typedef struct projection {
-    double row[2][3];
-} projection;
+/* One frame of a picture: a window on a plane onto which points are projected. */
 
 /** The plane of two coordinate axes. */
 projection projection_of_axes(int horizontal, int vertical);
@@ -19,11 +22,6 @@ projection projection_of_axes(int horizontal, int vertical);
 projection projection_from(const double from[3]);
 /** Coordinate k of a point's image. */
 double projection_at(const projection *p, int k, const double point[3]);
-
-/** A rectangle of the plane that holds what was put into it. */
-typedef struct extent {
-    double low[2], high[2];
-} extent;
 
 extent extent_empty(void);
 void extent_add(extent *e, double x, double y);
@@ -74,8 +72,175 @@ void panel_triad(canvas *c, const panel *p);
 /** Draw an arrow's head with its tip at a pixel. (dx, dy) is where it points, not zero. */
 void draw_arrow_head(canvas *c, double x, double y, double dx, double dy, double size);
 
-/** Can doubles hold a box of `count` coordinates, and differences in it to less than a pixel?
- * @return GRAZE_ELIMIT if not */
-graze_status range_check(graze_context *context, const double *low, const double *high, int count);
+/* A plane of space that is not one of the axes', with coordinates u and v.
+ *
+ * All of it is rational, so that points of the plane are exact: its points are origin + u way[0] +
+ * v way[1]. The origin is the plane's point nearest to that of space; way[0] is horizontal, and
+ * way[1] is the cross product of the normal and way[0]: upwards where the normal is not. Both are
+ * orthogonal to one another and of length 1 to within 2^-50, as a length is not rational. */
+
+/** @param out    uninitialised; section_clear in any case
+ * @param normal three rationals, not all 0 */
+void section_make(section *out, const fmpq *normal, const fmpq_t place);
+
+/** The point of u and v, three rationals. */
+void section_point(fmpq *out, const section *s, const fmpq *uv);
+/** 1 if a point lies in the plane. */
+int section_holds(const section *s, const fmpq *point);
+/** A rectangle of the plane that holds what it has of a box and little more; 0 if it does not pass
+ * inside.
+ * @param[out] low, high u and v each
+ * @param box_low, box_high three rationals each */
+int section_extent(fmpq *low, fmpq *high, const section *s, const fmpq *box_low,
+                   const fmpq *box_high);
+
+/** Its equation, as x + 2*y - 1/2*z = 3. */
+void section_equation(text *out, const section *s);
+/** Origin and ways in rounded decimals, and in exact numbers as attributes of SVG. */
+void section_describe(text *out, const section *s);
+void section_attributes(text *out, const section *s);
+
+/* A grid of square cells in the plane or in a plane of space, each classified at its centre.
+ *
+ * The centres are rationals and the classification is exact; nothing is said about the rest of a
+ * cell. In E^2 cells at borders are split into parts, each classified at its own centre
+ * (draw.h); in E^3 regions have contours between the centres (views.h). */
+
+/** A grid is drawn wide if its width exceeds its height by more than this factor. */
+#define CELLS_WIDE 1.6
+
+/** Bands of the distance on each side. */
+enum { BANDS = 6 };
+
+/**
+ * Lay the grid out: square cells, `longer` of them along the box's longer side, that cover the box
+ * evenly.
+ * @param[out] out    cleared by cells_clear, also on failure
+ * @param low, high   d rationals each, low < high on both axes; the two of another axis have no
+ * effect
+ * @param longer      0: the number at which a cell has two pixels, with `coarse` four
+ * @param plane       the place on the axis that is left, in E^3
+ * @return GRAZE_ELIMIT more cells than the limit `grid`
+ */
+graze_status cells_layout(cells *out, graze_context *context, int dimension, const int axis[2],
+                          const fmpq *low, const fmpq *high, const fmpq_t plane,
+                          unsigned long longer, int coarse);
+
+/** The point low + (i, j) side / parts, in room for three rationals. */
+void cells_place(fmpq *out, const cells *c, size_t parts, size_t i, size_t j);
+/** The tone of that point, classified exactly. */
+graze_status cells_ask(tone *out, const cells *c, graze_context *context, const graze_scene *scene,
+                       size_t parts, size_t i, size_t j);
+
+/** Classify all centres. */
+graze_status cells_classify(cells *c, graze_context *context, const graze_scene *scene);
+/** Letters of the coordinates along which `axis` counts. */
+const char *cells_axes(const cells *c);
+/** Add the cells of a tone as rectangles, one for each run of them along a row. */
+void cells_path(drawn_path *out, const cells *c, const panel *p, tone t);
+/** Add the rectangle of `length` neighbouring cells from (i, j) on, of the grid whose cells are
+ * `parts` times as small. */
+void cells_rectangle(drawn_path *out, const cells *c, const panel *p, size_t parts, size_t i,
+                     size_t j, size_t length);
+
+/** Their layout as attributes of SVG: exact numbers, from which the centres follow. */
+void cells_attributes(text *out, const cells *c, const panel *p);
+
+/* Cells at borders, split into parts, so that a border has no stairs.
+ *
+ * A cell is split where one of its eight neighbours has another tone; each part is classified
+ * exactly at its own centre. The middle part has the cell's centre. */
+
+/** Add the parts of a tone whose cells have another one as rectangles, one for each run. */
+void parts_path(drawn_path *out, const cells *c, const panel *p, tone t);
+
+/* Lines in which the boundary of a solid meets a plane, chained from triangle to triangle. */
+
+/** A segment in pixels; each end lies on an edge, whose key the neighbouring triangle has too. */
+typedef struct chain_segment {
+    uint64_t key[2];
+    double x[2], y[2];
+} chain_segment;
+
+/** Add segments as lines that go from one to the next, closed where they return to the first.
+ * @param apart the least distance in pixels of two nodes of a line */
+void chain_path(drawn_path *out, const chain_segment *segments, size_t count, double apart);
+
+/** Add a line to a point, unless the point is nearer than `apart` to the node before it. */
+void chain_to(drawn_path *out, double x, double y, double apart);
+
+/* A curved solid in doubles: whether a place is in it, and which way its boundary looks.
+ *
+ * For the eye alone: what is made with it decides nothing. */
+
+/** The expression, prepared to be asked at places; one thread at a time. The solid is borrowed. */
+typedef struct eye_field {
+    const csg *solid;
+    double *coefficient; /* of all surfaces, one after another */
+    signed char *sign, *other;
+    uint64_t *truth;
+} eye_field;
+
+/** Prepare a field. Cleared by eye_field_clear, also on failure. */
+graze_status eye_field_make(eye_field *out, graze_context *context, const csg *solid);
+void eye_field_clear(eye_field *field);
+
+/** Does the expression hold at a place? `at` has a coordinate for each dimension of the solid. */
+int eye_field_holds(eye_field *field, const double *at);
+
+/** The unit normal of the boundary between two near places, one of them in the solid: that of the
+ * first surface between them, 0 if there is none. It points from `from` to `to`.
+ * @param step a length that is small beside the picture's details */
+void eye_field_normal(double out[3], eye_field *field, const double *from, const double *to,
+                      double step);
+
+/* The boundary of a curved solid of the plane, as segments made for the eye (draw.h). */
+
+/** Add vertices and segments to an empty solid of the plane. */
+graze_status eye_outline_make(graze_solid *out, graze_context *context, const csg *solid);
+
+/* The trajectory of a query point, cut at its contacts, as lines of a picture.
+ *
+ * States, contacts and their cells are those of the exact trace; only the places that are drawn
+ * are rounded. */
+
+/** A stretch of one state: places first ... first + count - 1. Neighbours share a place. */
+typedef struct trail_span {
+    graze_state state;
+    size_t first, count;
+} trail_span;
+
+typedef struct trail_contact {
+    graze_kind kind;
+    graze_cell_kind
+        cell;     /* of the smallest dimension at an instant, inside an interval the largest */
+    double at[3]; /* of an interval the middle one of its places */
+    int lasts;    /* an interval: */
+    graze_cell_kind end_cell[2];
+    double end[2][3];
+} trail_contact;
+
+typedef struct trail {
+    tone tone;
+    double *at; /* places, three coordinates each */
+    size_t place_count, place_capacity;
+    trail_span *span;
+    size_t span_count;
+    trail_contact *contact;
+    size_t contact_count;
+} trail;
+
+/**
+ * Trace a point and follow its trajectory: the inverted one for a sweep, the forward one for an
+ * unsweep.
+ * @param[out] out cleared by trail_clear, also on failure
+ * @param fineness how far from the curve the lines may be
+ */
+graze_status trail_make(trail *out, graze_context *context, const graze_scene *scene,
+                        const fmpq *point, double fineness);
+void trail_clear(trail *c);
+
+/** The extent of that part of the curve's image that lies in a rectangle. */
+void trail_extent(extent *out, const trail *c, const projection *look, const extent *within);
 
 #endif

@@ -1,15 +1,14 @@
 /* The kind of a picture, by the extension of its file.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/picture_kind.h"
+#include "output/draw/draw.h"
 
 #include <ctype.h>
 #include <dlfcn.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "output/draw/png_loader.h"
-#include "output/draw/svg.h"
+#include "output/draw/views.h"
 
 int file_has_extension(const char *file, const char *extension) {
     const char *dot = strrchr(file, '.');

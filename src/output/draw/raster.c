@@ -1,10 +1,12 @@
 /* Pixels, and runs of them.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/raster.h"
+#include "output/draw/draw.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include "output/draw/panel.h"
+#include "output/draw/views.h"
 
 /* A run takes about a dozen bytes of SVG, and a picture has two panels of faces. */
 enum { MOST_RUNS = 50000 };

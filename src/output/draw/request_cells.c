@@ -1,13 +1,13 @@
 /* The plane and the box of a request, and its cells in them.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/request_cells.h"
+#include "output/draw/draw.h"
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
-#include "decide/scene/box.h"
-#include "decide/scene/demand.h"
-#include "output/draw/levels.h"
+#include "decide/scene/scene.h"
+#include "output/draw/panel.h"
+#include "output/draw/views.h"
 
 /* The scene's box with a margin of 1/16 of its longest side. */
 static graze_status roomy_box(fmpq *low, fmpq *high, graze_context *context,

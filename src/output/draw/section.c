@@ -1,14 +1,15 @@
 /* Coordinates in a plane, and what it has of a box.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/section.h"
+#include "output/draw/draw.h"
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
+#include "base/number/decimal.h"
 #include "base/number/vector.h"
-#include "output/report/decimal_time.h"
+#include "output/draw/panel.h"
 
 /* Divide a vector by its largest entry, which has size 1 then. */
 static void divide_by_largest(fmpq *v) {

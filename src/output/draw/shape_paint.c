@@ -1,14 +1,15 @@
 /* Faces of shapes, sorted by depth and painted from the far ones on.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/shape_paint.h"
+#include "output/draw/draw.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "output/draw/raster.h"
-#include "output/draw/shown_edges.h"
+#include "input/validate/validate.h"
+#include "output/draw/panel.h"
+#include "output/draw/views.h"
 
 /* A face turned towards the onlooker. */
 typedef struct face {

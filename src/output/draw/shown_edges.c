@@ -3,11 +3,13 @@
  *
  * The angle is computed in doubles: what a picture leaves out decides nothing.
  */
-#include "output/draw/shown_edges.h"
+#include "output/draw/draw.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
 
 /* A mesh with DENSE triangles or more is dense: its edges are shown where the surface bends by more
  * than 30 degrees. Other meshes show all edges at which the surface bends. */

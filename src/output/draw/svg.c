@@ -4,11 +4,12 @@
  * Coordinates have two decimals and are written with integers alone, so that the same picture is
  * the same bytes in any locale.
  */
-#include "output/draw/svg.h"
+#include "output/draw/draw.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "output/draw/views.h"
 
 typedef struct svg_canvas {
     canvas base;

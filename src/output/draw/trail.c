@@ -1,7 +1,7 @@
 /* Trajectories as chains of places, dense where they bend.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/trail.h"
+#include "output/draw/draw.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
@@ -11,8 +11,13 @@
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/refine.h"
-#include "decide/verdict/classify.h"
+#include "decide/bounds/bounds.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+#include "output/draw/panel.h"
 
 /* A place of the motion as a picture needs it: piece + u, u in [0, 1]. */
 typedef struct moment {

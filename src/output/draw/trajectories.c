@@ -1,12 +1,13 @@
 /* The panel of trajectories: lines, arrowheads, contacts and names, that keep clear of one another.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/draw/trajectories.h"
+#include "output/draw/draw.h"
 
 #include <math.h>
 #include "base/context/scope.h"
-#include "output/draw/labels.h"
-#include "output/draw/shape_paint.h"
+#include "decide/bounds/bounds.h"
+#include "output/draw/panel.h"
+#include "output/draw/views.h"
 
 /* The visible part of a trajectory: its beginning, and the place after a length with the direction
  * there. */

@@ -1,9 +1,10 @@
 /* The bytes of the page's files, put into the library by the assembler.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/page/assets.h"
+#include "output/page/page.h"
 
 #include <stddef.h>
+#include "output/report/report.h"
 
 #define FILE_AS(name, path) ASSET_FILE(name, "src/output/page/" path)
 

@@ -1,11 +1,11 @@
 /* JSON strings and base64.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/page/encode.h"
+#include "output/page/page.h"
 
 #include <math.h>
 #include <string.h>
-#include "output/draw/canvas.h"
+#include "output/draw/draw.h"
 
 void encode_string(text *out, const char *string) {
     text_put(out, "\"");

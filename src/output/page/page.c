@@ -6,16 +6,11 @@
 #include <flint/fmpq_vec.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "decide/scene/box.h"
-#include "output/draw/eye_solid.h"
-#include "output/draw/marks.h"
-#include "output/draw/panel.h"
-#include "output/page/assets.h"
-#include "output/page/encode.h"
-#include "output/page/page_cells.h"
-#include "output/page/page_points.h"
-#include "output/page/things.h"
-#include "output/report/decimal_time.h"
+#include "decide/scene/scene.h"
+#include "input/csg/csg.h"
+#include "input/solid/solid.h"
+#include "output/draw/draw.h"
+#include "output/report/report.h"
 
 /* The names and colours of the picture's one palette, in the order of their numbers. */
 static void put_tones(text *out) {

@@ -1,11 +1,10 @@
 /* Cells as bytes, and the parts of those that are split.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/page/page_cells.h"
+#include "output/page/page.h"
 
-#include "output/draw/cell_parts.h"
-#include "output/draw/request_cells.h"
-#include "output/page/encode.h"
+#include "decide/scene/scene.h"
+#include "output/draw/draw.h"
 
 /* Three corners: the lower left one, and its neighbours to the right and above. */
 static void put_corners(text *out, const cells *c) {

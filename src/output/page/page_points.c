@@ -1,17 +1,19 @@
 /* Points: typed arrays of what is drawn, and a line of text for what is told of each.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/page/page_points.h"
+#include "output/page/page.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "decide/verdict/classify.h"
+#include "decide/filter/filter.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
-#include "output/draw/marks.h"
-#include "output/page/encode.h"
-#include "output/report/decimal_time.h"
+#include "input/motion/motion.h"
+#include "output/draw/draw.h"
+#include "output/report/report.h"
 
 enum { DECIMAL_DIGITS = 12 };
 /* Bound of the number of points with exact roots; points that are wrong or `on` come first. */

@@ -1,14 +1,16 @@
 /* Solid, motion and surface as JSON (src/output/page/README.md).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/page/things.h"
+#include "output/page/page.h"
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
-#include "output/draw/shown_edges.h"
-#include "output/page/encode.h"
-#include "questions/boundary/bisect.h"
+#include "decide/scene/scene.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+#include "input/soup/soup.h"
+#include "output/draw/draw.h"
 #include "questions/boundary/boundary.h"
 
 /* The triangles of the boundary; in E^2 its sides. */

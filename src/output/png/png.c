@@ -6,7 +6,7 @@
  */
 #include <cairo/cairo-pdf.h>
 #include <stdlib.h>
-#include "output/draw/png_loader.h"
+#include "output/draw/draw.h"
 
 typedef struct png_canvas {
     canvas base;

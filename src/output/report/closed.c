@@ -1,8 +1,8 @@
 /* Positions in words. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/report/closed.h"
+#include "output/report/report.h"
 
-#include "output/report/closings.h"
-#include "output/report/sentences.h"
+#include "output/report/row_parts.h"
+#include "questions/topo/topo.h"
 
 /* The sentences for each level: the contacts cover a neighbourhood, or a witness shows a gap. */
 static const char *const meanings[][2] = {

@@ -4,17 +4,14 @@
  * (proofs/topology.md C46). In E^3 a facet's half-space is given and, if first order leaves a plane
  * open, the sides of this plane that the contact covers.
  */
-#include "output/report/closings.h"
+#include "output/report/report.h"
 
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
-#include "output/report/sentences.h"
-#include "output/report/time_text.h"
-#include "questions/topo/cover.h"
-#include "questions/topo/directions.h"
-#include "questions/topo/first_order.h"
-#include "questions/topo/hint.h"
-#include "questions/topo/sectors.h"
+#include "decide/scene/scene.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+#include "output/report/row_parts.h"
 #include "questions/topo/topo.h"
 
 typedef struct closings_maker {

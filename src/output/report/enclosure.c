@@ -1,12 +1,12 @@
 /* Decimals that are bounds. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/report/enclosure.h"
+#include "output/report/report.h"
 
 #include <math.h>
 #include <mpfr.h>
 #include "base/context/scope.h"
-#include "output/report/decimal_time.h"
-#include "output/report/sentences.h"
-#include "output/report/time_text.h"
+#include "decide/scene/scene.h"
+#include "output/report/row_parts.h"
+#include "questions/distance/distance.h"
 
 /* Digits of an irrational time. */
 enum { DECIMAL_DIGITS = 17 };

@@ -1,9 +1,11 @@
 /* Rows of events. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/report/event_rows.h"
+#include "output/report/report.h"
 
-#include "output/report/decimal_time.h"
-#include "output/report/site_rows.h"
-#include "output/report/table_text.h"
+#include "decide/bounds/bounds.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "output/report/row_parts.h"
+#include "questions/envelope/envelope.h"
 
 graze_status report_events_header(char **out, graze_context *context, const graze_scene *scene,
                                   const char *notes) {

@@ -5,14 +5,14 @@
  * u = (t - lo)/(hi - lo) is put in and the quotient brought to lowest terms. Coefficients are
  * exact; where terms or digits are left out the text has their number.
  */
-#include "output/report/formula.h"
-
 #include <flint/fmpq_poly.h>
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
+#include "input/motion/motion.h"
+#include "output/report/row_parts.h"
 
 enum { LONG_NUMBER = 40, SHOWN_FIGURES = 12, LONG_POLYNOMIAL = 9, SHOWN_TERMS = 3 };
 

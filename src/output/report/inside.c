@@ -5,11 +5,12 @@
  * ends are ends of contacts or of the motion. The first of them is t0 where the state there is I
  * or B, else the begin of the first contact; the last one likewise.
  */
-#include "output/report/inside.h"
+#include "output/report/report.h"
 
 #include "base/context/scope.h"
-#include "output/report/decimal_time.h"
-#include "output/report/json_values.h"
+#include "decide/trace/trace.h"
+#include "input/motion/motion.h"
+#include "output/report/row_parts.h"
 
 static size_t last_piece(const graze_time *time) {
     return time->piece + (time_is_piece_end(time) && !time_is_end(time));

@@ -2,13 +2,17 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 
-#include "output/report/json_rows.h"
+#include "output/report/report.h"
 
 #include <stdio.h>
 #include "base/context/scope.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
-#include "output/report/enclosure.h"
-#include "output/report/json_values.h"
+#include "input/csg/csg.h"
+#include "output/report/row_parts.h"
+#include "questions/distance/distance.h"
+#include "questions/topo/topo.h"
 
 /* The cells of a contact; of a curved solid primitives, by their titles. */
 static void json_features(json_writer *w, const graze_scene *scene, const contact *c) {
@@ -28,7 +32,7 @@ static void json_features(json_writer *w, const graze_scene *scene, const contac
 
 static void json_contact(json_writer *w, const graze_scene *scene, const contact *c) {
     json_open(w, NULL, '{');
-    json_kind(w, "kind", verdict_kind(c->left, c->right));
+    json_contact_kind(w, "kind", verdict_kind(c->left, c->right));
     json_state(w, "left", c->left);
     json_state(w, "right", c->right);
     json_time(w, "from", c->from);

@@ -1,7 +1,8 @@
 /* Cells, states, times and points as JSON. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/report/json_values.h"
+#include "output/report/report.h"
 
-#include "output/report/decimal_time.h"
+#include "decide/trace/trace.h"
+#include "output/report/row_parts.h"
 
 enum { APPROX_DIGITS = 17 };
 
@@ -21,7 +22,7 @@ void json_state(json_writer *w, const char *key, graze_state state) {
                                           : "?");
 }
 
-void json_kind(json_writer *w, const char *key, graze_kind kind) {
+void json_contact_kind(json_writer *w, const char *key, graze_kind kind) {
     json_text(w, key,
               kind == GRAZE_INTERSECTION ? "intersection"
               : kind == GRAZE_TANGENCY   ? "tangency"

@@ -1,10 +1,11 @@
 /* Verdict, word, contacts and cells. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/report/pair_json.h"
+#include "output/report/report.h"
 
 #include <stdlib.h>
+#include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
-#include "output/report/decimal_time.h"
-#include "output/report/json_values.h"
+#include "output/report/row_parts.h"
+#include "questions/collide/collide.h"
 
 enum { NEAR_DIGITS = 17 };
 
@@ -56,7 +57,7 @@ static void put_pair_contact(json_writer *w, const char *key, const graze_pair *
     json_time(w, "from", c->from);
     json_time(w, "to", pair->options.first ? NULL : c->to);
     put_near_decimal(w, c->from);
-    json_kind(w, "kind", pair->options.first ? 0 : verdict_kind(c->left, c->right));
+    json_contact_kind(w, "kind", pair->options.first ? 0 : verdict_kind(c->left, c->right));
     put_cell_pairs(w, &c->cells);
     json_close(w, '}');
 }

@@ -1,5 +1,5 @@
 /* Sentences by their keys. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/report/sentences.h"
+#include "output/report/report.h"
 
 #include <stdarg.h>
 #include <stdio.h>

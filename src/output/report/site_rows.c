@@ -1,9 +1,9 @@
 /* Rows of sites. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/report/site_rows.h"
+#include "output/report/report.h"
 
-#include "output/report/decimal_time.h"
-#include "output/report/json_values.h"
-#include "output/report/table_text.h"
+#include "decide/scene/scene.h"
+#include "output/report/row_parts.h"
+#include "questions/contact/contact.h"
 
 #define SITE_ANSWERS                                                                               \
     "cell,role,theta,contact_order,orientation,left,right,trimmed,status,near,near_decimal,near_"  \

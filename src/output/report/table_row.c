@@ -1,8 +1,11 @@
 /* Answers points for rows. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "output/report/table_row.h"
+#include "output/report/report.h"
 
 #include "base/context/scope.h"
-#include "questions/distance/clearance.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "output/report/row_parts.h"
+#include "questions/distance/distance.h"
 #include "questions/topo/topo.h"
 
 trace_detail row_detail(const graze_row_options *shown) {

@@ -2,13 +2,14 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 
-#include "output/report/table_text.h"
+#include "output/report/report.h"
 
 #include <string.h>
 #include "base/context/scope.h"
-#include "output/report/enclosure.h"
-#include "output/table/row_values.h"
-#include "questions/distance/diagonal.h"
+#include "decide/scene/scene.h"
+#include "output/report/row_parts.h"
+#include "output/table/table.h"
+#include "questions/distance/distance.h"
 
 static void put_hash(text *t, const char *key, const unsigned char sha256[32]) {
     int given = 0;

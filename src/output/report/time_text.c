@@ -1,13 +1,14 @@
 /* Times are given relative to t0 if that is easier to read.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/report/time_text.h"
+#include "output/report/report.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "output/report/decimal_time.h"
-#include "output/report/formula.h"
+#include "decide/trace/trace.h"
+#include "input/motion/motion.h"
+#include "output/report/row_parts.h"
 
 enum { DECIMAL_DIGITS = 12 };
 

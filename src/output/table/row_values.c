@@ -1,7 +1,7 @@
 /* Adds values to rows of them, in the floating-point environment of the public functions.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/table/row_values.h"
+#include "output/table/table.h"
 
 #include "base/number/rounding.h"
 

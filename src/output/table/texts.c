@@ -1,10 +1,11 @@
 /* Numbers texts by their hashes.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/table/texts.h"
+#include "output/table/table.h"
 
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "input/delimited/delimited.h"
 
 void texts_clear(texts *t) {
     text_clear(&t->bytes);

@@ -1,9 +1,10 @@
 /* Typed tables: begun, freed, and the names of their columns.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/table/typed.h"
+#include "output/table/table.h"
 
 #include <stdlib.h>
+#include "input/delimited/delimited.h"
 
 void typed_init(typed_table *t, graze_context *context) {
     *t = (typed_table){.context = context};

@@ -3,10 +3,11 @@
  *
  * Coordinates and further numbers are float64, texts are bytes; definition is 0 for ext.
  */
-#include "output/table/typed_npy.h"
+#include "output/table/table.h"
 
 #include <string.h>
 #include "base/context/scope.h"
+#include "input/delimited/delimited.h"
 
 /* Little-endian. */
 static void put_number(sink to, uint64_t value, size_t count) {

@@ -4,7 +4,7 @@
  * A further column is one of numbers until a field is none; its fields so far are kept as text
  * until then, and become texts.
  */
-#include "output/table/typed_read.h"
+#include "output/table/table.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -12,6 +12,7 @@
 #include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "base/number/rounding.h"
+#include "input/delimited/delimited.h"
 
 static graze_status typed_no_memory(const typed_table *t) {
     return context_fail(t->context, GRAZE_ESYSTEM, "out of memory for a table");

@@ -8,11 +8,11 @@
  * they first occur in their column; the texts themselves stand, one after another and each with a
  * newline behind it, as bytes in the field data COLUMN_texts.
  */
-#include "output/table/typed_vtk.h"
+#include "output/table/table.h"
 
 #include "base/context/scope.h"
 #include "base/number/decimal.h"
-#include "output/table/vtk.h"
+#include "input/delimited/delimited.h"
 
 static const char title[] =
     "graze " GRAZE_VERSION

@@ -1,13 +1,14 @@
 /* Writes legacy VTK files.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "output/table/vtk.h"
+#include "output/table/table.h"
 
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
+#include "input/delimited/delimited.h"
 
 static void vtk_put(const vtk *w, const char *text) {
     w->to.put(w->to.to, text, strlen(text));

@@ -1,15 +1,13 @@
 /* graze boundary: the boundary of a sweep by adaptive sampling.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "program/cli/cli.h"
+
 #include <stdio.h>
 #include <string.h>
-#include "program/cli/commands.h"
 #include "program/cli/values.h"
-#include "program/run/boundary_files.h"
-#include "program/run/jobs.h"
-#include "program/run/load.h"
-#include "program/run/numbers.h"
-#include "program/run/output.h"
+#include "program/io/io.h"
+#include "program/run/run.h"
 
 static const char boundary_help[] =
     "graze boundary SOLID MOTION --depth N: the boundary of the sweep by adaptive sampling\n"

@@ -1,5 +1,7 @@
 /* graze cases: lists the golden cases of a folder, each with the first line of its README.md.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "program/cli/cli.h"
+
 #include <dirent.h>
 #include <errno.h>
 #include <limits.h>
@@ -7,10 +9,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-#include "program/cli/commands.h"
 #include "program/cli/values.h"
-#include "program/run/output.h"
-#include "program/run/status.h"
+#include "program/io/io.h"
+#include "program/points/points.h"
 
 static const char cases_help[] =
     "graze cases: the golden cases, each with what it shows\n"

@@ -1,8 +1,11 @@
 /* graze certify: a certificate of the answers for points.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "program/cli/classify.h"
-#include "program/cli/commands.h"
+#include "program/cli/cli.h"
+
 #include "program/cli/values.h"
+#include "program/io/io.h"
+#include "program/points/points.h"
+#include "program/run/run.h"
 
 static const char certify_help[] =
     "graze certify SOLID MOTION POINTS -o FILE: answers that graze-check can verify\n"

@@ -1,11 +1,12 @@
 /* graze check: is a pair of solid and motion legal.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/number/text.h"
+#include "program/cli/cli.h"
+
 #include "base/context/scope.h"
-#include "program/cli/commands.h"
+#include "base/number/text.h"
 #include "program/cli/values.h"
-#include "program/run/output.h"
-#include "program/run/receipt.h"
+#include "program/io/io.h"
+#include "program/run/run.h"
 
 static const char check_help[] =
     "graze check SOLID [MOTION]: is the solid, or the pair, legal, and why not\n"

@@ -1,11 +1,12 @@
 /* graze classify: the table.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "program/cli/classify.h"
+#include "program/cli/cli.h"
 
 #include "program/cli/values.h"
-#include "program/run/output.h"
-#include "program/run/record.h"
+#include "program/io/io.h"
+#include "program/points/points.h"
+#include "program/run/run.h"
 
 static const char classify_help[] =
     "graze classify SOLID MOTION POINTS: in, on, out and the class of each point, exactly\n"

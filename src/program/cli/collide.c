@@ -1,12 +1,11 @@
 /* graze collide: a moving solid against a fixed one.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/number/text.h"
+#include "program/cli/cli.h"
+
 #include "base/context/scope.h"
-#include "program/cli/commands.h"
+#include "base/number/text.h"
 #include "program/cli/values.h"
-#include "program/run/cell_text.h"
-#include "program/run/load.h"
-#include "program/run/output.h"
+#include "program/io/io.h"
 
 static const char collide_help[] =
     "graze collide MOVING MOTION FIXED: does a moving solid meet a fixed one, when, with what\n"

@@ -4,16 +4,15 @@
  * Options may stand anywhere. A word that begins like a negative number is an operand, so that
  * `explain SOLID MOTION -1 2` needs no `--`.
  */
-#include "program/cli/command.h"
-#include "base/context/spelling.h"
+#include "program/cli/cli.h"
 
 #include <ctype.h>
 #include <getopt.h>
 #include <stdlib.h>
 #include <string.h>
-#include "program/run/output.h"
-#include "program/run/status.h"
-#include "program/run/waiting.h"
+#include "base/context/spelling.h"
+#include "program/cli/values.h"
+#include "program/io/io.h"
 
 enum { HELP = 256, FIRST_OPTION };
 

@@ -1,12 +1,10 @@
 /* graze compare: a candidate's answers against a golden table.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "program/cli/cli.h"
+
 #include <string.h>
-#include "program/cli/commands.h"
-#include "program/cli/compare.h"
-#include "program/cli/compare_page.h"
 #include "program/cli/values.h"
-#include "program/run/load.h"
-#include "program/run/output.h"
+#include "program/io/io.h"
 
 static const char compare_help[] =
     "graze compare GOLDEN CANDIDATE: a candidate's answers against a golden table\n"

@@ -1,13 +1,11 @@
 /* Golden points, the candidate's wrong answers, and the scene that the table's head describes.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "program/cli/compare_page.h"
-
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include "program/cli/marks.h"
-#include "program/run/load.h"
+#include "program/cli/values.h"
+#include "program/io/io.h"
 
 /* The options of the golden table's head, as they stand behind `graze explain`. */
 static void take_scene_options(scene_options *to, const char *head) {

@@ -1,8 +1,11 @@
 /* graze contact: contact points of the envelope.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "program/cli/classify.h"
-#include "program/cli/commands.h"
+#include "program/cli/cli.h"
+
 #include "program/cli/values.h"
+#include "program/io/io.h"
+#include "program/points/points.h"
+#include "program/run/run.h"
 
 static const char contact_help[] =
     "graze contact SOLID MOTION CONTACTS: boundary points at given times, and the envelope\n"

@@ -1,14 +1,13 @@
 /* graze convert: a solid as exact OFF or WKT, one of OpenSCAD as .csg.json, a motion as plain
  * pieces. SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "program/cli/cli.h"
+
 #include <string.h>
 #include <strings.h>
 #include "base/context/scope.h"
-#include "program/cli/commands.h"
 #include "program/cli/values.h"
-#include "program/run/load.h"
-#include "program/run/numbers.h"
-#include "program/run/output.h"
+#include "program/io/io.h"
 
 static const char convert_help[] =
     "graze convert SOLID|MOTION -o FILE: the forms that graze-check reads, and of OpenSCAD\n"

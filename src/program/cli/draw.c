@@ -1,15 +1,12 @@
 /* graze draw: a picture of a scene.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "program/cli/cli.h"
+
 #include <stdio.h>
 #include <string.h>
-#include "program/cli/commands.h"
-#include "program/cli/marks.h"
-#include "program/cli/plane.h"
 #include "program/cli/values.h"
-#include "program/run/grid.h"
-#include "program/run/load.h"
-#include "program/run/numbers.h"
-#include "program/run/output.h"
+#include "program/io/io.h"
+#include "program/points/points.h"
 
 enum { TITLE_MOST = 512 };
 

@@ -1,9 +1,9 @@
 /* graze envelope: events of the envelope.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "program/run/envelope.h"
+#include "program/cli/cli.h"
 
-#include "program/cli/commands.h"
 #include "program/cli/values.h"
+#include "program/io/io.h"
 
 static const char envelope_help[] =
     "graze envelope SOLID MOTION: when the contact of the moving solid with its envelope changes\n"

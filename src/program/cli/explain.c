@@ -1,10 +1,10 @@
 /* graze explain: the whole reasoning for one point.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "program/cli/cli.h"
+
 #include <string.h>
-#include "program/cli/commands.h"
 #include "program/cli/values.h"
-#include "program/run/load.h"
-#include "program/run/output.h"
+#include "program/io/io.h"
 
 static const char explain_help[] =
     "graze explain SOLID MOTION X Y [Z]: the whole reasoning for one point\n"

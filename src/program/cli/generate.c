@@ -1,10 +1,11 @@
 /* graze generate: query points, most of them degenerate by construction.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "program/run/generate.h"
+#include "program/cli/cli.h"
 
-#include "program/cli/commands.h"
 #include "program/cli/values.h"
+#include "program/io/io.h"
+#include "program/points/points.h"
 
 static const char generate_help[] =
     "graze generate SOLID MOTION -n N --seed K: query points, most of them degenerate\n"

@@ -1,15 +1,13 @@
 /* graze judge: how far a mesh is from the boundary of a sweep.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "program/cli/cli.h"
+
 #include <float.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "program/cli/commands.h"
-#include "program/cli/marks.h"
 #include "program/cli/values.h"
-#include "program/run/load.h"
-#include "program/run/output.h"
-#include "program/run/vertex_table.h"
+#include "program/io/io.h"
 
 static const char judge_help[] =
     "graze judge SOLID MOTION MESH: how far is a mesh from the boundary of the sweep?\n"

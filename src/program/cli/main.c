@@ -1,12 +1,12 @@
 /* graze: chooses the command.
  * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "program/cli/cli.h"
+
 #include <stdio.h>
 #include <string.h>
-#include "program/cli/commands.h"
 #include "base/context/spelling.h"
-#include "program/run/interrupt.h"
-#include "program/run/memory.h"
-#include "program/run/output.h"
+#include "program/cli/values.h"
+#include "program/io/io.h"
 
 static const command *const commands[] = {
     &command_check, &command_classify, &command_merge,    &command_explain, &command_generate,

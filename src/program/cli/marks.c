@@ -1,14 +1,14 @@
 /* Points with the columns id and stratum.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "program/cli/marks.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
-#include "program/run/csv.h"
-#include "program/run/numbers.h"
+#include "input/delimited/delimited.h"
+#include "program/cli/values.h"
+#include "program/io/io.h"
+#include "program/points/points.h"
 
 void marks_clear(marks *m) {
     for (size_t k = 0; k < m->values; k++)

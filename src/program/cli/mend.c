@@ -1,14 +1,13 @@
 /* graze mend: a legal solid out of a mesh that is none.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "program/cli/cli.h"
+
 #include <string.h>
 #include <strings.h>
 #include "base/context/scope.h"
-#include "program/cli/commands.h"
 #include "program/cli/values.h"
-#include "program/run/load.h"
-#include "program/run/numbers.h"
-#include "program/run/output.h"
+#include "program/io/io.h"
 
 static const char mend_help[] =
     "graze mend SOLID -o FILE.off: a legal solid out of a mesh that is none\n"

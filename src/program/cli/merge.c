@@ -2,19 +2,19 @@
  * write it.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Rows were dealt to the shards in turn (shard.h) and are taken from the parts in turn. Heads
- * and last lines are checked before the first byte is written.
+ * Rows were dealt to the shards in turn (src/program/points/points.h) and are taken from the parts
+ * in turn. Heads and last lines are checked before the first byte is written.
  */
+#include "program/cli/cli.h"
+
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "program/cli/commands.h"
 #include "program/cli/values.h"
-#include "program/run/interrupt.h"
-#include "program/run/part.h"
-#include "program/run/progress.h"
-#include "program/run/status.h"
+#include "program/io/io.h"
+#include "program/points/points.h"
+#include "program/run/run.h"
 
 static const char merge_help[] =
     "graze merge PART...: one table of the tables of all shards, or one certificate\n"

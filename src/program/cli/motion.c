@@ -1,17 +1,16 @@
 /* graze motion: exact motion files from angles, screws, joints and poses.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "program/cli/cli.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/spelling.h"
-#include "program/cli/commands.h"
-#include "program/cli/motion_examples.h"
+#include "input/delimited/delimited.h"
 #include "program/cli/values.h"
-#include "program/run/load.h"
-#include "program/run/numbers.h"
-#include "program/run/output.h"
-#include "program/run/waiting.h"
+#include "program/io/io.h"
+#include "program/points/points.h"
 
 static const char motion_help[] =
     "graze motion KIND ...: an exact motion file from angles or poses, its error proved and "

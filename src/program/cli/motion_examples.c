@@ -1,7 +1,7 @@
 /* Text of graze motion --examples.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "program/cli/motion_examples.h"
+#include "program/cli/values.h"
 
 const char motion_examples[] =
     "# dimension, pieces, t, transform, translate: 8 along x, in the plane\n"

@@ -1,12 +1,10 @@
 /* Reads planes.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "program/cli/plane.h"
-
 #include <string.h>
 #include "base/context/scope.h"
-#include "program/run/numbers.h"
-#include "program/run/status.h"
+#include "program/cli/values.h"
+#include "program/io/io.h"
 
 void plane_init(plane_numbers *p) {
     for (int k = 0; k < 9; k++)

@@ -1,14 +1,12 @@
 /* graze solid: tools and simple bodies as polyhedra.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "program/cli/cli.h"
+
 #include <stdio.h>
 #include <string.h>
-#include "program/cli/commands.h"
 #include "program/cli/values.h"
-#include "program/run/load.h"
-#include "program/run/numbers.h"
-#include "program/run/output.h"
-#include "program/run/waiting.h"
+#include "program/io/io.h"
 
 static const char solid_help[] =
     "graze solid KIND ...: a tool or a simple body: a polyhedron as OFF, or exactly\n"

@@ -3,18 +3,18 @@
  *
  * The steps are the commands generate, classify and compare, joined by files in one folder.
  */
+#include "program/cli/cli.h"
+
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "program/cli/commands.h"
-#include "program/cli/compare.h"
-#include "program/cli/validation_report.h"
-#include "program/run/candidate.h"
-#include "program/run/memory.h"
-#include "program/run/numbers.h"
+#include "program/cli/values.h"
+#include "program/io/io.h"
+#include "program/points/points.h"
+#include "program/run/run.h"
 
 static const char validate_help[] =
     "graze validate SOLID MOTION --candidate 'CMD {solid} {motion} {points} {out}'\n"

@@ -6,8 +6,9 @@
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/text.h"
-#include "program/cli/validation_report.h"
-#include "program/run/output.h"
+#include "program/cli/values.h"
+#include "program/io/io.h"
+#include "program/points/points.h"
 
 char *joined_texts(const char *a, const char *b) {
     char *text = malloc(strlen(a) + strlen(b) + 1);

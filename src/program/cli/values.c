@@ -1,19 +1,15 @@
 /* Reads values of options.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "program/cli/values.h"
-
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/context/spelling.h"
-#include "program/run/coordinates.h"
-#include "program/run/load.h"
-#include "program/run/numbers.h"
-#include "program/run/output.h"
-#include "program/run/status.h"
+#include "program/cli/values.h"
+#include "program/io/io.h"
+#include "program/points/points.h"
 
 int value_text(void *to, const char *name, const char *value) {
     (void)name;

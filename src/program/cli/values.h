@@ -1,12 +1,278 @@
-/* Values of options that several commands take.
- * SPDX-License-Identifier: GPL-3.0-or-later
- *
- * Each function is an option_read (command.h); its comment names the type of the field.
- */
-#ifndef GRAZE_CLI_VALUES_H
-#define GRAZE_CLI_VALUES_H
+/* Options and values of the command line, and parts that commands share.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_PROGRAM_CLI_VALUES_H
+#define GRAZE_PROGRAM_CLI_VALUES_H
 
-#include "program/cli/command.h"
+#include <stddef.h>
+#include "base/number/text.h"
+#include "graze.h"
+#include "input/delimited/delimited.h"
+#include "program/cli/cli.h"
+#include "program/io/io.h"
+#include "program/points/points.h"
+#include "program/run/run.h"
+
+/* Boundaries by sampling as files: PLY, legacy VTK, CSV. */
+
+/** EXIT_USAGE unless each name that is not NULL has an extension that its kind can be written in.
+ */
+int boundary_check_names(const char *surface, const char *cells, const char *points);
+/** Refuse a surface that no file of this kind holds in the plane. */
+int boundary_check_surface(const char *surface, int dimension);
+
+/** Write a file in the form of its extension. Coordinates are the nearest binary64, in CSV exact.
+ * Each returns an exit status and says what is wrong; EXIT_INPUT for a coordinate past the range of
+ * binary64. */
+int boundary_write_surface(const char *path, const graze_boundary *b, graze_context *context,
+                           int dimension);
+int boundary_write_cells(const char *path, const graze_boundary *b, graze_context *context,
+                         int dimension);
+int boundary_write_points(const char *path, const graze_boundary *b, graze_context *context,
+                          int dimension);
+
+/* A candidate's command: cut into words, its placeholders filled, run and timed, and what it
+ * leaves.
+ *
+ * No shell is started. Blanks separate words; '...' is taken as it is, in "..." a backslash stands
+ * before " and \, elsewhere before any byte. Nothing is expanded. A placeholder is a word of its
+ * own and becomes one argument, with any bytes. */
+
+/** Values of {solid}, {motion}, {points}, {out}. */
+typedef struct candidate_paths {
+    const char *solid, *motion, *points, *out;
+} candidate_paths;
+
+/**
+ * Cut a command into words and fill its placeholders.
+ * @param[out] words NULL-ended, for candidate_free; NULL on failure
+ * @return EXIT_USAGE a quote left open, a placeholder inside a word or unknown, {points} or {out}
+ * missing
+ */
+int candidate_split(char ***words, const char *command, const candidate_paths *paths);
+void candidate_free(char **words);
+
+/** Put a fact into the environment of the candidate. EXIT_IO. */
+int candidate_tell(const char *name, const char *value);
+
+/**
+ * Run the words and wait, at most `timeout` seconds. Its standard output goes to the standard error
+ * of graze.
+ * @param[out] seconds of the clock, from start to end
+ * @param hint behind the message on a status other than 0; may be empty
+ * @return EXIT_INPUT it cannot be run, fails or takes too long; EXIT_SIGNAL
+ */
+int candidate_run(double *seconds, char **words, unsigned long timeout, const char *hint);
+
+/** Whether a file, or a link to one, is at `path` that can be read; a FIFO could be waited on for
+ * ever.
+ * @return EXIT_INPUT if not
+ */
+int candidate_wrote(const char *name, const char *path);
+/** Remove a folder with all that is in it; links are not followed. */
+void candidate_remove(const char *folder);
+
+/* Boundary cells in sentences. */
+
+/** `face 3`, `edge 1-2`, `vertex 5`. */
+void text_cell(text *t, const graze_cell *cell);
+
+/* A command, and how its options are read.
+ *
+ * A command names its options in a table. Each entry has a function that reads the option's value
+ * into one field of the command's own struct. */
+
+/** The entry of an option with a value, and of one without. */
+#define OPTION(name, type, field, read)                                                            \
+    { name, OPTION_VALUE, read, offsetof(type, field) }
+#define FLAG(name, type, field, read)                                                              \
+    { name, OPTION_FLAG, read, offsetof(type, field) }
+
+/** Options whose value is a file to read, and a file to write. */
+#define FILE_READ(name, type, field)                                                               \
+    { name, OPTION_READ, value_text, offsetof(type, field) }
+#define FILE_WRITTEN(name, type, field)                                                            \
+    { name, OPTION_WRITTEN, value_text, offsetof(type, field) }
+
+/** Those of `--output FILE` and `-o FILE`, with value_text, or value_output where `-` is as if
+ * neither were given. */
+#define OUTPUT(type, field, read)                                                                  \
+    {"output", OPTION_WRITTEN, read, offsetof(type, field)}, OPTION("o", type, field, read)
+
+/** An option that may be given several times. */
+#define REPEATED(name)                                                                             \
+    { name, OPTION_VALUE, NULL, 0 }
+
+/** Options of one command at the most. */
+enum { OPTIONS_MOST = 40 };
+
+/** Read the words and do what they say; returns an exit status. */
+int command_run(const command *c, int argc, char **argv);
+
+/* graze classify, for the programs that start it, and what graze certify shares with it. */
+
+/** Add the record of the rows (src/program/run/kept.h), where one may be written. */
+void classify_add_record(guard *g, const void *options, const operands *given);
+
+/** Do --output and --resume go together? Returns an exit status and says what is wrong. */
+int classify_check_files(const classify_options *o);
+
+/** Is the table one that --resume and --shard go with? Returns an exit status and says what is
+ * wrong. */
+int classify_check_table(const classify_options *o);
+
+/** Read the value i/n of --shard into a struct shard_choice. */
+int value_shard(void *to, const char *name, const char *value);
+
+/* The commands, each in the file of its name. */
+
+extern const command command_check, command_explain, command_generate, command_cases,
+    command_compare, command_validate, command_merge, command_motion, command_boundary,
+    command_draw, command_certify, command_convert, command_contact, command_envelope, command_mend,
+    command_solid, command_collide, command_judge;
+
+/* Parts that graze validate shares with graze compare. */
+
+/** Do the options of a comparison go together? Returns an exit status and says what is wrong. */
+int compare_check(const graze_compare_options *o);
+
+/* The page of a comparison. */
+
+/**
+ * Write the golden points as a page that marks those on which the candidate is wrong. The scene is
+ * that of the options' solid and motion, with what the golden table's head says of it. Returns an
+ * exit status and says what is wrong.
+ */
+int compare_page(const char *file, const char *golden, const char *candidate,
+                 const graze_compare_options *options, const context_options *context);
+
+/* Tables of an envelope: events, curves of contact, contact points. */
+
+/** Each writes a file, returns an exit status and says what is wrong. */
+int envelope_write_events(const char *path, graze_context *context, const graze_envelope *envelope);
+/** @param times numbers between commas */
+int envelope_write_curves(const char *path, const char *times, graze_context *context,
+                          const graze_envelope *envelope);
+/** @param patches, joints files, one of them may be NULL */
+int envelope_write_patches(const char *patches, const char *joints, graze_context *context,
+                           const graze_envelope *envelope);
+/** Fewer than `count` rows where there are no contacts.
+ * @param notes lines of the head beside those of the scene */
+int envelope_write_contacts(const char *path, unsigned long count, unsigned long seed,
+                            const char *notes, const loaded *l, const graze_envelope *envelope);
+
+/* One run of graze envelope: a summary, and tables on request. */
+
+/** Strings are borrowed. */
+typedef struct envelope_options {
+    scene_options scene;
+    const char *events; /* files; NULL: none */
+    const char *patches, *joints;
+    const char *at, *curve; /* times between commas, and their file */
+    unsigned long count;    /* contact points, and their file */
+    unsigned long long seed;
+    const char *points;
+} envelope_options;
+
+/** Find the events, write them and print the summary. Returns an exit status and says what is
+ * wrong. */
+int envelope_run(const envelope_options *o);
+
+/* Strata that get fewer points than their weights ask for, and what is said of them. */
+
+/** Strata with a weight that get fewer points than it asks for, as sets of 1 << graze_stratum:
+ * none, as the scene has none, or none whose coordinates a binary64 holds; and those spent, in
+ * which no further points were found. */
+typedef struct lost_strata {
+    unsigned absent, unrepresentable, spent;
+    int replaced;   /* 1: the stratum `rounded` has the weight of the unrepresentable ones */
+    int has_dyadic; /* 1: the motion that `motion dyadic` makes has some of these */
+} lost_strata;
+
+/** Set has_dyadic where the dyadic motion near the scene's has points of the unrepresentable
+ * strata.
+ * @return GRAZE_ECANCELED, GRAZE_ESYSTEM */
+graze_status lost_strata_dyadic(lost_strata *lost, const loaded *l, const scene_options *o,
+                                unsigned long long seed, const unsigned long *weights);
+
+/** A line for each such stratum, `between` between them; an empty text for none. malloc'ed, NULL
+ * when out of memory. */
+char *lost_strata_text(const lost_strata *lost, const char *between);
+
+/* One run of graze generate: a table of query points. */
+
+/** Results of a generation: zeroed at first, generated_clear at last. */
+typedef struct generated {
+    lost_strata lost;
+    int dimension;
+    unsigned long rows;
+    char *box; /* of the points, low then high, as decimals of up to 17 digits between commas */
+} generated;
+
+/** Strings are borrowed. */
+typedef struct generate_options {
+    scene_options scene;
+    unsigned long count;
+    unsigned long long seed;
+    const char *strata;  /* NAME=W,...; NULL: all, with their default weights, `rounded` with that
+                            of those that --representable leaves none of, and */
+    unsigned long level; /* this one of the stratum `level` */
+    coordinate_options coordinates;
+    int representable;  /* coordinates that a binary64 holds */
+    int plain;          /* no `#` lines */
+    const char *output; /* NULL: standard output */
+    int quiet;          /* no progress */
+} generate_options;
+
+/** Make the points, all different, and write the table. It ends early where no other
+ * points are found. Returns an exit status and says what is wrong.
+ * @param[out] made may be NULL; standard error names the lost strata too */
+int generate_run(generated *made, const generate_options *o);
+void generated_clear(generated *made);
+
+/* Points to be drawn, with their names and strata. */
+
+/** Points of one dimension; the texts are malloc'ed. Zeroed but for `dimension`: none. */
+typedef struct marks {
+    int dimension;
+    mpq_t *value;
+    size_t values, value_capacity; /* values that are initialised */
+    char **name, **stratum;        /* of a stratum NULL where the file has none */
+    size_t count, capacity, stratum_capacity;
+} marks;
+
+void marks_clear(marks *m);
+/** Add the points of a CSV file or `-`, named by the column id or by their numbers. Returns an exit
+ * status and says what is wrong. */
+int marks_read(marks *m, const char *path, graze_context *context);
+/** Add the points of the option -p. */
+int marks_take_points(marks *m, const char *const *points, int count, graze_context *context);
+/** Points and names as options of a picture. */
+void marks_give(graze_draw_options *out, const marks *m);
+
+/* Examples of motion files. */
+
+/** Motion files that have every key, each one line of JSON behind a `#` line that says what it
+ * shows. */
+extern const char motion_examples[];
+
+/* The plane of a picture. */
+
+/** Numbers of the option --plane, and what is computed from them. */
+typedef struct plane_numbers {
+    mpq_t given[9], normal[3], place;
+} plane_numbers;
+
+void plane_init(plane_numbers *p);
+void plane_clear(plane_numbers *p);
+
+/** Read `z=1/2`, the four numbers of an equation, a point and a normal, or three points. Returns an
+ * exit status and says what is wrong.
+ * @param[out] out its plane, plane_axis and normal; they point into `p` */
+int plane_read(graze_draw_options *out, plane_numbers *p, graze_context *context, const char *text);
+
+/* Values of options that several commands take.
+ *
+ * Each function is an option_read (cli.h); its comment names the type of the field. */
 
 option_read value_text;        /**< const char *: the value, borrowed */
 option_read value_output;      /**< const char *: the same, NULL for standard output */
@@ -48,5 +314,67 @@ typedef struct seed_value {
 /** The place of a value among `count` words, at most 8. EXIT_USAGE: it is none of them. */
 int value_choice(int *out, const char *name, const char *value, const char *const *words,
                  int count);
+
+/* One run of graze validate: options, files and what was found. */
+
+/** Files of the folder. */
+enum { POINTS, GOLDEN, ANSWERS, FILE_COUNT };
+
+typedef struct validate_options {
+    const char *candidate;
+    const char *points; /* NULL: points are generated */
+    const char *keep;   /* NULL: a folder that goes when all is done */
+    const char *output;
+    unsigned long timeout; /* seconds; 0: an hour */
+    seed_value seed;
+    generate_options generate;
+    classify_options classify;
+    graze_compare_options compare;
+    graze_comparison_format format;
+} validate_options;
+
+typedef struct validation {
+    char *folder;
+    int temporary;           /* the folder goes when all is done */
+    char *files[FILE_COUNT]; /* in the folder */
+    char **words;
+    double seconds;
+    int deep; /* the golden table has distances */
+    generated made;
+    graze_context *context;
+    graze_comparison *comparison;
+} validation;
+
+/* Parts that graze validate and its reports share. */
+
+/** How many points are made, and their seed, with the defaults. */
+unsigned long validated_count(const validate_options *o);
+unsigned long long validated_seed(const validate_options *o);
+
+/** One text behind another, malloc'ed; NULL when out of memory. */
+char *joined_texts(const char *a, const char *b);
+
+/** Write the reports asked for. Returns an exit status: EXIT_NO where the tables differ. */
+int validation_report(const validation *v, const validate_options *o);
+
+/* The signed distances of a mesh's vertices, and its answers, as files. */
+
+/** EXIT_USAGE unless the name ends in .csv or .vtk. */
+int vertex_table_check(const char *path);
+
+/**
+ * Write a row for each vertex in its order: x, y, z, pmc, sdf_low, sdf_high; or a VTK file of the
+ * mesh with the same as data of its points. Returns an exit status and says what is wrong.
+ * @param found one enclosure for each vertex
+ */
+int vertex_table_write(const char *path, graze_context *context, const graze_mesh *mesh,
+                       const graze_enclosure *found);
+
+/** Write a row for each point: x, y, z and the mesh's pmc. Returns an exit status and says what is
+ * wrong.
+ * @param parity whether that is the mesh's rule, for the head
+ * @param points 3 count rationals */
+int answer_table_write(const char *path, int parity, graze_rationals points, const graze_pmc *found,
+                       size_t count);
 
 #endif

@@ -1,15 +1,15 @@
 /* graze-mpi: graze classify with the rows answered by many ranks.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "program/mpi/mpi.h"
+
 #include <fcntl.h>
 #include <mpi.h>
 #include <stdio.h>
 #include <unistd.h>
-#include "program/cli/classify.h"
-#include "program/mpi/ranks.h"
-#include "program/run/interrupt.h"
-#include "program/run/memory.h"
-#include "program/run/output.h"
+#include "program/cli/cli.h"
+#include "program/io/io.h"
+#include "program/run/run.h"
 
 static const char mpi_help[] =
     "mpirun -n N graze-mpi SOLID MOTION POINTS: graze classify on N ranks\n"

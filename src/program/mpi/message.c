@@ -1,13 +1,15 @@
-/* Packs runs of rows and answers (message.h). All ranks run the same program on the same kind of
+/* Packs runs of rows and answers (mpi.h). All ranks run the same program on the same kind of
  * machine, so numbers travel as they are in memory.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "program/mpi/message.h"
+#include "program/mpi/mpi.h"
 
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "input/delimited/delimited.h"
+#include "program/points/points.h"
 
 void message_clear(message *m) {
     free(m->bytes);

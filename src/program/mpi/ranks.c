@@ -1,21 +1,18 @@
-/* The jobs of program/run/jobs.h, done by the other ranks; and the work of such a rank.
+/* The jobs of program/run/run.h, done by the other ranks; and the work of such a rank.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A rank has a second run at hand when it has answered the first one. Nothing is sent by a call
  * that waits for its receiver, so no two ranks wait for each other. With one rank alone it answers
  * by itself.
  */
-#include "program/mpi/ranks.h"
+#include "program/mpi/mpi.h"
 
 #include <mpi.h>
 #include <stdlib.h>
 #include <time.h>
-#include "program/mpi/message.h"
-#include "program/run/certified.h"
-#include "program/run/interrupt.h"
-#include "program/run/jobs.h"
-#include "program/run/queue.h"
-#include "program/run/receipt.h"
+#include "program/io/io.h"
+#include "program/points/points.h"
+#include "program/run/run.h"
 
 enum { AHEAD = 2, LOOKS = 50 };
 

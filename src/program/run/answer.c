@@ -1,12 +1,15 @@
 /* Answers runs of rows: reads their numbers, classifies them and writes them into one text.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "program/run/answer.h"
+#include "program/run/run.h"
 
 #include <string.h>
 #include "base/context/scope.h"
-#include "program/run/site_answer.h"
-#include "program/run/status.h"
+#include "input/delimited/delimited.h"
+#include "output/table/table.h"
+#include "program/io/io.h"
+#include "program/points/points.h"
+#include "program/run/kept.h"
 
 /* Name the place of a row for messages. */
 static void put_place(text *out, const row_source *from, const block *b, size_t row) {

@@ -1,7 +1,7 @@
 /* Certifiers, and solids converted for graze-check.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "program/run/certified.h"
+#include "program/run/run.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -9,8 +9,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "program/run/guard.h"
-#include "program/run/output.h"
+#include "program/io/io.h"
 
 /* A file that holds, in a form that graze-check reads, what another one holds. Zeroed: none. */
 typedef struct beside {

@@ -4,16 +4,12 @@
  * Points come in blocks, which threads answer while the next ones are read and the last ones
  * written, in order. A failure leaves the whole rows before it and no `# complete` line.
  */
-#include "program/run/classify.h"
+#include "program/run/run.h"
 
 #include <stdlib.h>
-#include "program/run/certified.h"
-#include "program/run/csv.h"
-#include "program/run/interrupt.h"
-#include "program/run/jobs.h"
-#include "program/run/outputs.h"
-#include "program/run/progress.h"
-#include "program/run/receipt.h"
+#include "program/io/io.h"
+#include "program/points/points.h"
+#include "program/run/kept.h"
 
 /* Blocks at hand keep the threads busy while one is written: a few, and some rows for each. */
 static size_t ring_size(const classify_options *o) {

@@ -4,16 +4,16 @@
  * Each thread has a context of its own and takes rows from one queue. Answers stand at the places
  * of their rows, so the output does not depend on the number of threads.
  */
-#include "program/run/jobs.h"
+#include "program/run/run.h"
 
 #include <pthread.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <time.h>
 #include <unistd.h>
-#include "program/run/interrupt.h"
-#include "program/run/queue.h"
-#include "program/run/status.h"
+#include "program/io/io.h"
+#include "program/points/points.h"
+#include "program/run/kept.h"
 
 typedef struct worker {
     jobs *shared;

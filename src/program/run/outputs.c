@@ -1,7 +1,7 @@
 /* Writes the table and the certificate of a run.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "program/run/outputs.h"
+#include "program/run/run.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -9,8 +9,11 @@
 #include <string.h>
 #include <sys/stat.h>
 #include "base/context/scope.h"
-#include "output/table/typed_read.h"
-#include "output/table/typed_write.h"
+#include "input/delimited/delimited.h"
+#include "output/table/table.h"
+#include "program/io/io.h"
+#include "program/points/points.h"
+#include "program/run/kept.h"
 
 void outputs_init(outputs *out, const classify_options *o, const loaded *l) {
     out->o = o;

@@ -1,12 +1,14 @@
-/* Reads a part of a table or a certificate (part.h).
+/* Reads a part of a table or a certificate (run.h).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "program/run/part.h"
+#include "program/run/run.h"
 
 #include <errno.h>
 #include <string.h>
 #include <sys/stat.h>
-#include "program/run/status.h"
+#include "input/delimited/delimited.h"
+#include "program/io/io.h"
+#include "program/points/points.h"
 
 /* The last lines are within this number of bytes of the end. */
 enum { TAIL = 512 };

@@ -1,7 +1,10 @@
 /* Hands rows out to threads or ranks.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "program/run/queue.h"
+#include "program/run/run.h"
+
+#include "program/io/io.h"
+#include "program/points/points.h"
 
 void queue_add(queue *q, block *b) {
     if (q->first)

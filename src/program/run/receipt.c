@@ -1,13 +1,13 @@
 /* Writes receipts, and loads scenes by them.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "program/run/receipt.h"
+#include "program/run/run.h"
 
 #include <sha256.h>
 #include <stdio.h>
 #include <string.h>
-#include "input/delimited/stream.h"
-#include "program/run/output.h"
+#include "input/delimited/delimited.h"
+#include "program/io/io.h"
 
 /* A receipt has fewer bytes than that. */
 enum { RECEIPT = 1024, HASH = 32 };

@@ -2,14 +2,14 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #define _GNU_SOURCE /* memrchr */
-#include "program/run/results.h"
-
 #include <errno.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include "program/run/shard.h"
-#include "program/run/status.h"
+#include "input/delimited/delimited.h"
+#include "program/io/io.h"
+#include "program/points/points.h"
+#include "program/run/kept.h"
 
 /* TAIL: the notes at the end of a file are shorter. */
 enum { PIECE = 1 << 16, TAIL = 512 };

@@ -1,9 +1,9 @@
 /* Answers contact points: each is a site of the scene, and a row.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "program/run/site_answer.h"
-
 #include "base/number/text.h"
+#include "program/points/points.h"
+#include "program/run/kept.h"
 
 static graze_status make_site(graze_site **out, graze_context *context, const graze_scene *scene,
                               const site_rows *rows, size_t row) {

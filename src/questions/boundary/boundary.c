@@ -7,13 +7,9 @@
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "decide/scene/box.h"
-#include "decide/scene/demand.h"
-#include "questions/boundary/bisect.h"
-#include "questions/boundary/contacts.h"
-#include "questions/boundary/refine_cells.h"
-#include "questions/boundary/sharpen.h"
-#include "questions/boundary/surface.h"
+#include "decide/scene/scene.h"
+#include "input/solid/solid.h"
+#include "questions/boundary/sampling.h"
 
 /* The caller's box, or the scene's with a margin. */
 static graze_status set_box(struct graze_boundary *b, graze_context *context, const fmpq *low,

@@ -1,16 +1,113 @@
+/* boundary: points, cells and a surface of the sweep's boundary by adaptive sampling of exact
+ * answers.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_QUESTIONS_BOUNDARY_H
+#define GRAZE_QUESTIONS_BOUNDARY_H
+
+#include <stdint.h>
+#include "base/context/slots.h"
+#include "decide/scene/scene.h"
+#include "graze/boundary.h"
+#include "input/solid/solid.h"
+
+/* Numbers in the order in which they came, found again by hashing. */
+
+/** Keys with a byte each. Zeroed: empty. */
+typedef struct number_index {
+    uint64_t *key;
+    unsigned char *value;
+    size_t count, capacity;
+    slots places; /* of the keys */
+} number_index;
+/** The index of a key, or `count` if it is not there. */
+size_t number_index_find(const number_index *t, uint64_t key);
+
+/* A boundary in the making: its cells, and the lattice points that were classified. */
+
+enum { BOUNDARY_DEPTH = 19 }; /* 21 bits for each coordinate of a lattice point */
+
+/** A cell: `at` counts cells of its level along each axis. */
+typedef struct sample_cell {
+    uint32_t at[3];
+    unsigned level;
+    size_t child; /* the first of 2^d; 0 for a leaf */
+} sample_cell;
+
+/** The faces of a cell of the level reached, up to those of the next patch. */
+typedef struct cell_faces {
+    size_t cell, first;
+} cell_faces;
+
+/** A vertex within a cell: between a point that is out and one that is not, d rationals each, at
+ * most 2^-21 of the cell apart along each axis; the latter itself where it is on. */
+typedef struct feature {
+    fmpq outside[3], inside[3];
+    graze_pmc pmc; /* of the latter */
+} feature;
+
+struct graze_boundary {
+    const graze_scene *scene; /* borrowed */
+    int dimension;
+    unsigned coarse, depth;
+    int middles; /* vertices stay in the middles of their edges */
+    int sharp;   /* features are looked for (sampling.h) */
+    unsigned long budget;
+    fmpq low[3], side[3];
+    fmpq point[3];          /* the lattice point at hand */
+    int threads;            /* that ask for points off the lattice, */
+    struct asker *askers;   /* one each */
+    number_index points;    /* lattice points and their pmc */
+    unsigned long known[4]; /* points by pmc */
+    sample_cell *cells;
+    size_t cell_count, cell_capacity, leaf_count;
+    size_t *leaves;
+    uint64_t *contacts; /* places of the smallest cells that hold one, sorted */
+    size_t contact_count;
+    unsigned long asked; /* contact points made; they count as points of the budget */
+    size_t *work;        /* cells to look at */
+    size_t work_count, work_capacity;
+    unsigned reached; /* the level the surface is of */
+    int complete;     /* the budget lasted */
+    int closed;       /* the surface has no border */
+    unsigned long missed;
+    number_index
+        vertices;    /* the middles of the surface's edges, and pmc where `shares` are inside */
+    fmpq *shares;    /* two for each vertex (boundary.h) */
+    size_t exact;    /* vertices that are on the boundary itself */
+    size_t *corners; /* of the surface's faces, d each */
+    size_t face_count, corner_capacity;
+    cell_faces *patches; /* where `sharp`, in the order of their faces */
+    size_t patch_count, patch_capacity;
+    feature *features; /* vertices behind those of the table */
+    size_t feature_count, feature_capacity;
+};
+
+/** Who asks for points off the lattice: a thread with a context, a point at hand and a count. */
+typedef struct asker {
+    const struct graze_boundary *boundary;
+    graze_context *context; /* of the call at work */
+    fmpq point[3];
+    unsigned long asked;
+} asker;
+/** Set the coordinates of a lattice point. */
+void lattice_point(fmpq *out, const struct graze_boundary *b, uint64_t key);
+/** The lattice point of corner `index` of a cell: bit k is the side along axis k. */
+uint64_t sample_cell_corner(const struct graze_boundary *b, const sample_cell *c, unsigned index);
+
+/* The vertices of a boundary's surface, moved along their edges onto the boundary. */
+/** How many vertices there are: those of the table, and features behind them. */
+size_t bisect_count(const struct graze_boundary *b);
+/** The two points of vertex `index`: the one that is out, and the other. d rationals each. */
+void bisect_between(fmpq *outside, fmpq *inside, const struct graze_boundary *b, size_t index);
+/** Vertex `index`, d rationals. */
+void bisect_vertex(fmpq *out, const struct graze_boundary *b, size_t index);
+
 /* The boundary of a sweep or unsweep by adaptive sampling ([EI] section 5, [IS] section 4.2).
- * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A box is cut into 2^d cells again and again. Points stand on the lattice that cuts each side of
  * the box into 2^(depth + 1) parts, so that corners and centres of all cells, and the middles of
  * the smallest cells' edges, are lattice points. Every answer is exact; nothing is known between
- * the points.
- */
-#ifndef GRAZE_BOUNDARY_BOUNDARY_H
-#define GRAZE_BOUNDARY_BOUNDARY_H
-
-#include "graze/boundary.h"
-#include "questions/boundary/sampling.h"
+ * the points. */
 
 /**
  * Sample a scene (graze_boundary_create); `out` is cleared by boundary_clear in either case.
@@ -21,5 +118,9 @@ graze_status boundary_make(struct graze_boundary *out, graze_context *context,
                            const graze_scene *scene, const graze_boundary_options *options,
                            const fmpq *low, const fmpq *high);
 void boundary_clear(struct graze_boundary *b);
+
+/* Contact points of a boundary. */
+/** 1 if the cell holds such a point. */
+int sample_cell_has_contact(const struct graze_boundary *b, const sample_cell *c);
 
 #endif

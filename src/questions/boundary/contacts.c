@@ -1,12 +1,14 @@
 /* Contact points, which lead to parts that are thinner than the lattice.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/boundary/contacts.h"
+#include "questions/boundary/boundary.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "decide/verdict/classify.h"
+#include "decide/trace/trace.h"
+#include "decide/verdict/verdict.h"
+#include "questions/boundary/sampling.h"
 #include "questions/generate/generate.h"
 
 /* The bits of the coordinates in turn, so that a cell is an interval of places. */

@@ -6,15 +6,14 @@
  * with a point that is out next to it, or if bisection along the sum of the normals finds such a
  * pair of points near it.
  */
-#include "questions/boundary/feature.h"
+#include "questions/boundary/boundary.h"
 
 #include <flint/fmpq_mat.h>
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "questions/boundary/bisect.h"
-#include "questions/boundary/probe.h"
+#include "questions/boundary/sampling.h"
 
 /* Normals that differ more have a smaller inner product; a third one is this far from the plane of
  * the two others. */

@@ -1,10 +1,11 @@
 /* Finds keys by their mixed bits, which are different for different keys.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/boundary/number_index.h"
+#include "questions/boundary/boundary.h"
 
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "questions/boundary/sampling.h"
 
 void number_index_clear(number_index *t) {
     free(t->key);

@@ -5,11 +5,12 @@
  * along, other points of it are looked for within 2^-5 of a cell. The normal of the plane through
  * all is near the boundary's, if that is smooth there; what is built on it is verified.
  */
-#include "questions/boundary/probe.h"
+#include "questions/boundary/boundary.h"
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
+#include "questions/boundary/sampling.h"
 
 enum { BESIDE = 7, WITHIN = 5, PLACES = 21 };
 

@@ -6,12 +6,12 @@
  * then every edge of the level between `out` and the rest has all its cells, and the surface no
  * border inside the box.
  */
-#include "questions/boundary/refine_cells.h"
+#include "questions/boundary/boundary.h"
 
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "questions/boundary/contacts.h"
+#include "questions/boundary/sampling.h"
 
 static graze_status push_cell(graze_context *context, struct graze_boundary *b, size_t index) {
     TRY(array_grow(context, &b->work, &b->work_capacity, b->work_count + 1, sizeof *b->work,

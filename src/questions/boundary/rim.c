@@ -1,7 +1,10 @@
 /* Rims from the sides of faces that no other face of the patch has.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/boundary/rim.h"
+#include "questions/boundary/boundary.h"
+
+#include "input/solid/solid.h"
+#include "questions/boundary/sampling.h"
 
 /* Directed edges with a marker; of the patch's faces, then of its rim alone. */
 typedef struct edge_list {

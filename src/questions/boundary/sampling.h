@@ -1,87 +1,22 @@
-/* A boundary in the making: its cells, and the lattice points that were classified.
- * SPDX-License-Identifier: GPL-3.0-or-later
- */
-#ifndef GRAZE_BOUNDARY_SAMPLING_H
-#define GRAZE_BOUNDARY_SAMPLING_H
+/* Sampling of the boundary, refined where it bends.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_QUESTIONS_BOUNDARY_SAMPLING_H
+#define GRAZE_QUESTIONS_BOUNDARY_SAMPLING_H
 
 #include <stdint.h>
-#include "decide/scene/scene.h"
-#include "questions/boundary/number_index.h"
+#include "base/context/slots.h"
+#include "questions/boundary/boundary.h"
 
-enum { BOUNDARY_DEPTH = 19 }; /* 21 bits for each coordinate of a lattice point */
+/* Numbers in the order in which they came, found again by hashing. */
 
-/** A cell: `at` counts cells of its level along each axis. */
-typedef struct sample_cell {
-    uint32_t at[3];
-    unsigned level;
-    size_t child; /* the first of 2^d; 0 for a leaf */
-} sample_cell;
-
-/** The faces of a cell of the level reached, up to those of the next patch. */
-typedef struct cell_faces {
-    size_t cell, first;
-} cell_faces;
-
-/** A vertex within a cell: between a point that is out and one that is not, d rationals each, at
- * most 2^-21 of the cell apart along each axis; the latter itself where it is on. */
-typedef struct feature {
-    fmpq outside[3], inside[3];
-    graze_pmc pmc; /* of the latter */
-} feature;
-
-struct graze_boundary {
-    const graze_scene *scene; /* borrowed */
-    int dimension;
-    unsigned coarse, depth;
-    int middles; /* vertices stay in the middles of their edges */
-    int sharp;   /* features are looked for (sharpen.h) */
-    unsigned long budget;
-    fmpq low[3], side[3];
-    fmpq point[3];          /* the lattice point at hand */
-    int threads;            /* that ask for points off the lattice, */
-    struct asker *askers;   /* one each */
-    number_index points;    /* lattice points and their pmc */
-    unsigned long known[4]; /* points by pmc */
-    sample_cell *cells;
-    size_t cell_count, cell_capacity, leaf_count;
-    size_t *leaves;
-    uint64_t *contacts; /* places of the smallest cells that hold one, sorted */
-    size_t contact_count;
-    unsigned long asked; /* contact points made; they count as points of the budget */
-    size_t *work;        /* cells to look at */
-    size_t work_count, work_capacity;
-    unsigned reached; /* the level the surface is of */
-    int complete;     /* the budget lasted */
-    int closed;       /* the surface has no border */
-    unsigned long missed;
-    number_index
-        vertices;    /* the middles of the surface's edges, and pmc where `shares` are inside */
-    fmpq *shares;    /* two for each vertex (bisect.h) */
-    size_t exact;    /* vertices that are on the boundary itself */
-    size_t *corners; /* of the surface's faces, d each */
-    size_t face_count, corner_capacity;
-    cell_faces *patches; /* where `sharp`, in the order of their faces */
-    size_t patch_count, patch_capacity;
-    feature *features; /* vertices behind those of the table */
-    size_t feature_count, feature_capacity;
-};
-
-/** Who asks for points off the lattice: a thread with a context, a point at hand and a count. */
-typedef struct asker {
-    const struct graze_boundary *boundary;
-    graze_context *context; /* of the call at work */
-    fmpq point[3];
-    unsigned long asked;
-} asker;
+void number_index_clear(number_index *t);
+/** Add a key that is not there; 0 when memory is short. */
+int number_index_add(number_index *t, uint64_t key, unsigned char value);
 
 /** Classify a point and count it among those of the vertices. */
 graze_status asker_pmc(graze_pmc *out, asker *a, const fmpq *point);
 /** The key of a lattice point. */
 uint64_t lattice_key(const uint32_t at[3]);
-/** Set the coordinates of a lattice point. */
-void lattice_point(fmpq *out, const struct graze_boundary *b, uint64_t key);
-/** The lattice point of corner `index` of a cell: bit k is the side along axis k. */
-uint64_t sample_cell_corner(const struct graze_boundary *b, const sample_cell *c, unsigned index);
 /** The pmc of a lattice point that is known, else GRAZE_PMC_NONE. */
 graze_pmc lattice_known(const struct graze_boundary *b, uint64_t key);
 /**
@@ -92,5 +27,120 @@ graze_status lattice_classify(graze_pmc *out, graze_context *context, struct gra
                               uint64_t key);
 /** 1 if a part of the cell's corners is out and another not. */
 int sample_cell_mixed(const struct graze_boundary *b, const sample_cell *c);
+
+/* The longest edge is sqrt(3) cells, so both points are within 2^-20 of a cell's longest side. */
+enum { BISECT_BITS = 21 };
+
+/** Set the places of all vertices. */
+graze_status boundary_bisect(graze_context *context, struct graze_boundary *b);
+
+/* Contact points of a boundary. */
+
+/** Make contact points and keep the places of those that are `on`. */
+graze_status boundary_contacts(graze_context *context, struct graze_boundary *b,
+                               unsigned long count, unsigned long long seed);
+
+/* Tangent planes (E^2: lines) of a boundary at vertices of its surface. */
+
+/** Where `known`, a form of d + 1 rationals that is zero on the plane and positive outside, and its
+ * unit normal. Zeroed: not known. */
+typedef struct tangent {
+    int known;
+    fmpq form[4];
+    double unit[3];
+} tangent;
+
+/**
+ * Guess the tangent plane at a vertex: where it is on, from the cells of the first contact that
+ * gives one, exactly where the contact's time is rational; else from two points of the boundary
+ * beside it (E^2: one), placed by bisection. Nothing is proved about a guess.
+ */
+graze_status tangent_find(tangent *out, asker *a, size_t vertex);
+
+/* Points of a boundary at its edges and corners. */
+
+/** 1 if two tangent planes are known and more than about 18 degrees apart. */
+int feature_between(const tangent *a, const tangent *b);
+
+/**
+ * Look for a corner or a point of an edge of the boundary strictly inside a cell: where two or
+ * three of the tangent planes meet, nearest to a point of reference. It is taken only if it is
+ * between two exactly classified points of the cell (sampling.h, feature).
+ * @param[out] out   uninitialised; its numbers are set where *found is 1
+ * @param reference  d rationals
+ */
+graze_status feature_find(feature *out, int *found, asker *a, const sample_cell *c,
+                          const tangent *const *list, size_t count, const fmpq *reference);
+
+/* Normals of a boundary from points of it that lie near one another. */
+
+/** 1 if a point lies strictly inside a cell of the level reached. */
+int probe_in_cell(const struct graze_boundary *b, const sample_cell *c, const fmpq *point);
+
+/**
+ * Look on the line base + s way for the boundary by bisection, s from `low`, where the answer must
+ * not be out, to `high`, where it must be.
+ * @param[in,out] low, high shares; afterwards at most 2^-`bits` apart
+ * @param[out] pmc at `low`; GRAZE_PMC_NONE where the answers at the ends are not those
+ */
+graze_status probe_line(fmpq_t low, fmpq_t high, graze_pmc *pmc, asker *a, const fmpq *base,
+                        const fmpq *way, unsigned bits);
+
+/**
+ * Guess the normal at a point from boundary points 2^-7 of a cell beside it.
+ * @param[out] out   d rationals
+ * @param[out] found 0 where there is no such point
+ * @param outside, inside two points near one another, one of them out and the other not
+ */
+graze_status probe_normal(fmpq *out, int *found, asker *a, const fmpq *outside, const fmpq *inside);
+
+/* The cells of a boundary, level by level. */
+
+/** Points that are asked at least: `contacts` points and the corners of the coarse level. */
+unsigned long long boundary_least_points(const struct graze_boundary *b, unsigned long contacts);
+
+/** Refuse a budget that does not suffice for `contacts` points and all cells of the coarse level.
+ */
+graze_status boundary_refuse_budget(graze_context *context, const struct graze_boundary *b,
+                                    unsigned long contacts);
+/** Cut the box, level by level. */
+graze_status boundary_refine(graze_context *context, struct graze_boundary *b);
+
+/* The rims of patches: where the surface leaves a cell. */
+
+/* A patch has at most two faces a simplex. */
+enum { RIM_MOST = 36 };
+
+/** Vertices in the order of the faces' sides: a closed polygon on the sides of the cell; in E^2 the
+ * way from one side to another. */
+typedef struct rim {
+    size_t count, vertex[RIM_MOST];
+} rim;
+
+/** A run of edges of a rim that lies in one side of the cell. */
+typedef struct rim_run {
+    size_t first, edges; /* from vertex `first` on */
+} rim_run;
+
+/** 1 if the patch has one rim, which passes each of its vertices once. */
+int rim_find(rim *out, const struct graze_boundary *b, size_t patch);
+
+/** 1 if just one run of a closed rim lies in the lower or upper side of its cell along an axis. */
+int rim_run_at(rim_run *out, const struct graze_boundary *b, const sample_cell *c,
+               const size_t *vertex, size_t count, int axis, int upper);
+
+/* The sharp edges and corners of a boundary, put into its surface. */
+
+/**
+ * Give each cell with a feature (sampling.h) a vertex there. The surface stays a manifold without
+ * degenerate faces and without self-intersections, closed where it was; vertices that no face has
+ * any more are gone.
+ */
+graze_status boundary_sharpen(graze_context *context, struct graze_boundary *b);
+
+/* The surface of a boundary. */
+
+/** The surface between `out` and the rest at the level reached. */
+graze_status boundary_surface(graze_context *context, struct graze_boundary *b);
 
 #endif

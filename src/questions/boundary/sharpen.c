@@ -16,7 +16,7 @@
  *
  * In E^2 the way from the first to the last vertex of a patch goes over the feature.
  */
-#include "questions/boundary/sharpen.h"
+#include "questions/boundary/boundary.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
@@ -25,9 +25,8 @@
 #include "base/context/scope.h"
 #include "base/context/team.h"
 #include "base/number/vector.h"
-#include "questions/boundary/bisect.h"
-#include "questions/boundary/feature.h"
-#include "questions/boundary/rim.h"
+#include "input/solid/solid.h"
+#include "questions/boundary/sampling.h"
 
 /* A patch with a feature, whose number is the fan's. */
 typedef struct fan {

@@ -7,11 +7,13 @@
  * spans one segment (d = 2), or one or two triangles (d = 3), which `out` lies to the right or on
  * the outer side of. Here vertices are the middles; bisect.c moves them along their edges.
  */
-#include "questions/boundary/surface.h"
+#include "questions/boundary/boundary.h"
 
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "questions/boundary/contacts.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "questions/boundary/sampling.h"
 
 /* A simplex's corners with those in `out` last. */
 typedef struct corner_simplex {

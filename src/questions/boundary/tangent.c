@@ -6,16 +6,19 @@
  * vertex). The map P -> A P + b that carries points to the solid's frame takes the normal n there
  * to A^T n.
  */
-#include "questions/boundary/tangent.h"
+#include "questions/boundary/boundary.h"
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
-#include "decide/trace/point.h"
-#include "decide/trace/trajectory.h"
-#include "questions/boundary/bisect.h"
-#include "questions/boundary/probe.h"
+#include "decide/bounds/bounds.h"
+#include "decide/scene/scene.h"
+#include "decide/surfaces/surfaces.h"
+#include "decide/trace/trace.h"
+#include "input/motion/motion.h"
+#include "input/soup/soup.h"
+#include "questions/boundary/sampling.h"
 #include "questions/distance/distance.h"
 
 /* The sum of the cross products of an outer cycle's neighbours: twice its area along the normal. */

@@ -1,10 +1,10 @@
 /* Facets cut as graze-check cuts them: each into the fan of its first corner.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/certify/checker_cut.h"
-
 #include "base/context/scope.h"
-#include "input/solid/create.h"
+#include "input/solid/solid.h"
+#include "input/soup/soup.h"
+#include "questions/certify/prove.h"
 
 static graze_status add_fan(soup *out, graze_context *context, const soup *in, size_t facet) {
     size_t cycle = in->facet_start[facet], first = in->cycle_start[cycle];

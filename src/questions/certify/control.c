@@ -9,10 +9,12 @@
  * 3 (2^-43.8 + 2.1 * 2^-46 + 2^-49) M L^2 and roundings of 2^-47 M L^2, less than 2^-41 M L^2.
  * A number further from 0 than these bounds, doubled, has its sign.
  */
-#include "questions/certify/control.h"
-
 #include <math.h>
 #include <stdlib.h>
+#include "decide/trace/trace.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "questions/certify/prove.h"
 
 /* Beyond it powers of M might leave the range of doubles. */
 static const double SMALLEST = 0x1p-200, LARGEST = 0x1p200;

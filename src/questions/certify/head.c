@@ -1,13 +1,15 @@
 /* A certificate's head: what it is about, and times between which the motion's signs are plain.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/certify/head.h"
+#include "questions/certify/certify.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/bernstein.h"
-#include "questions/certify/checker_cut.h"
+#include "decide/scene/scene.h"
+#include "input/motion/motion.h"
+#include "questions/certify/prove.h"
 
 static int is_given(const unsigned char sha256[32]) {
     int given = 0;

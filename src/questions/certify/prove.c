@@ -1,13 +1,15 @@
 /* The checker's tests, foreseen on polynomials of FLINT.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/certify/prove.h"
-
 #include <flint/fmpz_vec.h>
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
+#include "decide/trace/trace.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "questions/certify/prove.h"
 
 enum { UNKNOWN = 2 };
 

@@ -1,15 +1,45 @@
-/* Will the checker's tests succeed on an interval? The tests of proofs/certificate.md, section 4,
- * foreseen: what a certificate hints at must pass them.
- * SPDX-License-Identifier: GPL-3.0-or-later
- */
-#ifndef GRAZE_CERTIFY_PROVE_H
-#define GRAZE_CERTIFY_PROVE_H
+/* Hints of a row: control points, events, cuts.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_QUESTIONS_CERTIFY_PROVE_H
+#define GRAZE_QUESTIONS_CERTIFY_PROVE_H
 
 #include "base/number/bernstein.h"
-#include "decide/trace/trajectory.h"
-#include "input/solid/known.h"
+#include "base/number/text.h"
+#include "decide/trace/trace.h"
+#include "input/motion/motion.h"
 #include "input/solid/solid.h"
-#include "questions/certify/control.h"
+#include "input/validate/validate.h"
+#include "questions/certify/certify.h"
+
+/* Facets cut as the checker of certificates cuts them. */
+
+/** The solid with every facet of more than three corners cut into the fan of its first one; *out is
+ * NULL where there is none. GRAZE_EILLEGAL where a fan is not the facet. */
+graze_status certify_cut(graze_solid **out, graze_context *context, const graze_solid *solid);
+
+/* A piece of a trajectory in doubles, and simplices that it is certainly off. */
+
+/** The control points x_k / w_k of a piece in E^3, each within 2^-48 of its size, and a box around
+ * them. */
+typedef struct control {
+    double *at;   /* 3 * count */
+    size_t count; /* 0: nothing is known, in E^2 or past the range of doubles */
+    box box;
+} control;
+
+/** Room for trajectories of a degree; 0 without memory. control_clear frees it. */
+int control_init(control *out, slong degree);
+void control_clear(control *c);
+
+/** Set the points from Bernstein coefficients, all those of W positive. */
+void control_set(control *out, const trajectory *c, const fmpz *bernstein);
+
+/** Is it certain that the plane form, or a side form, of a simplex has one strict sign at all
+ * control points, that of the side form negative? 0 says nothing. */
+int control_clears(const control *c, const graze_solid *solid, size_t simplex);
+
+/* Will the checker's tests succeed on an interval? The tests of proofs/certificate.md, section 4,
+ * foreseen: what a certificate hints at must pass them. */
 
 /** An interval of a trajectory's parameter u, and the simplices near it. */
 typedef struct enclosure {
@@ -48,5 +78,26 @@ int prove_slide(enclosure *e, const dyadic_interval *at);
 int prove_root(enclosure *e, const dyadic_interval *at, root_claim claim);
 /** q has just one root in the open interval, a simple one, and none at its ends. */
 int prove_isolated(const fmpz_poly_t q, const dyadic_interval *at);
+
+/* The lines of a certificate's row: intervals, and contacts where they are wanted
+ * (proofs/certificate.md, section 1). */
+
+/** A row being written. */
+typedef struct row_lines {
+    text *out;
+    const graze_trace *trace;  /* its contacts are written with their cells; NULL: none are */
+    size_t said;               /* their number */
+    const motion_piece *piece; /* the one at hand */
+    text start, finish;        /* where the next interval begins, and the last one ends */
+    text opened;               /* the beginning of a contact that has not ended; empty: none */
+} row_lines;
+
+/** Begin to write the intervals of a row. */
+void row_lines_init(row_lines *l, text *out, const graze_trace *trace, const graze_motion *motion);
+void row_lines_clear(row_lines *l);
+/** Write an interval up to u = high / 2^exponent, and the contact that ends with it. `q` is that of
+ * a kind of three letters, in u. */
+void row_lines_put(row_lines *l, const char *kind, const fmpz_t high, ulong exponent,
+                   const fmpz_poly_struct *q);
 
 #endif

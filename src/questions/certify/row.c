@@ -2,7 +2,7 @@
  * cut until the checker's tests succeed.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/certify/row.h"
+#include "questions/certify/certify.h"
 
 #include <flint/fmpz_poly_factor.h>
 #include <flint/fmpz_vec.h>
@@ -10,13 +10,11 @@
 #include "base/context/scope.h"
 #include "base/number/order.h"
 #include "decide/filter/filter.h"
-#include "decide/trace/candidates.h"
-#include "decide/trace/touch.h"
 #include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
-#include "input/solid/locate.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
 #include "questions/certify/prove.h"
-#include "questions/certify/row_lines.h"
 
 enum { DEEPEST = 2000 };
 

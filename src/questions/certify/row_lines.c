@@ -1,12 +1,13 @@
 /* Writes the intervals and contacts of a row.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/certify/row_lines.h"
-
 #include <flint/fmpq_poly.h>
 #include <flint/fmpq_vec.h>
 #include <string.h>
 #include "base/context/scope.h"
+#include "decide/trace/trace.h"
+#include "input/motion/motion.h"
+#include "questions/certify/prove.h"
 
 void row_lines_init(row_lines *l, text *out, const graze_trace *trace, const graze_motion *motion) {
     *l = (row_lines){.out = out, .trace = trace};

@@ -2,10 +2,15 @@
  * corners; each pair of cells that meet contains such a mean.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/collide/cell_pairs.h"
+#include "questions/collide/collide.h"
 
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "input/solid/solid.h"
+#include "input/soup/soup.h"
+#include "input/validate/validate.h"
+#include "questions/collide/near_pairs.h"
+#include "questions/collide/placing.h"
 
 /** The sides that hold a point: three bits for the moving simplex, then three for the fixed one. */
 typedef unsigned side_mask;

@@ -5,7 +5,9 @@
 
 #include <string.h>
 #include "base/context/scope.h"
-#include "questions/collide/pair_search.h"
+#include "decide/trace/trace.h"
+#include "input/motion/motion.h"
+#include "questions/collide/near_pairs.h"
 
 /* Set `start` to t0 if the motion begins in state I. */
 static graze_status mark_start(graze_pair *pair, graze_context *context) {

@@ -1,10 +1,53 @@
-/* The answer of a pair: the word and the contacts of a moving and a fixed solid
- * (proofs/collision.md). SPDX-License-Identifier: GPL-3.0-or-later
- */
-#ifndef GRAZE_COLLIDE_COLLIDE_H
-#define GRAZE_COLLIDE_COLLIDE_H
+/* collide: the word of a moving solid against a fixed one: apart, touching, overlapping, with
+ * exact times and cells.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_QUESTIONS_COLLIDE_H
+#define GRAZE_QUESTIONS_COLLIDE_H
 
-#include "questions/collide/pair_walk.h"
+#include "decide/trace/trace.h"
+#include "graze/pair.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+
+/** Two solids and the motion of `moving`, all borrowed, of one dimension; `fixed` does not move. */
+typedef struct solid_pair {
+    const graze_solid *moving, *fixed;
+    const graze_motion *motion;
+    int complement; /* 1: the closure of its complement takes the place of `fixed` */
+} solid_pair;
+
+/* Pairs of boundary cells, one of each solid, that meet at a time. */
+
+typedef struct cell_pairs {
+    size_t count, capacity;
+    graze_cell_pair *item; /* sorted, without duplicates */
+} cell_pairs;
+
+/** A contact; `to` is NULL until it is known. */
+typedef struct pair_contact {
+    graze_state left, right;
+    const graze_time *from, *to;
+    cell_pairs cells;
+} pair_contact;
+
+typedef struct pair_walk {
+    const solid_pair *pair;
+    graze_context *context;
+    size_t contact_count, contact_capacity;
+    pair_contact *contact;
+    size_t length, word_capacity;
+    char *word; /* ends in NUL unless it is empty */
+    size_t time_count, time_capacity;
+    graze_time **time; /* all times that were kept, in order; contacts borrow them */
+    graze_time *last;  /* the last time reached; NULL: none */
+    graze_state gap;   /* state after the last time, or from t0 on; ABSENT: unknown */
+    int open;          /* the last contact has not ended */
+    int first; /* only the first contact, and the gap after its first instant, are asked for */
+    int done;  /* that contact is found */
+} pair_walk;
+
+/* The answer of a pair: the word and the contacts of a moving and a fixed solid
+ * (proofs/collision.md). */
 
 struct graze_pair {
     solid_pair pair;

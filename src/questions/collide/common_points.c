@@ -1,7 +1,9 @@
 /* Corners of common parts, from signs of planes, sides and pairs of edges.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/collide/common_points.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "questions/collide/placing.h"
 
 typedef struct finder {
     common_points *out;

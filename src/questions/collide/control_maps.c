@@ -1,11 +1,11 @@
 /* Control maps from Bernstein coefficients. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/collide/control_maps.h"
-
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "input/solid/box_image.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+#include "questions/collide/placing.h"
 
 static int form_count(int d) {
     return d * (d + 1) + 1;

@@ -1,13 +1,14 @@
 /* A vertex is inside between its trajectory's last contact with the other boundary before a time
  * and its first one after it. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/collide/deep_vertex.h"
-
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/order.h"
-#include "decide/trace/touch.h"
+#include "decide/filter/filter.h"
+#include "decide/trace/trace.h"
+#include "input/solid/solid.h"
+#include "questions/collide/placing.h"
 
 /* Bounds of the numbers of vertices tried for each solid, and of trajectories traced. */
 enum { MOST_TRIED = 16, MOST_TRACED = 4 };

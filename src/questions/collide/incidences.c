@@ -3,15 +3,16 @@
  *
  * Adjacent simplices share vertices and edges, so duplicates are removed first.
  */
-#include "questions/collide/incidences.h"
-
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "base/number/order.h"
 #include "base/number/rootless.h"
-#include "questions/collide/apart.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "questions/collide/near_pairs.h"
+#include "questions/collide/placing.h"
 
 /** A vertex and a simplex of the other solid, or two edges, with a pair of simplices around them.
  */

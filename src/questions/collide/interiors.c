@@ -1,14 +1,13 @@
 /* The interiors meet if an edge passes through a simplex, a component is inside the other solid, or
  * the open cones at a common point meet. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/collide/interiors.h"
-
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "questions/collide/open_cones.h"
-#include "questions/collide/star.h"
+#include "decide/trace/trace.h"
+#include "input/validate/validate.h"
+#include "questions/collide/placing.h"
 
 /** A common point: its vertex or its two edges, and a pair of simplices with it as a corner. */
 typedef struct meeting_point {

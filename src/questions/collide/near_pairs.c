@@ -1,13 +1,15 @@
 /* A simultaneous descent of both trees; the moving tree's boxes are replaced by bounds of their
  * images. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/collide/near_pairs.h"
+#include "questions/collide/collide.h"
 
 #include <math.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "input/solid/box_image.h"
-#include "questions/collide/apart.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "questions/collide/near_pairs.h"
+#include "questions/collide/placing.h"
 
 graze_status node_list_add(node_list *list, graze_context *context, node_pair item) {
     TRY(array_grow(context, &list->item, &list->capacity, list->count + 1, sizeof *list->item,

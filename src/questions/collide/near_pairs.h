@@ -1,12 +1,22 @@
-/* Pairs of simplices that may meet during an interval: two trees of boxes and separating directions
- * exclude all others, in doubles with proved bounds (proofs/collision.md C108).
- * SPDX-License-Identifier: GPL-3.0-or-later
- */
-#ifndef GRAZE_COLLIDE_NEAR_PAIRS_H
-#define GRAZE_COLLIDE_NEAR_PAIRS_H
+/* Pairs of cells that come near, and the walk along the motion.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_QUESTIONS_COLLIDE_NEAR_PAIRS_H
+#define GRAZE_QUESTIONS_COLLIDE_NEAR_PAIRS_H
 
-#include "questions/collide/control_maps.h"
-#include "questions/collide/solid_pair.h"
+#include "graze/pair.h"
+#include "input/validate/validate.h"
+#include "questions/collide/collide.h"
+#include "questions/collide/placing.h"
+
+/* Pairs of boundary cells, one of each solid, that meet at a time. */
+
+/** Find all pairs of relatively open cells with a common point at the placing's time
+ * (proofs/collision.md C109). At that time no edge of one solid passes through the other.
+ * @param near all pairs of simplices that meet then, and perhaps others */
+void cell_pairs_find(cell_pairs *out, placing *p, const near_list *near);
+
+/* Pairs of simplices that may meet during an interval: two trees of boxes and separating
+ * directions exclude all others, in doubles with proved bounds (proofs/collision.md C108). */
 
 /** A node of each solid's tree. */
 typedef struct node_pair {
@@ -35,5 +45,58 @@ graze_status near_pairs_take(near_list *out, graze_context *context, const solid
                              const node_list *leaves);
 
 graze_status node_list_add(node_list *list, graze_context *context, node_pair item);
+
+/* Builds the pair word, state by state, from the times at which it can change (proofs/collision.md
+ * C112). */
+
+void pair_walk_clear(pair_walk *walk);
+
+/** Begin; if only the first contact is asked for, with the state at t0. */
+graze_status pair_walk_begin(pair_walk *walk);
+
+/** Walk to a time of a piece at which the boundaries meet. No time of incidences_find between the
+ * last time and this one may be left out.
+ * @param near pairs of leaves, with all that meet then
+ * @param whole a placing on the whole piece */
+graze_status pair_walk_to(pair_walk *walk, placing *whole, size_t piece, const algebraic *time,
+                          const node_list *near);
+
+/** Find the gap after the last time, if that is a contact.
+ * @param u a time of a piece; no contact is between the last time and u */
+graze_status pair_walk_on(pair_walk *walk, size_t piece, const fmpq_t u);
+
+/** Walk to a time of a piece at which, and for a while before which, the interiors meet. */
+graze_status pair_walk_pass(pair_walk *walk, size_t piece, const fmpq_t u);
+
+/** Walk to the end of the motion. */
+graze_status pair_walk_end(pair_walk *walk);
+
+/* Directions that separate corners, or the simplices below two nodes, during an interval of time,
+ * in doubles with proved bounds (proofs/collision.md C108). */
+
+/** Corners first, first + 1, ... of a simplex, in cyclic order. */
+typedef struct corner_run {
+    uint32_t simplex;
+    int first, count;
+} corner_run;
+
+/** A bound of the sum of the errors of a moved and of a standing corner in doubles; infinite if
+ * none is known. */
+double error_of_places(const solid_pair *pair, const control_maps *maps);
+
+/** Are the convex hulls of some corners of the moving and of the fixed solid certainly disjoint
+ * during the interval of the maps?
+ * @param error from error_of_places */
+int corners_apart(const solid_pair *pair, const control_maps *maps, corner_run moving,
+                  corner_run fixed, double error);
+
+/** Are all simplices below two nodes certainly disjoint, by the nodes' slabs? */
+int slabs_apart(const solid_pair *pair, const control_maps *maps, uint32_t moving, uint32_t fixed,
+                double error);
+
+/* A search for the times at which two boundaries meet, in order of time. */
+
+/** Walk through the whole motion or, if only the first contact is asked for, up to that. */
+graze_status pair_search(pair_walk *walk);
 
 #endif

@@ -4,13 +4,15 @@
  * On the sphere, parts of the cones' arcs bound the intersection of both open sets, so one point of
  * each part is enough.
  */
-#include "questions/collide/open_cones.h"
-
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "questions/collide/placing.h"
 
 static void moving_init(moving_vector *v) {
     for (int i = 0; i < 3; i++)

@@ -1,13 +1,14 @@
 /* Intervals of time are halved as long as pairs of boxes move further than they are large; the
  * remaining pairs are asked exactly. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/collide/pair_search.h"
+#include "questions/collide/collide.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "questions/collide/deep_vertex.h"
-#include "questions/collide/incidences.h"
+#include "input/motion/motion.h"
+#include "questions/collide/near_pairs.h"
+#include "questions/collide/placing.h"
 
 /* Bound of the halvings of a piece: then pairs are asked however far they move. With MANY_PAIRS
  * pairs or more a vertex deep in the other solid is sought. */

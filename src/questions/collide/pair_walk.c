@@ -4,7 +4,7 @@
  * The interiors meet in an open set of times, the closed solids in a closed set. So a time at which
  * the boundaries meet has the state B if a gap beside it has O or B, and I or B if beside I.
  */
-#include "questions/collide/pair_walk.h"
+#include "questions/collide/collide.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
@@ -12,7 +12,10 @@
 #include "base/context/scope.h"
 #include "base/number/order.h"
 #include "base/number/refine.h"
-#include "questions/collide/interiors.h"
+#include "decide/trace/trace.h"
+#include "input/motion/motion.h"
+#include "questions/collide/near_pairs.h"
+#include "questions/collide/placing.h"
 
 /* The gap after a first contact is examined at 2^-SOON of the way on, where few pairs meet yet. */
 enum { SOON = 8 };

@@ -1,6 +1,6 @@
 /* Values of forms at carried vertices, and their signs. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/collide/placing.h"
+#include "questions/collide/collide.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
@@ -8,7 +8,11 @@
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/sign.h"
-#include "input/solid/locate.h"
+#include "decide/trace/trace.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "questions/collide/placing.h"
 
 /* Does the motion reverse orientation? Its determinant never vanishes, so one time tells. */
 static int is_mirrored(const point_map *map) {

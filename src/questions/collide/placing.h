@@ -1,18 +1,34 @@
-/* Both solids at a time, exactly: signs of one solid's forms at the other's vertices.
- * SPDX-License-Identifier: GPL-3.0-or-later
- *
- * The motion carries vertices of the moving solid into the fixed solid's space; its inverse carries
- * vertices of the fixed solid into the moving solid's. Their places are polynomials in u, at a
- * rational time constants.
- */
-#ifndef GRAZE_COLLIDE_PLACING_H
-#define GRAZE_COLLIDE_PLACING_H
+/* Cells of a pair placed at a time, and their common points.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_QUESTIONS_COLLIDE_PLACING_H
+#define GRAZE_QUESTIONS_COLLIDE_PLACING_H
 
 #include "base/context/slots.h"
 #include "base/number/algebraic.h"
-#include "decide/trace/trajectory.h"
-#include "input/solid/known.h"
-#include "questions/collide/solid_pair.h"
+#include "base/number/bernstein.h"
+#include "decide/trace/trace.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "questions/collide/collide.h"
+
+/* A moving solid and a fixed one. */
+
+/** A simplex of each boundary that may meet. */
+typedef struct near_pair {
+    uint32_t moving, fixed;
+} near_pair;
+
+typedef struct near_list {
+    size_t count, capacity;
+    near_pair *item;
+} near_list;
+
+/* Both solids at a time, exactly: signs of one solid's forms at the other's vertices.
+ *
+ * The motion carries vertices of the moving solid into the fixed solid's space; its inverse
+ * carries vertices of the fixed solid into the moving solid's. Their places are polynomials in u,
+ * at a rational time constants. */
 
 /** The moving or the fixed solid. */
 typedef enum pair_side { SIDE_MOVING = 0, SIDE_FIXED = 1 } pair_side;
@@ -91,5 +107,169 @@ int placing_inside(unsigned *zero, placing *p, pair_side side, uint32_t simplex,
 
 /** Is a vertex of `side` in the other solid's interior? The placing is at a rational time. */
 int placing_in_interior(placing *p, pair_side side, uint32_t vertex);
+
+/* The common part of two simplices at a time, given by its corners. */
+
+/** A corner is a vertex of the moving simplex in the fixed one, a vertex of the fixed one in the
+ * moving one, or a crossing of two edges inside both. */
+typedef enum corner_kind { CORNER_MOVING = 0, CORNER_FIXED = 1, CORNER_EDGES = 2 } corner_kind;
+
+/** A corner; `zero` are the sides of the moving and of the fixed simplex that hold it
+ * (src/input/validate/validate.h). */
+typedef struct common_corner {
+    corner_kind kind;
+    unsigned zero[2];
+    int at[2]; /* the corner or (CORNER_EDGES) side of each simplex that it is on; -1: none */
+} common_corner;
+
+enum { MOST_CORNERS = 15 };
+
+/** All corners of the common part of two closed simplices. `crossing`: an edge of one passes
+ * through the other's relative interior from one side to the other. Then the solids' interiors meet
+ * there, and corners may be missing (proofs/collision.md C109). */
+typedef struct common_points {
+    int crossing, count;
+    common_corner item[MOST_CORNERS];
+} common_points;
+
+/** Find the corners at the placing's time. After a failure of the placing the result is invalid. */
+void common_points_find(common_points *out, placing *p, near_pair simplices);
+
+/** The vertices of side k of a triangle, or vertex k of a segment twice. */
+void simplex_side(uint32_t out[2], const graze_solid *solid, uint32_t simplex, int k);
+/** The vertices of side k with the lower number first, as a key of the edge. */
+void simplex_edge(uint32_t out[2], const graze_solid *solid, uint32_t simplex, int k);
+
+/** Do sides k and l of two triangles cross inside both? Their lines must lie in one plane.
+ * @param plane signs of the moving triangle's corners at the fixed one's plane, then of the fixed
+ * one's at the moving one's */
+int edges_cross(placing *p, near_pair simplices, int k, int l, int plane[2][3]);
+
+/* The motion during an interval of one piece, enclosed by the convex hull of affine maps in
+ * doubles. */
+
+/** At each time of the interval the motion is a convex combination of the maps (proofs/collision.md
+ * C108). Each entry differs from the exact one by at most 2^-48 of its size, or 2^-900. */
+typedef struct control_maps {
+    int dimension;
+    size_t count;  /* 0: no maps are known, and points may be anywhere */
+    double *entry; /* dimension * (dimension + 1) for each map */
+    double *room;  /* scratch memory: nine numbers for each map */
+    double shift;  /* bound of the absolute values of the last entries of rows, */
+    double slope;  /* and of the sums of those of the other entries of a row */
+} control_maps;
+
+/** The Bernstein coefficients of a point map's entries and of its weight, all of one degree, on an
+ * interval. */
+typedef struct map_forms {
+    int dimension;
+    slong degree;
+    bernstein_form form[POINT_MAP_ENTRIES + 1];
+} map_forms;
+
+void map_forms_init(map_forms *out, const point_map *map, const dyadic_interval *interval);
+void map_forms_clear(map_forms *forms);
+/** Restrict the forms to the left half of the interval, and make those of the right half. */
+void map_forms_split(map_forms *forms, map_forms *right);
+
+/** Set the maps. `out` is zeros before its first use; control_maps_clear frees it. @return 0 if
+ * memory runs out */
+int control_maps_set(control_maps *out, const map_forms *forms);
+/** Set the one affine map of an instant, as control_maps_set does. */
+int control_maps_set_one(control_maps *out, const fmpq *map, int dimension);
+void control_maps_clear(control_maps *maps);
+
+/** A box around all images of a box during the interval; all of space if no maps are known. */
+void control_maps_bound(box *out, const control_maps *maps, const box *of);
+
+/* A vertex of one solid that is in the other solid's interior for an interval of time: meanwhile
+ * the state is I, whatever the boundaries do. */
+
+/** An open interval of times of a piece in which the interiors meet; both ends are 0 if none is
+ * known. */
+typedef struct deep_interval {
+    fmpq_t low, high;
+} deep_interval;
+
+/** Find the longest such interval around the middle of `interval` that a few vertices of the pairs
+ * give.
+ * @param whole a placing on the whole piece */
+graze_status deep_vertex_find(deep_interval *out, placing *whole, size_t piece,
+                              const near_list *near, const dyadic_interval *interval);
+
+/* Times of an interval at which an incidence can begin or end: a vertex of one solid in a simplex
+ * of the other, or a crossing of two edges. */
+
+/** Find times in a closed interval of a piece such that between two of them the result of
+ * common_points_find does not change for any pair, and at each of them some pair has a common
+ * point. A contact that lasts gives only times at which it changes (proofs/collision.md C110).
+ * @param[out] out the times, ascending, without duplicates
+ * @param p a placing on the whole piece
+ * @param maps the motion during the interval, for tests in doubles */
+graze_status incidences_find(algebraic_list *out, placing *p, const near_list *near,
+                             const control_maps *maps, const dyadic_interval *interval);
+
+/* The state of a pair at one time, at which the boundaries may meet. */
+
+/** The state of the pair at the placing's time: I, B or O (proofs/collision.md C109, C111). The
+ * time is rational, or the boundaries meet at it. After a failure of the placing the result is
+ * invalid.
+ * @param near all pairs of simplices that meet then, and perhaps others
+ * @param before for an irrational time: a placing at a rational time such that no vertex changes
+ * its state between both; else NULL */
+graze_state interiors_look(placing *p, const near_list *near, placing *before);
+
+/* Do the interiors of two solids' local cones at a common point meet? A cone is given by the
+ * sectors that bound it.
+ *
+ * Vectors are polynomials in u; only their directions at the placing's time matter. */
+
+typedef struct moving_vector {
+    fmpz_poly_struct c[3];
+} moving_vector;
+
+/** The positive combinations of `from` and `to`, which are independent; `normal` = from x to points
+ * out of the cone. */
+typedef struct sector {
+    moving_vector from, to, normal;
+} sector;
+
+/** The sectors that bound a regular closed cone; they meet only in their ends. */
+typedef struct sectors_about {
+    size_t count, capacity;
+    sector *item;
+} sectors_about;
+
+void sectors_about_clear(sectors_about *list);
+
+/** Append the sectors that a simplex of `side` has at one of its points, in the fixed solid's
+ * space.
+ * @param zero the sides of the simplex that hold the point */
+void sectors_about_add(sectors_about *list, placing *p, pair_side side, uint32_t simplex,
+                       unsigned zero);
+
+/** Do two open cones have a common direction (proofs/collision.md C111)? 0 after a failure. */
+int open_cones_meet(placing *p, const sectors_about *a, const sectors_about *b);
+
+/* The star of a moving point: the closed simplices of its boundary that hold it. */
+
+/** A simplex of the star, and its sides that hold the point. */
+typedef struct star_simplex {
+    uint32_t simplex;
+    unsigned zero;
+} star_simplex;
+
+typedef struct star {
+    size_t count, capacity;
+    star_simplex *item;
+} star;
+
+/** Find all closed simplices of one solid that hold, at the placing's time, a point of an edge of
+ * that solid.
+ * @param edge the edge's ends, or a vertex twice: then that is the point
+ * @param share two polynomials, positive at the time: the point is (share[0] first end + share[1]
+ * second end) / (share[0] + share[1]); not used for a vertex */
+void star_find(star *out, placing *p, pair_side side, const uint32_t edge[2],
+               const fmpz_poly_struct share[2]);
 
 #endif

@@ -1,12 +1,14 @@
 /* The tree is searched with the edge's box; then signs of planes and sides decide.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/collide/star.h"
-
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
+#include "decide/trace/trace.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "questions/collide/placing.h"
 
 typedef struct finder {
     star *out;

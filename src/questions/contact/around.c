@@ -1,8 +1,6 @@
 /* Searches the tree of boxes for the simplices next to a point.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/contact/around.h"
-
 #include <flint/fmpq.h>
 #include <flint/fmpz_vec.h>
 #include <math.h>
@@ -10,6 +8,9 @@
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "questions/contact/nearby.h"
 
 /* The simplices whose boxes meet a box, and the smallest extent of these boxes. */
 typedef struct neighbours {

@@ -1,13 +1,15 @@
 /* Stretches of an edge that are in contact: between the zeros of g of its two facets the signs do
  * not change. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/contact/edge_run.h"
+#include "questions/contact/contact.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "input/solid/forms.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "questions/contact/nearby.h"
 
 /* The ends, and a zero of g for each facet and side. */
 enum { RUN_PARTS = 6 };

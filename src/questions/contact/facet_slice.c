@@ -4,10 +4,13 @@
  * What is left of a simplex is a convex polygon, which may be a segment or a point. Its point that
  * is nearest to another is the foot in the simplex's plane if that is in it, else on its border.
  */
-#include "questions/contact/facet_slice.h"
+#include "questions/contact/contact.h"
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "questions/contact/nearby.h"
 
 /* Three corners, and at most one more for each cut. */
 enum { POLYGON_CORNERS = 8 };

@@ -2,11 +2,13 @@
  *
  * A c + b = P is constant: A'c + A c' + b' = 0 and A''c + 2 A'c' + A c'' + b'' = 0.
  */
-#include "questions/contact/flow.h"
+#include "questions/contact/contact.h"
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
-#include "decide/trace/trajectory.h"
+#include "decide/trace/trace.h"
+#include "input/motion/motion.h"
+#include "questions/contact/nearby.h"
 
 /* Value and first two derivatives of a polynomial at u. */
 static void jet_of(fmpq *out, const fmpz_poly_struct *p, const fmpq_t u) {

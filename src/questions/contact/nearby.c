@@ -1,10 +1,9 @@
 /* Nearest points, exactly: the foot on a segment is rational.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/contact/nearby.h"
-
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
+#include "questions/contact/nearby.h"
 
 void nearby_init(nearby *n, const fmpq *from, int dimension) {
     n->dimension = dimension;

@@ -1,10 +1,37 @@
-/* The point of some convex sets that is nearest to a given one, found set by set.
- * SPDX-License-Identifier: GPL-3.0-or-later
- */
-#ifndef GRAZE_CONTACT_NEARBY_H
-#define GRAZE_CONTACT_NEARBY_H
+/* Contacts about a site.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_QUESTIONS_CONTACT_NEARBY_H
+#define GRAZE_QUESTIONS_CONTACT_NEARBY_H
 
 #include <flint/fmpq.h>
+#include "decide/scene/scene.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "questions/contact/contact.h"
+
+/* Derivatives of the trajectory through a body point at a rational time, from those of the motion.
+ */
+
+/** At the parameter u of a piece (proofs/envelope.md C58). flow_clear in any case. */
+void flow_make(flow *out, const motion_piece *piece, const fmpq_t u, const fmpq *y);
+void flow_clear(flow *f);
+
+/* The planes that decide what a solid is next to a boundary point. */
+
+/**
+ * The planes of the simplices that meet a box around a point of d rationals, then the planes of the
+ * box's sides, in which no simplex is counted. A ray from the point that has met none of them is
+ * still in the box, where the boundary has no other simplices: so a cone made of this list
+ * (questions/topo/topo.h) is that of the list of all planes, and is made in a time that does not
+ * grow with the solid.
+ * @param[out] out planes_clear after GRAZE_OK
+ * @return GRAZE_ESYSTEM
+ */
+graze_status around_planes(plane_list *out, graze_context *context, const graze_solid *solid,
+                           const fmpq *point);
+
+/* The point of some convex sets that is nearest to a given one, found set by set. */
 
 /** The nearest point so far; of two equally near the lexicographically first. `from` is borrowed.
  */
@@ -23,5 +50,72 @@ void nearby_try(nearby *n, const fmpq *point);
 
 /** Take the point of the segment from a to b that is nearest to `from`; a may be b. */
 void nearby_try_segment(nearby *n, const fmpq *a, const fmpq *b);
+
+/* The velocity of trajectories at a time, as an affine function of the body point. */
+
+/** The fields on sides that were found. speed_clear in any case. */
+void speed_make(speed *out, const graze_motion *motion, const site_side side[2]);
+void speed_clear(speed *s);
+
+/** g = -n w(y) on a side, for a normal of d rationals. */
+void speed_along(fmpq_t out, const speed *s, int side, const fmpq *normal, const fmpq *y);
+
+/* Where an edge of a solid in E^3 is in contact at a time. */
+
+/**
+ * Try the nearest point of the contact set of the edge between two corners (proofs/snap.md
+ * C75).
+ * @return GRAZE_EINPUT other than two facets meet along it
+ */
+graze_status edge_run_try(nearby *n, graze_context *context, const graze_solid *solid,
+                          const fmpq *u, const fmpq *v, const speed *s);
+
+/* Where a facet is in contact at a time: g <= 0 after it and g >= 0 before it, g = 0 within a
+ * piece of the motion. */
+
+/** Try the nearest point of the contact set of a simplex of the boundary (proofs/snap.md C75). */
+void facet_slice_try(nearby *n, const graze_solid *solid, size_t simplex, const speed *s);
+
+/* The first-order role of a site. */
+
+/**
+ * The role of a site with its place, sides, germs and points (proofs/envelope.md C60).
+ * @return GRAZE_ELIMIT too many planes border what is covered; as cone_state
+ */
+graze_status role_decide(graze_role *out, graze_context *context, const graze_site *site);
+
+/* The contact set of a boundary cell at a time, and the point of it that is nearest to another. */
+
+/**
+ * Find the nearest point of the contact set of a cell at t (proofs/snap.md C75); of a vertex
+ * its position, whatever its role.
+ * @param[in,out] n without a point yet; none is found where the set is empty
+ * @return GRAZE_EINPUT t is not a time of the motion, the solid has no such cell, or more than two
+ * facets meet along an edge; GRAZE_ELIMIT; GRAZE_ESYSTEM
+ */
+graze_status snap_find(nearby *n, graze_context *context, const graze_scene *scene, const fmpq_t t,
+                       const graze_cell *cell);
+
+/* Where the time of a site stands in the trace of its point. */
+
+/**
+ * From the trace of a site: `left`, `right` and `trim` of its facts, `near`, `near_in` and, if one
+ * of them is t, `itself` (proofs/envelope.md C63).
+ * @return GRAZE_EINTERNAL no contact of the trace holds t
+ */
+graze_status nearest_find(graze_site *site, graze_context *context);
+
+/** The facts alone, without the times. */
+graze_status nearest_trim(graze_site *site, graze_context *context);
+
+/* The sides of a rational time of a motion. */
+
+/**
+ * Find the sides of t, but for their flows.
+ * @param[out] side initialised; before t first
+ * @return GRAZE_EINPUT the motion has no such time
+ */
+graze_status sides_find(site_side side[2], graze_context *context, const graze_motion *motion,
+                        const fmpq_t t);
 
 #endif

@@ -5,7 +5,7 @@
  * direction lies outside any of the planes, the solid is there the intersection of their inner
  * sides; if none lies inside, the union (proofs/envelope.md C57).
  */
-#include "questions/contact/neighborhood.h"
+#include "questions/contact/contact.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
@@ -14,7 +14,9 @@
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "input/solid/forms.h"
+#include "input/solid/solid.h"
+#include "input/soup/soup.h"
+#include "input/validate/validate.h"
 
 typedef struct place_finder {
     neighborhood *out;

@@ -1,13 +1,14 @@
 /* Roles by the signs of g; at saddles and pinches by the directions that the germs leave open.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/contact/role.h"
+#include "questions/contact/contact.h"
 
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
-#include "questions/contact/around.h"
-#include "questions/topo/borders.h"
-#include "questions/topo/first_order.h"
+#include "decide/trace/trace.h"
+#include "input/solid/solid.h"
+#include "questions/contact/nearby.h"
+#include "questions/topo/topo.h"
 
 /* The signs of g on one side of t. */
 typedef struct g_signs {

@@ -1,11 +1,13 @@
 /* Finds a cell by its name and what of it is in contact.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/contact/snap.h"
+#include "questions/contact/contact.h"
 
-#include "questions/contact/edge_run.h"
-#include "questions/contact/facet_slice.h"
-#include "questions/contact/time_sides.h"
+#include "decide/scene/scene.h"
+#include "input/solid/solid.h"
+#include "input/soup/soup.h"
+#include "input/validate/validate.h"
+#include "questions/contact/nearby.h"
 
 /* Is one of the input's names of the cell a simplex gives that one? */
 static int has_name(const graze_solid *solid, size_t simplex, unsigned zero,

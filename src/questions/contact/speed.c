@@ -1,11 +1,13 @@
 /* Velocities of trajectories: w is affine in y, so d + 1 values give it.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/contact/speed.h"
+#include "questions/contact/contact.h"
 
 #include <flint/fmpq_vec.h>
 #include <string.h>
 #include "base/context/scope.h"
+#include "input/motion/motion.h"
+#include "questions/contact/nearby.h"
 
 static void field_make(velocity_field *out, const motion_piece *piece, const fmpq_t u) {
     int d = piece->forward.dimension;

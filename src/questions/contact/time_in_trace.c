@@ -3,11 +3,14 @@
  * Times of contact are ordered and alternate with gaps of one state, so only the ends of gaps next
  * to t matter. Two of them, on either side, are compared by reflecting one at t.
  */
-#include "questions/contact/time_in_trace.h"
+#include "questions/contact/contact.h"
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/order.h"
+#include "decide/trace/trace.h"
+#include "input/motion/motion.h"
+#include "questions/contact/nearby.h"
 
 /* *out: sign of a time of the trace minus t. */
 static graze_status compare_to_site(int *out, graze_context *context, graze_time *time,

@@ -1,13 +1,15 @@
 /* Pieces beside a time. Two that are one function, as where a motion was cut in two, make no break.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/contact/time_sides.h"
+#include "questions/contact/contact.h"
 
 #include <flint/fmpq_poly.h>
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
+#include "input/motion/motion.h"
+#include "questions/contact/nearby.h"
 
 /* u of a piece at t. */
 static void parameter_at(fmpq_t out, const motion_piece *piece, const fmpq_t t) {

@@ -1,10 +1,11 @@
 /* Bounds along a covector. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/distance/along.h"
+#include "questions/distance/distance.h"
 
 #include <float.h>
 #include <math.h>
-#include "decide/filter/normal.h"
-#include "questions/distance/bernstein_square.h"
+#include "input/solid/solid.h"
+#include "questions/distance/gap.h"
+#include "questions/distance/time_search.h"
 
 /* Squares below it lose digits to underflow: a covector so small says nothing. */
 static const double LEAST_SQUARE = 0x1p-600;

@@ -1,12 +1,16 @@
 /* An arc's box is that of the solid's box, moved by maps in Bernstein form.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/distance/arc_tree.h"
+#include "questions/distance/distance.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "decide/filter/normal.h"
+#include "decide/bounds/bounds.h"
+#include "decide/scene/scene.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+#include "questions/distance/gap.h"
 
 /* Coefficients err by 2^-52 of themselves, and what is computed from them by a few roundings. */
 static const double ERROR = 0x1p-44;

@@ -1,5 +1,5 @@
 /* Products by binomial means. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/distance/bernstein_square.h"
+#include "questions/distance/gap.h"
 
 /* C(n, k), and C(2n, k). */
 typedef struct binomials {

@@ -1,13 +1,14 @@
 /* Cubes about a point that have one membership: the largest that is found by its size's exponent,
  * then by eighths. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/distance/clearance.h"
+#include "questions/distance/distance.h"
 
 #include <math.h>
 #include "base/number/rounding.h"
-#include "decide/filter/normal.h"
-#include "decide/filter/time_ray.h"
-#include "decide/lattice/cell_asker.h"
+#include "decide/filter/filter.h"
+#include "decide/lattice/lattice.h"
+#include "decide/scene/scene.h"
+#include "input/solid/solid.h"
 
 /* Cubes are smaller than 2^SIZE_ABOVE times the solid's box, and at least 2^-SIZE_BELOW times. */
 enum { SIZE_ABOVE = 5, SIZE_BELOW = 52 };

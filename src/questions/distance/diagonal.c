@@ -1,9 +1,12 @@
 /* The diagonal of S^0's box. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/distance/diagonal.h"
+#include "questions/distance/distance.h"
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
+#include "decide/scene/scene.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
 
 /* Squares of sizes between these, and of what is much smaller, are doubles. */
 static const double LEAST_DIAGONAL = 0x1p-300, MOST_DIAGONAL = 0x1p300;

@@ -9,8 +9,11 @@
 #include "base/context/scope.h"
 #include "base/number/refine.h"
 #include "base/number/rounding.h"
-#include "questions/distance/greatest.h"
-#include "questions/distance/least.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "input/motion/motion.h"
+#include "questions/distance/gap.h"
+#include "questions/distance/time_search.h"
 
 /* Contacts' times are narrowed to this many binary places, beyond those of the shortest arc. */
 enum { PLACES = 60 };

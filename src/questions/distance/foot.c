@@ -1,11 +1,13 @@
 /* Nearest places of segments and triangles.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/distance/foot.h"
+#include "questions/distance/distance.h"
 
 #include <math.h>
-#include "decide/filter/normal.h"
-#include "questions/distance/bernstein_square.h"
+#include "decide/bounds/bounds.h"
+#include "input/solid/solid.h"
+#include "questions/distance/gap.h"
+#include "questions/distance/time_search.h"
 
 /* Squares that differ by less, relatively, may be equal but for rounding. */
 static const double TIE = 0x1p-48;

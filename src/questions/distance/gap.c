@@ -1,9 +1,9 @@
 /* Bounds from Bernstein coefficients. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/distance/gap.h"
+#include "questions/distance/distance.h"
 
 #include <math.h>
-#include "decide/filter/normal.h"
-#include "questions/distance/bernstein_square.h"
+#include "decide/surfaces/surfaces.h"
+#include "questions/distance/gap.h"
 
 #define U UNIT_ROUNDING
 #define SLACK FILTER_SLACK

@@ -1,10 +1,84 @@
-/* Bounds of the distance between the query point and places of the moving solid over a window
- * (proofs/distance.md C69, C70). SPDX-License-Identifier: GPL-3.0-or-later
- */
-#ifndef GRAZE_DISTANCE_GAP_H
-#define GRAZE_DISTANCE_GAP_H
+/* Bounds of the gap over a window of time.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_QUESTIONS_DISTANCE_GAP_H
+#define GRAZE_QUESTIONS_DISTANCE_GAP_H
 
-#include "questions/distance/window.h"
+#include "decide/bounds/bounds.h"
+#include "decide/scene/scene.h"
+#include "input/solid/solid.h"
+#include "questions/distance/distance.h"
+
+/* Data of a scene for distances, beside its filter: the maps that place the solid, in doubles, and
+ * which pieces are rigid. */
+
+/**
+ * The maps of a scene, made at the first call.
+ * @return GRAZE_ESYSTEM; GRAZE_ELIMIT a number of solid or motion is beyond doubles, or a degree
+ * beyond CARRIER_DEGREE, beyond SQUARED on a piece that is not rigid
+ */
+graze_status arc_maps_of(const arc_maps **out, graze_context *context, const graze_scene *scene);
+
+/** The tracing map of an arc. */
+const carrier *arc_maps_tracing(const arc_maps *g, size_t index);
+
+/* A point's trajectory on an interval of an arc, in Bernstein form with a bound of its errors. */
+
+/** Coordinates of the point; fails with GRAZE_ELIMIT past the range. */
+graze_status point_arc_make(point_arc *out, graze_context *context, const arc_maps *base,
+                            size_t index, const double *low, const double *high);
+
+/** The window [from, to] of a path, 0 <= from <= to <= 1; 0 if W is not certainly positive. */
+int window_make(window *out, const point_arc *of, double from, double to);
+
+/** c at the middle of a window's control polygon, near enough for guesses. */
+void window_trajectory(double *out, const window *w);
+
+/* Boxes of the world that hold the solid during arcs, in a tree over the arcs.
+ *
+ * A search begins with the arcs whose boxes are nearer than a distance that is reached
+ * (proofs/distance.md C71). The tree is a function of the scene alone, and so is an answer. */
+
+/** Arcs [first, last): S is in the box during all of them. An inner node has its children at
+ * `child` and `child` + 1; a leaf, one arc, has child 0. */
+typedef struct arc_node {
+    box world;
+    uint32_t first, last, child;
+} arc_node;
+
+/** Node 0 is the root. */
+typedef struct arc_tree {
+    arc_node *node;
+    size_t count;
+} arc_tree;
+
+/** The tree of these maps, made at the first call. @return GRAZE_ESYSTEM */
+graze_status arc_tree_of(const arc_tree **out, graze_context *context, const arc_maps *base);
+
+/** No place of S during the arcs of a node is nearer than this to a point of a box of d
+ * coordinates. */
+double arc_node_distance(const arc_node *n, const double *low, const double *high, int d);
+
+/* Bernstein coefficients of squares and products. */
+
+/** Degrees up to here have their products taken. */
+enum { SQUARED = 20, SQUARE_ROOM = 2 * SQUARED + 5 };
+
+/** A computed coefficient of a product errs by at most this times the greatest of each factor's
+ * coefficients (proofs/distance.md C69). */
+#define SQUARE_ERROR (128 * UNIT_ROUNDING)
+
+/** Down and up by more than the roundings of a short chain of operations. */
+#define ROUNDED_DOWN (1 - 0x1p-48)
+#define ROUNDED_UP (1 + 0x1p-48)
+
+/** The 2n + 1 coefficients of the square of a polynomial, of |.|^2 of a vector function, and of a
+ * scalar product; n <= SQUARED + 1. */
+void square_numbers(double *out, const double *c, int n);
+void square_vectors(double *out, const double (*c)[3], int n);
+void product_vectors(double *out, const double (*a)[3], const double (*c)[3], int n);
+
+/* Bounds of the distance between the query point and places of the moving solid over a window
+ * (proofs/distance.md C69, C70). */
 
 /**
  * A distance that no place of a simplex comes below during the window, from a place of it that

@@ -5,14 +5,16 @@
  * or put aside the distance is at most s->high; s->low is exceeded or met at s->time. Nothing but
  * the end of the rounds depends on the tolerance.
  */
-#include "questions/distance/greatest.h"
+#include "questions/distance/distance.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "decide/filter/normal.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
 #include "questions/distance/gap.h"
+#include "questions/distance/time_search.h"
 
 static const double SHORTEST = 0x1p-50;
 

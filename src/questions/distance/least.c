@@ -5,15 +5,15 @@
  * window under way with a node on its list, or put aside with a bound, or no nearer than s->low;
  * s->high is reached. Nothing but the end of the rounds depends on the tolerance.
  */
-#include "questions/distance/least.h"
+#include "questions/distance/distance.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
-#include "decide/filter/normal.h"
-#include "questions/distance/along.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
 #include "questions/distance/gap.h"
-#include "questions/distance/least_begin.h"
+#include "questions/distance/time_search.h"
 
 /* Shorter windows are not cut. */
 static const double SHORTEST = 0x1p-48;

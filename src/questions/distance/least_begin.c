@@ -1,15 +1,15 @@
 /* A distance that is reached, in the arc that seems nearest, leaves few arcs.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/distance/least_begin.h"
+#include "questions/distance/distance.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "decide/filter/normal.h"
-#include "questions/distance/along.h"
-#include "questions/distance/arc_tree.h"
+#include "input/solid/solid.h"
+#include "questions/distance/gap.h"
+#include "questions/distance/time_search.h"
 
 static int compare_pairs(const void *left, const void *right) {
     const pair_aside *a = left, *b = right;

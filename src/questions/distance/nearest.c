@@ -1,10 +1,11 @@
 /* A descent, the nearer child first. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/distance/nearest.h"
+#include "questions/distance/distance.h"
 
 #include <math.h>
-#include "decide/filter/normal.h"
-#include "questions/distance/along.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
 #include "questions/distance/gap.h"
+#include "questions/distance/time_search.h"
 
 /* A tree over n simplices halves their number at each level. */
 enum { DEPTH = 80 };

@@ -1,9 +1,9 @@
 /* Common parts of both searches. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/distance/time_search.h"
+#include "questions/distance/distance.h"
 
 #include <math.h>
 #include <stdlib.h>
-#include "decide/filter/normal.h"
+#include "questions/distance/time_search.h"
 
 enum { MOST_VISITS = 1 << 22, VISIT_WORK = 64 };
 

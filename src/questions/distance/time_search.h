@@ -1,10 +1,47 @@
-/* Searches over the times of a motion and the tree of a solid.
- * SPDX-License-Identifier: GPL-3.0-or-later
- */
-#ifndef GRAZE_DISTANCE_TIME_SEARCH_H
-#define GRAZE_DISTANCE_TIME_SEARCH_H
+/* The search of the time at which the moving place is nearest.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_QUESTIONS_DISTANCE_TIME_SEARCH_H
+#define GRAZE_QUESTIONS_DISTANCE_TIME_SEARCH_H
 
-#include "questions/distance/nearest.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "questions/distance/distance.h"
+
+/* Bounds of the distance to convex sets along a covector (proofs/distance.md C69). */
+
+/**
+ * A distance that no place of a convex set comes below during the window: that along the covector
+ * m. 0 if m says nothing.
+ * @param m    3 numbers in the solid's space, any
+ * @param most at least m . v for all places v of the set, but for the stray
+ */
+double gap_along(const window *w, const double *m, double most);
+
+/** The greatest m . v of a box, or of `count` corners of d coordinates. */
+double gap_box(const double *m, const box *b);
+double gap_corners(const double *m, const double *corner, int count, int dimension);
+
+/** 0 if the weight is not certainly positive. */
+int stance_make(stance *out, const point_arc *of, double time);
+
+/* The distance of the query point to the boundary at one instant. */
+
+/** low <= distance at the instant to the boundary below the nodes asked <= high. */
+typedef struct nearest {
+    double low, high;
+    uint32_t simplex; /* one at which it is at most high, if `found` */
+    int found;
+} nearest;
+
+/**
+ * Search below some nodes of the solid's tree, leaving out what is certainly not nearer than
+ * `limit`: then low is at most the limit, and high may be infinite.
+ * @param visits counts the boxes and simplices asked
+ */
+void nearest_boundary(nearest *out, const stance *s, const place *list, size_t count, double limit,
+                      size_t *visits);
+
+/* Searches over the times of a motion and the tree of a solid. */
 
 /** A place, put aside, and a window [from, to] of an arc. */
 typedef struct pair_aside {
@@ -63,5 +100,31 @@ graze_status search_no_room(search *s);
 double search_floor(const window *w);
 /** 1 if bounds are as near to each other as was asked for: the only place that looks at that. */
 int search_is_done(const search *s, double low, double high);
+
+/* The greatest distance to the boundary over stretches of time (proofs/distance.md C72). */
+
+/** A stretch of one arc whose times [sure_from, sure_to] are certainly of a visit; none if
+ * sure_from > sure_to. */
+typedef struct stretch_of_time {
+    size_t arc;
+    double from, to, sure_from, sure_to;
+} stretch_of_time;
+
+/** @return GRAZE_ELIMIT, GRAZE_ECANCELED */
+graze_status search_greatest(search *s, const stretch_of_time *stretch, size_t count);
+
+/* The least distance to the boundary over the whole motion (proofs/distance.md C71). */
+
+/** @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM */
+graze_status search_least(search *s);
+
+/* The pairs of a time and a place that the search for the least distance begins with. */
+
+/**
+ * Put aside what a search begins with, each pair with a bound, the nearest first: whole arcs with
+ * the whole boundary, of many only those that are nearer than a distance that is reached.
+ * @return GRAZE_ELIMIT, GRAZE_ESYSTEM
+ */
+graze_status least_begin(search *s);
 
 #endif

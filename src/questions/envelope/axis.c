@@ -1,6 +1,4 @@
 /* Roots merged in order, with samples between them. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/envelope/axis.h"
-
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,6 +7,7 @@
 #include "base/number/isolate.h"
 #include "base/number/order.h"
 #include "base/number/sign.h"
+#include "questions/envelope/sign_events.h"
 
 static void append_end(algebraic_list *list, slong value) {
     LOCAL(fmpq, end);

@@ -4,13 +4,15 @@
  * negative. Values there are rational. The sides are told apart by `turn`: 1 for the first of
  * these, -1 for the second, so that all g of the other side times `turn` are positive.
  */
-#include "questions/envelope/breaks.h"
+#include "questions/envelope/envelope.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "questions/envelope/decomposition.h"
+#include "questions/contact/contact.h"
+#include "questions/envelope/patch_ends.h"
+#include "questions/envelope/sign_events.h"
 
 /* Two pieces that meet, the one with contact and the other one. */
 typedef struct meeting_pieces {

@@ -1,10 +1,11 @@
 /* Moments by the cells that their events name. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/envelope/cell_events.h"
+#include "questions/envelope/envelope.h"
 
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "input/soup/cell_names.h"
+#include "input/soup/soup.h"
+#include "questions/envelope/sign_events.h"
 
 static const graze_cell NO_SECOND = {0, 0, 0};
 

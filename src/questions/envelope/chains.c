@@ -1,9 +1,9 @@
 /* Chains by the ends that parts share. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/envelope/chains.h"
+#include "questions/envelope/envelope.h"
 
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "questions/envelope/parts.h"
+#include "questions/envelope/patch_ends.h"
 
 /* An end of a part. */
 typedef struct chain_end {

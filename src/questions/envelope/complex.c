@@ -1,7 +1,7 @@
 /* Facets of simplices, vertices by position, and what lies in what, by location of each cell's
  * middle. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/envelope/complex.h"
+#include "questions/envelope/envelope.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
@@ -9,7 +9,11 @@
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "questions/envelope/edges.h"
+#include "input/solid/solid.h"
+#include "input/soup/soup.h"
+#include "input/validate/validate.h"
+#include "questions/contact/contact.h"
+#include "questions/envelope/patch_ends.h"
 
 static graze_status no_room_for_cells(graze_context *context) {
     return context_fail(context, GRAZE_ESYSTEM, "out of memory for the cells of a boundary");

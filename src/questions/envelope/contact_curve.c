@@ -1,14 +1,12 @@
 /* All parts of a curve, their middles and chains. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/envelope/contact_curve.h"
+#include "questions/envelope/envelope.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "questions/contact/site.h"
-#include "questions/envelope/chains.h"
-#include "questions/envelope/parts.h"
-#include "questions/envelope/snapshot.h"
+#include "questions/contact/contact.h"
+#include "questions/envelope/patch_ends.h"
 
 static graze_status find_parts(graze_curve *c, graze_context *context, const snapshot *s) {
     const cell_complex *cells = &s->e->cells;

@@ -1,13 +1,16 @@
 /* Sides of simplices that bound facets, cut at the vertices in them and where they cross.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/envelope/edges.h"
+#include "questions/envelope/envelope.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "questions/envelope/patch_ends.h"
 
 /* A side of a simplex from vertex u to vertex v, u < v. */
 typedef struct side {

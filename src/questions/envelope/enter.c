@@ -4,12 +4,15 @@
  * corners or vanishes at all of them, or along a side of it that two triangles of the facet share.
  * Where coplanar facets meet, it may go on along the flat edge between them.
  */
-#include "questions/envelope/enter.h"
+#include "questions/envelope/envelope.h"
 
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/sign.h"
-#include "input/solid/forms.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "questions/contact/contact.h"
+#include "questions/envelope/sign_events.h"
 
 /* The sign of g of a facet at a vertex, at point k of an axis or before it. */
 typedef struct moment {

@@ -4,14 +4,12 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "decide/scene/demand.h"
-#include "questions/contact/time_sides.h"
-#include "questions/envelope/breaks.h"
-#include "questions/envelope/complex.h"
-#include "questions/envelope/gather.h"
-#include "questions/envelope/saddle.h"
-#include "questions/envelope/singular.h"
-#include "questions/envelope/whole.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "input/motion/motion.h"
+#include "questions/contact/contact.h"
+#include "questions/envelope/patch_ends.h"
+#include "questions/envelope/sign_events.h"
 
 /* Roots are sought of minors and products of these functions: many for each facet. Facets and
  * pieces, whose number the file fixes, are not counted. */

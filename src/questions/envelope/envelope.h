@@ -1,13 +1,221 @@
-/* The events of an envelope, and whether it decomposes.
- * SPDX-License-Identifier: GPL-3.0-or-later
- */
-#ifndef GRAZE_ENVELOPE_ENVELOPE_H
-#define GRAZE_ENVELOPE_ENVELOPE_H
+/* envelope: the events of the envelope of a motion, its patches and joints, and whether it
+ * decomposes.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_QUESTIONS_ENVELOPE_H
+#define GRAZE_QUESTIONS_ENVELOPE_H
 
-#include "questions/envelope/envelope_record.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "graze/envelope.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+#include "questions/contact/contact.h"
+
+/* The cells of a solid's boundary by position: facets, edges, vertices, and which lies in which.
+ *
+ * Where parts touch, edges are cut: an edge's relative interior holds no vertex and crosses no
+ * other edge, so the facets that contain it are the same all along it. In E^2 a facet is an edge
+ * of the input, and the edges here are the parts of it between vertices. */
+
+/** A facet of the input; one that is not planar is one for each of its planes. */
+typedef struct cell_facet {
+    graze_cell name;
+    fmpz form[4];        /* positive on the outer side: d + 1 coprime integers */
+    fmpz normal[3];      /* outward, coprime */
+    size_t first, count; /* its simplices: entries of `order` */
+} cell_facet;
+
+typedef struct cell_vertex {
+    fmpz x[4]; /* d + 1 homogeneous integers, the last one positive */
+    graze_cell name;
+    place_kind kind;
+} cell_vertex;
+
+/** An edge from vertex u to vertex v, u < v. */
+typedef struct cell_edge {
+    size_t u, v;
+    graze_cell name;
+    place_kind kind;
+} cell_edge;
+
+/** Lists of numbers: list k is item[start[k]] to item[start[k + 1] - 1]. */
+typedef struct cell_lists {
+    size_t *start, *item;
+} cell_lists;
+
+/** Facets in the order of names and forms, vertices in that of positions, crossings last. */
+typedef struct cell_complex {
+    const graze_solid *solid;
+    int dimension;
+    size_t facet_count, vertex_count, edge_count;
+    cell_facet *facet;
+    cell_vertex *vertex;
+    fmpq *at; /* d coordinates of each vertex, `vertex_capacity` of them initialised */
+    size_t vertex_capacity;
+    cell_edge *edge;
+    size_t *order;    /* simplices, facet by facet */
+    size_t *corner;   /* the vertices of each simplex, d of them */
+    size_t *facet_of; /* the facet of each simplex */
+    cell_lists vertex_facets,
+        edge_facets;                      /* the facets that contain a vertex, an edge; ascending */
+    cell_lists facet_edges, vertex_edges; /* the edges in a facet, at a vertex; ascending */
+    cell_lists lone_vertices; /* the vertices in a facet that end no edge in it; ascending */
+} cell_complex;
+
+enum { FIELD_ORDERS = 3 };
+
+/** `vertex` has, for each vertex of the cells and each order, Phi_k (X, W) for its homogeneous
+ * integers: d polynomials. */
+typedef struct derivatives {
+    const cell_complex *cells;
+    int dimension;
+    fmpz_poly_struct entry[FIELD_ORDERS][POINT_MAP_ENTRIES];
+    fmpz_poly_struct delta;
+    fmpz_poly_struct *vertex;
+} derivatives;
+
+/** An event; `time` is a number in the list of times once they are in order. */
+typedef struct found_event {
+    graze_event_kind kind;
+    graze_cell facet, other, cell;
+    int before, after;
+    size_t piece, time;
+    algebraic u;
+} found_event;
+
+/** Times ascending, each once, owned. */
+typedef struct event_list {
+    const graze_motion *motion;
+    size_t count, capacity, time_count;
+    found_event *item;
+    graze_time **time;
+} event_list;
+
+/* The envelope: cells, velocity fields, events, finding. */
+
+/** The finding that decides whether the envelope decomposes: the one of the least reason, of these
+ * the first. */
+typedef struct finding {
+    graze_decomposable_reason reason;
+    graze_cell facet, cell;
+    graze_time *time; /* or NULL; owned */
+} finding;
+
+/** One field a piece. `is_break`: two different pieces meet at the beginning of piece k. `still`:
+ * entry piece * facets + facet: g vanishes all over the facet on the piece. */
+struct graze_envelope {
+    const graze_scene *scene;
+    cell_complex cells;
+    size_t piece_count;
+    derivatives *field;
+    unsigned char *is_break, *still;
+    event_list events;
+    finding found;
+};
+
+/** Where a part ends: at a vertex; or else within an edge, where g of a facet vanishes. Numbers of
+ * these, SIZE_MAX for none. */
+typedef struct part_end {
+    size_t vertex, edge, facet;
+} part_end;
+
+/** A part of the curve: `a` and `b` are its ends, d rationals each, the same for a point; of a
+ * whole facet a point within it. `number` is that of its facet, edge or vertex. */
+typedef struct curve_part {
+    graze_curve_part facts;
+    fmpq *a, *b;
+    size_t number;
+    part_end end[2];
+} curve_part;
+
+struct graze_curve {
+    int dimension;
+    fmpq_t t;
+    size_t count, capacity;
+    curve_part *part;
+};
+
+/** Moments ascending, each once; the first and the last are the ends of the motion. `hard` are the
+ * numbers of ends and breaks; `of_event` is the moment of each time in the envelope's list of
+ * events. The times made here are `own`. */
+typedef struct moment_list {
+    size_t count, own_count, hard_count;
+    graze_time **time, **own;
+    size_t *hard, *of_event;
+} moment_list;
+
+/** An event of one cell or of two at a moment. */
+typedef struct cell_event {
+    graze_cell first, second;
+    size_t moment;
+} cell_event;
+
+/** In the order of cells, then of moments. */
+typedef struct cell_event_list {
+    size_t count;
+    cell_event *item;
+} cell_event_list;
+
+/* Patches and joints. */
+
+/** A patch between two moments. `number` is that of its facet, edge or vertex. Its sample is at
+ * time t at the point `body` of the solid's frame, `world` in that of the query points. */
+typedef struct patch {
+    graze_patch facts;
+    size_t number, from, to;
+    part_end end[2];
+    fmpq_t t;
+    fmpq *body, *world;
+} patch;
+
+/** A joint: entries first to first + count - 1 of `member` are the numbers of its patches. */
+typedef struct patch_joint {
+    graze_cell cell;
+    graze_chain_form form;
+    size_t from, to, first, count;
+} patch_joint;
+
+/** Patches in the order of facets, edges, vertices, then of time; `changes` are the events by the
+ * cells that they concern. */
+struct graze_patches {
+    const graze_envelope *envelope;
+    moment_list moments;
+    cell_event_list changes;
+    size_t count, capacity;
+    patch *item;
+    size_t joint_count, joint_capacity, member_count, member_capacity;
+    patch_joint *joint;
+    size_t *member;
+};
+
+/* The contact points of all cells at one time: the curve of contact. */
+/** contact_curve_find with the verdicts of all middles, and chains. */
+graze_status contact_curve_make(graze_curve *out, graze_context *context, const graze_envelope *e,
+                                const fmpq_t t);
+void contact_curve_clear(graze_curve *c);
+
+/* The events of an envelope, and whether it decomposes. */
 
 /** @param[out] out uninitialised; envelope_clear after GRAZE_OK */
 graze_status envelope_make(graze_envelope *out, graze_context *context, const graze_scene *scene);
 void envelope_clear(graze_envelope *e);
+
+/* The patches of an envelope: cells with the intervals of time in which they are in contact. */
+
+/** @param[out] out uninitialised; patches_clear after GRAZE_OK */
+graze_status patches_make(graze_patches *out, graze_context *context,
+                          const graze_envelope *envelope);
+void patches_clear(graze_patches *p);
+
+/* Single contact points spread over times and cells. */
+
+/**
+ * Contact `index` of a seed: a time in one gap between events after another, and there a part of
+ * the curve and a point of it, chosen by chance.
+ * @param[out] out uninitialised; site_clear after GRAZE_OK and *found
+ * @param found    0: there is no contact at that time
+ */
+graze_status sample_make(graze_site *out, int *found, graze_context *context,
+                         const graze_envelope *e, unsigned long seed, unsigned long index);
 
 #endif

@@ -1,12 +1,15 @@
 /* Events in order of exact times. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/envelope/events.h"
+#include "questions/envelope/envelope.h"
 
 #include <stddef.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/order.h"
-#include "input/soup/cell_names.h"
+#include "decide/trace/trace.h"
+#include "input/motion/motion.h"
+#include "input/soup/soup.h"
+#include "questions/envelope/sign_events.h"
 
 void events_init(event_list *list, const graze_motion *motion) {
     *list = (event_list){.motion = motion};

@@ -4,11 +4,12 @@
  * (g_u - g_v) where g_u g_v < 0, and a function f that is linear along the edge has there the sign
  * of (g_u f_v - g_v f_u) sgn g_u (proofs/events.md C78).
  */
-#include "questions/envelope/gather.h"
+#include "questions/envelope/envelope.h"
 
 #include "base/context/scope.h"
-#include "questions/envelope/decomposition.h"
-#include "questions/envelope/enter.h"
+#include "questions/contact/contact.h"
+#include "questions/envelope/patch_ends.h"
+#include "questions/envelope/sign_events.h"
 
 /* out = a d - b c */
 static void subtract_products(fmpz_poly_struct *out, const fmpz_poly_struct *a,

@@ -5,15 +5,15 @@
  * (proofs/claims.md C1). A rational velocity near the true one is brought into the planes that hold
  * that one; near enough its other signs are right.
  */
-#include "questions/envelope/inward.h"
+#include "questions/envelope/envelope.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/refine.h"
-#include "questions/contact/flow.h"
-#include "questions/topo/cone.h"
-#include "questions/topo/directions.h"
+#include "input/solid/solid.h"
+#include "questions/contact/contact.h"
+#include "questions/envelope/sign_events.h"
 #include "questions/topo/topo.h"
 
 /* Subtract from v its part along the vector b. */

@@ -1,14 +1,13 @@
 /* Joints between moments: of each vertex and edge, which patches end at one place.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/envelope/joints.h"
+#include "questions/envelope/envelope.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "questions/envelope/limits.h"
 #include "questions/envelope/patch_ends.h"
-#include "questions/envelope/snapshot.h"
+#include "questions/envelope/sign_events.h"
 
 /* The places of one vertex or edge, between two moments; its joints begin at `first_joint`. */
 typedef struct joining {

@@ -4,12 +4,15 @@
  * tends to 0 if g_u has a zero of higher order there than g_v, to 1 if of lower order, and if both
  * are of order k, to the same expression of the derivatives of order k.
  */
-#include "questions/envelope/limits.h"
+#include "questions/envelope/envelope.h"
 
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/sign.h"
+#include "decide/trace/trace.h"
+#include "questions/envelope/patch_ends.h"
+#include "questions/envelope/sign_events.h"
 
 /* A place that a patch has at a moment, seen from the motion's piece `piece` at its parameter `u`.
  */

@@ -1,11 +1,13 @@
 /* Times of events merged with those of breaks. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/envelope/moments.h"
+#include "questions/envelope/envelope.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/order.h"
-#include "decide/trace/time.h"
+#include "decide/trace/trace.h"
+#include "input/motion/motion.h"
+#include "questions/envelope/patch_ends.h"
 
 static int is_parameter(const graze_time *time, size_t piece, slong u) {
     return time->piece == piece && algebraic_is_rational(&time->u) &&

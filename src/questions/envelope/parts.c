@@ -3,16 +3,19 @@
  * A slice is cut at the vertices and edges that it meets; a segment between two of them is within
  * the facet if its middle is. On an edge contact changes at zeros of g only (proofs/events.md C79).
  */
-#include "questions/envelope/parts.h"
+#include "questions/envelope/envelope.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "input/solid/forms.h"
-#include "questions/contact/site.h"
-#include "questions/envelope/within.h"
+#include "decide/trace/trace.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "questions/contact/contact.h"
+#include "questions/envelope/patch_ends.h"
+#include "questions/envelope/sign_events.h"
 
 /* A point in which a slice or run may end. */
 typedef struct slice_point {

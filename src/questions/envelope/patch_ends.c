@@ -1,10 +1,11 @@
 /* Lists of places and of joints. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/envelope/patch_ends.h"
+#include "questions/envelope/envelope.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
+#include "questions/envelope/patch_ends.h"
 
 static graze_status add_patch_place(place_list *list, graze_context *context, int is_edge,
                                     size_t cell, size_t facet, size_t patch) {

@@ -1,18 +1,17 @@
 /* Patches cell by cell: the parts of the curve of contact at one time between two moments that
  * concern the cell. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/envelope/patches.h"
+#include "questions/envelope/envelope.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "questions/contact/site.h"
-#include "questions/envelope/contact_curve.h"
-#include "questions/envelope/joints.h"
-#include "questions/envelope/parts.h"
-#include "questions/envelope/snapshot.h"
+#include "decide/bounds/bounds.h"
+#include "questions/contact/contact.h"
+#include "questions/envelope/patch_ends.h"
+#include "questions/envelope/sign_events.h"
 
 /* A kind of cell: its parts at a time, and the moments that concern it. */
 typedef graze_status add_parts(graze_curve *c, graze_context *context, const snapshot *s,

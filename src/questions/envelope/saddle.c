@@ -1,13 +1,13 @@
 /* Vertices that are not convex. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/envelope/saddle.h"
+#include "questions/envelope/envelope.h"
 
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
-#include "input/soup/cell_names.h"
-#include "questions/envelope/decomposition.h"
-#include "questions/envelope/enter.h"
-#include "questions/envelope/inward.h"
-#include "questions/topo/directions.h"
+#include "input/soup/soup.h"
+#include "questions/contact/contact.h"
+#include "questions/envelope/patch_ends.h"
+#include "questions/envelope/sign_events.h"
+#include "questions/topo/topo.h"
 
 static size_t other_end(const cell_edge *edge, size_t vertex) {
     return edge->u == vertex ? edge->v : edge->u;

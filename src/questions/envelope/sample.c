@@ -1,11 +1,15 @@
 /* Contact points by chance. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/envelope/sample.h"
+#include "questions/envelope/envelope.h"
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/order.h"
 #include "base/number/random.h"
-#include "questions/envelope/contact_curve.h"
+#include "decide/bounds/bounds.h"
+#include "decide/trace/trace.h"
+#include "input/motion/motion.h"
+#include "questions/contact/contact.h"
+#include "questions/envelope/patch_ends.h"
 
 /* Is a time strictly within its piece? */
 static int is_inner_time(const graze_time *time) {

@@ -1,8 +1,7 @@
 /* Tables of signs. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/envelope/sign_events.h"
-
 #include <stdlib.h>
 #include <string.h>
+#include "questions/envelope/sign_events.h"
 
 void signs_init(signs *s, size_t count, size_t rooted) {
     memset(s, 0, sizeof *s);

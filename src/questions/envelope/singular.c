@@ -1,9 +1,9 @@
 /* Times of contacts of order 4 or more. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/envelope/singular.h"
+#include "questions/envelope/envelope.h"
 
 #include "base/context/scope.h"
-#include "questions/envelope/decomposition.h"
-#include "questions/envelope/singular_point.h"
+#include "questions/envelope/patch_ends.h"
+#include "questions/envelope/sign_events.h"
 
 static graze_status exists_before(int *out, const singular_view *v, const axis *x, size_t k) {
     HELD(algebraic, u);

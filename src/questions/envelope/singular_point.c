@@ -4,10 +4,13 @@
  * vanishes all the time, the zero is a point that moves, or a line.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/envelope/singular_point.h"
+#include "questions/envelope/envelope.h"
 
 #include "base/context/scope.h"
 #include "base/number/sign.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "questions/envelope/sign_events.h"
 
 static void derivative_at(fmpz_poly_struct *out, const singular_view *v, int row, size_t vertex) {
     derivatives_along(out, &v->e->field[v->piece], row + 1, v->facet, vertex);

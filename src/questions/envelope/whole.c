@@ -1,8 +1,12 @@
 /* Facets whose g vanishes all over at single times. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/number/sign.h"
+#include "questions/envelope/envelope.h"
+
 #include "base/context/scope.h"
-#include "questions/envelope/decomposition.h"
-#include "questions/envelope/whole.h"
+#include "base/number/sign.h"
+#include "input/validate/validate.h"
+#include "questions/contact/contact.h"
+#include "questions/envelope/patch_ends.h"
+#include "questions/envelope/sign_events.h"
 
 /* The common divisor of g at the corners of one simplex of the facet: 0 if g vanishes all the time.
  */

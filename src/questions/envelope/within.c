@@ -1,9 +1,11 @@
 /* Points on a conic: a line meets it twice at most, so finitely many vertices and edges leave one.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/envelope/within.h"
+#include "questions/envelope/envelope.h"
 
 #include "base/context/scope.h"
+#include "questions/contact/contact.h"
+#include "questions/envelope/sign_events.h"
 
 /* The point in the interior of the facet's first simplex of barycentric weights 1, s, s^2. */
 static void point_within(fmpq *out, const cell_complex *c, size_t facet, slong s) {

@@ -1,12 +1,16 @@
 /* Charts of surfaces, of pairs of them, and of each with its normal velocity.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/generate/atlas.h"
+#include "questions/generate/generate.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
+#include "decide/bounds/bounds.h"
+#include "input/csg/csg.h"
+#include "input/solid/solid.h"
+#include "questions/generate/charts.h"
 
 /* Surfaces, pairs of surfaces, lines with surfaces, and surfaces at instants, that are looked at.
  */

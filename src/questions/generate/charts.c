@@ -1,7 +1,7 @@
 /* Common zeros by factors and remainders of division.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/generate/charts.h"
+#include "questions/generate/generate.h"
 
 #include <flint/fmpq.h>
 #include <flint/fmpq_mpoly_factor.h>
@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
+#include "questions/generate/charts.h"
 
 /* Coordinates are multiples of 1/256 of the box; components of directions, from -16 to 16, or
  * simple ones. */

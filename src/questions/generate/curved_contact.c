@@ -1,7 +1,7 @@
 /* Draws a point of a surface and a time, and asks the exact path whether it is a contact.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/generate/curved_contact.h"
+#include "questions/generate/generate.h"
 
 #include <flint/fmpq_mat.h>
 #include <flint/fmpq_vec.h>
@@ -10,9 +10,14 @@
 #include "base/context/scope.h"
 #include "base/number/order.h"
 #include "base/number/vector.h"
-#include "decide/curved/pullbacks.h"
-#include "decide/curved/truth.h"
-#include "decide/verdict/classify.h"
+#include "decide/curved/curved.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "decide/verdict/verdict.h"
+#include "input/csg/csg.h"
+#include "input/motion/motion.h"
+#include "questions/generate/charts.h"
+#include "questions/generate/strata.h"
 
 /* One draw: a body point, a time, and what is there. */
 typedef struct touchpoint {

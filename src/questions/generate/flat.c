@@ -1,11 +1,12 @@
 /* Flats by parameters that are coordinates.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/generate/flat.h"
+#include "questions/generate/generate.h"
 
 #include <flint/fmpq.h>
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
+#include "questions/generate/charts.h"
 
 void flat_init(flat *f, int dimension) {
     f->dimension = f->count = dimension;

@@ -6,10 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "decide/scene/box.h"
-#include "decide/verdict/classify.h"
-#include "questions/generate/level.h"
-#include "questions/generate/rounded.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "decide/verdict/verdict.h"
+#include "questions/generate/charts.h"
+#include "questions/generate/strata.h"
 
 /* Times drawn from, tries for one row, and rows tried before a stratum is given up. */
 enum { INSTANTS = 512, TIME_BITS = 10, TRIES = 200, TRIAL_ROWS = 24 };

@@ -1,9 +1,10 @@
 /* Samples, and the points and orders that are wanted.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/generate/generator.h"
+#include "questions/generate/generate.h"
 
 #include <string.h>
+#include "questions/generate/strata.h"
 
 static const struct {
     const char *name;

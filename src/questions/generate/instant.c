@@ -1,12 +1,15 @@
 /* Point maps and their derivatives at one rational time.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/generate/instant.h"
+#include "questions/generate/generate.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
+#include "decide/scene/scene.h"
+#include "input/motion/motion.h"
+#include "questions/generate/strata.h"
 
 /* The derivative of p of an order at a / b, times b^degree: b[n] is b^n. */
 static void evaluate(fmpz_t out, const fmpz_poly_struct *p, const fmpz_t a, const fmpz *b,

@@ -2,15 +2,17 @@
  * the point is where it should be.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/generate/level.h"
+#include "questions/generate/generate.h"
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "decide/verdict/classify.h"
-#include "questions/distance/diagonal.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "decide/verdict/verdict.h"
 #include "questions/distance/distance.h"
+#include "questions/generate/strata.h"
 
 /* Lengths are 1 + (j/64)^2 * 8 of the power of ten; places are multiples of a power of two below
  * 2^-16 of the length; the enclosure is as narrow as 2^-8 of it. */

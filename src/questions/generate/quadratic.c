@@ -1,12 +1,13 @@
 /* Zeros on lines whose discriminant is a square.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/generate/quadratic.h"
+#include "questions/generate/generate.h"
 
 #include <flint/fmpq_mat.h>
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
+#include "questions/generate/charts.h"
 
 /* Numbers in all; integers of directions, by variables; places beside the centre, in eighths. */
 enum { NUMBERS = 16, REACH_PLANE = 8, REACH_SPACE = 4, BESIDE = 16, PARTS = 8 };

@@ -1,11 +1,13 @@
 /* Rounds exact contacts to doubles on either side. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/generate/rounded.h"
+#include "questions/generate/generate.h"
 
 #include <float.h>
 #include <math.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "decide/verdict/classify.h"
+#include "decide/trace/trace.h"
+#include "decide/verdict/verdict.h"
+#include "questions/generate/strata.h"
 
 /* Doubles on both sides of the coordinates of a point; the same one twice stays as it is. */
 typedef struct neighbours {

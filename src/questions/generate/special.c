@@ -1,7 +1,7 @@
 /* Normal velocities as polynomials in time, at the vertices of one simplex per plane.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/generate/special.h"
+#include "questions/generate/generate.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_poly_factor.h>
@@ -9,7 +9,11 @@
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "input/solid/planes.h"
+#include "decide/scene/scene.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "questions/generate/strata.h"
 
 /* Planes times pieces looked at, and special instants kept. */
 enum { MOST_PAIRS = 4000, MOST_SPECIALS = 512 };

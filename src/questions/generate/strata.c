@@ -1,12 +1,12 @@
 /* One try at a point of each stratum. A try draws its numbers from the row's stream and may fail.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/generate/strata.h"
+#include "questions/generate/generate.h"
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
-#include "questions/generate/curved_contact.h"
-#include "questions/generate/straight_contact.h"
+#include "questions/generate/charts.h"
+#include "questions/generate/strata.h"
 
 /* Random points are multiples of 1/2^20 of the box. */
 enum {

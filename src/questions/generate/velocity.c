@@ -1,11 +1,13 @@
 /* Signs of normal velocities in doubles with proved bounds (proofs/doubles.md C64).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/generate/velocity.h"
+#include "questions/generate/generate.h"
 
 #include <math.h>
-#include "decide/filter/normal.h"
+#include "decide/bounds/bounds.h"
 #include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "questions/generate/strata.h"
 
 /* A number and a bound for its error. */
 typedef struct approximate {

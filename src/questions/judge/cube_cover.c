@@ -2,15 +2,20 @@
  * cell is inside or outside each position. A cell that no position covers gives the next time.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/judge/cube_cover.h"
+#include "questions/judge/judge.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "decide/filter/chord.h"
-#include "input/solid/locate.h"
-#include "questions/judge/cube_cells.h"
+#include "decide/bounds/bounds.h"
+#include "decide/filter/filter.h"
+#include "decide/lattice/lattice.h"
+#include "decide/scene/scene.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "questions/judge/cube.h"
 
 /* Bound of the number of positions. */
 enum { POSITIONS = 8 };

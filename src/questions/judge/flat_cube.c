@@ -1,14 +1,18 @@
 /* The planes of triangles cut a cube into cells; a point of each is asked of the mesh and of the
  * sweep. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/judge/flat_cube.h"
+#include "questions/judge/judge.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
-#include "decide/filter/chord.h"
-#include "questions/judge/cube_cells.h"
-#include "questions/judge/winding.h"
+#include "decide/bounds/bounds.h"
+#include "decide/filter/filter.h"
+#include "decide/lattice/lattice.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "questions/judge/cube.h"
+#include "questions/judge/open_search.h"
 
 /* Bounds of the numbers of triangles in a cube and of their planes. */
 enum { FLAT_TRIANGLES = 32, FLAT_PLANES = 6 };

@@ -1,12 +1,16 @@
 /* The rule of a mesh, by which it has an inside, and its volume.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/judge/judged_mesh.h"
+#include "questions/judge/judge.h"
 
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
+#include "input/solid/solid.h"
+#include "input/soup/soup.h"
+#include "input/validate/validate.h"
+#include "questions/judge/open_search.h"
 
 /* Add six times the signed volume of the tetrahedron of the origin and a triangle. */
 static void add_tetrahedron(fmpq_t sum, const skin *s, size_t simplex) {

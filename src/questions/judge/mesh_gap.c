@@ -1,11 +1,13 @@
 /* The nearest place of a triangle is a guess; weak duality makes it certain.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/judge/mesh_gap.h"
+#include "questions/judge/judge.h"
 
 #include <math.h>
-#include "decide/filter/normal.h"
-#include "questions/distance/foot.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "questions/distance/distance.h"
+#include "questions/judge/cube.h"
 
 typedef struct gap_search {
     const judged_mesh *mesh;

@@ -1,16 +1,17 @@
 /* A point is asked of its cube, else of the classification; then for its distance.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/judge/open_search.h"
+#include "questions/judge/judge.h"
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "decide/filter/normal.h"
-#include "decide/verdict/classify.h"
+#include "decide/trace/trace.h"
+#include "decide/verdict/verdict.h"
 #include "questions/distance/distance.h"
-#include "questions/judge/cube_cover.h"
+#include "questions/judge/cube.h"
+#include "questions/judge/open_search.h"
 
 /* The tolerance of a point's distance, as a share of the width wanted. */
 static const double POINT_SHARE = 0.0625;

@@ -1,60 +1,21 @@
+/* The search of cubes, deepest first.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_QUESTIONS_JUDGE_OPEN_SEARCH_H
+#define GRAZE_QUESTIONS_JUDGE_OPEN_SEARCH_H
+
+#include "graze/judge.h"
+#include "input/solid/solid.h"
+#include "questions/judge/judge.h"
+
+/** The mesh's triangles as a skin, which borrows them. */
+static inline skin judged_skin(const judged_mesh *m) {
+    return (skin){m->input, &m->cut, m->low, m->high, &m->boxes};
+}
+
 /* The common state of the searches for greatest distances, and their questions about points and
- * cubes. SPDX-License-Identifier: GPL-3.0-or-later
- */
-#ifndef GRAZE_JUDGE_OPEN_SEARCH_H
-#define GRAZE_JUDGE_OPEN_SEARCH_H
-
-#include "questions/judge/band.h"
-#include "questions/judge/mesh_gap.h"
-#include "questions/judge/mesh_part.h"
-#include "questions/judge/priority.h"
-
-/** A greatest distance is in [low, high]. */
-typedef struct supremum {
-    double low, high;
-    double at[3]; /* set if `low` > 0: a place with a distance of at least `low`: of the mesh,
-                     within rounding; for the sweep's boundary a point close to it */
-    double time;  /* a time at which the solid is nearest to that point, or has it deepest inside */
-    double open[3]; /* a point near which the distance may be `high` */
-    int reached;    /* high - low is at most the width asked for */
-    int stuck; /* the search cannot refine near `open`: a seam of the sweep, or coordinates beyond
-                  double precision */
-} supremum;
-
-/** A part of the mesh, with the membership and the distance of its reference point. */
-typedef struct asked_part {
-    mesh_part part;
-    struct known_point {
-        graze_pmc pmc;
-        double low, high; /* bounds of the signed distance (C66); 0 if it was not asked for */
-    } known;
-    double outside, inside; /* upper bounds of the part's distances outside and inside the sweep */
-    int is_cut, is_probed;
-} asked_part;
+ * cubes. */
 
 typedef struct known_point known_point;
-
-/** Volumes: of the sweep, of the sweep outside the mesh, of the mesh outside the sweep. */
-enum { IN_SWEEP, MISSING, EXCESS, VOLUME_COUNT };
-
-/** The state of all searches. Their sequence of steps does not depend on the budget, which only
- * ends it: a larger budget gives narrower bounds or the same. */
-typedef struct suprema {
-    graze_context *context;
-    const graze_scene *scene;
-    const judged_mesh *mesh;
-    double within;
-    size_t budget, asked;   /* cubes and points that may be asked; points that were asked */
-    int threads, uncovered; /* cubes that cube_is_covered was asked about in vain */
-    band space;
-    priority cubes; /* cubes of the band, by bounds of the boundary's distance to the mesh */
-    size_t part_count, part_capacity;
-    asked_part *part;
-    priority outer, inner; /* parts, by bounds of their distances outside and inside the sweep */
-    supremum found[GRAZE_JUDGED_COUNT];
-    fmpq volume[2 * VOLUME_COUNT]; /* a lower and an upper bound of each */
-    int has_difference;            /* the bounds of MISSING and EXCESS are set */
-} suprema;
 
 /** For which points the distance is asked: none, `out` ones, `in` ones. */
 typedef enum ask_distance { ASK_NO_DISTANCE, ASK_OUT, ASK_IN } ask_distance;
@@ -68,7 +29,7 @@ graze_status suprema_ask(known_point *out, suprema *s, const double *point, ask_
 graze_status suprema_time(double *out, suprema *s, const double *point);
 
 /** Try to prove that a cube of the band is in the sweep: by the ball about its centre that is in
- * one position of the solid (C66 (c)), or by several positions (cube_cover.h).
+ * one position of the solid (C66 (c)), or by several positions (cube.h).
  * @param[out] done 1: proved, and the cube is CUBE_IN */
 graze_status suprema_settle(int *done, suprema *s, uint32_t cube);
 /** A point of the closed sweep and one outside, of a cube's centre and eight points around it. */
@@ -96,5 +57,27 @@ size_t suprema_spent(const suprema *s);
 int suprema_is_over(const suprema *s);
 /** Set `high`, `reached` and, if a part waits, `open`, from the greatest bound that waits. */
 void supremum_finish(supremum *found, const suprema *s, const priority *wait, const double *open);
+
+/* The searches for the greatest distances of the mesh, outside the sweep and inside it. */
+
+/** Begin with one part, the whole mesh; it has triangles. */
+graze_status search_mesh_begin(suprema *s);
+/** Do a step of one of the searches: process the part with the greatest bound. */
+graze_status search_outside_step(suprema *s);
+graze_status search_inside_step(suprema *s);
+
+/* The search for the greatest distance of the sweep's boundary to the mesh. */
+
+/** Begin with one cube, the root; the mesh has triangles. */
+graze_status search_sweep_begin(suprema *s);
+/** Do a step: process the cube with the greatest bound. */
+graze_status search_sweep_step(suprema *s);
+
+/* Enclosures of the volumes of the sweep and of its differences to a mesh. */
+
+/** Enclose the volumes from the band's cubes (proofs/judging.md C117); IN_SWEEP alone if the mesh
+ * has no inside, or is too far away.
+ * @return GRAZE_ECANCELED */
+graze_status volumes_find(suprema *s);
 
 #endif

@@ -4,15 +4,16 @@
  * Both distances are 1-Lipschitz, so the distance of a part's reference point plus the part's
  * radius bounds the distances in the part.
  */
-#include "questions/judge/search_mesh.h"
+#include "questions/judge/judge.h"
 
 #include <math.h>
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "decide/filter/chord.h"
-#include "decide/filter/normal.h"
-#include "questions/judge/flat_cube.h"
+#include "decide/bounds/bounds.h"
+#include "input/solid/solid.h"
+#include "questions/judge/cube.h"
+#include "questions/judge/open_search.h"
 
 /* Shares of the width: the largest and the least half side of cubes that are preferred for cutting,
  * and the radius below which a part is not cut. */

@@ -1,11 +1,13 @@
 /* The greatest distance of the sweep's boundary to the mesh, by branch and bound over cubes of the
  * band. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/judge/search_sweep.h"
+#include "questions/judge/judge.h"
 
 #include <string.h>
 #include "base/context/scope.h"
-#include "decide/filter/normal.h"
+#include "input/validate/validate.h"
+#include "questions/judge/cube.h"
+#include "questions/judge/open_search.h"
 
 /* Two points that bracket the boundary are sought around cubes with a radius of at most
  * BRACKET_CUBE of the width wanted, or OPEN_CUBE of the width open. They are bisected to

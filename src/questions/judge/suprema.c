@@ -1,15 +1,16 @@
 /* The three searches take turns in one band; the search whose enclosure is widest is next.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/judge/suprema.h"
+#include "questions/judge/judge.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "decide/filter/time_ray.h"
-#include "questions/judge/search_mesh.h"
-#include "questions/judge/search_sweep.h"
-#include "questions/judge/volumes.h"
+#include "decide/filter/filter.h"
+#include "decide/scene/scene.h"
+#include "input/solid/solid.h"
+#include "questions/judge/cube.h"
+#include "questions/judge/open_search.h"
 
 /* Bound of the number of cubes that one call cuts. */
 enum { TOGETHER = 4096 };

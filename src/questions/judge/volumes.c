@@ -1,14 +1,16 @@
 /* A cube that the mesh misses is inside or outside the mesh; other cubes are cut down to the width
  * wanted. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/judge/volumes.h"
+#include "questions/judge/judge.h"
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "decide/filter/chord.h"
-#include "questions/judge/flat_cube.h"
-#include "questions/judge/winding.h"
+#include "decide/bounds/bounds.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "questions/judge/cube.h"
+#include "questions/judge/open_search.h"
 
 /* Bounds: of the doublings of the root until it holds the mesh, and of the levels of cubes. */
 enum { DOUBLINGS = 60, LEVELS = DOUBLINGS + 256 };

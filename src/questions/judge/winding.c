@@ -1,13 +1,14 @@
 /* Places from the crossings of a ray. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/judge/winding.h"
+#include "questions/judge/judge.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "decide/filter/normal.h"
-#include "input/solid/locate.h"
+#include "decide/bounds/bounds.h"
+#include "input/solid/solid.h"
+#include "questions/judge/open_search.h"
 
 mesh_place judged_place(long *winding, const judged_mesh *m, const fmpq *point) {
     skin triangles = judged_skin(m);

@@ -1,7 +1,8 @@
 /* Points beyond the closed set. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/topo/beyond.h"
-
-#include "decide/verdict/classify.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "decide/verdict/verdict.h"
+#include "questions/topo/eliminate.h"
 
 graze_status beyond_closed(int *out, graze_context *context, const graze_scene *scene,
                            const fmpq *point) {

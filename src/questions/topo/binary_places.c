@@ -1,7 +1,6 @@
 /* Places by bits of coefficients. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/topo/binary_places.h"
-
 #include <flint/fmpz.h>
+#include "questions/topo/eliminate.h"
 
 void places_for_term(ulong *places, ulong constant, ulong bits, ulong degree, ulong terms) {
     ulong needed = bits + 1 + FLINT_BIT_COUNT(terms);

@@ -3,7 +3,7 @@
  *
  * More planes than needed do no harm, so the coordinate planes are added: then there are rays.
  */
-#include "questions/topo/borders.h"
+#include "questions/topo/topo.h"
 
 #include <flint/fmpq.h>
 #include <flint/fmpq_vec.h>
@@ -12,7 +12,7 @@
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "questions/topo/directions.h"
+#include "questions/topo/cover.h"
 
 void borders_init(borders *b, int dimension) {
     memset(b, 0, sizeof *b);

@@ -5,11 +5,10 @@
  * one, provided that the degree in y of one of them does not drop there; likewise with x. So one
  * line without a common factor, even modulo a prime, proves that there is none.
  */
-#include "questions/topo/coprime.h"
-
 #include <flint/fmpz_mpoly_factor.h>
 #include "base/context/scope.h"
 #include "base/number/modular.h"
+#include "questions/topo/cover.h"
 #include "questions/topo/eliminate.h"
 
 /* A curve is factored if its degree squared times the bits of its coefficients is at most this,

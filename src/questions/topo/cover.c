@@ -1,11 +1,11 @@
 /* Cover of directions by the sides of germs and by the solid at the time.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/topo/cover.h"
+#include "questions/topo/topo.h"
 
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
-#include "questions/topo/signs.h"
+#include "questions/topo/cover.h"
 
 /* Is u + s e a direction of the cone's cell for some s > 0, which means that u is opposite to e;
  * for e = 0, is u one? The first plane that e is not parallel to gives s = -p / q. */

@@ -4,13 +4,16 @@
  * A facet's line n pulled back to a piece is f(x, y, u) = a(u) x + b(u) y + c(u). A common factor
  * of a, b and c has no root in [0, 1], where the map is invertible, and is divided out.
  */
-#include "questions/topo/curves.h"
-
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
-#include "questions/topo/grid.h"
+#include "decide/bounds/bounds.h"
+#include "decide/scene/scene.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+#include "questions/topo/cover.h"
+#include "questions/topo/eliminate.h"
 
 /* Has a polynomial a root in [0, 1]? */
 static graze_status meets_piece(int *out, graze_context *context, const fmpz_poly_t p) {

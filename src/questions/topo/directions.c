@@ -1,9 +1,10 @@
 /* Directions: vectors of integers up to a factor. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/topo/directions.h"
+#include "questions/topo/topo.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
+#include "questions/topo/cover.h"
 
 void directions_cross(fmpz *out, const fmpz *a, const fmpz *b) {
     for (int i = 0; i < 3; i++) {

@@ -1,13 +1,12 @@
 /* Ways through pinches and along edges, by the directions around a leading direction or an edge.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/topo/edge_ways.h"
+#include "questions/topo/topo.h"
 
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
-#include "questions/topo/borders.h"
 #include "questions/topo/cover.h"
-#include "questions/topo/directions.h"
+#include "questions/topo/near.h"
 
 /* Ask about a normal of a line or plane that contains e, and about its opposite. */
 static graze_status look_to_both_sides(int *out, germ *g, graze_context *context,

@@ -6,11 +6,11 @@
  * absolute values of all coefficients of a and b. Modulo a prime the resultant is interpolated at
  * places where no degree drops. The caller can cancel between two primes.
  */
-#include "questions/topo/eliminate.h"
-
 #include <flint/nmod_poly.h>
 #include <flint/ulong_extras.h>
 #include "base/context/scope.h"
+#include "questions/topo/cover.h"
+#include "questions/topo/eliminate.h"
 
 /* A resultant that takes at most this number of products of words is computed without polling. */
 enum { FEW_PRODUCTS = 20000 };

@@ -1,11 +1,64 @@
-/* Resultants of plane curves.
- * SPDX-License-Identifier: GPL-3.0-or-later
- */
-#ifndef GRAZE_TOPO_ELIMINATE_H
-#define GRAZE_TOPO_ELIMINATE_H
+/* Elimination of a variable from two curves.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_QUESTIONS_TOPO_ELIMINATE_H
+#define GRAZE_QUESTIONS_TOPO_ELIMINATE_H
 
 #include <flint/fmpz_poly.h>
-#include "questions/topo/plane.h"
+#include "decide/bounds/bounds.h"
+#include "decide/scene/scene.h"
+#include "input/solid/solid.h"
+#include "questions/topo/cover.h"
+#include "questions/topo/near.h"
+#include "questions/topo/topo.h"
+
+/* Points outside the closed set that positions are relative to: witnesses of its boundary. */
+
+/** Is a point `out` of a sweep; for an unsweep: is it `in`? The complement of an unsweep is the
+ * sweep of the solid's complement (proofs/dangling.md C113).
+ * @return as classify_verdict */
+graze_status beyond_closed(int *out, graze_context *context, const graze_scene *scene,
+                           const fmpq *point);
+
+/* Radii r = 2^-places about 0 within which polynomials have no root but 0.
+ *
+ * The radius is made so small that a polynomial's terms cannot cancel its lowest one on [-r, r]. */
+
+/** Raise the number of places until, on [-r, r], a term of a degree whose coefficient has `bits`
+ * bits is below 1 / `terms` of a constant of `constant` bits: (bits - constant + 1 + log2 terms) /
+ * degree places suffice. */
+void places_for_term(ulong *places, ulong constant, ulong bits, ulong degree, ulong terms);
+
+/** Raise the number of places until p, not zero, has no root in [-r, r] but 0. */
+void places_below_roots(ulong *places, const fmpz_poly_t p);
+
+/* Plane curves as squarefree, pairwise coprime polynomials. */
+
+/** Add a curve to a list of squarefree, pairwise coprime polynomials, whose zeros are those of all
+ * curves added. Small polynomials are factored, since factors without zeros near a point cost
+ * little later. Of large ones, whose factors could take minutes, only common factors are split off;
+ * a test modulo a prime excludes most of these.
+ * @param[out] refused set to 1 if a polynomial with a common factor is beyond the context's limit
+ * `bits`; else unchanged */
+graze_status coprime_add(curve_list *parts, int *refused, graze_context *context,
+                         const fmpz_mpoly_t curve);
+
+/* Plane curves that contain the boundary of a sweep. */
+
+/** Bounds: of the number of curves of a scene in E^2, and of a point in a plane of E^3; and there
+ * of a pullback's degree in time, for which E^2 has the context's limit `curve`. */
+enum { CURVE_COUNT = 100000, SLICE_CURVE_COUNT = 5000, SLICE_CURVE_DEGREE = 8 };
+
+/** Append curves whose zeros contain the closed sweep's boundary in the plane, but for finitely
+ * many points (proofs/topology.md C47, C50): the lines of the facets at the ends of all pieces, the
+ * discriminants of the facets' pullbacks, and the paths of the vertices, in E^3 of the edges.
+ * @param[out] refused NULL, or why the list is incomplete: a bound is exceeded, or (E^3) a facet or
+ * an edge comes to lie in the plane
+ * @param planes       of all facets of the scene's solid */
+graze_status curves_of_scene(curve_list *list, const char **refused, graze_context *context,
+                             const graze_scene *scene, const plane_list *planes,
+                             const plane_view *view);
+
+/* Resultants of plane curves. */
 
 /** A polynomial in x and y as a polynomial in one variable with coefficients in the other. */
 typedef struct sliced_curve {
@@ -32,5 +85,29 @@ graze_status eliminate(fmpz_poly_t out, graze_context *context, const sliced_cur
 /** The resultant of two polynomials that are not 0. */
 graze_status resultant_of(fmpz_t out, graze_context *context, const fmpz_poly_t f,
                           const fmpz_poly_t g);
+
+/* Germs at irrational times. */
+
+/** Find the minimal polynomial of an algebraic number; 0 if its polynomial's degree is too large to
+ * be factored. */
+int root_find_minimal(fmpz_poly_t out, const algebraic *time);
+
+/** 1 and the root if a minimal polynomial is linear, else 0. */
+int root_is_rational(fmpq_t out, const fmpz_poly_t minimal);
+
+/** Set a germ, all zeros, at an irrational time inside a piece. For the local cone a rational point
+ * takes the trajectory's place, with the same signs against all planes of facets. If the linear map
+ * and the leading direction are rational up to positive factors, the germ has no root and is exact.
+ * @param[out] found 0 if the cover is not known; the caller can still clear the germ */
+graze_status root_set_germ(int *found, germ *g, const germ_place *place, const algebraic *time,
+                           const fmpz_poly_t minimal);
+
+/* The last level in space: the boundary may be proved in a plane through the point. */
+
+/** Try to decide an undecided `on` point of E^3 by planes through it (proofs/topology.md C50);
+ * without success it keeps its reason. If it has an open direction, one of the planes contains
+ * that. */
+graze_status slices_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
+                           const plane_list *planes, const fmpq *point);
 
 #endif

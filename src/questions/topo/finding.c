@@ -1,7 +1,8 @@
 /* Results and the names of their levels. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/topo/finding.h"
+#include "questions/topo/topo.h"
 
 #include "base/context/names.h"
+#include "questions/topo/near.h"
 
 const char *graze_topo_name(graze_topo topo) {
     static const char *const name[] = {"none", "interior", "boundary", "exterior", "undecided"};

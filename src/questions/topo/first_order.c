@@ -5,18 +5,21 @@
  * each interval between them that it spends on the boundary; at a few more if the solid turns
  * during the interval.
  */
-#include "questions/topo/first_order.h"
+#include "questions/topo/topo.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/order.h"
-#include "decide/trace/candidates.h"
-#include "decide/trace/touch.h"
-#include "questions/topo/directions.h"
-#include "questions/topo/root.h"
-#include "questions/topo/sides.h"
+#include "decide/filter/filter.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+#include "questions/topo/cover.h"
+#include "questions/topo/eliminate.h"
+#include "questions/topo/near.h"
 
 /* State of making the germs of one piece of the motion. */
 typedef struct germ_maker {

@@ -1,10 +1,12 @@
 /* Lists of germs. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/topo/germ.h"
+#include "questions/topo/topo.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
+#include "input/motion/motion.h"
+#include "questions/topo/near.h"
 
 void germs_init(germ_list *list) {
     memset(list, 0, sizeof *list);

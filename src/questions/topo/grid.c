@@ -6,10 +6,9 @@
  * z_j), with i + j at most its degree and z = 0, 1, -1, 2, -2, ..., determine it, by Newton's
  * divided differences, integers, first in y, then in x. The caller can cancel between two values.
  */
-#include "questions/topo/grid.h"
-
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
+#include "questions/topo/cover.h"
 #include "questions/topo/eliminate.h"
 
 /* State of making a discriminant or, if `g` is set, a resultant. */

@@ -1,13 +1,12 @@
 /* The half germs of facets that pass along a plane and of edges that pass in it.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/topo/half.h"
+#include "questions/topo/topo.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
-#include "questions/topo/directions.h"
-#include "questions/topo/signs.h"
+#include "questions/topo/cover.h"
 
 /* A plane of a cone as an affine function value + r . place of places about the point, in powers of
  * the time since the contact. Of `value` two powers are kept; all powers before them are 0. */

@@ -1,9 +1,8 @@
 /* Forms on a plane's directions, in the charts of these. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/topo/half_germ.h"
-
 #include "base/context/scope.h"
 #include "base/number/sign.h"
+#include "questions/topo/cover.h"
 
 void half_init(half_germ *half) {
     fmpq_poly_init(half->form);

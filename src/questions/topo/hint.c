@@ -1,12 +1,13 @@
 /* Tries places at a few distances. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/topo/hint.h"
+#include "questions/topo/topo.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
-#include "questions/topo/beyond.h"
-#include "questions/topo/directions.h"
+#include "decide/scene/scene.h"
+#include "input/solid/solid.h"
+#include "questions/topo/eliminate.h"
 
 typedef struct hint_maker {
     graze_context *context;

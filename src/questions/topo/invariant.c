@@ -1,13 +1,14 @@
 /* The common kernel of all normals about the point, which are functions of time: that of all their
  * coefficients. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/topo/invariant.h"
+#include "questions/topo/topo.h"
 
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
-#include "questions/topo/directions.h"
-#include "questions/topo/sides.h"
-#include "questions/topo/signs.h"
+#include "decide/trace/trace.h"
+#include "input/motion/motion.h"
+#include "questions/topo/cover.h"
+#include "questions/topo/near.h"
 
 /* The span of vectors; rank 3 is all of space. */
 typedef struct normal_span {

@@ -5,18 +5,15 @@
  * if each cell is covered with a neighbourhood, or all full cells around it lie in exact closed
  * cones.
  */
-#include "questions/topo/leading.h"
+#include "questions/topo/topo.h"
 
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
-#include "questions/topo/beyond.h"
-#include "questions/topo/borders.h"
+#include "decide/scene/scene.h"
+#include "input/solid/solid.h"
 #include "questions/topo/cover.h"
-#include "questions/topo/directions.h"
-#include "questions/topo/first_order.h"
-#include "questions/topo/ray.h"
-#include "questions/topo/second.h"
-#include "questions/topo/edge_ways.h"
+#include "questions/topo/eliminate.h"
+#include "questions/topo/near.h"
 
 /* Kinds of evidence for `interior`: open cones; exact closed cones too; ways along edges too. */
 enum { BY_FIRST_ORDER, BY_CLOSED_CONES, BY_EDGES, BY_COUNT };

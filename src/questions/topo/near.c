@@ -6,14 +6,11 @@
  * variable: a leading coefficient, a discriminant, a resultant, or the part on a diagonal
  * (proofs/topology.md C48).
  */
-#include "questions/topo/near.h"
-
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
-#include "questions/topo/binary_places.h"
-#include "questions/topo/coprime.h"
+#include "questions/topo/cover.h"
 #include "questions/topo/eliminate.h"
-#include "questions/topo/shift.h"
+#include "questions/topo/near.h"
 
 void near_init(near_curves *n) {
     curves_init(&n->through);

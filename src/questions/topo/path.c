@@ -4,12 +4,15 @@
  * The path has the coordinates x = s^m, y = s^(m + 1) p / q. Inserted into a curve's polynomial
  * they give a polynomial in s; below its first positive root the path does not meet the curve.
  */
-#include "questions/topo/path.h"
+#include "questions/topo/topo.h"
 
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
-#include "questions/topo/beyond.h"
-#include "questions/topo/binary_places.h"
+#include "decide/bounds/bounds.h"
+#include "decide/scene/scene.h"
+#include "questions/topo/cover.h"
+#include "questions/topo/eliminate.h"
+#include "questions/topo/near.h"
 
 /* A curve's polynomial along the path, as a polynomial in s, times a power of q. */
 static void curve_on_path(fmpz_poly_t out, const fmpz_mpoly_t curve, const topo_finding *f,

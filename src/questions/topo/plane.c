@@ -1,10 +1,9 @@
 /* Coordinates of planes and lists of curves. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/topo/plane.h"
-
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
+#include "questions/topo/cover.h"
 
 void view_init(plane_view *view) {
     view->dimension = 2;

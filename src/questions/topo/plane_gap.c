@@ -5,10 +5,9 @@
  * larger m is the larger one. A gap of order m lies between terms of order m, where those of
  * smaller orders count as 0.
  */
-#include "questions/topo/plane_gap.h"
-
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
+#include "questions/topo/cover.h"
 
 void gap_init(plane_gap *gap) {
     fmpq_init(&gap->lift);

@@ -1,8 +1,8 @@
 /* Forms composed with maps, on a plane. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/topo/pullback.h"
-
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
+#include "input/motion/motion.h"
+#include "questions/topo/cover.h"
 
 void pullback_init(pullback_form *f) {
     for (int i = 0; i < 3; i++)

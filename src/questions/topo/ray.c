@@ -7,8 +7,6 @@
  * many and do not depend on s. At each of them the form vanishes for s = -at / slope, and `reach`
  * is kept below all such s > 0 (proofs/closure.md C74).
  */
-#include "questions/topo/ray.h"
-
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <math.h>
@@ -16,8 +14,15 @@
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "base/number/sign.h"
-#include "decide/trace/candidates.h"
-#include "questions/topo/signs.h"
+#include "decide/bounds/bounds.h"
+#include "decide/filter/filter.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+#include "questions/topo/cover.h"
+#include "questions/topo/near.h"
 
 /* A solid with more than FEW_FACETS facets is given a first reach that is 2^-NEARER_PLACES times as
  * large. */

@@ -3,10 +3,10 @@
  *
  * Write a place near the point as x + z N, with x in the plane across N. A half germ of order m
  * with the form Q covers z < Q(x)^(1/m) below the plane, z > Q(x)^(1/m) above it, up to smaller
- * terms (half_germ.h). The plane's directions are covered if at each x the leading term of some
+ * terms (cover.h). The plane's directions are covered if at each x the leading term of some
  * germ below exceeds that of some germ above.
  */
-#include "questions/topo/second.h"
+#include "questions/topo/topo.h"
 
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
@@ -15,8 +15,8 @@
 #include "base/number/isolate.h"
 #include "base/number/order.h"
 #include "base/number/sign.h"
-#include "questions/topo/directions.h"
-#include "questions/topo/half.h"
+#include "questions/topo/cover.h"
+#include "questions/topo/near.h"
 
 typedef struct second_maker {
     graze_context *context;

@@ -4,14 +4,12 @@
  * A germ's cover changes only at rays of its arrangement (proofs/topology.md C46). Successive rays
  * are less than half a turn apart, so their sum lies between them.
  */
-#include "questions/topo/sectors.h"
+#include "questions/topo/topo.h"
 
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "questions/topo/borders.h"
 #include "questions/topo/cover.h"
-#include "questions/topo/signs.h"
 
 void sectors_clear(sector_list *list) {
     if (list->ray)

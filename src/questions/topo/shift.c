@@ -4,11 +4,10 @@
  * With P = (a / c, b / c) and D the degree, c^D g(P + (x, y)) is the sum of g_ij c^(D - i - j)
  * (X + a)^i (Y + b)^j with X = c x, Y = c y.
  */
-#include "questions/topo/shift.h"
-
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
+#include "questions/topo/cover.h"
 #include "questions/topo/eliminate.h"
 
 /* Multiply each g_ij by c^(D - i - j) or, with `back`, by c^(i + j). */

@@ -4,7 +4,7 @@
  * Each cell of the arrangement of a cone's planes has a rational direction. Once these have been
  * asked, the state of each vector of signs is known.
  */
-#include "questions/topo/signs.h"
+#include "questions/topo/topo.h"
 
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
@@ -12,7 +12,8 @@
 #include "base/number/isolate.h"
 #include "base/number/order.h"
 #include "base/number/sign.h"
-#include "questions/topo/borders.h"
+#include "input/motion/motion.h"
+#include "questions/topo/cover.h"
 
 void signs_pull_back(fmpz_poly_t out, const point_map *map, const fmpz *normal,
                      const fmpz *direction) {

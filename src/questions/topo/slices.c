@@ -5,16 +5,16 @@
  * a direction, one plane across it decides (proofs/topology.md C54); if they depend on it only at a
  * step, two planes decide (C128).
  */
-#include "questions/topo/slices.h"
+#include "questions/topo/topo.h"
 
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
-#include "questions/topo/curves.h"
-#include "questions/topo/directions.h"
-#include "questions/topo/first_order.h"
-#include "questions/topo/invariant.h"
-#include "questions/topo/path.h"
-#include "questions/topo/square.h"
+#include "decide/scene/scene.h"
+#include "decide/surfaces/surfaces.h"
+#include "input/solid/solid.h"
+#include "questions/topo/cover.h"
+#include "questions/topo/eliminate.h"
+#include "questions/topo/near.h"
 
 enum { SLICES = 3 };
 

@@ -5,14 +5,17 @@
  * sectors. A sector is connected and misses the closed sweep's boundary, so it lies in the interior
  * or in the exterior; every smaller square meets the same sectors (proofs/topology.md C49).
  */
-#include "questions/topo/square.h"
+#include "questions/topo/topo.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "base/number/order.h"
-#include "questions/topo/beyond.h"
+#include "decide/scene/scene.h"
+#include "decide/surfaces/surfaces.h"
+#include "questions/topo/cover.h"
+#include "questions/topo/eliminate.h"
 #include "questions/topo/near.h"
 
 typedef struct square_maker {

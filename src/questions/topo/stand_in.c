@@ -1,8 +1,6 @@
 /* Points near a place are projected to the planes of facets that contain the place, until all signs
  * are right. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/topo/stand_in.h"
-
 #include <flint/fmpq_mat.h>
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_mat.h>
@@ -11,7 +9,9 @@
 #include "base/context/scope.h"
 #include "base/number/refine.h"
 #include "base/number/sign.h"
-#include "input/solid/forms.h"
+#include "decide/trace/trace.h"
+#include "input/solid/solid.h"
+#include "questions/topo/near.h"
 
 /* The first attempt has an interval of width 2^-FIRST_PLACES about the time; each further one
  * doubles the exponent. */

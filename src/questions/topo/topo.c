@@ -3,10 +3,12 @@
 
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "questions/topo/curves.h"
-#include "questions/topo/leading.h"
-#include "questions/topo/slices.h"
-#include "questions/topo/square.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "input/solid/solid.h"
+#include "questions/topo/cover.h"
+#include "questions/topo/eliminate.h"
+#include "questions/topo/near.h"
 
 /* Data shared by all points of a scene: the planes of its facets and, once needed, its curves. */
 typedef struct scene_shares {

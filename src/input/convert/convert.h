@@ -1,0 +1,215 @@
+/* convert: a motion file of degrees, screws, joints or poses, with proved bounds of the error.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_INPUT_CONVERT_H
+#define GRAZE_INPUT_CONVERT_H
+
+#include <flint/fmpq.h>
+#include <mpfr.h>
+#include "base/context/context.h"
+#include "base/number/text.h"
+#include "graze/convert.h"
+#include "input/motion/motion.h"
+
+/* Motion files from angles in degrees, screws, joints and lists of poses.
+ *
+ * The result is a text in the form of a motion file, read and checked before it is handed out, and
+ * a report of the approximations with proved bounds. */
+
+/** A motion file and its report in the making; for text_init and text_clear. */
+typedef struct conversion {
+    text motion, report;
+} conversion;
+
+/* Motions whose positions are dyadic at dyadic places of their pieces. */
+
+/** A motion near another one: on pieces whose entries are polynomials their coefficients, in the
+ * parameter that runs from 0 to 1 along the piece, become multiples of a power of two. No entry is
+ * changed by more than the tolerance, which is positive, at any time. Other pieces are kept. */
+graze_status convert_dyadic(conversion *out, graze_context *context, const graze_motion *motion,
+                            const fmpq_t tolerance);
+
+/** One joint of a chain. */
+typedef struct joint {
+    int is_slide;
+    fmpq_t degrees; /* of the whole motion; 0 for a slide */
+    fmpq_t advance; /* along the axis, in the unit of the coordinates, of the whole motion */
+    fmpq axis[3];   /* not zero; (0, 0, 1) in the plane; a slide: the whole way */
+    fmpq center[3];
+    int centered;  /* center is not the origin */
+    fmpq_t square; /* of the axis's length */
+    fmpq_t length; /* the length, where it is rational, else 0 */
+    mpfr_t reach;  /* no point is further from the axis, upwards */
+} joint;
+
+/** Tolerance of an approximation, and the points that it holds for. */
+typedef struct target {
+    int dimension;
+    fmpq_t tolerance; /* positive; in the unit of the coordinates */
+    fmpq_t radius;    /* not negative; points at most that far from the origin before the motion */
+} target;
+
+void joint_init(joint *j);
+void joint_clear(joint *j);
+
+/**
+ * Complete joints whose degrees, axis and center are set and whose `advance` is the pitch, for 360
+ * degrees; the first is applied first. The motion of every joint keeps distances, so a point within
+ * r of the origin stays within r + 2 e of it under a turn about an axis at distance e, is never
+ * further than r + e from that axis, and stays within r plus the way under a slide.
+ * @return GRAZE_EUSE an axis of length zero
+ */
+graze_status joints_measure(joint *joints, graze_context *context, const target *goal,
+                            size_t count);
+
+/* Rotations as three angles about coordinate axes, in the order of a machine. */
+
+/** The rotation is that about axis[2] first, then axis[1], then axis[0], all of them standing. */
+typedef struct angle_order {
+    const char *machine;
+    const char *name[3]; /* of the columns, the first of axis[0] */
+    int axis[3];         /* 0: x, 1: y, 2: z */
+    int may_miss;        /* columns may be left out: their angles are 0 */
+} angle_order;
+
+/** The order of that name, or NULL; GRAZE_EINPUT is for the caller to say. */
+const angle_order *angle_order_of(const char *machine);
+
+/** The caller's description of columns; all borrowed. */
+typedef struct pose_naming {
+    const char *const *ignored; /* names to pass over; `*` at an end stands for any end */
+    size_t ignored_count;
+    const char *columns;      /* NAME=COLUMN,..., COLUMN as in the file; NULL: none */
+    const angle_order *order; /* of angles; NULL: there are none */
+} pose_naming;
+
+/** Poses that are taken, and where they stand. */
+typedef struct pose_choice {
+    pose_naming naming;
+    int has_from, has_to;
+    fmpq_t from, to;     /* times, where there are such ends */
+    fmpq_t scale;        /* factor of positions, positive */
+    unsigned long every; /* of these poses the first, each so manieth, and the last; from 1 up */
+    int numbered;        /* rows are numbers of poses, those not taken counted too */
+    const char *text;    /* read in place of the file; NULL: the file is; borrowed */
+    size_t length;
+} pose_choice;
+
+/* A motion through poses. */
+
+/** Poses from a file or a text. @param ways flags of graze/convert.h */
+graze_status convert_poses(conversion *out, graze_context *context, const char *path,
+                           const pose_choice *choice, unsigned ways, const fmpq_t tolerance);
+
+/* The rotation nearest to a matrix. */
+
+/**
+ * The unit quaternion, up to the rounding of doubles, that is nearest to a matrix: the eigenvector
+ * of the largest eigenvalue of a symmetric 4x4 matrix (Horn 1987; Bar-Itzhack 2000), of the sign
+ * nearer to `before`. pose_deviation has its distance.
+ */
+void pose_nearest(double out[4], const double matrix[9], const double before[4]);
+
+/** The rotation of a quaternion that is not 0: 9 entries, rows. */
+void pose_rotation(fmpq *out, const fmpq *q);
+
+/** The largest absolute difference between an entry of a rotation and of a matrix, of whose rows of
+ * some columns the first three count; exact. */
+void rotation_distance(fmpq_t out, const fmpq *rotation, const fmpq *matrix, int columns);
+
+/* Milling tools, cylinders, balls and boxes as polyhedra inside and outside of them.
+ *
+ * A body of revolution about the z axis is the points (x, y, z) with (hypot(x, y), z) in its
+ * profile: a flat bottom of radius `flat` at z = 0, an arc of radius `corner` about (flat,
+ * corner), tangent to the bottom, up to a normal (cos b, sin b), a straight side across that
+ * normal, and a flat top at `height`. -b is the taper, the angle of the side with the axis,
+ * positive where the tool is wider above; b = 90 degrees is a ball without a side. All such bodies
+ * are convex.
+ *
+ * The ring of corner k of profile point i is (r_i u_k, z_i), u_k the corners of a convex polygon
+ * about the circle's centre, so that four corners of neighbouring rings lie in a plane. */
+
+/** A body of revolution. Of b only rational bounds are known: `low` and `high` are points (cos,
+ * sin) of the circle, low's angle the greater one, so that the body with `low` lies in it and the
+ * one with `high` around it. They are equal where b is exact. */
+typedef struct tool {
+    fmpq_t flat, corner, height;
+    fmpq low[2], high[2];
+    int ball;
+} tool;
+
+void tool_init(tool *s);
+void tool_clear(tool *s);
+
+/** The numbers of a tool: diameter where the corner is widest, corner radius, taper in degrees,
+ * length. */
+typedef struct tool_numbers {
+    fmpq_t diameter, corner, taper, length;
+} tool_numbers;
+
+void tool_numbers_init(tool_numbers *n);
+void tool_numbers_clear(tool_numbers *n);
+
+/** The body of these numbers, its tip at the origin, its axis z; of a ball the diameter counts.
+ * @return GRAZE_EUSE there is no such body */
+graze_status tool_take(tool *s, graze_context *context, const tool_numbers *given, int ball);
+
+/* Two polyhedra about a tool. */
+
+/** A profile from the bottom to the top: `count` pairs r, z. */
+typedef struct profile {
+    size_t count;
+    fmpq *point;
+} profile;
+
+/** Both polyhedra: `sides` corners u_k of an inscribed polygon; those outside have the corners
+ * stretch u_k, and the same number of profile points, each near its counterpart. */
+typedef struct tool_pair {
+    profile in, out;
+    size_t sides;
+    fmpq *corner;
+    fmpq_t stretch;
+} tool_pair;
+void tool_pair_clear(tool_pair *p);
+
+/* Tools as curved solids, `.csg.json`. */
+
+/** Begin and end a file around one node, moved by `at` (NULL: not). */
+void tool_csg_begin(text *out, const fmpq *at);
+void tool_csg_end(text *out, const fmpq *at);
+
+/** The node of a tool whose side has the normal `low`. */
+void tool_csg_write(text *out, const tool *s);
+/** The node of a box from the origin, of these sides. */
+void tool_csg_write_box(text *out, const fmpq *size);
+
+/* Two polyhedra about a tool, within a tolerance. */
+
+/** Make both within a tolerance, which is positive.
+ * @param[out] out    for tool_pair_clear, on success alone
+ * @param[out] square as tool_pair_holds
+ * @return GRAZE_EUSE it is too fine; GRAZE_ELIMIT, GRAZE_ECANCELED */
+graze_status tool_fit(tool_pair *out, fmpq_t square, graze_context *context, const tool *s,
+                      const fmpq_t tolerance);
+
+/** Report both polyhedra and their distance from the shape. */
+void tool_report(text *out, const tool_pair *p, const fmpq_t square);
+
+/* Polyhedra of tools, and boxes, as OFF. */
+
+/** Write one of both as OFF, moved by `at` (NULL: not): `factor` times the corners. */
+void tool_write(text *out, const profile *p, const tool_pair *pair, const fmpq_t factor,
+                const fmpq *at);
+/** A box from the origin, of these sides. */
+void tool_write_box(text *out, const fmpq *size, const fmpq *at);
+
+/* One turn to an angle in degrees. */
+
+/** One turn at no particular speed; only its end is approximated. */
+graze_status convert_rotation(conversion *out, graze_context *context, const target *goal,
+                              const joint *turn);
+
+/** Joints that all move uniformly, cut into pieces until they are near enough. */
+graze_status convert_joints(conversion *out, graze_context *context, const target *goal,
+                            const joint *joints, size_t count);
+
+#endif

@@ -1,0 +1,124 @@
+/* delimited: lines and fields of a text file.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_INPUT_DELIMITED_H
+#define GRAZE_INPUT_DELIMITED_H
+
+#include <stddef.h>
+#include "base/number/text.h"
+#include "graze/core.h"
+
+/* A line of CSV cut into its fields. */
+
+/** Bytes of a text, not ended by a NUL. */
+typedef struct field {
+    const char *start;
+    size_t length;
+} field;
+
+/** A field's length and start for `%.*s`, cut after 40 bytes. */
+#define FIELD_SHOWN(f) ((f).length > 40 ? 40 : (int)(f).length), (f).start
+
+/** Without the blanks around it. */
+field field_trimmed(field f);
+/** The content of a field: without the blanks around it, and without the quotes around what is
+ * left. Doubled quotes stay as they are. */
+field field_content(field f);
+int field_is(field f, const char *text);
+int field_equal(field a, field b);
+/** Read a whole number of digits alone, at most `most`; 0 if the field is none. */
+int field_count(unsigned long *out, field f, unsigned long most);
+
+/** Take the next line from the front of a text, without its line end. */
+field field_line(field *rest);
+/** The bytes behind a key that begins a line, perhaps none; 0 if the line begins otherwise. */
+int field_behind(field *out, field line, const char *key);
+
+/** The key and the value of a line `# key value`, without the blanks around them; either may be
+ * empty. */
+void field_note(field *key, field *value, field line);
+
+/**
+ * Take a field from the front of a line, with the blanks and quotes it stands in. A quote opens a
+ * quoted field at its beginning only.
+ * @param rest what is left of the line; its start is NULL after the last field
+ * @return 0 if a quoted field does not end before a comma or the line's end
+ */
+int field_take(field *out, field *rest);
+
+/** The fields of one line, with their blanks and quotes; zeroed at first. */
+typedef struct fields {
+    field *item;
+    size_t count, capacity;
+} fields;
+
+typedef enum fields_result { FIELDS_CUT, FIELDS_OPEN_QUOTE, FIELDS_NO_MEMORY } fields_result;
+
+/** Cut a line at the commas outside quotes. The fields point into the line. */
+fields_result fields_cut(fields *out, field line);
+/** Separator of a table's fields, by its first line: a comma, where it has none a semicolon, where
+ * it has neither a blank, which stands for any run of blanks and tabs. A line of one field: a
+ * comma.
+ */
+char field_separator(field line);
+/** Cut line `number` of the file `name` at the separators outside quotes.
+ * @return GRAZE_EINPUT a quoted field does not end, or the line holds a byte 0; GRAZE_ESYSTEM */
+graze_status fields_read(fields *out, graze_context *context, const char *name,
+                         unsigned long number, field line, char separator);
+void fields_clear(fields *f);
+
+/* A text file line by line, one buffer's worth of it in memory. */
+
+typedef struct stream {
+    graze_context *context;
+    const char *name; /* for messages */
+    int fd;           /* -1 while there is no open file */
+    int reopened;     /* the file is open only while it is read from */
+    int own;          /* the file is one that Graze has written */
+    int ended;        /* nothing is left to read */
+    int whole;        /* the line handed out last had a line end */
+    char *buffer;
+    size_t capacity, from, to; /* bytes from..to are read and not yet used */
+    long long offset;          /* of the file, behind `to` */
+    unsigned long line;        /* number of the line handed out last, from 1 */
+    unsigned long limit;       /* bytes of a line */
+} stream;
+
+/** Open a file that others wrote, or standard input for `-`. Lines end with LF or CRLF, a byte
+ * order mark is skipped, and the limit `line` holds. `path` is borrowed. stream_close in any case.
+ * @return GRAZE_ESYSTEM it cannot be opened, is a directory or a device, or memory is short */
+graze_status stream_open(stream *out, graze_context *context, const char *path);
+/** Open a file that Graze has written: lines end with LF, their length has no limit. With
+ * `reopened` the file is open only while it is read from, so that there is no limit to how many
+ * streams there are. */
+graze_status stream_open_own(stream *out, graze_context *context, const char *path, int reopened);
+/** Lines of a text in memory, which is borrowed: those of stream_open without the limit. */
+void stream_of_text(stream *out, graze_context *context, const char *name, const char *text,
+                    size_t length);
+void stream_close(stream *s);
+
+/** 1 if the file can be opened and read a second time. */
+int stream_repeatable(const stream *s);
+/** 1 if stream_next would return without waiting. May read. */
+int stream_ready(stream *s);
+
+/**
+ * The next line without its end; borrowed until the next call. Its start is NULL at the end of the
+ * file. While nothing is there to read, the cancel callback is asked.
+ * @return GRAZE_ELIMIT it is longer than the limit `line`; GRAZE_ESYSTEM reading failed;
+ * GRAZE_ECANCELED
+ */
+graze_status stream_next(stream *s, field *out);
+
+/** Add a line of stream_next to a text as it stands in the file, with the end it has there. */
+void stream_copy_line(text *to, const stream *s, field line);
+
+/** The place in the file of the next line, and to go on from another; lines are counted on. */
+long long stream_tell(const stream *s);
+graze_status stream_seek(stream *s, long long offset);
+
+/** Read the first bytes of a file, at most `room` less one for the NUL behind them.
+ * @return GRAZE_ESYSTEM; GRAZE_ECANCELED */
+graze_status stream_beginning(char *text, size_t room, size_t *length, graze_context *context,
+                              const char *path);
+
+#endif

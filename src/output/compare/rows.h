@@ -1,0 +1,194 @@
+/* Rows of two tables, by their points.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_OUTPUT_COMPARE_ROWS_H
+#define GRAZE_OUTPUT_COMPARE_ROWS_H
+
+#include <flint/fmpq.h>
+#include <stdint.h>
+#include "decide/filter/filter.h"
+#include "input/delimited/delimited.h"
+#include "output/compare/compare.h"
+
+/* A table of answers as a stream of rows: golden or a candidate's.
+ *
+ * Invariant: once opened, the `#` lines before the column line and the columns are known; every
+ * row handed out has one field per column. */
+
+/** The first 128 bits of a SHA-256, to find equal points and answers. */
+typedef struct digest {
+    uint64_t high, low;
+} digest;
+
+/** A row with bytes of its own. */
+typedef struct table_row {
+    unsigned long line, number; /* in the file, and among the rows, from 1 */
+    char *bytes;
+    size_t capacity;
+    fields cut;
+    int keyed;  /* 1 once `key` is known */
+    digest key; /* of the row's id, or of its point and, for contact points, time */
+} table_row;
+
+/** The name of a column or of a `#` line. */
+const char *column_name(column c);
+const char *note_name(note n);
+
+/** Open a table and read up to its columns. table_close in either case. `path` is borrowed.
+ * @return GRAZE_EINPUT no column line, or a name in it twice; also those of stream_next */
+graze_status table_open(table *out, graze_context *context, const char *path);
+void table_close(table *t);
+
+/** Read the next row. *more is 0 at the end of the table.
+ * @return GRAZE_EINPUT another number of fields, a quote not closed, a wrong `# complete N`, rows
+ * after it; also those of stream_next */
+graze_status table_next(table *t, table_row *row, int *more);
+void table_row_clear(table_row *row);
+
+/** GRAZE_EINPUT: the column line names a column twice. */
+graze_status table_named_twice(const table *t, column c);
+
+/** Room for table_meant. */
+enum { TABLE_MEANT = 112 };
+/** `; did you mean NAME by 'COLUMN'?` of the first column that is nearly one of `count` names; else
+ * nothing. */
+void table_meant(char out[TABLE_MEANT], const table *t, const char *const *names, size_t count);
+
+/** A row as it stands in the file, malloc'ed; NULL when out of memory. */
+char *table_row_text(const table_row *row);
+
+/** A field of a row; empty where the table has no such column. */
+field table_field(const table *t, const table_row *row, column c);
+
+/** A number as it is written, whatever rounding the context asks for. Those of rational_parse. */
+graze_status table_number(fmpq_t out, graze_context *context, field f);
+
+/** The digest of bytes. */
+digest digest_of(const char *bytes, size_t length);
+int digest_equal(digest a, digest b);
+
+/* Keys by which the rows of two tables are matched.
+ *
+ * The key of a row is its id, the value of one that is a number, or its point in lowest terms
+ * after rounding; of a contact point its time and its point. */
+
+/** Choose the key of points: `id` if both tables have it, else x, y (and z), else no columns.
+ * @return GRAZE_EINPUT a column z for points of the plane */
+graze_status key_of_points(row_key *out, const table *golden, const table *candidate);
+
+/** Coordinates x, y (and z) of points that both tables have; none if one of them lacks any. */
+void key_of_axes(row_key *out, const table *golden, const table *candidate);
+
+/** The key of contact points: `id`, else time and bx, by (and bz), else time and x, y (and z). */
+graze_status key_of_contacts(row_key *out, const table *golden, const table *candidate);
+
+/** Check that the columns of a row's key are numbers, a time perhaps `root(...)`. GRAZE_EINPUT. */
+graze_status key_check(const row_key *key, const table *t, const table_row *row);
+
+/** Make the digest of a row's key. GRAZE_EINPUT, GRAZE_ELIMIT. */
+graze_status key_make(table_row *row, const row_key *key, const table *t);
+
+/* All rows of a table by their keys, for tables whose rows stand in any order.
+ *
+ * Rows of one key are handed out in the order of the table. */
+
+/** A row that is kept. */
+typedef struct kept_row {
+    digest key;
+    unsigned long line, number; /* in the file, and among the rows */
+    char *text;                 /* malloc'ed */
+    size_t taken;               /* of the first of a key: how many of them are handed out */
+} kept_row;
+
+/** Zeroed at first. */
+typedef struct row_index {
+    table *table;
+    kept_row *rows; /* by key, then by number; once `rest` is asked those left, by number */
+    size_t count, capacity;
+    int resting;  /* 1: the rest is being handed out */
+    size_t next;  /* of it */
+    table_row at; /* the row handed out last */
+} row_index;
+
+/** Read the rest of a table. GRAZE_EINPUT, GRAZE_ELIMIT, GRAZE_ESYSTEM, GRAZE_ECANCELED. */
+graze_status row_index_read(row_index *out, table *t, const row_key *key);
+
+/** The next row of a key; NULL if none is left. Borrowed until the next call. */
+graze_status row_index_take(row_index *x, const table_row **out, digest key);
+
+/** The next row that nobody took, by the order of the table; NULL at the end. Nothing can be taken
+ * then. Borrowed until the next call. */
+graze_status row_index_rest(row_index *x, const table_row **out);
+
+void row_index_clear(row_index *x);
+
+/* Matches the rows of the candidate with those of the golden table. */
+
+enum { MATCH_AHEAD = 1000 };
+
+/** Rows read and not yet matched, oldest first, in a ring. */
+typedef struct row_window {
+    table *table;
+    size_t first, count;
+    int ended;
+    table_row rows[MATCH_AHEAD];
+} row_window;
+
+typedef struct match {
+    graze_context *context;
+    row_key key;
+    match_way way;
+    int indexed; /* 1: the candidate's rows are in `index` */
+    row_index index;
+    int sites;   /* 1: rows are contact points */
+    drift drift; /* of pairs that were not matched by their points */
+    row_window golden, candidate;
+    size_t skip_golden, skip_candidate; /* rows to hand out alone before the next pair */
+    digest missing, extra;              /* sums of the keys of rows handed out alone */
+    unsigned long pairs, missing_count, extra_count;
+} match;
+
+/** Start a matching. match_clear in any case, of a zeroed one too. */
+void match_start(match *m, graze_context *context, table *golden, table *candidate,
+                 const row_key *key, match_way way, int sites);
+void match_clear(match *m);
+
+/**
+ * The next pair; either is NULL for a row without a counterpart, both at the end of both tables.
+ * Borrowed until the next call.
+ * @return GRAZE_EINPUT a coordinate or a time is no number
+ */
+graze_status match_next(match *m, const table_row **golden, const table_row **candidate);
+
+/** At the end of a matching: the way that may give more rows a counterpart, or the same one. */
+match_way match_better(const match *m);
+
+/** Check a matching at its end. GRAZE_EINPUT: no row has a counterpart; the rows without one are
+ * the same on both sides, in another order; rows without keys differ in number; an id has another
+ * point. */
+graze_status match_finish(const match *m);
+
+/* Choice of a comparison: the kind of tables, the columns judged, the key of rows, the groupings.
+ */
+
+/** Choose the columns to judge and those to match rows by, and take over the golden table's
+ * options.
+ * @return GRAZE_EINPUT the tables do not go together, or lack columns; GRAZE_ESYSTEM */
+graze_status comparison_choose(graze_comparison *c, const table *golden, const table *candidate);
+
+/** The golden column of a grouping. */
+column grouping_column(grouping g);
+/** Does the golden table have that column, and does its kind of table have that grouping? */
+int grouping_is_of(const graze_comparison *c, const table *golden, grouping g);
+
+/* Golden rows that rounding makes equal. */
+
+/**
+ * Refuse two golden rows that rounding makes equal and whose answers in `columns` differ. The table
+ * is read again, several times if digests would take more than 160 MB.
+ * @param key     columns of numbers
+ * @param columns count columns whose answers matter
+ */
+graze_status match_rounding(graze_context *context, const table *golden, const char *path,
+                            const row_key *key, const column *columns, size_t count);
+
+#endif

@@ -1,0 +1,178 @@
+/* table: numpy arrays and VTK files of a table.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_OUTPUT_TABLE_H
+#define GRAZE_OUTPUT_TABLE_H
+
+#include <gmp.h>
+#include <stddef.h>
+#include <stdint.h>
+#include "base/context/context.h"
+#include "base/context/slots.h"
+#include "base/number/text.h"
+#include "graze/report.h"
+#include "input/delimited/delimited.h"
+
+/* Rows of values: an answer in the binary form that tables of one type a column are made of.
+ *
+ * A row is its coordinates, each the nearest double; codes of 32 bits for pmc and, in this order,
+ * class, definition (0 for ext), case, i and t, those that the table has; its word, if it has one;
+ * and where there are further columns these, comma-joined. A text is its length and its bytes. All
+ * is as in memory, without gaps. */
+
+/** The nearest double, ties to even. GRAZE_EINPUT: it is past binary64. */
+graze_status values_nearest(double *out, graze_context *context, const fmpq_t value);
+
+void values_coordinate(text *out, double value);
+void values_code(text *out, uint32_t code);
+void values_text(text *out, const char *bytes, size_t length);
+
+/* A sink of bytes: a text in memory, or a file. */
+
+/** `to` keeps its failures. */
+typedef struct sink {
+    void (*put)(void *to, const char *bytes, size_t length);
+    void *to;
+} sink;
+
+/* Different texts, numbered from 0 in the order in which they first come. */
+
+/** Zeroed: none. */
+typedef struct texts {
+    text bytes;  /* one text after another, each with a newline behind it */
+    size_t *end; /* of each text in the bytes, behind its newline */
+    size_t count, capacity;
+    slots numbers;
+} texts;
+
+void texts_clear(texts *t);
+/** The number of a text without a newline, which is added if it is not there yet; 0 when memory is
+ * short or there are 2^32 - 1 texts. */
+int texts_number(uint32_t *out, texts *t, field one);
+/** A text by its number. */
+field texts_at(const texts *t, uint32_t number);
+
+/* A table of answers in columns of one type each.
+ *
+ * Rows are added as values (table.h). Of further columns only what they need is kept as text.
+ */
+
+typedef enum column_kind {
+    COLUMN_COORDINATE, /* x, y, z: rationals */
+    COLUMN_PMC,        /* in, on, out */
+    COLUMN_CLASS,
+    COLUMN_DEFINITION, /* a number, or ext */
+    COLUMN_COUNT,      /* case, i, t */
+    COLUMN_WORD,
+    COLUMN_NUMBER, /* a further column with a number in every row */
+    COLUMN_TEXT    /* any other further column */
+} column_kind;
+
+/* The values of all rows: one of the two arrays. */
+typedef struct typed_column {
+    field name; /* in the table's column line */
+    column_kind kind;
+    size_t widest;  /* bytes of its longest field */
+    double *number; /* COORDINATE, NUMBER: the nearest double */
+    uint32_t *code; /* pmc and class as in graze.h; definition, 0 for ext; counts; else the number
+                       of the text */
+    size_t capacity;
+    texts texts; /* WORD, TEXT */
+    text fields; /* NUMBER: the fields, a newline behind each, in case a later one is none */
+} typed_column;
+
+typedef struct typed_table {
+    graze_context *context;
+    int dimension;
+    size_t grid[3];       /* points along each axis, 1 for an axis that is not; all 0: no grid */
+    fmpq low[3], high[3]; /* the grid's box, 0 for an axis that is not */
+    text names;           /* the names of the columns */
+    size_t row_count, column_count;
+    size_t own; /* number of the first columns, which are Graze's answers; the others are read as
+                   text */
+    typed_column *column;
+} typed_table;
+
+/** An empty table without columns. typed_clear frees it. */
+void typed_init(typed_table *t, graze_context *context);
+void typed_clear(typed_table *t);
+
+/** The rows will be those of a grid: sizes and corners of its box, d each. */
+void typed_set_grid(typed_table *t, int dimension, const size_t *size, graze_rationals low,
+                    graze_rationals high);
+
+/** The word of a code of pmc or class; NULL for other columns. Static. */
+const char *typed_word(const typed_column *c, uint32_t code);
+
+/** The name of a column, `column` if it has none; `_2` and so on stand behind a name that occurred.
+ */
+void typed_name(text *out, const typed_table *t, size_t index);
+
+/* A typed table as a numpy array. */
+
+/** As a structured numpy array. */
+graze_status typed_write_npy(const typed_table *t, sink to);
+
+/* Rows of values, read into typed columns. */
+
+/** Set the columns of a table: the names that its head has, comma-joined. */
+graze_status typed_begin(typed_table *t, int dimension, field names, int pmc_alone);
+/**
+ * Add rows of values. The rounding of the context has no effect: numbers of further columns do not
+ * belong to the scene.
+ * @return GRAZE_EINPUT they are not whole rows of these columns, or a number is past binary64;
+ * GRAZE_ELIMIT; GRAZE_ESYSTEM
+ */
+graze_status typed_add(typed_table *t, const char *rows, size_t length);
+
+/* A typed table as a VTK file. */
+
+/** As a legacy VTK file: a grid as structured points, else vertices. */
+graze_status typed_write_vtk(const typed_table *t, sink to);
+
+/* A typed table in one of its forms. */
+
+/** Write a whole table in one of the binary forms. GRAZE_ELIMIT, GRAZE_ESYSTEM. */
+graze_status typed_write(const typed_table *t, graze_format form, sink to);
+
+/* Writes legacy VTK files, version 3.0, as text or binary.
+ *
+ * The parts of a file come in the order of these functions. Each part that has values is ended by
+ * vtk_end. */
+
+/** Numbers of VTK for kinds of cells. */
+enum { VTK_VERTEX = 1, VTK_LINE = 3, VTK_TRIANGLE = 5, VTK_QUAD = 9, VTK_HEXAHEDRON = 12 };
+
+typedef struct vtk {
+    sink to;
+    int binary; /* big-endian values, else decimals */
+} vtk;
+
+/** The lines before the data. `dataset`: UNSTRUCTURED_GRID or STRUCTURED_POINTS. */
+void vtk_begin(const vtk *w, const char *title, const char *dataset);
+
+/** Begin an array of `length` bytes in field data. */
+void vtk_bytes_begin(const vtk *w, field name, size_t length);
+/** Begin the points; vtk_point puts each. */
+void vtk_points_begin(const vtk *w, size_t count);
+void vtk_point(const vtk *w, const double at[3]);
+/** vtk_point for d rationals: the nearest binary64, ties to even, and 0 for z in the plane.
+ * GRAZE_EINPUT past its range. */
+graze_status vtk_rational_point(const vtk *w, graze_context *context, const mpq_t *point,
+                                int dimension);
+/** Begin the cells; vtk_cell puts each. */
+void vtk_cells_begin(const vtk *w, size_t count, size_t corners);
+void vtk_cell(const vtk *w, const size_t *corner, size_t corners);
+/** The types of all cells, which are of one type. */
+void vtk_cell_types(const vtk *w, size_t count, unsigned type);
+
+/** Begin the data of points (POINT_DATA) or cells (CELL_DATA). */
+void vtk_data_begin(const vtk *w, const char *of, size_t count);
+/** Begin a column of `int` or `double`, whose values are put by vtk_int or vtk_double. Blanks in
+ * its name become `_`. */
+void vtk_scalars_begin(const vtk *w, field name, const char *type);
+void vtk_int(const vtk *w, uint32_t value);
+void vtk_double(const vtk *w, double value);
+
+void vtk_end(const vtk *w);
+
+#endif

@@ -1,0 +1,261 @@
+/* Writes boundaries by sampling.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * In the plane PLY and VTK have a third coordinate, which is 0. The lines of their points and cells
+ * are the same, so PLY's are written as VTK's.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include "input/delimited/delimited.h"
+#include "output/table/table.h"
+#include "program/cli/values.h"
+#include "program/io/io.h"
+
+#define MISSES "sampled: parts, holes and gaps that hold no point of the sample are not seen"
+
+static output out;
+
+static const vtk lines = {{output_sink, &out}, 0};
+
+int boundary_check_names(const char *surface, const char *cells, const char *points) {
+    if (surface && !path_has_extension(surface, ".ply") && !path_has_extension(surface, ".vtk") &&
+        !path_has_extension(surface, ".stl"))
+        return complain(EXIT_USAGE, "--surface %s: expected a name in .ply, .vtk or .stl", surface);
+    if (cells && !path_has_extension(cells, ".vtk"))
+        return complain(EXIT_USAGE, "--cells %s: expected a name in .vtk", cells);
+    if (points && !path_has_extension(points, ".csv") && !path_has_extension(points, ".vtk"))
+        return complain(EXIT_USAGE, "--points %s: expected a name in .csv or .vtk", points);
+    return EXIT_DONE;
+}
+
+int boundary_check_surface(const char *surface, int dimension) {
+    if (dimension == 2 && path_has_extension(surface, ".stl"))
+        return complain(EXIT_USAGE,
+                        "--surface %s: STL has triangles in space; expected a name in .ply or .vtk",
+                        surface);
+    return EXIT_DONE;
+}
+
+static void init_point(mpq_t point[3]) {
+    for (int k = 0; k < 3; k++)
+        mpq_init(point[k]);
+}
+
+static void clear_point(mpq_t point[3]) {
+    for (int k = 0; k < 3; k++)
+        mpq_clear(point[k]);
+}
+
+typedef enum source { OF_POINTS, OF_VERTICES } source;
+
+static int put_coordinates(const graze_boundary *b, graze_context *context, int dimension,
+                           source which, size_t count) {
+    mpq_t point[3];
+    graze_status status = GRAZE_OK;
+    init_point(point);
+    for (size_t i = 0; i < count && !status; i++) {
+        if (which == OF_VERTICES)
+            graze_boundary_vertex(point, b, i);
+        else
+            (void)graze_boundary_point(point, b, i);
+        status = vtk_rational_point(&lines, context, point, dimension);
+    }
+    clear_point(point);
+    return complain_of(status, context);
+}
+
+/* The head of a legacy VTK file, up to its points. meshio reads no POLYDATA, so all are this. */
+static int put_vtk_points(const graze_boundary *b, graze_context *context, int dimension,
+                          source which, size_t count) {
+    vtk_begin(&lines, "graze " GRAZE_VERSION " boundary; " MISSES, "UNSTRUCTURED_GRID");
+    vtk_points_begin(&lines, count);
+    return put_coordinates(b, context, dimension, which, count);
+}
+
+static void put_faces(const graze_boundary *b, int dimension, size_t count) {
+    for (size_t i = 0; i < count; i++)
+        vtk_cell(&lines, graze_boundary_face(b, i), (size_t)dimension);
+}
+
+/* A count between two texts. */
+static void put_count(const char *before, size_t count, const char *behind) {
+    char text[32];
+    snprintf(text, sizeof text, "%zu", count);
+    output_put(&out, before);
+    output_put(&out, text);
+    output_put(&out, behind);
+}
+
+static int put_ply(const graze_boundary *b, graze_context *context, int dimension,
+                   const graze_boundary_summary *s) {
+    output_put(&out, "ply\nformat ascii 1.0\ncomment graze " GRAZE_VERSION " boundary\n"
+                     "comment " MISSES "\n");
+    put_count("element vertex ", s->vertices,
+              "\nproperty double x\nproperty double y\nproperty double z\n");
+    put_count(dimension == 3 ? "element face " : "element edge ", s->faces,
+              dimension == 3 ? "\nproperty list uchar int vertex_indices\nend_header\n"
+                             : "\nproperty int vertex1\nproperty int vertex2\nend_header\n");
+    int status = put_coordinates(b, context, dimension, OF_VERTICES, s->vertices);
+    for (size_t i = 0; i < s->faces && dimension == 2; i++) {
+        const size_t *edge = graze_boundary_face(b, i);
+        put_count("", edge[0], " ");
+        put_count("", edge[1], "\n");
+    }
+    if (dimension == 3)
+        put_faces(b, 3, s->faces);
+    return status;
+}
+
+/* The corners of a face, for the normal alone; 0 0 0 stands where it has no direction. */
+static void put_normal(double at[3][3]) {
+    double normal[3], length = 0;
+    char text[128];
+    for (int k = 0; k < 3; k++) {
+        int i = (k + 1) % 3, j = (k + 2) % 3;
+        normal[k] = (at[1][i] - at[0][i]) * (at[2][j] - at[0][j]) -
+                    (at[1][j] - at[0][j]) * (at[2][i] - at[0][i]);
+        length = fmax(length, fabs(normal[k]));
+    }
+    double scale = 0, squares = 0;
+    for (int k = 0; k < 3 && length > 0; k++)
+        squares += normal[k] / length * (normal[k] / length);
+    if (squares > 0)
+        scale = 1 / (length * sqrt(squares));
+    if (!(scale < HUGE_VAL))
+        scale = 0;
+    snprintf(text, sizeof text, "facet normal %.9g %.9g %.9g\nouter loop\n", normal[0] * scale,
+             normal[1] * scale, normal[2] * scale);
+    output_put(&out, text);
+}
+
+/* STL as text, since 32 bits a coordinate would move vertices onto one another. */
+static int put_stl(const graze_boundary *b, graze_context *context,
+                   const graze_boundary_summary *s) {
+    mpq_t point[3];
+    graze_status status = GRAZE_OK;
+    init_point(point);
+    output_put(&out, "solid graze " GRAZE_VERSION " boundary; " MISSES "\n");
+    for (size_t i = 0; i < s->faces && !status; i++) {
+        const size_t *face = graze_boundary_face(b, i);
+        double at[3][3];
+        for (int k = 0; k < 3; k++) {
+            graze_boundary_vertex(point, b, face[k]);
+            for (int j = 0; j < 3; j++)
+                at[k][j] = mpq_get_d(point[j]);
+        }
+        put_normal(at);
+        for (int k = 0; k < 3 && !status; k++) {
+            output_put(&out, "vertex ");
+            graze_boundary_vertex(point, b, face[k]);
+            status = vtk_rational_point(&lines, context, point, 3);
+        }
+        output_put(&out, "endloop\nendfacet\n");
+    }
+    output_put(&out, "endsolid\n");
+    clear_point(point);
+    return complain_of(status, context);
+}
+
+/* Close the file, which holds all or nothing. */
+static int close_whole(int status) {
+    if (status)
+        output_drop(&out);
+    int closed = output_close(&out);
+    return status ? status : closed;
+}
+
+int boundary_write_surface(const char *path, const graze_boundary *b, graze_context *context,
+                           int dimension) {
+    graze_boundary_summary s = graze_boundary_summarize(b);
+    int status = output_open(&out, path);
+    if (status)
+        return status;
+    if (path_has_extension(path, ".stl"))
+        return close_whole(put_stl(b, context, &s));
+    if (!path_has_extension(path, ".vtk"))
+        return close_whole(put_ply(b, context, dimension, &s));
+    status = put_vtk_points(b, context, dimension, OF_VERTICES, s.vertices);
+    vtk_cells_begin(&lines, s.faces, (size_t)dimension);
+    put_faces(b, dimension, s.faces);
+    vtk_cell_types(&lines, s.faces, dimension == 3 ? VTK_TRIANGLE : VTK_LINE);
+    return close_whole(status);
+}
+
+/* One column of the cells. */
+static void put_column(const graze_boundary *b, size_t count, const char *name, int which) {
+    vtk_scalars_begin(&lines, (field){name, strlen(name)}, "int");
+    for (size_t i = 0; i < count; i++) {
+        graze_boundary_cell c = graze_boundary_cell_at(b, i);
+        unsigned value[3] = {c.level, (unsigned)c.pmc, (unsigned)c.contact};
+        vtk_int(&lines, value[which]);
+    }
+}
+
+/* VTK goes round a quadrilateral, where graze_boundary_cell has bits for x, y and z. */
+int boundary_write_cells(const char *path, const graze_boundary *b, graze_context *context,
+                         int dimension) {
+    graze_boundary_summary s = graze_boundary_summarize(b);
+    static const unsigned round[8] = {0, 1, 3, 2, 4, 5, 7, 6};
+    size_t corners = (size_t)1 << dimension;
+    int status = output_open(&out, path);
+    if (status)
+        return status;
+    status = put_vtk_points(b, context, dimension, OF_POINTS, s.points);
+    vtk_cells_begin(&lines, s.cells, corners);
+    for (size_t i = 0; i < s.cells; i++) {
+        graze_boundary_cell c = graze_boundary_cell_at(b, i);
+        size_t corner[8];
+        for (size_t k = 0; k < corners; k++)
+            corner[k] = c.corners[round[k]];
+        vtk_cell(&lines, corner, corners);
+    }
+    vtk_cell_types(&lines, s.cells, dimension == 2 ? VTK_QUAD : VTK_HEXAHEDRON);
+    vtk_data_begin(&lines, "CELL_DATA", s.cells);
+    put_column(b, s.cells, "level", 0);
+    put_column(b, s.cells, "pmc", 1);
+    put_column(b, s.cells, "contact", 2);
+    return close_whole(status);
+}
+
+static void put_exact_points(const graze_boundary *b, int dimension, size_t count) {
+    mpq_t point[3];
+    init_point(point);
+    output_put(&out, dimension == 2 ? "x,y,pmc\n" : "x,y,z,pmc\n");
+    for (size_t i = 0; i < count; i++) {
+        graze_pmc pmc = graze_boundary_point(point, b, i);
+        for (int k = 0; k < dimension; k++) {
+            output_number(&out, point[k]);
+            output_put(&out, ",");
+        }
+        output_put(&out, graze_pmc_name(pmc));
+        output_put(&out, "\n");
+    }
+    clear_point(point);
+}
+
+int boundary_write_points(const char *path, const graze_boundary *b, graze_context *context,
+                          int dimension) {
+    graze_boundary_summary s = graze_boundary_summarize(b);
+    int status = output_open(&out, path);
+    if (status)
+        return status;
+    if (path_has_extension(path, ".csv")) {
+        output_put(&out, "# graze " GRAZE_VERSION " boundary\n# " MISSES "\n");
+        put_exact_points(b, dimension, s.points);
+        return output_close(&out);
+    }
+    status = put_vtk_points(b, context, dimension, OF_POINTS, s.points);
+    vtk_cells_begin(&lines, s.points, 1);
+    for (size_t i = 0; i < s.points; i++)
+        vtk_cell(&lines, &i, 1);
+    vtk_cell_types(&lines, s.points, VTK_VERTEX);
+    vtk_data_begin(&lines, "POINT_DATA", s.points);
+    vtk_scalars_begin(&lines, (field){"pmc", 3}, "int");
+    mpq_t point[3];
+    init_point(point);
+    for (size_t i = 0; i < s.points; i++)
+        vtk_int(&lines, (unsigned)graze_boundary_point(point, b, i));
+    clear_point(point);
+    return close_whole(status);
+}

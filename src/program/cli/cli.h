@@ -1,0 +1,67 @@
+/* cli: the commands of `graze`, a file each, and their documents.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_PROGRAM_CLI_H
+#define GRAZE_PROGRAM_CLI_H
+
+#include <stddef.h>
+#include "program/io/io.h"
+#include "program/run/run.h"
+
+/** Read the value of `--name`, or of `-n` where the name is one letter, into `to`. Returns an exit
+ * status and says what is wrong. */
+typedef int option_read(void *to, const char *name, const char *value);
+
+/** An option. The value of a flag is "". `read` is NULL for an option that may be given several
+ * times: operands.repeated has its values. */
+typedef struct option_entry {
+    const char *name; /* NULL ends a table */
+    enum { OPTION_VALUE, OPTION_FLAG, OPTION_READ, OPTION_WRITTEN } kind;
+    option_read *read;
+    size_t offset; /* of the field in the command's struct */
+} option_entry;
+
+/** Words that are no options, and values of the option that may be given several times, in order.
+ * Both arrays are malloc'ed, the strings those of argv. */
+typedef struct operands {
+    int count, repeated_count;
+    char **item;
+    const char **repeated;
+    const char *output; /* the file for what a command prints that has no OUTPUT of its own */
+} operands;
+
+typedef struct command {
+    const char *name;
+    const option_entry *options;
+    size_t size;         /* of the struct the options are read into */
+    const void *initial; /* that struct before, NULL: zeroed */
+    int reads;           /* number of operands, from the first on, that are files, */
+    int inputs;          /* and of the last ones of these, for which `-` is standard input */
+    /** Add files that neither these nor OPTION_READ and OPTION_WRITTEN name; may be NULL. */
+    void (*add_files)(guard *g, const void *options, const operands *given);
+    const char *help;
+    int (*run)(void *options, const operands *given);
+} command;
+
+/**
+ * Read the words of a command; `argv[0]` is its name. Says on standard error what is wrong.
+ * @param[out] given   for operands_clear in either case
+ * @param[out] options a struct of the command's size
+ * @param[out] help    1 if --help was asked for
+ * @return EXIT_DONE, EXIT_USAGE, EXIT_IO
+ */
+int command_read(operands *given, void *options, int *help, const command *c, int argc,
+                 char **argv);
+void operands_clear(operands *given);
+
+/** Refuse a file to write that is to be read or written besides: EXIT_USAGE, and says so; EXIT_IO.
+ * `options` and `given` are those of command_read. */
+int command_guard(const command *c, const void *options, const operands *given);
+
+/** Its options are a classify_options. */
+extern const command command_classify;
+
+/** Take the operands over, and check that they and the options go together. Returns an exit status
+ * and says what is wrong. */
+int classify_take(classify_options *o, const operands *given);
+
+#endif

@@ -1,0 +1,77 @@
+/* Why strata have no points, and what helps.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <string.h>
+#include "base/context/scope.h"
+#include "base/number/text.h"
+#include "program/cli/values.h"
+#include "program/io/io.h"
+
+graze_status lost_strata_dyadic(lost_strata *lost, const loaded *l, const scene_options *o,
+                                unsigned long long seed, const unsigned long *weights) {
+    graze_context *context = l->context;
+    graze_motion *motion = NULL;
+    graze_scene *scene = NULL;
+    graze_generator *generator = NULL;
+    char *json = NULL;
+    graze_options options = o->scene;
+    options.size = sizeof options;
+    LOCAL(mpq, tolerance);
+    mpq_set_ui(tolerance, 1, 1u << 20);
+    graze_status status = graze_motion_write_dyadic(&json, NULL, context, l->motion, tolerance);
+    if (!status)
+        status = graze_motion_from_json(&motion, context, json, strlen(json));
+    if (!status)
+        status = graze_scene_create(&scene, context, l->solid, motion, &options);
+    if (!status)
+        status = graze_generator_create(&generator, context, scene, seed, weights,
+                                        GRAZE_GENERATE_REPRESENTABLE);
+    for (int k = 0; k < GRAZE_STRATUM_COUNT && !status; k++)
+        lost->has_dyadic |=
+            lost->unrepresentable >> k & 1 && graze_generator_weight(generator, (graze_stratum)k);
+    graze_generator_destroy(generator);
+    graze_scene_destroy(scene);
+    graze_motion_destroy(motion);
+    graze_free(json);
+    /* A motion near this one that is not legal, or has no points at all, is no help. */
+    return status == GRAZE_ECANCELED || status == GRAZE_ESYSTEM ? status : GRAZE_OK;
+}
+
+static void put_stratum_names(text *t, unsigned set) {
+    const char *before = "";
+    for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)
+        if (set >> k & 1) {
+            text_format(t, "%s%s", before, graze_stratum_name((graze_stratum)k));
+            before = ", ";
+        }
+}
+
+/* A line about some strata, if there are any. */
+static void put_strata(text *t, const char *between, const char *before, unsigned set,
+                       const char *behind) {
+    if (!set)
+        return;
+    text_put(t, t->length ? between : "");
+    text_put(t, before);
+    put_stratum_names(t, set);
+    text_put(t, behind);
+}
+
+char *lost_strata_text(const lost_strata *lost, const char *between) {
+    text t;
+    text_init(&t);
+    text_put(&t, "");
+    put_strata(&t, between, "no points of the strata ", lost->unrepresentable,
+               " have coordinates that a binary64 holds: numbers of the motion or solid are not "
+               "dyadic, or too long");
+    if (lost->unrepresentable && lost->has_dyadic)
+        text_format(&t, "%s`graze motion dyadic` makes a motion near this one that has such points",
+                    between);
+    if (lost->unrepresentable && (lost->replaced || !lost->has_dyadic))
+        text_format(&t, "%s`rounded` has %spoints within an ulp of such contacts, on both sides",
+                    between, lost->replaced ? "their weight: " : "");
+    put_strata(&t, between, "the scene has no points of the strata ", lost->absent, "");
+    put_strata(&t, between, "fewer points than their weights ask for were found of the strata ",
+               lost->spent, "");
+    return text_take(&t);
+}

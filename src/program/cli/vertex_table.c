@@ -1,0 +1,126 @@
+/* Writes the signed distances of vertices of meshes, and their answers.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include "input/delimited/delimited.h"
+#include "output/table/table.h"
+#include "program/cli/values.h"
+#include "program/io/io.h"
+
+static output out;
+
+static const vtk lines = {{output_sink, &out}, 0};
+
+int vertex_table_check(const char *path) {
+    return path_has_extension(path, ".csv") || path_has_extension(path, ".vtk")
+               ? EXIT_DONE
+               : complain(EXIT_USAGE, "--vertices %s: expected a name in .csv or .vtk", path);
+}
+
+/* A bound, one double further out: 17 digits move it by less than that back. */
+static void put_outward(double bound, double out_there, const char *behind) {
+    char digits[40];
+    snprintf(digits, sizeof digits, "%.17g%s", bound == 0 ? 0 : nextafter(bound, out_there),
+             behind);
+    output_put(&out, digits);
+}
+
+static void put_row_point(graze_rationals point) {
+    for (int k = 0; k < 3; k++) {
+        output_number(&out, point[k]);
+        output_put(&out, ",");
+    }
+}
+
+static void put_vertex_rows(const graze_mesh *mesh, const graze_enclosure *found, size_t count) {
+    mpq_t point[3];
+    mpq_inits(point[0], point[1], point[2], NULL);
+    output_put(&out, "x,y,z,pmc,sdf_low,sdf_high\n");
+    for (size_t v = 0; v < count; v++) {
+        graze_mesh_vertex(point, mesh, v);
+        put_row_point((graze_rationals)point);
+        output_put(&out, graze_pmc_name(found[v].pmc));
+        output_put(&out, ",");
+        put_outward(found[v].low, -HUGE_VAL, ",");
+        put_outward(found[v].high, HUGE_VAL, "\n");
+    }
+    mpq_clears(point[0], point[1], point[2], NULL);
+}
+
+static int put_vertex_points(const graze_mesh *mesh, graze_context *context, size_t count) {
+    mpq_t point[3];
+    graze_status status = GRAZE_OK;
+    mpq_inits(point[0], point[1], point[2], NULL);
+    vtk_points_begin(&lines, count);
+    for (size_t v = 0; v < count && !status; v++) {
+        graze_mesh_vertex(point, mesh, v);
+        status = vtk_rational_point(&lines, context, point, 3);
+    }
+    mpq_clears(point[0], point[1], point[2], NULL);
+    return complain_of(status, context);
+}
+
+static void put_vertex_column(const char *name, const graze_enclosure *found, size_t count,
+                              int high) {
+    vtk_scalars_begin(&lines, (field){name, strlen(name)}, "double");
+    for (size_t v = 0; v < count; v++)
+        vtk_double(&lines, high ? found[v].high : found[v].low);
+    vtk_end(&lines);
+}
+
+static int put_vertex_vtk(const graze_mesh *mesh, graze_context *context,
+                          const graze_enclosure *found, const graze_mesh_facts *facts) {
+    vtk_begin(&lines, "graze " GRAZE_VERSION " judge", "UNSTRUCTURED_GRID");
+    int status = put_vertex_points(mesh, context, facts->vertices);
+    vtk_cells_begin(&lines, facts->triangles, 3);
+    for (size_t k = 0; k < facts->triangles; k++) {
+        size_t corner[3] = {0, 0, 0};
+        graze_mesh_triangle(corner, mesh, k);
+        vtk_cell(&lines, corner, 3);
+    }
+    vtk_cell_types(&lines, facts->triangles, VTK_TRIANGLE);
+    vtk_data_begin(&lines, "POINT_DATA", facts->vertices);
+    put_vertex_column("sdf_low", found, facts->vertices, 0);
+    put_vertex_column("sdf_high", found, facts->vertices, 1);
+    vtk_scalars_begin(&lines, (field){"pmc", 3}, "int");
+    for (size_t v = 0; v < facts->vertices; v++)
+        vtk_int(&lines, (uint32_t)found[v].pmc);
+    vtk_end(&lines);
+    return status;
+}
+
+int vertex_table_write(const char *path, graze_context *context, const graze_mesh *mesh,
+                       const graze_enclosure *found) {
+    graze_mesh_facts facts = graze_mesh_get_facts(mesh);
+    int status = output_open(&out, path);
+    if (status)
+        return status;
+    if (path_has_extension(path, ".vtk"))
+        status = put_vertex_vtk(mesh, context, found, &facts);
+    else
+        put_vertex_rows(mesh, found, facts.vertices);
+    if (status)
+        output_drop(&out);
+    int closed = output_close(&out);
+    return status ? status : closed;
+}
+
+int answer_table_write(const char *path, int parity, graze_rationals points, const graze_pmc *found,
+                       size_t count) {
+    char last[48];
+    int status = output_open(&out, path);
+    if (status)
+        return status;
+    output_put(&out, "# graze " GRAZE_VERSION "\n# answers-of mesh\n# inside ");
+    output_put(&out, parity ? "parity\nx,y,z,pmc\n" : "winding\nx,y,z,pmc\n");
+    for (size_t k = 0; k < count; k++) {
+        put_row_point(points + 3 * k);
+        output_put(&out, graze_pmc_name(found[k]));
+        output_put(&out, "\n");
+    }
+    snprintf(last, sizeof last, "# complete %zu\n", count);
+    output_put(&out, last);
+    return output_close(&out);
+}

@@ -1,0 +1,104 @@
+/* Makes contexts, and scenes from two files.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "program/io/io.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static int signal_came(void *data) {
+    (void)data;
+    waiting_show();
+    return interrupt_signal() != 0;
+}
+
+int context_make(graze_context **out, const context_options *o) {
+    graze_status status = graze_context_create(out);
+    if (status)
+        return complain(EXIT_IO, "out of memory");
+    graze_context_set_cancel(*out, signal_came, NULL);
+    graze_context_set_filter(*out, !o->exact_only);
+    status = graze_context_set_rounding(*out, o->rounding);
+    for (int k = 0; k < GRAZE_LIMIT_COUNT && !status; k++)
+        if (o->limits[k])
+            status = graze_context_set_limit(*out, (graze_limit)k, o->limits[k]);
+    return status ? complain(EXIT_USAGE, "%s", graze_context_message(*out)) : EXIT_DONE;
+}
+
+int load_straight(const graze_solid *solid, const char *path, const char *what) {
+    if (graze_solid_primitive_count(solid) == 0)
+        return EXIT_DONE;
+    return complain(EXIT_INPUT, "%s: the solid is curved; %s takes polyhedra and polygons", path,
+                    what);
+}
+
+/* Positions and distances are those of polyhedra and polygons; no part of a sweep dangles. */
+static int check_rows(const graze_solid *solid, const scene_options *o) {
+    const char *straight = o->rows.topo      ? "--topo"
+                           : o->rows.regular ? "--regular"
+                           : o->rows.sdf > 0 ? "--sdf"
+                                             : NULL;
+    if (o->rows.regular && o->scene.operation == GRAZE_SWEEP)
+        return complain(EXIT_USAGE, "--regular is asked of an unsweep; expected --operation "
+                                    "unsweep beside it");
+    return straight ? load_straight(solid, o->solid, straight) : EXIT_DONE;
+}
+
+/* Say why a scene was not read, and name graze mend where it makes a legal solid: it is tried. */
+static int complain_of_scene(graze_status status, const loaded *l, const scene_options *o) {
+    char reason[1 << 13];
+    char *mended = NULL;
+    if (status != GRAZE_EILLEGAL || l->solid)
+        return complain_of(status, l->context);
+    snprintf(reason, sizeof reason, "%s", graze_context_message(l->context));
+    int overlap = strstr(reason, "overlap") || strstr(reason, " intersect each other") ||
+                  strstr(reason, " cross; edges may");
+    int helps =
+        graze_solid_mend(&mended, NULL, l->context, o->solid, NULL, o->solid_flags) == GRAZE_OK;
+    graze_free(mended);
+    return complain(EXIT_INPUT, "%s%s%s", reason,
+                    overlap ? "; a \"union\" in .csg.json takes parts that overlap" : "",
+                    helps ? "; graze mend makes a legal solid of it" : "");
+}
+
+int loaded_read(loaded *out, const scene_options *o, int illegal, const unsigned char *trusted) {
+    memset(out, 0, sizeof *out);
+    int code = context_make(&out->context, &o->context);
+    if (code)
+        return code;
+    graze_status status =
+        trusted
+            ? graze_solid_read_trusted(&out->solid, out->context, o->solid, trusted, o->solid_flags)
+            : graze_solid_read(&out->solid, out->context, o->solid, o->solid_flags);
+    if (!status)
+        code = check_rows(out->solid, o);
+    if (code)
+        return code;
+    if (!status && *graze_solid_note(out->solid))
+        complain(EXIT_DONE, "note: %s: %s", o->solid, graze_solid_note(out->solid));
+    if (!status && o->motion)
+        status = graze_motion_read(&out->motion, out->context, o->motion);
+    graze_options scene = o->scene;
+    scene.size = sizeof scene;
+    out->rows = o->rows;
+    out->rows.size = sizeof out->rows;
+    if (!status && o->motion)
+        status = graze_scene_create(&out->scene, out->context, out->solid, out->motion, &scene);
+    if (!status && o->sdf_relative)
+        status = graze_scene_width(&out->rows.sdf, out->context, out->scene, o->rows.sdf);
+    code = complain_of_scene(status, out, o);
+    return status == GRAZE_EILLEGAL ? illegal : code;
+}
+
+const char *load_note(const scene_options *o) {
+    return o->solid_flags & GRAZE_SOLID_TRIANGULATE ? "# triangulate yes\n" : "# triangulate no\n";
+}
+
+void loaded_clear(loaded *l) {
+    graze_certifier_destroy(l->certifier);
+    graze_scene_destroy(l->scene);
+    graze_motion_destroy(l->motion);
+    graze_solid_destroy(l->solid);
+    graze_context_destroy(l->context);
+    graze_thread_finish();
+}

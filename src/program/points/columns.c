@@ -1,0 +1,364 @@
+/* Fixes the columns of a file of points and reads its rows (src/program/cli/formats.md, Points).
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The first line is a header if it has a field x, y or (in E^3) z; else the first d columns are the
+ * coordinates. Further columns are handed on as the bytes they were.
+ */
+#include "program/points/points.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "base/context/array.h"
+#include "base/context/scope.h"
+#include "base/number/text.h"
+#include "input/delimited/delimited.h"
+#include "program/io/io.h"
+#include "program/points/heads.h"
+
+/* 0, 1, 2 for x, y, z, or for X, Y, Z if `first` is 'X'; -1 for any other name. */
+static int axis_of(field f, int dimension, char first) {
+    f = field_content(f);
+    if (f.length != 1 || *f.start < first || *f.start >= first + dimension)
+        return -1;
+    return *f.start - first;
+}
+
+/* 'x', or 'X' where capitals alone name coordinates. */
+static char first_axis_name(const fields *first, int dimension) {
+    int capitals = 0;
+    for (size_t k = 0; k < first->count; k++) {
+        if (axis_of(first->item[k], dimension, 'x') >= 0)
+            return 'x';
+        capitals |= axis_of(first->item[k], dimension, 'X') >= 0;
+    }
+    return capitals ? 'X' : 'x';
+}
+
+/* Is a column carried along: neither a coordinate nor an answer of graze classify? */
+static int is_further(const columns *c, size_t column) {
+    if (c->sites.wanted)
+        return c->sites.carried[column];
+    for (int k = 0; k < c->dimension; k++)
+        if (c->where[k] == column)
+            return 0;
+    return !(column >= c->own.first && column < c->own.end) && column + c->own.last < c->count;
+}
+
+/* How many of the last columns are an enclosure, moments and positions, behind each other, among
+ * `most`. Moments have rows where the motion has, and in older tables no decimals. */
+static size_t count_last(const fields *first, columns_head head, size_t most) {
+    const struct {
+        const char *name;
+        int is_there, may_lack;
+    } last[] = {{"regular", head.regular, 0},    {"topo", head.topo, 0},
+                {"last_row", head.moments, 1},   {"last_piece", head.moments, 0},
+                {"last_near", head.moments, 1},  {"last", head.moments, 0},
+                {"first_row", head.moments, 1},  {"first_piece", head.moments, 0},
+                {"first_near", head.moments, 1}, {"first", head.moments, 0},
+                {"certain", head.certain, 0},    {"boundary_low", head.boundary, 0},
+                {"sdf_t", head.sdf, 0},          {"sdf_high", head.sdf, 0},
+                {"sdf_low", head.sdf, 0}};
+    size_t count = 0;
+    for (size_t k = 0; k < sizeof last / sizeof *last && count < most; k++) {
+        if (!last[k].is_there)
+            continue;
+        int is_it = field_is(field_content(first->item[first->count - 1 - count]), last[k].name);
+        if (!is_it && !last[k].may_lack)
+            return 0;
+        count += (size_t)is_it;
+    }
+    return count;
+}
+
+/* The answers in a file that graze classify has written: they stand behind the coordinates, in this
+ * order and some left out, and positions in the last columns. */
+static void find_own(columns *c, const fields *first, columns_head head) {
+    static const char *const of_sweep[] = {"pmc", "class", "definition", "case", "i", "t", "word"};
+    static const char *const of_unsweep[] = {"pmc", "word"};
+    const char *const *answers = head.unsweep ? of_unsweep : of_sweep;
+    size_t count = head.pmc_alone ? 1 : head.unsweep ? 2 : 7, k = 0;
+    size_t at = c->own.first = c->own.end = (size_t)c->dimension;
+    for (; head.graze && at < first->count; at++) {
+        while (k < count && !field_is(field_content(first->item[at]), answers[k]))
+            k++;
+        if (k++ >= count)
+            break;
+        c->own.end = at + 1;
+    }
+    c->own.last = head.graze ? count_last(first, head, first->count - c->own.end) : 0;
+}
+
+static int order_of_names(const void *a, const void *b) {
+    const field *x = a, *y = b;
+    if (x->length != y->length)
+        return x->length < y->length ? -1 : 1;
+    return x->length ? memcmp(x->start, y->start, x->length) : 0;
+}
+
+/* Refuse two further columns of one name, unless they have none. */
+static int check_different_names(fault *f, const columns *c, const fields *first,
+                                 unsigned long number) {
+    field *names = malloc(first->count * sizeof *names);
+    size_t count = 0, k = 1;
+    if (!names)
+        return fault_set(f, EXIT_IO, "out of memory");
+    for (size_t column = 0; column < first->count; column++)
+        if (is_further(c, column))
+            names[count++] = field_content(first->item[column]);
+    qsort(names, count, sizeof *names, order_of_names);
+    while (k < count && (!names[k].length || !field_equal(names[k - 1], names[k])))
+        k++;
+    int status = k < count ? fault_set(f, EXIT_INPUT,
+                                       "%s:%lu: two columns have the name '%.*s'; expected "
+                                       "different names",
+                                       c->name, number, FIELD_SHOWN(names[k]))
+                           : EXIT_DONE;
+    free(names);
+    return status;
+}
+
+/* Is a field that stood between other separators to be quoted between commas? */
+static int needs_quotes(char separator, field one) {
+    field bare = field_trimmed(one);
+    if (separator == ' ')
+        return memchr(one.start, ',', one.length) || memchr(one.start, '"', one.length);
+    return separator == ';' && memchr(one.start, ',', one.length) && *bare.start != '"';
+}
+
+/* Write a field for a table, whose separator is the comma: at most twice its length and 2 bytes. */
+static char *put_carried(char *at, const columns *c, field one) {
+    if (!one.length || !needs_quotes(c->separator, one)) {
+        memcpy(at, one.start, one.length);
+        return at + one.length;
+    }
+    *at++ = '"';
+    for (size_t k = 0; k < one.length; k++) {
+        if (one.start[k] == '"')
+            *at++ = '"';
+        *at++ = one.start[k];
+    }
+    *at++ = '"';
+    return at;
+}
+
+/* Names for the fields that are no coordinates, comma-joined; numbers where there is no header. */
+static int name_others(fault *f, columns *c, const fields *first, int numbered) {
+    size_t room = 1;
+    size_t further = 0;
+    for (size_t k = 0; k < first->count; k++) {
+        further += (size_t)is_further(c, k);
+        room += (numbered ? 28 : 2 * first->item[k].length) + 3;
+    }
+    if (!further)
+        return EXIT_DONE;
+    char *at = c->others = malloc(room);
+    int some = 0;
+    if (!at)
+        return fault_set(f, EXIT_IO, "out of memory");
+    for (size_t k = 0; k < first->count; k++) {
+        if (!is_further(c, k))
+            continue;
+        if (some)
+            *at++ = ',';
+        some = 1;
+        if (numbered) {
+            at += sprintf(at, "column%zu", k + 1);
+        } else {
+            at = put_carried(at, c, first->item[k]);
+        }
+    }
+    *at = '\0';
+    return EXIT_DONE;
+}
+
+/* Fix the columns of points by the first line; *header says whether it names them. */
+static int fix_points(int *header, fault *f, columns *c, const fields *first, unsigned long number,
+                      columns_head head) {
+    int found[3] = {0, 0, 0};
+    *header = 0;
+    for (int k = 0; k < 3; k++)
+        c->where[k] = (size_t)k;
+    char letter = first_axis_name(first, c->dimension);
+    for (size_t k = 0; k < first->count; k++) {
+        int axis = axis_of(first->item[k], c->dimension, letter);
+        if (axis < 0)
+            continue;
+        if (found[axis]++)
+            return fault_set(f, EXIT_INPUT, "%s:%lu: the header names %c twice", c->name, number,
+                             'x' + axis);
+        c->where[axis] = k;
+        *header = 1;
+    }
+    for (int k = 0; *header && k < c->dimension; k++)
+        if (!found[k])
+            return fault_set(f, EXIT_INPUT, "%s:%lu: the header names no column %c", c->name,
+                             number, 'x' + k);
+    if (first->count < (size_t)c->dimension)
+        return fault_set(
+            f, EXIT_INPUT, "%s:%lu: %zu columns; expected at least %d, or a header naming x, y%s",
+            c->name, number, first->count, c->dimension, c->dimension == 3 ? ", z" : "");
+    if (*header)
+        find_own(c, first, head);
+    return EXIT_DONE;
+}
+
+static int fix(int *header, fault *f, columns *c, const fields *first, unsigned long number,
+               columns_head head) {
+    c->count = first->count;
+    int status = c->sites.wanted ? site_columns_fix(f, &c->sites, c->where, first, c->name, number)
+                                 : fix_points(header, f, c, first, number, head);
+    if (c->sites.wanted)
+        *header = 1;
+    if (!status && *header)
+        status = check_different_names(f, c, first, number);
+    if (!status)
+        status = name_others(f, c, first, !*header);
+    c->count = status ? 0 : first->count;
+    return status;
+}
+
+int columns_fix(int *header, fault *f, columns *c, graze_context *context, field text,
+                unsigned long number, columns_head head) {
+    fields first = {NULL, 0, 0};
+    static const char npy[] = "\x93NUMPY";
+    if (text.length >= sizeof npy - 1 && memcmp(text.start, npy, sizeof npy - 1) == 0)
+        return fault_set(f, EXIT_INPUT,
+                         "%s: is a .npy file, which is no text and is read by its name; expected "
+                         "a plain file",
+                         c->name);
+    c->separator = field_separator(text);
+    graze_status cut = fields_read(&first, context, c->name, number, text, c->separator);
+    int status = fault_of(f, cut, context, EXIT_INPUT);
+    if (!status)
+        status = fix(header, f, c, &first, number, head);
+    fields_clear(&first);
+    return status;
+}
+
+/* Is a name among those of a line of names? */
+static int is_named(field line, field name) {
+    field one;
+    while (line.start && field_take(&one, &line))
+        if (field_equal(field_content(one), name))
+            return 1;
+    return 0;
+}
+
+/* Add a name to the table's, changed until none of its own and of the others is the same. */
+static void put_free_name(text *out, const columns *c, field own, field others, field name) {
+    field bare = field_content(name);
+    if (!is_named(own, bare)) {
+        text_bytes(out, name.start, name.length);
+        return;
+    }
+    HELD(text, one);
+    text_bytes(&one, bare.start, bare.length);
+    do
+        text_put(&one, "_in");
+    while (!one.failed && (is_named(own, (field){one.data, one.length}) ||
+                           is_named(others, (field){one.data, one.length})));
+    if (!one.failed)
+        complain(EXIT_DONE,
+                 "note: %s: the column `%.*s` is carried as `%s`, since the table has one of that "
+                 "name",
+                 c->name, FIELD_SHOWN(bare), one.data);
+    out->failed |= one.failed;
+    text_bytes(out, one.failed ? "" : one.data, one.length);
+}
+
+char *columns_free_names(const columns *c, field own) {
+    text out;
+    field others = {c->others, c->others ? strlen(c->others) : 0}, rest = others, name;
+    if (!c->others)
+        return NULL;
+    text_init(&out);
+    for (int some = 0; rest.start && field_take(&name, &rest); some = 1) {
+        text_put(&out, some ? "," : "");
+        put_free_name(&out, c, own, others, name);
+    }
+    return text_take(&out);
+}
+
+/* Add the fields that are no coordinates to `rest`. */
+static int keep_others(reader *r, const columns *c, size_t length) {
+    if (!array_reserve(&r->rest, &r->rest_capacity,
+                       r->rest_length + 2 * length + 2 * r->cut.count + 1, 1))
+        return 0;
+    char *at = r->rest + r->rest_length;
+    int some = 0;
+    for (size_t k = 0; k < r->cut.count; k++) {
+        if (!is_further(c, k))
+            continue;
+        if (some)
+            *at++ = ',';
+        some = 1;
+        at = put_carried(at, c, r->cut.item[k]);
+    }
+    *at++ = '\0';
+    r->rest_length = (size_t)(at - r->rest);
+    return 1;
+}
+
+/* Advice for a semicolon in a number. */
+static const char *semicolon_hint(field token) {
+    return memchr(token.start, ';', token.length)
+               ? "; expected decimal points where fields stand between semicolons"
+               : "";
+}
+
+/* Read the cell of a row. */
+static int read_cell(fault *f, const columns *c, reader *r, unsigned long number) {
+    field token = field_content(r->cut.item[c->sites.cell]);
+    return cell_read(&r->cell, token)
+               ? EXIT_DONE
+               : fault_set(f, EXIT_INPUT, "%s:%lu: cell: `%.*s`; expected " CELL_FORM, c->name,
+                           number, FIELD_SHOWN(token));
+}
+
+static int refuse_number(fault *f, const columns *c, int index, field token, unsigned long number,
+                         const char *why, int status) {
+    char axis[2] = {(char)('x' + index), '\0'};
+    if (c->sites.wanted && index == 0 && site_time_is_root(token))
+        return fault_set(f, status,
+                         "%s:%lu: time: `%.*s` is a root; expected a rational time, as contact "
+                         "points have",
+                         c->name, number, FIELD_SHOWN(token));
+    return fault_set(f, status, "%s:%lu: %s: %s%s", c->name, number,
+                     c->sites.wanted ? site_number_name(&c->sites, index) : axis, why,
+                     semicolon_hint(token));
+}
+
+int columns_row(mpq_t *point, fault *f, const columns *c, reader *r, const block *b, size_t index) {
+    const line *l = &b->lines[index];
+    field text = {b->bytes + l->start, l->length};
+    graze_status cut = fields_read(&r->cut, r->context, c->name, l->number, text, c->separator);
+    if (cut)
+        return fault_of(f, cut, r->context, EXIT_INPUT);
+    if (r->cut.count != c->count)
+        return fault_set(f, EXIT_INPUT, "%s:%lu: %zu columns; expected %zu, as on the first line",
+                         c->name, l->number, r->cut.count, c->count);
+    for (int k = 0; k < c->numbers; k++) {
+        field token = field_content(r->cut.item[c->where[k]]);
+        graze_status read = graze_number_parse(point[k], r->context, token.start, token.length);
+        if (read)
+            return refuse_number(f, c, k, token, l->number, graze_context_message(r->context),
+                                 exit_for(read, EXIT_INPUT));
+    }
+    if (c->sites.snap && read_cell(f, c, r, l->number))
+        return f->status;
+    return c->others && !keep_others(r, c, l->length) ? fault_set(f, EXIT_IO, "out of memory")
+                                                      : EXIT_DONE;
+}
+
+void reader_clear(reader *r) {
+    fields_clear(&r->cut);
+    free(r->rest);
+    *r = (reader){.context = NULL};
+}
+
+void columns_clear(columns *c) {
+    free(c->others);
+    free(c->sites.carried);
+    c->others = c->sites.carried = NULL;
+}

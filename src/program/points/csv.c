@@ -1,0 +1,167 @@
+/* Reads points from CSV and .npy files in blocks (src/program/cli/formats.md, Points).
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * Lines are found and handed on as they are (points.h reads them); those of other shards are only
+ * counted. One buffer's worth of the file and one block are in memory.
+ */
+#include "program/points/points.h"
+
+#include <stdlib.h>
+#include <sys/stat.h>
+#include "input/delimited/delimited.h"
+#include "program/io/io.h"
+#include "program/points/heads.h"
+
+struct csv {
+    stream in;
+    fault fault;
+    columns columns;
+    columns_head head;
+    shard part;
+    unsigned long rows; /* of all shards, so far */
+    checksum sum;
+    unsigned long size; /* bytes of the file; 0 of a pipe */
+    int is_array;       /* a .npy file, whose head is read with its first row */
+    npy *array;
+};
+
+int csv_open(csv **out, const char *path, int dimension, shard part, graze_context *context) {
+    struct stat about;
+    csv *c = calloc(1, sizeof *c);
+    *out = c;
+    if (!c)
+        return complain(EXIT_IO, "out of memory");
+    int status = complain_of(stream_open(&c->in, context, path), context);
+    c->columns = (columns){.name = c->in.name, .dimension = dimension, .numbers = dimension};
+    c->part = part;
+    if (!status && fstat(c->in.fd, &about) == 0 && S_ISREG(about.st_mode) && about.st_size > 0)
+        c->size = (unsigned long)about.st_size;
+    c->is_array = !status && npy_is(c->in.fd, c->in.name);
+    return status;
+}
+
+void csv_expect_sites(csv *c, int snap) {
+    c->columns.sites = (site_form){.wanted = 1, .snap = snap, .dimension = c->columns.dimension};
+    c->columns.numbers = c->columns.dimension + 1;
+}
+
+void csv_close(csv *c) {
+    if (!c)
+        return;
+    npy_close(c->array);
+    stream_close(&c->in);
+    fault_clear(&c->fault);
+    columns_clear(&c->columns);
+    free(c);
+}
+
+const fault *csv_fault(const csv *c) {
+    return &c->fault;
+}
+
+const columns *csv_columns(const csv *c) {
+    return &c->columns;
+}
+
+portion csv_portion(const csv *c) {
+    return c->array ? (portion){npy_done(c->array), npy_count(c->array)}
+                    : (portion){(unsigned long)c->in.offset, c->size};
+}
+
+unsigned long csv_rows(const csv *c) {
+    return c->rows;
+}
+
+unsigned long long csv_checksum(const csv *c) {
+    return checksum_value(&c->sum);
+}
+
+static int skipped(field text) {
+    return (text.length && *text.start == '#') || field_trimmed(text).length == 0;
+}
+
+static void add_to_checksum(csv *c, field line) {
+    checksum_add(&c->sum, line.start, line.length);
+    checksum_add(&c->sum, "\n", 1);
+}
+
+/* A row into the block, if it is the shard's. */
+static int take_row(csv *c, block *b, field text) {
+    unsigned long row = c->rows++;
+    add_to_checksum(c, text);
+    if (row % c->part.count != c->part.index)
+        return EXIT_DONE;
+    if (!block_add(b, text, c->in.line))
+        return fault_set(&c->fault, EXIT_IO, "out of memory");
+    b->points[b->count - 1] = checksum_value(&c->sum);
+    return EXIT_DONE;
+}
+
+/* A line that is neither blank nor a comment; the first one fixes the columns. */
+static int take_point_line(csv *c, block *b, field text) {
+    int header = 0, status = EXIT_DONE;
+    if (!c->columns.count)
+        status =
+            columns_fix(&header, &c->fault, &c->columns, c->in.context, text, c->in.line, c->head);
+    if (!status && header)
+        add_to_checksum(c, text);
+    return status || header ? status : take_row(c, b, text);
+}
+
+int csv_ready(csv *c) {
+    return c->is_array || stream_ready(&c->in);
+}
+
+/* The next line of the file, or the next row of an array as one. */
+static int next_point_line(csv *c, field *line) {
+    int status = EXIT_DONE;
+    if (!c->is_array)
+        return fault_of(&c->fault, stream_next(&c->in, line), c->in.context, EXIT_INPUT);
+    if (c->columns.sites.wanted)
+        return site_columns_fault(&c->fault, &c->columns.sites, c->in.name, 1,
+                                  "a .npy file has no names");
+    if (!c->array)
+        status = npy_open(&c->array, &c->fault, c->in.context, c->in.fd, c->in.name,
+                          c->columns.dimension);
+    if (!status)
+        status = npy_next(c->array, &c->fault, line);
+    if (!status)
+        c->in.line = npy_done(c->array);
+    return status;
+}
+
+/* A `#` line before the first row: does it say that Graze has written the file? */
+static void read_head_line(csv *c, field text) {
+    field version;
+    c->head.graze |= c->in.line == 1 && field_behind(&version, text, "# graze ");
+    c->head.topo |= field_is(text, "# topo yes");
+    c->head.regular |= field_is(text, "# regular yes");
+    c->head.sdf |= field_behind(&version, text, "# sdf ");
+    c->head.boundary |= field_is(text, "# boundary-distance yes");
+    c->head.certain |= field_behind(&version, text, "# motion-error ");
+    c->head.moments |= field_is(text, "# moments yes");
+    c->head.unsweep |= field_is(text, "# operation unsweep");
+    c->head.pmc_alone |= field_is(text, "# columns pmc");
+}
+
+/* A block is also done when no further line is ready, so that the threads that read its rows do not
+ * wait. */
+int csv_fill(csv *c, block *b, unsigned long most) {
+    int status = EXIT_DONE;
+    while (!status && b->count < BLOCK_ROWS && b->count < most && b->used < BLOCK_BYTES &&
+           (b->count == 0 || csv_ready(c))) {
+        field text;
+        status = next_point_line(c, &text);
+        if (!status && !text.start) {
+            if (c->columns.sites.wanted && !c->columns.count)
+                status = site_columns_fault(&c->fault, &c->columns.sites, c->in.name, c->in.line,
+                                            "the file is empty");
+            break;
+        }
+        if (!status && !skipped(text))
+            status = take_point_line(c, b, text);
+        else if (!status && !c->columns.count)
+            read_head_line(c, text);
+    }
+    return status;
+}

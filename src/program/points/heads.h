@@ -1,0 +1,104 @@
+/* Heads of files of points.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_PROGRAM_POINTS_HEADS_H
+#define GRAZE_PROGRAM_POINTS_HEADS_H
+
+#include "base/number/text.h"
+#include "input/delimited/delimited.h"
+#include "program/points/points.h"
+
+/** Set a fault to the context's message; `otherwise` as in exit_for, EXIT_SIGNAL for a cancel. */
+int fault_of(fault *f, graze_status status, const graze_context *context, int otherwise);
+
+/* The columns of a file of contact points. */
+
+/** Fix the columns by a line of names: time and point, `cell` where points are moved; all others
+ * but those of the table are carried along.
+ * @param[out] where the columns of time and point
+ * @param file the name of the file, for messages
+ * @return EXIT_DONE or the status of the fault */
+int site_columns_fix(fault *f, site_form *s, size_t where[4], const fields *names, const char *file,
+                     unsigned long number);
+
+/** The fault of a file without such a line. */
+int site_columns_fault(fault *f, const site_form *s, const char *file, unsigned long number,
+                       const char *what);
+
+/** Is a field a time as tables write one that is not rational? */
+int site_time_is_root(field token);
+
+/** The name of a number of a row, 0 that of its time. */
+const char *site_number_name(const site_form *s, int index);
+
+/** Facts from the `#` lines before the first line: whether Graze has written the file, and with
+ * which answers. */
+typedef struct columns_head {
+    int graze, topo, regular, sdf, boundary, certain, moments, unsweep, pmc_alone;
+} columns_head;
+void columns_clear(columns *c);
+
+/**
+ * Fix the columns by the first line of a file that is neither blank nor a comment.
+ * @param[out] header 1 if the line names the columns, 0 if it is a row
+ * @return EXIT_DONE, or the status of the fault, which names file and line
+ */
+int columns_fix(int *header, fault *f, columns *c, graze_context *context, field text,
+                unsigned long number, columns_head head);
+
+/* Boundary cells as graze generate spells them. */
+
+/** The form, for messages. */
+#define CELL_FORM "`face 3`, `edge 1-2` or `vertex 5`"
+
+/** Read CELL_FORM, of an edge the lower end first; 0 if the text is none. */
+int cell_read(graze_cell *out, field text);
+
+/* Heads of numpy's .npy files. */
+
+/** Array of points: `rows` of them, each with the coordinates of the space. */
+typedef struct npy_head {
+    char kind;               /* 'f', 'i' or 'u', of `size` bytes */
+    int size, big_endian;    /* 1, 2, 4 or 8 bytes, of floats 4 or 8 */
+    int column_after_column; /* Fortran's order: all x first */
+    unsigned long rows;
+    size_t start; /* byte of the file at which the numbers begin */
+} npy_head;
+
+/** Longest head that is read. */
+enum { NPY_HEAD_MOST = 1 << 16 };
+
+/** Do the bytes begin as those of a .npy file do? */
+int npy_is_begun(const char *bytes, size_t length);
+
+/**
+ * Read a head.
+ * @param bytes  the file's first `length` bytes: all, or at least NPY_HEAD_MOST
+ * @return EXIT_DONE, or the status of the fault, which names the file
+ */
+int npy_head_read(npy_head *out, fault *f, const char *name, const char *bytes, size_t length,
+                  int dimension);
+
+/* Points out of numpy's .npy files. */
+
+typedef struct npy npy;
+
+/** Is the plain file behind this descriptor a .npy file, by its name or its first bytes? */
+int npy_is(int fd, const char *name);
+
+/** Read the head of such a file; context, file and name are borrowed. npy_close in any case.
+ * @return EXIT_DONE, or the status of the fault, which names the file */
+int npy_open(npy **out, fault *f, graze_context *context, int fd, const char *name, int dimension);
+void npy_close(npy *a);
+
+/**
+ * The next point as a line of exact numbers between commas: integers, or ratios whose value is the
+ * float; borrowed until the next call. Its start is NULL at the end.
+ * @return EXIT_DONE, or the status of the fault, which names file, row and column
+ */
+int npy_next(npy *a, fault *f, field *line);
+
+/** Points handed out, and in all. */
+unsigned long npy_done(const npy *a);
+unsigned long npy_count(const npy *a);
+
+#endif

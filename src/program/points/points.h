@@ -1,0 +1,304 @@
+/* points: .
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_PROGRAM_POINTS_H
+#define GRAZE_PROGRAM_POINTS_H
+
+#include <graze.h>
+#include "base/context/slots.h"
+#include "base/number/text.h"
+#include "input/delimited/delimited.h"
+#include "output/table/table.h"
+#include "program/io/io.h"
+
+/* The lines of the two files that a run makes: a table, and a certificate. */
+
+typedef enum result_kind { RESULT_TABLE, RESULT_CERTIFICATE, RESULT_KINDS } result_kind;
+
+/** "table" or "certificate". */
+const char *result_name(result_kind kind);
+/** The command that writes such a file. */
+const char *result_command(result_kind kind);
+/** The text before the key of a note (points.h) and of the last line: "# " in a table. */
+const char *result_mark(result_kind kind);
+
+/** A row of a table is one line; one of a certificate goes on in the lines of its intervals
+ * and contacts. */
+typedef enum line_part { LINE_ROW, LINE_OF_ROW, LINE_NOTE } line_part;
+
+/** The kind of a line behind the head. */
+line_part line_part_of(result_kind kind, field line);
+/** Is the line the last one of the head? */
+int line_ends_head(result_kind kind, field line);
+/** The value of a note with this key; 0 if the line is none. */
+int line_note(field *value, result_kind kind, field line, const char *key);
+
+/* Blocks of rows on their way from a file or a grid through the threads to the table, and faults.
+ */
+
+/** A block takes no further line once it holds that many rows or bytes; a run has at most RUN_ROWS.
+ */
+enum { BLOCK_ROWS = 1024, BLOCK_BYTES = 1 << 20, RUN_ROWS = 64 };
+
+/** Why a row has no answer: an exit status (src/program/io/io.h) and, unless it is EXIT_SIGNAL, a
+ * message for complain, malloc'ed; NULL stands for memory that ran short. Zeroed: no fault. */
+typedef struct fault {
+    int status;
+    char *message;
+} fault;
+
+/** Set a fault that is zeroed; returns `status`. */
+int fault_set(fault *f, int status, const char *format, ...) __attribute__((format(printf, 3, 4)));
+/** Complain of a fault; returns its exit status. */
+int fault_tell(const fault *f);
+void fault_clear(fault *f);
+
+/** A line of a file: `start` counts bytes of its block. */
+typedef struct line {
+    size_t start, length;
+    unsigned long number;
+} line;
+
+/** Neighbouring rows answered by one thread, at the place of the first of them. */
+typedef struct row_run {
+    graze_row_totals totals; /* of the rows that are done */
+    size_t taken;            /* rows; 0 until a thread takes them */
+    size_t done;             /* rows the texts hold */
+    struct row_text {
+        char *text; /* for graze_free; NULL where none is wanted */
+        size_t length;
+    } out[RESULT_KINDS];
+    fault fault; /* why row `done` has no answer, where done < taken; EXIT_SIGNAL until answered */
+} row_run;
+
+typedef struct block {
+    unsigned long before; /* the shard's rows of earlier blocks */
+    size_t count;
+    char *bytes; /* the lines of a file, one after the other */
+    size_t used, capacity;
+    line lines[BLOCK_ROWS];
+    unsigned long long points[BLOCK_ROWS]; /* checksum of the points up to that row; 0 of a grid */
+    row_run runs[BLOCK_ROWS];
+    size_t next;         /* jobs: the first row that is not taken */
+    size_t busy;         /* jobs: runs taken and not yet answered */
+    struct block *after; /* jobs: the block handed over next */
+} block;
+
+block *block_create(void);
+void block_destroy(block *b);
+/** Take the answers away and empty the block, whose rows will come after `before` others. */
+void block_reset(block *b, unsigned long before);
+/** Add a line of a file; 0 when memory is short. */
+int block_add(block *b, field text, unsigned long number);
+
+/** Contact points in place of points: a row has a time too, before the coordinates, which are those
+ * of the solid's frame or, `in_world`, of the place then; and a cell with `snap`. */
+typedef struct site_form {
+    int wanted, snap; /* by the options */
+    int dimension, in_world;
+    size_t cell;   /* its column */
+    char *carried; /* 1 for each column that is carried along */
+} site_form;
+
+/* The columns of a file of points: places of the coordinates, names of the others. */
+
+/** Columns of a file that graze classify has written: its answers, which are not carried along. */
+typedef struct own_columns {
+    size_t first, end; /* answers are the columns from `first` to before `end` */
+    size_t last;       /* and the last ones: of --sdf, --moments, --topo and --regular */
+} own_columns;
+
+/** `count` is 0 until the first line has fixed them; nothing changes afterwards. */
+typedef struct columns {
+    const char *name; /* of the file, for messages; borrowed */
+    int dimension;
+    int numbers; /* of a row: the dimension, one more of contact points */
+    site_form sites;
+    size_t count;
+    size_t where[4]; /* the columns of time, x, y, z, without time of x, y, z */
+    char separator;  /* of the file's fields; those of a table stand between commas */
+    own_columns own;
+    char *others; /* names of the further columns, comma-joined; NULL if none */
+} columns;
+
+/** Working memory of a thread that reads rows. The context is borrowed, the rest is freed by
+ * reader_clear. */
+typedef struct reader {
+    graze_context *context;
+    fields cut;
+    graze_cell cell; /* of the row read last, where rows have cells */
+    char *rest;      /* further columns of the rows of a run, each with a NUL */
+    size_t rest_length, rest_capacity;
+} reader;
+
+void reader_clear(reader *r);
+
+/**
+ * Names of the further columns in a table: one that the table has already gets `_in` behind it
+ * until it is free, and a note says so.
+ * @param own the table's own column line
+ * @return malloc'ed; NULL when out of memory, or where there are no further columns
+ */
+char *columns_free_names(const columns *c, field own);
+
+/**
+ * Read a line of a block. Any thread may ask, once the columns are fixed.
+ * @param[out] point one initialised rational per number of a row
+ * @param r          the further columns are added to `rest` where there are any
+ * @return EXIT_DONE, or the status of the fault, which names file and line
+ */
+int columns_row(mpq_t *point, fault *f, const columns *c, reader *r, const block *b, size_t index);
+
+/* Forms in which tables write the coordinates of points: --coordinates and --digits. */
+
+typedef enum coordinate_form {
+    COORDINATES_EXACT,
+    COORDINATES_AS_GIVEN,
+    COORDINATES_DECIMAL,
+    COORDINATES_UNSET /* the command chooses */
+} coordinate_form;
+
+/** Zeroed: integers and ratios in lowest terms. */
+typedef struct coordinate_options {
+    coordinate_form form;
+    int digits; /* of rounded decimals; 0: decimals are the numbers themselves */
+} coordinate_options;
+
+/** Does --digits go with --coordinates? Returns an exit status and says what is wrong. */
+int coordinates_check(const coordinate_options *o);
+
+/** Room for coordinates_note. */
+enum { COORDINATES_NOTE = 64 };
+
+/** The line `# coordinates ...` of a table's head; empty for exact ones. */
+void coordinates_note(char out[COORDINATES_NOTE], const coordinate_options *o);
+
+/**
+ * Add a point's coordinates.
+ * @param tokens a field for each coordinate, as it was read; for COORDINATES_AS_GIVEN alone
+ * @return EXIT_DONE, or the status of the fault, whose message begins with `where`
+ */
+int coordinates_put(text *out, fault *f, const coordinate_options *o, graze_context *context,
+                    mpq_t *point, int dimension, const field *tokens, const char *where);
+
+/* Shards: the rows of one run dealt out to several.
+ *
+ * Rows are dealt like cards, one to each shard in turn: shard i of n has the rows i, i + n, i +
+ * 2n, ... of the whole run, counted from 1. So the number of rows need not be known, easy and hard
+ * regions are shared evenly, and the whole is put together by taking rows in turn again. */
+
+/** Notes (points.h) that a shard's table or certificate has and a whole one lacks: the shard, in
+ * the head; and before the last line the number of rows of all shards, a checksum of their points
+ * (0 for a grid), and one of all bytes before it. */
+#define SHARD_LINE "shard "
+#define SHARD_ROWS "rows-of-all-shards "
+#define SHARD_POINTS "points-checksum "
+#define SHARD_BYTES "bytes-checksum "
+/** Before these, in a table with positions: how many are undecided. */
+#define UNDECIDED_LINE "undecided "
+/** The last line, with the number of rows. */
+#define COMPLETE_LINE "complete "
+
+/** Shard `index` < `count`; one shard is the whole run. */
+typedef struct shard {
+    unsigned long index, count;
+} shard;
+
+/** The most shards a run is cut into. */
+enum { SHARDS_MOST = 100000 };
+
+/** Read `i/n`, 1 <= i <= n; 0 if the text is none. */
+int shard_read(shard *out, const char *text);
+
+/** The place in the whole run of the shard's row `row`; both from 0. */
+unsigned long shard_place(shard s, unsigned long row);
+
+/** How many of the first `rows` rows of the whole run are the shard's. */
+unsigned long shard_rows(shard s, unsigned long rows);
+
+/* Grids of query points. */
+
+/** The values of --grid and --box; NULL where not given. */
+typedef struct grid_options {
+    const char *sizes, *box;
+} grid_options;
+
+typedef struct grid grid;
+
+/** Read a value of --box into d initialised rationals each. On failure says why. */
+int box_read(mpq_t *low, mpq_t *high, const char *text, int d, graze_context *context);
+/** Make the grid of these options, in the box of the scene unless one is given. On failure says
+ * why; `*out` is to be closed in either case. */
+int grid_open(grid **out, const grid_options *o, graze_context *context, const graze_scene *scene);
+void grid_close(grid *g);
+/** The number of its points. */
+unsigned long grid_count(const grid *g);
+/** Fill a block with a shard's next points, at most `most`; an empty block means the end. */
+void grid_fill(const grid *g, shard part, block *b, unsigned long most);
+/** Make `count` points of a shard from its point `first` on, x running fastest in the whole grid.
+ * Any thread may ask.
+ * @param[out] points room for three coordinates a point; d of them are set, point after point */
+void grid_points(mpq_t *points, const grid *g, shard part, unsigned long first, size_t count);
+/** Rows of pmc alone of these points, as graze_grid_rows. */
+graze_status grid_rows(char **out, size_t *length, size_t *done, graze_context *context,
+                       const grid *g, shard part, unsigned long first, size_t count,
+                       graze_format format);
+/** Tell a table of its rows that they are the grid's. */
+void grid_shape(typed_table *t, const grid *g);
+/** Add the lines `# grid` and `# box`. */
+void grid_notes(text *out, const grid *g);
+
+/* Files of query points, cut into lines and handed out in blocks.
+ *
+ * The first thread cuts a file into lines and does nothing else with them; points.h reads them. */
+
+typedef struct csv csv;
+
+/** Open a file, or standard input for `-`, for the rows of a shard. The context is
+ * borrowed. On failure says why. */
+int csv_open(csv **out, const char *path, int dimension, shard part, graze_context *context);
+void csv_close(csv *c);
+/** Before the first line is read: the rows are contact points, which are moved with `snap`. */
+void csv_expect_sites(csv *c, int snap);
+/**
+ * Fill a block with the next rows, at most `most`; an empty block means the end. On an error, for
+ * which csv_fault has the message, the rows before it are in the block. EXIT_SIGNAL when a signal
+ * came first.
+ */
+int csv_fill(csv *c, block *b, unsigned long most);
+/** 1 if csv_fill would return without waiting for its input. May read. */
+int csv_ready(csv *c);
+/** The error csv_fill met. */
+const fault *csv_fault(const csv *c);
+/** The columns, fixed once a header or a first row has been read. */
+const columns *csv_columns(const csv *c);
+/** How much of the file is read; unknown for a pipe. */
+portion csv_portion(const csv *c);
+/** Rows read so far, those of other shards too, and a checksum of the line of names and of their
+ * text. */
+unsigned long csv_rows(const csv *c);
+unsigned long long csv_checksum(const csv *c);
+
+/* Points that differ from all before them, and strata that have no others. */
+
+/** Zeroed: of no points; distinct_clear at last. */
+typedef struct distinct {
+    slots seen;
+    unsigned idle;         /* points in a row that were no new ones */
+    unsigned spent;        /* strata that gave too many of these, as a set of 1 << graze_stratum */
+    int is_wanted, failed; /* failed: memory has run short */
+    graze_stratum wanted;  /* that of the last point, which was no new one */
+    unsigned tries;        /* at another one of this stratum */
+    unsigned passed;       /* points of others meanwhile */
+} distinct;
+
+/** Whether a point is to be looked at: after one that repeats all but those of its stratum are
+ * passed over, up to a number, so that each stratum keeps its share. */
+int distinct_wants(distinct *d, graze_stratum stratum);
+/** Whether a point of a stratum is none of those before. Points are as they are written; of 2^64
+ * hashes an equal one counts as an equal point. */
+int distinct_add(distinct *d, graze_stratum stratum, const char *point, size_t length);
+/** Whether the last points were all repeated, so that trying on is of no use. */
+int distinct_is_over(const distinct *d);
+void distinct_clear(distinct *d);
+
+#endif

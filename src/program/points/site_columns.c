@@ -1,0 +1,99 @@
+/* Finds time, point and cell among the names of a file of contact points
+ * (src/program/cli/formats.md, Contact points). SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "program/points/points.h"
+
+#include <stdlib.h>
+#include "input/delimited/delimited.h"
+#include "program/io/io.h"
+#include "program/points/heads.h"
+
+static const char *const body_names[] = {"time", "bx", "by", "bz"};
+static const char *const world_names[] = {"time", "x", "y", "z"};
+/* Columns of the table that a file may have, as when a table is read again. */
+static const char *const result_names[] = {"time",
+                                           "bx",
+                                           "by",
+                                           "bz",
+                                           "x",
+                                           "y",
+                                           "z",
+                                           "cell",
+                                           "role",
+                                           "theta",
+                                           "contact_order",
+                                           "orientation",
+                                           "left",
+                                           "right",
+                                           "trimmed",
+                                           "status",
+                                           "near",
+                                           "near_decimal",
+                                           "near_in",
+                                           "near_in_decimal",
+                                           "word",
+                                           "shift"};
+enum { RESULT_NAMES = sizeof result_names / sizeof *result_names };
+
+const char *site_number_name(const site_form *s, int index) {
+    return (s->in_world ? world_names : body_names)[index];
+}
+
+int site_time_is_root(field token) {
+    field value;
+    return field_behind(&value, token, "root(");
+}
+
+/* The last one is a column of the table if points are moved. */
+static int is_result(field name, int snap) {
+    for (size_t k = 0; k < RESULT_NAMES - !snap; k++)
+        if (field_is(name, result_names[k]))
+            return 1;
+    return 0;
+}
+
+/* The column of a name; 0 if it is missing, -1 if it stands twice. */
+static int find_name(size_t *column, const fields *names, const char *name) {
+    size_t found = 0;
+    for (size_t k = 0; k < names->count; k++)
+        if (field_is(field_content(names->item[k]), name)) {
+            *column = k;
+            found++;
+        }
+    return found == 1 ? 1 : found ? -1 : 0;
+}
+
+/* The columns of time and point, as find_name. */
+static int find_numbers(size_t where[4], const site_form *s, const fields *names) {
+    int found = 1;
+    for (int k = 0; k <= s->dimension && found == 1; k++)
+        found = find_name(&where[k], names, site_number_name(s, k));
+    return found;
+}
+
+int site_columns_fault(fault *f, const site_form *s, const char *file, unsigned long number,
+                       const char *what) {
+    return fault_set(f, EXIT_INPUT, "%s:%lu: %s; expected a line of names with %s%s", file, number,
+                     what,
+                     s->dimension == 2 ? "time,bx,by or time,x,y" : "time,bx,by,bz or time,x,y,z",
+                     s->snap ? ", and cell" : "");
+}
+
+int site_columns_fix(fault *f, site_form *s, size_t where[4], const fields *names, const char *file,
+                     unsigned long number) {
+    s->in_world = 0;
+    int found = find_numbers(where, s, names);
+    if (found == 0) {
+        s->in_world = 1;
+        found = find_numbers(where, s, names);
+    }
+    if (found == 1 && s->snap)
+        found = find_name(&s->cell, names, "cell");
+    if (found < 1)
+        return site_columns_fault(f, s, file, number,
+                                  found ? "a name stands twice" : "a name is missing");
+    s->carried = calloc(names->count + 1, 1);
+    for (size_t k = 0; s->carried && k < names->count; k++)
+        s->carried[k] = !is_result(field_content(names->item[k]), s->snap);
+    return s->carried ? EXIT_DONE : fault_set(f, EXIT_IO, "out of memory");
+}

@@ -1,0 +1,158 @@
+/* The state of the files of a run.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_PROGRAM_RUN_KEPT_H
+#define GRAZE_PROGRAM_RUN_KEPT_H
+
+#include "output/table/table.h"
+#include "program/io/io.h"
+#include "program/points/points.h"
+#include "program/run/run.h"
+
+/** Most rows that a run may have. */
+size_t answer_most(const answer_task *task);
+
+/* The record of an unfinished run: how far its files have come, in a file beside the table.
+ *
+ * FILE.kept is one line of fixed length with a checksum of its own. It is written at most once a
+ * second while rows are written, and at a run's early end; the whole table has none. A run without
+ * a name for its rows (standard output, a pipe) has no record. */
+
+/** Record of a run: rows that are written, with the sums that bind them to points and files. */
+typedef struct record {
+    unsigned long rows, undecided, wide;
+    unsigned long long points; /* checksum of the points up to there */
+    struct kept_bytes {
+        unsigned long long length, sum; /* of the file up to there */
+    } file[RESULT_KINDS];
+} record;
+
+typedef struct record_file {
+    char *path;     /* NULL: there is no record */
+    int fd;         /* -1 until the first line is written */
+    double written; /* seconds of the monotonic clock; first the start */
+} record_file;
+
+/** Name the record of `path`. EXIT_INPUT: something else stands there; EXIT_IO. Says why. */
+int record_open(record_file *f, const char *path);
+/** Read it; 0 if there is none, or it is not whole. */
+int record_read(record *out, const record_file *f);
+/** Write it, `now` or where the last time is a second ago. A record that cannot be written is none:
+ * its rows are made again. */
+void record_write(record_file *f, const record *r, int now);
+/** Take it away: the files are whole, or begun anew. */
+void record_remove(record_file *f);
+void record_close(record_file *f);
+
+/* The table or the certificate that a run writes: begun anew, or continued where an earlier run
+ * was interrupted.
+ *
+ * A file that is continued is passed over up to the end of its record (kept.h); behind that its
+ * bytes are compared with those of this run. Until all of it is the same nothing in the file
+ * changes; a last line without its end is written anew. */
+
+typedef struct results {
+    output out;
+    result_kind kind;
+    int opened;
+    int beside; /* a certificate beside a table, which alone tells how far a run has come */
+    const char *resumed;      /* the file that is continued, or NULL */
+    unsigned long long there; /* bytes of its whole lines, without those that are dropped */
+    unsigned long long size;  /* its bytes when it was opened */
+    checksum sum;             /* of the bytes passed over, compared or written */
+    unsigned long lines;      /* among them, for messages */
+    unsigned long rows;       /* rows written, or taken over from an earlier run */
+} results;
+
+/** Open standard output (NULL), a file, or with `resumed` a file to continue, which need not be
+ * there. Returns an exit status and says what is wrong: EXIT_INPUT the file is whole already, which
+ * one that is `beside` another may be. `t` is zeroed before but for `kind` and `beside`;
+ * results_close ends it in any case. */
+int results_open(results *t, const char *path, const char *resumed);
+
+/** Write the head, or see that it is the one there. EXIT_INPUT: it is not. */
+int results_begin(results *t, const char *head);
+
+/** 1 if the file has that number of bytes, so that a record may belong to it. */
+int results_reach(const results *t, const struct kept_bytes *kept);
+
+/** Pass over the file up to there, `rows` rows. EXIT_INPUT: it was changed. */
+int results_pass(results *t, const struct kept_bytes *kept, unsigned long rows);
+
+/** Add whole lines with `rows` rows, or check that they are there. EXIT_INPUT: others are. */
+int results_add(results *t, const char *text, size_t length, unsigned long rows);
+
+/** Nothing will be added. EXIT_INPUT: there are rows for which this run has no points. */
+int results_end(const results *t);
+
+/** How far the file has come. */
+struct kept_bytes results_kept(const results *t);
+
+/** Flush and close. Returns `status`, or why the writing failed. */
+int results_close(results *t, int status);
+
+/* The files of one run: a table, a certificate, or both.
+ *
+ * A certificate is written before the rows of its table, so that a table never tells of a row
+ * whose certificate is not there. */
+
+/** Zeroed, outputs_init, and outputs_close in any case. */
+typedef struct outputs {
+    const classify_options *o;
+    const loaded *l;
+    results file[RESULT_KINDS];
+    typed_table typed;  /* the table, where it is exported */
+    record_file beside; /* of the table, or of the certificate alone */
+    int recorded;       /* rows of this run are in it */
+    record at;          /* how far the rows have come; not beyond a row without an answer */
+} outputs;
+
+void outputs_init(outputs *out, const classify_options *o, const loaded *l);
+/** Is that file wanted? */
+int outputs_wants(const outputs *out, result_kind kind);
+/** The file that counts the rows: the table, or the certificate alone. */
+results *outputs_main(outputs *out);
+
+/** Open the files, or those to continue. Returns an exit status and says what is wrong. */
+int outputs_open(outputs *out);
+/** Number of rows that need not be made again: those in the record of an earlier run. */
+unsigned long outputs_skip(const outputs *out);
+/** Pass over these rows, whose points, `rows` of them, have this checksum. EXIT_INPUT: they are
+ * other rows, or of other points. */
+int outputs_pass(outputs *out, unsigned long rows, unsigned long long points);
+/** Write the heads. `source` has the columns or the grid. */
+int outputs_begin(outputs *out, const row_source *source);
+/** Write the rows of a block that have answers, up to the first that has none. EXIT_SIGNAL: that
+ * was left out after a signal. */
+int outputs_block(outputs *out, const block *b);
+/** Write the last lines, or the table in the form asked for. `rows_of_all` and `checksum` describe
+ * the whole run, so that merge can match the parts. */
+int outputs_end(outputs *out, unsigned long rows_of_all, unsigned long long checksum);
+/** All points are answered. EXIT_INPUT: a continued file has more rows. */
+int outputs_check_end(const outputs *out);
+/** Has a write failed? */
+int outputs_failed(const outputs *out);
+/** Flush and close. Returns `status`, or why the writing failed; after a signal, says how many rows
+ * there are. */
+int outputs_close(outputs *out, int status);
+
+/* Rows of contact points. */
+
+/** Contact points that were read: of each the time and d coordinates, the cell where rows have one,
+ * and the further columns where there are any. All is borrowed. */
+typedef struct site_rows {
+    const columns *columns;
+    graze_rationals number;
+    const graze_cell *cell;
+    const graze_row_texts *texts;
+    size_t count;
+} site_rows;
+
+/**
+ * Write the rows of contact points as one text.
+ * @param[out] r its text of the table, and `done`, the number of rows in it
+ * @return why row `done` has no answer
+ */
+graze_status site_answer(row_run *r, graze_context *context, const graze_scene *scene,
+                         const site_rows *rows, graze_format format);
+
+#endif

@@ -1,0 +1,155 @@
+/* contact: the contact point of the envelope at a point of the boundary and a time; its role and
+ * velocity.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef GRAZE_QUESTIONS_CONTACT_H
+#define GRAZE_QUESTIONS_CONTACT_H
+
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "graze/contact.h"
+#include "input/motion/motion.h"
+#include "input/solid/solid.h"
+#include "input/validate/validate.h"
+
+/* A boundary point of a solid: the facets that contain it, by position, and what the solid is like
+ * near it. */
+
+/** The local cone (proofs/envelope.md C57): a half-space, convex, with a convex complement, or
+ * neither of these. */
+typedef enum place_kind { PLACE_FACET, PLACE_CONVEX, PLACE_REFLEX, PLACE_OTHER } place_kind;
+
+/** A facet that contains the point; one that is not planar counts once for each of its planes. */
+typedef struct place_facet {
+    graze_cell name; /* a face; in E^2 an edge */
+    size_t simplex;  /* one in the facet and its plane that contains the point */
+    fmpz form[4];    /* the plane's form, positive on the outer side: d + 1 coprime integers */
+    fmpz normal[3];  /* its first d coefficients, coprime */
+} place_facet;
+
+/** `cell` is the lowest cell that contains the point, of these the one of the least numbers. */
+typedef struct neighborhood {
+    int dimension;
+    place_kind kind;
+    graze_cell cell;
+    size_t count, capacity;
+    place_facet *facet; /* in the order of names */
+} neighborhood;
+
+/** Find the place of a point of d rationals. `count` is 0 if it is not on the boundary.
+ * @param[out] out uninitialised; place_clear in any case */
+graze_status neighborhood_locate(neighborhood *out, graze_context *context,
+                                 const graze_solid *solid, const fmpq *point);
+void neighborhood_clear(neighborhood *p);
+
+/* Derivatives of the trajectory through a body point at a rational time, from those of the motion.
+ */
+
+/**
+ * For M = A x + b and a body point y, by the motion's parameter t: with V = A'y + b', `w` is
+ * -A^-1 V, which is c' of the trajectory c of M(t) y, `bend` is c'', and `drift` is the derivative
+ * of A^-1 V at fixed y. d rationals each. `orientation` is the sign of det A.
+ */
+typedef struct flow {
+    int dimension, orientation;
+    fmpq *w, *bend, *drift;
+} flow;
+
+/** The inner product of an integer normal and one of the vectors. */
+void flow_along(fmpq_t out, const fmpz *normal, const fmpq *vector, int dimension);
+
+/* Record of a site. */
+
+/** A side of t: the motion's piece there and the parameter of t in it. Not `present` beyond an end
+ * of the motion. Where one piece is on both sides, the flow of the side before is that of both. */
+typedef struct site_side {
+    int present;
+    size_t piece;
+    fmpq_t u;
+    flow flow;
+} site_side;
+
+/** A facet through y on one side of t: the speed g, the drift, its derivative by t at fixed y, the
+ * second derivative theta of the pullback by t, with the primitive outward normal; and order and
+ * sign of the pullback next to t, 0 and GRAZE_ORDER_VANISHES where it vanishes. */
+typedef struct site_germ {
+    size_t facet; /* of place.facet */
+    int side;     /* -1 before t, +1 after it */
+    fmpq_t speed, drift, theta;
+    int order, sign;
+} site_germ;
+
+/** Sides before and after t. Germs stand facet by facet, before t first. `is_break`: two different
+ * pieces meet at t. `near` and `near_in` are NULL where there is none; each is owned, or a time of
+ * the trace. `shift` counts where `snapped`; where that is `missed` too, the cell of the facts has
+ * no contact, and of the rest t, y, world and sides alone are known. */
+struct graze_site {
+    const graze_scene *scene;
+    int dimension, is_break;
+    neighborhood place;
+    site_side side[2];
+    fmpq_t t;
+    fmpq *y, *world;
+    size_t germ_count;
+    site_germ *germ;
+    graze_trace trace;
+    graze_time *itself;
+    const graze_time *near, *near_in;
+    graze_site_facts facts;
+    int snapped, missed;
+    fmpq_t shift;
+};
+
+/* A site: a boundary point y of the solid at a rational time t, and what it is for the envelope. */
+
+/**
+ * Make a site (proofs/envelope.md C59 to C63).
+ * @param[out] out uninitialised; site_clear after GRAZE_OK
+ * @param y d rationals
+ * @return GRAZE_EINPUT t is not a time of the motion, or y is not on the boundary; GRAZE_ELIMIT;
+ * GRAZE_ECANCELED; GRAZE_ESYSTEM; GRAZE_EINTERNAL
+ */
+graze_status site_make(graze_site *out, graze_context *context, const graze_scene *scene,
+                       const fmpq_t t, const fmpq *y);
+/** Parts of a site that a caller asks for: all; its role; trim, orientation and the states beside
+ * t. */
+typedef enum site_question { SITE_ALL, SITE_ROLE, SITE_TRIM } site_question;
+
+/** site_make for a part: of the others only place, sides, germs and the point in the world are
+ * made. site_clear after GRAZE_OK. */
+graze_status site_make_for(graze_site *out, graze_context *context, const graze_scene *scene,
+                           const fmpq_t t, const fmpq *y, site_question asked);
+
+/**
+ * Make the site at the point of a cell's contact set that is nearest to y (proofs/snap.md C75).
+ * @param[out] out uninitialised; site_clear after GRAZE_OK; `missed` where the set is empty
+ * @return as site_make and snap_find; y need not be on the boundary
+ */
+graze_status site_snap(graze_site *out, graze_context *context, const graze_scene *scene,
+                       const fmpq_t t, const fmpq *y, const graze_cell *cell);
+/** Carry a point P of d rationals to M(t)^-1 P, in place. GRAZE_EINPUT: t is not a time of the
+ * motion. */
+graze_status site_to_body(fmpq *point, graze_context *context, const graze_scene *scene,
+                          const fmpq_t t);
+
+void site_clear(graze_site *site);
+
+/** w(y) = at_zero + slope y: d rationals, and d * d row by row. */
+typedef struct velocity_field {
+    int dimension;
+    fmpq *at_zero, *slope;
+} velocity_field;
+
+/** The fields on the sides of a time: `present` as in site_side, before t first. Where one piece is
+ * on both sides they are equal. */
+typedef struct speed {
+    int dimension, present[2];
+    velocity_field field[2];
+} speed;
+
+/* The sides of a rational time of a motion. */
+
+/** Do two different pieces meet between the sides? Two that are one rational function count as
+ * one. */
+int sides_break(const site_side side[2], const graze_motion *motion);
+
+#endif
