@@ -58,7 +58,8 @@ MPI_O   := $(filter-out %/main.o %/run/jobs.o,$(CLI_O)) $(patsubst %.c,$B/%.o,$(
 PNG     := $(if $(wildcard /usr/include/cairo/cairo.h),$B/libgraze-png-$(VERSION).so)
 UNIT    := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/unit/*.c tests/api/*.c))
 ORACLES := $B/tests/minkowski $B/tests/to_nef $B/tests/distances $B/tests/pairs
-FLIP_O  := $(patsubst src/decide/filter/%.c,$B/tests/flip/%.o,$(wildcard src/decide/filter/*.c))
+FLIPS   := bounds surfaces filter
+FLIP_O  := $(patsubst src/decide/%.c,$B/tests/flip/%.o,$(wildcard $(FLIPS:%=src/decide/%/*.c)))
 # Measurements include FCL where Debian's libfcl-dev is installed.
 FCL     := $(if $(wildcard /usr/include/fcl/fcl.h),$B/tests/bench/fcl)
 BENCH   := $B/tests/bench/inside $B/tests/bench/pairs $B/tests/bench/peers $(FCL)
@@ -207,11 +208,11 @@ $B/tests/proofs/table: $B/tests/proofs/table.o $B/libgraze.a
 	@$(call say,LINK,$@)
 	$Q$(CXX) $(OPT) $(LDFLAGS) -Wl,--wrap=tracer_locate -o $@ $^ $(LIBS)
 # The program with a filter whose decisions can be falsified (src/decide/bounds/bounds.h).
-$B/tests/flip/%.o: src/decide/filter/%.c | $B/.packages-build
+$B/tests/flip/%.o: src/decide/%.c | $B/.packages-build
 	@mkdir -p $(@D)
 	@$(call say,CC,$<)
 	$Q$(CC) $(ALL_CFLAGS) -DGRAZE_FLIP_SITES -c -o $@ $<
-$B/tests/graze-flips: $(CLI_O) $(FLIP_O) $(filter-out $B/src/decide/filter/%,$(LIB_O))
+$B/tests/graze-flips: $(CLI_O) $(FLIP_O) $(filter-out $(patsubst src/%.c,$B/src/%.o,$(wildcard $(FLIPS:%=src/decide/%/*.c))),$(LIB_O))
 	@$(call say,LINK,$@)
 	$Q$(CXX) $(OPT) $(LDFLAGS) -o $@ $^ $(LIBS)
 # The program whose own allocations fail (tests/memory/fail.c), for sanitizers, who bring a malloc.

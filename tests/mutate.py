@@ -79,7 +79,7 @@ class Parts:
         self.build, self.folder = os.path.abspath(build), folder
         self.archive = os.path.join(folder, "libgraze.a")
         subprocess.run(["strip", "-g", "-o", self.archive, f"{build}/libgraze.a"], check=True)
-        self.commands = glob.glob("src/program/cli/*.c") + glob.glob("src/program/run/*.c")
+        self.commands = [path for path in glob.glob("src/program/*/*.c") if "/mpi/" not in path]
         self.program = self.joined("program.o", self.commands)
         self.sound = set()  # those asked that are green without any mutant
         self.known = changes.record()

@@ -67,7 +67,7 @@ def build(tally, folder, build_folder, decision):
         if not tally.equal(done.returncode, 0, "compiles", name, path):
             return None
     program = os.path.join(folder, "graze")
-    commands = [f"{build_folder}/{path[:-2]}.o" for path in glob.glob("src/program/cli/*.c") + glob.glob("src/program/run/*.c")]
+    commands = [f"{build_folder}/{path[:-2]}.o" for path in glob.glob("src/program/*/*.c") if "/mpi/" not in path]
     done = subprocess.run(["c++", "-o", program, *commands, *objects, build_folder + "/libgraze.a", *LIBS])
     return program if tally.equal(done.returncode, 0, "links", name) else None
 

@@ -22,7 +22,7 @@ from adversaries import scenes  # noqa: E402
 from program import ROOT, Checks, Graze, options, run  # noqa: E402
 from sides import Sides, Way  # noqa: E402
 
-STAGES = ("decide/filter",)
+STAGES = ("decide/bounds", "decide/surfaces", "decide/filter")
 POINTS = 60
 FLAGS = ["-std=c11", "-D_POSIX_C_SOURCE=200809L", "-O2", "-fPIC", "-pthread",
          "-fvisibility=hidden", "-march=native", "-ffp-contract=fast", "-Iinclude", "-Isrc"]

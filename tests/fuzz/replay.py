@@ -78,7 +78,7 @@ def public_functions():
 def bodies():
     """Bodies of the functions of targets and runs, by name; a command is all of its file."""
     found = {}
-    for path in glob.glob(f"{HERE}/*.c") + glob.glob("src/program/run/*.c"):
+    for path in [path for place in (HERE, "src/program/io", "src/program/points", "src/program/run") for path in glob.glob(f"{place}/*.c")]:
         with open(path, encoding="utf-8") as file:
             text = re.sub(r"/\*.*?\*/", "", file.read(), flags=re.S)
         for head, body in re.findall(r"^(\w[^;={}]*\))\s*\{\n(.*?)^\}", text, re.M | re.S):
