@@ -34,7 +34,7 @@ ROOMS = {
     "decide/bounds": ["unit/test_course", "unit/test_filter", "unit/test_velocity", "examples/examples", "agree/near", "words/words", "filter/equal",
                       "unit/test_band", "agree/laws"],
     "decide/surfaces": ["filter/surfaces", "examples/examples", "agree/laws"],
-    "decide/filter": ["cases/cases", "unit/test_filter", "unit/test_course", "unit/test_certain_times", "unit/test_interior", "unit/test_velocity",
+    "decide/filter": ["cases/cases", "unit/test_filter", "unit/test_certain_times", "unit/test_interior", "unit/test_velocity",
                       "examples/examples", "api/test_exact_count", "api/test_grid", "agree/near", "words/words", "agree/laws",
                       "filter/equal", "filter/surfaces", "unit/test_band"],
     "decide/scene": ["unit/test_meeting", "curved/ends", "cases/cases", "examples/examples", "api/test_reports", "api/test_exact_count", "agree/laws"],
