@@ -67,6 +67,7 @@ static graze_status split_curve(curve_list *out, int *refused, graze_context *co
     ulong degree = (ulong)fmpz_mpoly_total_degree_si(curve, ring);
     int small = degree * degree * largest_bits(curve) <= FACTORED;
     fmpz_mpoly_factor_t factors;
+    graze_status status = GRAZE_OK;
     if (!small && is_coprime(curve, NULL, ring))
         return curves_append(out, context, curve);
     if (!small && !is_bounded(context, curve, ring)) {
@@ -76,11 +77,11 @@ static graze_status split_curve(curve_list *out, int *refused, graze_context *co
     fmpz_mpoly_factor_init(factors, ring);
     if (!(small ? fmpz_mpoly_factor(factors, curve, ring)
                 : fmpz_mpoly_factor_squarefree(factors, curve, ring)))
-        return context_fail(context, GRAZE_EINTERNAL, "a curve of a sweep is not factored");
-    for (slong k = 0; k < fmpz_mpoly_factor_length(factors, ring); k++)
-        TRY(curves_append(out, context, factors->poly + k));
+        status = context_fail(context, GRAZE_EINTERNAL, "a curve of a sweep is not factored");
+    for (slong k = 0; k < fmpz_mpoly_factor_length(factors, ring) && !status; k++)
+        status = curves_append(out, context, factors->poly + k);
     fmpz_mpoly_factor_clear(factors, ring);
-    return GRAZE_OK;
+    return status;
 }
 
 /* Divide part k and a curve by their common factor d, which becomes a part. The curve is coprime to

@@ -58,26 +58,28 @@ static void refuse_degree(curve_maker *m, slong degree) {
 /* Add the line at the end u = 0 or u = 1 of a piece. */
 static graze_status add_line_at(curve_maker *m, const pullback_form *f, slong u) {
     fmpz_mpoly_t curve;
-    LOCAL(fmpz, when);
-    fmpz_set_si(when, u);
+    fmpz_t when;
+    fmpz_init_set_si(when, u);
     fmpz_mpoly_init(curve, m->list->ring);
     pullback_at(curve, f, when, m->list->ring);
-    TRY(curves_append(m->list, m->context, curve));
+    graze_status status = curves_append(m->list, m->context, curve);
     fmpz_mpoly_clear(curve, m->list->ring);
-    return GRAZE_OK;
+    fmpz_clear(when);
+    return status;
 }
 
 /* Add the curve where the pullback, of degree n >= 2 in time, has a double root or vanishes. */
 static graze_status add_discriminant(curve_maker *m, const pullback_form *f, slong n) {
     fmpz_mpoly_t curve;
     fmpz_mpoly_init(curve, m->list->ring);
-    TRY(grid_discriminant(curve, m->context, f, n, m->list->ring));
-    if (fmpz_mpoly_is_zero(curve, m->list->ring))
-        return context_fail(m->context, GRAZE_EINTERNAL,
-                            "the discriminant of an irreducible pullback vanishes");
-    TRY(curves_append(m->list, m->context, curve));
+    graze_status status = grid_discriminant(curve, m->context, f, n, m->list->ring);
+    if (!status && fmpz_mpoly_is_zero(curve, m->list->ring))
+        status = context_fail(m->context, GRAZE_EINTERNAL,
+                              "the discriminant of an irreducible pullback vanishes");
+    if (!status)
+        status = curves_append(m->list, m->context, curve);
     fmpz_mpoly_clear(curve, m->list->ring);
-    return GRAZE_OK;
+    return status;
 }
 
 /* Make the pullback of a form, divided by the common factor of its coefficients, and its degree in

@@ -64,18 +64,19 @@ static void ways_from(fmpq_poly_t *way, const germ_maker *m, const fmpz *x, cons
 /* Add the sides of a germ that are inside [0, 1], and the cover by both together. */
 static graze_status add_sides(germ_maker *m, germ *g, const fmpz *x, const fmpq_t u) {
     int d = m->path.dimension, same_way = 0;
+    graze_status status = GRAZE_OK;
     fmpq_poly_t way[3];
     for (int i = 0; i < d; i++)
         fmpq_poly_init(way[i]);
     ways_from(way, m, x, u);
     g->exact = planes_keep_directions(&same_way, &g->cone, m->map, &m->path);
     if (!fmpq_is_one(u))
-        TRY(sides_add(g, m->context, m->map, way, same_way, 1));
-    if (!fmpq_is_zero(u))
-        TRY(sides_add(g, m->context, m->map, way, same_way, -1));
+        status = sides_add(g, m->context, m->map, way, same_way, 1);
+    if (!status && !fmpq_is_zero(u))
+        status = sides_add(g, m->context, m->map, way, same_way, -1);
     for (int i = 0; i < d; i++)
         fmpq_poly_clear(way[i]);
-    return GRAZE_OK;
+    return status;
 }
 
 /* Append a germ at a rational time. */
