@@ -15,10 +15,10 @@ from ._library import Handle, library
 from .errors import BY_STATUS, InternalError, UseError
 
 
-def choice(name: str, value: str, enum: str, words_taken: Tuple[str, ...] = ()) -> int:
-    """The number of a word of an enum of graze.h, perhaps of some words of it alone."""
+def choice(name: str, value: str, enum: str, only: Tuple[str, ...] = ()) -> int:
+    """The number of a word of an enum of graze.h, or of those of its words in `only`."""
     numbers = words(enum)
-    taken = words_taken or tuple(numbers)
+    taken = only or tuple(numbers)
     if value not in taken:
         raise UseError(f"{name} is {value!r}; expected one of {', '.join(taken)}")
     return numbers[value]
