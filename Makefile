@@ -322,7 +322,7 @@ install: all $B/install/libgraze.a $(PAGES) $(CONFIGURED)
 	@install -m 644 src/output/page/three/LICENSE $(DESTDIR)$(DOCDIR)/LICENSE.three
 	@install -m 644 src/program/cli/motion.schema.json src/program/cli/csg.schema.json $(DESTDIR)$(DATADIR)/graze
 	@install -m 644 src/install/graze.bash $(DESTDIR)$(COMPLETION)/graze
-	@install -m 644 src/python/graze/*.py src/python/graze/py.typed $(DESTDIR)$(PYTHONDIR)/graze
+	@install -m 644 src/python/graze/*.py $(addprefix src/python/graze/,abi.txt py.typed) $(DESTDIR)$(PYTHONDIR)/graze
 	@install -m 644 README.md CHANGELOG.md CITATION.cff LICENSE src/program/cli/formats.md proofs/semantics.md proofs/glossary.md $(DESTDIR)$(DOCDIR)
 	@rm -rf $(DESTDIR)$(DATADIR)/graze/cases
 	@cp -R cases $(DESTDIR)$(DATADIR)/graze

@@ -60,7 +60,7 @@ def _contents():
     info = f"graze-{_version()}.dist-info"
     platform = re.sub(r"[-.]", "_", sysconfig.get_platform())
     files = {f"graze/{name}": _read(HERE, "graze", name)
-             for name in sorted(os.listdir(os.path.join(HERE, "graze"))) if name.endswith((".py", ".typed"))}
+             for name in sorted(os.listdir(os.path.join(HERE, "graze"))) if name.endswith((".py", ".txt", ".typed"))}
     files["graze/libgraze.so"] = _library()
     files[f"{info}/METADATA"] = (
         f"Metadata-Version: 2.1\nName: graze\nVersion: {_version()}\n"

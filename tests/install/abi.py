@@ -1,23 +1,25 @@
 #!/usr/bin/env python3
-"""# suite: the binary interface against the recorded one in tests/install/abi.txt.
+"""# suite: the binary interface against the recorded one in src/python/graze/abi.txt.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 
 Recorded are every exported function with its prototype, every value of an enum and every flag, and size and offsets of
-every struct on machines with 64-bit pointers; what the module for Python mirrors is compared with it (mirrors.py). A
+every struct on machines with 64-bit pointers, with the type of each member; the module for Python is made from it. A
 change on purpose is recorded by `python3 tests/install/abi.py --record`; its commit says what users of the library must
 do. The order of arguments is checked here too (graze.h, rule 2).
 """
+import ctypes
 import glob
+import keyword
 import os
 import re
 import struct
+import sys
 import tempfile
 
-from mirrors import check_mirrors
 from programs import ROOT, check, checks, options, output, read, same
 
-RECORD = os.path.join("tests", "install", "abi.txt")
+RECORD = os.path.join("src", "python", "graze", "abi.txt")
 COMMAND = "python3 tests/install/abi.py --record"
 # Types whose address is an output before the context and a handle behind it.
 OUTPUT = re.compile(r"(?:graze_\w+ \*+|double \*|int \*|unsigned char \*|char \*\*|size_t \*|mpq_t \*?|mpz_t )\w+$")
@@ -40,36 +42,50 @@ def prototypes(text):
 
 
 def structs(text):
-    """{name: members}"""
+    """{name: {member: its type}}"""
     found = {}
     for body, name in re.findall(r"typedef struct \w+ \{([^}]*)\} (graze_\w+);", text):
-        members = []
-        for line in body.split(";"):
-            members += [re.search(r"(\w+)(?:\[\w+\])?\s*$", part)[1] for part in line.split(",") if part.strip()]
-        found[name] = members
+        members = found[name] = {}
+        for line in filter(None, map(str.strip, body.split(";"))):
+            declared = re.match(r".*?(?=\w+(?:\[\w+\])?(?:,|$))", line)[0]
+            for one in line[len(declared):].split(","):
+                member, array = re.fullmatch(r"[ *]*(\w+)((?:\[\w+\])?)", one).groups()
+                members[member] = declared.strip() + array
     return found
 
 
 def values(text):
-    """Names of the values of enums, and of flags and other numbers that are defined."""
-    return (re.findall(r"\b(GRAZE_[A-Z0-9_]+) =", declarations(text)) +
-            re.findall(r"^#define (GRAZE_(?!VERSION)[A-Z0-9_]+) \(?-?\d", text, re.M))
+    """{value: its enum}, and flags and other numbers that are defined, whose enum is ""."""
+    found = {}
+    for body, name in re.findall(r"typedef enum \w+ \{([^}]*)\} (graze_\w+);", declarations(text)):
+        found.update(dict.fromkeys(re.findall(r"\b(GRAZE_[A-Z0-9_]+) =", body), name))
+    return {**found, **dict.fromkeys(re.findall(r"^#define (GRAZE_(?!VERSION)[A-Z0-9_]+) \(?-?\d", text, re.M), "")}
 
 
-# Structures of gmp.h that the functions' values are made of.
-GMP = {"__mpz_struct": ["_mp_alloc", "_mp_size", "_mp_d"], "__mpq_struct": ["_mp_num", "_mp_den"]}
+# Structures of gmp.h that the functions' values are made of, and its functions that src/python calls.
+GMP = {"__mpz_struct": {"_mp_alloc": "int", "_mp_size": "int", "_mp_d": "mp_limb_t *"},
+       "__mpq_struct": {"_mp_num": "__mpz_struct", "_mp_den": "__mpz_struct"}}
+GMP_FUNCTIONS = ["char *mpq_get_str(char *out, int base, mpq_srcptr x)", "int mpq_set_str(mpq_ptr x, const char *text, int base)",
+                 "size_t mpz_sizeinbase(mpz_srcptr x, int base)", "void mpq_clear(mpq_ptr x)", "void mpq_init(mpq_ptr x)",
+                 "void mpq_set_d(mpq_ptr x, double value)"]
 
 
 def layout(text, folder):
-    """Lines with every value of an enum and every size and offset, from a compiled program."""
-    lines = [f'printf("value %s %d\\n", "{name}", (int){name});' for name in values(text)]
+    """Lines with every value of an enum and every size, offset and type, from a compiled program; it is not compiled
+    where a type or a prototype that the record has is not the declared one."""
+    lines = [f'printf("value %s %d{enum and " " + enum}\\n", "{name}", (int){name});' for name, enum in values(text).items()]
+    checked = [f"{prototype};" for prototype in [*prototypes(declarations(text)).values(), *GMP_FUNCTIONS]]
     for name, members in {**structs(declarations(text)), **GMP}.items():
         lines.append(f'printf("struct {name} %zu\\n", sizeof({name}));')
-        lines += [f'printf("member {name}.{member} %zu %zu\\n", offsetof({name}, {member}), sizeof((({name} *)0)->{member}));'
-                  for member in members]
+        for member, kind in members.items():
+            lines.append(f'printf("member {name}.{member} %zu %zu {kind}\\n", offsetof({name}, {member}), '
+                         f"sizeof((({name} *)0)->{member}));")
+            checked.append(f"_Static_assert(__builtin_types_compatible_p(__typeof__((({name} *)0)->{member}), __typeof__({kind})), "
+                           f'"{name}.{member}");')
     source, program = os.path.join(folder, "layout.c"), os.path.join(folder, "layout")
     with open(source, "w", encoding="utf-8") as file:
-        file.write("#include <graze.h>\n#include <stdio.h>\nint main(void) {\n" + "\n".join(lines) + "\nreturn 0;\n}\n")
+        file.write("#include <graze.h>\n#include <stdio.h>\n" + "\n".join(checked) + "\nint main(void) {\n" +
+                   "\n".join(lines) + "\nreturn 0;\n}\n")
     output(["cc", "-std=c11", "-Iinclude", source, "-o", program])
     return output([program]).splitlines()
 
@@ -98,6 +114,44 @@ def check_order(name, prototype):
     check(not options or named[options[0] + 1:] in ([], ["rest"]), f"{name}: an input stands behind the options: {named}")
 
 
+def check_module(lines):
+    """The structures of src/python have the compiler's layout, and its functions the types that the prototypes say."""
+    sys.path.insert(0, os.path.join(ROOT, "src", "python"))
+    from graze import _abi, errors
+    for line in lines:
+        kind, name, *numbers = line.split()
+        struct_name, _, member = name.partition(".")
+        made = getattr(_abi.C, struct_name, None)
+        if kind == "struct":
+            same([str(ctypes.sizeof(made))], numbers, f"size of {name} in src/python")
+        elif kind == "member":
+            field = getattr(made, member + "_" * keyword.iskeyword(member))
+            same([str(field.offset), str(field.size)], numbers[:2], f"offset and size of {name} in src/python")
+        elif kind == "function":
+            name = re.search(r"(\w+)\(", line)[1]
+            same(len(_abi.signature(name)[1]), 0 if line.endswith("(void)") else line.count(",") + 1, f"arguments of {name}")
+    pointer, address, text, number, size = (ctypes.POINTER, ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int, ctypes.c_size_t)
+    for name, wanted in (
+            ("graze_free", (None, [address])),
+            ("graze_solid_read", (number, [pointer(address), address, text, ctypes.c_uint])),
+            ("graze_distances_doubles", (number, [address, address, address, address, size, ctypes.c_double])),
+            ("graze_draw", (number, [address, address, text, pointer(_abi.C.graze_draw_options)])),
+            ("graze_boundary_face", (pointer(size), [address, size])),
+            ("graze_site_snap", (number, [pointer(address), address, address, address, address, _abi.C.graze_cell])),
+            ("graze_trace_verdict", (_abi.C.graze_verdict, [address])),
+            ("graze_time_row", (ctypes.c_ulong, [address])),
+            ("mpq_get_str", (address, [address, number, address]))):
+        same(_abi.signature(name), wanted, f"types of {name} in src/python")
+    for enum, wanted in (("graze_pmc", ["none", "in", "on", "out", "undecided"]), ("graze_operation", ["sweep", "unsweep"]),
+                         ("graze_rounding", ["none", "binary64", "binary32"]), ("graze_on_as", ["on", "any", "in", "out"]),
+                         ("graze_kind", ["intersection", "tangency"]), ("graze_candidate_has", ["columns", "sdf"])):
+        same(list(_abi.words(enum)), wanted, f"words of {enum} in src/python")
+    same(set(errors.BY_STATUS), set(_abi.words("graze_status").values()) - {0}, "statuses of errors.py")
+    for error in errors.BY_STATUS.values():
+        same(error.status, getattr(_abi.C, re.search(r"\((GRAZE_E\w+)\)", error.__doc__)[1]), f"status of {error}")
+    same([chr(getattr(_abi.C, "GRAZE_STATE_" + letter)) for letter in "IBO"], list("IBO"), "states, which are given as letters")
+
+
 def main():
     args = options(__doc__, ("--record", {"action": "store_true", "help": f"write {RECORD}"}))
     text = declarations(headers())
@@ -109,7 +163,7 @@ def main():
         library = os.path.join(os.path.dirname(args.graze), "libgraze.so")
         same(exported(library), set(functions), f"symbols of {library}")
     with tempfile.TemporaryDirectory() as folder:
-        lines = [f"function {functions[name]}" for name in sorted(functions)]
+        lines = [f"function {prototype}" for prototype in [*(functions[name] for name in sorted(functions)), *GMP_FUNCTIONS]]
         if struct.calcsize("P") == 8:
             lines += layout(headers(), folder)
     if args.record:
@@ -124,7 +178,7 @@ def main():
         check(False, f"not as recorded: {line}; on purpose: {COMMAND}")
     check(len(recorded) > 100, f"{len(recorded)} lines of {RECORD}")
     if struct.calcsize("P") == 8:
-        check_mirrors(text, functions, "\n".join(recorded))
+        check_module(lines)
     checks.finish()
 
 

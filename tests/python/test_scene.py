@@ -420,9 +420,19 @@ class Package(unittest.TestCase):
                 self.assertTrue(getattr(graze, name).__doc__, name)
         self.assertTrue(os.path.exists(os.path.join(os.path.dirname(graze.__file__), "py.typed")))
 
+    def test_words(self):
+        """Words of the module are those of the library."""
+        library = graze._library.library()
+        for names, kind in ((graze.PMC_NAMES, graze.Pmc), (graze.CLASS_NAMES, graze.Class)):
+            self.assertEqual([(member.name.lower(), member.value) for member in kind], [(name, k) for k, name in enumerate(names)])
+        for enum in ("pmc", "class", "rounding", "topo", "topo_level", "role", "orientation", "event_kind", "curve_kind",
+                     "chain_form", "decomposable"):
+            for word, number in graze._abi.words("graze_" + enum).items():
+                self.assertEqual(getattr(library, f"graze_{enum}_name")(number).decode(), word)
+
     @unittest.skipIf(common.numpy is None, "numpy")
     def test_layout(self):
-        from graze._library import CVerdict
+        CVerdict = graze._abi.C.graze_verdict
         import ctypes
         self.assertEqual(graze.VERDICT_DTYPE.itemsize, ctypes.sizeof(CVerdict))
         for (name, _), c_name in zip(CVerdict._fields_, graze.VERDICT_DTYPE.names):

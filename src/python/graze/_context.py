@@ -10,17 +10,18 @@ import threading
 from typing import Any, Callable, Dict, Mapping, NamedTuple, Tuple
 
 from . import _calls
+from ._abi import words
 from ._library import Handle, library
 from .errors import BY_STATUS, InternalError, UseError
 
-ROUNDINGS = ("none", "binary64", "binary32")
 
-
-def choice(name: str, value: str, allowed: Tuple[str, ...]) -> int:
-    """The place of a word among those allowed, which is its number in graze.h."""
-    if value not in allowed:
-        raise UseError(f"{name} is {value!r}; expected one of {', '.join(allowed)}")
-    return allowed.index(value)
+def choice(name: str, value: str, enum: str, only: Tuple[str, ...] = ()) -> int:
+    """The number of a word of an enum of graze.h, or of those of its words in `only`."""
+    numbers = words(enum)
+    taken = only or tuple(numbers)
+    if value not in taken:
+        raise UseError(f"{name} is {value!r}; expected one of {', '.join(taken)}")
+    return numbers[value]
 
 
 class Settings(NamedTuple):
@@ -45,7 +46,7 @@ def settings(rounding: str, limits: "Mapping[str, int] | None", use_filter: bool
             raise UseError(f"limit {key!r} = {value}; expected a positive number for one of "
                            + ", ".join(names))
         chosen.append((names[key], value))
-    return Settings(choice("round", rounding, ROUNDINGS), tuple(chosen), use_filter)
+    return Settings(choice("round", rounding, "graze_rounding"), tuple(chosen), use_filter)
 
 
 class Context:

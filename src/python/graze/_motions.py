@@ -7,8 +7,9 @@ from __future__ import annotations
 import ctypes
 from typing import Any, Callable, Iterable, List, Mapping, NamedTuple, Sequence, Tuple
 
+from ._abi import C
 from ._context import Context, settings
-from ._library import CJoint, library, take_text
+from ._library import library, take_text
 from ._numbers import Rationals
 from .errors import UseError
 
@@ -70,12 +71,12 @@ def by_joints(joints: Iterable[Joint], uniform: bool, tolerance: Any, radius: An
     given = list(joints)
     context = Context(settings("none", limits, True))
     d = _dimension(given)
-    array, keep = (CJoint * max(len(given), 1))(), []  # type: Tuple[Any, List[Rationals]]
+    array, keep = (C.graze_joint * max(len(given), 1))(), []  # type: Tuple[Any, List[Rationals]]
     for out, joint in zip(array, given):
         def address(values: Any, count: int, what: str) -> int:
             keep.append(filled(values, count, context, what))
             return keep[-1].address
-        out.kind = int(joint.degrees is None)
+        out.kind = C.GRAZE_JOINT_SLIDE if joint.degrees is None else C.GRAZE_JOINT_TURN
         if joint.degrees is not None:
             out.degrees = address([joint.degrees], 1, "an angle")
             out.pitch = address([joint.pitch], 1, "a pitch") if d == 3 else None

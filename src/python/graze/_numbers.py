@@ -16,10 +16,11 @@ import operator
 from fractions import Fraction
 from typing import Any, Iterable, List, Tuple
 
+from ._abi import C
 from ._context import Context
 from ._frames import (by_name, column_names, coordinate_names, named_entries, read_columns,
                       refuse_masked)
-from ._library import CMpq, library
+from ._library import library
 from .errors import GrazeError, InputError, UseError
 
 numpy: Any = None
@@ -29,14 +30,15 @@ except ImportError:
     pass
 
 _BINARY32 = 2
-_SIZE = ctypes.sizeof(CMpq)
+_MPQ = C.__mpq_struct
+_SIZE = ctypes.sizeof(_MPQ)
 
 
 class Rationals:
     """An array of `count` GMP rationals, all 0 at first; freed with this object."""
 
     def __init__(self, count: int) -> None:
-        self._array = (CMpq * count)()
+        self._array = (_MPQ * count)()
         self.address = ctypes.addressof(self._array)
         self._clear = library().mpq_clear
         self.count = 0

@@ -10,13 +10,13 @@ from fractions import Fraction
 from math import isfinite
 from typing import Any, List, Mapping, NamedTuple, Optional, Sequence, Tuple
 
+from ._abi import C
 from ._context import Context, settings
 from ._frames import column_names, read_columns
-from ._library import CPoseOptions, library
+from ._library import library
 from ._motions import filled, written
 from .errors import GrazeError, UseError, name_argument
 
-_AFFINE, _SHORTEST, _NUMBERED, _LONG, _SLERP = 1, 2, 4, 8, 16
 _SHAPES = {(4, 4): 16, (3, 4): 12, (7,): 7}
 _ORDERS = {"wxyz": ["qw", "qx", "qy", "qz"], "xyzw": ["qx", "qy", "qz", "qw"]}
 
@@ -107,9 +107,9 @@ def by_poses(poses: Any, times: Any, form: PoseForm,
     rounded = is_file and form.numbers != "written"
     context = Context(settings("binary64" if rounded else "none", limits, True))
     goal = filled([form.tolerance], 1, context, "the tolerance")
-    options = CPoseOptions(flags=_AFFINE * form.affine + _SHORTEST * form.shortest
-                           + _LONG * form.long + _SLERP * form.slerp,
-                           tolerance=goal.address, size=ctypes.sizeof(CPoseOptions))
+    flags = (C.GRAZE_POSES_AFFINE * form.affine + C.GRAZE_POSES_SHORTEST * form.shortest
+             + C.GRAZE_POSES_LONG * form.long + C.GRAZE_POSES_SLERP * form.slerp)
+    options = C.graze_pose_options(flags=flags, tolerance=goal.address)
     if form.columns is not None:
         columns = form.columns
         if isinstance(columns, Mapping):
@@ -126,7 +126,7 @@ def by_poses(poses: Any, times: Any, form: PoseForm,
                        ctypes.byref(options), context=context)
     text = _list_of_poses(poses, times, form.quaternions).encode()
     options.text, options.length = text, len(text)
-    options.flags |= _NUMBERED
+    options.flags |= C.GRAZE_POSES_NUMBERED
     try:
         return written(library().graze_motion_write_pose_list, b"poses", ctypes.byref(options),
                        context=context)

@@ -8,14 +8,13 @@ import ctypes
 import itertools
 from typing import Any, Iterator, List, Mapping, Optional, Set
 
+from ._abi import C
 from ._context import Context
-from ._library import CSample, Handle, library
+from ._library import Handle, library
 from ._numbers import Rationals, whole
 from ._traces import cell_of
 from .errors import UseError
 from .results import Pmc, Sample
-
-_REPRESENTABLE = 1
 
 
 def strata() -> List[str]:
@@ -42,7 +41,7 @@ def samples(context: Context, scene: Handle, dimension: int, rows: range, seed: 
         chosen = (ctypes.c_ulong * len(names))(*given)
     pointer = ctypes.c_void_p()
     context.run(library().graze_generator_create, ctypes.byref(pointer), context.pointer,
-                scene.pointer, whole("seed", seed, 0, 2 ** 64 - 1), chosen, _REPRESENTABLE if representable else 0)
+                scene.pointer, whole("seed", seed, 0, 2 ** 64 - 1), chosen, C.GRAZE_GENERATE_REPRESENTABLE if representable else 0)
     generator = Handle(pointer, library().graze_generator_destroy, scene)
     return itertools.islice(_distinct(_each(context, generator, dimension, names)), rows.start, rows.stop)
 
@@ -77,7 +76,7 @@ def _distinct(made: Iterator[Sample]) -> Iterator[Sample]:
 
 def _each(context: Context, generator: Handle, dimension: int,
           names: List[str]) -> Iterator[Sample]:
-    numbers, made = Rationals(dimension + 1), CSample()
+    numbers, made = Rationals(dimension + 1), C.graze_sample()
     for row in itertools.count():
         context.run(library().graze_generator_point, numbers.address, numbers.at(dimension),
                     ctypes.byref(made), context.pointer, generator.pointer, row, brief=True)

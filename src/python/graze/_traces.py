@@ -6,39 +6,40 @@ from __future__ import annotations
 
 import ctypes
 from fractions import Fraction
-from typing import Optional, Tuple
+from typing import Any, Optional, Tuple
 
-from ._library import CCell, CVerdict, library
+from ._abi import C, words
+from ._library import library
 from ._numbers import Rationals
 from .results import Cell, Class, Contact, Pmc, Topology, Trace, Verdict
 from .times import AlgebraicNumber, Time
 
-_KINDS = {1: "intersection", 2: "tangency"}
-_CELLS = {1: "face", 2: "edge", 3: "vertex", 4: "primitive"}
+_CELLS = words("graze_cell_kind")
+_CELL_NAMES = {number: word for word, number in _CELLS.items()}
+_KIND_NAMES = {number: word for word, number in words("graze_kind").items()}
 
 
-def verdict_of(made: CVerdict) -> Verdict:
+def verdict_of(made: ctypes.Structure) -> Verdict:
     """A verdict as a tuple."""
-    return Verdict(Pmc(made.pmc), Class(made.class_), made.definition, made.case, made.i, made.t)
+    return Verdict(Pmc(made.pmc), Class(made.class_), made.definition, made.case_, made.i, made.t)
 
 
 def kind_of(kind: int) -> str:
     """The word of a kind of contact; "" for 0."""
-    return _KINDS.get(kind, "")
+    return _KIND_NAMES.get(kind, "")
 
 
-def cell_of(made: CCell) -> Optional[Cell]:
+def cell_of(made: ctypes.Structure) -> Optional[Cell]:
     """A cell; None if its kind is 0."""
     if not made.kind:
         return None
-    kind = _CELLS[made.kind]
+    kind = _CELL_NAMES[made.kind]
     return Cell(kind, (made.a, made.b) if kind == "edge" else (made.a,))
 
 
-def cell_given(cell: Cell) -> CCell:
+def cell_given(cell: Cell) -> Any:
     """A cell for a call; kind 0 if its kind is none."""
-    kinds = {name: number for number, name in _CELLS.items()}
-    return CCell(kinds.get(cell.kind, 0), *(tuple(cell.indices) + (0, 0))[:2])
+    return C.graze_cell(_CELLS.get(cell.kind, 0), *(tuple(cell.indices) + (0, 0))[:2])
 
 
 def read_trace(trace: ctypes.c_void_p, point: Tuple[Fraction, ...]) -> Trace:
@@ -46,8 +47,8 @@ def read_trace(trace: ctypes.c_void_p, point: Tuple[Fraction, ...]) -> Trace:
     contacts = []
     for index in range(library().graze_trace_contact_count(trace)):
         made = library().graze_trace_contact(trace, index)
-        start = time_of(made.start)
-        end = start if made.end == made.start else time_of(made.end)
+        start = time_of(made.from_)
+        end = start if made.to == made.from_ else time_of(made.to)
         cells = tuple(cell for cell in map(cell_of, made.cells[:made.cell_count]) if cell)
         contacts.append(Contact(kind_of(made.kind), chr(made.left) if made.left else None,
                                 chr(made.right) if made.right else None, start, end, cells))

@@ -7,8 +7,9 @@ from __future__ import annotations
 import ctypes
 from typing import Any, NamedTuple, Optional, Tuple
 
+from ._abi import C
 from ._context import Context
-from ._library import CBoundaryOptions, CBoundarySummary, Handle, library
+from ._library import Handle, library
 from ._numbers import Rationals, numpy
 from ._parallel import threads
 
@@ -43,16 +44,15 @@ def boundary(context: Context, scene: Handle, dimension: int, depth: int, coarse
     """Sample the scene. Raises UseError, CanceledError, LimitError."""
     if coarse is None:
         coarse = min(depth, 5 if dimension == 2 else 4)
-    chosen = CBoundaryOptions(coarse=coarse, depth=depth, budget=budget, contacts=contacts,
-                              seed=seed, sharp=sharp, threads=threads(jobs),
-                              size=ctypes.sizeof(CBoundaryOptions))
+    chosen = C.graze_boundary_options(coarse=coarse, depth=depth, budget=budget, contacts=contacts,
+                                      seed=seed, sharp=sharp, threads=threads(jobs))
     if box:
         chosen.low, chosen.high = box[0].address, box[1].address
     pointer = ctypes.c_void_p()
     context.run(library().graze_boundary_create, ctypes.byref(pointer), context.pointer,
                 scene.pointer, ctypes.byref(chosen))
     with Handle(pointer, library().graze_boundary_destroy, scene) as made:
-        summary: CBoundarySummary = library().graze_boundary_summarize(made)
+        summary = library().graze_boundary_summarize(made)
         place = Rationals(dimension)
         vertices, faces = [], []
         for k in range(summary.vertices):

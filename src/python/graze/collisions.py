@@ -9,8 +9,9 @@ import os
 from dataclasses import dataclass
 from typing import Any, Mapping, Optional, Tuple, Union
 
+from ._abi import C
 from ._context import Context, settings
-from ._library import CPairContact, CPairOptions, Handle, library
+from ._library import Handle, library
 from ._traces import cell_of, kind_of, time_of
 from .errors import UseError
 from .inputs import Motion, Solid, input_handle, input_settings
@@ -66,7 +67,7 @@ class Collision:
         return self.word != "O"
 
 
-def _cells(made: CPairContact) -> Tuple[CellPair, ...]:
+def _cells(made: ctypes.Structure) -> Tuple[CellPair, ...]:
     out = []
     for k in range(made.cell_count):
         pair = made.cells[k]
@@ -77,12 +78,12 @@ def _cells(made: CPairContact) -> Tuple[CellPair, ...]:
     return tuple(out)
 
 
-def _contact(made: CPairContact) -> PairContact:
-    start = time_of(made.start)
-    end = start if made.end == made.start else time_of(made.end) if made.end else None
+def _contact(made: ctypes.Structure) -> PairContact:
+    start = time_of(made.from_)
+    end = start if made.to == made.from_ else time_of(made.to) if made.to else None
     return PairContact(kind_of(made.kind) or None, chr(made.left) if made.left else None,
                        chr(made.right) if made.right else None, start, end, _cells(made),
-                       int(library().graze_time_row(made.start)) or None)
+                       int(library().graze_time_row(made.from_)) or None)
 
 
 def collide(moving: Any, motion: MotionLike, fixed: Any, motion_of_fixed: Optional[MotionLike] = None,
@@ -113,7 +114,7 @@ def collide(moving: Any, motion: MotionLike, fixed: Any, motion_of_fixed: Option
         raise UseError("solids and motions must be rounded alike")
     parts = [input_handle(part) for part in made]
     context, pointer, call = Context(chosen), ctypes.c_void_p(), library()
-    options = CPairOptions(ctypes.sizeof(CPairOptions), int(inside), int(first))
+    options = C.graze_pair_options(question=C.GRAZE_PAIR_INSIDE if inside else C.GRAZE_PAIR_MEETS, first=int(first))
     context.run(call.graze_pair_create, ctypes.byref(pointer), context.pointer, *(part.pointer for part in parts[:3]),
                 parts[3].pointer if len(parts) > 3 else None, ctypes.byref(options))
     with Handle(pointer, call.graze_pair_destroy, *parts) as pair:

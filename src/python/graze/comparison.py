@@ -13,13 +13,12 @@ import tempfile
 from fractions import Fraction
 from typing import Any, Dict, Mapping, NamedTuple
 
+from ._abi import C
 from ._context import Context, choice, settings
 from ._frames import column_names, read_columns
-from ._library import CCompareOptions, Handle, library, take_text
+from ._library import Handle, library, take_text
 from .errors import InputError
 from .scene import Scene
-
-_TEXT, _JSON = 0, 1
 
 
 class Comparison(NamedTuple):
@@ -89,15 +88,14 @@ def compare(golden: Any, candidate: Any, *, question: str = "open", on_as: str =
     if scene is not None and not isinstance(scene, Scene):
         raise TypeError(f"scene is a {type(scene).__name__}; expected a Scene")
     names = [os.fsencode(name) if name is not None else None for name in (solid, motion)]
-    options = CCompareOptions(ctypes.sizeof(CCompareOptions),
-                              choice("question", question, ("open", "closed")),
-                              choice("on_as", on_as, ("on", "any", "in", "out")),
-                              choice("candidate_has", candidate_has, ("columns", "sdf")),
-                              show, names[0], names[1], 0,
-                              choice("truth", truth, ("pseudo", "outside")),
-                              _number("sdf_tolerance", sdf_tolerance),
-                              _number("motion_error", motion_error),
-                              scene._handle.pointer if scene is not None else None)
+    options = C.graze_compare_options(
+        question=choice("question", question, "graze_question"),
+        on_as=choice("on_as", on_as, "graze_on_as"),
+        has=choice("candidate_has", candidate_has, "graze_candidate_has"),
+        truth=choice("truth", truth, "graze_truth"), show=show, solid=names[0], motion=names[1],
+        sdf_tolerance=_number("sdf_tolerance", sdf_tolerance),
+        motion_error=_number("motion_error", motion_error),
+        scene=scene._handle.pointer if scene is not None else None)
     context, made = Context(settings(round, limits, True)), ctypes.c_void_p()
     with tempfile.TemporaryDirectory() as folder:
         paths = [_table(table, os.path.join(folder, name))
@@ -133,7 +131,7 @@ def _reported(made: ctypes.c_void_p, context: Context, folder: str) -> Compariso
     """The reports, in which tables of a folder have their names alone."""
     texts = []
     with Handle(made, library().graze_comparison_destroy) as pointer:
-        for form in (_JSON, _TEXT):
+        for form in (C.GRAZE_COMPARISON_JSON, C.GRAZE_COMPARISON_TEXT):
             out = ctypes.c_void_p()
             context.run(library().graze_comparison_report, ctypes.byref(out), context.pointer,
                         pointer, form)

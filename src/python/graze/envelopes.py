@@ -10,6 +10,7 @@ import ctypes
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Dict, Optional, Tuple
 
+from ._abi import C
 from ._library import Handle, library
 from ._numbers import Rationals
 from ._traces import cell_of, time_of
@@ -19,8 +20,6 @@ from .times import Time
 
 if TYPE_CHECKING:
     from .scene import Number, Scene
-
-_NO_SIGN = 2
 
 
 @dataclass(frozen=True)
@@ -95,7 +94,7 @@ def read_envelope(handle: Handle, scene: Scene) -> Envelope:
         made = call.graze_envelope_event(envelope, index)
         if made.time not in times:
             times[made.time] = time_of(made.time)
-        before, after = (None if sign == _NO_SIGN else sign for sign in (made.before, made.after))
+        before, after = (None if sign == C.GRAZE_SIGN_ABSENT else sign for sign in (made.before, made.after))
         events.append(Event(call.graze_event_kind_name(made.kind).decode(), times[made.time],
                             cell_of(made.facet), cell_of(made.other), cell_of(made.cell), before,
                             after))

@@ -7,6 +7,8 @@ from __future__ import annotations
 import re
 from typing import Any, Dict, Type
 
+from ._abi import C
+
 
 class GrazeError(Exception):
     """Base of all errors of this module; `str` of it is the message.
@@ -40,43 +42,43 @@ class LibraryError(GrazeError):
 class UseError(GrazeError, ValueError):
     """Wrong use: an argument of the call (GRAZE_EUSE)."""
 
-    status = 1
+    status = C.GRAZE_EUSE
 
 
 class InputError(GrazeError, ValueError):
     """Bad input: the bytes do not follow their format (GRAZE_EINPUT)."""
 
-    status = 2
+    status = C.GRAZE_EINPUT
 
 
 class IllegalError(GrazeError, ValueError):
     """Readable, but not a legal solid, motion or pair of them (GRAZE_EILLEGAL)."""
 
-    status = 3
+    status = C.GRAZE_EILLEGAL
 
 
 class LimitError(GrazeError):
     """A limit is exceeded; `limits=` of the scene raises it (GRAZE_ELIMIT)."""
 
-    status = 4
+    status = C.GRAZE_ELIMIT
 
 
 class MachineError(GrazeError):
     """The machine: a file, memory, a thread (GRAZE_ESYSTEM)."""
 
-    status = 5
+    status = C.GRAZE_ESYSTEM
 
 
 class CanceledError(GrazeError):
     """The call was asked to stop (GRAZE_ECANCELED)."""
 
-    status = 6
+    status = C.GRAZE_ECANCELED
 
 
 class InternalError(GrazeError):
     """A fault of Graze itself; no answer is given (GRAZE_EINTERNAL)."""
 
-    status = 7
+    status = C.GRAZE_EINTERNAL
 
 
 BY_STATUS: Dict[int, Type[GrazeError]] = {

@@ -11,9 +11,10 @@ from fractions import Fraction
 from typing import Any, Iterable, Mapping, Optional, Sequence, Tuple
 
 from . import _motions
+from ._abi import C
 from ._context import Context, Settings, settings
 from ._expressions import Expressions
-from ._library import CScadOptions, Handle, library, take_text
+from ._library import Handle, library, take_text
 from ._frames import refuse_masked
 from ._meshes import arrays_of
 from ._motions import Joint
@@ -21,7 +22,6 @@ from ._numbers import Rationals, numpy, read_points
 from ._poses import PoseForm, by_poses
 from .errors import GrazeError, InputError, UseError, name_argument
 
-_TRIANGULATE = 1
 
 
 class Solid(Expressions):
@@ -68,7 +68,7 @@ class Solid(Expressions):
             return
         context = Context(self._settings)
         pointer = ctypes.c_void_p()
-        flags = _TRIANGULATE if triangulate else 0
+        flags = C.GRAZE_SOLID_TRIANGULATE if triangulate else 0
         if isinstance(source, (str, bytes, os.PathLike)):
             context.run(library().graze_solid_read, ctypes.byref(pointer), context.pointer,
                         _path(source), flags)
@@ -103,8 +103,7 @@ class Solid(Expressions):
             near_rotation: take the rotation, times a number, that each entry of a map is so near to;
                 six digits of OpenSCAD make a turned ball an ellipsoid.
         """
-        context, options = Context(settings("none", limits, True)), CScadOptions(smooth=smooth)
-        options.size = ctypes.sizeof(options)
+        context, options = Context(settings("none", limits, True)), C.graze_scad_options(smooth=smooth)
         if near_rotation is not None:
             goal = _motions.filled([near_rotation], 1, context, "near_rotation")
             options.near_rotation = goal.address

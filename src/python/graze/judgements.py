@@ -12,15 +12,13 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Dict, Optional, Tuple
 
+from ._abi import C
 from ._context import Context
 from ._frames import refuse_masked
-from ._library import CJudgeOptions, CMeshPoints, Handle, library, take_text
+from ._library import Handle, library, take_text
 from ._numbers import numpy, whole
 from ._parallel import threads
 from .errors import UseError
-
-_REPORT_TEXT, _REPORT_JSON = 0, 2
-_ON_AS_ANY = 1
 
 
 @dataclass(frozen=True)
@@ -131,7 +129,7 @@ def _compared(context: Context, scene: Handle, mesh: Handle, points: int, seed: 
     """The mesh's answers for generated points; None for no points, or where the mesh is not closed."""
     if not points or not library().graze_mesh_get_facts(mesh.pointer).rule:
         return None
-    asked = CMeshPoints(size=ctypes.sizeof(CMeshPoints), count=points, seed=seed, on_as=_ON_AS_ANY, threads=threads(jobs))
+    asked = C.graze_mesh_points(count=points, seed=seed, on_as=C.GRAZE_ON_AS_ANY, threads=threads(jobs))
     pointer = ctypes.c_void_p()
     context.run(library().graze_compare_mesh, ctypes.byref(pointer), context.pointer, scene.pointer, mesh.pointer,
                 ctypes.byref(asked))
@@ -151,15 +149,15 @@ def judge(context: Context, scene: Handle, vertices: Any, faces: Any, within: fl
     budget = 0 if budget is None else whole("budget", budget, 1, 2 ** 64 - 1)
     points, seed = whole("points", points, 0, 10 ** 9), whole("seed", seed, 0, 2 ** 64 - 1)
     mesh = _mesh(context, vertices, faces) if faces is not None else _read(context, vertices)
-    options = CJudgeOptions(size=ctypes.sizeof(CJudgeOptions), within=within, budget=budget, threads=threads(jobs))
+    options = C.graze_judge_options(within=within, budget=budget, threads=threads(jobs))
     pointer = ctypes.c_void_p()
     with mesh:
         context.run(library().graze_judge, ctypes.byref(pointer), context.pointer, scene.pointer, mesh.pointer,
                     ctypes.byref(options))
         with Handle(pointer, library().graze_judgement_destroy, scene, mesh) as judged:
             compared = _compared(context, scene, mesh, points, seed, jobs)
-            report = json.loads(_report(context, judged, compared, _REPORT_JSON))
-            text = _report(context, judged, compared, _REPORT_TEXT)
+            report = json.loads(_report(context, judged, compared, C.GRAZE_JUDGEMENT_JSON))
+            text = _report(context, judged, compared, C.GRAZE_JUDGEMENT_TEXT)
     found, volume = report["distance"], report["volume"]
     outside, inside = _greatest(found["mesh_to_sweep_outside"]), _greatest(found["mesh_to_sweep_inside"])
     assert outside is not None and inside is not None

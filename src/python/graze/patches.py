@@ -9,13 +9,12 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Dict, Optional, Tuple
 
+from ._abi import C
 from ._library import library
 from ._numbers import Rationals
 from ._traces import cell_of, time_of
 from .results import Cell
 from .times import Time
-
-_NO_SIGN = 2
 
 
 @dataclass(frozen=True)
@@ -78,7 +77,7 @@ class PatchJoint:
 
 
 def _sign(sign: int) -> Optional[int]:
-    return None if sign == _NO_SIGN else sign
+    return None if sign == C.GRAZE_SIGN_ABSENT else sign
 
 
 def _known(name: bytes) -> Optional[str]:
@@ -87,7 +86,7 @@ def _known(name: bytes) -> Optional[str]:
 
 
 def _cell(made: ctypes.Structure) -> Cell:
-    cell = cell_of(made)  # type: ignore[arg-type]
+    cell = cell_of(made)
     assert cell is not None
     return cell
 
@@ -133,14 +132,14 @@ def read_patches(patches: ctypes.c_void_p,
         call.graze_patches_sample(when.address, body.address, world.address, patches, index)
         found.append(Patch(
             call.graze_curve_kind_name(made.kind).decode(), _cell(made.cell),
-            times.get(made.start), times.get(made.end), cell_of(made.a), cell_of(made.b),
+            times.get(made.from_), times.get(made.to), cell_of(made.a), cell_of(made.b),
             _sign(made.theta_a), _sign(made.theta_b),
             _known(call.graze_orientation_name(made.orientation)), when[0],
             _point(body, dimension), _point(world, dimension),
             call.graze_trim_name(made.trim).decode()))
     for index in range(call.graze_patches_joint_count(patches)):
         made = call.graze_patches_joint(patches, index)
-        joints.append(PatchJoint(_cell(made.cell), times.get(made.start), times.get(made.end),
+        joints.append(PatchJoint(_cell(made.cell), times.get(made.from_), times.get(made.to),
                                  _known(call.graze_chain_form_name(made.form)),
                                  tuple(made.patch[:made.count])))
     return tuple(found), tuple(joints)

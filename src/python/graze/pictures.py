@@ -10,8 +10,9 @@ import os
 import tempfile
 from typing import Any, Callable, Dict, List, NamedTuple, Optional, Sequence, Tuple
 
+from ._abi import C
 from ._context import Context
-from ._library import CDrawOptions, Handle, library
+from ._library import Handle, library
 from ._numbers import Points, Rationals
 from .errors import UseError
 from .results import Class
@@ -100,9 +101,8 @@ def draw(name: str, context: Context, scene: Handle, points: Optional[Points],
          names: Optional[Sequence[str]], box: Optional[Tuple[Rationals, Rationals]],
          plane: Optional[Rationals], **options: Any) -> bytes:
     """A scene as a file; `plane` is a normal and a number, `options` are title, grid, times, by."""
-    chosen = CDrawOptions(size=ctypes.sizeof(CDrawOptions), grid=options["grid"],
-                          times=options["times"], title=options["title"].encode(),
-                          by=options["by"])
+    chosen = C.graze_draw_options(grid=options["grid"], times=options["times"],
+                                  title=options["title"].encode(), by=options["by"])
     if plane:
         chosen.normal, chosen.plane = plane.address, plane.at(3)
     return _drawn(name, context, scene, chosen, points, names, None, box)
@@ -126,8 +126,8 @@ def page(context: Context, scene: Handle, points: Optional[Points], names: Optio
          strata: Optional[Sequence[str]], box: Optional[Tuple[Rationals, Rationals]],
          **options: Any) -> Page:
     """A page of a scene; `options` are title, times and surface, -1 for none."""
-    chosen = CDrawOptions(size=ctypes.sizeof(CDrawOptions), times=options["times"],
-                          title=options["title"].encode(), surface=options["surface"])
+    chosen = C.graze_draw_options(times=options["times"], surface=options["surface"],
+                                  title=options["title"].encode())
     return Page(_drawn("scene.html", context, scene, chosen, points, names, strata, box).decode())
 
 
@@ -138,7 +138,7 @@ def _texts(what: str, given: Sequence[str], count: int) -> Any:
     return (ctypes.c_char_p * count)(*(str(text).encode() for text in given))
 
 
-def _drawn(name: str, context: Context, scene: Handle, chosen: CDrawOptions,
+def _drawn(name: str, context: Context, scene: Handle, chosen: ctypes.Structure,
            points: Optional[Points], names: Optional[Sequence[str]],
            strata: Optional[Sequence[str]], box: Optional[Tuple[Rationals, Rationals]]) -> bytes:
     """The file that graze_draw writes with these options."""

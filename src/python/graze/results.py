@@ -4,12 +4,12 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 from __future__ import annotations
 
-import ctypes
 import enum
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 
+from ._abi import C, words
 from ._frames import by_name, column_names, coordinate_names, named_entries, read_columns
 from ._numbers import numpy
 from .errors import GrazeError
@@ -19,11 +19,11 @@ from .times import Time
 class Pmc(enum.IntEnum):
     """Point membership; `NONE` is never a verdict, `UNDECIDED` one of curved solids alone."""
 
-    NONE = 0
-    IN = 1
-    ON = 2
-    OUT = 3
-    UNDECIDED = 4
+    NONE = C.GRAZE_PMC_NONE
+    IN = C.GRAZE_IN
+    ON = C.GRAZE_ON
+    OUT = C.GRAZE_OUT
+    UNDECIDED = C.GRAZE_PMC_UNDECIDED
 
 
 class Class(enum.IntEnum):
@@ -32,13 +32,13 @@ class Class(enum.IntEnum):
     Where it is `UNDECIDED`, pmc may be decided, and counts, case and definition are 0.
     """
 
-    NONE = 0
-    REGULAR = 1
-    FOLD = 2
-    FOLD_BOUNDARY = 3
-    BOUNDARY = 4
-    EXTERIOR = 5
-    UNDECIDED = 6
+    NONE = C.GRAZE_CLASS_NONE
+    REGULAR = C.GRAZE_REGULAR
+    FOLD = C.GRAZE_FOLD
+    FOLD_BOUNDARY = C.GRAZE_FOLD_BOUNDARY
+    BOUNDARY = C.GRAZE_BOUNDARY
+    EXTERIOR = C.GRAZE_EXTERIOR
+    UNDECIDED = C.GRAZE_CLASS_UNDECIDED
 
 
 class Verdict(NamedTuple):
@@ -95,20 +95,22 @@ class Topology(NamedTuple):
     order: Optional[int] = None
 
 
-PMC_NAMES: Tuple[str, ...] = tuple(pmc.name.lower() for pmc in Pmc)
-CLASS_NAMES: Tuple[str, ...] = tuple(class_.name.lower() for class_ in Class)
+PMC_NAMES: Tuple[str, ...] = tuple(words("graze_pmc"))
+CLASS_NAMES: Tuple[str, ...] = tuple(words("graze_class"))
+
+
+def _dtype(made: Any) -> Any:
+    """The dtype of arrays of a structure; None without numpy."""
+    if numpy is None:
+        return None
+    names, formats = zip(*made._fields_)
+    return numpy.dtype({"names": [name.rstrip("_") for name in names], "formats": formats}, align=True)
+
+
 #: The dtype of classify's arrays, whose layout is graze_verdict; None without numpy.
-VERDICT_DTYPE: Any = None
-if numpy is not None:
-    VERDICT_DTYPE = numpy.dtype({
-        "names": ["pmc", "class", "definition", "case", "i", "t"],
-        "formats": [ctypes.c_int] * 4 + [ctypes.c_ulong] * 2}, align=True)
+VERDICT_DTYPE: Any = _dtype(C.graze_verdict)
 #: The dtype of distance's arrays, whose layout is graze_enclosure; None without numpy.
-ENCLOSURE_DTYPE: Any = None
-if numpy is not None:
-    ENCLOSURE_DTYPE = numpy.dtype({
-        "names": ["low", "high", "time", "pmc", "wide"],
-        "formats": [ctypes.c_double] * 3 + [ctypes.c_int] * 2}, align=True)
+ENCLOSURE_DTYPE: Any = _dtype(C.graze_enclosure)
 
 
 @dataclass(frozen=True)

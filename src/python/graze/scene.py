@@ -11,9 +11,9 @@ from fractions import Fraction
 from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _parallel
+from ._abi import C
 from ._context import Context, Contexts, choice, settings
-from ._library import (CEnclosure, COptions, CRowOptions, CVerdict, Handle, library,
-                       take_text)
+from ._library import Handle, library, take_text
 from ._meshes import arrays_of
 from ._numbers import Points, Rationals, numpy, read_points
 from ._progress import Progress
@@ -29,11 +29,6 @@ from .results import (ENCLOSURE_DTYPE, VERDICT_DTYPE, Cell, Enclosure, Pmc, Samp
                       Trace, Verdict)
 from .sites import Site, read_site
 
-OPERATIONS = ("sweep", "unsweep")
-OVERLAPS = ("extend", "reject")
-FOLDS = ("separate", "combined")
-COLUMNS = ("all", "pmc")
-FORMATS = ("csv", "jsonl")
 _FEW = 8  # points; a call of fewer may well be brief
 
 Number = Union[int, float, str, Fraction]
@@ -92,12 +87,13 @@ class Scene:
         """
         chosen = settings(round, limits, use_filter)
         width, relative = _width(sdf)
-        options = COptions(ctypes.sizeof(COptions), choice("operation", operation, OPERATIONS),
-                           choice("overlap", overlap, OVERLAPS), choice("folds", folds, FOLDS))
-        self._shown = CRowOptions(ctypes.sizeof(CRowOptions), 0,
-                                  choice("columns", columns, COLUMNS), int(topo), width,
-                                  _rounded("motion_error", motion_error, math.inf), int(moments),
-                                  int(regular), int(boundary_distance))
+        options = C.graze_options(operation=choice("operation", operation, "graze_operation"),
+                                  overlap=choice("overlap", overlap, "graze_overlap"),
+                                  folds=choice("folds", folds, "graze_folds"))
+        self._shown = C.graze_row_options(
+            columns=choice("columns", columns, "graze_columns"), topo=int(topo), sdf=width,
+            motion_error=_rounded("motion_error", motion_error, math.inf), moments=int(moments),
+            regular=int(regular), boundary=int(boundary_distance))
         if not isinstance(solid, Solid):
             solid = Solid(solid, triangulate=triangulate, round=round, limits=limits)
         if not isinstance(motion, Motion):
@@ -164,11 +160,11 @@ class Scene:
                 the message begins with `from point k`, it counts points from there.
         """
         given = self._points(points)
-        out, address = _answers(CVerdict, VERDICT_DTYPE, given.count)
+        out, address = _answers(C.graze_verdict, VERDICT_DTYPE, given.count)
         function = (library().graze_classify_doubles if given.are_doubles
                     else library().graze_classify)
         try:
-            self._ask(function, given, address, ctypes.sizeof(CVerdict), jobs, progress,
+            self._ask(function, given, address, ctypes.sizeof(C.graze_verdict), jobs, progress,
                       self._shown.columns)
         except GrazeError as failure:
             failure.partial = _verdicts(out)
@@ -189,11 +185,11 @@ class Scene:
             As `classify`; UseError: a tolerance that is not positive and finite.
         """
         given = self._points(points)
-        out, address = _answers(CEnclosure, ENCLOSURE_DTYPE, given.count)
+        out, address = _answers(C.graze_enclosure, ENCLOSURE_DTYPE, given.count)
         function = (library().graze_distances_doubles if given.are_doubles
                     else library().graze_distances)
         try:
-            self._ask(function, given, address, ctypes.sizeof(CEnclosure), jobs, progress,
+            self._ask(function, given, address, ctypes.sizeof(C.graze_enclosure), jobs, progress,
                       float(tolerance))
         except GrazeError as failure:
             failure.partial = _enclosures(out)
@@ -336,8 +332,8 @@ class Scene:
              progress: Progress = False) -> List[str]:
         """The rows of `graze classify`, without line ends: CSV, or with `jsonl` JSON Lines, which
         hold every contact with its exact times. Raises as `classify`."""
-        given, shown = self._points(points), CRowOptions.from_buffer_copy(self._shown)
-        shown.format = choice("format", format, FORMATS)
+        given, shown = self._points(points), C.graze_row_options.from_buffer_copy(self._shown)
+        shown.format = choice("format", format, "graze_format", ("csv", "jsonl"))
         pieces: Dict[int, List[str]] = {}
 
         def piece(context: Context, first: int, count: int) -> None:
@@ -465,7 +461,7 @@ class Scene:
         """
         corners = (self._point(box[0]), self._point(box[1])) if box else None
         given = None if points is None else self._points(points)
-        normal, kind = self._plane(plane), choice("by", by, ("class", "distance"))
+        normal, kind = self._plane(plane), choice("by", by, "graze_draw_by")
 
         def drawn(name: str) -> bytes:
             return draw(name, self._context(), self._handle, given, names, corners, normal,

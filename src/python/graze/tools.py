@@ -11,30 +11,30 @@ import ctypes
 from fractions import Fraction
 from typing import Any, List, Optional, Sequence, Tuple
 
+from ._abi import C
 from ._context import Context, settings
-from ._library import CShape, library, take_text
+from ._library import library, take_text
 from ._numbers import Rationals
 from .errors import UseError
 
 Mesh = Tuple[List[Tuple[Fraction, ...]], List[List[int]]]
-_BOX, _BALL, _CYLINDER, _CUTTER = range(4)
 
 
 def box(x: Any, y: Any, z: Any, *, at: Optional[Sequence[Any]] = None) -> Mesh:
     """A box with these sides, from the origin along the axes; `at` moves it. Exact."""
-    return _made(_BOX, False, at, None, box=(x, y, z))
+    return _made(C.GRAZE_SHAPE_BOX, False, at, None, box=(x, y, z))
 
 
 def ball(diameter: Any, *, tolerance: Any, outside: bool = False,
          at: Optional[Sequence[Any]] = None) -> Mesh:
     """A ball that touches the plane z = 0 from above in the origin."""
-    return _made(_BALL, outside, at, tolerance, diameter=diameter)
+    return _made(C.GRAZE_SHAPE_BALL, outside, at, tolerance, diameter=diameter)
 
 
 def cylinder(diameter: Any, length: Any, *, tolerance: Any, outside: bool = False,
              at: Optional[Sequence[Any]] = None) -> Mesh:
     """A cylinder about the z axis, its bottom in the plane z = 0."""
-    return _made(_CYLINDER, outside, at, tolerance, diameter=diameter, length=length)
+    return _made(C.GRAZE_SHAPE_CYLINDER, outside, at, tolerance, diameter=diameter, length=length)
 
 
 def cutter(diameter: Any, length: Any, *, tolerance: Any, corner: Any = 0, taper: Any = 0,
@@ -48,13 +48,13 @@ def cutter(diameter: Any, length: Any, *, tolerance: Any, corner: Any = 0, taper
     Raises:
         UseError: there is no such tool, or the tolerance is too fine.
     """
-    return _made(_CUTTER, outside, at, tolerance, diameter=diameter, length=length, corner=corner,
+    return _made(C.GRAZE_SHAPE_CUTTER, outside, at, tolerance, diameter=diameter, length=length, corner=corner,
                  taper=taper)
 
 
 def _made(kind: int, outside: bool, at: Optional[Sequence[Any]], tolerance: Any,
           **numbers: Any) -> Mesh:
-    context, shape = Context(settings("none", None, True)), CShape(kind=kind)
+    context, shape = Context(settings("none", None, True)), C.graze_shape(kind=kind)
     keep: List[Rationals] = []
 
     def exact(values: Sequence[Any]) -> int:
