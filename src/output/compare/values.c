@@ -49,16 +49,24 @@ graze_status values_choose(graze_comparison *c, const table *golden) {
     c->valued = has && sdf;
     c->enclosed = has && (sdf || o->motion_error || golden->notes[NOTE_SDF]);
     c->judged[JUDGED_SDF] = c->valued && o->sdf_tolerance;
-    graze_status status =
-        read_amount(c->depth.size, context, "diagonal", golden->notes[NOTE_DIAGONAL], 0);
-    if (!status)
-        status = read_amount(c->tolerance, context, "sdf_tolerance", o->sdf_tolerance, 0);
-    return status ? status : read_amount(c->eta, context, "motion_error", o->motion_error, 1);
+    TRY(read_amount(c->depth.size, context, "diagonal", golden->notes[NOTE_DIAGONAL], 0));
+    TRY(read_amount(c->tolerance, context, "sdf_tolerance", o->sdf_tolerance, 0));
+    return read_amount(c->eta, context, "motion_error", o->motion_error, 1);
 }
 
 typedef struct enclosure {
     fmpq_t low, high;
 } enclosure;
+
+static void enclosure_init(enclosure *e) {
+    fmpq_init(e->low);
+    fmpq_init(e->high);
+}
+
+static void enclosure_clear(enclosure *e) {
+    fmpq_clear(e->low);
+    fmpq_clear(e->high);
+}
 
 static int has_sign(const enclosure *e, int pmc) {
     int low = fmpq_sgn(e->low), high = fmpq_sgn(e->high);
@@ -125,24 +133,16 @@ static int widen_enclosure(enclosure *e, const fmpq_t eta, int pmc) {
 graze_status valuation_read(valuation *out, const graze_comparison *c, const table *golden,
                             const table_row *row, const table *candidate, const table_row *given,
                             int pmc) {
-    enclosure e;
-    *out = (valuation){.certain = 1};
-    fmpq_init(e.low);
-    fmpq_init(e.high);
+    HELD(enclosure, e);
     LOCAL(fmpq, value);
-    graze_status status = read_enclosure(&e, golden, row, pmc);
-    if (!status) {
-        name_decade(out->decade, &e, pmc);
-        out->certain = widen_enclosure(&e, c->eta, pmc);
-        out->judged =
-            c->valued && given && (c->options.truth == GRAZE_TRUTH_PSEUDO || pmc == PMC_OUT);
+    *out = (valuation){.certain = 1};
+    TRY(read_enclosure(&e, golden, row, pmc));
+    name_decade(out->decade, &e, pmc);
+    out->certain = widen_enclosure(&e, c->eta, pmc);
+    out->judged = c->valued && given && (c->options.truth == GRAZE_TRUTH_PSEUDO || pmc == PMC_OUT);
+    if (out->judged) {
+        TRY(read_bound(value, candidate, given, COLUMN_SDF));
+        out->error = error_of(value, &e, c->tolerance);
     }
-    if (!status && out->judged) {
-        status = read_bound(value, candidate, given, COLUMN_SDF);
-        if (!status)
-            out->error = error_of(value, &e, c->tolerance);
-    }
-    fmpq_clear(e.high);
-    fmpq_clear(e.low);
-    return status;
+    return GRAZE_OK;
 }
