@@ -7,6 +7,7 @@
 #include "program/run/run.h"
 
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "program/io/io.h"
 #include "program/points/points.h"
 #include "program/run/kept.h"
@@ -58,11 +59,11 @@ static int take_block(run_state *s, const classify_options *o, block *b, unsigne
 /* Fill the next block and hand it over. */
 static int fill_ring(run_state *s, const classify_options *o) {
     block *b = s->ring[s->filled % s->ring_size];
-    int status = take_block(s, o, b, BLOCK_ROWS);
-    if (status || b->count == 0)
-        return status;
-    s->filled++;
-    jobs_submit(s->jobs, b);
+    TRY(take_block(s, o, b, BLOCK_ROWS));
+    if (b->count) {
+        s->filled++;
+        jobs_submit(s->jobs, b);
+    }
     return EXIT_DONE;
 }
 
@@ -70,16 +71,15 @@ static int fill_ring(run_state *s, const classify_options *o) {
 static int pass_kept_rows(run_state *s, const classify_options *o) {
     unsigned long rows = outputs_skip(&s->out);
     unsigned long long points = 0;
-    int status = EXIT_DONE;
-    while (!status && s->taken < rows && !s->ended) {
+    while (s->taken < rows && !s->ended) {
         const block *b = s->ring[0];
-        status = take_block(s, o, s->ring[0], rows - s->taken);
+        TRY(take_block(s, o, s->ring[0], rows - s->taken));
         points = b->count ? b->points[b->count - 1] : points;
-        if (!status && interrupt_signal())
-            status = EXIT_SIGNAL;
+        if (interrupt_signal())
+            return EXIT_SIGNAL;
     }
-    if (status || !rows || s->read_status)
-        return status;
+    if (!rows || s->read_status)
+        return EXIT_DONE;
     return outputs_pass(&s->out, s->taken, points);
 }
 
@@ -143,18 +143,13 @@ static int load_scene(run_state *s, const classify_options *o) {
 }
 
 static int prepare_run(run_state *s, const classify_options *o) {
-    int status = load_scene(s, o);
-    if (status)
-        return status;
-    if (o->grid.sizes)
-        status = grid_open(&s->grid, &o->grid, s->l.context, s->l.scene);
-    else
-        status = csv_open(&s->points, o->points, graze_scene_dimension(s->l.scene), o->shard.part,
-                          s->l.context);
-    if (!status && o->sites.wanted)
+    TRY(load_scene(s, o));
+    TRY(o->grid.sizes ? grid_open(&s->grid, &o->grid, s->l.context, s->l.scene)
+                      : csv_open(&s->points, o->points, graze_scene_dimension(s->l.scene),
+                                 o->shard.part, s->l.context));
+    if (o->sites.wanted)
         csv_expect_sites(s->points, o->sites.snap);
-    if (!status)
-        status = make_ring(s, ring_size(o));
+    TRY(make_ring(s, ring_size(o)));
     answer_task task = {.context = &o->scene.context,
                         .scene = s->l.scene,
                         .certifier = s->l.certifier,
@@ -162,11 +157,9 @@ static int prepare_run(run_state *s, const classify_options *o) {
                         .rows = &s->l.rows,
                         .source = source_of(s, o),
                         .one_by_one = graze_solid_primitive_count(s->l.solid) > 0};
-    if (!status)
-        status = jobs_start(&s->jobs, o->threads, &task);
-    if (!status)
-        status = outputs_open(&s->out);
-    return status ? status : pass_kept_rows(s, o);
+    TRY(jobs_start(&s->jobs, o->threads, &task));
+    TRY(outputs_open(&s->out));
+    return pass_kept_rows(s, o);
 }
 
 /* Rows that a signal leaves under way go on until the process ends. */

@@ -64,11 +64,11 @@ static int open_record(outputs *out) {
 
 int outputs_open(outputs *out) {
     const classify_options *o = out->o;
-    int status = results_open(outputs_main(out), o->output, o->resume);
-    if (!status && o->certificate)
-        status = results_open(&out->file[RESULT_CERTIFICATE], o->certificate,
-                              o->resume ? o->certificate : NULL);
-    return status ? status : open_record(out);
+    TRY(results_open(outputs_main(out), o->output, o->resume));
+    if (o->certificate)
+        TRY(results_open(&out->file[RESULT_CERTIFICATE], o->certificate,
+                         o->resume ? o->certificate : NULL));
+    return open_record(out);
 }
 
 unsigned long outputs_skip(const outputs *out) {
@@ -190,14 +190,13 @@ static int begin_certificate(outputs *out, const char *shard) {
 int outputs_begin(outputs *out, const row_source *source) {
     const struct shard_choice *s = &out->o->shard;
     char shard[64] = "";
-    int status = EXIT_DONE;
     if (s->given)
         snprintf(shard, sizeof shard, SHARD_LINE "%lu/%lu\n", s->part.index + 1, s->part.count);
     if (outputs_wants(out, RESULT_CERTIFICATE))
-        status = begin_certificate(out, shard);
-    if (!status && outputs_wants(out, RESULT_TABLE) && out->l->rows.format != GRAZE_FORMAT_JSONL)
-        status = begin_table(out, source, shard);
-    return status;
+        TRY(begin_certificate(out, shard));
+    if (outputs_wants(out, RESULT_TABLE) && out->l->rows.format != GRAZE_FORMAT_JSONL)
+        TRY(begin_table(out, source, shard));
+    return EXIT_DONE;
 }
 
 static int put_run(outputs *out, result_kind kind, const row_run *run) {
@@ -301,21 +300,17 @@ static int counts_undecided(const outputs *out) {
 static int put_last_lines(outputs *out, result_kind kind, unsigned long rows_of_all,
                           unsigned long long points) {
     const results *file = &out->file[kind];
-    int status = EXIT_DONE;
     if (kind == RESULT_TABLE && counts_undecided(out))
-        status = put_last_line(out, kind, UNDECIDED_LINE "%lu\n", out->at.undecided);
-    if (!status && out->o->shard.given)
-        status = put_last_line(out, kind, SHARD_ROWS "%lu\n", rows_of_all);
-    if (!status && out->o->shard.given)
-        status = put_last_line(out, kind, SHARD_POINTS "%016llx\n", points);
-    if (!status && out->o->shard.given)
-        status = put_last_line(out, kind, SHARD_BYTES "%016llx\n", checksum_value(&file->sum));
-    if (!status)
-        status = put_last_line(out, kind, COMPLETE_LINE "%lu\n", file->rows);
-    if (!status)
-        status = results_end(file);
+        TRY(put_last_line(out, kind, UNDECIDED_LINE "%lu\n", out->at.undecided));
+    if (out->o->shard.given) {
+        TRY(put_last_line(out, kind, SHARD_ROWS "%lu\n", rows_of_all));
+        TRY(put_last_line(out, kind, SHARD_POINTS "%016llx\n", points));
+        TRY(put_last_line(out, kind, SHARD_BYTES "%016llx\n", checksum_value(&file->sum)));
+    }
+    TRY(put_last_line(out, kind, COMPLETE_LINE "%lu\n", file->rows));
+    TRY(results_end(file));
     output_flush(&out->file[kind].out);
-    return status;
+    return EXIT_DONE;
 }
 
 /* Write the table in the form asked for. */

@@ -6,6 +6,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include "base/context/scope.h"
 #include "input/delimited/delimited.h"
 #include "program/io/io.h"
 #include "program/points/points.h"
@@ -34,18 +35,15 @@ static int read_piece(const results *t, char *to, size_t length, unsigned long l
 /* Find the end of the last whole line, from the file's end. */
 static int find_whole_lines(results *t) {
     char piece[PIECE];
-    int status = EXIT_DONE;
-    for (t->there = t->size; t->there && !status;) {
+    for (t->there = t->size; t->there;) {
         size_t length = t->there < PIECE ? (size_t)t->there : PIECE;
-        status = read_piece(t, piece, length, t->there - length);
-        const char *last = status ? NULL : memrchr(piece, '\n', length);
-        if (last) {
-            t->there -= length - (size_t)(last + 1 - piece);
+        TRY(read_piece(t, piece, length, t->there - length));
+        const char *last = memrchr(piece, '\n', length);
+        t->there -= length - (last ? (size_t)(last + 1 - piece) : 0);
+        if (last)
             break;
-        }
-        t->there -= length;
     }
-    return status;
+    return EXIT_DONE;
 }
 
 /* The last line of a text of whole lines, without its end. */
@@ -60,8 +58,8 @@ static int drop_notes(results *t) {
     char tail[TAIL];
     size_t length = t->there < TAIL ? (size_t)t->there : TAIL;
     field value;
-    int status = read_piece(t, tail, length, t->there - length);
-    while (!status && length) {
+    TRY(read_piece(t, tail, length, t->there - length));
+    while (length) {
         field line = last_line(tail, length);
         if (line_part_of(t->kind, line) != LINE_NOTE)
             break;
@@ -72,23 +70,22 @@ static int drop_notes(results *t) {
         t->there -= line.length + 1;
         length -= line.length + 1;
     }
-    return status;
+    return EXIT_DONE;
 }
 
 int results_open(results *t, const char *path, const char *resumed) {
     struct stat about;
     t->resumed = resumed;
-    int status = resumed ? output_continue(&t->out, resumed) : output_open(&t->out, path);
-    t->opened = !status;
-    if (status || !resumed)
-        return status;
-    status = output_lock(&t->out);
-    if (!status && fstat(t->out.fd, &about) != 0)
-        status = complain(EXIT_IO, "%s: cannot be read: %s", resumed, strerror(errno));
-    t->size = status ? 0 : (unsigned long long)about.st_size;
-    if (!status)
-        status = find_whole_lines(t);
-    return status ? status : drop_notes(t);
+    TRY(resumed ? output_continue(&t->out, resumed) : output_open(&t->out, path));
+    t->opened = 1;
+    if (!resumed)
+        return EXIT_DONE;
+    TRY(output_lock(&t->out));
+    if (fstat(t->out.fd, &about) != 0)
+        return complain(EXIT_IO, "%s: cannot be read: %s", resumed, strerror(errno));
+    t->size = (unsigned long long)about.st_size;
+    TRY(find_whole_lines(t));
+    return drop_notes(t);
 }
 
 /* These bytes are the file's. */
@@ -104,23 +101,21 @@ int results_reach(const results *t, const struct kept_bytes *kept) {
 
 int results_pass(results *t, const struct kept_bytes *kept, unsigned long rows) {
     char piece[PIECE];
-    int status = EXIT_DONE;
-    while (t->sum.length < kept->length && !status) {
+    while (t->sum.length < kept->length) {
         unsigned long long left = kept->length - t->sum.length;
         size_t length = left < PIECE ? (size_t)left : PIECE;
-        status = read_piece(t, piece, length, t->sum.length);
-        if (!status)
-            take(t, piece, length);
+        TRY(read_piece(t, piece, length, t->sum.length));
+        take(t, piece, length);
     }
-    if (!status && (t->sum.length != kept->length || checksum_value(&t->sum) != kept->sum))
-        status = complain(EXIT_INPUT,
-                          "%s: its first %lu rows are not those that were written; expected a %s "
-                          "that was not changed",
-                          t->resumed, rows, result_name(t->kind));
+    if (t->sum.length != kept->length || checksum_value(&t->sum) != kept->sum)
+        return complain(EXIT_INPUT,
+                        "%s: its first %lu rows are not those that were written; expected a %s "
+                        "that was not changed",
+                        t->resumed, rows, result_name(t->kind));
     t->rows = rows;
-    if (!status && t->sum.length == t->there)
+    if (t->sum.length == t->there)
         output_from(&t->out, (long long)t->there);
-    return status;
+    return EXIT_DONE;
 }
 
 /* Name the line at which the file and this run differ: at byte `at` of a piece and of a text. */
@@ -148,9 +143,7 @@ static int compare(results *t, const char *text, size_t length) {
     char piece[PIECE];
     while (length) {
         size_t part = length < PIECE ? length : PIECE, at = 0;
-        int status = read_piece(t, piece, part, t->sum.length);
-        if (status)
-            return status;
+        TRY(read_piece(t, piece, part, t->sum.length));
         while (at < part && piece[at] == text[at])
             at++;
         if (at < part)
@@ -167,9 +160,7 @@ int results_add(results *t, const char *text, size_t length, unsigned long rows)
     size_t there = left < length ? (size_t)left : length;
     if (!length) /* a run whose first row has no answer has no text */
         return EXIT_DONE;
-    int status = there ? compare(t, text, there) : EXIT_DONE;
-    if (status)
-        return status;
+    TRY(compare(t, text, there));
     if (there && t->sum.length == t->there)
         output_from(&t->out, (long long)t->there);
     output_bytes(&t->out, text + there, length - there);
@@ -199,9 +190,7 @@ struct kept_bytes results_kept(const results *t) {
 }
 
 int results_close(results *t, int status) {
-    if (t->opened) {
-        int closed = output_close(&t->out);
-        status = closed ? closed : status;
-    }
+    if (t->opened)
+        TRY(output_close(&t->out));
     return status;
 }
