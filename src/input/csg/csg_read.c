@@ -199,7 +199,8 @@ static graze_status read_node(size_t *node, csg_reader *r, const json *value) {
     return read_primitive(node, r, member[key], key, name);
 }
 
-static graze_status read_solid(csg_reader *r, const json *value) {
+/* The solid, with its box. */
+static graze_status read_curved(csg_reader *r, const json *value) {
     size_t node;
     TRY(read_node(&node, r, value));
     TRY(csg_build_finish(&r->build));
@@ -221,7 +222,7 @@ static graze_status read_csg(csg *out, graze_context *context, const json *root)
         return json_fail(context, GRAZE_EINPUT, member[0],
                          "the dimension is %.20s; expected 2 or 3", member[0]->text);
     HELD(csg_reader, r, context, out, (int)fmpz_get_si(dimension));
-    return json_at_last(context, read_solid(&r, member[1]), root);
+    return json_at_last(context, read_curved(&r, member[1]), root);
 }
 
 graze_status csg_read_text(csg *out, graze_context *context, const char *name, const char *text,

@@ -69,25 +69,25 @@ graze_status csg_read_polynomial(size_t *node, csg_reader *r, const json *value)
 }
 
 /* The nodes of the edges of a polygon, and its box. */
-typedef struct edges {
+typedef struct polygon_edges {
     size_t *node, count, capacity;
     int revolved;     /* about the z axis: points are distances from it, and heights */
     int bounded;      /* the box holds a point */
     fmpq *low, *high; /* 3 each; heights of a prism last */
-} edges;
+} polygon_edges;
 
-static void edges_init(edges *e) {
-    *e = (edges){.low = _fmpq_vec_init(6)};
+static void polygon_edges_init(polygon_edges *e) {
+    *e = (polygon_edges){.low = _fmpq_vec_init(6)};
     e->high = e->low + 3;
 }
 
-static void edges_clear(edges *e) {
+static void polygon_edges_clear(polygon_edges *e) {
     free(e->node);
     _fmpq_vec_clear(e->low, 6);
 }
 
 /* Let the box hold a point. */
-static void hold_corner(edges *e, const fmpq *point) {
+static void hold_corner(polygon_edges *e, const fmpq *point) {
     for (int i = 0; i < 2; i++) {
         if (!e->bounded || fmpq_cmp(point + i, e->low + i) < 0)
             fmpq_set(e->low + i, point + i);
@@ -99,7 +99,8 @@ static void hold_corner(edges *e, const fmpq *point) {
 
 /* Add the points on one side of the edge from p to q, f <= 0 of the reader, between the lines, or
  * planes, through p and q, which differ in coordinate `along`. */
-static graze_status add_strip(edges *e, csg_reader *r, const fmpq *p, const fmpq *q, int along) {
+static graze_status add_strip(polygon_edges *e, csg_reader *r, const fmpq *p, const fmpq *q,
+                              int along) {
     const fmpq_mpoly_struct *x = &r->coordinate[e->revolved ? 2 : 0];
     const fmpq *end[2] = {p + along, q + along};
     size_t part[3];
@@ -114,7 +115,7 @@ static graze_status add_strip(edges *e, csg_reader *r, const fmpq *p, const fmpq
 }
 
 /* The points above the edge from p to q. */
-static graze_status add_edge(edges *e, csg_reader *r, const fmpq *p, const fmpq *q) {
+static graze_status add_edge(polygon_edges *e, csg_reader *r, const fmpq *p, const fmpq *q) {
     const fmpq *left = fmpq_cmp(p, q) < 0 ? p : q, *right = left == p ? q : p;
     if (fmpq_equal(p, q))
         return GRAZE_OK;
@@ -142,7 +143,8 @@ static void cut_at_axis(fmpq *p, const fmpq *q) {
 /* Add the points that the edge from p to q encloses as it turns, between the heights of p and q:
  * (height of the edge)^2 |(x, y)|^2 <= l^2, where the form l of z is that height times the edge's
  * distance from the axis. */
-static graze_status add_revolved_edge(edges *e, csg_reader *r, const fmpq *p, const fmpq *q) {
+static graze_status add_revolved_edge(polygon_edges *e, csg_reader *r, const fmpq *p,
+                                      const fmpq *q) {
     const fmpq_mpoly_ctx_struct *ring = r->build.ring;
     if (fmpq_equal(p + 1, q + 1) || (fmpq_sgn(p) <= 0 && fmpq_sgn(q) <= 0))
         return GRAZE_OK;
@@ -169,8 +171,8 @@ static graze_status add_revolved_edge(edges *e, csg_reader *r, const fmpq *p, co
     return add_strip(e, r, from, to, 1);
 }
 
-static graze_status read_polygon_ring(edges *e, csg_reader *r, const json *value) {
-    graze_status (*add)(edges *, csg_reader *, const fmpq *, const fmpq *) =
+static graze_status read_polygon_ring(polygon_edges *e, csg_reader *r, const json *value) {
+    graze_status (*add)(polygon_edges *, csg_reader *, const fmpq *, const fmpq *) =
         e->revolved ? add_revolved_edge : add_edge;
     TRY(json_array(r->build.context, value, 0));
     if (value->count < 3)
@@ -192,7 +194,7 @@ static graze_status read_polygon_ring(edges *e, csg_reader *r, const json *value
 }
 
 /* The prism between two heights. */
-static graze_status extrude(size_t *node, edges *e, csg_reader *r, const json *value) {
+static graze_status extrude(size_t *node, polygon_edges *e, csg_reader *r, const json *value) {
     size_t part[3] = {*node, 0, 0};
     LOCAL_VEC(fmpq, height, 2);
     TRY(csg_read_vector(height, r, value, 2));
@@ -228,7 +230,7 @@ static graze_status polygon_form(int *revolved, csg_reader *r, const json *value
 }
 
 /* Let the box be that of what is revolved. */
-static void revolve_box(edges *e) {
+static void revolve_box(polygon_edges *e) {
     fmpq_swap(e->low + 1, e->low + 2);
     fmpq_swap(e->high + 1, e->high + 2);
     fmpq_set(e->high + 1, e->high);
@@ -240,7 +242,7 @@ graze_status csg_read_polygon(size_t *node, csg_reader *r, const json *value) {
     static const char *const names[] = {"points", "holes", "extrude", "revolve"};
     graze_context *context = r->build.context;
     const json *member[4];
-    HELD(edges, e);
+    HELD(polygon_edges, e);
     TRY(json_members(member, context, value, names, 4));
     if (!member[0])
         return json_fail(context, GRAZE_EINPUT, value, "the key points is missing");

@@ -9,7 +9,7 @@
 #include "output/table/table.h"
 #include "program/io/io.h"
 #include "program/points/points.h"
-#include "program/run/kept.h"
+#include "program/run/results.h"
 
 /* Name the place of a row for messages. */
 static void put_place(text *out, const row_source *from, const block *b, size_t row) {

@@ -4,7 +4,7 @@
 #include "base/context/scope.h"
 #include "base/number/text.h"
 #include "program/points/points.h"
-#include "program/run/kept.h"
+#include "program/run/results.h"
 
 static graze_status make_site(graze_site **out, graze_context *context, const graze_scene *scene,
                               const site_rows *rows, size_t row) {
