@@ -55,7 +55,7 @@
 /** TRY(call): if it fails, the function returns its status. */
 #define TRY(call)                                                                                  \
     do {                                                                                           \
-        graze_status tried = (call);                                                               \
+        __auto_type tried = (call);                                                                \
         if (tried)                                                                                 \
             return tried;                                                                          \
     } while (0)

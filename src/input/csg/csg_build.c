@@ -28,10 +28,6 @@ void csg_build_begin(csg_builder *b, graze_context *context, csg *out, int dimen
     fmpq_mpoly_ctx_init(b->ring, dimension, ORD_LEX);
 }
 
-void csg_build_clear(csg_builder *b) {
-    fmpq_mpoly_ctx_clear(b->ring);
-}
-
 graze_status csg_add_primitive(csg_builder *b, const char *kind, const char *name) {
     csg *out = b->out;
     graze_status status =

@@ -60,19 +60,17 @@ static graze_status read_node(size_t *node, csg_reader *r, const json *value);
 static graze_status read_operands(size_t *node, csg_reader *r, const json *value, int key) {
     graze_context *context = r->build.context;
     size_t least = key == DIFFERENCE ? 2 : 1;
-    graze_status status = json_array(context, value, 0);
-    if (status)
-        return status;
+    TRY(json_array(context, value, 0));
     if (value->count < least)
         return json_fail(context, GRAZE_EINPUT, value, "expected at least %zu %s", least,
                          least == 1 ? "node" : "nodes");
-    size_t *part = malloc(value->count * sizeof *part);
+    FREED(size_t, part, malloc(value->count * sizeof *part));
     if (!part)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu nodes", value->count);
     HELD(csg_box, box);
-    for (const json *item = value->first; item && !status; item = item->next) {
-        status = read_node(&part[item->index], r, item);
-        if (!status && key == DIFFERENCE && item->index > 0)
+    for (const json *item = value->first; item; item = item->next) {
+        TRY(read_node(&part[item->index], r, item));
+        if (key == DIFFERENCE && item->index > 0)
             csg_complement(&r->build, part[item->index]);
         if (item->index == 0)
             csg_box_set(&box, &r->box);
@@ -82,11 +80,7 @@ static graze_status read_operands(size_t *node, csg_reader *r, const json *value
             csg_bound_intersection(&box, &r->box);
     }
     csg_box_set(&r->box, &box);
-    if (!status)
-        status =
-            csg_add_node(node, &r->build, key == UNION ? CSG_ANY : CSG_ALL, part, value->count);
-    free(part);
-    return status;
+    return csg_add_node(node, &r->build, key == UNION ? CSG_ANY : CSG_ALL, part, value->count);
 }
 
 /* Rows of d + 1 numbers as an invertible matrix of size d + 1, and its inverse. */
@@ -126,20 +120,16 @@ static graze_status read_affine(size_t *node, csg_reader *r, const json *value) 
     const json *member[2];
     int d = r->dimension;
     fmpq_mpoly_struct outer[3];
-    graze_status status = json_members(member, r->build.context, value, names, 2);
-    if (!status && (!member[0] || !member[1]))
-        status = json_fail(r->build.context, GRAZE_EINPUT, value, "expected matrix and of");
-    if (status)
-        return status;
+    TRY(json_members(member, r->build.context, value, names, 2));
+    if (!member[0] || !member[1])
+        return json_fail(r->build.context, GRAZE_EINPUT, value, "expected matrix and of");
     LOCAL(fmpq_mat, map, d + 1, d + 1);
     LOCAL(fmpq_mat, inverse, d + 1, d + 1);
     LOCAL(fmpq, constant);
-    status = read_map(map, inverse, r, member[0]);
-    if (!status)
-        fmpq_mat_mul(map, r->place, map);
-    if (!status)
-        status = check_digits(r, map->entries, (d + 1) * (d + 1), member[0],
-                              "numbers of the map, with those around it");
+    TRY(read_map(map, inverse, r, member[0]));
+    fmpq_mat_mul(map, r->place, map);
+    TRY(check_digits(r, map->entries, (d + 1) * (d + 1), member[0],
+                     "numbers of the map, with those around it"));
     fmpq_mat_swap(map, r->place);
     for (int i = 0; i < d; i++)
         outer[i] = r->coordinate[i];
@@ -148,8 +138,7 @@ static graze_status read_affine(size_t *node, csg_reader *r, const json *value) 
         fmpq_neg(constant, fmpq_mat_entry(inverse, i, d));
         csg_linear_form(&r->coordinate[i], r, fmpq_mat_entry(inverse, i, 0), outer, constant);
     }
-    if (!status)
-        status = read_node(node, r, member[1]);
+    graze_status status = read_node(node, r, member[1]);
     for (int i = 0; i < d; i++) {
         fmpq_mpoly_clear(&r->coordinate[i], r->build.ring);
         r->coordinate[i] = outer[i];
@@ -210,38 +199,30 @@ static graze_status read_node(size_t *node, csg_reader *r, const json *value) {
     return read_primitive(node, r, member[key], key, name);
 }
 
+/* The solid, with its box. */
+static graze_status read_curved(csg_reader *r, const json *value) {
+    size_t node;
+    TRY(read_node(&node, r, value));
+    TRY(csg_build_finish(&r->build));
+    TRY(check_digits(r, r->box.low, r->box.dimension, value, "a box of the solid"));
+    TRY(check_digits(r, r->box.high, r->box.dimension, value, "a box of the solid"));
+    csg_box_set(&r->build.out->box, &r->box);
+    return GRAZE_OK;
+}
+
 static graze_status read_csg(csg *out, graze_context *context, const json *root) {
     static const char *const names[] = {"dimension", "solid"};
     const json *member[2];
-    fmpz_t dimension;
-    csg_reader r = {.dimension = 0};
-    size_t node;
-    fmpz_init(dimension);
-    graze_status status = json_members(member, context, root, names, 2);
-    if (!status && (!member[0] || !member[1]))
-        status = json_fail(context, GRAZE_EINPUT, root, "expected dimension and solid");
-    if (!status)
-        status = entry_integer(dimension, context, member[0]);
-    if (!status && !fmpz_equal_ui(dimension, 2) && !fmpz_equal_ui(dimension, 3))
-        status = json_fail(context, GRAZE_EINPUT, member[0],
-                           "the dimension is %.20s; expected 2 or 3", member[0]->text);
-    r.dimension = status ? 0 : (int)fmpz_get_si(dimension);
-    fmpz_clear(dimension);
-    if (status)
-        return status;
-    csg_build_begin(&r.build, context, out, r.dimension);
-    csg_reader_init(&r);
-    status = read_node(&node, &r, member[1]);
-    if (!status)
-        status = csg_build_finish(&r.build);
-    if (!status)
-        status = check_digits(&r, r.box.low, r.box.dimension, member[1], "a box of the solid");
-    if (!status)
-        status = check_digits(&r, r.box.high, r.box.dimension, member[1], "a box of the solid");
-    csg_box_set(&out->box, &r.box);
-    csg_reader_clear(&r);
-    csg_build_clear(&r.build);
-    return json_at_last(context, status, root);
+    LOCAL(fmpz, dimension);
+    TRY(json_members(member, context, root, names, 2));
+    if (!member[0] || !member[1])
+        return json_fail(context, GRAZE_EINPUT, root, "expected dimension and solid");
+    TRY(entry_integer(dimension, context, member[0]));
+    if (!fmpz_equal_ui(dimension, 2) && !fmpz_equal_ui(dimension, 3))
+        return json_fail(context, GRAZE_EINPUT, member[0],
+                         "the dimension is %.20s; expected 2 or 3", member[0]->text);
+    HELD(csg_reader, r, context, out, (int)fmpz_get_si(dimension));
+    return json_at_last(context, read_curved(&r, member[1]), root);
 }
 
 graze_status csg_read_text(csg *out, graze_context *context, const char *name, const char *text,
@@ -260,13 +241,9 @@ graze_status csg_read_text(csg *out, graze_context *context, const char *name, c
 
 graze_status csg_read(csg *out, unsigned char sha256[32], graze_context *context,
                       const char *path) {
-    char *text;
+    FREED(char, text, NULL);
     size_t length;
     *out = (csg){.dimension = 0};
-    graze_status status = file_read(&text, &length, sha256, context, path);
-    if (status)
-        return status;
-    status = csg_read_text(out, context, path, text, length);
-    free(text);
-    return status;
+    TRY(file_read(&text, &length, sha256, context, path));
+    return csg_read_text(out, context, path, text, length);
 }

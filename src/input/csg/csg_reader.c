@@ -8,8 +8,10 @@
 #include "input/csg/csg_reader.h"
 #include "input/motion/motion.h"
 
-void csg_reader_init(csg_reader *r) {
+void csg_reader_init(csg_reader *r, graze_context *context, csg *out, int dimension) {
     const fmpq_mpoly_ctx_struct *ring = r->build.ring;
+    csg_build_begin(&r->build, context, out, dimension);
+    r->dimension = dimension;
     fmpq_mat_init(r->place, r->dimension + 1, r->dimension + 1);
     fmpq_mat_one(r->place);
     csg_box_init(&r->box);
@@ -25,7 +27,7 @@ void csg_reader_init(csg_reader *r) {
 }
 
 void csg_reader_clear(csg_reader *r) {
-    const fmpq_mpoly_ctx_struct *ring = r->build.ring;
+    fmpq_mpoly_ctx_struct *ring = r->build.ring;
     fmpq_mat_clear(r->place);
     csg_box_clear(&r->box);
     for (int i = 0; i < r->dimension; i++) {
@@ -36,6 +38,7 @@ void csg_reader_clear(csg_reader *r) {
     fmpq_mpoly_clear(&r->along, ring);
     fmpq_mpoly_clear(&r->f, ring);
     fmpq_mpoly_clear(&r->term, ring);
+    fmpq_mpoly_ctx_clear(ring);
 }
 
 graze_status csg_read_members(const json **out, csg_reader *r, const json *value,

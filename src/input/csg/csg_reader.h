@@ -24,8 +24,6 @@ typedef struct csg_builder {
 /** Begin with an empty solid. Functions after it return GRAZE_ELIMIT past the limit `cells` of
  * nodes or of operands, GRAZE_ECANCELED, GRAZE_ESYSTEM. */
 void csg_build_begin(csg_builder *b, graze_context *context, csg *out, int dimension);
-/** Free the builder's memory; what it has built stays. */
-void csg_build_clear(csg_builder *b);
 
 /** One more primitive, whose signs follow. `name` may be NULL. */
 graze_status csg_add_primitive(csg_builder *b, const char *kind, const char *name);
@@ -60,8 +58,8 @@ typedef struct csg_reader {
 /** Read the value of a primitive's key, after csg_add_primitive. */
 typedef graze_status csg_primitive_reader(size_t *node, csg_reader *r, const json *value);
 
-/** A reader in the frame of the solid, whose builder and dimension are set. */
-void csg_reader_init(csg_reader *r);
+/** A reader in the frame of the solid, and its builder; what it has built stays after the clear. */
+void csg_reader_init(csg_reader *r, graze_context *context, csg *out, int dimension);
 void csg_reader_clear(csg_reader *r);
 
 /** The members of a primitive: the first `needed` of `count` must be there. */

@@ -87,20 +87,18 @@ static graze_status read_corners(faces *f, const json *face) {
     graze_context *context = f->r->build.context;
     LOCAL(fmpz, number);
     size_t k = 0;
-    graze_status status = json_array(context, face, 0);
-    if (!status && face->count < 3)
-        status = json_fail(context, GRAZE_EINPUT, face, "expected at least 3 points, not %zu",
-                           face->count);
-    for (const json *item = status ? NULL : face->first; item && !status; item = item->next) {
-        status = entry_integer(number, context, item);
-        if (!status && (fmpz_sgn(number) < 0 || fmpz_cmp_ui(number, f->points) >= 0))
-            status = json_fail(context, GRAZE_EINPUT, item,
-                               "expected the number of a point, below "
-                               "%zu",
-                               f->points);
-        f->corner[k++] = status ? 0 : fmpz_get_ui(number);
+    TRY(json_array(context, face, 0));
+    if (face->count < 3)
+        return json_fail(context, GRAZE_EINPUT, face, "expected at least 3 points, not %zu",
+                         face->count);
+    for (const json *item = face->first; item; item = item->next) {
+        TRY(entry_integer(number, context, item));
+        if (fmpz_sgn(number) < 0 || fmpz_cmp_ui(number, f->points) >= 0)
+            return json_fail(context, GRAZE_EINPUT, item,
+                             "expected the number of a point, below %zu", f->points);
+        f->corner[k++] = fmpz_get_ui(number);
     }
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status read_face(faces *f, const json *face) {
@@ -140,12 +138,11 @@ static graze_status check_closed(faces *f) {
 }
 
 static graze_status polyhedron_points(faces *f, const json *value) {
-    graze_status status = GRAZE_OK;
     LOCAL_VEC(fmpq, low, 6);
     fmpq *high = low + 3;
-    for (const json *item = value->first; item && !status; item = item->next) {
+    for (const json *item = value->first; item; item = item->next) {
         fmpq *x = f->point + 3 * item->index;
-        status = csg_read_vector(x, f->r, item, 3);
+        TRY(csg_read_vector(x, f->r, item, 3));
         for (int i = 0; i < 3; i++) {
             if (item->index == 0 || fmpq_cmp(x + i, low + i) < 0)
                 fmpq_set(low + i, x + i);
@@ -154,7 +151,7 @@ static graze_status polyhedron_points(faces *f, const json *value) {
         }
     }
     csg_bound_corners(f->r, low, high);
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status polyhedron_faces(size_t *node, faces *f, const json *points, const json *list) {
@@ -163,28 +160,24 @@ static graze_status polyhedron_faces(size_t *node, faces *f, const json *points,
         corners += face->count;
         most = face->count > most ? face->count : most;
     }
+    LOCAL_VEC(fmpq, point, (slong)(3 * points->count));
+    LOCAL_VEC(fmpq, form, 10);
+    FREED(size_t, corner, malloc((most + 1) * sizeof *corner));
+    FREED(edge, sides, malloc((corners + 1) * sizeof *sides));
+    FREED(size_t, planes, malloc((list->count + 1) * sizeof *planes));
+    if (!corner || !sides || !planes)
+        return context_fail(f->r->build.context, GRAZE_ESYSTEM, "out of memory for a polyhedron");
     f->points = points->count;
-    f->point = _fmpq_vec_init((slong)(3 * f->points));
-    f->form = _fmpq_vec_init(10);
-    f->corner = malloc((most + 1) * sizeof *f->corner);
-    f->edge = malloc((corners + 1) * sizeof *f->edge);
-    f->node = malloc((list->count + 1) * sizeof *f->node);
-    graze_status status =
-        f->corner && f->edge && f->node
-            ? polyhedron_points(f, points)
-            : context_fail(f->r->build.context, GRAZE_ESYSTEM, "out of memory for a polyhedron");
-    for (const json *face = list->first; face && !status; face = face->next)
-        status = read_face(f, face);
-    if (!status)
-        status = check_closed(f);
-    if (!status)
-        status = csg_add_node(node, &f->r->build, CSG_ALL, f->node, f->nodes);
-    _fmpq_vec_clear(f->point, (slong)(3 * f->points));
-    _fmpq_vec_clear(f->form, 10);
-    free(f->corner);
-    free(f->edge);
-    free(f->node);
-    return status;
+    f->point = point;
+    f->form = form;
+    f->corner = corner;
+    f->edge = sides;
+    f->node = planes;
+    TRY(polyhedron_points(f, points));
+    for (const json *face = list->first; face; face = face->next)
+        TRY(read_face(f, face));
+    TRY(check_closed(f));
+    return csg_add_node(node, &f->r->build, CSG_ALL, f->node, f->nodes);
 }
 
 graze_status csg_read_polyhedron(size_t *node, csg_reader *r, const json *value) {

@@ -47,42 +47,47 @@ static void add_term(csg_reader *r, const fmpq_t coefficient, const ulong *power
 
 graze_status csg_read_polynomial(size_t *node, csg_reader *r, const json *value) {
     graze_context *context = r->build.context;
-    fmpq_t coefficient;
+    LOCAL(fmpq, coefficient);
     ulong power[3];
-    graze_status status = GRAZE_OK;
     if (value->kind != JSON_OBJECT)
         return json_fail(context, GRAZE_EINPUT, value,
                          "expected an object of coefficients by powers");
-    fmpq_init(coefficient);
     fmpq_mpoly_zero(&r->f, r->build.ring);
-    for (const json *term = value->first; term && !status; term = term->next) {
-        status = read_powers(power, r, term);
-        for (const json *other = value->first; other != term && !status; other = other->next)
+    for (const json *term = value->first; term; term = term->next) {
+        TRY(read_powers(power, r, term));
+        for (const json *other = value->first; other != term; other = other->next)
             if (!strcmp(other->key, term->key))
-                status = json_fail(context, GRAZE_EINPUT, term,
-                                   "this key is repeated; the first is in line %zu", other->line);
-        if (!status)
-            status = csg_read_number(coefficient, r, term);
-        if (!status)
-            add_term(r, coefficient, power);
+                return json_fail(context, GRAZE_EINPUT, term,
+                                 "this key is repeated; the first is in line %zu", other->line);
+        TRY(csg_read_number(coefficient, r, term));
+        add_term(r, coefficient, power);
     }
-    fmpq_clear(coefficient);
-    if (!status && fmpq_mpoly_is_zero(&r->f, r->build.ring))
-        status = json_fail(context, GRAZE_EILLEGAL, value,
-                           "the polynomial is zero; expected a coefficient that is not");
-    return status ? status : csg_add_side(node, r, 0);
+    if (fmpq_mpoly_is_zero(&r->f, r->build.ring))
+        return json_fail(context, GRAZE_EILLEGAL, value,
+                         "the polynomial is zero; expected a coefficient that is not");
+    return csg_add_side(node, r, 0);
 }
 
 /* The nodes of the edges of a polygon, and its box. */
-typedef struct edges {
+typedef struct polygon_edges {
     size_t *node, count, capacity;
     int revolved;     /* about the z axis: points are distances from it, and heights */
     int bounded;      /* the box holds a point */
     fmpq *low, *high; /* 3 each; heights of a prism last */
-} edges;
+} polygon_edges;
+
+static void polygon_edges_init(polygon_edges *e) {
+    *e = (polygon_edges){.low = _fmpq_vec_init(6)};
+    e->high = e->low + 3;
+}
+
+static void polygon_edges_clear(polygon_edges *e) {
+    free(e->node);
+    _fmpq_vec_clear(e->low, 6);
+}
 
 /* Let the box hold a point. */
-static void hold_corner(edges *e, const fmpq *point) {
+static void hold_corner(polygon_edges *e, const fmpq *point) {
     for (int i = 0; i < 2; i++) {
         if (!e->bounded || fmpq_cmp(point + i, e->low + i) < 0)
             fmpq_set(e->low + i, point + i);
@@ -94,7 +99,8 @@ static void hold_corner(edges *e, const fmpq *point) {
 
 /* Add the points on one side of the edge from p to q, f <= 0 of the reader, between the lines, or
  * planes, through p and q, which differ in coordinate `along`. */
-static graze_status add_strip(edges *e, csg_reader *r, const fmpq *p, const fmpq *q, int along) {
+static graze_status add_strip(polygon_edges *e, csg_reader *r, const fmpq *p, const fmpq *q,
+                              int along) {
     const fmpq_mpoly_struct *x = &r->coordinate[e->revolved ? 2 : 0];
     const fmpq *end[2] = {p + along, q + along};
     size_t part[3];
@@ -109,7 +115,7 @@ static graze_status add_strip(edges *e, csg_reader *r, const fmpq *p, const fmpq
 }
 
 /* The points above the edge from p to q. */
-static graze_status add_edge(edges *e, csg_reader *r, const fmpq *p, const fmpq *q) {
+static graze_status add_edge(polygon_edges *e, csg_reader *r, const fmpq *p, const fmpq *q) {
     const fmpq *left = fmpq_cmp(p, q) < 0 ? p : q, *right = left == p ? q : p;
     if (fmpq_equal(p, q))
         return GRAZE_OK;
@@ -137,7 +143,8 @@ static void cut_at_axis(fmpq *p, const fmpq *q) {
 /* Add the points that the edge from p to q encloses as it turns, between the heights of p and q:
  * (height of the edge)^2 |(x, y)|^2 <= l^2, where the form l of z is that height times the edge's
  * distance from the axis. */
-static graze_status add_revolved_edge(edges *e, csg_reader *r, const fmpq *p, const fmpq *q) {
+static graze_status add_revolved_edge(polygon_edges *e, csg_reader *r, const fmpq *p,
+                                      const fmpq *q) {
     const fmpq_mpoly_ctx_struct *ring = r->build.ring;
     if (fmpq_equal(p + 1, q + 1) || (fmpq_sgn(p) <= 0 && fmpq_sgn(q) <= 0))
         return GRAZE_OK;
@@ -164,34 +171,30 @@ static graze_status add_revolved_edge(edges *e, csg_reader *r, const fmpq *p, co
     return add_strip(e, r, from, to, 1);
 }
 
-static graze_status read_polygon_ring(edges *e, csg_reader *r, const json *value) {
-    graze_status (*add)(edges *, csg_reader *, const fmpq *, const fmpq *) =
+static graze_status read_polygon_ring(polygon_edges *e, csg_reader *r, const json *value) {
+    graze_status (*add)(polygon_edges *, csg_reader *, const fmpq *, const fmpq *) =
         e->revolved ? add_revolved_edge : add_edge;
-    graze_status status = json_array(r->build.context, value, 0);
-    if (!status && value->count < 3)
-        status = json_fail(r->build.context, GRAZE_EINPUT, value,
-                           "expected at least 3 points, not %zu", value->count);
-    if (status)
-        return status;
+    TRY(json_array(r->build.context, value, 0));
+    if (value->count < 3)
+        return json_fail(r->build.context, GRAZE_EINPUT, value,
+                         "expected at least 3 points, not %zu", value->count);
     LOCAL_VEC(fmpq, point, 6);
     fmpq *first = point, *last = point + 2, *next = point + 4;
-    for (const json *item = value->first; item && !status; item = item->next) {
-        status = csg_read_vector(next, r, item, 2);
+    for (const json *item = value->first; item; item = item->next) {
+        TRY(csg_read_vector(next, r, item, 2));
         hold_corner(e, next);
-        if (!status && item->index > 0)
-            status = add(e, r, last, next);
+        if (item->index > 0)
+            TRY(add(e, r, last, next));
         for (int i = 0; i < 2; i++) {
             fmpq_set(item->index > 0 ? last + i : first + i, next + i);
             fmpq_set(last + i, next + i);
         }
     }
-    if (!status)
-        status = add(e, r, last, first);
-    return status;
+    return add(e, r, last, first);
 }
 
 /* The prism between two heights. */
-static graze_status extrude(size_t *node, edges *e, csg_reader *r, const json *value) {
+static graze_status extrude(size_t *node, polygon_edges *e, csg_reader *r, const json *value) {
     size_t part[3] = {*node, 0, 0};
     LOCAL_VEC(fmpq, height, 2);
     TRY(csg_read_vector(height, r, value, 2));
@@ -227,7 +230,7 @@ static graze_status polygon_form(int *revolved, csg_reader *r, const json *value
 }
 
 /* Let the box be that of what is revolved. */
-static void revolve_box(edges *e) {
+static void revolve_box(polygon_edges *e) {
     fmpq_swap(e->low + 1, e->low + 2);
     fmpq_swap(e->high + 1, e->high + 2);
     fmpq_set(e->high + 1, e->high);
@@ -239,31 +242,23 @@ graze_status csg_read_polygon(size_t *node, csg_reader *r, const json *value) {
     static const char *const names[] = {"points", "holes", "extrude", "revolve"};
     graze_context *context = r->build.context;
     const json *member[4];
-    edges e = {.low = _fmpq_vec_init(6)};
-    e.high = e.low + 3;
-    graze_status status = json_members(member, context, value, names, 4);
-    if (!status && !member[0])
-        status = json_fail(context, GRAZE_EINPUT, value, "the key points is missing");
-    if (!status)
-        status = polygon_form(&e.revolved, r, value, member[2], member[3]);
-    if (!status)
-        status = read_polygon_ring(&e, r, member[0]);
-    if (!status && member[1])
-        status = json_array(context, member[1], 0);
-    const json *hole = !status && member[1] ? member[1]->first : NULL;
-    for (; hole && !status; hole = hole->next)
-        status = read_polygon_ring(&e, r, hole);
-    if (!status && e.count == 0)
-        status = json_fail(context, GRAZE_EILLEGAL, value, "the polygon has no interior");
-    if (!status)
-        status = csg_add_node(node, &r->build, CSG_ODD, e.node, e.count);
-    if (!status && member[2])
-        status = extrude(node, &e, r, member[2]);
-    if (!status && e.revolved)
+    HELD(polygon_edges, e);
+    TRY(json_members(member, context, value, names, 4));
+    if (!member[0])
+        return json_fail(context, GRAZE_EINPUT, value, "the key points is missing");
+    TRY(polygon_form(&e.revolved, r, value, member[2], member[3]));
+    TRY(read_polygon_ring(&e, r, member[0]));
+    if (member[1])
+        TRY(json_array(context, member[1], 0));
+    for (const json *hole = member[1] ? member[1]->first : NULL; hole; hole = hole->next)
+        TRY(read_polygon_ring(&e, r, hole));
+    if (e.count == 0)
+        return json_fail(context, GRAZE_EILLEGAL, value, "the polygon has no interior");
+    TRY(csg_add_node(node, &r->build, CSG_ODD, e.node, e.count));
+    if (member[2])
+        TRY(extrude(node, &e, r, member[2]));
+    if (e.revolved)
         revolve_box(&e);
-    if (!status)
-        csg_bound_corners(r, e.low, e.high);
-    free(e.node);
-    _fmpq_vec_clear(e.low, 6);
-    return status;
+    csg_bound_corners(r, e.low, e.high);
+    return GRAZE_OK;
 }

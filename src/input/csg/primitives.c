@@ -101,7 +101,7 @@ static void set_cylinder(csg_reader *r, const placed *p) {
 static graze_status read_placed_axis(placed *p, csg_reader *r, const json *point,
                                      const json *axis) {
     size_t d = (size_t)r->dimension;
-    fmpq_t zero;
+    LOCAL(fmpq, zero);
     TRY(csg_read_vector(p->point, r, point, d));
     TRY(csg_read_vector(p->axis, r, axis, d));
     for (size_t i = 0; i < d; i++)
@@ -109,22 +109,21 @@ static graze_status read_placed_axis(placed *p, csg_reader *r, const json *point
     if (fmpq_is_zero(p->length2))
         return json_fail(r->build.context, GRAZE_EILLEGAL, axis,
                          "the axis is zero; expected a direction");
-    fmpq_init(zero);
     set_from(r, p->point);
     csg_linear_form(&r->along, r, p->axis, r->from, zero);
-    fmpq_clear(zero);
     return GRAZE_OK;
 }
 
 static graze_status read_bounds(placed *p, csg_reader *r, const json *from, const json *to) {
-    graze_status status = from ? csg_read_number(p->from, r, from) : GRAZE_OK;
-    if (!status && to)
-        status = csg_read_number(p->to, r, to);
+    if (from)
+        TRY(csg_read_number(p->from, r, from));
+    if (to)
+        TRY(csg_read_number(p->to, r, to));
     p->has_from = from != NULL;
     p->has_to = to != NULL;
-    if (!status && from && to && fmpq_cmp(p->from, p->to) >= 0)
-        status = json_fail(r->build.context, GRAZE_EILLEGAL, to, "expected more than from");
-    return status;
+    if (from && to && fmpq_cmp(p->from, p->to) >= 0)
+        return json_fail(r->build.context, GRAZE_EILLEGAL, to, "expected more than from");
+    return GRAZE_OK;
 }
 
 /* The surface at hand, f, between the bounds that are given. */
@@ -187,25 +186,22 @@ graze_status csg_read_box(size_t *node, csg_reader *r, const json *value) {
     static const char *const names[] = {"low", "high"};
     const json *member[2];
     size_t part[6], d = (size_t)r->dimension;
-    fmpq *end[2] = {_fmpq_vec_init(3), _fmpq_vec_init(3)};
-    graze_status status = csg_read_members(member, r, value, names, 2, 2);
-    for (int k = 0; k < 2 && !status; k++)
-        status = csg_read_vector(end[k], r, member[k], d);
-    for (size_t i = 0; i < d && !status; i++)
-        if (fmpq_cmp(end[0] + i, end[1] + i) >= 0)
-            status = json_fail(r->build.context, GRAZE_EILLEGAL, member[1],
-                               "expected more than low in each coordinate");
-    for (size_t k = 0; k < 2 * d && !status; k++) {
-        fmpq_mpoly_sub_fmpq(&r->f, &r->coordinate[k / 2], end[k % 2] + k / 2, r->build.ring);
-        status = csg_add_side(&part[k], r, k % 2 == 0);
+    LOCAL_VEC(fmpq, low, 6);
+    fmpq *high = low + 3;
+    TRY(csg_read_members(member, r, value, names, 2, 2));
+    TRY(csg_read_vector(low, r, member[0], d));
+    TRY(csg_read_vector(high, r, member[1], d));
+    for (size_t i = 0; i < d; i++)
+        if (fmpq_cmp(low + i, high + i) >= 0)
+            return json_fail(r->build.context, GRAZE_EILLEGAL, member[1],
+                             "expected more than low in each coordinate");
+    for (size_t k = 0; k < 2 * d; k++) {
+        fmpq_mpoly_sub_fmpq(&r->f, &r->coordinate[k / 2], low + 3 * (k % 2) + k / 2, r->build.ring);
+        TRY(csg_add_side(&part[k], r, k % 2 == 0));
     }
-    if (!status)
-        status = csg_add_node(node, &r->build, CSG_ALL, part, 2 * d);
-    if (!status)
-        csg_bound_corners(r, end[0], end[1]);
-    _fmpq_vec_clear(end[0], 3);
-    _fmpq_vec_clear(end[1], 3);
-    return status;
+    TRY(csg_add_node(node, &r->build, CSG_ALL, part, 2 * d));
+    csg_bound_corners(r, low, high);
+    return GRAZE_OK;
 }
 
 graze_status csg_read_ball(size_t *node, csg_reader *r, const json *value) {
@@ -224,28 +220,21 @@ graze_status csg_read_ellipsoid(size_t *node, csg_reader *r, const json *value) 
     static const char *const names[] = {"semiaxes", "center"};
     const json *member[2];
     HELD(placed, p);
-    graze_status status = csg_read_members(member, r, value, names, 2, 1);
-    if (!status)
-        status = json_array(r->build.context, member[0], (size_t)r->dimension);
-    if (!status && member[1])
-        status = csg_read_vector(p.point, r, member[1], (size_t)r->dimension);
-    const json *item = status ? NULL : member[0]->first;
-    for (; item && !status; item = item->next)
-        status = read_size(p.axis + item->index, r, item);
-    if (!status) {
-        set_from(r, p.point);
-        fmpq_mpoly_set_si(&r->f, -1, r->build.ring);
-    }
-    for (int i = 0; i < r->dimension && !status; i++) {
+    TRY(csg_read_members(member, r, value, names, 2, 1));
+    TRY(json_array(r->build.context, member[0], (size_t)r->dimension));
+    if (member[1])
+        TRY(csg_read_vector(p.point, r, member[1], (size_t)r->dimension));
+    for (const json *item = member[0]->first; item; item = item->next)
+        TRY(read_size(p.axis + item->index, r, item));
+    set_from(r, p.point);
+    fmpq_mpoly_set_si(&r->f, -1, r->build.ring);
+    for (int i = 0; i < r->dimension; i++) {
         fmpq_mpoly_scalar_div_fmpq(&r->term, &r->from[i], p.axis + i, r->build.ring);
         fmpq_mpoly_mul(&r->term, &r->term, &r->term, r->build.ring);
         fmpq_mpoly_add(&r->f, &r->f, &r->term, r->build.ring);
     }
-    if (!status) {
-        bound_about(r, &p);
-        status = csg_add_side(node, r, 0);
-    }
-    return status;
+    bound_about(r, &p);
+    return csg_add_side(node, r, 0);
 }
 
 graze_status csg_read_cylinder(size_t *node, csg_reader *r, const json *value) {

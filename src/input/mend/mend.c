@@ -19,21 +19,18 @@ static graze_status try_mesh(graze_solid **out, const mesh *m, unsigned flags) {
 }
 
 static graze_status mend_mesh(graze_solid **out, mesh *m, unsigned flags, const fmpq *weld) {
-    graze_status status = clean_vertices(m);
-    if (!status && weld)
-        status = weld_vertices(m, weld);
-    if (!status)
-        status = clean_facets(m);
-    if (!status)
-        status = split_edges(m);
-    if (!status)
-        status = try_mesh(out, m, flags);
+    TRY(clean_vertices(m));
+    if (weld)
+        TRY(weld_vertices(m, weld));
+    TRY(clean_facets(m));
+    TRY(split_edges(m));
+    graze_status status = try_mesh(out, m, flags);
     if (status != GRAZE_EILLEGAL || !m->now.count)
         return status;
-    status = weld ? GRAZE_OK : weld_advise(m);
-    if (!status)
-        status = orient_facets(m, flags);
-    return status ? status : try_mesh(out, m, flags);
+    if (!weld)
+        TRY(weld_advise(m));
+    TRY(orient_facets(m, flags));
+    return try_mesh(out, m, flags);
 }
 
 graze_status mend_solid(graze_solid **out, text *report, graze_context *context, soup *input,

@@ -62,21 +62,20 @@ static int join_facets(orienter *o, const mesh_side *a, const mesh_side *b) {
 }
 
 static graze_status find_shells(orienter *o) {
-    mesh_side *side = NULL;
+    FREED(mesh_side, side, NULL);
     size_t count = 0;
-    graze_status status = mesh_sides(&side, &count, o->m);
-    for (size_t first = 0, end; first < count && !status; first = end) {
+    TRY(mesh_sides(&side, &count, o->m));
+    for (size_t first = 0, end; first < count; first = end) {
         end = mesh_edge_end(side, count, first);
         if (end - first == 2 && !join_facets(o, &side[first], &side[first + 1]))
-            status = context_fail(o->m->context, GRAZE_EILLEGAL,
-                                  "facets %zu and %zu, which share edge %u-%u, belong to a surface "
-                                  "with one side only; expected one that can be oriented",
-                                  o->m->now.origin[side[first].facet],
-                                  o->m->now.origin[side[first + 1].facet], side[first].low,
-                                  side[first].high);
+            return context_fail(o->m->context, GRAZE_EILLEGAL,
+                                "facets %zu and %zu, which share edge %u-%u, belong to a surface "
+                                "with one side only; expected one that can be oriented",
+                                o->m->now.origin[side[first].facet],
+                                o->m->now.origin[side[first + 1].facet], side[first].low,
+                                side[first].high);
     }
-    free(side);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Number the shells by their first facets. */
@@ -140,13 +139,12 @@ static int is_within_part(const graze_solid *shell, const graze_solid *other) {
 
 /* Turn the shells that are inside an odd number of others. */
 static graze_status turn_cavities(orienter *o) {
-    graze_status status = GRAZE_OK;
-    unsigned char *odd = calloc(o->shell_count + 1, 1);
+    FREED(unsigned char, odd, calloc(o->shell_count + 1, 1));
     if (!odd)
         return context_fail(o->m->context, GRAZE_ESYSTEM, "out of memory for shells");
-    for (size_t a = 0; a < o->shell_count && !status; a++)
-        for (size_t b = 0; b < o->shell_count && !status; b++) {
-            status = context_poll(o->m->context);
+    for (size_t a = 0; a < o->shell_count; a++)
+        for (size_t b = 0; b < o->shell_count; b++) {
+            TRY(context_poll(o->m->context));
             if (a != b && o->solid[a] && o->solid[b] &&
                 box_meets(&o->solid[a]->boxes.node[0].box, &o->solid[b]->boxes.node[0].box))
                 odd[a] ^= (unsigned char)is_within_part(o->solid[a], o->solid[b]);
@@ -154,8 +152,7 @@ static graze_status turn_cavities(orienter *o) {
     for (size_t a = 0; a < o->shell_count; a++)
         if (odd[a])
             turn_shell(o, a);
-    free(odd);
-    return status;
+    return GRAZE_OK;
 }
 
 static void apply_turns(orienter *o) {
@@ -201,17 +198,12 @@ static graze_status orient_shells(orienter *o) {
 
 graze_status orient_facets(mesh *m, unsigned flags) {
     size_t n = m->now.count;
-    orienter o = {.m = m, .flags = flags};
-    o.shell = malloc((n + 1) * sizeof *o.shell);
-    o.turned = calloc(n + 1, 1);
-    graze_status status = o.shell && o.turned
-                              ? GRAZE_OK
-                              : context_fail(m->context, GRAZE_ESYSTEM, "out of memory for facets");
-    for (size_t k = 0; k < n && !status; k++)
-        o.shell[k] = k;
-    if (!status)
-        status = orient_shells(&o);
-    free(o.shell);
-    free(o.turned);
-    return status;
+    FREED(size_t, shell, malloc((n + 1) * sizeof *shell));
+    FREED(unsigned char, turned, calloc(n + 1, 1));
+    orienter o = {.m = m, .flags = flags, .shell = shell, .turned = turned};
+    if (!shell || !turned)
+        return context_fail(m->context, GRAZE_ESYSTEM, "out of memory for facets");
+    for (size_t k = 0; k < n; k++)
+        shell[k] = k;
+    return orient_shells(&o);
 }

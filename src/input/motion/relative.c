@@ -61,7 +61,6 @@ static graze_status cut_out(draft *out, graze_context *context, const graze_moti
 
 graze_status motion_relative(graze_motion **out, graze_context *context, const graze_motion *moving,
                              const graze_motion *frame) {
-    graze_status status = GRAZE_OK;
     *out = NULL;
     if (moving->dimension != frame->dimension)
         return context_fail(context, GRAZE_EILLEGAL,
@@ -74,15 +73,10 @@ graze_status motion_relative(graze_motion **out, graze_context *context, const g
     HELD(draft, relative, moving->dimension);
     common_interval(lo, hi, moving, frame);
     if (fmpq_cmp(lo, hi) >= 0)
-        status =
-            context_fail(context, GRAZE_EILLEGAL, "the motions have no interval of time in common");
-    if (!status)
-        status = cut_out(&a, context, moving, lo, hi);
-    if (!status)
-        status = cut_out(&b, context, frame, lo, hi);
-    if (!status)
-        status = draft_relative(&relative, context, &a, &b);
-    if (!status)
-        status = draft_finish(out, context, &relative);
-    return status;
+        return context_fail(context, GRAZE_EILLEGAL,
+                            "the motions have no interval of time in common");
+    TRY(cut_out(&a, context, moving, lo, hi));
+    TRY(cut_out(&b, context, frame, lo, hi));
+    TRY(draft_relative(&relative, context, &a, &b));
+    return draft_finish(out, context, &relative);
 }

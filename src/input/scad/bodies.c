@@ -58,67 +58,58 @@ static void put_cylinder(scad_writer *w, const scad_place *p, const fmpq *height
 static graze_status write_cylinder(scad_writer *w, const scad_place *p) {
     LOCAL_VEC(fmpq, v, 4);
     fmpq *height = v, *low = v + 1, *radius = v + 2;
-    graze_status status = scad_known(p, "h r1 r2 center");
-    if (!status)
-        status = scad_round(w, p);
-    if (!status)
-        status = scad_size(height, p, "h");
-    if (!status)
-        status = scad_named_number(radius, p, "r1");
-    if (!status)
-        status = scad_named_number(radius + 1, p, "r2");
+    TRY(scad_known(p, "h r1 r2 center"));
+    TRY(scad_round(w, p));
+    TRY(scad_size(height, p, "h"));
+    TRY(scad_named_number(radius, p, "r1"));
+    TRY(scad_named_number(radius + 1, p, "r2"));
     const fmpq *most = fmpq_cmp(radius, radius + 1) < 0 ? radius + 1 : radius;
-    if (!status && (fmpq_sgn(radius) < 0 || fmpq_sgn(radius + 1) < 0 || fmpq_sgn(most) <= 0))
-        status = scad_fail(p->file, p->context, GRAZE_EILLEGAL, p->node,
-                           "expected radii of 0 or more, one of them positive");
-    if (!status) {
-        fmpq_add(w->reach, height, most);
-        if (scad_flag(p, "center"))
-            fmpq_div_2exp(low, height, 1);
-        fmpq_neg(low, low);
-        put_cylinder(w, p, height, low, radius);
-    }
-    return status;
+    if (fmpq_sgn(radius) < 0 || fmpq_sgn(radius + 1) < 0 || fmpq_sgn(most) <= 0)
+        return scad_fail(p->file, p->context, GRAZE_EILLEGAL, p->node,
+                         "expected radii of 0 or more, one of them positive");
+    fmpq_add(w->reach, height, most);
+    if (scad_flag(p, "center"))
+        fmpq_div_2exp(low, height, 1);
+    fmpq_neg(low, low);
+    put_cylinder(w, p, height, low, radius);
+    return GRAZE_OK;
 }
 
 /* The points of a face by their numbers. */
 static graze_status put_face(scad_writer *w, const scad_place *p, scad_span face, size_t count) {
-    scad_span rest = {NULL, 0}, item;
-    graze_status status = scad_list(&rest, p, face);
+    scad_span rest, item;
+    TRY(scad_list(&rest, p, face));
     json_open(&w->json, NULL, '[');
-    while (!status && scad_item(&item, &rest)) {
+    while (scad_item(&item, &rest)) {
         size_t k;
-        status = scad_index(&k, p, item, count);
+        TRY(scad_index(&k, p, item, count));
         json_count(&w->json, NULL, k);
     }
     json_close(&w->json, ']');
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status write_polyhedron(scad_writer *w, const scad_place *p) {
-    scad_span points = {NULL, 0}, faces = {NULL, 0}, item;
+    scad_span points, faces, item;
     LOCAL_VEC(fmpq, x, 3);
     size_t count = 0;
-    graze_status status = scad_known(p, "points faces convexity");
-    if (!status)
-        status = scad_named_list(&points, p, "points");
-    if (!status)
-        status = scad_named_list(&faces, p, "faces");
+    TRY(scad_known(p, "points faces convexity"));
+    TRY(scad_named_list(&points, p, "points"));
+    TRY(scad_named_list(&faces, p, "faces"));
     scad_begin(w, p, "polyhedron");
     json_open(&w->json, "points", '[');
-    while (!status && scad_item(&item, &points)) {
-        status = scad_vector(x, p, item, 3);
-        count++;
+    for (; scad_item(&item, &points); count++) {
+        TRY(scad_vector(x, p, item, 3));
         scad_put_vector(w, NULL, x, 3);
         scad_hold(w->reach, x, 3);
     }
     json_close(&w->json, ']');
     json_open(&w->json, "faces", '[');
-    while (!status && scad_item(&item, &faces))
-        status = put_face(w, p, item, count);
+    while (scad_item(&item, &faces))
+        TRY(put_face(w, p, item, count));
     json_close(&w->json, ']');
     scad_end(w, p);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status scad_write_body(scad_writer *w, const scad_place *p) {

@@ -18,6 +18,10 @@ typedef struct rings {
     size_t ends, end_capacity;
 } rings;
 
+static void rings_init(rings *r) {
+    *r = (rings){.count = 0};
+}
+
 static void rings_clear(rings *r) {
     for (size_t k = 0; k < 2 * r->count; k++)
         fmpq_clear(r->point + k);
@@ -53,16 +57,10 @@ static graze_status end_ring(rings *r, scad_writer *w) {
 }
 
 /* The points of a polygon, with the map not used yet. */
-static graze_status scad_points(fmpq **out, size_t *count, const scad_place *p) {
-    scad_span list, rest, item;
-    *count = 0;
-    TRY(scad_named_list(&list, p, "points"));
-    for (rest = list; scad_item(&item, &rest);)
-        ++*count;
-    *out = _fmpq_vec_init((slong)(2 * *count));
-    rest = list;
-    for (size_t k = 0; scad_item(&item, &rest); k++)
-        TRY(scad_vector(*out + 2 * k, p, item, 2));
+static graze_status scad_points(fmpq *out, const scad_place *p, scad_span list) {
+    scad_span item;
+    for (; scad_item(&item, &list); out += 2)
+        TRY(scad_vector(out, p, item, 2));
     return GRAZE_OK;
 }
 
@@ -80,27 +78,26 @@ static graze_status read_path(rings *r, scad_writer *w, const scad_place *p, sca
 }
 
 static graze_status scad_polygon(rings *r, scad_writer *w, const scad_place *p) {
-    fmpq *point = NULL;
+    scad_span list, value, rest, item;
     size_t count = 0;
-    scad_span value, rest, item;
-    graze_status status = scad_known(p, "points paths convexity");
-    if (!status)
-        status = scad_points(&point, &count, p);
-    if (!status && scad_value(&value, p, "paths")) {
-        status = scad_list(&rest, p, value);
-        while (!status && scad_item(&item, &rest))
-            status = read_path(r, w, p, item, point, count);
+    TRY(scad_known(p, "points paths convexity"));
+    TRY(scad_named_list(&list, p, "points"));
+    for (rest = list; scad_item(&item, &rest);)
+        count++;
+    LOCAL_VEC(fmpq, point, (slong)(2 * count));
+    TRY(scad_points(point, p, list));
+    if (scad_value(&value, p, "paths")) {
+        TRY(scad_list(&rest, p, value));
+        while (scad_item(&item, &rest))
+            TRY(read_path(r, w, p, item, point, count));
     } else {
-        for (size_t k = 0; k < count && !status; k++)
-            status = take_corner(r, w, point + 2 * k);
-        if (!status)
-            status = end_ring(r, w);
+        for (size_t k = 0; k < count; k++)
+            TRY(take_corner(r, w, point + 2 * k));
+        TRY(end_ring(r, w));
     }
-    if (point)
-        _fmpq_vec_clear(point, (slong)(2 * count));
-    if (!status && r->ends == 0)
-        status = scad_fail(p->file, w->context, GRAZE_EILLEGAL, p->node, "expected a path");
-    return status;
+    if (r->ends == 0)
+        return scad_fail(p->file, w->context, GRAZE_EILLEGAL, p->node, "expected a path");
+    return GRAZE_OK;
 }
 
 static graze_status read_square(rings *r, scad_writer *w, const scad_place *p) {
@@ -116,7 +113,6 @@ static graze_status read_square(rings *r, scad_writer *w, const scad_place *p) {
 }
 
 static graze_status read_rings(rings *r, scad_writer *w, const scad_place *p) {
-    *r = (rings){.count = 0};
     return p->file->node[p->node].role == SCAD_SQUARE ? read_square(r, w, p)
                                                       : scad_polygon(r, w, p);
 }
@@ -141,25 +137,22 @@ static void put_scad_ring(scad_writer *w, const char *key, const rings *r, size_
 }
 
 static graze_status write_polygon(scad_writer *w, const scad_place *p) {
-    rings r;
-    graze_status status = read_rings(&r, w, p);
-    if (!status) {
-        scad_begin(w, p, "polygon");
-        put_scad_ring(w, "points", &r, 0);
-        if (r.ends > 1)
-            json_open(&w->json, "holes", '[');
-        for (size_t k = 1; k < r.ends; k++)
-            put_scad_ring(w, NULL, &r, k);
-        if (r.ends > 1)
-            json_close(&w->json, ']');
-        if (w->form == SCAD_PRISM)
-            scad_put_vector(w, "extrude", w->height, 2);
-        if (w->form == SCAD_REVOLVED)
-            json_count(&w->json, "revolve", 1);
-        scad_end(w, p);
-    }
-    rings_clear(&r);
-    return status;
+    HELD(rings, r);
+    TRY(read_rings(&r, w, p));
+    scad_begin(w, p, "polygon");
+    put_scad_ring(w, "points", &r, 0);
+    if (r.ends > 1)
+        json_open(&w->json, "holes", '[');
+    for (size_t k = 1; k < r.ends; k++)
+        put_scad_ring(w, NULL, &r, k);
+    if (r.ends > 1)
+        json_close(&w->json, ']');
+    if (w->form == SCAD_PRISM)
+        scad_put_vector(w, "extrude", w->height, 2);
+    if (w->form == SCAD_REVOLVED)
+        json_count(&w->json, "revolve", 1);
+    scad_end(w, p);
+    return GRAZE_OK;
 }
 
 /* The radius of a circle after the map at hand, which must keep it one. */
@@ -227,39 +220,37 @@ static graze_status read_circle(fmpq_t radius, scad_writer *w, const scad_place 
 
 static graze_status write_circle(scad_writer *w, const scad_place *p) {
     LOCAL(fmpq, radius);
-    graze_status status = read_circle(radius, w, p);
-    if (!status && w->form == SCAD_REVOLVED) {
-        status = put_revolved(w, p, radius);
-    } else if (!status && w->form == SCAD_PRISM) {
+    TRY(read_circle(radius, w, p));
+    if (w->form == SCAD_REVOLVED)
+        return put_revolved(w, p, radius);
+    if (w->form == SCAD_PRISM) {
         put_disk_prism(w, p, radius);
-    } else if (!status) {
-        scad_begin(w, p, "ball");
-        json_rational(&w->json, "radius", radius);
-        scad_end(w, p);
+        return GRAZE_OK;
     }
-    return status;
+    scad_begin(w, p, "ball");
+    json_rational(&w->json, "radius", radius);
+    scad_end(w, p);
+    return GRAZE_OK;
 }
 
 graze_status scad_outline_extent(fmpq *low_high, scad_writer *w, const scad_place *p) {
-    rings r = {.count = 0};
+    HELD(rings, r);
     fmpq *low = low_high, *high = low_high + 1;
-    graze_status status;
     if (p->file->node[p->node].role == SCAD_CIRCLE) {
-        status = read_circle(high, w, p);
+        TRY(read_circle(high, w, p));
         fmpq_sub(low, w->map + 2, high);
         fmpq_add(high, w->map + 2, high);
-    } else {
-        status = read_rings(&r, w, p);
+        return GRAZE_OK;
     }
-    for (size_t k = 0; k < r.count && !status; k++) {
+    TRY(read_rings(&r, w, p));
+    for (size_t k = 0; k < r.count; k++) {
         const fmpq *x = r.point + 2 * k;
         if (k == 0 || fmpq_cmp(x, low) < 0)
             fmpq_set(low, x);
         if (k == 0 || fmpq_cmp(x, high) > 0)
             fmpq_set(high, x);
     }
-    rings_clear(&r);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status scad_write_outline(scad_writer *w, const scad_place *p) {

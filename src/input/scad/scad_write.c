@@ -39,10 +39,9 @@ static graze_status write_operands(scad_writer *w, const scad_place *p) {
     if (!operand_after(p->file, p->node, child))
         return write_node(w, child);
     LOCAL_VEC(fmpq, most, 2);
-    graze_status status = GRAZE_OK;
     scad_open(w, p, role <= SCAD_INTERSECTION && keys[role] ? keys[role] : "union", '[');
-    for (; child && !status; child = operand_after(p->file, p->node, child)) {
-        status = write_node(w, child);
+    for (; child; child = operand_after(p->file, p->node, child)) {
+        TRY(write_node(w, child));
         if (fmpq_cmp(w->reach, most) > 0)
             fmpq_set(most, w->reach);
         if (fmpq_cmp(w->moved, most + 1) > 0)
@@ -52,7 +51,7 @@ static graze_status write_operands(scad_writer *w, const scad_place *p) {
     json_close(&w->json, '}');
     fmpq_swap(w->reach, most);
     fmpq_swap(w->moved, most + 1);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Rows of the matrix of a map, that of a prism keeps heights. */
@@ -75,26 +74,26 @@ static graze_status write_mapped(scad_writer *w, const scad_place *p) {
     LOCAL_VEC(fmpq, before, 6);
     int turned;
     HELD(scad_map, m);
-    graze_status status = scad_map_read(&m, w, p, &turned);
+    TRY(scad_map_read(&m, w, p, &turned));
     w->turned += (size_t)turned;
-    if (!status && w->form == SCAD_REVOLVED) {
+    if (w->form == SCAD_REVOLVED) {
         for (int k = 0; k < 6; k++)
             fmpq_set(before + k, w->map + k);
         scad_compose(w, &m);
-        status = write_operands(w, p);
+        TRY(write_operands(w, p));
         for (int k = 0; k < 6; k++)
             fmpq_swap(w->map + k, before + k);
-    } else if (!status) {
+    } else {
         scad_open(w, p, "affine", '{');
         put_map_rows(w, &m);
         w->key = "of";
-        status = write_operands(w, p);
+        TRY(write_operands(w, p));
         json_close(&w->json, '}');
         json_close(&w->json, '}');
     }
-    if (!status && w->choice->near_rotation)
+    if (w->choice->near_rotation)
         scad_map_bounds(w, &m);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Let the map of what is revolved be the identity, or the reflection that keeps heights. */
@@ -136,34 +135,31 @@ static graze_status find_extent(fmpq *out, scad_writer *w, size_t node) {
 static graze_status find_side(scad_writer *w, const scad_place *p) {
     LOCAL_VEC(fmpq, extent, 2);
     reset_map(w, 1);
-    graze_status status = find_extent(extent, w, p->node);
-    if (!status && fmpq_sgn(extent) < 0 && fmpq_sgn(extent + 1) > 0)
-        status = scad_fail(p->file, p->context, GRAZE_EILLEGAL, p->node,
-                           "the outline is on both sides of the axis; expected x of one sign");
+    TRY(find_extent(extent, w, p->node));
+    if (fmpq_sgn(extent) < 0 && fmpq_sgn(extent + 1) > 0)
+        return scad_fail(p->file, p->context, GRAZE_EILLEGAL, p->node,
+                         "the outline is on both sides of the axis; expected x of one sign");
     reset_map(w, fmpq_sgn(extent) < 0 ? -1 : 1);
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status write_revolution(scad_writer *w, const scad_place *p) {
     scad_span value;
     LOCAL(fmpq, angle);
-    graze_status status = scad_known(p, "angle start convexity");
-    if (!status)
-        status = scad_round(w, p);
+    TRY(scad_known(p, "angle start convexity"));
+    TRY(scad_round(w, p));
     fmpq_set_si(angle, 360, 1);
-    if (!status && scad_value(&value, p, "angle"))
-        status = scad_number(angle, p, value);
-    if (!status && fmpq_cmp_si(angle, 360) != 0)
-        status = scad_fail(p->file, p->context, GRAZE_EINPUT, p->node,
-                           "only whole turns are taken; expected angle = 360");
-    if (!status)
-        status = find_side(w, p);
+    if (scad_value(&value, p, "angle"))
+        TRY(scad_number(angle, p, value));
+    if (fmpq_cmp_si(angle, 360) != 0)
+        return scad_fail(p->file, p->context, GRAZE_EINPUT, p->node,
+                         "only whole turns are taken; expected angle = 360");
+    TRY(find_side(w, p));
     w->form = SCAD_REVOLVED;
-    if (!status)
-        status = write_operands(w, p);
+    TRY(write_operands(w, p));
     w->form = SCAD_ITSELF;
     reset_map(w, 1);
-    return status;
+    return GRAZE_OK;
 }
 
 /* That an extrusion is a prism over its outline. */
@@ -185,22 +181,19 @@ static graze_status check_straight(const scad_place *p) {
 
 static graze_status write_prism(scad_writer *w, const scad_place *p) {
     fmpq *high = w->height + 1;
-    graze_status status = scad_known(p, "height center convexity twist slices segments scale");
-    if (!status)
-        status = check_straight(p);
-    if (!status)
-        status = scad_size(high, p, "height");
-    if (!status && scad_flag(p, "center")) {
+    TRY(scad_known(p, "height center convexity twist slices segments scale"));
+    TRY(check_straight(p));
+    TRY(scad_size(high, p, "height"));
+    if (scad_flag(p, "center")) {
         fmpq_div_2exp(high, high, 1);
         fmpq_neg(w->height, high);
     }
     w->form = SCAD_PRISM;
-    if (!status)
-        status = write_operands(w, p);
+    TRY(write_operands(w, p));
     w->form = SCAD_ITSELF;
     fmpq_add(w->reach, w->reach, high);
     fmpq_zero(w->height);
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status write_node(scad_writer *w, size_t node) {

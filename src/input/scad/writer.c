@@ -35,11 +35,11 @@ void scad_put_vector(scad_writer *w, const char *key, const fmpq *x, size_t coun
 }
 
 graze_status scad_size(fmpq_t out, const scad_place *p, const char *name) {
-    graze_status status = scad_named_number(out, p, name);
-    return !status && fmpq_sgn(out) <= 0
-               ? scad_fail(p->file, p->context, GRAZE_EILLEGAL, p->node,
-                           "%s is not positive; expected a positive number", name)
-               : status;
+    TRY(scad_named_number(out, p, name));
+    if (fmpq_sgn(out) <= 0)
+        return scad_fail(p->file, p->context, GRAZE_EILLEGAL, p->node,
+                         "%s is not positive; expected a positive number", name);
+    return GRAZE_OK;
 }
 
 graze_status scad_round(const scad_writer *w, const scad_place *p) {
@@ -67,19 +67,18 @@ void scad_hold(fmpq_t reach, const fmpq *x, int dimension) {
 }
 
 graze_status scad_box(fmpq *low, fmpq *high, scad_writer *w, const scad_place *p, int dimension) {
-    graze_status status = scad_known(p, "size center");
-    if (!status)
-        status = scad_named_vector(high, p, "size", (size_t)dimension);
-    for (int i = 0; i < dimension && !status; i++)
+    TRY(scad_known(p, "size center"));
+    TRY(scad_named_vector(high, p, "size", (size_t)dimension));
+    for (int i = 0; i < dimension; i++)
         if (fmpq_sgn(high + i) <= 0)
-            status = scad_fail(p->file, p->context, GRAZE_EILLEGAL, p->node,
-                               "expected a size of positive numbers");
-    for (int i = 0; i < dimension && !status && scad_flag(p, "center"); i++) {
+            return scad_fail(p->file, p->context, GRAZE_EILLEGAL, p->node,
+                             "expected a size of positive numbers");
+    for (int i = 0; i < dimension && scad_flag(p, "center"); i++) {
         fmpq_div_2exp(high + i, high + i, 1);
         fmpq_neg(low + i, high + i);
     }
     scad_hold(w->reach, high, dimension);
-    return status;
+    return GRAZE_OK;
 }
 
 void scad_put_box(scad_writer *w, const scad_place *p, const fmpq *low, const fmpq *high,

@@ -183,17 +183,13 @@ static graze_status count_pair(graze_comparison *c, run *r, const table_row *gol
     int known[JUDGED_COUNT];
     memcpy(known, judged, sizeof known);
     known[JUDGED_PMC] = 1;
-    graze_status status = answer_read(&right, &r->golden, golden, known, 0);
-    if (!status && candidate)
-        status =
-            answer_read(&given, &r->candidate, candidate, judged, c->options.has == GRAZE_HAS_SDF);
-    if (!status)
-        status = judged_position(c, &r->golden, golden, right.pmc);
+    TRY(answer_read(&right, &r->golden, golden, known, 0));
+    if (candidate)
+        TRY(answer_read(&given, &r->candidate, candidate, judged, c->options.has == GRAZE_HAS_SDF));
+    TRY(judged_position(c, &r->golden, golden, right.pmc));
     valuation value = {.certain = 1};
-    if (!status && c->enclosed)
-        status = valuation_read(&value, c, &r->golden, golden, &r->candidate, candidate, right.pmc);
-    if (status)
-        return status;
+    if (c->enclosed)
+        TRY(valuation_read(&value, c, &r->golden, golden, &r->candidate, candidate, right.pmc));
     judgement j = judge(c, judged, &r->golden, golden, &right, &given, &value);
     c->golden_on += candidate && j.truth == PMC_ON;
     c->answered_on += given.pmc == PMC_ON;

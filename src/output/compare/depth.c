@@ -86,14 +86,11 @@ static graze_status count_bounds(depth_bounds *out, depths *d, graze_context *co
                                  const distance *found) {
     LOCAL_VEC(fmpq, low, 2);
     fmpq *high = low + 1;
-    graze_status status = rational_from_double(low, context, found->low);
-    if (!status)
-        status = rational_from_double(high, context, found->high);
+    TRY(rational_from_double(low, context, found->low));
+    TRY(rational_from_double(high, context, found->high));
     report_bound(out->low, found->low, 0);
     report_bound(out->high, found->high, 1);
-    if (!status)
-        status = count_depth(&out->size, d, context, pmc, low, high);
-    return status;
+    return count_depth(&out->size, d, context, pmc, low, high);
 }
 
 graze_status depth_measure(depth_bounds *out, depths *d, graze_context *context,

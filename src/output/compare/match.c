@@ -77,11 +77,10 @@ static graze_status same_row(int *same, match *m, table_row *g, table_row *c) {
                             table_field(m->candidate.table, c, m->key.at[k]));
     if (*same)
         return GRAZE_OK;
-    graze_status status = key_make(g, &m->key, m->golden.table);
-    if (!status)
-        status = key_make(c, &m->key, m->candidate.table);
-    *same = !status && digest_equal(g->key, c->key);
-    return status;
+    TRY(key_make(g, &m->key, m->golden.table));
+    TRY(key_make(c, &m->key, m->candidate.table));
+    *same = digest_equal(g->key, c->key);
+    return GRAZE_OK;
 }
 
 /* The nearest pair of equal rows: fewest rows skipped, missing ones rather than extra ones. */
@@ -141,22 +140,18 @@ static graze_status pair(match *m, const table_row *golden, const table_row *can
 
 /* The next golden row with one of the candidate that has its key, then the rest of these. */
 static graze_status next_indexed(match *m, const table_row **golden, const table_row **candidate) {
-    graze_status status = fill(m, &m->golden, 1);
-    if (!status && !m->indexed)
-        status = row_index_read(&m->index, m->candidate.table, &m->key);
+    TRY(fill(m, &m->golden, 1));
+    if (!m->indexed)
+        TRY(row_index_read(&m->index, m->candidate.table, &m->key));
     m->indexed = 1;
-    if (!status && !m->golden.count) {
-        status = row_index_rest(&m->index, candidate);
+    if (!m->golden.count) {
+        graze_status status = row_index_rest(&m->index, candidate);
         m->extra_count += *candidate != NULL;
         return status;
     }
     table_row *row = row_at(&m->golden, 0);
-    if (!status)
-        status = key_make(row, &m->key, m->golden.table);
-    if (!status)
-        status = row_index_take(&m->index, candidate, row->key);
-    if (status)
-        return status;
+    TRY(key_make(row, &m->key, m->golden.table));
+    TRY(row_index_take(&m->index, candidate, row->key));
     *golden = row;
     drop(&m->golden);
     m->missing_count += !*candidate;

@@ -1,6 +1,7 @@
 /* Asks a mesh and the scene about points, in threads, and counts in the order of the points.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "base/context/scope.h"
 #include "output/compare/compare.h"
 
 #include <stdlib.h>
@@ -199,14 +200,14 @@ graze_status comparison_of_mesh(graze_comparison *out, graze_context *context,
                                 const mesh_points *points, int threads,
                                 const graze_compare_options *options) {
     mesh_run r = {context, scene, mesh, points, NULL};
-    graze_status status = describe(out, &r, options);
-    if (!status && !(r.row = calloc(points->count + 1, sizeof *r.row)))
-        status = comparison_no_memory(context);
-    if (!status)
-        status = team_run(context, threads, points->count, ask_both, &r);
-    for (size_t k = 0; k < points->count && !status; k++)
-        status = count_mesh_row(out, &r, k);
-    free(r.row);
+    FREED(mesh_row, row, calloc(points->count + 1, sizeof *row));
+    r.row = row;
+    TRY(describe(out, &r, options));
+    if (!row)
+        return comparison_no_memory(context);
+    TRY(team_run(context, threads, points->count, ask_both, &r));
+    for (size_t k = 0; k < points->count; k++)
+        TRY(count_mesh_row(out, &r, k));
     tally_sort(&out->tallies[BY_STRATUM]);
-    return status ? status : comparison_finish(out, context);
+    return comparison_finish(out, context);
 }

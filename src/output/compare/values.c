@@ -49,18 +49,26 @@ graze_status values_choose(graze_comparison *c, const table *golden) {
     c->valued = has && sdf;
     c->enclosed = has && (sdf || o->motion_error || golden->notes[NOTE_SDF]);
     c->judged[JUDGED_SDF] = c->valued && o->sdf_tolerance;
-    graze_status status =
-        read_amount(c->depth.size, context, "diagonal", golden->notes[NOTE_DIAGONAL], 0);
-    if (!status)
-        status = read_amount(c->tolerance, context, "sdf_tolerance", o->sdf_tolerance, 0);
-    return status ? status : read_amount(c->eta, context, "motion_error", o->motion_error, 1);
+    TRY(read_amount(c->depth.size, context, "diagonal", golden->notes[NOTE_DIAGONAL], 0));
+    TRY(read_amount(c->tolerance, context, "sdf_tolerance", o->sdf_tolerance, 0));
+    return read_amount(c->eta, context, "motion_error", o->motion_error, 1);
 }
 
-typedef struct enclosure {
+typedef struct sdf_enclosure {
     fmpq_t low, high;
-} enclosure;
+} sdf_enclosure;
 
-static int has_sign(const enclosure *e, int pmc) {
+static void sdf_enclosure_init(sdf_enclosure *e) {
+    fmpq_init(e->low);
+    fmpq_init(e->high);
+}
+
+static void sdf_enclosure_clear(sdf_enclosure *e) {
+    fmpq_clear(e->low);
+    fmpq_clear(e->high);
+}
+
+static int has_sign(const sdf_enclosure *e, int pmc) {
     int low = fmpq_sgn(e->low), high = fmpq_sgn(e->high);
     if (fmpq_cmp(e->low, e->high) > 0)
         return 0;
@@ -77,7 +85,8 @@ static graze_status read_bound(fmpq_t out, const table *t, const table_row *row,
     return status ? context_in(t->in.context, status, t->in.name, row->line) : status;
 }
 
-static graze_status read_enclosure(enclosure *out, const table *t, const table_row *row, int pmc) {
+static graze_status read_enclosure(sdf_enclosure *out, const table *t, const table_row *row,
+                                   int pmc) {
     TRY(read_bound(out->low, t, row, COLUMN_SDF_LOW));
     TRY(read_bound(out->high, t, row, COLUMN_SDF_HIGH));
     if (!has_sign(out, pmc))
@@ -88,7 +97,7 @@ static graze_status read_enclosure(enclosure *out, const table *t, const table_r
     return GRAZE_OK;
 }
 
-static void name_decade(char out[24], const enclosure *e, int pmc) {
+static void name_decade(char out[24], const sdf_enclosure *e, int pmc) {
     if (pmc == PMC_ON) {
         strcpy(out, "0");
         return;
@@ -99,7 +108,7 @@ static void name_decade(char out[24], const enclosure *e, int pmc) {
 }
 
 /* The error of a value against an enclosure. */
-static value_error error_of(const fmpq_t value, const enclosure *e, const fmpq_t tolerance) {
+static value_error error_of(const fmpq_t value, const sdf_enclosure *e, const fmpq_t tolerance) {
     value_error out = {{0, 0}, 0, 0};
     LOCAL(fmpq, by);
     out.side = fmpq_cmp(value, e->high) > 0 ? 1 : fmpq_cmp(value, e->low) < 0 ? -1 : 0;
@@ -113,7 +122,7 @@ static value_error error_of(const fmpq_t value, const enclosure *e, const fmpq_t
 }
 
 /* Widen an enclosure by the motion error; does what is left have one sign? */
-static int widen_enclosure(enclosure *e, const fmpq_t eta, int pmc) {
+static int widen_enclosure(sdf_enclosure *e, const fmpq_t eta, int pmc) {
     fmpq_sub(e->low, e->low, eta);
     fmpq_add(e->high, e->high, eta);
     return fmpq_is_zero(eta) ? 1
@@ -125,24 +134,16 @@ static int widen_enclosure(enclosure *e, const fmpq_t eta, int pmc) {
 graze_status valuation_read(valuation *out, const graze_comparison *c, const table *golden,
                             const table_row *row, const table *candidate, const table_row *given,
                             int pmc) {
-    enclosure e;
-    *out = (valuation){.certain = 1};
-    fmpq_init(e.low);
-    fmpq_init(e.high);
+    HELD(sdf_enclosure, e);
     LOCAL(fmpq, value);
-    graze_status status = read_enclosure(&e, golden, row, pmc);
-    if (!status) {
-        name_decade(out->decade, &e, pmc);
-        out->certain = widen_enclosure(&e, c->eta, pmc);
-        out->judged =
-            c->valued && given && (c->options.truth == GRAZE_TRUTH_PSEUDO || pmc == PMC_OUT);
+    *out = (valuation){.certain = 1};
+    TRY(read_enclosure(&e, golden, row, pmc));
+    name_decade(out->decade, &e, pmc);
+    out->certain = widen_enclosure(&e, c->eta, pmc);
+    out->judged = c->valued && given && (c->options.truth == GRAZE_TRUTH_PSEUDO || pmc == PMC_OUT);
+    if (out->judged) {
+        TRY(read_bound(value, candidate, given, COLUMN_SDF));
+        out->error = error_of(value, &e, c->tolerance);
     }
-    if (!status && out->judged) {
-        status = read_bound(value, candidate, given, COLUMN_SDF);
-        if (!status)
-            out->error = error_of(value, &e, c->tolerance);
-    }
-    fmpq_clear(e.high);
-    fmpq_clear(e.low);
-    return status;
+    return GRAZE_OK;
 }

@@ -158,15 +158,11 @@ static graze_status draw_all(picture *p, graze_context *context, const char *fil
     const char *remark = says.failed ? "" : says.data;
     layout l = lay_out(p, title, remark);
     canvas *c;
-    graze_status status = canvas_create(&c, context, file, l.width, l.height);
-    if (!status) {
-        canvas_text(c, MARGIN, 26, &heading, title);
-        canvas_text(c, MARGIN, 44, &plain, remark);
-        c->failed |= says.failed;
-    }
-    if (status)
-        return status;
-    status = draw_panels(c, context, p);
+    TRY(canvas_create(&c, context, file, l.width, l.height));
+    canvas_text(c, MARGIN, 26, &heading, title);
+    canvas_text(c, MARGIN, 44, &plain, remark);
+    c->failed |= says.failed;
+    graze_status status = draw_panels(c, context, p);
     canvas_begin(c, "legend", NULL);
     legend_draw(c, &p->legend, l.legend_x, HEAD + PANEL_ABOVE);
     canvas_end(c);
@@ -174,24 +170,22 @@ static graze_status draw_all(picture *p, graze_context *context, const char *fil
     return status ? status : written;
 }
 
+static graze_status make_picture(picture *p, graze_context *context, const char *file) {
+    TRY(canvas_check(context, file));
+    TRY(request_cells(&p->cells, &p->section, context, p->scene, p->request));
+    if (picture_is_plane(p) || p->request->by_distance)
+        TRY(parts_classify(&p->cells, context, p->scene));
+    TRY(make_positions(p, context));
+    TRY(make_trails(p, context));
+    TRY(views_fit(p, context));
+    TRY(make_legend(p, context));
+    return draw_all(p, context, file);
+}
+
 graze_status draw_picture(graze_context *context, const graze_scene *scene, const char *file,
                           const draw_request *request) {
     picture p = {.scene = scene, .request = request};
-    graze_status status = canvas_check(context, file);
-    if (!status)
-        status = request_cells(&p.cells, &p.section, context, scene, request);
-    if (!status && (picture_is_plane(&p) || request->by_distance))
-        status = parts_classify(&p.cells, context, scene);
-    if (!status)
-        status = make_positions(&p, context);
-    if (!status)
-        status = make_trails(&p, context);
-    if (!status)
-        status = views_fit(&p, context);
-    if (!status)
-        status = make_legend(&p, context);
-    if (!status)
-        status = draw_all(&p, context, file);
+    graze_status status = make_picture(&p, context, file);
     for (size_t k = 0; k < request->times && p.moved; k++)
         shape_clear(&p.moved[k]);
     shape_clear(&p.standing);

@@ -110,7 +110,7 @@ int command_run(const command *c, int argc, char **argv);
 
 /* graze classify, for the programs that start it, and what graze certify shares with it. */
 
-/** Add the record of the rows (src/program/run/kept.h), where one may be written. */
+/** Add the record of the rows (src/program/run/results.h), where one may be written. */
 void classify_add_record(guard *g, const void *options, const operands *given);
 
 /** Do --output and --resume go together? Returns an exit status and says what is wrong. */

@@ -8,6 +8,7 @@
 
 #include <stdlib.h>
 #include <sys/stat.h>
+#include "base/context/scope.h"
 #include "input/delimited/delimited.h"
 #include "program/io/io.h"
 #include "program/points/heads.h"
@@ -114,20 +115,17 @@ int csv_ready(csv *c) {
 
 /* The next line of the file, or the next row of an array as one. */
 static int next_point_line(csv *c, field *line) {
-    int status = EXIT_DONE;
     if (!c->is_array)
         return fault_of(&c->fault, stream_next(&c->in, line), c->in.context, EXIT_INPUT);
     if (c->columns.sites.wanted)
         return site_columns_fault(&c->fault, &c->columns.sites, c->in.name, 1,
                                   "a .npy file has no names");
     if (!c->array)
-        status = npy_open(&c->array, &c->fault, c->in.context, c->in.fd, c->in.name,
-                          c->columns.dimension);
-    if (!status)
-        status = npy_next(c->array, &c->fault, line);
-    if (!status)
-        c->in.line = npy_done(c->array);
-    return status;
+        TRY(npy_open(&c->array, &c->fault, c->in.context, c->in.fd, c->in.name,
+                     c->columns.dimension));
+    TRY(npy_next(c->array, &c->fault, line));
+    c->in.line = npy_done(c->array);
+    return EXIT_DONE;
 }
 
 /* A `#` line before the first row: does it say that Graze has written the file? */

@@ -7,6 +7,7 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "output/table/table.h"
 #include "program/io/io.h"
 
@@ -86,14 +87,11 @@ int grid_open(grid **out, const grid_options *o, graze_context *context, const g
     g->dimension = graze_scene_dimension(scene);
     for (int k = 0; k < 3; k++)
         mpq_inits(g->low[k], g->high[k], NULL);
-    int status = read_grid_sizes(g, o->sizes, graze_context_limit(context, GRAZE_LIMIT_GRID));
-    if (!status)
-        status = o->box ? box_read(g->low, g->high, o->box, g->dimension, context)
-                        : complain_of(graze_scene_box(g->low, g->high, context, scene), context);
-    if (!status)
-        status = complain_of(
-            graze_grid_create(&g->points, context, scene, g->size, g->low, g->high), context);
-    return status;
+    TRY(read_grid_sizes(g, o->sizes, graze_context_limit(context, GRAZE_LIMIT_GRID)));
+    TRY(o->box ? box_read(g->low, g->high, o->box, g->dimension, context)
+               : complain_of(graze_scene_box(g->low, g->high, context, scene), context));
+    return complain_of(graze_grid_create(&g->points, context, scene, g->size, g->low, g->high),
+                       context);
 }
 
 void grid_close(grid *g) {

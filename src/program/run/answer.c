@@ -9,7 +9,7 @@
 #include "output/table/table.h"
 #include "program/io/io.h"
 #include "program/points/points.h"
-#include "program/run/kept.h"
+#include "program/run/results.h"
 
 /* Name the place of a row for messages. */
 static void put_place(text *out, const row_source *from, const block *b, size_t row) {
@@ -32,12 +32,10 @@ static int write_point(answerer *a, row_run *r, const block *b, size_t first, si
     if (from->coordinates.form == COORDINATES_DECIMAL)
         put_place(&place, from, b, first + n);
     a->written.failed |= place.failed;
-    int status =
-        coordinates_put(&a->written, &r->fault, &from->coordinates, a->reader.context,
-                        a->points + n * (size_t)d, d, tokens, place.data ? place.data : "");
-    if (!status)
-        text_bytes(&a->written, "", 1);
-    return status;
+    TRY(coordinates_put(&a->written, &r->fault, &from->coordinates, a->reader.context,
+                        a->points + n * (size_t)d, d, tokens, place.data ? place.data : ""));
+    text_bytes(&a->written, "", 1);
+    return EXIT_DONE;
 }
 
 /* Make the points and the texts of a run's rows; returns how many before a fault. */

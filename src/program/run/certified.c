@@ -9,6 +9,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include "base/context/scope.h"
 #include "program/io/io.h"
 
 /* A file that holds, in a form that graze-check reads, what another one holds. Zeroed: none. */
@@ -164,10 +165,21 @@ static int compare_beside(const beside *b, const loaded *l, int is_solid) {
     return status;
 }
 
-/* Read the scene anew, with the files beside the certificate in the place of those that graze-check
- * cannot read. */
-static int convert_scene(loaded *l, const classify_options *o, const lacks *lack, int writes) {
+/* Read the scene anew, with these files in the place of its own. */
+static int read_with_beside(loaded *l, const classify_options *o, const beside *solid,
+                            const beside *motion) {
     scene_options with = o->scene;
+    with.solid = solid->path ? solid->path : with.solid;
+    with.motion = motion->path ? motion->path : with.motion;
+    loaded_clear(l);
+    TRY(loaded_read(l, &with, EXIT_INPUT, NULL));
+    TRY(compare_beside(solid, l, 1));
+    TRY(compare_beside(motion, l, 0));
+    return complain_of_use(make_certifier(l, o), l->context);
+}
+
+/* Put files beside the certificate in the place of those that graze-check cannot read. */
+static int convert_scene(loaded *l, const classify_options *o, const lacks *lack, int writes) {
     beside solid = {NULL, NULL, NULL}, motion = {NULL, NULL, NULL};
     graze_status made = lack->solid ? graze_solid_text(&solid.text, l->context, l->solid) : 0;
     if (!made && lack->motion)
@@ -178,18 +190,8 @@ static int convert_scene(loaded *l, const classify_options *o, const lacks *lack
                             graze_solid_dimension(l->solid) == 3 ? ".off" : ".wkt", o, writes);
     if (!status && lack->motion)
         status = put_beside(&motion, o->scene.motion, ".json", o, writes);
-    with.solid = solid.path ? solid.path : with.solid;
-    with.motion = motion.path ? motion.path : with.motion;
-    if (!status) {
-        loaded_clear(l);
-        status = loaded_read(l, &with, EXIT_INPUT, NULL);
-    }
     if (!status)
-        status = compare_beside(&solid, l, 1);
-    if (!status)
-        status = compare_beside(&motion, l, 0);
-    if (!status)
-        status = complain_of_use(make_certifier(l, o), l->context);
+        status = read_with_beside(l, o, &solid, &motion);
     graze_free(solid.text);
     graze_free(motion.text);
     free(solid.path);

@@ -7,9 +7,10 @@
 #include "program/run/run.h"
 
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "program/io/io.h"
 #include "program/points/points.h"
-#include "program/run/kept.h"
+#include "program/run/results.h"
 
 /* Blocks at hand keep the threads busy while one is written: a few, and some rows for each. */
 static size_t ring_size(const classify_options *o) {
@@ -27,7 +28,7 @@ typedef struct run_state {
     unsigned long taken;           /* rows of them, and those that were there already */
     int ended;                     /* all points are taken, or none can be for `read_status` */
     int read_status;
-    outputs out;
+    results out;
     int headed;
     progress progress;
 } run_state;
@@ -49,7 +50,7 @@ static int take_block(run_state *s, const classify_options *o, block *b, unsigne
     int columns_known = !s->read_status || (s->points && csv_columns(s->points)->count);
     row_source source = source_of(s, o);
     if (!s->headed && columns_known)
-        status = outputs_begin(&s->out, &source);
+        status = results_begin(&s->out, &source);
     s->headed |= columns_known;
     s->taken += b->count;
     return status;
@@ -58,29 +59,28 @@ static int take_block(run_state *s, const classify_options *o, block *b, unsigne
 /* Fill the next block and hand it over. */
 static int fill_ring(run_state *s, const classify_options *o) {
     block *b = s->ring[s->filled % s->ring_size];
-    int status = take_block(s, o, b, BLOCK_ROWS);
-    if (status || b->count == 0)
-        return status;
-    s->filled++;
-    jobs_submit(s->jobs, b);
+    TRY(take_block(s, o, b, BLOCK_ROWS));
+    if (b->count) {
+        s->filled++;
+        jobs_submit(s->jobs, b);
+    }
     return EXIT_DONE;
 }
 
 /* Rows that the record of a continued file has are not made again; their points are read. */
 static int pass_kept_rows(run_state *s, const classify_options *o) {
-    unsigned long rows = outputs_skip(&s->out);
+    unsigned long rows = s->out.at.rows;
     unsigned long long points = 0;
-    int status = EXIT_DONE;
-    while (!status && s->taken < rows && !s->ended) {
+    while (s->taken < rows && !s->ended) {
         const block *b = s->ring[0];
-        status = take_block(s, o, s->ring[0], rows - s->taken);
+        TRY(take_block(s, o, s->ring[0], rows - s->taken));
         points = b->count ? b->points[b->count - 1] : points;
-        if (!status && interrupt_signal())
-            status = EXIT_SIGNAL;
+        if (interrupt_signal())
+            return EXIT_SIGNAL;
     }
-    if (status || !rows || s->read_status)
-        return status;
-    return outputs_pass(&s->out, s->taken, points);
+    if (!rows || s->read_status)
+        return EXIT_DONE;
+    return results_pass(&s->out, s->taken, points);
 }
 
 /* Room for a block, and points that need not be waited for while rows are to be written. */
@@ -93,23 +93,23 @@ static int can_fill_ring(run_state *s) {
 static portion portion_reached(run_state *s, const classify_options *o) {
     if (s->points)
         return csv_portion(s->points);
-    return (portion){outputs_main(&s->out)->rows, shard_rows(o->shard.part, grid_count(s->grid))};
+    return (portion){results_main(&s->out)->rows, shard_rows(o->shard.part, grid_count(s->grid))};
 }
 
 static int write_next_block(run_state *s, const classify_options *o) {
     const block *b = s->ring[s->written % s->ring_size];
     jobs_wait(s->jobs, b);
-    int status = outputs_block(&s->out, b);
+    int status = results_block(&s->out, b);
     s->written++;
-    progress_show(&s->progress, outputs_main(&s->out)->rows, portion_reached(s, o));
+    progress_show(&s->progress, results_main(&s->out)->rows, portion_reached(s, o));
     if (!status && interrupt_signal())
         status = EXIT_SIGNAL;
-    return outputs_failed(&s->out) ? EXIT_IO : status;
+    return results_failed(&s->out) ? EXIT_IO : status;
 }
 
 static int do_all_blocks(run_state *s, const classify_options *o) {
     int status = EXIT_DONE;
-    progress_start(&s->progress, o->quiet, outputs_main(&s->out)->rows, portion_reached(s, o));
+    progress_start(&s->progress, o->quiet, results_main(&s->out)->rows, portion_reached(s, o));
     while (!status) {
         while (!status && can_fill_ring(s))
             status = fill_ring(s, o);
@@ -117,10 +117,10 @@ static int do_all_blocks(run_state *s, const classify_options *o) {
             break;
         status = write_next_block(s, o);
     }
-    progress_end(&s->progress, outputs_main(&s->out)->rows, portion_reached(s, o));
+    progress_end(&s->progress, results_main(&s->out)->rows, portion_reached(s, o));
     if (!status && s->read_status)
         status = s->read_status == EXIT_SIGNAL ? EXIT_SIGNAL : fault_tell(csv_fault(s->points));
-    return status ? status : outputs_check_end(&s->out);
+    return status ? status : result_end(results_main(&s->out));
 }
 
 static int make_ring(run_state *s, size_t size) {
@@ -138,23 +138,18 @@ static int load_scene(run_state *s, const classify_options *o) {
     int status = receipt_load(&s->l, o->receipt, &o->scene);
     if (!status && o->sites.wanted)
         status = load_straight(s->l.solid, o->scene.solid, "contact");
-    outputs_init(&s->out, o, &s->l);
+    results_init(&s->out, o, &s->l);
     return !status && certified ? certified_load(&s->l, o, 1) : status;
 }
 
 static int prepare_run(run_state *s, const classify_options *o) {
-    int status = load_scene(s, o);
-    if (status)
-        return status;
-    if (o->grid.sizes)
-        status = grid_open(&s->grid, &o->grid, s->l.context, s->l.scene);
-    else
-        status = csv_open(&s->points, o->points, graze_scene_dimension(s->l.scene), o->shard.part,
-                          s->l.context);
-    if (!status && o->sites.wanted)
+    TRY(load_scene(s, o));
+    TRY(o->grid.sizes ? grid_open(&s->grid, &o->grid, s->l.context, s->l.scene)
+                      : csv_open(&s->points, o->points, graze_scene_dimension(s->l.scene),
+                                 o->shard.part, s->l.context));
+    if (o->sites.wanted)
         csv_expect_sites(s->points, o->sites.snap);
-    if (!status)
-        status = make_ring(s, ring_size(o));
+    TRY(make_ring(s, ring_size(o)));
     answer_task task = {.context = &o->scene.context,
                         .scene = s->l.scene,
                         .certifier = s->l.certifier,
@@ -162,11 +157,9 @@ static int prepare_run(run_state *s, const classify_options *o) {
                         .rows = &s->l.rows,
                         .source = source_of(s, o),
                         .one_by_one = graze_solid_primitive_count(s->l.solid) > 0};
-    if (!status)
-        status = jobs_start(&s->jobs, o->threads, &task);
-    if (!status)
-        status = outputs_open(&s->out);
-    return status ? status : pass_kept_rows(s, o);
+    TRY(jobs_start(&s->jobs, o->threads, &task));
+    TRY(results_open(&s->out));
+    return pass_kept_rows(s, o);
 }
 
 /* Rows that a signal leaves under way go on until the process ends. */
@@ -190,11 +183,11 @@ int classify_run(const classify_options *o) {
     if (!status)
         status = do_all_blocks(s, o);
     if (!status)
-        status = outputs_end(&s->out, s->grid ? grid_count(s->grid) : csv_rows(s->points),
+        status = results_end(&s->out, s->grid ? grid_count(s->grid) : csv_rows(s->points),
                              s->grid ? 0 : csv_checksum(s->points));
     if (!status && s->points && !csv_rows(s->points))
         complain(EXIT_DONE, "note: %s has no points", csv_columns(s->points)->name);
-    status = outputs_close(&s->out, status);
+    status = results_close(&s->out, status);
     end_run(s);
     return status;
 }

@@ -13,7 +13,7 @@
 #include <unistd.h>
 #include "program/io/io.h"
 #include "program/points/points.h"
-#include "program/run/kept.h"
+#include "program/run/results.h"
 
 typedef struct worker {
     jobs *shared;

@@ -6,6 +6,7 @@
 #include <errno.h>
 #include <string.h>
 #include <sys/stat.h>
+#include "base/context/scope.h"
 #include "input/delimited/delimited.h"
 #include "program/io/io.h"
 #include "program/points/points.h"
@@ -46,28 +47,28 @@ static int copy_line(part *p, output *out) {
 }
 
 int part_copy_row(part *p, output *out) {
-    int status = p->next.start ? EXIT_DONE : go_on(p);
-    if (status)
-        return status;
+    if (!p->next.start)
+        TRY(go_on(p));
     if (!p->next.start || line_part_of(p->kind, p->next) != LINE_ROW)
         return complain_of_rows(p);
-    status = copy_line(p, out);
-    while (!status && p->next.start && line_part_of(p->kind, p->next) == LINE_OF_ROW)
-        status = copy_line(p, out);
-    return status;
+    do {
+        TRY(copy_line(p, out));
+    } while (p->next.start && line_part_of(p->kind, p->next) == LINE_OF_ROW);
+    return EXIT_DONE;
 }
 
 int part_end(part *p) {
-    int status = p->next.start ? EXIT_DONE : go_on(p);
     field value;
-    if (!status && p->next.start && line_part_of(p->kind, p->next) != LINE_NOTE)
+    if (!p->next.start)
+        TRY(go_on(p));
+    if (p->next.start && line_part_of(p->kind, p->next) != LINE_NOTE)
         return complain_of_rows(p);
-    while (!status && p->next.start && !line_note(&value, p->kind, p->next, SHARD_BYTES)) {
+    while (p->next.start && !line_note(&value, p->kind, p->next, SHARD_BYTES)) {
         sum_line(p, p->next);
-        status = go_on(p);
+        TRY(go_on(p));
     }
-    if (status || checksum_value(&p->sum) == p->bytes)
-        return status;
+    if (checksum_value(&p->sum) == p->bytes)
+        return EXIT_DONE;
     return complain(EXIT_INPUT,
                     "%s: was changed: its bytes have another checksum than its last lines say; "
                     "expected a %s as %s wrote it",
@@ -102,36 +103,31 @@ static int find_kind(part *p, field line) {
 }
 
 static int read_head_lines(part *p, int *named) {
-    int status = EXIT_DONE, ended = 0;
-    while (!status && !ended) {
+    for (int ended = 0; !ended;) {
         field line;
-        status = next_line(p, &line);
-        if (status || !line.start)
+        TRY(next_line(p, &line));
+        if (!line.start)
             break;
         if (p->in.line == 1)
-            status = find_kind(p, line);
-        if (status)
-            break;
+            TRY(find_kind(p, line));
         if (memchr(line.start, '\0', line.length))
             return complain(EXIT_INPUT, "%s:%lu: a byte 0 in a text file", p->in.name, p->in.line);
         ended = p->in.whole && line_ends_head(p->kind, line);
-        status = take_head(p, line, named);
+        TRY(take_head(p, line, named));
     }
-    return status;
+    return EXIT_DONE;
 }
 
 static int read_head(part *p) {
-    int named = 0, status = read_head_lines(p, &named);
-    result_kind kind = p->kind;
-    if (status)
-        return status;
+    int named = 0;
+    TRY(read_head_lines(p, &named));
     if (p->in.line == 0)
         return find_kind(p, (field){"", 0});
     if (!named)
         return complain(EXIT_INPUT,
                         "%s: has no line `%s" SHARD_LINE "i/n` in its head; expected a %s of %s "
                         "--shard i/n",
-                        p->in.name, result_mark(kind), result_name(kind), command_of(p));
+                        p->in.name, result_mark(p->kind), result_name(p->kind), command_of(p));
     return EXIT_DONE;
 }
 
@@ -171,11 +167,11 @@ static int read_last_lines(part *p, int *found) {
     static const char *const key[LAST_LINES] = {UNDECIDED_LINE, SHARD_ROWS, SHARD_POINTS,
                                                 SHARD_BYTES, COMPLETE_LINE};
     field line, value;
-    int status = next_line(p, &line); /* perhaps a piece of one */
+    TRY(next_line(p, &line)); /* perhaps a piece of one */
     *found = LAST_UNDECIDED;
-    while (!status && line.start) {
-        status = next_line(p, &line);
-        if (status || !line.start)
+    while (line.start) {
+        TRY(next_line(p, &line));
+        if (!line.start)
             break;
         int which = *found;
         if (which == LAST_UNDECIDED && !line_note(&value, p->kind, line, UNDECIDED_LINE))
@@ -186,7 +182,7 @@ static int read_last_lines(part *p, int *found) {
         else
             *found = LAST_UNDECIDED;
     }
-    return status;
+    return EXIT_DONE;
 }
 
 /* Read the last lines of a file of `size` bytes, and go back to the rows. */

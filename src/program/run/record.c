@@ -10,15 +10,15 @@
 #include <unistd.h>
 #include "program/io/io.h"
 #include "program/points/points.h"
-#include "program/run/kept.h"
+#include "program/run/results.h"
 
 static const char first_words[] = "graze kept 1 ";
 enum { LINE_MOST = 256 };
 
 /* The line, without its own checksum. */
 static int put_record(char line[LINE_MOST], const record *r) {
-    const struct kept_bytes *table = &r->file[RESULT_TABLE],
-                            *certificate = &r->file[RESULT_CERTIFICATE];
+    const struct recorded *table = &r->file[RESULT_TABLE],
+                          *certificate = &r->file[RESULT_CERTIFICATE];
     return snprintf(line, LINE_MOST,
                     "%srows %020lu undecided %020lu wide %020lu points %016llx table %020llu "
                     "%016llx certificate %020llu %016llx",
@@ -62,8 +62,8 @@ int record_open(record_file *f, const char *path) {
 
 int record_read(record *out, const record_file *f) {
     char text[LINE_MOST], same[LINE_MOST];
-    struct kept_bytes *table = &out->file[RESULT_TABLE],
-                      *certificate = &out->file[RESULT_CERTIFICATE];
+    struct recorded *table = &out->file[RESULT_TABLE],
+                    *certificate = &out->file[RESULT_CERTIFICATE];
     unsigned long long sum;
     memset(out, 0, sizeof *out);
     if (!f->path || read_beginning(text, f->path) <= 0)

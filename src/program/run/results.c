@@ -1,207 +1,371 @@
-/* Writes a table or a certificate, and continues one.
+/* Writes the table and the certificate of a run.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#define _GNU_SOURCE /* memrchr */
-#include <errno.h>
+#include "program/run/run.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <unistd.h>
+#include "base/context/scope.h"
 #include "input/delimited/delimited.h"
+#include "output/table/table.h"
 #include "program/io/io.h"
 #include "program/points/points.h"
-#include "program/run/kept.h"
+#include "program/run/results.h"
 
-/* TAIL: the notes at the end of a file are shorter. */
-enum { PIECE = 1 << 16, TAIL = 512 };
-
-/* Read bytes that stand in the file. */
-static int read_piece(const results *t, char *to, size_t length, unsigned long long from) {
-    while (length) {
-        ssize_t n = pread(t->out.fd, to, length, (off_t)from);
-        if (n < 0 && errno == EINTR)
-            continue;
-        if (n < 0)
-            return complain(EXIT_IO, "%s: cannot be read: %s", t->resumed, strerror(errno));
-        if (n == 0)
-            return complain(EXIT_IO, "%s: another program has changed it", t->resumed);
-        to += n;
-        from += (unsigned long long)n;
-        length -= (size_t)n;
-    }
-    return EXIT_DONE;
+void results_init(results *out, const classify_options *o, const loaded *l) {
+    out->o = o;
+    out->l = l;
+    for (int kind = 0; kind < RESULT_KINDS; kind++)
+        out->file[kind].kind = (result_kind)kind;
+    out->file[RESULT_CERTIFICATE].beside = !o->no_table;
+    typed_init(&out->typed, l->context);
 }
 
-/* Find the end of the last whole line, from the file's end. */
-static int find_whole_lines(results *t) {
-    char piece[PIECE];
-    int status = EXIT_DONE;
-    for (t->there = t->size; t->there && !status;) {
-        size_t length = t->there < PIECE ? (size_t)t->there : PIECE;
-        status = read_piece(t, piece, length, t->there - length);
-        const char *last = status ? NULL : memrchr(piece, '\n', length);
-        if (last) {
-            t->there -= length - (size_t)(last + 1 - piece);
-            break;
-        }
-        t->there -= length;
-    }
-    return status;
+int results_wants(const results *out, result_kind kind) {
+    return kind == RESULT_TABLE ? !out->o->no_table : out->o->no_table || out->o->certificate;
 }
 
-/* The last line of a text of whole lines, without its end. */
-static field last_line(const char *text, size_t length) {
-    const char *before = length > 1 ? memrchr(text, '\n', length - 1) : NULL;
-    size_t start = before ? (size_t)(before + 1 - text) : 0;
-    return (field){text + start, length - start - 1};
+result *results_main(results *out) {
+    return &out->file[out->o->no_table ? RESULT_CERTIFICATE : RESULT_TABLE];
 }
 
-/* Leave out the notes at the end, which are written anew; `complete` is refused. */
-static int drop_notes(results *t) {
-    char tail[TAIL];
-    size_t length = t->there < TAIL ? (size_t)t->there : TAIL;
-    field value;
-    int status = read_piece(t, tail, length, t->there - length);
-    while (!status && length) {
-        field line = last_line(tail, length);
-        if (line_part_of(t->kind, line) != LINE_NOTE)
-            break;
-        if (!t->beside && line_note(&value, t->kind, line, COMPLETE_LINE))
-            return complain(EXIT_INPUT,
-                            "%s: is complete with its %.*s rows; expected an interrupted %s",
-                            t->resumed, FIELD_SHOWN(value), result_name(t->kind));
-        t->there -= line.length + 1;
-        length -= line.length + 1;
-    }
-    return status;
+/* Neither rows nor notes are written to it: they are added to the columns that are exported. */
+static int is_exported(const results *out, int kind) {
+    return kind == RESULT_TABLE && out->l->rows.format >= GRAZE_FORMAT_VTK;
 }
 
-int results_open(results *t, const char *path, const char *resumed) {
+/* A file with a head and last lines. */
+static int has_notes(const results *out, int kind) {
+    return kind == RESULT_CERTIFICATE || out->l->rows.format == GRAZE_FORMAT_CSV;
+}
+
+/* The record beside a plain file; that of an earlier run is read, or taken away. */
+static int open_record(results *out) {
+    const classify_options *o = out->o;
+    const char *path = o->resume ? o->resume : o->output;
     struct stat about;
-    t->resumed = resumed;
-    int status = resumed ? output_continue(&t->out, resumed) : output_open(&t->out, path);
-    t->opened = !status;
-    if (status || !resumed)
-        return status;
-    status = output_lock(&t->out);
-    if (!status && fstat(t->out.fd, &about) != 0)
-        status = complain(EXIT_IO, "%s: cannot be read: %s", resumed, strerror(errno));
-    t->size = status ? 0 : (unsigned long long)about.st_size;
-    if (!status)
-        status = find_whole_lines(t);
-    return status ? status : drop_notes(t);
-}
-
-/* These bytes are the file's. */
-static void take(results *t, const char *text, size_t length) {
-    checksum_add(&t->sum, text, length);
-    for (const char *at = text; (at = memchr(at, '\n', length - (size_t)(at - text))); at++)
-        t->lines++;
-}
-
-int results_reach(const results *t, const struct kept_bytes *kept) {
-    return kept->length <= t->there;
-}
-
-int results_pass(results *t, const struct kept_bytes *kept, unsigned long rows) {
-    char piece[PIECE];
-    int status = EXIT_DONE;
-    while (t->sum.length < kept->length && !status) {
-        unsigned long long left = kept->length - t->sum.length;
-        size_t length = left < PIECE ? (size_t)left : PIECE;
-        status = read_piece(t, piece, length, t->sum.length);
-        if (!status)
-            take(t, piece, length);
-    }
-    if (!status && (t->sum.length != kept->length || checksum_value(&t->sum) != kept->sum))
-        status = complain(EXIT_INPUT,
-                          "%s: its first %lu rows are not those that were written; expected a %s "
-                          "that was not changed",
-                          t->resumed, rows, result_name(t->kind));
-    t->rows = rows;
-    if (!status && t->sum.length == t->there)
-        output_from(&t->out, (long long)t->there);
+    if (!path || o->transient || !has_notes(out, results_main(out)->kind) ||
+        fstat(results_main(out)->out.fd, &about) != 0 || !S_ISREG(about.st_mode))
+        return EXIT_DONE;
+    int status = record_open(&out->beside, path);
+    int there = !status && o->resume && record_read(&out->at, &out->beside);
+    for (int kind = 0; kind < RESULT_KINDS; kind++)
+        there = there && (!results_wants(out, (result_kind)kind) ||
+                          result_reach(&out->file[kind], &out->at.file[kind]));
+    if (!there)
+        memset(&out->at, 0, sizeof out->at);
+    if (!status && !o->resume)
+        record_remove(&out->beside);
     return status;
 }
 
-/* Name the line at which the file and this run differ: at byte `at` of a piece and of a text. */
-static int refuse_line(const results *t, const char *piece, const char *text, size_t at,
-                       size_t length) {
-    size_t start = at, n, m;
-    unsigned long line = t->lines + 1;
-    for (const char *k = text; (k = memchr(k, '\n', at - (size_t)(k - text))); k++)
-        line++;
-    while (start && text[start - 1] != '\n')
+int results_open(results *out) {
+    const classify_options *o = out->o;
+    TRY(result_open(results_main(out), o->output, o->resume));
+    if (o->certificate)
+        TRY(result_open(&out->file[RESULT_CERTIFICATE], o->certificate,
+                        o->resume ? o->certificate : NULL));
+    return open_record(out);
+}
+
+int results_pass(results *out, unsigned long rows, unsigned long long points) {
+    int status = EXIT_DONE;
+    if (rows < out->at.rows)
+        return complain(EXIT_INPUT,
+                        "%s: has %lu rows already, more than there are points; expected the points "
+                        "the %s was begun with",
+                        out->o->resume, out->at.rows, result_name(results_main(out)->kind));
+    if (points != out->at.points)
+        return complain(EXIT_INPUT,
+                        "%s: its first %lu rows are of other points; expected the points the %s "
+                        "was begun with",
+                        out->o->resume, rows, result_name(results_main(out)->kind));
+    for (int kind = 0; kind < RESULT_KINDS && !status; kind++)
+        if (results_wants(out, (result_kind)kind))
+            status = result_pass(&out->file[kind], &out->at.file[kind], rows);
+    return status;
+}
+
+/* Lines of the table's head beside those of the scene. */
+static void put_head_notes(text *notes, const results *out, const row_source *source,
+                           const char *shard) {
+    char form[COORDINATES_NOTE];
+    coordinates_note(form, &source->coordinates);
+    text_put(notes, load_note(&out->o->scene));
+    text_put(notes, out->o->sites.snap ? "# snap yes\n" : "");
+    text_put(notes, form);
+    if (source->grid)
+        grid_notes(notes, source->grid);
+    if (*shard)
+        text_format(notes, "# %s", shard);
+}
+
+/* The head of a table with these further columns, or NULL. */
+static int make_head(char **head, const results *out, const char *notes, const char *others) {
+    const struct site_choice *sites = &out->o->sites;
+    graze_context *context = out->l->context;
+    HELD(text, all);
+    text_put(&all, sites->snap ? "shift" : "");
+    text_put(&all, sites->snap && others ? "," : "");
+    text_put(&all, others ? others : "");
+    const char *columns = all.length ? all.data : NULL;
+    if (all.failed) {
+        return complain(EXIT_IO, "out of memory");
+    }
+    graze_status made =
+        sites->wanted
+            ? graze_site_header(head, context, out->l->scene, notes, columns)
+            : graze_report_header(head, context, out->l->scene, notes, columns, &out->l->rows);
+    return complain_of(made, context);
+}
+
+/* The last line of a head: the names of its columns. */
+static field names_of(const char *head) {
+    size_t length = strlen(head) - 1, start = length;
+    while (start && head[start - 1] != '\n')
         start--;
-    for (n = 0; start + n < length && piece[start + n] != '\n';)
-        n++;
-    for (m = 0; text[start + m] && text[start + m] != '\n';)
-        m++;
-    return complain(EXIT_INPUT,
-                    "%s:%lu: `%.*s` stands in the file and `%.*s` is this run's: expected a %s of "
-                    "this run that was not changed",
-                    t->resumed, line, (int)(n < 200 ? n : 200), piece + start,
-                    (int)(m < 200 ? m : 200), text + start, result_name(t->kind));
+    return (field){head + start, length - start};
 }
 
-/* See that the next bytes of the file are those of a text. */
-static int compare(results *t, const char *text, size_t length) {
-    char piece[PIECE];
-    while (length) {
-        size_t part = length < PIECE ? length : PIECE, at = 0;
-        int status = read_piece(t, piece, part, t->sum.length);
-        if (status)
-            return status;
-        while (at < part && piece[at] == text[at])
-            at++;
-        if (at < part)
-            return refuse_line(t, piece, text, at, part);
-        take(t, text, part);
-        text += part;
-        length -= part;
-    }
-    return EXIT_DONE;
-}
-
-int results_add(results *t, const char *text, size_t length, unsigned long rows) {
-    unsigned long long left = t->there > t->sum.length ? t->there - t->sum.length : 0;
-    size_t there = left < length ? (size_t)left : length;
-    if (!length) /* a run whose first row has no answer has no text */
-        return EXIT_DONE;
-    int status = there ? compare(t, text, there) : EXIT_DONE;
-    if (status)
+/* The head, with the further columns under names that are free. */
+static int make_free_head(char **head, const results *out, const row_source *source,
+                          const char *notes) {
+    int status = make_head(head, out, notes, NULL);
+    if (status || !source->columns || !source->columns->others)
         return status;
-    if (there && t->sum.length == t->there)
-        output_from(&t->out, (long long)t->there);
-    output_bytes(&t->out, text + there, length - there);
-    checksum_add(&t->sum, text + there, length - there);
-    t->rows += rows;
+    char *others = columns_free_names(source->columns, names_of(*head));
+    graze_free(*head);
+    *head = NULL;
+    status = others ? make_head(head, out, notes, others) : complain(EXIT_IO, "out of memory");
+    free(others);
+    return status;
+}
+
+/* Begin a table of columns: its head's names are theirs. */
+static int begin_export(results *out, const row_source *source, const char *head) {
+    if (source->grid)
+        grid_shape(&out->typed, source->grid);
+    return complain_of(typed_begin(&out->typed, graze_scene_dimension(out->l->scene),
+                                   names_of(head), out->l->rows.columns == GRAZE_COLUMNS_PMC),
+                       out->l->context);
+}
+
+static int begin_table(results *out, const row_source *source, const char *shard) {
+    char *head = NULL;
+    HELD(text, notes);
+    put_head_notes(&notes, out, source, shard);
+    int status = notes.failed ? complain(EXIT_IO, "out of memory")
+                              : make_free_head(&head, out, source, notes.data);
+    if (!status)
+        status = is_exported(out, RESULT_TABLE) ? begin_export(out, source, head)
+                                                : result_begin(&out->file[RESULT_TABLE], head);
+    graze_free(head);
+    return status;
+}
+
+/* The shard stands before the last line of the head. */
+static int begin_certificate(results *out, const char *shard) {
+    char *head = NULL;
+    graze_status made = graze_certificate_head(&head, out->l->context, out->l->certifier);
+    if (made)
+        return complain_of(made, out->l->context);
+    char *signs = strstr(head, "\nsigns ") + 1;
+    size_t room = strlen(head) + strlen(shard) + 1;
+    FREED(char, text, malloc(room));
+    if (text)
+        snprintf(text, room, "%.*s%s%s", (int)(signs - head), head, shard, signs);
+    int status = text ? result_begin(&out->file[RESULT_CERTIFICATE], text)
+                      : complain(EXIT_IO, "out of memory");
+    graze_free(head);
+    return status;
+}
+
+int results_begin(results *out, const row_source *source) {
+    const struct shard_choice *s = &out->o->shard;
+    char shard[64] = "";
+    if (s->given)
+        snprintf(shard, sizeof shard, SHARD_LINE "%lu/%lu\n", s->part.index + 1, s->part.count);
+    if (results_wants(out, RESULT_CERTIFICATE))
+        TRY(begin_certificate(out, shard));
+    if (results_wants(out, RESULT_TABLE) && out->l->rows.format != GRAZE_FORMAT_JSONL)
+        TRY(begin_table(out, source, shard));
     return EXIT_DONE;
 }
 
-int results_begin(results *t, const char *head) {
-    size_t length = strlen(head);
-    if (t->there < length) /* of a head, the piece of a line counts too */
-        t->there = t->size < length ? t->size : length;
-    return results_add(t, head, length, 0);
+static int put_run(results *out, result_kind kind, const row_run *run) {
+    const struct row_text *text = &run->out[kind];
+    if (!is_exported(out, kind))
+        return result_add(&out->file[kind], text->text, text->length, run->done);
+    out->file[kind].rows += run->done;
+    return complain_of(typed_add(&out->typed, text->text, text->length), out->l->context);
 }
 
-int results_end(const results *t) {
-    if (t->sum.length >= t->there)
-        return EXIT_DONE;
-    return complain(EXIT_INPUT,
-                    "%s: has more than the %lu rows for which there are points; expected the "
-                    "points the %s was begun with",
-                    t->resumed, t->rows, result_name(t->kind));
-}
-
-struct kept_bytes results_kept(const results *t) {
-    return (struct kept_bytes){t->sum.length, checksum_value(&t->sum)};
-}
-
-int results_close(results *t, int status) {
-    if (t->opened) {
-        int closed = output_close(&t->out);
-        status = closed ? closed : status;
+/* The rows of a block for one file, up to the first that has no answer. */
+static int put_rows(results *out, result_kind kind, const block *b) {
+    size_t r = 0;
+    int status = EXIT_DONE;
+    while (r < b->count && !status) {
+        const row_run *run = &b->runs[r];
+        status = put_run(out, kind, run);
+        if (status || run->done < run->taken || run->taken == 0)
+            break;
+        r += run->taken;
     }
+    output_flush(&out->file[kind].out);
+    return status;
+}
+
+/* These rows of a block are written. */
+static void record_rows(results *out, const block *b) {
+    size_t done = 0, r = 0;
+    for (int whole = 1; whole && r < b->count; r += b->runs[r].taken) {
+        const row_run *run = &b->runs[r];
+        done += run->done;
+        out->at.undecided += run->totals.undecided;
+        out->at.wide += run->totals.wide;
+        whole = run->taken && run->done == run->taken;
+    }
+    if (!done)
+        return;
+    out->at.rows += done;
+    out->at.points = b->points[done - 1];
+    for (int kind = 0; kind < RESULT_KINDS; kind++)
+        if (results_wants(out, (result_kind)kind))
+            out->at.file[kind] = result_recorded(&out->file[kind]);
+    out->recorded = 1;
+    record_write(&out->beside, &out->at, 0);
+}
+
+/* Why a block has rows without answers. */
+static int block_fault(const block *b) {
+    for (size_t r = 0; r < b->count; r += b->runs[r].taken) {
+        if (b->runs[r].taken == 0)
+            return EXIT_SIGNAL;
+        if (b->runs[r].done < b->runs[r].taken)
+            return fault_tell(&b->runs[r].fault);
+    }
+    return EXIT_DONE;
+}
+
+int results_block(results *out, const block *b) {
+    int status = EXIT_DONE;
+    for (int kind = RESULT_KINDS - 1; kind >= 0 && !status && !results_failed(out); kind--)
+        if (results_wants(out, (result_kind)kind))
+            status = put_rows(out, (result_kind)kind, b);
+    if (!status && !results_failed(out))
+        record_rows(out, b);
+    return status ? status : block_fault(b);
+}
+
+int results_failed(const results *out) {
+    for (int kind = 0; kind < RESULT_KINDS; kind++)
+        if (out->file[kind].opened && out->file[kind].out.error)
+            return 1;
+    return 0;
+}
+
+/* A line at the end of a table or certificate. */
+static int put_last_line(results *out, result_kind kind, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+static int put_last_line(results *out, result_kind kind, const char *format, ...) {
+    char line[96];
+    va_list values;
+    int length = snprintf(line, sizeof line, "%s", result_mark(kind));
+    va_start(values, format);
+    vsnprintf(line + length, sizeof line - (size_t)length, format, values);
+    va_end(values);
+    return result_add(&out->file[kind], line, strlen(line), 0);
+}
+
+/* Whether rows may be undecided: their position, or all of a curved solid's. */
+static int counts_undecided(const results *out) {
+    return out->l->rows.topo || out->l->rows.regular ||
+           graze_solid_primitive_count(out->l->solid) > 0;
+}
+
+/* A shard's last lines match it with the others; `complete` is the last line of all. */
+static int put_last_lines(results *out, result_kind kind, unsigned long rows_of_all,
+                          unsigned long long points) {
+    const result *file = &out->file[kind];
+    if (kind == RESULT_TABLE && counts_undecided(out))
+        TRY(put_last_line(out, kind, UNDECIDED_LINE "%lu\n", out->at.undecided));
+    if (out->o->shard.given) {
+        TRY(put_last_line(out, kind, SHARD_ROWS "%lu\n", rows_of_all));
+        TRY(put_last_line(out, kind, SHARD_POINTS "%016llx\n", points));
+        TRY(put_last_line(out, kind, SHARD_BYTES "%016llx\n", checksum_value(&file->sum)));
+    }
+    TRY(put_last_line(out, kind, COMPLETE_LINE "%lu\n", file->rows));
+    TRY(result_end(file));
+    output_flush(&out->file[kind].out);
+    return EXIT_DONE;
+}
+
+/* Write the table in the form asked for. */
+static int export_table(results *out) {
+    output *to = &out->file[RESULT_TABLE].out;
+    graze_status status = typed_write(&out->typed, out->l->rows.format, (sink){output_sink, to});
+    if (status)
+        output_drop(to);
+    return complain_of(status, out->l->context);
+}
+
+int results_end(results *out, unsigned long rows_of_all, unsigned long long checksum) {
+    int status = EXIT_DONE;
+    for (int kind = RESULT_KINDS - 1; kind >= 0 && !status && !results_failed(out); kind--)
+        if (results_wants(out, (result_kind)kind) && has_notes(out, kind))
+            status = put_last_lines(out, (result_kind)kind, rows_of_all, checksum);
+    return !status && is_exported(out, RESULT_TABLE) ? export_table(out) : status;
+}
+
+/* Report the rows that an interrupted run leaves. */
+static void report_whole_rows(const results *out, int kind) {
+    const result *file = &out->file[kind];
+    int can_go_on = has_notes(out, kind);
+    if (file->opened && !is_exported(out, kind))
+        complain(EXIT_SIGNAL, "%s: has %lu whole rows%s%s", file->out.name, file->rows,
+                 can_go_on ? "; the same command with --resume FILE continues a " : "",
+                 can_go_on ? result_name(file->kind) : "");
+}
+
+int results_close(results *out, int status) {
+    const graze_row_options *rows = &out->l->rows;
+    int ended = status;
+    if (status && out->recorded)
+        record_write(&out->beside, &out->at, 1);
+    for (int kind = RESULT_KINDS - 1; kind >= 0; kind--)
+        if (results_wants(out, (result_kind)kind)) {
+            int closed = result_close(&out->file[kind], ended);
+            status = closed != ended && status == ended ? closed : status;
+        }
+    if (!status && out->at.undecided)
+        complain(EXIT_DONE, "note: %s of %lu of %lu rows is undecided; graze explain%s says why",
+                 rows->regular                        ? "regular"
+                 : rows->topo                         ? "the position"
+                 : rows->columns == GRAZE_COLUMNS_PMC ? "pmc"
+                                                      : "the word",
+                 out->at.undecided, out->file[RESULT_TABLE].rows,
+                 rows->regular ? " --regular"
+                 : rows->topo  ? " --topo"
+                               : "");
+    if (!status && out->o->coordinates.digits)
+        complain(EXIT_DONE,
+                 "note: coordinates of more than %d digits are rounded; the answers are those of "
+                 "the points before that",
+                 out->o->coordinates.digits);
+    if (!status && out->at.wide)
+        complain(EXIT_DONE,
+                 "note: the distance of %lu of %lu rows is enclosed less closely than asked for",
+                 out->at.wide, out->file[RESULT_TABLE].rows);
+    for (int kind = 0; kind < RESULT_KINDS && status == EXIT_SIGNAL; kind++)
+        if (results_wants(out, (result_kind)kind))
+            report_whole_rows(out, kind);
+    if (!status)
+        record_remove(&out->beside);
+    record_close(&out->beside);
+    typed_clear(&out->typed);
     return status;
 }

@@ -1,9 +1,10 @@
 /* Answers contact points: each is a site of the scene, and a row.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include "base/context/scope.h"
 #include "base/number/text.h"
 #include "program/points/points.h"
-#include "program/run/kept.h"
+#include "program/run/results.h"
 
 static graze_status make_site(graze_site **out, graze_context *context, const graze_scene *scene,
                               const site_rows *rows, size_t row) {
@@ -34,8 +35,7 @@ graze_status site_answer(row_run *r, graze_context *context, const graze_scene *
                          const site_rows *rows, graze_format format) {
     struct row_text *table = &r->out[RESULT_TABLE];
     graze_status status = GRAZE_OK;
-    text all;
-    text_init(&all);
+    HELD(text, all);
     while (r->done < rows->count && !status) {
         status = add_site_row(&all, context, scene, rows, format, r->done);
         r->done += !status;

@@ -1,7 +1,11 @@
-/* The state of the files of a run.
+/* The files of a run, and how far they have come.
+ *
+ * A run writes `results`: a table, a certificate, or both, each a `result`. Its `record`, in a file
+ * FILE.kept beside them while they are unfinished, says how far they have come. A result is written
+ * through an `output` (program/io), which knows bytes alone.
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef GRAZE_PROGRAM_RUN_KEPT_H
-#define GRAZE_PROGRAM_RUN_KEPT_H
+#ifndef GRAZE_PROGRAM_RUN_RESULTS_H
+#define GRAZE_PROGRAM_RUN_RESULTS_H
 
 #include "output/table/table.h"
 #include "program/io/io.h"
@@ -21,7 +25,7 @@ size_t answer_most(const answer_task *task);
 typedef struct record {
     unsigned long rows, undecided, wide;
     unsigned long long points; /* checksum of the points up to there */
-    struct kept_bytes {
+    struct recorded {
         unsigned long long length, sum; /* of the file up to there */
     } file[RESULT_KINDS];
 } record;
@@ -46,11 +50,11 @@ void record_close(record_file *f);
 /* The table or the certificate that a run writes: begun anew, or continued where an earlier run
  * was interrupted.
  *
- * A file that is continued is passed over up to the end of its record (kept.h); behind that its
+ * A file that is continued is passed over up to the end of its record; behind that its
  * bytes are compared with those of this run. Until all of it is the same nothing in the file
  * changes; a last line without its end is written anew. */
 
-typedef struct results {
+typedef struct result {
     output out;
     result_kind kind;
     int opened;
@@ -61,79 +65,75 @@ typedef struct results {
     checksum sum;             /* of the bytes passed over, compared or written */
     unsigned long lines;      /* among them, for messages */
     unsigned long rows;       /* rows written, or taken over from an earlier run */
-} results;
+} result;
 
 /** Open standard output (NULL), a file, or with `resumed` a file to continue, which need not be
  * there. Returns an exit status and says what is wrong: EXIT_INPUT the file is whole already, which
  * one that is `beside` another may be. `t` is zeroed before but for `kind` and `beside`;
- * results_close ends it in any case. */
-int results_open(results *t, const char *path, const char *resumed);
+ * result_close ends it in any case. */
+int result_open(result *t, const char *path, const char *resumed);
 
 /** Write the head, or see that it is the one there. EXIT_INPUT: it is not. */
-int results_begin(results *t, const char *head);
+int result_begin(result *t, const char *head);
 
 /** 1 if the file has that number of bytes, so that a record may belong to it. */
-int results_reach(const results *t, const struct kept_bytes *kept);
+int result_reach(const result *t, const struct recorded *kept);
 
 /** Pass over the file up to there, `rows` rows. EXIT_INPUT: it was changed. */
-int results_pass(results *t, const struct kept_bytes *kept, unsigned long rows);
+int result_pass(result *t, const struct recorded *kept, unsigned long rows);
 
 /** Add whole lines with `rows` rows, or check that they are there. EXIT_INPUT: others are. */
-int results_add(results *t, const char *text, size_t length, unsigned long rows);
+int result_add(result *t, const char *text, size_t length, unsigned long rows);
 
 /** Nothing will be added. EXIT_INPUT: there are rows for which this run has no points. */
-int results_end(const results *t);
+int result_end(const result *t);
 
 /** How far the file has come. */
-struct kept_bytes results_kept(const results *t);
+struct recorded result_recorded(const result *t);
 
 /** Flush and close. Returns `status`, or why the writing failed. */
-int results_close(results *t, int status);
+int result_close(result *t, int status);
 
 /* The files of one run: a table, a certificate, or both.
  *
  * A certificate is written before the rows of its table, so that a table never tells of a row
  * whose certificate is not there. */
 
-/** Zeroed, outputs_init, and outputs_close in any case. */
-typedef struct outputs {
+/** Zeroed, results_init, and results_close in any case. */
+typedef struct results {
     const classify_options *o;
     const loaded *l;
-    results file[RESULT_KINDS];
+    result file[RESULT_KINDS];
     typed_table typed;  /* the table, where it is exported */
     record_file beside; /* of the table, or of the certificate alone */
     int recorded;       /* rows of this run are in it */
     record at;          /* how far the rows have come; not beyond a row without an answer */
-} outputs;
+} results;
 
-void outputs_init(outputs *out, const classify_options *o, const loaded *l);
+void results_init(results *out, const classify_options *o, const loaded *l);
 /** Is that file wanted? */
-int outputs_wants(const outputs *out, result_kind kind);
+int results_wants(const results *out, result_kind kind);
 /** The file that counts the rows: the table, or the certificate alone. */
-results *outputs_main(outputs *out);
+result *results_main(results *out);
 
 /** Open the files, or those to continue. Returns an exit status and says what is wrong. */
-int outputs_open(outputs *out);
-/** Number of rows that need not be made again: those in the record of an earlier run. */
-unsigned long outputs_skip(const outputs *out);
+int results_open(results *out);
 /** Pass over these rows, whose points, `rows` of them, have this checksum. EXIT_INPUT: they are
  * other rows, or of other points. */
-int outputs_pass(outputs *out, unsigned long rows, unsigned long long points);
+int results_pass(results *out, unsigned long rows, unsigned long long points);
 /** Write the heads. `source` has the columns or the grid. */
-int outputs_begin(outputs *out, const row_source *source);
+int results_begin(results *out, const row_source *source);
 /** Write the rows of a block that have answers, up to the first that has none. EXIT_SIGNAL: that
  * was left out after a signal. */
-int outputs_block(outputs *out, const block *b);
+int results_block(results *out, const block *b);
 /** Write the last lines, or the table in the form asked for. `rows_of_all` and `checksum` describe
  * the whole run, so that merge can match the parts. */
-int outputs_end(outputs *out, unsigned long rows_of_all, unsigned long long checksum);
-/** All points are answered. EXIT_INPUT: a continued file has more rows. */
-int outputs_check_end(const outputs *out);
+int results_end(results *out, unsigned long rows_of_all, unsigned long long checksum);
 /** Has a write failed? */
-int outputs_failed(const outputs *out);
+int results_failed(const results *out);
 /** Flush and close. Returns `status`, or why the writing failed; after a signal, says how many rows
  * there are. */
-int outputs_close(outputs *out, int status);
+int results_close(results *out, int status);
 
 /* Rows of contact points. */
 
