@@ -99,22 +99,22 @@ void json_number(json_writer *w, const char *key, const char *digits) {
     text_put(json_begin(w, key), digits);
 }
 
-void json_formula(json_writer *w, const char *key, const char *form, ...) {
-    text *out = json_begin(w, key);
+void json_form(text *out, const char *form, ...) {
     va_list numbers;
     va_start(numbers, form);
-    text_put(out, "\"");
-    for (; *form; form++)
-        if (*form == '@')
+    for (; *form; form++) {
+        text_put(out, *form == '%' ? "\"" : "");
+        if (*form == '@' || *form == '%')
             text_rational(out, va_arg(numbers, const fmpq *));
         else
             text_bytes(out, form, 1);
-    text_put(out, "\"");
+        text_put(out, *form == '%' ? "\"" : "");
+    }
     va_end(numbers);
 }
 
 void json_rational(json_writer *w, const char *key, const fmpq_t value) {
-    json_formula(w, key, "@", value);
+    json_form(json_begin(w, key), "%", value);
 }
 
 void json_point(json_writer *w, const char *key, const fmpq *point, int dimension) {

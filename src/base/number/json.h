@@ -38,8 +38,8 @@ void json_count(json_writer *w, const char *key, unsigned long value);
 void json_number(json_writer *w, const char *key, const char *digits);
 /** An exact number, as a string. */
 void json_rational(json_writer *w, const char *key, const fmpq_t value);
-/** A string in which each @ is the next rational. */
-void json_formula(json_writer *w, const char *key, const char *form, ...);
+/** Append JSON as it stands, but for each @, the next rational, and %, the next one as a string. */
+void json_form(text *out, const char *form, ...);
 /** A list of rationals. */
 void json_point(json_writer *w, const char *key, const fmpq *point, int dimension);
 void json_integer(json_writer *w, const char *key, const fmpz_t value);

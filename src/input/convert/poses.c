@@ -117,7 +117,7 @@ static void put_matrices(text *t, const pose_list *list) {
                 json_open(&w, NULL, '[');
             }
             fmpq_sub(step, p[1].matrix + k, p[0].matrix + k);
-            json_formula(&w, NULL, "@+(@)*s", p[0].matrix + k, step);
+            json_form(json_begin(&w, NULL), "\"@+(@)*s\"", p[0].matrix + k, step);
             if (k % 4 == 3)
                 json_close(&w, ']');
         }

@@ -57,7 +57,7 @@ static void put_pieces(json_writer *w, const joint *j, int dimension, const fmpz
         json_open(w, NULL, '{');
         json_open(w, "rotate", '{');
     }
-    json_formula(w, "tan_half", "(@)*s", tangent);
+    json_form(json_begin(w, "tan_half"), "\"(@)*s\"", tangent);
     put_axis(w, j, dimension);
     json_ends(w, whole ? "]}}" : "}");
 }
@@ -71,7 +71,7 @@ static void put_quaternion(json_writer *w, const joint *j, const fmpq_t tangent)
     json_text(w, NULL, "1");
     for (int k = 0; k < 3; k++) {
         fmpq_mul(factor, tangent, j->axis + k);
-        json_formula(w, NULL, "(@)*s", factor);
+        json_form(json_begin(w, NULL), "\"(@)*s\"", factor);
     }
     json_close(w, ']');
     put_center(w, j, 3);

@@ -111,18 +111,19 @@ static void put_turn(json_writer *w, const joint *j, int dimension, const half_a
     fmpq_sub(step + 1, to->c, from->c);
     json_open(w, dimension == 2 ? "rotate" : "quaternion", dimension == 2 ? '{' : '[');
     if (dimension == 2) {
-        json_formula(w, "tan_half", "(@+(@)*s)/(@+(@)*s)", from->c, step + 1, from->w, step);
+        json_form(json_begin(w, "tan_half"), "\"(@+(@)*s)/(@+(@)*s)\"", from->c, step + 1, from->w,
+                  step);
         put_center(w, j, 2);
         json_close(w, '}');
         return;
     }
-    json_formula(w, NULL, "(@+(@)*s)", from->w, step);
+    json_form(json_begin(w, NULL), "\"(@+(@)*s)\"", from->w, step);
     for (int k = 0; k < 3; k++)
-        json_formula(w, NULL,
-                     fmpq_is_zero(j->axis + k)  ? "0"
-                     : fmpq_is_one(j->axis + k) ? "(@+(@)*s)"
-                                                : "(@+(@)*s)*(@)",
-                     from->c, step + 1, j->axis + k);
+        json_form(json_begin(w, NULL),
+                  fmpq_is_zero(j->axis + k)  ? "\"0\""
+                  : fmpq_is_one(j->axis + k) ? "\"(@+(@)*s)\""
+                                             : "\"(@+(@)*s)*(@)\"",
+                  from->c, step + 1, j->axis + k);
     json_close(w, ']');
     put_center(w, j, 3);
 }
@@ -135,7 +136,7 @@ static void put_slide(json_writer *w, const joint *j, int dimension, const fmpq_
     json_open(w, "translate", '[');
     for (int k = 0; k < dimension; k++) {
         fmpq_mul(way, j->axis + k, factor);
-        json_formula(w, NULL, "(@)*t", way);
+        json_form(json_begin(w, NULL), "\"(@)*t\"", way);
     }
     json_ends(w, "]}");
 }

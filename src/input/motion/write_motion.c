@@ -91,10 +91,7 @@ void motion_begin_piece(json_writer *w, int indent, const fmpq_t from, const fmp
                         unsigned long row, const char *kind, char bracket) {
     json_line(w, indent);
     json_open(w, NULL, '{');
-    json_open(w, "t", '[');
-    json_rational(w, NULL, from);
-    json_rational(w, NULL, to);
-    json_close(w, ']');
+    json_form(json_begin(w, "t"), "[%, %]", from, to);
     if (row)
         json_count(w, "row", row);
     json_open(w, "transform", '{');
