@@ -1,6 +1,7 @@
 /* Writes JSON. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/number/json.h"
 
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -33,23 +34,34 @@ static void put_string(text *out, const char *string) {
     text_put(out, "\"");
 }
 
-/* Everything in front of a value. */
-static void begin_value(json_writer *w, const char *key) {
+/* The line that json_line asked for. */
+static void put_asked_line(json_writer *w) {
+    if (w->line)
+        text_format(w->out, "\n%*s", w->line - 1, "");
+    w->line = 0;
+}
+
+text *json_begin(json_writer *w, const char *key) {
     if (w->members) {
-        text_put(w->out, ",");
+        text_put(w->out, w->spaced && !w->line ? ", " : ",");
         put_line(w);
     }
+    put_asked_line(w);
     put_indent(w);
     w->members = 1;
     if (key) {
         put_string(w->out, key);
-        text_put(w->out, w->pretty ? ": " : ":");
+        text_put(w->out, w->pretty || w->spaced ? ": " : ":");
     }
+    return w->out;
+}
+
+void json_line(json_writer *w, int indent) {
+    w->line = indent + 1;
 }
 
 void json_open(json_writer *w, const char *key, char bracket) {
-    begin_value(w, key);
-    text_bytes(w->out, &bracket, 1);
+    text_bytes(json_begin(w, key), &bracket, 1);
     put_line(w);
     w->depth++;
     w->members = 0;
@@ -59,14 +71,20 @@ void json_close(json_writer *w, char bracket) {
     w->depth--;
     w->members = 1;
     put_line(w);
+    put_asked_line(w);
     put_indent(w);
     text_bytes(w->out, &bracket, 1);
     if (!w->depth)
         put_line(w);
 }
 
+void json_ends(json_writer *w, const char *brackets) {
+    for (; *brackets; brackets++)
+        json_close(w, *brackets);
+}
+
 void json_text(json_writer *w, const char *key, const char *value) {
-    begin_value(w, key);
+    json_begin(w, key);
     if (value)
         put_string(w->out, value);
     else
@@ -74,24 +92,40 @@ void json_text(json_writer *w, const char *key, const char *value) {
 }
 
 void json_count(json_writer *w, const char *key, unsigned long value) {
-    begin_value(w, key);
-    text_count(w->out, value);
+    text_count(json_begin(w, key), value);
 }
 
 void json_number(json_writer *w, const char *key, const char *digits) {
-    begin_value(w, key);
-    text_put(w->out, digits);
+    text_put(json_begin(w, key), digits);
+}
+
+void json_form(text *out, const char *form, ...) {
+    va_list numbers;
+    va_start(numbers, form);
+    for (; *form; form++) {
+        text_put(out, *form == '%' ? "\"" : "");
+        if (*form == '@' || *form == '%')
+            text_rational(out, va_arg(numbers, const fmpq *));
+        else
+            text_bytes(out, form, 1);
+        text_put(out, *form == '%' ? "\"" : "");
+    }
+    va_end(numbers);
 }
 
 void json_rational(json_writer *w, const char *key, const fmpq_t value) {
-    begin_value(w, key);
-    text_put(w->out, "\"");
-    text_rational(w->out, value);
-    text_put(w->out, "\"");
+    json_form(json_begin(w, key), "%", value);
+}
+
+void json_point(json_writer *w, const char *key, const fmpq *point, int dimension) {
+    json_open(w, key, '[');
+    for (int k = 0; k < dimension; k++)
+        json_rational(w, NULL, point + k);
+    json_close(w, ']');
 }
 
 void json_integer(json_writer *w, const char *key, const fmpz_t value) {
-    begin_value(w, key);
+    json_begin(w, key);
     text_put(w->out, "\"");
     text_integer(w->out, value);
     text_put(w->out, "\"");

@@ -10,17 +10,26 @@
 #include "base/number/text.h"
 
 /** Begun as {.out = text}; out->failed once memory has run short. With `pretty` each member stands
- * on a line of its own, indented by two blanks a level, and a newline ends the whole. */
+ * on a line of its own, indented by two blanks a level, and a newline ends the whole. With `spaced`
+ * a blank stands behind each comma and colon. */
 typedef struct json_writer {
     text *out;
-    int pretty, depth;
+    int pretty, spaced, depth;
     int members; /* 1 once the innermost list or object has one */
+    int line;    /* 1 + the blanks of the line asked for by json_line, else 0 */
 } json_writer;
 
 /** Begin an object, '{', or a list, '['. */
 void json_open(json_writer *w, const char *key, char bracket);
 /** End the innermost one, by '}' or ']'. */
 void json_close(json_writer *w, char bracket);
+/** End several, the innermost first. */
+void json_ends(json_writer *w, const char *brackets);
+
+/** Let the next value, or end of a list or object, begin a line, behind `indent` blanks. */
+void json_line(json_writer *w, int indent);
+/** Begin a value that the caller appends to the text, which is returned. */
+text *json_begin(json_writer *w, const char *key);
 
 /** A string; NULL: null. */
 void json_text(json_writer *w, const char *key, const char *value);
@@ -29,6 +38,10 @@ void json_count(json_writer *w, const char *key, unsigned long value);
 void json_number(json_writer *w, const char *key, const char *digits);
 /** An exact number, as a string. */
 void json_rational(json_writer *w, const char *key, const fmpq_t value);
+/** Append JSON as it stands, but for each @, the next rational, and %, the next one as a string. */
+void json_form(text *out, const char *form, ...);
+/** A list of rationals. */
+void json_point(json_writer *w, const char *key, const fmpq *point, int dimension);
 void json_integer(json_writer *w, const char *key, const fmpz_t value);
 /** A malloc'ed string, which is freed; NULL stands for memory that ran short. */
 void json_owned(json_writer *w, const char *key, char *value);

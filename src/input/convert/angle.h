@@ -72,12 +72,11 @@ void root_above(mpfr_t out, const fmpq_t square);
 /** out = value / divisor, not 0. */
 void divide_by(fmpq_t out, const fmpq_t value, ulong divisor);
 
-/** Write a vector as JSON strings in brackets: `d` rationals. */
-void put_vector(text *t, const fmpq *v, int d);
-/** Write `, "center": [...]` if there is one. */
-void put_center(text *t, const joint *j, int dimension);
-/** Write a bound, rounded up to three digits. */
-void put_bound(text *t, const mpfr_t bound);
+/** Write a joint's center, if it has one. */
+void put_center(json_writer *w, const joint *j, int dimension);
+/** Write a bound, rounded up to three digits; returns `out`. */
+enum { DIGITS_ROOM = 64 };
+const char *bound_digits(char out[DIGITS_ROOM], const mpfr_t bound);
 /** Write a name and a value of the report: one line. */
 void put_fact(text *t, const char *name, const mpfr_t bound, const char *unit);
 /** put_fact for a rational without a unit. */

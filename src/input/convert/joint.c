@@ -97,32 +97,20 @@ graze_status joints_measure(joint *joints, graze_context *context, const target 
     return GRAZE_OK;
 }
 
-void put_vector(text *t, const fmpq *v, int d) {
-    for (int k = 0; k < d; k++) {
-        text_put(t, k ? ", \"" : "[\"");
-        text_rational(t, v + k);
-        text_put(t, "\"");
-    }
-    text_put(t, "]");
+void put_center(json_writer *w, const joint *j, int dimension) {
+    if (j->centered)
+        json_point(w, "center", j->center, dimension);
 }
 
-void put_center(text *t, const joint *j, int dimension) {
-    if (!j->centered)
-        return;
-    text_put(t, ", \"center\": ");
-    put_vector(t, j->center, dimension);
-}
-
-void put_bound(text *t, const mpfr_t bound) {
-    char digits[64];
-    mpfr_snprintf(digits, sizeof digits, "%.2RUe", bound);
-    text_put(t, digits);
+const char *bound_digits(char out[DIGITS_ROOM], const mpfr_t bound) {
+    mpfr_snprintf(out, DIGITS_ROOM, "%.2RUe", bound);
+    return out;
 }
 
 void put_fact(text *t, const char *name, const mpfr_t bound, const char *unit) {
-    text_format(t, "%s at most ", name);
-    put_bound(t, bound);
-    text_format(t, "%s%s\n", *unit ? " " : "", unit);
+    char digits[DIGITS_ROOM];
+    text_format(t, "%s at most %s%s%s\n", name, bound_digits(digits, bound), *unit ? " " : "",
+                unit);
 }
 
 void put_rational_fact(text *t, const char *name, const fmpq_t bound) {

@@ -16,14 +16,13 @@
 
 static graze_status refuse_pose(graze_context *context, const pose_list *list, const pose *p,
                                 const fmpq_t deviation) {
-    char digits[64];
+    char digits[DIGITS_ROOM];
     LOCAL_MPFR(shown, 64);
     rational_to_mpfr(shown, deviation, MPFR_RNDU);
-    mpfr_snprintf(digits, sizeof digits, "%.2RUe", shown);
     return context_fail_in(context, GRAZE_EINPUT, list->source, p->line,
                            "the matrix is no rotation: an entry is %s off the nearest one; "
                            "expected a rotation, a larger tolerance, or affine poses",
-                           digits);
+                           bound_digits(digits, shown));
 }
 
 /* Find the quaternions of all matrices, and report the largest deviation. */
@@ -60,31 +59,30 @@ static graze_status find_rotations(text *report, graze_context *context, pose_li
     return status;
 }
 
-static void put_keyframe(text *t, const pose *p, const pose_list *list) {
+static void put_keyframe(json_writer *w, const pose *p, const pose_list *list) {
     fmpq position[3];
     for (int k = 0; k < 3; k++)
         position[k] = p->matrix[4 * k + 3];
-    text_put(t, p == list->item ? " {\"t\": \"" : ",\n {\"t\": \"");
-    text_rational(t, p->time);
-    text_format(t, "\", \"row\": %lu, \"position\": ", p->row);
-    put_vector(t, position, 3);
-    if (list->form != POSES_OF_POSITIONS) {
-        text_put(t, ", \"quaternion\": ");
-        put_vector(t, p->quaternion, 4);
-    }
-    text_put(t, "}");
+    json_line(w, 1);
+    json_open(w, NULL, '{');
+    json_rational(w, "t", p->time);
+    json_count(w, "row", p->row);
+    json_point(w, "position", position, 3);
+    if (list->form != POSES_OF_POSITIONS)
+        json_point(w, "quaternion", p->quaternion, 4);
+    json_close(w, '}');
 }
 
 /* The poses between two, in the middle first. */
-static void put_between(text *t, const pose_list *list, const slerp_course *s, const pose *from,
-                        const pose *to, int halvings) {
+static void put_between(json_writer *w, const pose_list *list, const slerp_course *s,
+                        const pose *from, const pose *to, int halvings) {
     if (!halvings)
         return;
     HELD(pose, middle);
     slerp_middle(&middle, s, from, to);
-    put_between(t, list, s, from, &middle, halvings - 1);
-    put_keyframe(t, &middle, list);
-    put_between(t, list, s, &middle, to, halvings - 1);
+    put_between(w, list, s, from, &middle, halvings - 1);
+    put_keyframe(w, &middle, list);
+    put_between(w, list, s, &middle, to, halvings - 1);
 }
 
 /* Poses and, where a tolerance is given, those between them that bring the way near SLERP. */
@@ -92,47 +90,40 @@ static graze_status put_keyframes(conversion *out, graze_context *context, const
                                   const fmpq *tolerance) {
     slerp_course s = {.tolerance = tolerance};
     graze_status status = GRAZE_OK;
-    text_put(&out->motion, "{\"dimension\": 3,\n\"keyframes\": [\n");
+    json_writer w = motion_begin(&out->motion, 3, "keyframes", 1);
     for (size_t i = 0; i < list->count && !status; i++) {
         const pose *p = list->item + i;
         if (list->form != POSES_OF_POSITIONS)
             status = slerp_look(&s, context, list, i);
         if (!status && i)
-            put_between(&out->motion, list, &s, p - 1, p, s.halvings);
-        put_keyframe(&out->motion, p, list);
+            put_between(&w, list, &s, p - 1, p, s.halvings);
+        put_keyframe(&w, p, list);
     }
-    text_put(&out->motion, "\n]}\n");
+    motion_end(&w);
     if (list->form != POSES_OF_POSITIONS)
         slerp_report(&out->report, &s, list->unit);
     return status;
 }
 
-static void put_interpolated(text *t, const fmpq *from, const fmpq *to) {
-    LOCAL(fmpq, step);
-    fmpq_sub(step, to, from);
-    text_rational(t, from);
-    text_put(t, "+(");
-    text_rational(t, step);
-    text_put(t, ")*s");
-}
-
 static void put_matrices(text *t, const pose_list *list) {
-    text_put(t, "{\"dimension\": 3,\n\"pieces\": [\n");
+    json_writer w = motion_begin(t, 3, "pieces", 1);
+    LOCAL(fmpq, step);
     for (size_t i = 0; i + 1 < list->count; i++) {
         const pose *p = list->item + i;
-        text_put(t, " {\"t\": [\"");
-        text_rational(t, p[0].time);
-        text_put(t, "\", \"");
-        text_rational(t, p[1].time);
-        text_format(t, "\"], \"row\": %lu, \"transform\": {\"matrix\": [\n", p[1].row);
+        motion_begin_piece(&w, 1, p[0].time, p[1].time, p[1].row, "matrix", '[');
         for (int k = 0; k < 12; k++) {
-            text_put(t, k % 4 ? "\", \"" : "  [\"");
-            put_interpolated(t, p[0].matrix + k, p[1].matrix + k);
-            text_put(t, k % 4 < 3 ? "" : k < 11 ? "\"],\n" : "\"]]}}");
+            if (k % 4 == 0) {
+                json_line(&w, 2);
+                json_open(&w, NULL, '[');
+            }
+            fmpq_sub(step, p[1].matrix + k, p[0].matrix + k);
+            json_form(json_begin(&w, NULL), "\"@+(@)*s\"", p[0].matrix + k, step);
+            if (k % 4 == 3)
+                json_close(&w, ']');
         }
-        text_put(t, i + 2 < list->count ? ",\n" : "\n");
+        json_ends(&w, "]}}");
     }
-    text_put(t, "]}\n");
+    motion_end(&w);
 }
 
 /* Give each quaternion the sign that is nearer to the one before, unless signs are kept, and name

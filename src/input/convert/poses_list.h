@@ -179,7 +179,7 @@ void pose_negate(pose *p);
  * @param bits of each joint's angles, `count` of them
  * @return GRAZE_ECANCELED
  */
-graze_status chain_pieces(text *out, graze_context *context, const target *goal,
+graze_status chain_pieces(json_writer *out, graze_context *context, const target *goal,
                           const joint *joints, const slong *bits, size_t count,
                           unsigned long pieces);
 /** f for the functions of angle.h at the part k/n of a joint's turn. */

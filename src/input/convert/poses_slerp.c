@@ -130,12 +130,12 @@ void slerp_middle(pose *out, const slerp_course *s, const pose *from, const pose
 }
 
 void slerp_report(text *t, const slerp_course *s, const char *unit) {
+    char digits[DIGITS_ROOM];
     LOCAL_MPFR(worst, 53);
     mpfr_set_d(worst, s->worst, MPFR_RNDU);
     text_put(t, s->tolerance ? "slerp: " : "slerp: not taken (`--slerp` does); ");
-    text_put(t, "at one time the rotation is off it by at most ");
-    put_bound(t, worst);
-    text_put(t, " radians");
+    text_format(t, "at one time the rotation is off it by at most %s radians",
+                bound_digits(digits, worst));
     if (s->row)
         text_format(t, ", most of all up to %s %lu", unit, s->row);
     text_format(t, "; pieces: %zu\n", s->pieces);

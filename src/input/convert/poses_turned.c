@@ -121,12 +121,11 @@ slong bits_within(const fmpq_t tolerance) {
 
 static graze_status refuse_error(graze_context *context, const pose_list *list, const pose *p,
                                  const mpfr_t error) {
-    char digits[64];
-    mpfr_snprintf(digits, sizeof digits, "%.2RUe", error);
+    char digits[DIGITS_ROOM];
     return context_fail_in(context, GRAZE_EINPUT, list->source, p->line,
                            "the rotation is up to %s radians off the one asked for; expected a "
                            "larger tolerance",
-                           digits);
+                           bound_digits(digits, error));
 }
 
 static void report_turned(text *t, const pose_list *list, const angle_order *order,

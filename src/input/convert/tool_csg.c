@@ -11,30 +11,15 @@
 #include "input/convert/convert.h"
 
 #include <flint/fmpq_vec.h>
-#include <stdarg.h>
 #include "base/context/scope.h"
-
-/* Text in which each % is the next number. */
-static void put_node(text *out, const char *form, ...) {
-    va_list numbers;
-    va_start(numbers, form);
-    for (; *form; form++)
-        if (*form == '%') {
-            text_put(out, "\"");
-            text_rational(out, va_arg(numbers, fmpq *));
-            text_put(out, "\"");
-        } else {
-            text_bytes(out, form, 1);
-        }
-    va_end(numbers);
-}
+#include "base/number/json.h"
 
 void tool_csg_begin(text *out, const fmpq *at) {
     text_put(out, "{\"dimension\": 3, \"solid\":\n");
     if (at)
-        put_node(out,
-                 "{\"affine\": {\"matrix\": [[1, 0, 0, %], [0, 1, 0, %], [0, 0, 1, %]], \"of\":\n",
-                 at, at + 1, at + 2);
+        json_form(out,
+                  "{\"affine\": {\"matrix\": [[1, 0, 0, %], [0, 1, 0, %], [0, 0, 1, %]], \"of\":\n",
+                  at, at + 1, at + 2);
 }
 
 void tool_csg_end(text *out, const fmpq *at) {
@@ -42,7 +27,8 @@ void tool_csg_end(text *out, const fmpq *at) {
 }
 
 void tool_csg_write_box(text *out, const fmpq *size) {
-    put_node(out, "{\"box\": {\"low\": [0, 0, 0], \"high\": [%, %, %]}}", size, size + 1, size + 2);
+    json_form(out, "{\"box\": {\"low\": [0, 0, 0], \"high\": [%, %, %]}}", size, size + 1,
+              size + 2);
 }
 
 /* The side from the height `end` up: a cylinder, or a cone with its apex below or above. */
@@ -54,19 +40,19 @@ static void put_side(text *out, const tool *s, const fmpq_t end) {
     fmpq_div(slope, s->low + 1, s->low);
     fmpq_neg(slope, slope);
     if (fmpq_is_zero(slope)) {
-        put_node(out,
-                 "{\"cylinder\": {\"point\": [0, 0, %], \"axis\": [0, 0, 1], \"radius\": %, "
-                 "\"from\": 0}}",
-                 end, radius);
+        json_form(out,
+                  "{\"cylinder\": {\"point\": [0, 0, %], \"axis\": [0, 0, 1], \"radius\": %, "
+                  "\"from\": 0}}",
+                  end, radius);
     } else {
         int down = fmpq_sgn(slope) < 0;
         fmpq_div(from, radius, slope);
         fmpq_sub(apex, end, from);
         fmpq_abs(slope, slope);
         fmpq_abs(from, from);
-        put_node(out, "{\"cone\": {\"point\": [0, 0, %], \"axis\": [0, 0, ", apex);
+        json_form(out, "{\"cone\": {\"point\": [0, 0, %], \"axis\": [0, 0, ", apex);
         text_put(out, down ? "-1], \"to\": " : "1], \"from\": ");
-        put_node(out, "%, \"slope\": %}}", from, slope);
+        json_form(out, "%, \"slope\": %}}", from, slope);
     }
 }
 
@@ -81,16 +67,16 @@ static void put_spindle(text *out, const tool *s) {
     fmpq_set(ball, m);
     fmpq_mul_2exp(m, m, 1);
     fmpq_sub(ring, m, ring);
-    put_node(out,
-             ",\n  {\"affine\": {\"matrix\": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, %]], \"of\": "
-             "{\"union\": [\n    {\"polynomial\": {\"4,0,0\": 1, \"0,4,0\": 1, \"0,0,4\": 1, "
-             "\"2,2,0\": 2, \"2,0,2\": 2, \"0,2,2\": 2, \"2,0,0\": %, \"0,2,0\": %, \"0,0,2\": %",
-             s->corner, ring, ring, m);
+    json_form(out,
+              ",\n  {\"affine\": {\"matrix\": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, %]], \"of\": "
+              "{\"union\": [\n    {\"polynomial\": {\"4,0,0\": 1, \"0,4,0\": 1, \"0,0,4\": 1, "
+              "\"2,2,0\": 2, \"2,0,2\": 2, \"0,2,2\": 2, \"2,0,0\": %, \"0,2,0\": %, \"0,0,2\": %",
+              s->corner, ring, ring, m);
     fmpq_mul(m, ball, ball);
-    put_node(out,
-             ", \"0,0,0\": %}},\n    {\"quadric\": {\"2,0,0\": 1, \"0,2,0\": 1, \"0,0,2\": 1, "
-             "\"0,0,0\": %}}]}}}",
-             m, ball);
+    json_form(out,
+              ", \"0,0,0\": %}},\n    {\"quadric\": {\"2,0,0\": 1, \"0,2,0\": 1, \"0,0,2\": 1, "
+              "\"0,0,0\": %}}]}}}",
+              m, ball);
 }
 
 /* The corner, and the cylinder that a flat bottom bounds. */
@@ -98,35 +84,35 @@ static void put_corner(text *out, const tool *s, const fmpq_t end) {
     if (fmpq_is_zero(s->corner))
         return;
     if (fmpq_is_zero(s->flat)) {
-        put_node(out, ",\n  {\"ball\": {\"center\": [0, 0, %], \"radius\": %}}", s->corner,
-                 s->corner);
+        json_form(out, ",\n  {\"ball\": {\"center\": [0, 0, %], \"radius\": %}}", s->corner,
+                  s->corner);
         return;
     }
     if (fmpq_cmp(s->corner, s->flat) < 0)
-        put_node(out,
-                 ",\n  {\"torus\": {\"point\": [0, 0, %], \"axis\": [0, 0, 1], \"major\": %, "
-                 "\"minor\": %}}",
-                 s->corner, s->flat, s->corner);
+        json_form(out,
+                  ",\n  {\"torus\": {\"point\": [0, 0, %], \"axis\": [0, 0, 1], \"major\": %, "
+                  "\"minor\": %}}",
+                  s->corner, s->flat, s->corner);
     else
         put_spindle(out, s);
-    put_node(out,
-             ",\n  {\"cylinder\": {\"point\": [0, 0, 0], \"axis\": [0, 0, %], \"radius\": %, "
-             "\"from\": 0, \"to\": 1}}",
-             end, s->flat);
+    json_form(out,
+              ",\n  {\"cylinder\": {\"point\": [0, 0, 0], \"axis\": [0, 0, %], \"radius\": %, "
+              "\"from\": 0, \"to\": 1}}",
+              end, s->flat);
 }
 
 void tool_csg_write(text *out, const tool *s) {
     if (s->ball) {
-        put_node(out, "{\"ball\": {\"center\": [0, 0, %], \"radius\": %}}", s->corner, s->corner);
+        json_form(out, "{\"ball\": {\"center\": [0, 0, %], \"radius\": %}}", s->corner, s->corner);
         return;
     }
     LOCAL(fmpq, end);
     fmpq_mul(end, s->corner, s->low + 1);
     fmpq_add(end, end, s->corner);
-    put_node(out,
-             "{\"intersection\": [{\"halfspace\": {\"normal\": [0, 0, 1], \"offset\": %}},\n "
-             "{\"union\": [\n  ",
-             s->height);
+    json_form(out,
+              "{\"intersection\": [{\"halfspace\": {\"normal\": [0, 0, 1], \"offset\": %}},\n "
+              "{\"union\": [\n  ",
+              s->height);
     put_side(out, s, end);
     put_corner(out, s, end);
     text_put(out, "]}]}");

@@ -20,25 +20,16 @@ static void split_quarters(fmpq_t rest, fmpz_t quarters, const fmpq_t degrees) {
     fmpq_sub_fmpz(rest, rest, quarters);
 }
 
-static void put_axis(text *t, const joint *j, int dimension) {
-    if (dimension == 3) {
-        text_put(t, ", \"axis\": ");
-        put_vector(t, j->axis, 3);
-    }
-    put_center(t, j, dimension);
-    text_put(t, "}}");
-}
-
-static void put_rotation(text *t, const fmpq_t from, const fmpq_t to) {
-    text_put(t, " {\"t\": [\"");
-    text_rational(t, from);
-    text_put(t, "\", \"");
-    text_rational(t, to);
-    text_put(t, "\"], \"transform\": ");
+/* The axis and the center, and the end of a turn's two objects. */
+static void put_axis(json_writer *w, const joint *j, int dimension) {
+    if (dimension == 3)
+        json_point(w, "axis", j->axis, 3);
+    put_center(w, j, dimension);
+    json_ends(w, "}}");
 }
 
 /* The quarters as one piece, the rest as another. */
-static void put_pieces(text *t, const joint *j, int dimension, const fmpz_t quarters,
+static void put_pieces(json_writer *w, const joint *j, int dimension, const fmpz_t quarters,
                        const fmpq_t tangent) {
     LOCAL_VEC(fmpq, zero, 3);
     fmpq *one = zero + 1, *at = zero + 2;
@@ -47,40 +38,44 @@ static void put_pieces(text *t, const joint *j, int dimension, const fmpz_t quar
     if (whole) {
         fmpq_set_si(at, 90 * whole, 1);
         fmpq_div(at, at, j->degrees);
-        put_rotation(t, zero, at);
-        text_format(t, "{\"turn\": {\"quarters\": %ld", whole);
-        put_axis(t, j, dimension);
-        text_put(t, fmpq_is_one(at) ? "}" : "},\n");
+        motion_begin_piece(w, 1, zero, at, 0, "turn", '{');
+        text_integer(json_begin(w, "quarters"), quarters);
+        put_axis(w, j, dimension);
+        json_close(w, '}');
     }
-    if (!fmpq_is_one(at)) {
-        put_rotation(t, at, one);
-        if (whole) {
-            text_format(t, "{\"compose\": [\n   {\"rotate\": {\"tan_half\": \"%d\", \"times\": %ld",
-                        whole > 0 ? 1 : -1, whole > 0 ? whole : -whole);
-            put_axis(t, j, dimension);
-            text_put(t, ",\n   ");
-        }
-        text_put(t, "{\"rotate\": {\"tan_half\": \"(");
-        text_rational(t, tangent);
-        text_put(t, ")*s\"");
-        put_axis(t, j, dimension);
-        text_put(t, whole ? "]}}" : "}");
+    if (fmpq_is_one(at))
+        return;
+    motion_begin_piece(w, 1, at, one, 0, whole ? "compose" : "rotate", whole ? '[' : '{');
+    if (whole) {
+        json_line(w, 3);
+        json_open(w, NULL, '{');
+        json_open(w, "rotate", '{');
+        json_text(w, "tan_half", whole > 0 ? "1" : "-1");
+        json_count(w, "times", (unsigned long)(whole > 0 ? whole : -whole));
+        put_axis(w, j, dimension);
+        json_line(w, 3);
+        json_open(w, NULL, '{');
+        json_open(w, "rotate", '{');
     }
+    json_form(json_begin(w, "tan_half"), "\"(@)*s\"", tangent);
+    put_axis(w, j, dimension);
+    json_ends(w, whole ? "]}}" : "}");
 }
 
 /* The axis's length is irrational: by a quaternion along the axis as it is. */
-static void put_quaternion(text *t, const joint *j, const fmpq_t tangent) {
-    LOCAL(fmpq, factor);
-    text_put(t, " {\"t\": [\"0\", \"1\"], \"transform\": {\"quaternion\": [\"1\"");
+static void put_quaternion(json_writer *w, const joint *j, const fmpq_t tangent) {
+    LOCAL_VEC(fmpq, zero, 3);
+    fmpq *one = zero + 1, *factor = zero + 2;
+    fmpq_one(one);
+    motion_begin_piece(w, 1, zero, one, 0, "quaternion", '[');
+    json_text(w, NULL, "1");
     for (int k = 0; k < 3; k++) {
         fmpq_mul(factor, tangent, j->axis + k);
-        text_put(t, ", \"(");
-        text_rational(t, factor);
-        text_put(t, ")*s\"");
+        json_form(json_begin(w, NULL), "\"(@)*s\"", factor);
     }
-    text_put(t, "]");
-    put_center(t, j, 3);
-    text_put(t, "}}");
+    json_close(w, ']');
+    put_center(w, j, 3);
+    json_ends(w, "}}");
 }
 
 /* The tangent of the half of `rest` quarters, good enough for the target, and its error. */
@@ -135,10 +130,9 @@ static graze_status by_chain(conversion *out, graze_context *context, const targ
     turn_fraction(f, turn, 1, 1);
     half_angle_dyadic(&end, f, turn->square, bits);
     half_angle_error(error, &end, f, turn->square);
-    text_put(&out->motion, "{\"dimension\": 3,\n\"pieces\": [\n");
-    status =
-        chain_pieces(&out->motion, context, goal, turn, &bits, 1, quarters_above(context, turn));
-    text_put(&out->motion, "\n]}\n");
+    json_writer w = motion_begin(&out->motion, 3, "pieces", 1);
+    status = chain_pieces(&w, context, goal, turn, &bits, 1, quarters_above(context, turn));
+    motion_end(&w);
     report_turn(&out->report, goal, turn, &end, error);
     return status;
 }
@@ -168,12 +162,12 @@ graze_status convert_rotation(conversion *out, graze_context *context, const tar
         fmpq_set(square, turn->square);
     }
     find_tangent(&tangent, error, turn, goal, rest, square);
-    text_format(&out->motion, "{\"dimension\": %d,\n\"pieces\": [\n", goal->dimension);
+    json_writer w = motion_begin(&out->motion, goal->dimension, "pieces", 1);
     if (rational)
-        put_pieces(&out->motion, turn, goal->dimension, whole, tangent.c);
+        put_pieces(&w, turn, goal->dimension, whole, tangent.c);
     else
-        put_quaternion(&out->motion, turn, tangent.c);
-    text_put(&out->motion, "\n]}\n");
+        put_quaternion(&w, turn, tangent.c);
+    motion_end(&w);
     report_turn(&out->report, goal, turn, &tangent, error);
     return GRAZE_OK;
 }

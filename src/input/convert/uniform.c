@@ -104,100 +104,85 @@ static void advance_error(mpfr_t out, const joint *j, slong bits) {
     }
 }
 
-/* `low + step s`, in parentheses. */
-static void put_linear(text *t, const fmpq_t low, const fmpq_t high) {
-    LOCAL(fmpq, step);
-    fmpq_sub(step, high, low);
-    text_put(t, "(");
-    text_rational(t, low);
-    text_put(t, "+(");
-    text_rational(t, step);
-    text_put(t, ")*s)");
-}
-
-static void put_turn(text *t, const joint *j, int dimension, const half_angle *from,
+static void put_turn(json_writer *w, const joint *j, int dimension, const half_angle *from,
                      const half_angle *to) {
+    LOCAL_VEC(fmpq, step, 2);
+    fmpq_sub(step, to->w, from->w);
+    fmpq_sub(step + 1, to->c, from->c);
+    json_open(w, dimension == 2 ? "rotate" : "quaternion", dimension == 2 ? '{' : '[');
     if (dimension == 2) {
-        text_put(t, "{\"rotate\": {\"tan_half\": \"");
-        put_linear(t, from->c, to->c);
-        text_put(t, "/");
-        put_linear(t, from->w, to->w);
-        text_put(t, "\"");
-        put_center(t, j, 2);
-        text_put(t, "}}");
+        json_form(json_begin(w, "tan_half"), "\"(@+(@)*s)/(@+(@)*s)\"", from->c, step + 1, from->w,
+                  step);
+        put_center(w, j, 2);
+        json_close(w, '}');
         return;
     }
-    text_put(t, "{\"quaternion\": [\"");
-    put_linear(t, from->w, to->w);
-    for (int k = 0; k < 3; k++) {
-        text_put(t, "\", \"");
-        if (fmpq_is_zero(j->axis + k)) {
-            text_put(t, "0");
-            continue;
-        }
-        put_linear(t, from->c, to->c);
-        if (fmpq_is_one(j->axis + k))
-            continue;
-        text_put(t, "*(");
-        text_rational(t, j->axis + k);
-        text_put(t, ")");
-    }
-    text_put(t, "\"]");
-    put_center(t, j, 3);
-    text_put(t, "}");
+    json_form(json_begin(w, NULL), "\"(@+(@)*s)\"", from->w, step);
+    for (int k = 0; k < 3; k++)
+        json_form(json_begin(w, NULL),
+                  fmpq_is_zero(j->axis + k)  ? "\"0\""
+                  : fmpq_is_one(j->axis + k) ? "\"(@+(@)*s)\""
+                                             : "\"(@+(@)*s)*(@)\"",
+                  from->c, step + 1, j->axis + k);
+    json_close(w, ']');
+    put_center(w, j, 3);
 }
 
 /* `factor` times the axis, run through as t goes from 0 to 1. */
-static void put_slide(text *t, const joint *j, int dimension, const fmpq_t factor) {
+static void put_slide(json_writer *w, const joint *j, int dimension, const fmpq_t factor) {
     LOCAL(fmpq, way);
-    text_put(t, "{\"translate\": [");
+    json_line(w, 3);
+    json_open(w, NULL, '{');
+    json_open(w, "translate", '[');
     for (int k = 0; k < dimension; k++) {
         fmpq_mul(way, j->axis + k, factor);
-        text_put(t, k ? ", \"(" : "\"(");
-        text_rational(t, way);
-        text_put(t, ")*t\"");
+        json_form(json_begin(w, NULL), "\"(@)*t\"", way);
     }
-    text_put(t, "]}");
+    json_ends(w, "]}");
 }
 
-static void put_joint(text *t, const target *goal, const joint *j, slong bits, unsigned long k,
-                      unsigned long pieces) {
+static void put_joint(json_writer *w, const target *goal, const joint *j, slong bits,
+                      unsigned long k, unsigned long pieces) {
     HELD(half_angle, from);
     HELD(half_angle, to);
     LOCAL(fmpq, f);
+    fmpq_one(f);
     if (!j->is_slide) {
         turn_fraction(f, j, k, pieces);
         half_angle_dyadic(&from, f, j->square, bits);
         turn_fraction(f, j, k + 1, pieces);
         half_angle_dyadic(&to, f, j->square, bits);
-        put_turn(t, j, goal->dimension, &from, &to);
-    }
-    fmpq_one(f);
-    if (!j->is_slide)
+        json_line(w, 3);
+        json_open(w, NULL, '{');
+        put_turn(w, j, goal->dimension, &from, &to);
+        json_close(w, '}');
         advance_factor(f, j, bits);
-    if (!fmpq_is_zero(f)) {
-        text_put(t, j->is_slide ? "" : ",\n   ");
-        put_slide(t, j, goal->dimension, f);
     }
+    if (!fmpq_is_zero(f))
+        put_slide(w, j, goal->dimension, f);
 }
 
 /* Piece k of a chain. */
-static void put_chain_piece(text *out, const target *goal, const joint *joints, const slong *bits,
-                            size_t count, unsigned long k, unsigned long pieces) {
-    text_format(out, " {\"t\": [\"%lu/%lu\", \"%lu/%lu\"], \"transform\": {\"compose\": [\n   ", k,
-                pieces, k + 1, pieces);
-    for (size_t i = 0; i < count; i++) {
-        text_put(out, i ? ",\n   " : "");
-        put_joint(out, goal, joints + i, bits[i], k, pieces);
-    }
-    text_put(out, "]}}");
+static void put_chain_piece(json_writer *w, const target *goal, const joint *joints,
+                            const slong *bits, size_t count, unsigned long k,
+                            unsigned long pieces) {
+    json_line(w, 1);
+    json_open(w, NULL, '{');
+    json_open(w, "t", '[');
+    text_format(json_begin(w, NULL), "\"%lu/%lu\"", k, pieces);
+    text_format(json_begin(w, NULL), "\"%lu/%lu\"", k + 1, pieces);
+    json_close(w, ']');
+    json_open(w, "transform", '{');
+    json_open(w, "compose", '[');
+    for (size_t i = 0; i < count; i++)
+        put_joint(w, goal, joints + i, bits[i], k, pieces);
+    json_ends(w, "]}}");
 }
 
-graze_status chain_pieces(text *out, graze_context *context, const target *goal,
+graze_status chain_pieces(json_writer *out, graze_context *context, const target *goal,
                           const joint *joints, const slong *bits, size_t count,
                           unsigned long pieces) {
     for (unsigned long k = 0; k < pieces; k++) {
-        text_put(out, k ? ",\n" : "");
         put_chain_piece(out, goal, joints, bits, count, k, pieces);
         TRY(context_work(context, PIECE_WORK * count));
     }
@@ -210,9 +195,9 @@ static graze_status check_work(graze_context *context, const target *goal, const
                                const slong *bits, size_t count, unsigned long pieces) {
     graze_motion *motion = NULL;
     HELD(text, first);
-    text_format(&first, "{\"dimension\": %d, \"pieces\": [", goal->dimension);
-    put_chain_piece(&first, goal, joints, bits, count, 0, pieces);
-    text_put(&first, "]}");
+    json_writer w = motion_begin(&first, goal->dimension, "pieces", 1);
+    put_chain_piece(&w, goal, joints, bits, count, 0, pieces);
+    motion_end(&w);
     graze_status status = first.failed
                               ? context_fail(context, GRAZE_ESYSTEM, "out of memory")
                               : motion_from_text(&motion, context, first.data, first.length);
@@ -309,9 +294,9 @@ graze_status convert_joints(conversion *out, graze_context *context, const targe
     if (!status)
         status = refine_pieces(&pieces, error, angles, context, goal, joints, bits, count);
     if (!status) {
-        text_format(&out->motion, "{\"dimension\": %d,\n\"pieces\": [\n", goal->dimension);
-        status = chain_pieces(&out->motion, context, goal, joints, bits, count, pieces);
-        text_put(&out->motion, "\n]}\n");
+        json_writer w = motion_begin(&out->motion, goal->dimension, "pieces", 1);
+        status = chain_pieces(&w, context, goal, joints, bits, count, pieces);
+        motion_end(&w);
         report_joints(&out->report, goal, joints, angles, error, count, pieces);
     }
     for (size_t i = 0; i < count && angles; i++)

@@ -7,6 +7,7 @@
 #include <flint/fmpz_poly.h>
 #include <flint/fmpz_poly_q.h>
 #include "base/context/context.h"
+#include "base/number/json.h"
 #include "base/number/text.h"
 
 /* Checked motions: continuous, piecewise rational, invertible on all of [t0, t1].
@@ -156,5 +157,14 @@ graze_status motion_relative(graze_motion **out, graze_context *context, const g
 /** Pieces with a matrix each, whose entries are polynomials in t, or `(A)/(W)` with the piece's one
  * denominator W. */
 void motion_write(text *out, const graze_motion *motion);
+/** Begin a motion file: its dimension, and a list, "pieces" or "keyframes", in a new line if
+ * `apart`. */
+json_writer motion_begin(text *out, int dimension, const char *list, int apart);
+/** Begin a piece in a line of its own: times, row (0: none) and, within the transform, `kind`,
+ * whose bracket is open. */
+void motion_begin_piece(json_writer *w, int indent, const fmpq_t from, const fmpq_t to,
+                        unsigned long row, const char *kind, char bracket);
+/** End the list of pieces, and the file. */
+void motion_end(json_writer *w);
 
 #endif

@@ -48,22 +48,21 @@ static void write_poly(text *out, const fmpq_poly_t p) {
 /* entry / weight; the polynomials are first multiplied by `scale`. */
 static void write_entry(text *out, const fmpz_poly_t entry, const fmpq_poly_t weight,
                         const fmpz_t scale, const motion_piece *piece) {
+    int whole = fmpq_poly_length(weight) == 1;
     LOCAL(fmpq_poly, p);
     in_time(p, entry, piece);
-    text_put(out, "\"");
-    if (fmpq_poly_length(weight) == 1) {
+    if (whole)
         fmpq_poly_div(p, p, weight);
-        write_poly(out, p);
-    } else {
+    else
         fmpq_poly_scalar_mul_fmpz(p, p, scale);
-        text_put(out, "(");
-        write_poly(out, p);
+    text_put(out, whole ? "\"" : "\"(");
+    write_poly(out, p);
+    if (!whole) {
         text_put(out, ")/(");
         fmpq_poly_scalar_mul_fmpz(p, weight, scale);
         write_poly(out, p);
-        text_put(out, ")");
     }
-    text_put(out, "\"");
+    text_put(out, whole ? "\"" : ")\"");
 }
 
 /* The least common denominator of the coefficients of entries and weight. */
@@ -78,35 +77,54 @@ static void find_scale(fmpz_t out, const motion_piece *piece) {
     }
 }
 
-static void write_piece(text *out, const motion_piece *piece) {
+json_writer motion_begin(text *out, int dimension, const char *list, int apart) {
+    json_writer w = {.out = out, .spaced = 1};
+    json_open(&w, NULL, '{');
+    json_count(&w, "dimension", (unsigned long)dimension);
+    if (apart)
+        json_line(&w, 0);
+    json_open(&w, list, '[');
+    return w;
+}
+
+void motion_begin_piece(json_writer *w, int indent, const fmpq_t from, const fmpq_t to,
+                        unsigned long row, const char *kind, char bracket) {
+    json_line(w, indent);
+    json_open(w, NULL, '{');
+    json_form(json_begin(w, "t"), "[%, %]", from, to);
+    if (row)
+        json_count(w, "row", row);
+    json_open(w, "transform", '{');
+    json_open(w, kind, bracket);
+}
+
+void motion_end(json_writer *w) {
+    json_line(w, 0);
+    json_ends(w, "]}");
+    text_put(w->out, "\n");
+}
+
+static void write_piece(json_writer *w, const motion_piece *piece) {
     const point_map *m = &piece->forward;
     int d = m->dimension;
     LOCAL(fmpq_poly, weight);
     LOCAL(fmpz, scale);
     in_time(weight, m->weight, piece);
     find_scale(scale, piece);
-    text_put(out, "  {\"t\": [\"");
-    text_rational(out, piece->lo);
-    text_put(out, "\", \"");
-    text_rational(out, piece->hi);
-    text_put(out, "\"], ");
-    if (piece->row)
-        text_format(out, "\"row\": %lu, ", piece->row);
-    text_put(out, "\"transform\": {\"matrix\": [\n");
+    motion_begin_piece(w, 2, piece->lo, piece->hi, piece->row, "matrix", '[');
     for (int i = 0; i < d; i++) {
-        for (int k = 0; k <= d; k++) {
-            text_put(out, k == 0 ? "    [" : ", ");
-            write_entry(out, m->entry + i * (d + 1) + k, weight, scale, piece);
-        }
-        text_put(out, i + 1 < d ? "],\n" : "]]}}");
+        json_line(w, 4);
+        json_open(w, NULL, '[');
+        for (int k = 0; k <= d; k++)
+            write_entry(json_begin(w, NULL), m->entry + i * (d + 1) + k, weight, scale, piece);
+        json_close(w, ']');
     }
+    json_ends(w, "]}}");
 }
 
 void motion_write(text *out, const graze_motion *motion) {
-    text_format(out, "{\"dimension\": %d, \"pieces\": [\n", motion->dimension);
-    for (size_t k = 0; k < motion->piece_count; k++) {
-        write_piece(out, &motion->piece[k]);
-        text_put(out, k + 1 < motion->piece_count ? ",\n" : "\n");
-    }
-    text_put(out, "]}\n");
+    json_writer w = motion_begin(out, motion->dimension, "pieces", 0);
+    for (size_t k = 0; k < motion->piece_count; k++)
+        write_piece(&w, &motion->piece[k]);
+    motion_end(&w);
 }

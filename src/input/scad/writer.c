@@ -28,10 +28,7 @@ void scad_end(scad_writer *w, const scad_place *p) {
 }
 
 void scad_put_vector(scad_writer *w, const char *key, const fmpq *x, size_t count) {
-    json_open(&w->json, key, '[');
-    for (size_t k = 0; k < count; k++)
-        json_rational(&w->json, NULL, x + k);
-    json_close(&w->json, ']');
+    json_point(&w->json, key, x, (int)count);
 }
 
 graze_status scad_size(fmpq_t out, const scad_place *p, const char *name) {

@@ -62,10 +62,3 @@ void json_cell(json_writer *w, const char *key, const graze_cell *cell) {
     }
     json_close(w, '}');
 }
-
-void json_point(json_writer *w, const char *key, const fmpq *point, int dimension) {
-    json_open(w, key, '[');
-    for (int k = 0; k < dimension; k++)
-        json_rational(w, NULL, point + k);
-    json_close(w, ']');
-}

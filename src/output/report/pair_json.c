@@ -92,7 +92,6 @@ void pair_json(text *out, const graze_pair *pair) {
     json_open(&w, "contacts", '[');
     for (size_t k = 0; k < pair->walk.contact_count; k++)
         put_pair_contact(&w, NULL, pair, &pair->walk.contact[k]);
-    json_close(&w, ']');
-    json_close(&w, '}');
+    json_ends(&w, "]}");
     text_put(out, "\n");
 }

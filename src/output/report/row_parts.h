@@ -103,8 +103,6 @@ void json_contact_kind(json_writer *w, const char *key, graze_kind kind);
 void json_state(json_writer *w, const char *key, graze_state state);
 /** A time (src/program/cli/formats.md, TIME); makes it canonical. NULL: null. */
 void json_time(json_writer *w, const char *key, const graze_time *time);
-/** A list of rationals. */
-void json_point(json_writer *w, const char *key, const fmpq *point, int dimension);
 
 /** A cell: `face 3`, `edge 1-2`, `vertex 5`; nothing for kind 0. */
 void report_put_cell(text *t, const graze_cell *cell);
