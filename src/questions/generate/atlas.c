@@ -222,8 +222,7 @@ static graze_status add_ruled(surveyor *s, size_t surface, const fmpq_mpoly_t ve
 /* Where the surfaces are touched at instants: at many where there are few surfaces. */
 static graze_status survey_touches(surveyor *s, const instant *instants, size_t count) {
     int left = MOST_TOUCHES;
-    fmpq_mpoly_t velocity;
-    fmpq_mpoly_init(velocity, s->out->ring);
+    IN_RING(fmpq_mpoly, velocity, s->out->ring);
     size_t stride = count * s->count / MOST_TOUCHES + 1;
     for (size_t at = 0; at < count && left > 0; at += stride)
         for (size_t k = 0; k < s->count && left > 0; k++, left--) {
@@ -234,7 +233,6 @@ static graze_status survey_touches(surveyor *s, const instant *instants, size_t 
             if (s->out->touches.count == before)
                 TRY(add_ruled(s, s->order[k], velocity));
         }
-    fmpq_mpoly_clear(velocity, s->out->ring);
     return GRAZE_OK;
 }
 
