@@ -60,8 +60,8 @@ static void one_pair(int variable, ulong bits, int *resultants, int *turns) {
     fmpz_poly_init(found);
     random_curve(a, DEGREE, bits);
     random_curve(b, DEGREE, bits);
-    sliced_init(&s, a, variable, ring);
-    sliced_init(&t, b, variable, ring);
+    sliced_curve_init(&s, a, variable, ring);
+    sliced_curve_init(&t, b, variable, ring);
     if (s.degree > 0 && t.degree > 0) {
         assert_int_equal(eliminate(found, context, &s, &t), GRAZE_OK);
         assert_int_equal(fmpz_mpoly_resultant(expected, a, b, variable, ring), 1);
@@ -74,11 +74,11 @@ static void one_pair(int variable, ulong bits, int *resultants, int *turns) {
         fmpz_mpoly_derivative(b, a, variable, ring);
         assert_int_equal(fmpz_mpoly_resultant(expected, a, b, variable, ring), 1);
         assert_same(found, expected, 1 - variable);
-        sliced_clear(&u);
+        sliced_curve_clear(&u);
         ++*turns;
     }
-    sliced_clear(&s);
-    sliced_clear(&t);
+    sliced_curve_clear(&s);
+    sliced_curve_clear(&t);
     fmpz_poly_clear(found);
     fmpz_mpoly_clear(expected, ring);
     fmpz_mpoly_clear(b, ring);
@@ -128,7 +128,7 @@ static void numbers(void **state) {
 /* A function of degree n in time, linear in x and y; its leading coefficient vanishes at some of
  * the places that are looked at. */
 static void random_pullback(pullback_form *f, slong n) {
-    pullback_init(f);
+    pullback_form_init(f);
     for (int i = 0; i < 3; i++)
         for (slong k = 0; k <= n; k++)
             fmpz_poly_set_coeff_si(&f->linear[i], k, k == n && i == 2 ? 0 : random_about(4));
@@ -188,8 +188,8 @@ static void in_time(void **state) {
                 assert_int_equal(fmpz_mpoly_discriminant(expected, p, 2, whole), 1);
                 assert_same_curve(found, expected, whole);
             }
-            pullback_clear(&f);
-            pullback_clear(&g);
+            pullback_form_clear(&f);
+            pullback_form_clear(&g);
         }
     fmpz_mpoly_clear(found, ring);
     fmpz_mpoly_clear(expected, whole);
@@ -269,7 +269,7 @@ static void parts(void **state) {
         for (int round = 0; round < 10; round++) {
             curve_list list;
             int refused = 0;
-            curves_init(&list);
+            curve_list_init(&list);
             fmpz_mpoly_one(all, ring);
             for (int k = 0; k < 3; k++)
                 random_curve(f[k], 2, bits);
@@ -288,7 +288,7 @@ static void parts(void **state) {
             fmpz_mpoly_gcd(g, found, expected, ring);
             assert_int_equal(fmpz_mpoly_total_degree_si(g, ring),
                              fmpz_mpoly_total_degree_si(expected, ring));
-            curves_clear(&list);
+            curve_list_clear(&list);
         }
     for (int k = 0; k < 3; k++)
         fmpz_mpoly_clear(f[k], ring);
@@ -305,7 +305,7 @@ static void refusal(void **state) {
     int refused = 0;
     fmpz_mpoly_t g;
     fmpz_mpoly_init(g, ring);
-    curves_init(&list);
+    curve_list_init(&list);
     random_start(3);
     random_curve(g, 4, 20000);
     fmpz_mpoly_mul(g, g, g, ring);
@@ -316,7 +316,7 @@ static void refusal(void **state) {
     assert_int_equal(coprime_add(&list, &refused, context, g), GRAZE_OK);
     assert_int_equal(refused, 0);
     assert_int_equal(list.count, 1);
-    curves_clear(&list);
+    curve_list_clear(&list);
     fmpz_mpoly_clear(g, ring);
 }
 
@@ -337,15 +337,15 @@ static void cancel(void **state) {
     fmpz_poly_init(found);
     random_start(1);
     random_curve(a, 30, 4000);
-    sliced_init(&s, a, RING_Y, ring);
+    sliced_curve_init(&s, a, RING_Y, ring);
     sliced_init_derivative(&t, &s);
     graze_context_set_cancel(context, third, NULL);
     clock_t begun = clock();
     assert_int_equal(eliminate(found, context, &s, &t), GRAZE_ECANCELED);
     assert_int_equal(asked, 3);
     assert_true(clock() - begun < 20 * CLOCKS_PER_SEC);
-    sliced_clear(&s);
-    sliced_clear(&t);
+    sliced_curve_clear(&s);
+    sliced_curve_clear(&t);
     fmpz_poly_clear(found);
     fmpz_mpoly_clear(a, ring);
 }

@@ -15,10 +15,12 @@
 #include <mpfr.h>
 #include <flint/fmpq.h>
 #include <flint/fmpq_mat.h>
+#include <flint/fmpq_mpoly_factor.h>
 #include <flint/fmpq_poly.h>
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz.h>
 #include <flint/fmpz_mat.h>
+#include <flint/fmpz_mpoly_factor.h>
 #include <flint/fmpz_poly.h>
 #include <flint/fmpz_poly_factor.h>
 #include <flint/fmpz_poly_q.h>
@@ -37,17 +39,26 @@
     __attribute__((cleanup(scope_mpfr))) mpfr_t name;                                              \
     mpfr_init2(name, precision)
 
-/** LOCAL_VEC(fmpq, v, n): `fmpq *v` of n entries, all 0. */
+/** LOCAL_VEC(fmpq, v, n): `fmpq *v` of n entries, all 0; of polynomials `fmpz_poly_struct *v`. */
 #define LOCAL_VEC(type, name, length)                                                              \
     __attribute__((cleanup(scope_##type##_vec))) scope_##type##s name##_held =                     \
         scope_##type##_vec_init(length);                                                           \
-    type *name = name##_held.entry
+    scope_##type##_entry *name = name##_held.entry
+
+/** IN_RING(fmpz_mpoly, p, ring): `fmpz_mpoly_struct *p`, a polynomial of the ring, or its factors.
+ */
+#define IN_RING(type, name, ring)                                                                  \
+    __attribute__((cleanup(scope_##type))) scope_##type##_in name##_held;                          \
+    type##_struct *name = scope_##type##_init(&name##_held, ring)
 
 /** HELD(text, t): a structure `text t` after text_init(&t), further arguments handed on; cleared by
  * text_clear. */
 #define HELD(type, name, ...)                                                                      \
     __attribute__((cleanup(type##_clear))) type name;                                              \
     type##_init(&name, ##__VA_ARGS__)
+
+/** ZEROED(axis, x): a structure `axis x` of zeros, cleared by axis_clear. */
+#define ZEROED(type, name) __attribute__((cleanup(type##_clear))) type name = {0}
 
 /** FREED(char, p, malloc(n)): `char *p`, freed at the end. */
 #define FREED(type, name, value) __attribute__((cleanup(scope_free))) type *name = value
@@ -87,19 +98,56 @@ SCOPE_CLEARS(mpfr)
 SCOPE_CLEARS(mpq)
 SCOPE_CLEARS(mpz)
 
-#define SCOPE_CLEARS_VEC(type)                                                                     \
+#define SCOPE_CLEARS_VEC(type, entry_type, make, drop)                                             \
+    typedef entry_type scope_##type##_entry;                                                       \
     typedef struct scope_##type##s {                                                               \
-        type *entry;                                                                               \
+        entry_type *entry;                                                                         \
         slong length;                                                                              \
     } scope_##type##s;                                                                             \
     static inline scope_##type##s scope_##type##_vec_init(slong length) {                          \
-        return (scope_##type##s){_##type##_vec_init(length), length};                              \
+        return (scope_##type##s){make(length), length};                                            \
     }                                                                                              \
     static inline void scope_##type##_vec(const scope_##type##s *held) {                           \
-        _##type##_vec_clear(held->entry, held->length);                                            \
+        drop(held->entry, held->length);                                                           \
     }
 
-SCOPE_CLEARS_VEC(fmpz)
-SCOPE_CLEARS_VEC(fmpq)
+#define SCOPE_POLYS(type)                                                                          \
+    static inline type##_struct *scope_##type##s_make(slong length) {                              \
+        type##_struct *made = flint_malloc((size_t)length * sizeof *made);                         \
+        for (slong k = 0; k < length; k++)                                                         \
+            type##_init(made + k);                                                                 \
+        return made;                                                                               \
+    }                                                                                              \
+    static inline void scope_##type##s_drop(type##_struct *made, slong length) {                   \
+        for (slong k = 0; k < length; k++)                                                         \
+            type##_clear(made + k);                                                                \
+        flint_free(made);                                                                          \
+    }                                                                                              \
+    SCOPE_CLEARS_VEC(type, type##_struct, scope_##type##s_make, scope_##type##s_drop)
+
+SCOPE_CLEARS_VEC(fmpz, fmpz, _fmpz_vec_init, _fmpz_vec_clear)
+SCOPE_CLEARS_VEC(fmpq, fmpq, _fmpq_vec_init, _fmpq_vec_clear)
+SCOPE_POLYS(fmpz_poly)
+SCOPE_POLYS(fmpq_poly)
+
+#define SCOPE_CLEARS_IN(type, ring_type)                                                           \
+    typedef struct scope_##type##_in {                                                             \
+        type##_t item;                                                                             \
+        const ring_type *ring;                                                                     \
+    } scope_##type##_in;                                                                           \
+    static inline type##_struct *scope_##type##_init(scope_##type##_in *held,                      \
+                                                     const ring_type *ring) {                      \
+        held->ring = ring;                                                                         \
+        type##_init(held->item, ring);                                                             \
+        return held->item;                                                                         \
+    }                                                                                              \
+    static inline void scope_##type(scope_##type##_in *held) {                                     \
+        type##_clear(held->item, held->ring);                                                      \
+    }
+
+SCOPE_CLEARS_IN(fmpz_mpoly, fmpz_mpoly_ctx_struct)
+SCOPE_CLEARS_IN(fmpq_mpoly, fmpq_mpoly_ctx_struct)
+SCOPE_CLEARS_IN(fmpz_mpoly_factor, fmpz_mpoly_ctx_struct)
+SCOPE_CLEARS_IN(fmpq_mpoly_factor, fmpq_mpoly_ctx_struct)
 
 #endif

@@ -50,8 +50,7 @@ static void expect_done(const apex *a, int done) {
 static void keep_parts(apex *a, const fmpz_mpoly_t form) {
     const fmpz_mpoly_ctx_struct *ring = a->ring->zctx;
     moment_field *f = a->g->f;
-    fmpz_mpoly_factor_t factors;
-    fmpz_mpoly_factor_init(factors, ring);
+    IN_RING(fmpz_mpoly_factor, factors, ring);
     expect_done(a, fmpz_mpoly_factor(factors, form, ring));
     for (slong k = 0; k < factors->num && f->status == GRAZE_OK; k++) {
         int known = 0;
@@ -62,7 +61,6 @@ static void keep_parts(apex *a, const fmpz_mpoly_t form) {
         fmpz_mpoly_init(&a->part[a->count], ring);
         fmpz_mpoly_set(&a->part[a->count++], factors->poly + k, ring);
     }
-    fmpz_mpoly_factor_clear(factors, ring);
 }
 
 /* Cut by the lowest form of a member with the last coordinate 1. That of a homogeneous member has
@@ -70,8 +68,7 @@ static void keep_parts(apex *a, const fmpz_mpoly_t form) {
  * rational at all, stands for itself by its coordinates alone. */
 static void read_member(apex *a, const taylor *t) {
     const int fixed = taylor_order(t) == t->degree;
-    fmpq_mpoly_t form;
-    fmpq_mpoly_init(form, a->ring);
+    IN_RING(fmpq_mpoly, form, a->ring);
     LOCAL(fmpq, at);
     for (size_t k = 0; k < t->count; k++) {
         const ulong power[VARIABLES] = {t->power[k][0], t->dimension == 3 ? t->power[k][1] : 0};
@@ -89,7 +86,6 @@ static void read_member(apex *a, const taylor *t) {
     }
     if (everywhere)
         keep_parts(a, form->zpoly);
-    fmpq_mpoly_clear(form, a->ring);
 }
 
 /* The sign of a member's lowest form along the direction. */
@@ -187,9 +183,8 @@ static void walk_gaps(apex *a, cuts *at, int variable) {
 /* The forms where x is that of the direction. */
 static void walk_line(apex *a) {
     const fmpz_mpoly_ctx_struct *ring = a->ring->zctx;
-    fmpq_mpoly_t form;
+    IN_RING(fmpq_mpoly, form, a->ring);
     HELD(cuts, in_y);
-    fmpq_mpoly_init(form, a->ring);
     for (int k = 0; k < a->count && a->g->f->status == GRAZE_OK; k++) {
         fmpq_one(form->content);
         fmpz_mpoly_set(form->zpoly, &a->part[k], ring);
@@ -198,15 +193,13 @@ static void walk_line(apex *a) {
     }
     if (a->g->f->status == GRAZE_OK)
         walk_gaps(a, &in_y, Y);
-    fmpq_mpoly_clear(form, a->ring);
 }
 
 /* Cut x where the roots in y of one form, or of two, meet or go to infinity. */
 static void cut_by_parts(cuts *in_x, apex *a, int i, int k) {
     const fmpz_mpoly_ctx_struct *ring = a->ring->zctx;
     moment_field *f = a->g->f;
-    fmpz_mpoly_t cut;
-    fmpz_mpoly_init(cut, ring);
+    IN_RING(fmpz_mpoly, cut, ring);
     ulong words = (ulong)labs(fmpz_mpoly_max_bits(&a->part[k])) / FLINT_BITS + 1;
     f->status = context_work(f->context, 100 * words * words);
     if (f->status == GRAZE_OK)
@@ -214,7 +207,6 @@ static void cut_by_parts(cuts *in_x, apex *a, int i, int k) {
                              : fmpz_mpoly_discriminant(cut, &a->part[k], Y, ring));
     if (f->status == GRAZE_OK)
         cut_at_roots(in_x, a, cut, X);
-    fmpz_mpoly_clear(cut, ring);
 }
 
 /* The leading coefficient by y: all of a form without it. */
@@ -222,11 +214,9 @@ static void cut_by_leading_term(cuts *in_x, apex *a, int k) {
     const fmpz_mpoly_ctx_struct *ring = a->ring->zctx;
     const slong variable = Y;
     const ulong degree = (ulong)fmpz_mpoly_degree_si(&a->part[k], Y, ring);
-    fmpz_mpoly_t lead;
-    fmpz_mpoly_init(lead, ring);
+    IN_RING(fmpz_mpoly, lead, ring);
     fmpz_mpoly_get_coeff_vars_ui(lead, &a->part[k], &variable, &degree, 1, ring);
     cut_at_roots(in_x, a, lead, X);
-    fmpz_mpoly_clear(lead, ring);
 }
 
 static void walk_directions(apex *a) {

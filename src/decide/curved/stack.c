@@ -88,8 +88,7 @@ static int meet_once(stack *s, int axis, size_t a, size_t b) {
     algebraic_list *place = &s->place[axis];
     fmpz_mpoly_struct *p = s->curve + a, *q = s->curve + b;
     int order = 0, other = 1 - axis;
-    fmpz_mpoly_t common;
-    fmpz_mpoly_init(common, s->ring);
+    IN_RING(fmpz_mpoly, common, s->ring);
     LOCAL(fmpz_poly, meetings);
     s->status = context_work(s->context, s->work);
     if (!s->status && !(a != b ? fmpz_mpoly_resultant(common, p, q, other, s->ring)
@@ -102,7 +101,6 @@ static int meet_once(stack *s, int axis, size_t a, size_t b) {
     for (size_t k = 1; k < place->count && !order && !s->status; k++)
         s->status = algebraic_compare(&order, s->context, &place->item[k], place->item);
     place->count = FLINT_MIN(place->count, 1);
-    fmpz_mpoly_clear(common, s->ring);
     return order == 0 && !s->status;
 }
 

@@ -9,6 +9,7 @@
 #include <stdatomic.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include "decide/bounds/bounds.h"
 #include "decide/surfaces/surfaces.h"
 #include "input/motion/motion.h"
@@ -27,6 +28,10 @@ typedef struct candidates {
     size_t count, capacity;
     candidate *item;
 } candidates;
+
+static inline void candidates_clear(candidates *list) {
+    free(list->item);
+}
 
 /** Append a candidate; 0 if memory runs out. */
 int candidates_append(candidates *list, candidate item);

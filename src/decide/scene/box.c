@@ -177,16 +177,12 @@ static slong move_corners(fmpz_poly_struct *out, const point_map *map, const fmp
 
 /* The images of the corners of a box, d lower ends and d upper ends, under a map. */
 static void images_make(images *m, const point_map *map, const fmpq *box) {
-    fmpz_poly_struct power[POLYNOMIALS];
-    for (int k = 0; k < POLYNOMIALS; k++)
-        fmpz_poly_init(&power[k]);
+    LOCAL_VEC(fmpz_poly, power, POLYNOMIALS);
     HELD(dyadic_interval, unit);
     dyadic_interval_set_si(&unit, 0, 1);
     images_init(m, map->dimension, move_corners(power, map, box));
     for (slong k = 0; k < m->count; k++)
         bernstein_from_poly(m->coefficient + k * (m->degree + 1), &power[k], m->degree, &unit);
-    for (int k = 0; k < POLYNOMIALS; k++)
-        fmpz_poly_clear(&power[k]);
 }
 
 /* Start with the corners at u = 0: a first estimate of the size, never an empty box. */

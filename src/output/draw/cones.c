@@ -250,7 +250,7 @@ graze_status draw_cones(graze_context *context, const graze_scene *scene, const 
                         const fmpq *point, const topo_finding *topo) {
     cones_maker m = {.context = context, .scene = scene, .topo = topo};
     const plane_list *planes = NULL;
-    germs_init(&m.germs);
+    germ_list_init(&m.germs);
     graze_status status = canvas_check(context, file);
     if (!status)
         status = topo_planes(&planes, context, scene);
@@ -261,6 +261,6 @@ graze_status draw_cones(graze_context *context, const graze_scene *scene, const 
     if (!status)
         status = draw_rings(&m, file, point);
     free(m.ring);
-    germs_clear(&m.germs);
+    germ_list_clear(&m.germs);
     return status;
 }

@@ -158,7 +158,7 @@ graze_status closings_explain(text *t, graze_context *context, const graze_scene
     closings_maker m = {t, context, scene, topo, scene->motion->dimension};
     const plane_list *planes = NULL;
     germ_list germs;
-    germs_init(&germs);
+    germ_list_init(&germs);
     graze_status status = topo_planes(&planes, context, scene);
     if (!status)
         status = germs_find(&germs, context, scene, planes, point);
@@ -169,7 +169,7 @@ graze_status closings_explain(text *t, graze_context *context, const graze_scene
         status = put_germ(&m, &germs.item[k]);
     if (!status && !germs.bounded)
         text_put(t, "  and some that are not looked at\n");
-    germs_clear(&germs);
+    germ_list_clear(&germs);
     if (!status && topo->position == GRAZE_TOPO_UNDECIDED && m.dimension == 3)
         status = put_hint(&m, point);
     return status;

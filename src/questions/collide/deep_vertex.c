@@ -37,24 +37,23 @@ static graze_status trace_vertex(deep_interval *out, placing *whole, pair_side s
                                  uint32_t vertex, algebraic *time) {
     const graze_solid *other = placing_solid(whole, (pair_side)!side);
     const trajectory *c = placing_vertex(whole, side, vertex);
-    candidates list = {0};
+    ZEROED(candidates, list);
     LOCAL_VEC(fmpq, low, 3);
     fmpq *high = low + 1, *width = low + 2;
     HELD(touches, found);
     fmpq_set_si(high, 1, 1);
-    graze_status status = c ? candidates_find(&list, whole->context, other, c) : whole->status;
-    if (!status)
-        status = touches_find(&found, whole->context, other, c, NULL, &list);
-    if (!status)
-        status = narrow_interval(low, high, whole->context, &found, time);
+    if (!c)
+        return whole->status;
+    TRY(candidates_find(&list, whole->context, other, c));
+    TRY(touches_find(&found, whole->context, other, c, NULL, &list));
+    TRY(narrow_interval(low, high, whole->context, &found, time));
     fmpq_sub(width, out->high, out->low);
     fmpq_add(width, width, low);
-    if (!status && fmpq_cmp(high, width) > 0) {
+    if (fmpq_cmp(high, width) > 0) {
         fmpq_set(out->low, low);
         fmpq_set(out->high, high);
     }
-    free(list.item);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status deep_vertex_find(deep_interval *out, placing *whole, size_t piece,

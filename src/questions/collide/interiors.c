@@ -132,9 +132,7 @@ static void set_shares(fmpz_poly_struct share[2], placing *p, const meeting_poin
 static void gather_sectors(sectors_about *out, placing *p, const meeting_point *m, pair_side side) {
     star about = {0};
     uint32_t end[2];
-    fmpz_poly_struct share[2];
-    fmpz_poly_init(&share[0]);
-    fmpz_poly_init(&share[1]);
+    LOCAL_VEC(fmpz_poly, share, 2);
     memcpy(end, m->key, sizeof end);
     if (m->kind == CORNER_EDGES) {
         memcpy(end, m->key + 2 * side, sizeof end);
@@ -143,8 +141,6 @@ static void gather_sectors(sectors_about *out, placing *p, const meeting_point *
     star_find(&about, p, side, end, share);
     for (size_t k = 0; k < about.count && !p->status; k++)
         sectors_about_add(out, p, side, about.item[k].simplex, about.item[k].zero);
-    fmpz_poly_clear(&share[0]);
-    fmpz_poly_clear(&share[1]);
     free(about.item);
 }
 

@@ -122,7 +122,7 @@ static graze_status look_at_germs(int *out, graze_context *context, const graze_
                                   const plane_list *planes) {
     germ_list germs;
     graze_status status = GRAZE_OK;
-    germs_init(&germs);
+    germ_list_init(&germs);
     int both = s->side[0].present && s->side[1].present && s->side[0].piece == s->side[1].piece;
     for (int k = both; k < 2 && !status; k++)
         if (s->side[k].present)
@@ -135,7 +135,7 @@ static graze_status look_at_germs(int *out, graze_context *context, const graze_
         status = try_normals(out, context, &germs, &s->place);
     if (!status && !inside && !*out)
         status = look_everywhere(out, context, &germs);
-    germs_clear(&germs);
+    germ_list_clear(&germs);
     return status;
 }
 

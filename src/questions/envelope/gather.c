@@ -69,25 +69,21 @@ graze_status gather_corner(graze_envelope *e, graze_context *context, size_t fac
                         .facet = e->cells.facet[facet].name,
                         .cell = e->cells.vertex[vertex].name};
     watch g = {SIGN_NONE, SIGN_NONE}, theta = g;
-    graze_status status = GRAZE_OK;
-    for (size_t piece = 0; piece < e->piece_count && !status; piece++) {
+    for (size_t piece = 0; piece < e->piece_count; piece++) {
         HELD(signs, s, 2, 1);
         derivatives_velocity(&s.p[CORNER_G], &e->field[piece], facet, vertex);
         derivatives_along(&s.p[CORNER_THETA], &e->field[piece], 2, facet, vertex);
         int stays = fmpz_poly_is_zero(&s.p[CORNER_G]);
         s.rooted = stays ? 2 : 1;
-        status = signs_find(&s, context);
+        TRY(signs_find(&s, context));
         what.kind = GRAZE_EVENT_REACH;
-        if (!status)
-            status = events_watch(&e->events, context, &what, &g, piece, &s, corner_g);
+        TRY(events_watch(&e->events, context, &what, &g, piece, &s, corner_g));
         what.kind = GRAZE_EVENT_CUSP;
-        if (!status)
-            status = events_watch(&e->events, context, &what, &theta, piece, &s,
-                                  stays ? corner_theta : no_sign);
-        if (!status)
-            status = judge_corner(e, context, facet, vertex, piece, &s);
+        TRY(events_watch(&e->events, context, &what, &theta, piece, &s,
+                         stays ? corner_theta : no_sign));
+        TRY(judge_corner(e, context, facet, vertex, piece, &s));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 enum { SLICE_U, SLICE_V, SLICE_THETA, SLICE_TURN, SLICE_SIGNS };
@@ -161,21 +157,18 @@ static int set_slice(signs *s, const derivatives *f, size_t facet, const cell_ed
 graze_status gather_slice(graze_envelope *e, graze_context *context, size_t facet, size_t edge) {
     found_event what = {.facet = e->cells.facet[facet].name, .cell = e->cells.edge[edge].name};
     watch theta = {SIGN_NONE, SIGN_NONE}, turn = theta;
-    graze_status status = GRAZE_OK;
-    for (size_t piece = 0; piece < e->piece_count && !status; piece++) {
+    for (size_t piece = 0; piece < e->piece_count; piece++) {
         HELD(signs, s, SLICE_SIGNS, SLICE_SIGNS);
         int ends = set_slice(&s, &e->field[piece], facet, &e->cells.edge[edge]);
-        status = signs_find(&s, context);
+        TRY(signs_find(&s, context));
         what.kind = GRAZE_EVENT_CUSP;
-        if (!status)
-            status = events_watch(&e->events, context, &what, &theta, piece, &s, slice_theta);
+        TRY(events_watch(&e->events, context, &what, &theta, piece, &s, slice_theta));
         what.kind = GRAZE_EVENT_TURN;
-        if (!status)
-            status = events_watch(&e->events, context, &what, &turn, piece, &s, slice_turn);
-        if (!status && ends)
-            status = judge_slice(e, context, facet, edge, piece, &s);
+        TRY(events_watch(&e->events, context, &what, &turn, piece, &s, slice_turn));
+        if (ends)
+            TRY(judge_slice(e, context, facet, edge, piece, &s));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 enum { MEET_1U, MEET_1V, MEET_2U, MEET_2V, MEET_R, MEET_SIGNS };

@@ -118,21 +118,17 @@ static graze_status join_at_place(joining *j, const snapshot *s, size_t first,
 }
 
 static graze_status join_within_edge(joining *j) {
-    snapshot s;
-    unsigned char *done = calloc(j->count, 1);
+    ZEROED(snapshot, s);
+    FREED(unsigned char, done, calloc(j->count, 1));
     if (!done)
         return context_fail(j->context, GRAZE_ESYSTEM, "out of memory for the joints of patches");
     LOCAL(fmpq, t);
-    graze_status status = moments_between(t, j->context, &j->p->moments, j->from, j->to);
-    if (!status) {
-        status = snapshot_make(&s, j->context, j->p->envelope, t);
-        for (size_t k = 0; k < j->count && !status; k++)
-            if (!done[k] && j->place[k].facet != SIZE_MAX && is_active(j, &j->place[k]))
-                status = join_at_place(j, &s, k, done);
-        snapshot_clear(&s);
-    }
-    free(done);
-    return status;
+    TRY(moments_between(t, j->context, &j->p->moments, j->from, j->to));
+    TRY(snapshot_make(&s, j->context, j->p->envelope, t));
+    for (size_t k = 0; k < j->count; k++)
+        if (!done[k] && j->place[k].facet != SIZE_MAX && is_active(j, &j->place[k]))
+            TRY(join_at_place(j, &s, k, done));
+    return GRAZE_OK;
 }
 
 /* The moments at which joints of the cell may change: ends of its patches; of an edge all that
@@ -151,20 +147,19 @@ static graze_status find_cuts(joining *j) {
 }
 
 static graze_status join_cell(joining *j) {
-    graze_status status = find_cuts(j);
+    TRY(find_cuts(j));
     j->first_joint = j->p->joint_count;
-    for (size_t k = 1; k < j->cuts.count && !status; k++) {
+    for (size_t k = 1; k < j->cuts.count; k++) {
         j->from = j->cuts.item[k - 1];
         j->to = j->cuts.item[k];
         if (!j->place->is_edge) {
-            status = join_at_vertex(j);
+            TRY(join_at_vertex(j));
             continue;
         }
-        status = join_along_edge(j);
-        if (!status)
-            status = join_within_edge(j);
+        TRY(join_along_edge(j));
+        TRY(join_within_edge(j));
     }
-    return status ? status : context_work(j->context, 1000);
+    return context_work(j->context, 1000);
 }
 
 graze_status joints_find(graze_patches *p, graze_context *context) {

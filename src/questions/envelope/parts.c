@@ -84,7 +84,7 @@ static graze_status add_point(slice_points *list, graze_context *context, const 
     return GRAZE_OK;
 }
 
-static void clear_points(slice_points *list) {
+static void slice_points_clear(slice_points *list) {
     for (size_t k = 0; k < list->count; k++)
         for (int i = 0; i < 3; i++)
             fmpq_clear(list->item[k].at + i);
@@ -232,7 +232,7 @@ graze_status parts_of_facet(graze_curve *c, graze_context *context, const snapsh
         qsort(list.item, list.count, sizeof *list.item, compare_slice_points);
         status = add_segments(c, context, s, facet, &list);
     }
-    clear_points(&list);
+    slice_points_clear(&list);
     return status;
 }
 
@@ -319,12 +319,9 @@ static graze_status add_runs(graze_curve *c, graze_context *context, const snaps
 }
 
 graze_status parts_of_edge(graze_curve *c, graze_context *context, const snapshot *s, size_t edge) {
-    slice_points list = {.count = 0};
-    graze_status status = cut_edge(&list, context, s, edge);
-    if (!status)
-        status = add_runs(c, context, s, edge, &list);
-    clear_points(&list);
-    return status;
+    ZEROED(slice_points, list);
+    TRY(cut_edge(&list, context, s, edge));
+    return add_runs(c, context, s, edge, &list);
 }
 
 /* Is the point an end of a part? */

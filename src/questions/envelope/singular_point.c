@@ -106,14 +106,12 @@ static void point_clear(fmpz_poly_struct *point) {
 /* The form of side k of a triangle at a homogeneous point. */
 static void side_at(fmpz_poly_struct *out, const singular_view *v, size_t simplex, int k,
                     const fmpz_poly_struct *point) {
-    fmpz form[8] = {0};
+    LOCAL_VEC(fmpz, form, 8);
     solid_plane(form, v->e->cells.solid, simplex);
     solid_side(form + 4, v->e->cells.solid, simplex, form, k);
     fmpz_poly_zero(out);
     for (int i = 0; i < 4; i++)
         fmpz_poly_scalar_addmul_fmpz(out, point + i, form + 4 + i);
-    for (int i = 0; i < 8; i++)
-        fmpz_clear(form + i);
 }
 
 /* Have two triangles of the facet the side k of triangle j? */
@@ -250,9 +248,7 @@ graze_status singular_axis(axis *out, const singular_view *v) {
     if (!singular_is_lasting(v))
         return axis_make(out, v->context, v->p + SINGULAR_DETERMINANT, 1);
     size_t count = SINGULAR_DETERMINANT + 9 * triangle_count(v);
-    fmpz_poly_struct *p = flint_malloc(count * sizeof *p);
-    for (size_t k = 0; k < count; k++)
-        fmpz_poly_init(p + k);
+    LOCAL_VEC(fmpz_poly, p, (slong)count);
     for (size_t k = 0; k < SINGULAR_DETERMINANT; k++)
         fmpz_poly_set(p + k, v->p + k);
     int pair = first_pair(v);
@@ -260,9 +256,5 @@ graze_status singular_axis(axis *out, const singular_view *v) {
         fill_sides(p + SINGULAR_DETERMINANT, v, pair);
     else
         fill_corners(p + SINGULAR_DETERMINANT, v);
-    graze_status status = axis_make(out, v->context, p, count);
-    for (size_t k = 0; k < count; k++)
-        fmpz_poly_clear(p + k);
-    flint_free(p);
-    return status;
+    return axis_make(out, v->context, p, count);
 }

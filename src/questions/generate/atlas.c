@@ -222,21 +222,18 @@ static graze_status add_ruled(surveyor *s, size_t surface, const fmpq_mpoly_t ve
 /* Where the surfaces are touched at instants: at many where there are few surfaces. */
 static graze_status survey_touches(surveyor *s, const instant *instants, size_t count) {
     int left = MOST_TOUCHES;
-    graze_status status = GRAZE_OK;
-    fmpq_mpoly_t velocity;
-    fmpq_mpoly_init(velocity, s->out->ring);
+    IN_RING(fmpq_mpoly, velocity, s->out->ring);
     size_t stride = count * s->count / MOST_TOUCHES + 1;
-    for (size_t at = 0; at < count && left > 0 && !status; at += stride)
-        for (size_t k = 0; k < s->count && left > 0 && !status; k++, left--) {
+    for (size_t at = 0; at < count && left > 0; at += stride)
+        for (size_t k = 0; k < s->count && left > 0; k++, left--) {
             normal_velocity(velocity, s, &s->polynomial[k], &instants[at]);
             s->out->touches.mark = at;
             size_t before = s->out->touches.count;
-            status = charts_add_common(&s->out->touches, &s->polynomial[k], velocity);
-            if (!status && s->out->touches.count == before)
-                status = add_ruled(s, s->order[k], velocity);
+            TRY(charts_add_common(&s->out->touches, &s->polynomial[k], velocity));
+            if (s->out->touches.count == before)
+                TRY(add_ruled(s, s->order[k], velocity));
         }
-    fmpq_mpoly_clear(velocity, s->out->ring);
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status survey(surveyor *s, const instant *instants, size_t count) {

@@ -71,30 +71,23 @@ static graze_status add_factor_zeros(charts *list, const flat *place, const fmpq
 }
 
 static graze_status add_zeros(charts *list, const flat *place, const fmpq_mpoly_t p) {
-    fmpq_mpoly_factor_t parts;
-    graze_status status = GRAZE_OK;
-    fmpq_mpoly_factor_init(parts, list->ring);
+    IN_RING(fmpq_mpoly_factor, parts, list->ring);
     if (!fmpq_mpoly_is_zero(p, list->ring) && fmpq_mpoly_factor(parts, p, list->ring))
-        for (slong k = 0; k < parts->num && !status; k++)
-            status = add_factor_zeros(list, place, parts->poly + k);
-    fmpq_mpoly_factor_clear(parts, list->ring);
-    return status;
+        for (slong k = 0; k < parts->num; k++)
+            TRY(add_factor_zeros(list, place, parts->poly + k));
+    return GRAZE_OK;
 }
 
 graze_status charts_add_section(charts *list, const flat *place, const fmpq_mpoly_t p) {
-    fmpq_mpoly_struct x[3], *at[3] = {&x[0], &x[1], &x[2]};
-    fmpq_mpoly_t rest;
-    for (int i = 0; i < 3; i++)
-        fmpq_mpoly_init(&x[i], list->ring);
-    fmpq_mpoly_init(rest, list->ring);
-    flat_coordinates(x, place, list->ring);
-    graze_status status = GRAZE_OK;
+    IN_RING(fmpq_mpoly, x, list->ring);
+    IN_RING(fmpq_mpoly, y, list->ring);
+    IN_RING(fmpq_mpoly, z, list->ring);
+    IN_RING(fmpq_mpoly, rest, list->ring);
+    fmpq_mpoly_struct *at[3] = {x, y, z};
+    flat_coordinates(at, place, list->ring);
     if (fmpq_mpoly_compose_fmpq_mpoly(rest, p, at, list->ring, list->ring))
-        status = add_zeros(list, place, rest);
-    fmpq_mpoly_clear(rest, list->ring);
-    for (int i = 0; i < 3; i++)
-        fmpq_mpoly_clear(&x[i], list->ring);
-    return status;
+        TRY(add_zeros(list, place, rest));
+    return GRAZE_OK;
 }
 
 /* The zeros of p where a linear polynomial is zero. */
@@ -107,27 +100,20 @@ static graze_status add_plane_section(charts *list, const fmpq_mpoly_t linear,
 
 /* The zeros of p where a linear factor of q is zero. */
 static graze_status add_sections(charts *list, const fmpq_mpoly_t p, const fmpq_mpoly_t q) {
-    fmpq_mpoly_factor_t parts;
-    graze_status status = GRAZE_OK;
-    fmpq_mpoly_factor_init(parts, list->ring);
+    IN_RING(fmpq_mpoly_factor, parts, list->ring);
     if (!fmpq_mpoly_is_zero(q, list->ring) && fmpq_mpoly_factor(parts, q, list->ring))
-        for (slong k = 0; k < parts->num && !status; k++)
+        for (slong k = 0; k < parts->num; k++)
             if (fmpq_mpoly_total_degree_si(parts->poly + k, list->ring) == 1)
-                status = add_plane_section(list, parts->poly + k, p);
-    fmpq_mpoly_factor_clear(parts, list->ring);
-    return status;
+                TRY(add_plane_section(list, parts->poly + k, p));
+    return GRAZE_OK;
 }
 
 /* Where what the division of one by another leaves has linear factors. */
 static graze_status add_remainder(charts *list, const fmpq_mpoly_t high, const fmpq_mpoly_t low) {
-    fmpq_mpoly_t quotient, rest;
-    fmpq_mpoly_init(quotient, list->ring);
-    fmpq_mpoly_init(rest, list->ring);
+    IN_RING(fmpq_mpoly, quotient, list->ring);
+    IN_RING(fmpq_mpoly, rest, list->ring);
     fmpq_mpoly_divrem(quotient, rest, high, low, list->ring);
-    graze_status status = add_sections(list, low, rest);
-    fmpq_mpoly_clear(quotient, list->ring);
-    fmpq_mpoly_clear(rest, list->ring);
-    return status;
+    return add_sections(list, low, rest);
 }
 
 /* The common zeros of irreducible polynomials. */
@@ -146,14 +132,11 @@ static graze_status add_pair(charts *list, const fmpq_mpoly_t p, const fmpq_mpol
 }
 
 graze_status charts_add_common(charts *list, const fmpq_mpoly_t p, const fmpq_mpoly_t q) {
-    fmpq_mpoly_factor_t parts;
-    graze_status status = GRAZE_OK;
-    fmpq_mpoly_factor_init(parts, list->ring);
+    IN_RING(fmpq_mpoly_factor, parts, list->ring);
     if (!fmpq_mpoly_is_zero(q, list->ring) && fmpq_mpoly_factor(parts, q, list->ring))
-        for (slong k = 0; k < parts->num && !status; k++)
-            status = add_pair(list, p, parts->poly + k);
-    fmpq_mpoly_factor_clear(parts, list->ring);
-    return status;
+        for (slong k = 0; k < parts->num; k++)
+            TRY(add_pair(list, p, parts->poly + k));
+    return GRAZE_OK;
 }
 
 graze_status charts_add_singular(charts *list, const fmpq_mpoly_t p) {

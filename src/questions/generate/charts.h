@@ -20,7 +20,7 @@ void flat_clear(flat *f);
 void flat_point(fmpq *out, const flat *f, const fmpq *s);
 
 /** The coordinates of its points, as polynomials of the parameters; `out` is initialised. */
-void flat_coordinates(fmpq_mpoly_struct *out, const flat *f, const fmpq_mpoly_ctx_t ring);
+void flat_coordinates(fmpq_mpoly_struct *const *out, const flat *f, const fmpq_mpoly_ctx_t ring);
 
 /** Leave the part of a flat where a polynomial of degree 1 in its parameters is zero. */
 void flat_cut(flat *f, const fmpq_mpoly_t linear, const fmpq_mpoly_ctx_t ring);

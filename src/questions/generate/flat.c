@@ -64,18 +64,16 @@ static int find_pivot(const fmpq *h, int count) {
     return pivot;
 }
 
-void flat_coordinates(fmpq_mpoly_struct *out, const flat *f, const fmpq_mpoly_ctx_t ring) {
-    fmpq_mpoly_t term;
-    fmpq_mpoly_init(term, ring);
+void flat_coordinates(fmpq_mpoly_struct *const *out, const flat *f, const fmpq_mpoly_ctx_t ring) {
+    IN_RING(fmpq_mpoly, term, ring);
     for (int i = 0; i < f->dimension; i++) {
-        fmpq_mpoly_set_fmpq(&out[i], f->origin + i, ring);
+        fmpq_mpoly_set_fmpq(out[i], f->origin + i, ring);
         for (int j = 0; j < f->count; j++) {
             fmpq_mpoly_gen(term, j, ring);
             fmpq_mpoly_scalar_mul_fmpq(term, term, f->direction[j] + i, ring);
-            fmpq_mpoly_add(&out[i], &out[i], term, ring);
+            fmpq_mpoly_add(out[i], out[i], term, ring);
         }
     }
-    fmpq_mpoly_clear(term, ring);
 }
 
 /* With s_pivot = -(constant + sum h_j s_j) / h_pivot the others are the parameters. */

@@ -36,11 +36,9 @@ void special_velocity(fmpz_poly_t out, const graze_scene *scene, size_t piece, c
     const motion_piece *p = &scene->motion->piece[piece];
     const point_map *tracing = motion_tracing(p, scene->options.operation);
     int d = tracing->dimension;
-    fmpz_poly_struct place[4];
+    LOCAL_VEC(fmpz_poly, place, 4);
     LOCAL(fmpz_poly, derivative);
     LOCAL(fmpz_poly, row);
-    for (int i = 0; i <= d; i++)
-        fmpz_poly_init(&place[i]);
     moving_point(place, motion_placing(p, scene->options.operation), y);
     fmpz_poly_derivative(derivative, tracing->weight);
     fmpz_poly_mul(out, derivative, &place[d]);
@@ -54,8 +52,6 @@ void special_velocity(fmpz_poly_t out, const graze_scene *scene, size_t piece, c
         }
         fmpz_poly_scalar_addmul_fmpz(out, row, form + i);
     }
-    for (int i = 0; i <= d; i++)
-        fmpz_poly_clear(&place[i]);
 }
 
 static graze_status append_special(specials *out, graze_context *context, const graze_scene *scene,

@@ -80,24 +80,23 @@ static graze_status add_swept_edges(borders *b, graze_context *context, germ *g,
     int d = b->dimension;
     LOCAL_VEC(fmpz, ray, d);
     LOCAL_VEC(fmpz, normal, d);
-    graze_status status = GRAZE_OK;
     if (d == 2) {
         turn_quarter(normal, e);
-        status = add_body_border(b, context, g, normal);
+        return add_body_border(b, context, g, normal);
     }
-    for (size_t i = 0; d == 3 && i < g->cone.count && !status; i++)
-        for (size_t j = 0; j < i && !status; j++) {
+    for (size_t i = 0; i < g->cone.count; i++)
+        for (size_t j = 0; j < i; j++) {
             graze_state state[2] = {GRAZE_STATE_O, GRAZE_STATE_O};
             directions_cross(ray, g->cone.normal + 3 * i, g->cone.normal + 3 * j);
-            for (int k = 0; k < 2 && !status; k++) {
-                status = cone_state(&state[k], &g->cone, context, ray);
+            for (int k = 0; k < 2; k++) {
+                TRY(cone_state(&state[k], &g->cone, context, ray));
                 _fmpz_vec_neg(ray, ray, d);
             }
             directions_cross(normal, e, ray);
-            if (!status && (state[0] == GRAZE_STATE_B || state[1] == GRAZE_STATE_B))
-                status = add_body_border(b, context, g, normal);
+            if (state[0] == GRAZE_STATE_B || state[1] == GRAZE_STATE_B)
+                TRY(add_body_border(b, context, g, normal));
         }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Add the plane along an edge of the cone and along the direction that leaves the edge, in E^3. */
@@ -148,17 +147,15 @@ static graze_status add_rays(borders *b, graze_context *context, size_t i, size_
 
 /* Find all rays of an arrangement. */
 static graze_status find_rays(borders *b, int *refused, graze_context *context) {
-    graze_status status = GRAZE_OK;
-    for (size_t i = 0; i < b->plane_count && !status && !*refused; i++) {
+    for (size_t i = 0; i < b->plane_count && !*refused; i++) {
         if (b->dimension == 2)
-            status = add_rays(b, context, i, i);
-        for (size_t j = 0; b->dimension == 3 && j < i && !status; j++)
-            status = add_rays(b, context, i, j);
+            TRY(add_rays(b, context, i, i));
+        for (size_t j = 0; b->dimension == 3 && j < i; j++)
+            TRY(add_rays(b, context, i, j));
         *refused = b->ray_count > BORDER_RAYS;
-        if (!status)
-            status = context_poll(context);
+        TRY(context_poll(context));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status borders_find(borders *b, int *refused, graze_context *context, germ_list *germs) {
@@ -213,11 +210,9 @@ graze_status borders_about(borders *b, graze_context *context, germ *g, const fm
         g->to_body[i] = i % 4 == 0; /* in directions of the body itself */
     graze_status status = add_germ_borders(&all, context, g);
     memcpy(g->to_body, to_world, sizeof to_world);
-    if (!status)
-        status = keep_planes_through(b, context, &all, direction);
-    if (!status)
-        status = add_vector(&b->ray, &b->ray_count, &b->ray_capacity, context, direction, 3);
-    return status;
+    TRY(status);
+    TRY(keep_planes_through(b, context, &all, direction));
+    return add_vector(&b->ray, &b->ray_count, &b->ray_capacity, context, direction, 3);
 }
 
 /* out = v + s w, times a denominator, with s > 0 so small that no plane is crossed but those
@@ -246,14 +241,11 @@ static void step_from_ray(fmpz *out, const borders *b, const fmpz *v, const fmpz
 
 /* The sign of det(v, a, b): is b to the left of a, seen against v? */
 static int turn_about_ray(const fmpz *v, const fmpz *a, const fmpz *b) {
-    fmpz cross[3] = {0, 0, 0};
+    LOCAL_VEC(fmpz, cross, 3);
     LOCAL(fmpz, det);
     directions_cross(cross, a, b);
     _fmpz_vec_dot(det, cross, v, 3);
-    int sign = fmpz_sgn(det);
-    for (int i = 0; i < 3; i++)
-        fmpz_clear(cross + i);
-    return sign;
+    return fmpz_sgn(det);
 }
 
 /* The direction that follows number `from` by angle, of `count` directions across the ray v. Two of

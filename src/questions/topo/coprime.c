@@ -35,16 +35,16 @@ static int is_coprime_in(const fmpz_mpoly_t a, const fmpz_mpoly_t b, int variabl
     fmpz_set_ui(line, LINE);
     LOCAL(fmpz_poly, f);
     LOCAL(fmpz_poly, g);
-    sliced_init(&s, a, variable, ring);
+    sliced_curve_init(&s, a, variable, ring);
     if (b)
-        sliced_init(&other, b, variable, ring);
+        sliced_curve_init(&other, b, variable, ring);
     else
         sliced_init_derivative(&other, &s);
     int whole = sliced_at(f, &s, line);
     whole = sliced_at(g, &other, line) && whole;
     int coprime = whole && polynomials_certainly_coprime(f, g);
-    sliced_clear(&s);
-    sliced_clear(&other);
+    sliced_curve_clear(&s);
+    sliced_curve_clear(&other);
     return coprime;
 }
 
@@ -66,22 +66,19 @@ static graze_status split_curve(curve_list *out, int *refused, graze_context *co
     const fmpz_mpoly_ctx_struct *ring = out->ring;
     ulong degree = (ulong)fmpz_mpoly_total_degree_si(curve, ring);
     int small = degree * degree * largest_bits(curve) <= FACTORED;
-    fmpz_mpoly_factor_t factors;
-    graze_status status = GRAZE_OK;
     if (!small && is_coprime(curve, NULL, ring))
         return curves_append(out, context, curve);
     if (!small && !is_bounded(context, curve, ring)) {
         *refused = 1;
         return GRAZE_OK;
     }
-    fmpz_mpoly_factor_init(factors, ring);
+    IN_RING(fmpz_mpoly_factor, factors, ring);
     if (!(small ? fmpz_mpoly_factor(factors, curve, ring)
                 : fmpz_mpoly_factor_squarefree(factors, curve, ring)))
-        status = context_fail(context, GRAZE_EINTERNAL, "a curve of a sweep is not factored");
-    for (slong k = 0; k < fmpz_mpoly_factor_length(factors, ring) && !status; k++)
-        status = curves_append(out, context, factors->poly + k);
-    fmpz_mpoly_factor_clear(factors, ring);
-    return status;
+        return context_fail(context, GRAZE_EINTERNAL, "a curve of a sweep is not factored");
+    for (slong k = 0; k < fmpz_mpoly_factor_length(factors, ring); k++)
+        TRY(curves_append(out, context, factors->poly + k));
+    return GRAZE_OK;
 }
 
 /* Divide part k and a curve by their common factor d, which becomes a part. The curve is coprime to
@@ -102,10 +99,8 @@ static graze_status take_common(curve_list *parts, graze_context *context, size_
 static graze_status refine(curve_list *parts, int *refused, graze_context *context,
                            fmpz_mpoly_t curve) {
     size_t count = parts->count;
-    graze_status status = GRAZE_OK;
-    fmpz_mpoly_t d;
-    fmpz_mpoly_init(d, parts->ring);
-    for (size_t k = 0; k < count && !status && !*refused; k++) {
+    IN_RING(fmpz_mpoly, d, parts->ring);
+    for (size_t k = 0; k < count && !*refused; k++) {
         if (fmpz_mpoly_is_fmpz(curve, parts->ring) ||
             is_coprime(&parts->item[k], curve, parts->ring))
             continue;
@@ -113,23 +108,19 @@ static graze_status refine(curve_list *parts, int *refused, graze_context *conte
             !is_bounded(context, &parts->item[k], parts->ring))
             *refused = 1;
         else if (!fmpz_mpoly_gcd(d, &parts->item[k], curve, parts->ring))
-            status = context_fail(context, GRAZE_EINTERNAL, "a common factor is not found");
+            return context_fail(context, GRAZE_EINTERNAL, "a common factor is not found");
         else if (!fmpz_mpoly_is_fmpz(d, parts->ring))
-            status = take_common(parts, context, k, curve, d);
-        if (!status)
-            status = context_poll(context);
+            TRY(take_common(parts, context, k, curve, d));
+        TRY(context_poll(context));
     }
-    fmpz_mpoly_clear(d, parts->ring);
-    return status || *refused ? status : curves_append(parts, context, curve);
+    return *refused ? GRAZE_OK : curves_append(parts, context, curve);
 }
 
 graze_status coprime_add(curve_list *parts, int *refused, graze_context *context,
                          const fmpz_mpoly_t curve) {
-    curve_list own;
-    curves_init(&own);
-    graze_status status = split_curve(&own, refused, context, curve);
-    for (size_t k = 0; k < own.count && !status && !*refused; k++)
-        status = refine(parts, refused, context, &own.item[k]);
-    curves_clear(&own);
-    return status;
+    HELD(curve_list, own);
+    TRY(split_curve(&own, refused, context, curve));
+    for (size_t k = 0; k < own.count && !*refused; k++)
+        TRY(refine(parts, refused, context, &own.item[k]));
+    return GRAZE_OK;
 }

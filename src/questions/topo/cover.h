@@ -42,8 +42,8 @@ typedef struct curve_list {
     fmpz_mpoly_struct *item;
 } curve_list;
 
-void curves_init(curve_list *list);
-void curves_clear(curve_list *list);
+void curve_list_init(curve_list *list);
+void curve_list_clear(curve_list *list);
 
 /** Append a copy of a polynomial that is not 0; constants are left out. */
 graze_status curves_append(curve_list *list, graze_context *context, const fmpz_mpoly_t curve);
@@ -57,10 +57,10 @@ typedef struct plane_view {
 } plane_view;
 
 /** Begin with E^2 and its own coordinates. */
-void view_init(plane_view *view);
+void plane_view_init(plane_view *view);
 /** Begin with the plane through a point of E^3 along two vectors of 3 integers, not parallel. */
-void view_init_through(plane_view *view, const fmpq *point, const fmpz *a, const fmpz *b);
-void view_clear(plane_view *view);
+void view_set_through(plane_view *view, const fmpq *point, const fmpz *a, const fmpz *b);
+void plane_view_clear(plane_view *view);
 /** Set the point with coordinates x, y; `out` has d initialised rationals. */
 void view_point(fmpq *out, const plane_view *view, const fmpq *xy);
 
@@ -85,8 +85,8 @@ typedef struct pullback_form {
     fmpz_poly_struct linear[3];
 } pullback_form;
 
-void pullback_init(pullback_form *f);
-void pullback_clear(pullback_form *f);
+void pullback_form_init(pullback_form *f);
+void pullback_form_clear(pullback_form *f);
 
 /** Compose a form on the body's space with a map at all times, restricted to the view, times an
  * integer. */
@@ -134,8 +134,8 @@ typedef struct half_germ {
     fmpq_poly_t reach, turn;
 } half_germ;
 
-void half_init(half_germ *half);
-void half_clear(half_germ *half);
+void half_germ_init(half_germ *half);
+void half_germ_clear(half_germ *half);
 
 /** Write a form in a chart, as a polynomial in b times a positive number.
  * @param form the form of this degree at h + b k, as a polynomial in b */
@@ -175,8 +175,8 @@ typedef struct plane_gap {
     fmpq lift;
 } plane_gap;
 
-void gap_init(plane_gap *gap);
-void gap_clear(plane_gap *gap);
+void plane_gap_init(plane_gap *gap);
+void plane_gap_clear(plane_gap *gap);
 
 /** Set a gap in the direction that b is in the chart; `along` is that direction times b's
  * denominator. The order remains 0 if the leading terms leave no room.
@@ -213,7 +213,7 @@ int edge_keeps_direction(const germ *g, const point_map *map);
  * the cell there.
  * @param way the trajectory's displacement from its place at that time, times a positive function,
  * in powers of the time since then */
-graze_status sides_add(germ *g, graze_context *context, const point_map *map, fmpq_poly_t *way,
+graze_status sides_add(germ *g, graze_context *context, const point_map *map, fmpq_poly_struct *way,
                        int same_way, int sign);
 
 /* Directions given only by their signs against a cone's planes, which are signs of polynomials at

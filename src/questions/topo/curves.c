@@ -17,14 +17,13 @@
 
 /* Has a polynomial a root in [0, 1]? */
 static graze_status meets_piece(int *out, graze_context *context, const fmpz_poly_t p) {
-    graze_status status = GRAZE_OK;
     *out = fmpz_poly_is_zero(p);
     if (fmpz_poly_degree(p) < 1)
-        return status;
+        return GRAZE_OK;
     HELD(dyadic_interval, piece);
     dyadic_interval_set_si(&piece, 0, 1);
     HELD(algebraic_list, roots);
-    status = algebraic_roots(&roots, context, p, &piece);
+    graze_status status = algebraic_roots(&roots, context, p, &piece);
     *out = roots.count > 0;
     return status;
 }
@@ -57,29 +56,21 @@ static void refuse_degree(curve_maker *m, slong degree) {
 
 /* Add the line at the end u = 0 or u = 1 of a piece. */
 static graze_status add_line_at(curve_maker *m, const pullback_form *f, slong u) {
-    fmpz_mpoly_t curve;
-    fmpz_t when;
-    fmpz_init_set_si(when, u);
-    fmpz_mpoly_init(curve, m->list->ring);
+    IN_RING(fmpz_mpoly, curve, m->list->ring);
+    LOCAL(fmpz, when);
+    fmpz_set_si(when, u);
     pullback_at(curve, f, when, m->list->ring);
-    graze_status status = curves_append(m->list, m->context, curve);
-    fmpz_mpoly_clear(curve, m->list->ring);
-    fmpz_clear(when);
-    return status;
+    return curves_append(m->list, m->context, curve);
 }
 
 /* Add the curve where the pullback, of degree n >= 2 in time, has a double root or vanishes. */
 static graze_status add_discriminant(curve_maker *m, const pullback_form *f, slong n) {
-    fmpz_mpoly_t curve;
-    fmpz_mpoly_init(curve, m->list->ring);
-    graze_status status = grid_discriminant(curve, m->context, f, n, m->list->ring);
-    if (!status && fmpz_mpoly_is_zero(curve, m->list->ring))
-        status = context_fail(m->context, GRAZE_EINTERNAL,
-                              "the discriminant of an irreducible pullback vanishes");
-    if (!status)
-        status = curves_append(m->list, m->context, curve);
-    fmpz_mpoly_clear(curve, m->list->ring);
-    return status;
+    IN_RING(fmpz_mpoly, curve, m->list->ring);
+    TRY(grid_discriminant(curve, m->context, f, n, m->list->ring));
+    if (fmpz_mpoly_is_zero(curve, m->list->ring))
+        return context_fail(m->context, GRAZE_EINTERNAL,
+                            "the discriminant of an irreducible pullback vanishes");
+    return curves_append(m->list, m->context, curve);
 }
 
 /* Make the pullback of a form, divided by the common factor of its coefficients, and its degree in
@@ -101,51 +92,43 @@ static graze_status make_pullback(pullback_form *f, slong *degree, curve_maker *
 static graze_status add_curves_of_plane(curve_maker *m, const motion_piece *piece,
                                         const fmpz *form) {
     slong degree = 0;
-    pullback_form f;
-    pullback_init(&f);
-    graze_status status = make_pullback(&f, &degree, m, piece, form);
-    if (!status && !m->refused)
-        status = add_line_at(m, &f, 0);
-    if (!status && !m->refused && degree > 0)
-        status = add_line_at(m, &f, 1);
-    if (!status && !m->refused && degree > 1)
-        status = add_discriminant(m, &f, degree);
-    pullback_clear(&f);
-    return status;
+    HELD(pullback_form, f);
+    TRY(make_pullback(&f, &degree, m, piece, form));
+    if (!m->refused)
+        TRY(add_line_at(m, &f, 0));
+    if (!m->refused && degree > 0)
+        TRY(add_line_at(m, &f, 1));
+    return m->refused || degree < 2 ? GRAZE_OK : add_discriminant(m, &f, degree);
 }
 
 /* Add the curve where two irreducible functions of x, y and time vanish at the same time. */
 static graze_status add_common_zeros(curve_maker *m, const pullback_form *f, const slong *degree) {
     const fmpz_mpoly_ctx_struct *ring = m->list->ring;
-    graze_status status = GRAZE_OK;
-    fmpz_mpoly_t curve;
     if (degree[0] == 0 && degree[1] > 0)
         return add_line_at(m, f, 0);
     if (degree[1] == 0 && degree[0] > 0)
         return add_line_at(m, f + 1, 0);
     if (degree[0] == 0)
         return GRAZE_OK;
-    fmpz_mpoly_init(curve, ring);
-    status = grid_resultant(curve, m->context, f, degree[0], f + 1, degree[1], ring);
-    if (!status && fmpz_mpoly_is_zero(curve, ring))
-        m->refused = in_plane; /* both are the same function, which E^3 alone admits */
-    else if (!status)
-        status = curves_append(m->list, m->context, curve);
-    fmpz_mpoly_clear(curve, ring);
-    return status;
+    IN_RING(fmpz_mpoly, curve, ring);
+    TRY(grid_resultant(curve, m->context, f, degree[0], f + 1, degree[1], ring));
+    if (!fmpz_mpoly_is_zero(curve, ring))
+        return curves_append(m->list, m->context, curve);
+    m->refused = in_plane; /* both are the same function, which E^3 alone admits */
+    return GRAZE_OK;
 }
 
 /* Add the path of a vertex of E^2: the common zeros of x W - X and y W - Y, each divided by its
  * factor in time alone. */
 static graze_status add_path(curve_maker *m, const motion_piece *piece, const fmpq *vertex) {
     const point_map *map = motion_placing(piece, m->scene->options.operation);
-    fmpz scale[3] = {0, 0, 0};
+    LOCAL_VEC(fmpz, scale, 3);
     slong degree[2];
     pullback_form f[2];
     LOCAL(fmpz_poly, common);
     _fmpq_vec_get_fmpz_vec_fmpz(scale, scale + 2, vertex, 2);
     for (int row = 0; row < 2; row++) {
-        pullback_init(&f[row]);
+        pullback_form_init(&f[row]);
         fmpz_poly_scalar_mul_fmpz(&f[row].linear[row], map->weight, scale + 2);
         for (int i = 0; i < 3; i++)
             fmpz_poly_scalar_submul_fmpz(&f[row].linear[2], &map->entry[row * 3 + i], scale + i);
@@ -154,9 +137,7 @@ static graze_status add_path(curve_maker *m, const motion_piece *piece, const fm
     }
     graze_status status = m->refused ? GRAZE_OK : add_common_zeros(m, f, degree);
     for (int row = 0; row < 2; row++)
-        pullback_clear(&f[row]);
-    for (int i = 0; i < 3; i++)
-        fmpz_clear(scale + i);
+        pullback_form_clear(&f[row]);
     return status;
 }
 
@@ -171,14 +152,14 @@ static graze_status add_edge_path(curve_maker *m, const motion_piece *piece, siz
     (void)solid_plane(form, m->scene->solid, triangle);
     solid_side(form + 4, m->scene->solid, triangle, form, k);
     for (int i = 0; i < 2; i++) {
-        pullback_init(&f[i]);
+        pullback_form_init(&f[i]);
         if (!status && !m->refused)
             status = make_pullback(&f[i], &degree[i], m, piece, form + 4 * i);
     }
     if (!status && !m->refused)
         status = add_common_zeros(m, f, degree);
     for (int i = 0; i < 2; i++)
-        pullback_clear(&f[i]);
+        pullback_form_clear(&f[i]);
     return status;
 }
 

@@ -25,14 +25,14 @@ static graze_status look_about(int *out, germ *g, graze_context *context, const 
     fmpz *cell;
     size_t count;
     HELD(borders, b, 3);
-    graze_status status = borders_about(&b, context, g, e);
-    *out = !status;
-    if (!status) {
-        borders_around(&cell, &count, &b, 0);
-        for (size_t k = 0; k < count && !status && *out; k++)
-            status = cone_meets_line(out, &g->cone, context, cell + 3 * k, e);
-        _fmpz_vec_clear(cell, (slong)count * 3);
-    }
+    *out = 0;
+    TRY(borders_about(&b, context, g, e));
+    *out = 1;
+    borders_around(&cell, &count, &b, 0);
+    graze_status status = GRAZE_OK;
+    for (size_t k = 0; k < count && !status && *out; k++)
+        status = cone_meets_line(out, &g->cone, context, cell + 3 * k, e);
+    _fmpz_vec_clear(cell, (slong)count * 3);
     return status;
 }
 

@@ -23,8 +23,8 @@ static void sliced_allocate(sliced_curve *out, slong degree, slong total) {
         fmpz_poly_init(out->coefficient + k);
 }
 
-void sliced_init(sliced_curve *out, const fmpz_mpoly_t g, int variable,
-                 const fmpz_mpoly_ctx_t ring) {
+void sliced_curve_init(sliced_curve *out, const fmpz_mpoly_t g, int variable,
+                       const fmpz_mpoly_ctx_t ring) {
     int other = variable == RING_X ? RING_Y : RING_X;
     LOCAL(fmpz, c);
     sliced_allocate(out, fmpz_mpoly_degree_si(g, variable, ring),
@@ -50,7 +50,7 @@ static void sliced_init_constant(sliced_curve *out, const fmpz_poly_t f) {
         fmpz_poly_set_fmpz(out->coefficient + k, fmpz_poly_get_coeff_ptr(f, k));
 }
 
-void sliced_clear(sliced_curve *s) {
+void sliced_curve_clear(sliced_curve *s) {
     for (slong k = 0; k <= s->degree; k++)
         fmpz_poly_clear(s->coefficient + k);
     flint_free(s->coefficient);
@@ -180,7 +180,7 @@ graze_status resultant_of(fmpz_t out, graze_context *context, const fmpz_poly_t 
     sliced_init_constant(&b, g);
     graze_status status = resultant_by_primes(value, context, &a, &b, 1);
     fmpz_poly_get_coeff_fmpz(out, value, 0);
-    sliced_clear(&a);
-    sliced_clear(&b);
+    sliced_curve_clear(&a);
+    sliced_curve_clear(&b);
     return status;
 }

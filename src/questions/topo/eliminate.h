@@ -67,11 +67,11 @@ typedef struct sliced_curve {
 } sliced_curve;
 
 /** @param variable RING_X or RING_Y; `g` is not 0 */
-void sliced_init(sliced_curve *out, const fmpz_mpoly_t g, int variable,
-                 const fmpz_mpoly_ctx_t ring);
+void sliced_curve_init(sliced_curve *out, const fmpz_mpoly_t g, int variable,
+                       const fmpz_mpoly_ctx_t ring);
 /** Make the derivative of a curve by the variable, in which it has a positive degree. */
 void sliced_init_derivative(sliced_curve *out, const sliced_curve *s);
-void sliced_clear(sliced_curve *s);
+void sliced_curve_clear(sliced_curve *s);
 
 /** Evaluate a curve at `at` of the other variable; returns 0 if the degree drops there. */
 int sliced_at(fmpz_poly_t out, const sliced_curve *s, const fmpz_t at);

@@ -47,7 +47,7 @@ static void set_to_body(germ *g, const germ_maker *m, const fmpq_t u) {
 
 /* The displacement of the trajectory from its place x at time u, times a positive function, in
  * powers of the time since u. */
-static void ways_from(fmpq_poly_t *way, const germ_maker *m, const fmpz *x, const fmpq_t u) {
+static void ways_from(fmpq_poly_struct *way, const germ_maker *m, const fmpz *x, const fmpq_t u) {
     int d = m->path.dimension;
     LOCAL(fmpz_poly, p);
     LOCAL(fmpq_poly, later);
@@ -56,27 +56,22 @@ static void ways_from(fmpq_poly_t *way, const germ_maker *m, const fmpz *x, cons
     for (int i = 0; i < d; i++) {
         fmpz_poly_scalar_mul_fmpz(p, &m->path.x[i], x + d);
         fmpz_poly_scalar_submul_fmpz(p, &m->path.x[d], x + i);
-        fmpq_poly_set_fmpz_poly(way[i], p);
-        fmpq_poly_compose(way[i], way[i], later);
+        fmpq_poly_set_fmpz_poly(way + i, p);
+        fmpq_poly_compose(way + i, way + i, later);
     }
 }
 
 /* Add the sides of a germ that are inside [0, 1], and the cover by both together. */
 static graze_status add_sides(germ_maker *m, germ *g, const fmpz *x, const fmpq_t u) {
-    int d = m->path.dimension, same_way = 0;
-    graze_status status = GRAZE_OK;
-    fmpq_poly_t way[3];
-    for (int i = 0; i < d; i++)
-        fmpq_poly_init(way[i]);
+    int same_way = 0;
+    LOCAL_VEC(fmpq_poly, way, 3);
     ways_from(way, m, x, u);
     g->exact = planes_keep_directions(&same_way, &g->cone, m->map, &m->path);
     if (!fmpq_is_one(u))
-        status = sides_add(g, m->context, m->map, way, same_way, 1);
-    if (!status && !fmpq_is_zero(u))
-        status = sides_add(g, m->context, m->map, way, same_way, -1);
-    for (int i = 0; i < d; i++)
-        fmpq_poly_clear(way[i]);
-    return status;
+        TRY(sides_add(g, m->context, m->map, way, same_way, 1));
+    if (!fmpq_is_zero(u))
+        TRY(sides_add(g, m->context, m->map, way, same_way, -1));
+    return GRAZE_OK;
 }
 
 /* Append a germ at a rational time. */
@@ -132,15 +127,12 @@ static graze_status add_germ_between(fmpq_t u, germ_maker *m, algebraic *from, a
 
 /* Append a turning stretch and two more germs in it. */
 static graze_status add_turn(germ_maker *m, const fmpq_t u, algebraic *from, algebraic *to) {
-    graze_status status = germs_append_turn(m->list, m->context, from, to);
     LOCAL(fmpq, v);
     HELD(algebraic, middle);
     algebraic_set_rational(&middle, u);
-    if (!status)
-        status = add_germ_between(v, m, from, &middle);
-    if (!status)
-        status = add_germ_between(v, m, &middle, to);
-    return status;
+    TRY(germs_append_turn(m->list, m->context, from, to));
+    TRY(add_germ_between(v, m, from, &middle));
+    return add_germ_between(v, m, &middle, to);
 }
 
 /* Add the germs of an interval between two successive times, in which the cell does not change. */
@@ -176,17 +168,12 @@ static graze_status add_touches(germ_maker *m, const touches *t) {
 }
 
 static graze_status add_contacts_of_piece(germ_maker *m) {
-    candidates near = {0, 0, NULL};
+    ZEROED(candidates, near);
     HELD(touches, t);
-    graze_status status = candidates_find(&near, m->context, m->scene->solid, &m->path);
-    if (!status)
-        status = touches_find(&t, m->context, m->scene->solid, &m->path, NULL, &near);
-    if (!status)
-        status = touches_order(&t, m->context);
-    if (!status)
-        status = add_touches(m, &t);
-    free(near.item);
-    return status;
+    TRY(candidates_find(&near, m->context, m->scene->solid, &m->path));
+    TRY(touches_find(&t, m->context, m->scene->solid, &m->path, NULL, &near));
+    TRY(touches_order(&t, m->context));
+    return add_touches(m, &t);
 }
 
 /* Turn to another piece. */

@@ -8,7 +8,7 @@
 #include "input/motion/motion.h"
 #include "questions/topo/near.h"
 
-void germs_init(germ_list *list) {
+void germ_list_init(germ_list *list) {
     memset(list, 0, sizeof *list);
     list->bounded = 1;
     list->reason = "";
@@ -31,7 +31,7 @@ void germs_drop_last(germ_list *list) {
     clear_germ(&list->item[--list->count]);
 }
 
-void germs_clear(germ_list *list) {
+void germ_list_clear(germ_list *list) {
     for (size_t k = 0; k < list->count; k++)
         clear_germ(&list->item[k]);
     for (size_t k = 0; k < list->turn_count; k++) {

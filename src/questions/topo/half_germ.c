@@ -4,14 +4,14 @@
 #include "base/number/sign.h"
 #include "questions/topo/cover.h"
 
-void half_init(half_germ *half) {
+void half_germ_init(half_germ *half) {
     fmpq_poly_init(half->form);
     fmpq_poly_init(half->reach);
     fmpq_poly_init(half->turn);
     half->has_reach = half->has_turn = 0;
 }
 
-void half_clear(half_germ *half) {
+void half_germ_clear(half_germ *half) {
     fmpq_poly_clear(half->form);
     fmpq_poly_clear(half->reach);
     fmpq_poly_clear(half->turn);

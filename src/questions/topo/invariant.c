@@ -37,9 +37,8 @@ static void span_add_normal(normal_span *s, const point_map *map, const fmpz *no
     static const fmpz axis[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     slong length = 0;
     LOCAL_VEC(fmpz, v, 3);
-    fmpz_poly_struct entry[3];
+    LOCAL_VEC(fmpz_poly, entry, 3);
     for (int i = 0; i < 3; i++) {
-        fmpz_poly_init(entry + i);
         signs_pull_back(entry + i, map, normal, axis[i]);
         length = FLINT_MAX(length, fmpz_poly_length(entry + i));
     }
@@ -48,13 +47,12 @@ static void span_add_normal(normal_span *s, const point_map *map, const fmpz *no
             fmpz_poly_get_coeff_fmpz(v + i, entry + i, k);
         span_add(s, v);
     }
-    for (int i = 0; i < 3; i++)
-        fmpz_poly_clear(entry + i);
 }
 
 /* 1 and a plane's normal about the point if the plane does not move and contains the trajectory. */
 static int plane_stays(fmpz *normal, const germ *g, size_t j, const fmpq *point) {
-    normal_span s = {0, _fmpz_vec_init(9)};
+    LOCAL_VEC(fmpz, basis, 9);
+    normal_span s = {0, basis};
     HELD(trajectory, path, 3);
     LOCAL(fmpz_poly, away);
     trajectory_set(&path, g->map, point);
@@ -62,13 +60,13 @@ static int plane_stays(fmpz *normal, const germ *g, size_t j, const fmpq *point)
     span_add_normal(&s, g->map, g->cone.normal + 3 * j);
     int stays = fmpz_poly_is_zero(away) && s.rank == 1;
     _fmpz_vec_set(normal, s.basis, 3);
-    _fmpz_vec_clear(s.basis, 9);
     return stays;
 }
 
 /* Find the kernel of all normals; if there is a `step`, without unmoved planes across it. */
 static int find_kernel(fmpz *out, const germ_list *list, const fmpz *step, const fmpq *point) {
-    normal_span s = {0, _fmpz_vec_init(9)};
+    LOCAL_VEC(fmpz, basis, 9);
+    normal_span s = {0, basis};
     LOCAL_VEC(fmpz, stays, 3);
     for (size_t k = 0; k < list->count && s.rank < 3; k++) {
         const germ *g = &list->item[k];
@@ -81,7 +79,6 @@ static int find_kernel(fmpz *out, const germ_list *list, const fmpz *step, const
     int found = s.rank == 1 || s.rank == 2;
     if (found)
         _fmpz_vec_set(out, s.basis + 6, 3);
-    _fmpz_vec_clear(s.basis, 9);
     return found;
 }
 

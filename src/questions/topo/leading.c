@@ -86,21 +86,20 @@ static graze_status set_boundary(leading_maker *m, const fmpz *direction) {
     static const slong bits[] = {2, 4, 8, 16, 64, WORD_MAX};
     slong d = m->borders.dimension;
     topo_finding *out = m->out;
-    graze_status status = GRAZE_OK;
     LOCAL_VEC(fmpz, simple, d);
-    for (size_t k = 0; k < sizeof bits / sizeof *bits && !status && !out->has_witness; k++) {
+    for (size_t k = 0; k < sizeof bits / sizeof *bits && !out->has_witness; k++) {
         round_direction(simple, direction, d, bits[k]);
-        status = try_direction(m, simple);
-        if (status || out->has_witness)
+        TRY(try_direction(m, simple));
+        if (out->has_witness)
             break;
         tilt_direction(simple, d);
-        status = try_direction(m, simple);
+        TRY(try_direction(m, simple));
     }
-    if (!status && out->has_witness)
+    if (out->has_witness)
         finding_set(out, GRAZE_TOPO_BOUNDARY, GRAZE_LEVEL_FIRST_ORDER);
-    else if (!status)
+    else
         finding_undecided(out, "no witness of the boundary is found");
-    return status;
+    return GRAZE_OK;
 }
 
 /* Keep the first open direction. */
@@ -190,11 +189,10 @@ static graze_status look_around(leading_maker *m, size_t r) {
  * the plane and a gap. */
 static graze_status look_at_second_order(int *covers, leading_maker *m) {
     topo_finding *out = m->out;
-    plane_gap gap;
-    gap_init(&gap);
+    HELD(plane_gap, gap);
     direction_reduce(m->open + 6, 3);
-    graze_status status = second_covers(covers, &gap, &m->germs, m->context, m->point, m->open + 6);
-    if (!status && !*covers && !out->has_open) {
+    TRY(second_covers(covers, &gap, &m->germs, m->context, m->point, m->open + 6));
+    if (!*covers && !out->has_open) {
         _fmpz_vec_set(out->across, m->open + 6, 3);
         out->has_across = 1;
         out->order = gap.order;
@@ -202,8 +200,7 @@ static graze_status look_at_second_order(int *covers, leading_maker *m) {
         if (gap.order)
             keep_open_direction(out, gap.along, 3);
     }
-    gap_clear(&gap);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Take the cells around all rays, until one decides the point. */
@@ -230,17 +227,17 @@ static graze_status look_again_along_edges(leading_maker *m) {
 static graze_status look_at_all(leading_maker *m) {
     static const graze_topo_level level[] = {GRAZE_LEVEL_FIRST_ORDER, GRAZE_LEVEL_CLOSED_CONES,
                                              GRAZE_LEVEL_EDGES};
-    graze_status status = look_at_rays(m);
     int by_second = 0;
-    if (!status && m->out->position == GRAZE_TOPO_NONE && !m->is_interior[BY_CLOSED_CONES])
-        status = look_again_along_edges(m);
-    if (status || m->out->position != GRAZE_TOPO_NONE)
-        return status;
+    TRY(look_at_rays(m));
+    if (m->out->position == GRAZE_TOPO_NONE && !m->is_interior[BY_CLOSED_CONES])
+        TRY(look_again_along_edges(m));
+    if (m->out->position != GRAZE_TOPO_NONE)
+        return GRAZE_OK;
     for (int by = BY_EDGES; by >= 0; by--)
         if (m->is_interior[by])
             finding_set(m->out, GRAZE_TOPO_INTERIOR, level[by]);
     if (m->open_rank == 2)
-        status = look_at_second_order(&by_second, m);
+        TRY(look_at_second_order(&by_second, m));
     if (by_second)
         finding_set(m->out, GRAZE_TOPO_INTERIOR, GRAZE_LEVEL_LEADING_TERMS);
     else if (!m->is_interior[BY_EDGES])
@@ -248,14 +245,14 @@ static graze_status look_at_all(leading_maker *m) {
                                       ? "to first order the contacts close around the point, and "
                                         "what is left is thinner than every cone"
                                       : m->germs.reason);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status leading_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
                             const plane_list *planes, const fmpq *point) {
     leading_maker m = {.out = out, .context = context, .scene = scene, .point = point};
     int refused = 0;
-    germs_init(&m.germs);
+    germ_list_init(&m.germs);
     borders_init(&m.borders, scene->motion->dimension);
     m.open = _fmpz_vec_init(9);
     graze_status status = germs_find(&m.germs, context, scene, planes, point);
@@ -267,6 +264,6 @@ graze_status leading_decide(topo_finding *out, graze_context *context, const gra
         status = look_at_all(&m);
     _fmpz_vec_clear(m.open, 9);
     borders_clear(&m.borders);
-    germs_clear(&m.germs);
+    germ_list_clear(&m.germs);
     return status;
 }

@@ -13,12 +13,12 @@
 #include "questions/topo/near.h"
 
 void near_init(near_curves *n) {
-    curves_init(&n->through);
+    curve_list_init(&n->through);
     n->places = 0;
 }
 
 void near_clear(near_curves *n) {
-    curves_clear(&n->through);
+    curve_list_clear(&n->through);
 }
 
 /* The exponents of x and y in term k. */
@@ -103,26 +103,23 @@ static void on_diagonal(fmpz_poly_t out, const fmpz_mpoly_t g, int falling,
 /* Shrink the square below the common zeros of two curves. */
 static graze_status stay_below_event(near_maker *m, const sliced_curve *a, const sliced_curve *b) {
     LOCAL(fmpz_poly, event);
-    graze_status status = eliminate(event, m->context, a, b);
-    if (!status && fmpz_poly_is_zero(event))
-        status = context_fail(m->context, GRAZE_EINTERNAL,
-                              "parts of curves of a sweep have a factor in common");
-    else if (!status)
-        stay_below_roots(m, event);
-    return status;
+    TRY(eliminate(event, m->context, a, b));
+    if (fmpz_poly_is_zero(event))
+        return context_fail(m->context, GRAZE_EINTERNAL,
+                            "parts of curves of a sweep have a factor in common");
+    stay_below_roots(m, event);
+    return GRAZE_OK;
 }
 
 /* Shrink the square below the events of a curve alone: roots of its leading coefficient, which is
  * the whole curve if that does not depend on the variable, and common zeros with its derivative. */
 static graze_status stay_below_turns(near_maker *m, const sliced_curve *a) {
-    sliced_curve derivative;
     stay_below_roots(m, a->coefficient + a->degree);
     if (a->degree < 2 || m->refused)
         return GRAZE_OK;
+    ZEROED(sliced_curve, derivative);
     sliced_init_derivative(&derivative, a);
-    graze_status status = stay_below_event(m, a, &derivative);
-    sliced_clear(&derivative);
-    return status;
+    return stay_below_event(m, a, &derivative);
 }
 
 /* Shrink the square below the events of curve k alone and with the curves before it, as polynomials
@@ -130,15 +127,15 @@ static graze_status stay_below_turns(near_maker *m, const sliced_curve *a) {
 static graze_status stay_below_meetings(near_maker *m, size_t k, int variable) {
     const curve_list *c = &m->n->through;
     sliced_curve a, b;
-    sliced_init(&a, &c->item[k], variable, c->ring);
+    sliced_curve_init(&a, &c->item[k], variable, c->ring);
     graze_status status = stay_below_turns(m, &a);
     for (size_t j = 0; j < k && a.degree > 0 && !status && !m->refused; j++) {
-        sliced_init(&b, &c->item[j], variable, c->ring);
+        sliced_curve_init(&b, &c->item[j], variable, c->ring);
         if (b.degree > 0)
             status = stay_below_event(m, &a, &b);
-        sliced_clear(&b);
+        sliced_curve_clear(&b);
     }
-    sliced_clear(&a);
+    sliced_curve_clear(&a);
     return status;
 }
 
@@ -155,34 +152,28 @@ static void stay_below_corners(near_maker *m, size_t k) {
  * curves. */
 static graze_status take_curves(near_maker *m, curve_list *parts, const curve_list *all,
                                 const fmpq *point) {
-    graze_status status = GRAZE_OK;
-    fmpz_mpoly_t g;
-    fmpz_mpoly_init(g, all->ring);
-    for (size_t k = 0; k < all->count && !status && !m->refused; k++) {
-        status = shift_curve(g, m->context, &all->item[k], point, all->ring);
-        if (status)
-            break;
+    IN_RING(fmpz_mpoly, g, all->ring);
+    for (size_t k = 0; k < all->count && !m->refused; k++) {
+        TRY(shift_curve(g, m->context, &all->item[k], point, all->ring));
         if (passes_origin(g, all->ring))
-            status = coprime_add(parts, &m->refused, m->context, &all->item[k]);
+            TRY(coprime_add(parts, &m->refused, m->context, &all->item[k]));
         else
             stay_clear_of(m, g);
     }
-    for (size_t k = 0; k < parts->count && !status && !m->refused; k++) {
-        status = shift_curve(g, m->context, &parts->item[k], point, all->ring);
-        if (!status)
-            status = take_part(m, g);
+    for (size_t k = 0; k < parts->count && !m->refused; k++) {
+        TRY(shift_curve(g, m->context, &parts->item[k], point, all->ring));
+        TRY(take_part(m, g));
     }
-    fmpz_mpoly_clear(g, all->ring);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status near_make(near_curves *n, int *refused, graze_context *context, const curve_list *all,
                        const fmpq *point) {
     near_maker m = {n, 0, context};
     curve_list parts;
-    curves_init(&parts);
+    curve_list_init(&parts);
     graze_status status = take_curves(&m, &parts, all, point);
-    curves_clear(&parts);
+    curve_list_clear(&parts);
     for (size_t k = 0; k < n->through.count && !status && !m.refused; k++) {
         stay_below_corners(&m, k);
         for (int variable = 0; variable < 2 && !status && !m.refused; variable++)

@@ -5,7 +5,7 @@
 #include "base/context/scope.h"
 #include "questions/topo/cover.h"
 
-void view_init(plane_view *view) {
+void plane_view_init(plane_view *view) {
     view->dimension = 2;
     for (int i = 0; i < 3; i++) {
         fmpq_init(view->origin + i);
@@ -14,8 +14,7 @@ void view_init(plane_view *view) {
     }
 }
 
-void view_init_through(plane_view *view, const fmpq *point, const fmpz *a, const fmpz *b) {
-    view_init(view);
+void view_set_through(plane_view *view, const fmpq *point, const fmpz *a, const fmpz *b) {
     view->dimension = 3;
     for (int i = 0; i < 3; i++) {
         fmpq_set(view->origin + i, point + i);
@@ -24,7 +23,7 @@ void view_init_through(plane_view *view, const fmpq *point, const fmpz *a, const
     }
 }
 
-void view_clear(plane_view *view) {
+void plane_view_clear(plane_view *view) {
     for (int i = 0; i < 3; i++) {
         fmpq_clear(view->origin + i);
         for (int k = 0; k < 2; k++)
@@ -43,12 +42,12 @@ void view_point(fmpq *out, const plane_view *view, const fmpq *xy) {
     }
 }
 
-void curves_init(curve_list *list) {
+void curve_list_init(curve_list *list) {
     memset(list, 0, sizeof *list);
     fmpz_mpoly_ctx_init(list->ring, RING_VARIABLES, ORD_LEX);
 }
 
-void curves_clear(curve_list *list) {
+void curve_list_clear(curve_list *list) {
     for (size_t k = 0; k < list->count; k++)
         fmpz_mpoly_clear(&list->item[k], list->ring);
     free(list->item);

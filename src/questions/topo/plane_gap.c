@@ -9,14 +9,14 @@
 #include "base/context/scope.h"
 #include "questions/topo/cover.h"
 
-void gap_init(plane_gap *gap) {
+void plane_gap_init(plane_gap *gap) {
     fmpq_init(&gap->lift);
     for (int k = 0; k < 3; k++)
         fmpz_init(gap->along + k);
     gap->order = 0;
 }
 
-void gap_clear(plane_gap *gap) {
+void plane_gap_clear(plane_gap *gap) {
     fmpq_clear(&gap->lift);
     for (int k = 0; k < 3; k++)
         fmpz_clear(gap->along + k);

@@ -4,12 +4,12 @@
 #include "input/motion/motion.h"
 #include "questions/topo/cover.h"
 
-void pullback_init(pullback_form *f) {
+void pullback_form_init(pullback_form *f) {
     for (int i = 0; i < 3; i++)
         fmpz_poly_init(&f->linear[i]);
 }
 
-void pullback_clear(pullback_form *f) {
+void pullback_form_clear(pullback_form *f) {
     for (int i = 0; i < 3; i++)
         fmpz_poly_clear(&f->linear[i]);
 }

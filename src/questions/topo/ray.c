@@ -83,21 +83,20 @@ static int is_steady(const ray_form *f) {
 static graze_status stay_below(ray_maker *m, const ray_form *f, algebraic *time) {
     int sign = 0, slope = 0, there = 0;
     LOCAL(fmpz_poly, p);
-    graze_status status = algebraic_sign_at(&sign, m->context, &f->plain_at, time);
-    if (!status)
-        status = algebraic_sign_at(&slope, m->context, &f->plain_slope, time);
-    while (!status && sign * slope < 0 && there != sign && !m->special) {
+    TRY(algebraic_sign_at(&sign, m->context, &f->plain_at, time));
+    TRY(algebraic_sign_at(&slope, m->context, &f->plain_slope, time));
+    while (sign * slope < 0 && there != sign && !m->special) {
         fmpz_poly_scalar_mul_fmpz(p, &f->plain_at, fmpq_denref(m->reach));
         fmpz_poly_scalar_addmul_fmpz(p, &f->plain_slope, fmpq_numref(m->reach));
-        status = algebraic_sign_at(&there, m->context, p, time);
+        TRY(algebraic_sign_at(&there, m->context, p, time));
         if (there == sign)
-            continue;
+            break;
         ulong step = 1 + m->places / 8;
         fmpq_div_2exp(m->reach, m->reach, step);
         m->places += step;
         m->special = m->places > m->context->limits[GRAZE_LIMIT_BITS];
     }
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status stay_below_all(ray_maker *m, const ray_form *form, algebraic *time) {
@@ -201,19 +200,17 @@ static graze_status stay_below_simplex(ray_maker *m, const candidate *near) {
  * lie between those of P and of the last place. */
 static graze_status stay_below_piece(ray_maker *m) {
     int d = m->path.dimension;
-    candidates near = {0, 0, NULL};
+    ZEROED(candidates, near);
     LOCAL_VEC(fmpz, end, d + 1);
     _fmpz_vec_scalar_mul_fmpz(end, m->place, d + 1, fmpq_denref(m->reach));
     _fmpz_vec_scalar_addmul_fmpz(end, m->direction, d, fmpq_numref(m->reach));
     HELD(trajectory, far, d);
     trajectory_carry(&m->path, m->map, m->place);
     trajectory_carry(&far, m->map, end);
-    graze_status status =
-        candidates_find_between(&near, m->context, m->scene->solid, &m->path, &far);
-    for (size_t k = 0; k < near.count && !status && !m->special; k++)
-        status = stay_below_simplex(m, &near.item[k]);
-    free(near.item);
-    return status;
+    TRY(candidates_find_between(&near, m->context, m->scene->solid, &m->path, &far));
+    for (size_t k = 0; k < near.count && !m->special; k++)
+        TRY(stay_below_simplex(m, &near.item[k]));
+    return GRAZE_OK;
 }
 
 /* Set the first reach, so that it is about as long as the solid is wide, or less if there are many

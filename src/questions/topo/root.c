@@ -168,21 +168,19 @@ static graze_status set_direction(int *rational, int *found, germ *g, const germ
     germ_root *root = g->root;
     slong n = (slong)root->count;
     size_t along = 0;
-    graze_status status = GRAZE_OK;
     LOCAL_VEC(fmpz, product, n);
-    for (slong j = 0; j < n && !status; j++) {
+    for (slong j = 0; j < n; j++) {
         int sign = 0;
-        status = algebraic_sign_at(&sign, place->context, root->way + j, &root->time);
+        TRY(algebraic_sign_at(&sign, place->context, root->way + j, &root->time));
         along += sign == 0;
     }
     *found = along < 2;
-    if (!status)
-        status = ratio_of(rational, product, n, root->way, place->context, &root->time, minimal);
-    if (!status && *rational)
+    TRY(ratio_of(rational, product, n, root->way, place->context, &root->time, minimal));
+    if (*rational)
         *rational = direction_with_products(g->side[0].e, &g->cone, product);
-    if (!status && !*rational)
+    if (!*rational)
         set_direction_near(g, place, order, near);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Set both sides; they differ only in the sign of the direction. */
@@ -215,16 +213,15 @@ static graze_status set_ways(int *found, germ *g, const germ_place *place,
                              const fmpz_poly_t minimal, const fmpq_t near) {
     int map_rational = 0, way_rational = 1;
     slong order = 0;
-    graze_status status = set_map_near(&map_rational, g, place, minimal, near);
-    if (!status)
-        status = find_order(&order, g, place);
-    if (!status && order) {
-        status = set_direction(&way_rational, found, g, place, order, minimal, near);
+    TRY(set_map_near(&map_rational, g, place, minimal, near));
+    TRY(find_order(&order, g, place));
+    if (order) {
+        TRY(set_direction(&way_rational, found, g, place, order, minimal, near));
         set_sides(g, order);
     }
-    if (!status && *found && map_rational && way_rational)
+    if (*found && map_rational && way_rational)
         make_exact(g, place);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status root_set_germ(int *found, germ *g, const germ_place *place, const algebraic *time,
@@ -234,14 +231,10 @@ graze_status root_set_germ(int *found, germ *g, const germ_place *place, const a
     LOCAL(fmpq, near);
     HELD(algebraic, at);
     algebraic_set(&at, time);
-    graze_status status = place_find(found, x, near, place, &at);
-    if (!status && *found) {
-        status =
-            cone_make(&g->cone, place->context, place->solid, place->outside, place->planes, x);
-        if (!status)
-            status = germ_make_root(g, place->context, &at);
-        if (!status)
-            status = set_ways(found, g, place, minimal, near);
-    }
-    return status;
+    TRY(place_find(found, x, near, place, &at));
+    if (!*found)
+        return GRAZE_OK;
+    TRY(cone_make(&g->cone, place->context, place->solid, place->outside, place->planes, x));
+    TRY(germ_make_root(g, place->context, &at));
+    return set_ways(found, g, place, minimal, near);
 }

@@ -32,7 +32,7 @@ typedef struct second_maker {
 static graze_status add_half(second_maker *m, germ *g, int sign, int way) {
     half_germ half;
     int covers = 0;
-    half_init(&half);
+    half_germ_init(&half);
     graze_status status = half_of_germ(&covers, &half, &m->plane, m->context, g, sign, way);
     if (!status && covers)
         status = array_grow(m->context, &m->item, &m->capacity, m->count + 1, sizeof *m->item,
@@ -40,7 +40,7 @@ static graze_status add_half(second_maker *m, germ *g, int sign, int way) {
     if (!status && covers)
         m->item[m->count++] = half;
     else
-        half_clear(&half);
+        half_germ_clear(&half);
     return status;
 }
 
@@ -62,29 +62,27 @@ static void excess(fmpz_poly_t out, const half_germ *below, const half_germ *abo
 static graze_status excess_at(int *out, const second_maker *m, size_t i, size_t j, algebraic *at) {
     int valid[2] = {1, 1};
     *out = -1;
-    graze_status status = half_is_valid(&valid[0], &m->item[i], m->context, m->chart, at);
-    if (!status && valid[0])
-        status = half_is_valid(&valid[1], &m->item[j], m->context, m->chart, at);
-    if (status || !valid[0] || !valid[1])
-        return status;
+    TRY(half_is_valid(&valid[0], &m->item[i], m->context, m->chart, at));
+    if (valid[0])
+        TRY(half_is_valid(&valid[1], &m->item[j], m->context, m->chart, at));
+    if (!valid[0] || !valid[1])
+        return GRAZE_OK;
     LOCAL(fmpz_poly, p);
     excess(p, &m->item[i], &m->item[j], m->chart);
-    status = algebraic_sign_at(out, m->context, p, at);
-    return status;
+    return algebraic_sign_at(out, m->context, p, at);
 }
 
 /* The largest sign of all excesses at a parameter; -1 if there are none. */
 static graze_status largest_sign_at(int *out, const second_maker *m, algebraic *at) {
-    graze_status status = GRAZE_OK;
     *out = -1;
-    for (size_t i = 0; i < m->count && !status && *out < 1; i++)
-        for (size_t j = 0; j < m->count && !status && *out < 1; j++) {
+    for (size_t i = 0; i < m->count && *out < 1; i++)
+        for (size_t j = 0; j < m->count && *out < 1; j++) {
             int sign = -1;
             if (!m->item[i].above && m->item[j].above)
-                status = excess_at(&sign, m, i, j, at);
+                TRY(excess_at(&sign, m, i, j, at));
             *out = FLINT_MAX(*out, sign);
         }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Clear `*out` unless the largest sign of the excesses at a parameter, `*sign`, is positive. */
@@ -122,15 +120,12 @@ static graze_status look_from_to(int *out, const second_maker *m, algebraic *fro
     int sign = 0;
     LOCAL(fmpq, between);
     HELD(algebraic, middle);
-    graze_status status = algebraic_between(between, m->context, from, to);
+    TRY(algebraic_between(between, m->context, from, to));
     algebraic_set_rational(&middle, between);
-    if (!status)
-        status = look_at_slope(out, &sign, m, &middle);
-    if (!status && (sign < 0 || (sign == 0 && !m->gap->order)))
-        status = keep_gap(m, between, to);
-    if (!status)
-        status = look_at_end(out, m, to);
-    return status;
+    TRY(look_at_slope(out, &sign, m, &middle));
+    if (sign < 0 || (sign == 0 && !m->gap->order))
+        TRY(keep_gap(m, between, to));
+    return look_at_end(out, m, to);
 }
 
 /* Look at the roots of all excesses in [-1, 1], at both ends, and between each two successive ones.
@@ -142,20 +137,20 @@ static graze_status look_at_slopes(int *out, const second_maker *m, algebraic_li
     HELD(algebraic, next);
     fmpq_set_si(end, -1, 1);
     algebraic_set_rational(&last, end);
-    graze_status status = look_at_end(out, m, &last);
+    TRY(look_at_end(out, m, &last));
     fmpq_one(end);
-    for (size_t k = 0; k <= roots->count && !status; k++) {
+    for (size_t k = 0; k <= roots->count; k++) {
         if (k < roots->count)
             algebraic_set(&next, &roots->item[k]);
         else
             algebraic_set_rational(&next, end);
-        status = algebraic_compare(&order, m->context, &last, &next);
-        if (status || order == 0)
+        TRY(algebraic_compare(&order, m->context, &last, &next));
+        if (order == 0)
             continue;
-        status = look_from_to(out, m, &last, &next);
+        TRY(look_from_to(out, m, &last, &next));
         algebraic_set(&last, &next);
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Multiply the product by a polynomial unless that is 0. */
@@ -214,7 +209,7 @@ graze_status second_covers(int *out, plane_gap *gap, germ_list *list, graze_cont
     }
     *out = *out && !status;
     for (size_t k = 0; k < m.count; k++)
-        half_clear(&m.item[k]);
+        half_germ_clear(&m.item[k]);
     free(m.item);
     for (int i = 0; i < 6; i++)
         fmpz_clear(m.plane.basis[i / 3] + i % 3);

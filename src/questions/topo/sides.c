@@ -59,9 +59,7 @@ int planes_keep_directions(int *same_way, const local_cone *cone, const point_ma
                            const trajectory *path) {
     enum { FACTOR, WAY, FIRST_FACTOR, FIRST_WAY, LEFT, RIGHT, POLYNOMIALS };
     int keep = 1;
-    fmpz_poly_struct p[POLYNOMIALS];
-    for (int i = 0; i < POLYNOMIALS; i++)
-        fmpz_poly_init(p + i);
+    LOCAL_VEC(fmpz_poly, p, POLYNOMIALS);
     *same_way = 1;
     for (size_t j = 0; j < cone->count && keep; j++) {
         keep = keeps_direction(p + FACTOR, map, cone->normal + j * (size_t)cone->dimension);
@@ -75,15 +73,13 @@ int planes_keep_directions(int *same_way, const local_cone *cone, const point_ma
         }
     }
     *same_way = *same_way && keep;
-    for (int i = 0; i < POLYNOMIALS; i++)
-        fmpz_poly_clear(p + i);
     return keep;
 }
 
-static void coefficients_at(fmpz *out, fmpq_poly_t *way, slong k, int d) {
+static void coefficients_at(fmpz *out, fmpq_poly_struct *way, slong k, int d) {
     LOCAL_VEC(fmpq, c, d);
     for (int i = 0; i < d; i++)
-        fmpq_poly_get_coeff_fmpq(c + i, way[i], k);
+        fmpq_poly_get_coeff_fmpq(c + i, way + i, k);
     direction_of_rationals(out, c, d);
 }
 
@@ -100,7 +96,7 @@ static int is_in_cell(size_t *planes, const local_cone *cone, const fmpz *v) {
 }
 
 /* Find the first coefficient after the leading one that is not parallel to it. */
-static void find_later(germ_side *side, fmpq_poly_t *way, slong length, int sign) {
+static void find_later(germ_side *side, fmpq_poly_struct *way, slong length, int sign) {
     slong at = 0;
     for (slong k = side->order + 1; k < length && !at; k++) {
         coefficients_at(side->later, way, k, 3);
@@ -135,16 +131,15 @@ int edge_keeps_direction(const germ *g, const point_map *map) {
     return keeps;
 }
 
-graze_status sides_add(germ *g, graze_context *context, const point_map *map, fmpq_poly_t *way,
+graze_status sides_add(germ *g, graze_context *context, const point_map *map, fmpq_poly_struct *way,
                        int same_way, int sign) {
     int d = map->dimension;
     slong length = 0;
     size_t planes = 0;
     graze_state state = GRAZE_STATE_O;
-    graze_status status = GRAZE_OK;
     germ_side *side = &g->side[g->side_count];
     for (int i = 0; i < d; i++)
-        length = FLINT_MAX(length, fmpq_poly_length(way[i]));
+        length = FLINT_MAX(length, fmpq_poly_length(way + i));
     for (slong k = 1; k < length && !side->order; k++) {
         coefficients_at(side->e, way, k, d);
         side->order = is_in_cell(&planes, &g->cone, side->e) ? 0 : k;
@@ -159,8 +154,8 @@ graze_status sides_add(germ *g, graze_context *context, const point_map *map, fm
     if (d == 3 && cone_cell_dimension(&g->cone) == 1)
         side->keeps_edge = side->order == 1 || edge_keeps_direction(g, map);
     if (planes >= 2 && !side->exact)
-        status = cone_state(&state, &g->cone, context, side->e);
+        TRY(cone_state(&state, &g->cone, context, side->e));
     if (state != GRAZE_STATE_O)
         find_later(side, way, length, sign);
-    return status;
+    return GRAZE_OK;
 }

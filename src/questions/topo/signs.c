@@ -34,33 +34,32 @@ static graze_status learn_all(local_cone *cone, graze_context *context) {
     int refused = 0;
     HELD(borders, b, (int)d);
     LOCAL_VEC(fmpz, none, d);
-    graze_status status = cone_state(&state, cone, context, none);
-    if (!status)
-        status = borders_of_cone(&b, &refused, context, cone);
-    for (size_t r = 0; r < b.ray_count && !status && !refused; r++) {
+    TRY(cone_state(&state, cone, context, none));
+    TRY(borders_of_cone(&b, &refused, context, cone));
+    for (size_t r = 0; r < b.ray_count && !refused; r++) {
+        graze_status status = cone_state(&state, cone, context, b.ray + r * (size_t)d);
         fmpz *cell;
         size_t count;
-        status = cone_state(&state, cone, context, b.ray + r * (size_t)d);
         borders_around(&cell, &count, &b, r);
         for (size_t k = 0; k < count && !status; k++)
             status = cone_state(&state, cone, context, cell + k * (size_t)d);
         _fmpz_vec_clear(cell, (slong)count * d);
+        TRY(status);
     }
-    cone->knows_all = !status && !refused;
-    return status;
+    cone->knows_all = !refused;
+    return GRAZE_OK;
 }
 
 graze_status signs_state(graze_state *out, local_cone *cone, graze_context *context,
                          const signed char *signs) {
-    graze_status status = GRAZE_OK;
     if (cone_knows(out, cone, signs))
         return GRAZE_OK;
-    if (!cone->knows_all)
-        status = learn_all(cone, context);
     *out = GRAZE_STATE_B;
-    if (!status && cone->knows_all && !cone_knows(out, cone, signs))
-        status = context_fail(context, GRAZE_EINTERNAL, "a cell next to a contact is not found");
-    return status;
+    if (!cone->knows_all)
+        TRY(learn_all(cone, context));
+    if (cone->knows_all && !cone_knows(out, cone, signs))
+        return context_fail(context, GRAZE_EINTERNAL, "a cell next to a contact is not found");
+    return GRAZE_OK;
 }
 
 /* The values of a germ's planes at u + s e, as functions of s with coefficients that are
@@ -88,7 +87,6 @@ static void sweep_clear(root_sweep *s) {
 static graze_status sweep_init(root_sweep *s, germ *g, graze_context *context,
                                const fmpz *direction) {
     size_t n = g->cone.count;
-    graze_status status = GRAZE_OK;
     *s = (root_sweep){.g = g, .context = context, .count = n, .way = g->root->way};
     s->at = malloc((n + 1) * sizeof *s->at);
     s->at_sign = calloc(3 * n + 1, 1);
@@ -100,17 +98,16 @@ static graze_status sweep_init(root_sweep *s, germ *g, graze_context *context,
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for a contact");
     s->way_sign = s->at_sign + n;
     s->sign = s->way_sign + n;
-    for (size_t j = 0; j < n && !status; j++) {
+    for (size_t j = 0; j < n; j++) {
         int sign = 0;
         signs_pull_back(s->at + j, g->map, g->cone.normal + j * (size_t)g->cone.dimension,
                         direction);
-        status = algebraic_sign_at(&sign, context, s->at + j, &g->root->time);
+        TRY(algebraic_sign_at(&sign, context, s->at + j, &g->root->time));
         s->at_sign[j] = (signed char)sign;
-        if (!status)
-            status = algebraic_sign_at(&sign, context, s->way + j, &g->root->time);
+        TRY(algebraic_sign_at(&sign, context, s->way + j, &g->root->time));
         s->way_sign[j] = (signed char)sign;
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Is plane j crossed before plane k (-1), together with it (0), or after it (1)? Plane j is crossed
@@ -128,15 +125,14 @@ static graze_status compare_crossing_places(int *out, root_sweep *s, int side, s
 
 /* Sort the planes that are crossed on a side by their places. */
 static graze_status order_crossings(root_sweep *s, int side) {
-    graze_status status = GRAZE_OK;
     s->cut_count = 0;
-    for (size_t j = 0; j < s->count && !status; j++) {
+    for (size_t j = 0; j < s->count; j++) {
         size_t place = s->cut_count;
         int order = -1, rank = 0;
         if (s->at_sign[j] * s->way_sign[j] * side >= 0)
             continue;
-        while (place > 0 && !status && order < 0) {
-            status = compare_crossing_places(&order, s, side, j, s->cut[place - 1]);
+        while (place > 0 && order < 0) {
+            TRY(compare_crossing_places(&order, s, side, j, s->cut[place - 1]));
             place -= order < 0;
         }
         rank = place == 0 ? 0 : s->rank[place - 1] + (order > 0);
@@ -149,7 +145,7 @@ static graze_status order_crossings(root_sweep *s, int side) {
         s->rank[place] = rank;
         s->cut_count++;
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Ask the state at the cuts of a rank; rank -1 is before all cuts. Cuts suffice: the cone is
@@ -195,16 +191,14 @@ graze_status signs_cover_at_root(int *covered, germ *g, graze_context *context,
 static graze_status look_at_time(int *covered, local_cone *cone, graze_context *context,
                                  const fmpz_poly_struct *p, signed char *sign, algebraic *time) {
     graze_state state = GRAZE_STATE_O;
-    graze_status status = GRAZE_OK;
-    for (size_t j = 0; j < cone->count && !status; j++) {
+    for (size_t j = 0; j < cone->count; j++) {
         int at = 0;
-        status = algebraic_sign_at(&at, context, p + j, time);
+        TRY(algebraic_sign_at(&at, context, p + j, time));
         sign[j] = (signed char)at;
     }
-    if (!status)
-        status = signs_state(&state, cone, context, sign);
+    TRY(signs_state(&state, cone, context, sign));
     *covered = *covered || state != GRAZE_STATE_O;
-    return status;
+    return GRAZE_OK;
 }
 
 /* Ask the state between two times. */
@@ -213,11 +207,9 @@ static graze_status look_between(int *covered, local_cone *cone, graze_context *
                                  algebraic *to) {
     LOCAL(fmpq, u);
     HELD(algebraic, middle);
-    graze_status status = algebraic_between(u, context, from, to);
+    TRY(algebraic_between(u, context, from, to));
     algebraic_set_rational(&middle, u);
-    if (!status)
-        status = look_at_time(covered, cone, context, p, sign, &middle);
-    return status;
+    return look_at_time(covered, cone, context, p, sign, &middle);
 }
 
 /* Ask the states at all roots inside the stretch and between them. */
@@ -225,52 +217,38 @@ static graze_status look_at_roots(int *covered, turning_stretch *t, local_cone *
                                   graze_context *context, const fmpz_poly_struct *p,
                                   signed char *sign, algebraic_list *roots) {
     algebraic *last = &t->from;
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < roots->count && !status && !*covered; k++) {
+    for (size_t k = 0; k < roots->count && !*covered; k++) {
         int after = 0, before = 0;
-        status = algebraic_compare(&after, context, &roots->item[k], &t->from);
-        if (!status)
-            status = algebraic_compare(&before, context, &roots->item[k], &t->to);
-        if (status || after <= 0 || before >= 0)
+        TRY(algebraic_compare(&after, context, &roots->item[k], &t->from));
+        TRY(algebraic_compare(&before, context, &roots->item[k], &t->to));
+        if (after <= 0 || before >= 0)
             continue;
-        status = look_between(covered, cone, context, p, sign, last, &roots->item[k]);
-        if (!status)
-            status = look_at_time(covered, cone, context, p, sign, &roots->item[k]);
+        TRY(look_between(covered, cone, context, p, sign, last, &roots->item[k]));
+        TRY(look_at_time(covered, cone, context, p, sign, &roots->item[k]));
         last = &roots->item[k];
     }
-    if (!status && !*covered)
-        status = look_between(covered, cone, context, p, sign, last, &t->to);
-    return status;
+    return *covered ? GRAZE_OK : look_between(covered, cone, context, p, sign, last, &t->to);
 }
 
 graze_status signs_cover_in_turn(int *covered, turning_stretch *t, germ *g, graze_context *context,
                                  const fmpz *direction) {
     local_cone *cone = &g->cone;
     size_t n = cone->count;
-    FREED(fmpz_poly_struct, p, malloc((n + 1) * sizeof *p));
-    signed char *sign = malloc(n + 1);
-    graze_status status =
-        p && sign ? GRAZE_OK
-                  : context_fail(context, GRAZE_ESYSTEM, "out of memory for a slide along a point");
+    *covered = 0;
+    LOCAL_VEC(fmpz_poly, p, (slong)n);
+    FREED(signed char, sign, malloc(n + 1));
+    if (!sign)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a slide along a point");
     LOCAL(fmpz_poly, product);
     fmpz_poly_set_ui(product, 1);
     HELD(dyadic_interval, piece);
     dyadic_interval_set_si(&piece, 0, 1);
     HELD(algebraic_list, roots);
-    *covered = 0;
-    for (size_t j = 0; j < n && !status; j++) {
-        fmpz_poly_init(p + j);
+    for (size_t j = 0; j < n; j++) {
         signs_pull_back(p + j, g->map, cone->normal + j * (size_t)cone->dimension, direction);
         if (!fmpz_poly_is_zero(p + j))
             fmpz_poly_mul(product, product, p + j);
     }
-    if (!status) {
-        status = algebraic_roots(&roots, context, product, &piece);
-        if (!status)
-            status = look_at_roots(covered, t, cone, context, p, sign, &roots);
-        for (size_t j = 0; j < n; j++)
-            fmpz_poly_clear(p + j);
-    }
-    free(sign);
-    return status;
+    TRY(algebraic_roots(&roots, context, product, &piece));
+    return look_at_roots(covered, t, cone, context, p, sign, &roots);
 }

@@ -27,20 +27,17 @@ static graze_status look_in_plane(topo_finding *out, graze_context *context,
                                   const graze_scene *scene, const plane_list *planes,
                                   const fmpq *point, const fmpz *along, graze_topo_level level,
                                   int has_path) {
-    plane_view view;
-    curve_list curves;
     const char *refused = NULL;
     fmpq origin[2] = {{0, 1}, {0, 1}};
-    view_init_through(&view, point, along, along + 3);
-    curves_init(&curves);
-    graze_status status = curves_of_scene(&curves, &refused, context, scene, planes, &view);
-    if (!status && !refused && has_path)
-        status = path_decide(out, context, scene, &curves, &view);
-    if (!status && !refused && !out->has_witness)
-        status = square_decide(out, context, scene, &curves, &view, origin, level);
-    curves_clear(&curves);
-    view_clear(&view);
-    return status;
+    HELD(plane_view, view);
+    view_set_through(&view, point, along, along + 3);
+    HELD(curve_list, curves);
+    TRY(curves_of_scene(&curves, &refused, context, scene, planes, &view));
+    if (!refused && has_path)
+        TRY(path_decide(out, context, scene, &curves, &view));
+    if (!refused && !out->has_witness)
+        TRY(square_decide(out, context, scene, &curves, &view, origin, level));
+    return GRAZE_OK;
 }
 
 /* Find a direction that is parallel to all planes of all contacts at all times, but perhaps those
@@ -49,12 +46,12 @@ static graze_status find_invariant(fmpz *out, fmpz *step, graze_context *context
                                    const graze_scene *scene, const plane_list *planes,
                                    const fmpq *point) {
     germ_list germs;
-    germs_init(&germs);
+    germ_list_init(&germs);
     graze_status status = germs_find(&germs, context, scene, planes, point);
     if (status || !germs.bounded ||
         (!invariant_direction(out, &germs) && !invariant_beside_step(out, step, &germs, point)))
         _fmpz_vec_zero(out, 3);
-    germs_clear(&germs);
+    germ_list_clear(&germs);
     return status;
 }
 

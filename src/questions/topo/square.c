@@ -61,14 +61,12 @@ static graze_status sample_at(square_maker *m, const fmpq_t along) {
  * the side. */
 static graze_status sample_gap(square_maker *m, algebraic *low, algebraic *high) {
     int sign = 0;
-    graze_status status = algebraic_compare(&sign, m->context, low, high);
-    if (status || sign == 0)
-        return status;
+    TRY(algebraic_compare(&sign, m->context, low, high));
+    if (sign == 0)
+        return GRAZE_OK;
     LOCAL(fmpq, along);
-    status = algebraic_between(along, m->context, low, high);
-    if (!status)
-        status = sample_at(m, along);
-    return status;
+    TRY(algebraic_between(along, m->context, low, high));
+    return sample_at(m, along);
 }
 
 static graze_status sample_side(square_maker *m) {

@@ -54,20 +54,18 @@ static void keep_independent(place_finder *f, const fmpz *form) {
 
 static graze_status find_signs(place_finder *f, algebraic *time) {
     const plane_list *planes = f->place->planes;
-    graze_status status = GRAZE_OK;
     LOCAL(fmpz_poly, distance);
-    for (size_t p = 0; p < planes->count && !status; p++) {
+    for (size_t p = 0; p < planes->count; p++) {
         int sign = 0;
         const fmpz *form = planes->form + p * (size_t)(planes->dimension + 1);
         trajectory_pullback(distance, f->place->path, form);
-        status = algebraic_sign_at(&sign, f->place->context, distance, time);
+        TRY(algebraic_sign_at(&sign, f->place->context, distance, time));
         f->sign[p] = (signed char)sign;
-        if (!status && sign == 0)
+        if (sign == 0)
             keep_independent(f, form);
-        if (!status)
-            status = context_poll(f->place->context);
+        TRY(context_poll(f->place->context));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Project a point, d + 1 homogeneous integers, orthogonally to the intersection of the basis's

@@ -22,7 +22,7 @@ typedef struct scene_shares {
 static void free_shares(void *value) {
     scene_shares *s = value;
     planes_clear(&s->planes);
-    curves_clear(&s->curves);
+    curve_list_clear(&s->curves);
     free(s);
 }
 
@@ -33,7 +33,7 @@ static graze_status make_shares(scene_memo *memo, graze_context *context,
         free(made);
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for the planes of a solid");
     }
-    curves_init(&made->curves);
+    curve_list_init(&made->curves);
     memo->value = made;
     memo->free = free_shares;
     return GRAZE_OK;
@@ -42,16 +42,14 @@ static graze_status make_shares(scene_memo *memo, graze_context *context,
 /* Make the curves. After a failure the next point tries again; after a refusal only with a higher
  * limit. */
 static graze_status make_curves(scene_shares *s, graze_context *context, const graze_scene *scene) {
-    plane_view view;
-    view_init(&view);
+    HELD(plane_view, view);
     graze_status status =
         curves_of_scene(&s->curves, &s->refused, context, scene, &s->planes, &view);
-    view_clear(&view);
     s->has_curves = !status && !s->refused;
     s->limit = context->limits[GRAZE_LIMIT_CURVE];
     if (!s->has_curves) {
-        curves_clear(&s->curves);
-        curves_init(&s->curves);
+        curve_list_clear(&s->curves);
+        curve_list_init(&s->curves);
     }
     return status;
 }
@@ -90,18 +88,13 @@ graze_status topo_by_leading(topo_finding *out, graze_context *context, const gr
 graze_status topo_by_curves(topo_finding *out, graze_context *context, const graze_scene *scene,
                             const fmpq *point) {
     const scene_shares *s = NULL;
-    graze_status status = shares_of(&s, context, scene, 1);
-    if (status)
-        return status;
+    TRY(shares_of(&s, context, scene, 1));
     if (s->refused) {
         finding_undecided(out, s->refused);
         return GRAZE_OK;
     }
-    plane_view view;
-    view_init(&view);
-    status = square_decide(out, context, scene, &s->curves, &view, point, GRAZE_LEVEL_CURVES);
-    view_clear(&view);
-    return status;
+    HELD(plane_view, view);
+    return square_decide(out, context, scene, &s->curves, &view, point, GRAZE_LEVEL_CURVES);
 }
 
 static graze_status by_slices(topo_finding *out, graze_context *context, const graze_scene *scene,

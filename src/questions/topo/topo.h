@@ -147,8 +147,8 @@ typedef struct germ_list {
     const char *reason;
 } germ_list;
 
-void germs_init(germ_list *list);
-void germs_clear(germ_list *list);
+void germ_list_init(germ_list *list);
+void germ_list_clear(germ_list *list);
 
 /* The central arrangement of the planes (E^2: lines) at which the cover of directions can change.
  */
