@@ -32,7 +32,7 @@ typedef struct carrier {
                               some level; else NULL; freed with it */
 } carrier;
 
-/** Weights up to this are too small to divide by. */
+/** The filter divides by a coefficient of the weight only if it is greater than this. */
 #define CARRIER_LEAST_WEIGHT 0x1p-40
 
 /** Convert a map, with halves; 0 if memory runs out, else 1. */

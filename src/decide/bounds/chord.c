@@ -9,7 +9,8 @@
 
 #include <math.h>
 
-/* The part of the chord that can be in the plane, and whether it goes through. */
+/* The thick chord can be in the plane only where s is in [low, high]. `through`: its ends are
+ * certain to lie on different sides of the plane. */
 typedef struct chord_window {
     double low, high;
     int through;

@@ -31,8 +31,8 @@ void half_angle_clear(half_angle *h);
 void half_angle_dyadic(half_angle *out, const fmpq_t f, const fmpq_t square, slong bits);
 
 /**
- * w = 1 and c a convergent of the continued fraction of tan(2 pi f) / L, the first of them whose
- * angle is within `tolerance` (radians, at least 2^-ANGLE_FINEST). |f| <= 1/8.
+ * w = 1 and c the first convergent of the continued fraction of tan(2 pi f) / L for which the bound
+ * of half_angle_error is at most `tolerance` (radians, at least 2^-ANGLE_FINEST). |f| <= 1/8.
  */
 void half_angle_convergent(half_angle *out, const fmpq_t f, const fmpq_t square,
                            const fmpq_t tolerance);

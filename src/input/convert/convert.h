@@ -38,7 +38,7 @@ typedef struct joint {
     int centered;  /* center is not the origin */
     fmpq_t square; /* of the axis's length */
     fmpq_t length; /* the length, where it is rational, else 0 */
-    mpfr_t reach;  /* no point is further from the axis, upwards */
+    mpfr_t reach;  /* upper bound of the distance of points from the axis; 0 for a slide */
 } joint;
 
 /** Tolerance of an approximation, and the points that it holds for. */

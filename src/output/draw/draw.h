@@ -175,7 +175,8 @@ graze_status parts_classify(cells *c, graze_context *context, const graze_scene 
 
 /* The picture of what contacts cover of the directions about an `on` point of E^2. */
 
-/** Draw it and write it to a file. @return what graze_draw_cones does */
+/** Draw what contacts cover of the directions about the point, and write the picture to a file.
+ * @return what graze_draw_cones does */
 graze_status draw_cones(graze_context *context, const graze_scene *scene, const char *file,
                         const fmpq *point, const topo_finding *topo);
 

@@ -63,10 +63,10 @@ typedef struct results {
     unsigned long rows;       /* rows written, or taken over from an earlier run */
 } results;
 
-/** Open standard output (NULL), a file, or with `resumed` a file to continue, which need not be
- * there. Returns an exit status and says what is wrong: EXIT_INPUT the file is whole already, which
- * one that is `beside` another may be. `t` is zeroed before but for `kind` and `beside`;
- * results_close ends it in any case. */
+/** Open the file `resumed` to continue it, or make it if it is not there. If `resumed` is NULL,
+ * open `path` as output_open does. Returns an exit status and says what is wrong; EXIT_INPUT:
+ * `resumed` is complete, which is allowed if `beside` is set. The caller zeroes `t` before, but for
+ * `kind` and `beside`, and calls results_close in any case. */
 int results_open(results *t, const char *path, const char *resumed);
 
 /** Write the head, or see that it is the one there. EXIT_INPUT: it is not. */

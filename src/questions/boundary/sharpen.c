@@ -174,7 +174,8 @@ static int is_joined(rim_run *run, size_t *other, const sharpening *s, const fan
                            &s->tangents[vertex[(run->first + run->edges) % f->count]]);
 }
 
-/* Both faces along p q, made once for the two fans. */
+/* Add the two triangles at the edge from one fan's apex to the other's. The fan of the lower number
+ * adds them for both. */
 static graze_status join_fans(sharpening *s, size_t index, size_t other, const rim_run *run) {
     const fan *f = &s->fans[index];
     const size_t *vertex = s->rims + f->first;

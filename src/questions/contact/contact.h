@@ -114,8 +114,8 @@ graze_status site_make(graze_site *out, graze_context *context, const graze_scen
  * t. */
 typedef enum site_question { SITE_ALL, SITE_ROLE, SITE_TRIM } site_question;
 
-/** site_make for a part: of the others only place, sides, germs and the point in the world are
- * made. site_clear after GRAZE_OK. */
+/** site_make, of which only the place, the sides, the germs, the point in the world and the part
+ * asked for are sure to be set. site_clear after GRAZE_OK. */
 graze_status site_make_for(graze_site *out, graze_context *context, const graze_scene *scene,
                            const fmpq_t t, const fmpq *y, site_question asked);
 

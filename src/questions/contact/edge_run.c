@@ -11,7 +11,8 @@
 #include "input/validate/validate.h"
 #include "questions/contact/nearby.h"
 
-/* The ends, and a zero of g for each facet and side. */
+/* The places that bound stretches are at most the two ends of the edge and, for each of two facets
+ * and each side of the time, one zero of g. */
 enum { RUN_PARTS = 6 };
 
 /* Along the edge from u to v, by the part of the way. `normal` has 3 of each facet; in a flat edge
