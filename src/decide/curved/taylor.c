@@ -31,7 +31,7 @@ static value *taylor_at(taylor *t, const int power[3]) {
     return t->coefficient + t->count++;
 }
 
-/* Drop coefficients that are zero. */
+/* Drop the terms whose coefficients are zero. */
 static void taylor_normalise(taylor *t) {
     size_t kept = 0;
     for (size_t k = 0; k < t->count; k++) {
