@@ -89,7 +89,7 @@ graze_status motion_read_draft(draft *out, graze_context *context, const json *v
 
 /* Motions made of pieces and of keyframes, from parsed JSON. */
 
-/** The two forms made of frames and of pieces; `out` is empty and has its dimension. */
+/** Read a motion in the form of pieces, of keyframes; `out` is empty and has its dimension. */
 graze_status motion_read_pieces(draft *out, graze_context *context, const json *pieces);
 graze_status motion_read_keyframes(draft *out, graze_context *context, const json *keyframes);
 
