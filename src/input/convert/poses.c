@@ -75,7 +75,8 @@ static void put_keyframe(text *t, const pose *p, const pose_list *list) {
     text_put(t, "}");
 }
 
-/* The poses between two, in the middle first. */
+/* Write the poses between two, by halving: first those before the middle, then it, then the rest.
+ */
 static void put_between(text *t, const pose_list *list, const slerp_course *s, const pose *from,
                         const pose *to, int halvings) {
     if (!halvings)

@@ -41,7 +41,7 @@ static void edge_point_at(fmpq *out, const edge_run *r, const fmpq_t part) {
     }
 }
 
-/* Is there a corner of a simplex outside a plane? */
+/* Is some corner of a simplex on the outer side of a plane? */
 static int leads_outside(const graze_solid *solid, size_t simplex, const fmpz *form) {
     int outside = 0;
     for (int k = 0; k < 3; k++)
@@ -87,7 +87,7 @@ static void add_zero(edge_run *r, int side, int facet) {
     }
 }
 
-/* Is that point in contact, by the facets of the edge? */
+/* Is a point of the edge in contact, by the signs of g of the edge's facets? */
 static int is_in_contact(const edge_run *r, const fmpq *y) {
     int holds = 1;
     LOCAL(fmpq, g);
