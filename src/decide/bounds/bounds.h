@@ -46,9 +46,9 @@ void carrier_clear(carrier *c);
  */
 
 /** Successive pieces of a motion. If `bounded`, the matrix of each of their maps P -> A P + b, at
- * any time, is a mean of matrices first + s (last - first) + R with s in [0, 1] and |R| <= off,
- * entry by entry (proofs/filter.md C34); entry (i, j) stands at i (d + 1) + j, the translation at
- * j = d. */
+ * any
+ * time, is a mean of matrices first + s (last - first) + R with s in [0, 1] and |R| <= off, entry
+ * by entry (proofs/filter.md C34); entry (i, j) is at i (d + 1) + j, the translation at j = d. */
 typedef struct piece_group {
     uint32_t child; /* groups at child and child + 1; 0: one piece, and nothing below is set */
     uint32_t piece; /* the first */

@@ -65,8 +65,7 @@ shift_bound curve_shift(const curve *c, const span *piece) {
                          SLACK * n * (steepest + 2 * U * size)};
 }
 
-/* Set `end`, `far` and `wide`, by which linear forms are bounded along the chord (proofs/filter.md
- * C35 (f)). */
+/* Set `end`, `far` and `wide`, the bounds for linear forms (proofs/filter.md C35 (f)). */
 static void bound_forms(span *piece, const curve *c) {
     double size = 0, thick = 0, off = c->corners->error;
     for (int i = 0; i < 3; i++) {

@@ -67,8 +67,7 @@ static void keep_parts(apex *a, const fmpz_mpoly_t form) {
 
 /* Add the factors of a member's lowest form, its last coordinate 1, to the parts that cut
  * directions. The coefficients of a homogeneous member are rational up to a factor; those of
- * another one are read at the time `near`, and along a gap the coordinates x and y are added in its
- * place. */
+ * another  one are read at the time `near`; along a gap x and y are added in its place. */
 static void read_member(apex *a, const taylor *t) {
     const int fixed = taylor_order(t) == t->degree;
     fmpq_mpoly_t form;
@@ -244,8 +243,7 @@ static void walk_directions(apex *a) {
         walk_gaps(a, &in_x, X);
 }
 
-/* If a member's lowest form is quadratic and definite, exclude the patterns with its other sign
- * (C99). */
+/* If a member's lowest form is quadratic and definite, exclude its other sign (C99). */
 static void exclude_by_definite_form(sign_germ *g, int k) {
     const taylor *t = &g->member[k];
     value *h = field_vector(g->f, 12); /* a matrix: twice the form; and a product of its rows */

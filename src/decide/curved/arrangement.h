@@ -117,8 +117,7 @@ void arrangement_init(arrangement *a, moment_field *f, const taylor *member, int
                       uint32_t mask);
 void arrangement_clear(arrangement *a);
 
-/** Does a ray lie in the closed cell of a pattern: has no member's gradient in `mask` the other
- * sign along the ray? */
+/** Does a ray lie in the closed cell that a pattern of the members in `mask` has? */
 int arrangement_in_cell(const arrangement *a, int ray, uint32_t mask, unsigned pattern);
 
 /** Has the pattern an open cell, in which each member's gradient has the pattern's sign? The sum of

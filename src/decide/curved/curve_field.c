@@ -18,8 +18,7 @@
  * cross product of two gradients of degree 3, divided by a plane in which they are parallel. */
 enum { FLOW_DEGREE = 5, LOW_ORDER = 4, AXES = 3 };
 
-/* Bound of the products of words that solving a system costs, about a second: nothing interrupts
- * it. */
+/* Most products of words to solve a system with: about a second, which nothing interrupts. */
 enum { SYSTEM_WORK = 1 << 27 };
 
 /* The number of monomials in x, y, z of at most this degree. */

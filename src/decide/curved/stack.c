@@ -49,8 +49,7 @@ typedef struct stack {
     graze_status status;
 } stack;
 
-/* Set side i of the window to five parts of 2^-places each, with the point's coordinate in the
- * inner three. */
+/* Set side i of the window: five parts of 2^-places each, the point in the inner three. */
 static void surround(stack *s, int i, ulong places) {
     fmpz *low = s->window[i].low, *high = s->window[i].high;
     LOCAL_VEC(fmpz, form, 6);
@@ -149,8 +148,8 @@ static void choose_window(stack *s) {
     }
 }
 
-/* Evaluate the expression in the sectors on a vertical line, from below: at each branch the sign of
- * its member changes. */
+/* Evaluate the expression on a vertical line from below; a member's sign changes at its branches.
+ */
 static void walk_up(stack *s, const fmpz_t abscissa) {
     const dyadic_interval *x = &s->window[0], *y = &s->window[1];
     pullbacks *at = &s->at;

@@ -17,8 +17,7 @@ static void see_cells(sign_germ *g, unsigned smooth) {
             pattern_add(&g->seen, s);
 }
 
-/* Find the members that are negative along a probe, and in `flat` those that vanish along it, the
- * base among them. */
+/* Find the members that are negative, that vanish (`flat`) along a probe; its base vanishes. */
 static void look_along_probe(unsigned *negative, unsigned *flat, sign_germ *g, probe *p,
                              unsigned base) {
     *negative = *flat = 0;

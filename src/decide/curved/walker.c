@@ -41,8 +41,7 @@ static contact *last_contact(walker *w) {
 
 /* Note a time or gap whose state no rule decides: the states that it may have and, of the first
  * one, where it is. `before` and `after` are the states of the gaps beside a time, which is not I
- * beside O, nor O beside I (proofs/curved.md C125). For a gap they are ABSENT: any state is
- * possible. */
+ * beside O, nor O beside I (proofs/curved.md C125). For a gap they are ABSENT. */
 static graze_status keep_undecided(walker *w, const dependence *d, const algebraic *time,
                                    graze_state before, graze_state after) {
     graze_trace *out = w->r->out;
@@ -69,8 +68,7 @@ static graze_status keep_undecided(walker *w, const dependence *d, const algebra
     return name_primitives(w, where, d);
 }
 
-/* Decide the state by the rules, if the expression depends on surfaces; in the plane by stacks, if
- * no rule decides. */
+/* Decide the state where the expression depends on surfaces: by rules, else, in E^2, by stacks. */
 static graze_status ask_state(graze_state *out, walker *w, const dependence *d, moment_field *f,
                               graze_state before, graze_state after) {
     state_query at = {.solid = w->solid,

@@ -16,8 +16,7 @@
 
 /** A moment: a time, or a gap with a sample time. On a gap an element is zero iff it is the zero
  * polynomial, and its sign is that at the sample. Each non-constant polynomial whose sign was asked
- * for on a gap is kept: between the roots of the kept ones no answer changes (proofs/curved.md
- * C101). */
+ *  on a gap is kept: between the roots of these no answer changes (proofs/curved.md C101). */
 typedef struct moment_field {
     graze_context *context;
     algebraic *time;

@@ -39,8 +39,8 @@ static int bound_window(box *out, const curve *c, const span *piece, const meet_
     return place_bound(out, place, off, d);
 }
 
-/* Is it certain that the curve meets a simplex at no time of the window, or is it the simplex of
- * the crossing? */
+/* Is it certain that the curve meets a simplex, unless it is the crossed one, at other times only?
+ */
 static int is_apart(const neighbourhood *n, uint32_t simplex) {
     const corners *corners = &n->solid->corners;
     size_t d = (size_t)n->curve->dimension;

@@ -168,8 +168,7 @@ static int contacts_are_certain(const passing *p, const near_simplices *near, co
     return 1;
 }
 
-/* Does some near simplex cross the whole cell, with no point of another one in its relative
- * interior? */
+/* Does a near simplex with no other one in its relative interior cross the whole cell? */
 static int one_is_pierced(const passing *p, const near_simplices *near) {
     int found = 0;
     for (int k = 0; k < near->count && !near->overflow && !found; k++) {

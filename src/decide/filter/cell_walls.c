@@ -1,6 +1,5 @@
-/* The plane's form of a moved corner is a polynomial of the time; where its Bernstein coefficients
- * on a part of the time have one sign, the polynomial has that sign. SPDX-License-Identifier:
- * GPL-3.0-or-later
+/* A plane's form of a moved corner is a polynomial of the time; on a part it has the sign of all
+ * its Bernstein coefficients. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "decide/filter/filter.h"
 
@@ -12,8 +11,7 @@
 #include "input/solid/solid.h"
 #include "input/validate/validate.h"
 
-/* The plane's form of a moved corner as a polynomial on a whole piece, times the weight, which is
- * positive. */
+/* The plane's form of a moved corner on a whole piece, times the positive weight. */
 static void form_of_corner(fmpq_poly_t form, const fmpq *plane, const point_map *map,
                            const fmpq *corner) {
     LOCAL(fmpq_poly, entry);

@@ -76,8 +76,7 @@ typedef struct interior {
  * For a simplex it reports no contact, one certain crossing, or a question; it never decides a
  * tangency, an edge, a vertex or an end (proofs/filter.md C36, C37). */
 
-/** The bricks of a solid. The first thread that is asked for memberships alone lays them, under the
- * lock. */
+/** The bricks of a solid, laid under the lock when memberships alone are first asked for. */
 typedef struct brick_memo {
     pthread_mutex_t lock;
     interior all;

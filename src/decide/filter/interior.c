@@ -75,8 +75,7 @@ static void take_empty(const layer *l, const block *b, const box *space) {
     fill_block(l->out, b, state);
 }
 
-/* Fill a block that no simplex meets with its state; halve another one along its longest side,
- * counted in bricks, down to one brick. */
+/* Fill a block that no simplex meets with its state; halve others along the longest side. */
 static void lay_block(layer *l, const block *b) {
     int axis = 0;
     for (int k = 1; k < 3; k++)

@@ -63,8 +63,7 @@ static int spread_over_piece(double spread[3], const carrier *map, const double 
     return 1;
 }
 
-/* The spread over a group of pieces. It is 0 for a group without bound, which is cut before its
- * spread is used. */
+/* The spread over a group of pieces; 0, and not used, for a group without bound: it is cut. */
 static void spread_over_group(double spread[3], const piece_group *g, int d, const double *half) {
     for (int i = 0; i < d; i++) {
         double sum = 0;

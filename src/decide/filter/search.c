@@ -8,8 +8,7 @@
 #include "input/solid/solid.h"
 #include "input/validate/validate.h"
 
-/* The deepest levels to which spans are cut: against boxes, against a simplex by the chord, and by
- * its Bernstein forms. */
+/* The deepest levels of spans: against boxes; against a simplex by chord, by Bernstein forms. */
 enum { BOX_LEVELS = 20, CHORD_LEVELS = 4, SIMPLEX_LEVELS = 8 };
 
 typedef struct searcher {
@@ -91,8 +90,7 @@ static int cut_and_descend(searcher *s, uint32_t node, uint32_t span_index) {
     return 1;
 }
 
-/* End the search with a certain crossing, if it may and the crossing is alone, else keep it; 0
- * without memory. */
+/* End the search with a certain crossing that is alone, if it may, or keep it; 0 without memory. */
 static int take_crossing(searcher *s, const span *piece, uint32_t simplex, const meet_window *at) {
     if (s->early)
         s->early->met = crossing_is_alone(s->curve, piece, s->solid, simplex, at);

@@ -1,5 +1,5 @@
-/* Surfaces with a box are found by the tree, with time and tree cut together, all others one by
- * one. The signs of Bernstein coefficients on a span decide, or those on its halves.
+/* Surfaces with a box by the tree, time and tree cut together; all others one by one. The signs of
+ * Bernstein coefficients on a span decide, or those on its halves.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "decide/filter/filter.h"
@@ -100,8 +100,7 @@ static void descend_boxes(surface_search *s, uint32_t node, uint32_t span_index)
     }
 }
 
-/* Find the roots of a surface without a box; where its sign is certain on a group of pieces, the
- * group has none. */
+/* Find the roots of a surface without a box; a group of pieces with a certain sign has none. */
 static void meet_open(surface_search *s, uint32_t span_index, uint32_t surface) {
     curve *c = &s->w->curve;
     const span *piece = &c->spans[span_index];

@@ -72,8 +72,7 @@ static int invert_form(fmpz_mat_t inverse, fmpz_t denominator, const quadric *q)
     fmpz_mat_det(denominator, q->form);
     if (fmpz_sgn(denominator) <= 0 || !fmpz_mat_inv(inverse, denominator, q->form))
         return 0;
-    /* Sylvester's rule: the minor of the first d - 1 rows and columns is the inverse's last entry,
-     * times a positive number. */
+    /* Sylvester's rule: the last leading minor but one is the inverse's last entry times a > 0. */
     int last = q->dimension - 1;
     return fmpz_sgn(denominator) > 0 && fmpz_sgn(fmpz_mat_entry(q->form, 0, 0)) > 0 &&
            fmpz_sgn(fmpz_mat_entry(inverse, last, last)) > 0;

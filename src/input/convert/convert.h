@@ -113,7 +113,7 @@ void pose_nearest(double out[4], const double matrix[9], const double before[4])
 void pose_rotation(fmpq *out, const fmpq *q);
 
 /** The largest absolute difference between entries of a rotation and of a matrix at the same place;
- * exact. The matrix has `columns` numbers a row, of which the first three count. */
+ * exact. The matrix has `columns` numbers a row; the first three count. */
 void rotation_distance(fmpq_t out, const fmpq *rotation, const fmpq *matrix, int columns);
 
 /* Milling tools, cylinders, balls and boxes as polyhedra inside and outside of them.

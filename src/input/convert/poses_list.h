@@ -50,8 +50,7 @@ void pose_name_meant(text *out, field name);
 
 /** Are a name of a file and one of these equal but for large and small letters? */
 int pose_name_is(field name, const char *known);
-/** Is a name one that says nothing about a pose: of a counter, a frame, a block number or feed of a
- * tool path? */
+/** Has a name no meaning for a pose? Counters, frames, block numbers and feeds of tool paths. */
 int pose_name_is_idle(field name);
 /** Is a name that of a message's stamp? Some logs have seconds in it, others nanoseconds. */
 int pose_name_is_stamp(field name);

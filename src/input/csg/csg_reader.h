@@ -48,8 +48,7 @@ graze_status csg_build_finish(csg_builder *b);
 /* The state in which the nodes of a curved solid are read. */
 
 /** The frame of the node at hand: `coordinate` has the coordinates of a point in it as linear forms
- * of those in the solid's frame, `place` maps the other way. And room for the polynomials of one
- * primitive. */
+ * of those in the solid's frame, `place` maps the other way. And room for polynomials. */
 typedef struct csg_reader {
     csg_builder build;
     int dimension;

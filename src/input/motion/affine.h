@@ -151,8 +151,8 @@ void common_map_backward(calculation *c, point_map *out, const common_map *m);
 
 /* The entries of a motion file: JSON values to functions, numbers and integers. */
 
-/** A fault of a motion: once one is known, the stretch is read again, and the entry that has the
- * fault is refused. */
+/** A fault of a motion: once it is known, a stretch is read again to refuse the entry that has it.
+ */
 typedef enum entry_fault { FAULT_NONE, FAULT_POLE, FAULT_SINGULAR } entry_fault;
 
 /** The part of a piece that is being made, with u in [0, 1] running along it. */

@@ -36,8 +36,7 @@ graze_status corners_make(corners *out, graze_context *context, const soup *s, c
                           const double *low, const double *high);
 void corners_clear(corners *c);
 
-/* A binary tree of boxes over the simplices of a boundary; a search leaves out nodes whose boxes it
- * misses. */
+/* A binary tree of boxes over the simplices of a boundary; searches leave out boxes they miss. */
 
 /** A closed box around a simplex, a node or a curve; in E^2 the third coordinate is [0, 0]. */
 typedef struct box {
@@ -101,14 +100,13 @@ void skin_vertices(const fmpq **vertex, const skin *s, size_t simplex);
 /* Slabs around the simplices below a node of a solid's tree. Where these simplices lie nearly in
  * one plane, the slab is nearly parallel to it and much thinner than the box. */
 
-/** low <= normal . x <= high for all points x of the simplices; |normal[i]| <= 1 (proofs/slabs.md
- * C93). */
+/** low <= normal . x <= high on the simplices; |normal[i]| <= 1 (proofs/slabs.md C93). */
 typedef struct slab {
     double normal[3], low, high;
 } slab;
 
-/** Slab 0 is all of space: nodes with very few or with many simplices have it. `item` is NULL if
- * corners.at is. */
+/** Slab 0 is all of space, for nodes with few or many simplices. `item` is NULL if corners.at is.
+ */
 typedef struct slabs {
     slab *item;
 } slabs;

@@ -209,8 +209,7 @@ typedef struct disagreement {
     char *golden_row, *candidate_row;          /* whole rows, of transient tables alone */
 } disagreement;
 
-/** Counts of rows by golden answer (row) and the candidate's answer (column); the last column
- * counts missing rows. */
+/** Counts by golden answer (row) and candidate's (column); the last column: missing rows. */
 typedef struct matrix {
     unsigned long pmc[3][4];    /* in, on, out */
     unsigned long class_[5][6]; /* in the order of Definitions 5 to 9 */

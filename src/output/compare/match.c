@@ -69,8 +69,7 @@ static graze_status look_ahead(match *m) {
     return GRAZE_OK;
 }
 
-/* Have two rows one point? Equal bytes are equal points; other bytes are compared as numbers, after
- * rounding. */
+/* Have two rows one point? Equal bytes have; others are compared as numbers, after rounding. */
 static graze_status same_row(int *same, match *m, table_row *g, table_row *c) {
     *same = 1;
     for (size_t k = 0; k < m->key.count && *same; k++)

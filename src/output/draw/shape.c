@@ -78,8 +78,7 @@ void shape_extent(extent *out, const shape *s, const projection *look) {
                    projection_at(look, 1, s->at + 3 * v));
 }
 
-/* The least distance in pixels between neighbouring nodes of a line of a mesh with `count`
- * simplices. */
+/* The least distance in pixels between nodes of a line, in a mesh of `count` simplices. */
 static double nodes_apart(size_t count) {
     enum { DENSE = 2000 };
     return count < DENSE ? 0 : .4;

@@ -63,8 +63,7 @@ typedef struct obstacle {
     enum { OBSTACLE_LINE, OBSTACLE_MARK, OBSTACLE_NAME } kind; /* no line may cross a name */
 } obstacle;
 
-/** An obstacle in one bin, and the next link of that bin. Both numbers count from 1; 0 ends the
- * chain. */
+/** An obstacle in one bin, and the bin's next link. Numbers count from 1; 0 ends the chain. */
 typedef struct obstacle_link {
     size_t item, next;
 } obstacle_link;

@@ -30,8 +30,7 @@ typedef struct guard {
  */
 void guard_add(guard *g, guard_use use, const char *option, const char *path, const char *ending);
 
-/** Refuse a file to be written that is named a second time: EXIT_USAGE, with a message. EXIT_IO:
- * memory ran out. */
+/** Refuse a file to be written that is named twice: EXIT_USAGE, with a message. EXIT_IO: memory. */
 int guard_check(const guard *g);
 
 void guard_clear(guard *g);
@@ -214,7 +213,7 @@ void output_sink(void *out, const char *text, size_t length);
 void output_number(output *out, const mpq_t value);
 void output_flush(output *out);
 /** Drop the bytes that are not written yet, and empty a plain file that was opened by its name: for
- * formats of which a part is useless. */
+ * formats in which a part is useless. */
 void output_drop(output *out);
 /** Flush and close. Returns an exit status and says what went wrong since it was opened. */
 int output_close(output *out);

@@ -35,8 +35,7 @@ int line_note(field *value, result_kind kind, field line, const char *key);
 /* Blocks of rows on their way from a file or a grid through the threads to the table, and faults.
  */
 
-/** A block takes no further line once it holds BLOCK_ROWS rows or BLOCK_BYTES bytes; a run has at
- * most RUN_ROWS rows. */
+/** A block is full with BLOCK_ROWS rows or BLOCK_BYTES bytes; a run has at most RUN_ROWS rows. */
 enum { BLOCK_ROWS = 1024, BLOCK_BYTES = 1 << 20, RUN_ROWS = 64 };
 
 /** Why a row has no answer: an exit status (src/program/io/io.h) and, unless it is EXIT_SIGNAL, a
@@ -112,7 +111,7 @@ typedef struct own_columns {
 typedef struct columns {
     const char *name; /* of the file, for messages; borrowed */
     int dimension;
-    int numbers; /* numbers of a row: as many as the dimension, with contact points one more */
+    int numbers; /* count of numbers of a row: the dimension, with contact points one more */
     site_form sites;
     size_t count;
     size_t where[4]; /* the columns of the numbers: of x, y, z or of time, x, y, z */
@@ -239,8 +238,7 @@ void grid_fill(const grid *g, shard part, block *b, unsigned long most);
  * Any thread may ask.
  * @param[out] points room for three coordinates a point; d of them are set, point after point */
 void grid_points(mpq_t *points, const grid *g, shard part, unsigned long first, size_t count);
-/** Make rows of pmc alone for `count` points of a shard from its point `first` on, as
- * graze_grid_rows does. */
+/** Make graze_grid_rows's rows for `count` points of a shard from its point `first` on. */
 graze_status grid_rows(char **out, size_t *length, size_t *done, graze_context *context,
                        const grid *g, shard part, unsigned long first, size_t count,
                        graze_format format);
@@ -259,8 +257,7 @@ typedef struct csv csv;
  * borrowed. On failure says why. */
 int csv_open(csv **out, const char *path, int dimension, shard part, graze_context *context);
 void csv_close(csv *c);
-/** Expect contact points as rows, with `snap` to be moved to contacts. Called before the first line
- * is read. */
+/** Before the first line: expect contact points as rows, with `snap` to be moved to contacts. */
 void csv_expect_sites(csv *c, int snap);
 /**
  * Fill a block with the next rows, at most `most`; an empty block means the end. On an error, for
@@ -300,7 +297,7 @@ int distinct_wants(distinct *d, graze_stratum stratum);
 /** Add a point of a stratum; 1 if it differs from all points before it. Points are compared as they
  * are written, by hashes of 64 bits: an equal hash counts as an equal point. */
 int distinct_add(distinct *d, graze_stratum stratum, const char *point, size_t length);
-/** Were so many of the last points repeated ones that further tries are of no use? */
+/** Were too many points in a row repeated ones for further tries to be of use? */
 int distinct_is_over(const distinct *d);
 void distinct_clear(distinct *d);
 

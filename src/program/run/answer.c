@@ -93,8 +93,7 @@ static graze_status write_members(answerer *a, row_run *r, unsigned long first) 
                      first, r->taken, a->task.rows->format);
 }
 
-/* Set the fault of row `row` of the block, which has no answer; only GRAZE_EINPUT is a fault of the
- * file. */
+/* Set the fault of a row that has no answer; only GRAZE_EINPUT is a fault of the file. */
 static void fail_row(answerer *a, row_run *r, graze_status status, const block *b, size_t row) {
     const columns *c = a->task.source.columns;
     const char *why = status == GRAZE_ESYSTEM ? "out of memory" : graze_context_message(a->context);

@@ -45,9 +45,9 @@ void record_close(record_file *f);
 
 /* The table or the certificate that a run writes: begun anew, or continued where an earlier run
  * was interrupted.
- * A continued file is passed over as far as its record says (kept.h); the bytes behind are compared
- * with those that this run makes. Until the end of the file is reached nothing in it changes; a
- * last line without its end is written anew. */
+ *  A continued file is passed over up to the end of its record (kept.h); the bytes behind are
+ * compared with those that this run makes. Until the end of the file is reached nothing in it
+ * changes; a last line without its end is written anew. */
 
 typedef struct results {
     output out;
@@ -80,8 +80,7 @@ int results_pass(results *t, const struct kept_bytes *kept, unsigned long rows);
 /** Add whole lines with `rows` rows, or check that the file has them. EXIT_INPUT: it has others. */
 int results_add(results *t, const char *text, size_t length, unsigned long rows);
 
-/** Check that all of a continued file has been reached. EXIT_INPUT: it has rows for which this run
- * has no points. */
+/** Check that all of a continued file is reached. EXIT_INPUT: it has rows beyond this run's. */
 int results_end(const results *t);
 
 /** How far the file has come. */

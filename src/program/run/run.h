@@ -98,12 +98,10 @@ int certified_load(loaded *l, const classify_options *o, int writes);
 
 typedef struct jobs jobs;
 
-/** After a signal jobs_wait looks LAST_LOOKS times, LOOK_MILLISECONDS apart, whether rows under way
- * are answered. */
+/** After a signal jobs_wait looks LAST_LOOKS times for answers, LOOK_MILLISECONDS apart. */
 enum { LAST_LOOKS = 10, LOOK_MILLISECONDS = 20 };
 
-/** The number of threads that are used if `threads` are asked for, 0 for one a core: no more than
- * there are cores. */
+/** The number of threads used if `threads` are asked for (0: one a core): at most one a core. */
 int jobs_width(int threads);
 /** Start the threads, each with a context of its own. On failure says why; `*out` is for jobs_stop
  * in either case. */

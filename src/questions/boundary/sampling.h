@@ -28,8 +28,8 @@ graze_status lattice_classify(graze_pmc *out, graze_context *context, struct gra
 /** 1 if some corner of the cell is out and another is not. */
 int sample_cell_mixed(const struct graze_boundary *b, const sample_cell *c);
 
-/* Steps of bisecting an edge. The longest edge has the length of a cell's diagonal, so the two
- * points of a vertex are at most 2^-20 of a cell's longest side apart. */
+/* The longest edge is a cell's diagonal, so both points are within 2^-20 of a cell's longest side.
+ */
 enum { BISECT_BITS = 21 };
 
 /** Set the places of all vertices. */

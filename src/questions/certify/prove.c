@@ -48,8 +48,7 @@ static void add_near(enclosure *e, uint32_t simplex) {
         e->out_of_memory = 1;
 }
 
-/* The number of near simplices from which a shorter interval is cheaper; it grows as intervals
- * become shorter. */
+/* With this number of near simplices a shorter interval is cheaper; it grows by levels. */
 static size_t many(const enclosure *e) {
     return (size_t)48 << (e->at.exponent < 60 ? e->at.exponent / 2 : 30);
 }

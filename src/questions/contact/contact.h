@@ -117,7 +117,7 @@ graze_status site_make(graze_site *out, graze_context *context, const graze_scen
  * t. */
 typedef enum site_question { SITE_ALL, SITE_ROLE, SITE_TRIM } site_question;
 
-/** site_make, of which only the place, the sides, the germs, the point in the world and the part
+/** As site_make, but only the place, the sides, the germs, the point in the world and the part
  * asked for are sure to be set. site_clear after GRAZE_OK. */
 graze_status site_make_for(graze_site *out, graze_context *context, const graze_scene *scene,
                            const fmpq_t t, const fmpq *y, site_question asked);
@@ -151,8 +151,7 @@ typedef struct speed {
 
 /* The sides of a rational time of a motion. */
 
-/** Do two different pieces meet between the sides? Two pieces with one rational function count as
- * one piece. */
+/** Do two different pieces meet between the sides? Pieces of one rational function count as one. */
 int sides_break(const site_side side[2], const graze_motion *motion);
 
 #endif

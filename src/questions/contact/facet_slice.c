@@ -54,8 +54,7 @@ static void find_normal(polygon *p) {
     }
 }
 
-/* The condition on a side of t: g before t (side 0), -g after t (side 1). It is not negative in the
- * contact set. */
+/* The condition of a side, not negative in the contact set: g before t (0), -g after t (1). */
 static void condition(fmpq_t out, const polygon *p, int side, const fmpq *y) {
     speed_along(out, p->speed, side, p->normal, y);
     if (side)
@@ -76,7 +75,7 @@ static void put_crossing(fmpq *out, const fmpq *a, const fmpq *b, const fmpq_t x
     }
 }
 
-/* Cut the polygon to its part in which the condition of a side is not negative. */
+/* Cut the polygon to the part with a condition that is not negative. */
 static void cut_polygon(polygon *p, int side) {
     int d = p->dimension, kept = 0;
     fmpq *out = _fmpq_vec_init(POLYGON_CORNERS * d);

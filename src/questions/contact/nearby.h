@@ -34,8 +34,7 @@ graze_status around_planes(plane_list *out, graze_context *context, const graze_
 
 /* The point of a union of convex sets that is nearest to a given point, found set by set. */
 
-/** The point nearest to `from` so far; of several equally near points the lexicographically first.
- * `from` is borrowed. */
+/** The point nearest to `from` (borrowed) so far; of equally near ones the lexicographic first. */
 typedef struct nearby {
     int dimension, found;
     const fmpq *from;

@@ -30,8 +30,7 @@ static g_signs signs_on(const graze_site *s, int side) {
     return out;
 }
 
-/* Does a direction of the body lie in the germ's cone, or in the cone that it sweeps along a
- * leading direction? */
+/* Is a direction of the body in the germ's cone, or in its sweep along a leading direction? */
 static graze_status is_in_germ(int *out, graze_context *context, germ *g, const fmpz *u) {
     graze_state state = GRAZE_STATE_O;
     graze_status status = cone_state(&state, &g->cone, context, u);

@@ -167,8 +167,8 @@ static void find_slice(graze_site *s) {
                                 : GRAZE_ORIENTATION_DEGENERATE;
 }
 
-/* The state on a side of t by the signs of the pullbacks; ABSENT if the kind of the cone does not
- * decide it. */
+/* The state on a side of t by the pullbacks' signs; ABSENT if the cone's kind does not decide it.
+ */
 static graze_state state_by_signs(const graze_site *s, int side) {
     int outside = 0, inside = 0, count = 0, reflex = s->place.kind == PLACE_REFLEX;
     for (size_t k = 0; k < s->germ_count; k++)

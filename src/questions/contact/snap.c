@@ -9,8 +9,7 @@
 #include "input/validate/validate.h"
 #include "questions/contact/nearby.h"
 
-/* Is `cell` one of the input's names of the cell of a simplex on which the side forms in `zero`
- * vanish? */
+/* Is `cell` one of the input's names of the cell on which a simplex's side forms `zero` vanish? */
 static int has_name(const graze_solid *solid, size_t simplex, unsigned zero,
                     const graze_cell *cell) {
     size_t count;

@@ -139,8 +139,7 @@ struct graze_curve {
 
 /** Moments (times) ascending, each once; the first and the last are the ends of the motion. `hard`
  * are the numbers of the moments that are ends or breaks of the motion; `of_event` has for each
- * time of the envelope's list of events the number of its moment. `own` are times made for this
- * list. */
+ * time of the envelope's list of events the number of its moment.  `own` are times made here. */
 typedef struct moment_list {
     size_t count, own_count, hard_count;
     graze_time **time, **own;
@@ -180,8 +179,8 @@ typedef struct patch_joint {
     size_t from, to, first, count;
 } patch_joint;
 
-/** Patches in the order of facets, edges, vertices, then of time; `changes` are the events, in the
- * order of the cells of which they are events. */
+/** Patches in the order of facets, edges, vertices, then of time; `changes` are the events by the
+ * cells whose events they are. */
 struct graze_patches {
     const graze_envelope *envelope;
     moment_list moments;

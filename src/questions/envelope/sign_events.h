@@ -51,8 +51,7 @@ graze_status axis_sign(int *out, graze_context *context, axis *x, const fmpz_pol
 /** Its sign between points k - 1 and k, 1 <= k < count. */
 int axis_sign_before(const axis *x, const fmpz_poly_struct *p, size_t k);
 
-/** The sign of a polynomial on all of [0, 1] if a cheap test shows that it has one and no root
- * there, else 0. */
+/** The sign of a polynomial without roots in [0, 1] there, if a cheap test shows it, else 0. */
 int axis_one_sign(const fmpz_poly_struct *p);
 
 /* The signs of a few polynomials along a piece of the motion, and the events they make. */
@@ -197,8 +196,7 @@ void singular_view_clear(singular_view *v);
  * the piece? Then the facet has no such point. 0 says nothing. */
 int singular_is_never(const singular_view *v);
 
-/** Does the determinant vanish at all times of the piece? If not, there is such a point only at its
- * roots. */
+/** Is the determinant 0 at all times of the piece? If not, such points occur at its roots only. */
 int singular_is_lasting(const singular_view *v);
 
 /** Is there such a point in the facet's relative interior at u? */

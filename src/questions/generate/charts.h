@@ -44,16 +44,14 @@ int quadratic_find_zero(quadratic *q);
 /** The direction of a line of zeros through a zero x: of a cylinder or a cone in space; else 0. */
 int quadratic_ruling(fmpq *out, const quadratic *q, const fmpq *x);
 
-/** Find the second zero on the line along `direction` through the start, which is a zero; 0 if
- * there is none. */
+/** Find the second zero on the line along `direction` through the start, a zero; 0 without one. */
 int quadratic_other_zero(fmpq *out, const quadratic *q, const fmpq *direction);
 
 /* Rational points that polynomials have in common: flats, and quadrics in flats. */
 
 void charts_clear(charts *list);
 
-/** Append charts of the zeros, in a flat, of a polynomial of the coordinates: of those that are
- * found. */
+/** Append charts of the zeros that are found, in a flat, of a polynomial of the coordinates. */
 graze_status charts_add_section(charts *list, const flat *place, const fmpq_mpoly_t p);
 
 /** Append charts of common zeros of two polynomials, p irreducible: of those found because p, a
