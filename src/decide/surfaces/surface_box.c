@@ -72,7 +72,8 @@ static int invert_form(fmpz_mat_t inverse, fmpz_t denominator, const quadric *q)
     fmpz_mat_det(denominator, q->form);
     if (fmpz_sgn(denominator) <= 0 || !fmpz_mat_inv(inverse, denominator, q->form))
         return 0;
-    /* Sylvester's rule: the last leading minor but one is the inverse's last entry times a > 0. */
+    /* Sylvester's rule: the leading minor of size d - 1 and the inverse's last entry have one sign.
+     */
     int last = q->dimension - 1;
     return fmpz_sgn(denominator) > 0 && fmpz_sgn(fmpz_mat_entry(q->form, 0, 0)) > 0 &&
            fmpz_sgn(fmpz_mat_entry(inverse, last, last)) > 0;
