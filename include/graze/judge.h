@@ -22,8 +22,8 @@ typedef struct graze_judgement graze_judgement;
 typedef enum graze_mesh_rule {
     GRAZE_MESH_NONE = 0,   /**< it does not: some edge has an odd number of triangles */
     GRAZE_MESH_PARITY = 1, /**< by parity: all edges have an even number, but they do not cancel */
-    GRAZE_MESH_WINDING = 2 /**< where the winding number is not 0: every edge is run through as
-                              often one way as the other */
+    GRAZE_MESH_WINDING = 2 /**< inside is where the winding number is not 0; the rule holds if
+                              every edge is run through as often one way as the other */
 } graze_mesh_rule;
 
 /** Facts of a mesh. Vertices at one position count as one. */

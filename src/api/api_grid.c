@@ -198,7 +198,8 @@ graze_status graze_grid_rows(char **out, size_t *length, size_t *done, graze_con
         return api_misuse(context, "graze_grid_rows",
                           "out, length, done, context and grid must not be NULL");
     if (format == GRAZE_FORMAT_JSONL || format < GRAZE_FORMAT_CSV || format > GRAZE_FORMAT_NPY)
-        return api_misuse(context, "graze_grid_rows", "rows of pmc alone have no such format");
+        return api_misuse(context, "graze_grid_rows",
+                          "format must be GRAZE_FORMAT_CSV, GRAZE_FORMAT_VTK or GRAZE_FORMAT_NPY");
     unsigned char *pmc = calloc(count + 1, 1); /* ends with a 0 */
     if (!pmc)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu rows", count);

@@ -1,4 +1,4 @@
-/* bounds: .
+/* bounds: trajectories in doubles with proved bounds of errors, held against simplices and boxes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_DECIDE_BOUNDS_H
 #define GRAZE_DECIDE_BOUNDS_H
@@ -32,7 +32,7 @@ typedef struct carrier {
                               some level; else NULL; freed with it */
 } carrier;
 
-/** Weights up to this are too small to divide by. */
+/** The filter divides by a coefficient of the weight only if it is greater than this. */
 #define CARRIER_LEAST_WEIGHT 0x1p-40
 
 /** Convert a map, with halves; 0 if memory runs out, else 1. */
@@ -45,9 +45,10 @@ void carrier_clear(carrier *c);
 /* All pieces of a motion in doubles, under a tree in time, which carry query points in the filter.
  */
 
-/** Successive pieces. If `bounded`, each of their maps P -> A P + b is, entry by entry,
- * a mean of matrices first + s (last - first) + R with s in [0, 1] and |R| <= off (proofs/filter.md
- * C34); entry (i, j) stands at i (d + 1) + j, the translation at j = d. */
+/** Successive pieces of a motion. If `bounded`, the matrix of each of their maps P -> A P + b, at
+ * any
+ * time, is a mean of matrices first + s (last - first) + R with s in [0, 1] and |R| <= off, entry
+ * by entry (proofs/filter.md C34); entry (i, j) is at i (d + 1) + j, the translation at j = d. */
 typedef struct piece_group {
     uint32_t child; /* groups at child and child + 1; 0: one piece, and nothing below is set */
     uint32_t piece; /* the first */
@@ -84,7 +85,7 @@ typedef struct span {
     uint32_t group; /* of degree 0: the course's */
     uint32_t start;
     int level, degree;
-    int lost;       /* a piece that is beyond the filter */
+    int lost;       /* its piece is beyond the filter; nothing below is set */
     uint32_t child; /* the halves stand at child and child + 1; 0: not cut yet */
     int bounded;
     double from[3], along[3], inverse[3], thick[3];
@@ -98,9 +99,9 @@ typedef struct span {
     double error[4]; /* of the coefficients of X_0 ... X_(d-1), W */
 } span;
 
-/** On a span, of D = X - v W for any corner v, coefficient by coordinate (proofs/filter.md C35). */
+/** Bounds on a span for each coordinate of D = X - v W, for any corner v (proofs/filter.md C35). */
 typedef struct shift_bound {
-    double error; /* of a computed D */
+    double error; /* of each coefficient of D as it is computed */
     double size;  /* |D| is at most this */
     double speed; /* |dD/ds| is at most this */
 } shift_bound;
@@ -142,9 +143,9 @@ const span *curve_piece(curve *c, size_t piece);
  * spans, or if memory runs out. Pointers to spans become invalid. */
 int curve_cut(curve *c, uint32_t index);
 
-/** The blossom of a polynomial of degree n, at most CARRIER_DEGREE, of Bernstein coefficients: k
- * arguments are `to`, the others `from`. It is coefficient k on [from, to], and the value at `to`
- * where k is n. */
+/** The blossom of the polynomial with Bernstein coefficients c[0 ... n], n at most CARRIER_DEGREE:
+ * k of its n arguments are `to`, the others `from`. That is Bernstein coefficient k on [from, to];
+ * for k = n it is the value at `to`. */
 double curve_blossom(const double *c, int n, int k, double from, double to);
 
 /** The homogeneous point at s of a span, by de Casteljau's scheme.
@@ -161,13 +162,14 @@ void span_of_box(span *out, const curve *shape, const box *b);
 
 shift_bound curve_shift(const curve *c, const span *piece);
 
-/** The coefficients of coordinate i of a span. */
+/** The Bernstein coefficients of coordinate i of a span, of its weight for i = d. */
 const double *curve_coefficients(const curve *c, const span *piece, int i);
 
 /** 0 if it is certain that the span does not meet the box. */
 int span_meets(const span *piece, const box *b);
 
-/** Test as span_meets does, and find the part of the span's chord that can be in the box. */
+/** Test as span_meets does, and find the part [from, to] of the chord, parameters in [0, 1], whose
+ * places, made thick, can be in the box. */
 int span_window(double *from, double *to, const span *piece, const box *b);
 
 /** Is a span so thick that it meets many boxes that its curve misses? It is if the box, enlarged by
@@ -205,11 +207,11 @@ typedef struct meet_window {
     int enters;
 } meet_window;
 
-/** Conclusions from the signs of the coefficients. */
+/** Conclusions from the signs of a pullback's coefficients. */
 typedef struct pullback_signs {
-    int first, last; /* of the coefficients 0 and n; 0: not certain */
-    int one;         /* all have the sign `first` */
-    int single;      /* they change once, whatever the sign of the one that may be uncertain */
+    int first, last; /* signs of the coefficients 0 and n; 0: not certain */
+    int one;         /* all coefficients have the sign `first` */
+    int single;      /* the signs change once, whatever that of a single uncertain coefficient */
 } pullback_signs;
 
 /** The sign of a value with an error; 0 where it is not certain. */
@@ -239,26 +241,26 @@ int pullback_window(meet_window *out, const pullback *p);
 typedef enum flip_site {
     FLIP_BOX,          /* a span, or a block of bricks, misses a box */
     FLIP_CHORD_PLANE,  /* a thick chord is on one side of a simplex's plane */
-    FLIP_CHORD_BESIDE, /* where it can be in the plane it is beside the simplex */
+    FLIP_CHORD_BESIDE, /* where a thick chord can be in the plane, it is beside the simplex */
     FLIP_ONE_SIGN,     /* a plane's pullback has one sign on a span */
-    FLIP_ONE_ROOT,     /* it has just one root there */
+    FLIP_ONE_ROOT,     /* a plane's pullback has just one root on a span */
     FLIP_BESIDE,       /* the whole span is beside the simplex */
     FLIP_ROOT_OUTSIDE, /* the root's window is beside the simplex */
-    FLIP_ROOT_INSIDE,  /* it is inside */
-    FLIP_SIDE_INSIDE,  /* at a time of a plane it is inside one side */
+    FLIP_ROOT_INSIDE,  /* the root's window is inside the simplex */
+    FLIP_SIDE_INSIDE,  /* at a time in a simplex's plane the curve is inside one of its sides */
     FLIP_DIRECTION,    /* a crossing enters */
     FLIP_APART,        /* two windows of time have no point in common */
     FLIP_FAR,          /* a place is outside the solid's box */
     FLIP_FIRST,        /* a crossing is the first of a ray, or the ray has none */
     FLIP_WEIGHT,       /* a span's weights are positive */
-    FLIP_GROUP,        /* so are those of several pieces */
+    FLIP_GROUP,        /* the weights of several pieces are positive */
     FLIP_ALONE,        /* a crossing is the only contact at its time */
     FLIP_CELL,         /* a box of points misses a box, or a simplex */
     FLIP_JOIN,         /* nothing of the boundary is between a box of points and a place */
     FLIP_INTERIOR,     /* a place is in bricks of one state */
     FLIP_SLAB,         /* a span, or a box, misses a slab */
     FLIP_SURFACE_SIGN, /* a surface's pullback has one sign on a part of a span */
-    FLIP_SURFACE_ROOT, /* it has just one root there */
+    FLIP_SURFACE_ROOT, /* a surface's pullback has just one root on a part of a span */
     FLIP_SURFACE_BOX,  /* a span misses the boxes of surfaces */
     FLIP_SPEED,        /* a box of points enters by a simplex */
     FLIP_PIERCE,       /* a simplex goes through a whole box of points */
@@ -331,9 +333,9 @@ static inline int normal_axis(const normal *n, int dimension) {
 /* Tests whether a span's thick chord misses a simplex; for most pairs this spares the Bernstein
  * forms. */
 
-/** Only CHORD_MISSES is proved; the others suggest the next test. */
+/** Only CHORD_MISSES is proved; the other values suggest the next test. */
 typedef enum chord_meeting {
-    CHORD_MISSES,  /* no time of the closed span is on the closed simplex */
+    CHORD_MISSES,  /* at no time of the closed span is the curve on the closed simplex */
     CHORD_PIERCES, /* all of the thick chord seems to go through the interior */
     CHORD_NEAR     /* it is too thick to tell */
 } chord_meeting;
@@ -346,7 +348,7 @@ chord_meeting chord_meets(const curve *c, const span *piece, const double *corne
 
 /**
  * 0 if it is certain that a bounded span meets no simplex of the slab (proofs/slabs.md C93).
- * @param wide the span's, or a larger one, for all curves that are that near its chord */
+ * @param wide the span's `wide`, or larger bounds, for all curves that are so near to its chord */
 static inline int chord_meets_slab(const span *piece, const double wide[3], const slab *s) {
     double first = 0, last = 0, bound = 0;
     for (int i = 0; i < 3; i++) {
@@ -367,8 +369,8 @@ static inline int chord_meets_slab(const span *piece, const double wide[3], cons
  * (proofs/judging.md C116) */
 int common_place_is_near(const graze_solid *solid, const span *wide, uint32_t a, uint32_t b);
 
-/** @return 0 if it is certain that b has no point in the relative interior of a (proofs/judging.md
- * C116) */
+/** May simplex b have a point in the relative interior of simplex a? 0 if it is certain that it has
+ * none (proofs/judging.md C116). */
 int may_rest_inside(const graze_solid *solid, uint32_t a, uint32_t b);
 /** Find the corners of b that are corners of a too, as a mask; 0 unless it is certain that the
  * common points of both closed triangles are in the convex hull of these corners. */

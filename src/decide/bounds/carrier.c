@@ -30,8 +30,8 @@ static slong weight_exponent(const fmpz *weight, slong degree) {
     return (slong)bits;
 }
 
-/* c 2^-exponent; sets *fits to 0 if it is too large. Too small becomes 0, which the filter's floor
- * covers. */
+/* c 2^-exponent; sets *fits to 0 if it is too large. A number that is too small becomes 0, and the
+ * filter's floor covers that error. */
 static double scale_coefficient(const fmpz_t c, slong exponent, int *fits) {
     slong e;
     double m = fmpz_get_d_2exp(&e, c);

@@ -2,20 +2,22 @@
  * plane. SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The set { from + s along + r : s in [0, 1], |r_i| <= thick_i } holds the span, and forms are
- * linear in s: their values at two places bound them between. The error bounds are those of
- * proofs/filter.md (C35, C36). A comparison that is false for NaN never decides.
+ * linear in s: their values at two places bound those between the two. The error bounds are those
+ * of proofs/filter.md (C35, C36). A comparison that is false for NaN never decides.
  */
 #include "decide/bounds/bounds.h"
 
 #include <math.h>
 
-/* The part of the chord that can be in the plane, and whether it goes through. */
+/* The thick chord can be in the plane only where s is in [low, high]. `through`: its ends are
+ * certain to lie on different sides of the plane. */
 typedef struct chord_window {
     double low, high;
     int through;
 } chord_window;
 
-/* 0 if the thick chord is on one side of the plane. */
+/* Find the part of the thick chord that can be in the plane; 0 if the chord is certainly on one
+ * side of the plane. */
 static inline int reach_plane(chord_window *out, const span *piece, const double *corner,
                               const normal *n, int d) {
     double first = 0, last = 0, wide = 0;
@@ -45,7 +47,8 @@ static inline void chord_place(double *at, const span *piece, double s, int d) {
         at[i] = piece->from[i] + s * piece->along[i];
 }
 
-/* Sign that the form of a side has on the whole window; 0: none, or not certain. */
+/* The sign that the form of a side has on the whole window, by its values at both ends; 0: it has
+ * both, or that is not certain. */
 static inline int side_beyond(double first, double last, double bound) {
     return first > bound && last > bound ? 1 : first < -bound && last < -bound ? -1 : 0;
 }

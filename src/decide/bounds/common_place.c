@@ -1,5 +1,6 @@
-/* Two simplices have at most those corners in common that both have, where the others of one are
- * strictly on one side of the other's plane. SPDX-License-Identifier: GPL-3.0-or-later
+/* If the corners of one simplex that are no corners of another lie strictly on one side of the
+ * other's plane, the common points of both are in the convex hull of their common corners.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "decide/bounds/bounds.h"
 
@@ -13,7 +14,7 @@ static const double *double_corner(const graze_solid *solid, uint32_t simplex, i
     return solid->corners.at + d * (d * simplex + (size_t)k);
 }
 
-/* Vertices may have one position and two numbers. */
+/* Have two vertices one position? Vertices with different numbers may. */
 static int is_one_position(const graze_solid *solid, uint32_t v, uint32_t w) {
     size_t d = (size_t)solid->input.dimension;
     const fmpq *x = solid->input.coordinates + d * v, *y = solid->input.coordinates + d * w;
@@ -74,7 +75,8 @@ static int are_apart_along(const double *m, const span *wide, const double *a, c
            larger(first, last) + bound < smaller(0, length);
 }
 
-/* The directions that separate a box moved along a chord from a segment, if any does. */
+/* Is a box moved along a chord certainly apart from a segment? Among these directions is one that
+ * separates them, if any does. */
 static int misses_segment(const span *wide, const double *a, const double *b) {
     double edge[3], m[3];
     for (int i = 0; i < 3; i++)

@@ -1,4 +1,4 @@
-/* Groups of pieces, each half as long as the one above, bounded by the matrices at their ends.
+/* Groups of pieces, each half as long as its parent, bounded by the matrices at their ends.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "decide/bounds/bounds.h"
@@ -24,7 +24,8 @@ static int control_matrix(double *out, const carrier *piece, int entries, int k)
     return 1;
 }
 
-/* Where a matrix lies between the first and the last; any s serves, a near one best. */
+/* The s at which first + s (last - first) is nearest to a matrix. Bounds hold for any s in [0, 1];
+ * this one makes them small. */
 static double share_of(const piece_group *g, const double *matrix, int entries) {
     double along = 0, square = 0;
     for (int e = 0; e < entries; e++) {

@@ -41,7 +41,7 @@ static int reserve_halves(curve *c) {
     return !c->out_of_memory;
 }
 
-/* From the coefficients and their errors. */
+/* The bounds follow from the coefficients and their errors. */
 shift_bound curve_shift(const curve *c, const span *piece) {
     int d = c->dimension, n = piece->degree;
     double error = 0, size = 0, steepest = 0;
@@ -65,7 +65,7 @@ shift_bound curve_shift(const curve *c, const span *piece) {
                          SLACK * n * (steepest + 2 * U * size)};
 }
 
-/* Bounds for forms at the chord's places (proofs/filter.md C35 (f)). */
+/* Set `end`, `far` and `wide`, the bounds for linear forms (proofs/filter.md C35 (f)). */
 static void bound_forms(span *piece, const curve *c) {
     double size = 0, thick = 0, off = c->corners->error;
     for (int i = 0; i < 3; i++) {
@@ -78,7 +78,8 @@ static void bound_forms(span *piece, const curve *c) {
         piece->wide[i] = SLACK * (piece->thick[i] + off + 16 * U * piece->far);
 }
 
-/* The control points X_k / W_k against the points of the chord at k / n. */
+/* Set the chord and its thickness: the distances of the control points X_k / W_k from the chord's
+ * points at k / n bound that of the curve. */
 static void bound_space(span *piece, const curve *c) {
     int d = c->dimension, n = piece->degree;
     const double *w = curve_coefficients(c, piece, d);
@@ -117,7 +118,7 @@ static void bound_space(span *piece, const curve *c) {
     bound_forms(piece, c);
 }
 
-/* A span whose coefficients stand in their place; all but errors, bounds and halves is set. */
+/* Set errors and bounds of a span whose coefficients and other fields are set; it is not cut. */
 static void finish_span(curve *c, size_t index, const double *error) {
     span *piece = &c->spans[index];
     piece->child = 0;
@@ -126,7 +127,7 @@ static void finish_span(curve *c, size_t index, const double *error) {
     bound_space(piece, c);
 }
 
-/* A whole piece whose coefficients stand in their place. */
+/* Set sizes, errors and bounds of the span of a whole piece whose coefficients are set. */
 static void finish_whole(curve *c, size_t index, const double *error) {
     span *piece = &c->spans[index];
     double largest = 0;
@@ -198,7 +199,7 @@ static void bound_several(span *whole, const curve *c, const piece_group *g) {
     bound_forms(whole, c);
 }
 
-/* A group of the course: a piece, or several. */
+/* Make a span of a group of the course: of one piece, or of several. */
 static void set_group(curve *c, size_t index, uint32_t group) {
     const piece_group *g = &c->course->group[group];
     c->spans[index] = (span){.piece = g->piece, .group = group};
@@ -245,7 +246,7 @@ int curve_set_segment(curve *c, int dimension, const double *at, const double *e
         x[1] = i < dimension ? at[i] + direction[i] * at[dimension] : at[i];
         e[i] = error[i] + FLOOR;
     }
-    /* The far end may be anywhere near: its own rounding moves the direction and nothing else. */
+    /* The rounding of the far end only turns the ray a little, and any direction serves. */
     finish_whole(c, 0, e);
     return !c->spans[0].lost;
 }

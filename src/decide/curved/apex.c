@@ -27,10 +27,10 @@ enum { PLACES = 32 };
 typedef struct apex {
     sign_germ *g;
     fmpq_mpoly_ctx_t ring; /* of x, y */
-    fmpq_t near;           /* a rational time, the given one or near it */
+    fmpq_t near;           /* the germ's time if it is rational, else a rational time near it */
     int count;
     fmpz_mpoly_struct part[PARTS]; /* irreducible, distinct: the factors of forms */
-    unsigned homogeneous, odd;     /* members that are, members of odd lowest degree */
+    unsigned homogeneous, odd;     /* homogeneous members; members whose lowest degree is odd */
     pattern_set shown;             /* patterns of the homogeneous members */
     fmpq direction[3];             /* the last coordinate is 1 */
 } apex;
@@ -63,9 +63,9 @@ static void keep_parts(apex *a, const fmpz_mpoly_t form) {
     }
 }
 
-/* Cut by the lowest form of a member with the last coordinate 1. That of a homogeneous member has
- * rational coefficients; another one is read near the time and, along a gap, where it need not be
- * rational at all, stands for itself by its coordinates alone. */
+/* Add the factors of a member's lowest form, its last coordinate 1, to the parts that cut
+ * directions. The coefficients of a homogeneous member are rational up to a factor; those of
+ * another  one are read at the time `near`; along a gap x and y are added in its place. */
 static void read_member(apex *a, const taylor *t) {
     const int fixed = taylor_order(t) == t->degree;
     IN_RING(fmpq_mpoly, form, a->ring);
@@ -157,7 +157,8 @@ static void cut_at_roots(cuts *to, const apex *a, const fmpz_mpoly_t p, int vari
 
 static void walk_line(apex *a);
 
-/* Take a rational number in each gap between the roots as a coordinate. */
+/* Take a rational number in each gap between the roots, and beyond them, as a coordinate of the
+ * direction, and go on with each. */
 static void walk_gaps(apex *a, cuts *at, int variable) {
     moment_field *f = a->g->f;
     fmpz_add_ui(at->bound, at->bound, 1);
@@ -180,7 +181,7 @@ static void walk_gaps(apex *a, cuts *at, int variable) {
     free(order);
 }
 
-/* The forms where x is that of the direction. */
+/* Walk the directions with the x that is set: cut y at the roots of all parts at this x. */
 static void walk_line(apex *a) {
     const fmpz_mpoly_ctx_struct *ring = a->ring->zctx;
     IN_RING(fmpq_mpoly, form, a->ring);
@@ -209,7 +210,7 @@ static void cut_by_parts(cuts *in_x, apex *a, int i, int k) {
         cut_at_roots(in_x, a, cut, X);
 }
 
-/* The leading coefficient by y: all of a form without it. */
+/* Cut x at the roots of a part's leading coefficient by y; a part without y is that coefficient. */
 static void cut_by_leading_term(cuts *in_x, apex *a, int k) {
     const fmpz_mpoly_ctx_struct *ring = a->ring->zctx;
     const slong variable = Y;
@@ -232,7 +233,7 @@ static void walk_directions(apex *a) {
         walk_gaps(a, &in_x, X);
 }
 
-/* A definite quadratic form with which a member begins has one sign (C99). */
+/* If a member's lowest form is quadratic and definite, exclude its other sign (C99). */
 static void exclude_by_definite_form(sign_germ *g, int k) {
     const taylor *t = &g->member[k];
     value *h = field_vector(g->f, 12); /* a matrix: twice the form; and a product of its rows */
@@ -254,7 +255,7 @@ static void exclude_by_definite_form(sign_germ *g, int k) {
     field_vector_clear(h, 12);
 }
 
-/* A rational time at that of the germ, or near it. */
+/* Set `near`. */
 static void read_time(apex *a) {
     moment_field *f = a->g->f;
     ulong gain = FIRST_GAIN;

@@ -25,7 +25,7 @@ void field_cross(value *out, moment_field *f, const value *a, const value *b) {
     }
 }
 
-/* The signs of the members along the last ray. */
+/* Note the signs of the members' gradients along the ray behind the last one. */
 static void mark_ray(arrangement *a, moment_field *f, const value *normal, uint32_t mask) {
     int r = a->ray_count, d = a->dimension;
     LOCAL(fmpq_poly, product);
@@ -40,7 +40,7 @@ static void mark_ray(arrangement *a, moment_field *f, const value *normal, uint3
     }
 }
 
-/* The last ray, if it is not zero, and its opposite. */
+/* Keep the ray behind the last one, if it is not zero, and its opposite. */
 static void keep_ray(arrangement *a, moment_field *f, const value *normal, uint32_t mask) {
     int r = a->ray_count, d = a->dimension, any = 0;
     for (int i = 0; i < d && !any; i++)

@@ -13,7 +13,8 @@
  * With c = X / W and x = c + v / W, W^degree f(x) is a polynomial in v with coefficients in Z[u]:
  * the factors are positive and change no sign near the point. */
 
-/** Bound of the degree: that of a minor of the gradients of two surfaces. */
+/** Bound of an expansion's degree: that of a minor of the gradients of two surfaces; and the number
+ * of terms of such a degree in three variables. */
 enum { TAYLOR_DEGREE = 2 * CSG_DEGREE - 2, TAYLOR_TERMS = 84 };
 
 /** The sum of coefficient[k] v^power[k]; powers are distinct and coefficients not zero. */
@@ -28,7 +29,7 @@ typedef struct taylor {
 void taylor_init(taylor *t, moment_field *f, int dimension);
 void taylor_clear(taylor *t);
 
-/** The powers of a trajectory's polynomials as elements, up to a degree. */
+/** The powers of a trajectory's polynomials X_i and W as elements, up to a degree. */
 typedef struct taylor_point {
     value *power; /* (degree + 1) of each X_i, then of W */
     int dimension, degree;
@@ -46,7 +47,7 @@ void taylor_of_surface(taylor *out, moment_field *f, const taylor_point *p,
 /** Component i of the gradient at the point, a borrowed element. */
 const value *taylor_gradient(const taylor *t, int i);
 
-/** The lowest degree of a term; 0 without terms. */
+/** The least degree among an expansion's terms; 0 if it has none. */
 int taylor_order(const taylor *t);
 
 /** out = da/di db/dj - da/dj db/di, which vanishes at the point too. */
@@ -69,10 +70,10 @@ typedef struct sign_germ {
     const trajectory *c;
     const csg_surface *surface[CSG_FREE_MOST];
     taylor member[CSG_FREE_MOST]; /* their expansions */
-    pattern_set truth;            /* of the expression */
-    pattern_set seen;             /* patterns that are known to occur, */
-    pattern_set never;            /* and not to occur */
-    int near_in, near_out;        /* the interior, and the exterior, come arbitrarily near */
+    pattern_set truth;            /* patterns for which the expression is true */
+    pattern_set seen;             /* patterns that are known to occur near the point */
+    pattern_set never;            /* patterns that are known not to occur there */
+    int near_in, near_out;        /* the solid's interior, its exterior, come arbitrarily near */
 } sign_germ;
 
 /** Begin a germ: its members are the expansions of surfaces at the point; no pattern is known. */
@@ -89,7 +90,7 @@ graze_state germ_settled(const sign_germ *g);
 /** Is the gradient of a member not zero? */
 int germ_is_smooth(const sign_germ *g, int k);
 
-/** Exclude all patterns that equal `want` at the members of `mask`. */
+/** Note as never occurring all patterns whose bits at the members of `mask` are those of `want`. */
 void germ_exclude(sign_germ *g, unsigned mask, unsigned want);
 
 /* Patterns near a point at which some members are singular: the members are like cones with this
@@ -138,13 +139,13 @@ void circuits_ask(sign_germ *g, unsigned smooth);
  * surfaces. The first term of another polynomial along a probe gives its sign near the point. */
 
 /** A probe in the common zeros of `base_count` polynomials with independent gradients. The open
- * coordinates run along a direction, the others are solved for. */
+ * coordinates are direction[i] s; the bound ones are power series in s that solve the equations. */
 typedef struct probe {
     int dimension, base_count;
     const taylor *base[2];
-    int bound_axis[2], open_axis[3]; /* coordinates solved for, and open ones */
-    value direction[3];              /* of the open coordinates */
-    int order;                       /* up to which the series are known */
+    int bound_axis[2], open_axis[3]; /* the bound coordinates, and the open ones */
+    value direction[3];              /* a number for each open coordinate */
+    int order;                       /* the series are known up to s^order */
     value *series;                   /* dimension * (order + 1) coefficients */
 } probe;
 

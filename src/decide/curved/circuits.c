@@ -1,4 +1,4 @@
-/* Circuits of gradients, and what a surface does along the others of its circuit.
+/* Circuits of gradients, and the signs of a surface along the other surfaces of its circuit.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Of a circuit with the relation sum mu_k g_k = 0 every pattern occurs but perhaps the two with
@@ -77,8 +77,8 @@ static int form_on_surface(value *form, sign_germ *g, probe *p, const taylor *of
     return field_sign(g->f, left);
 }
 
-/* A form of rank 1 and sign `sign`: the rest, phi, along the curve on which its derivative in the
- * open coordinate `axis` is 0 (C98). */
+/* Signs that phi takes if its quadratic form has rank 1 and the sign `sign`: that sign, and those
+ * along the curve on which phi's derivative in the open coordinate `axis` is 0 (C98). */
 static takings take_on_ridge(sign_germ *g, const circuit *c, const probe *on, int axis, int sign) {
     const slong forward[] = {1, 0, 0};
     const taylor *base = on->base[0], *of = &g->member[c->member[1]];
@@ -101,8 +101,8 @@ static takings take_on_ridge(sign_germ *g, const circuit *c, const probe *on, in
     return out;
 }
 
-/* A form that vanishes: signs of first terms along some directions. A lowest form of odd degree
- * below their number does not vanish along all of them. */
+/* Signs that phi takes if its quadratic form vanishes: those of its first terms along some
+ * directions. A lowest form of odd degree below their number does not vanish along all of them. */
 static takings take_flat(sign_germ *g, probe *p, const taylor *of) {
     static const slong direction[8][2] = {{1, 0}, {0, 1}, {1, 1},  {1, -1},
                                           {1, 2}, {2, 1}, {1, -2}, {2, -1}};
@@ -162,7 +162,7 @@ static void note_taking(sign_germ *g, const circuit *c, int e, taking known) {
         pattern_add(&g->seen, want);
 }
 
-/* A circuit, whose last member is no plane if one of them is not. */
+/* Ask a circuit; its last member is no plane, if some member is none. */
 static void ask_circuit(sign_germ *g, const circuit *c) {
     int last = c->sign[c->size - 1];
     takings t = is_linear(g, c) || c->size == g->dimension + 1 ? none
@@ -228,7 +228,7 @@ static void ask_pairs(sign_germ *g, minors *m) {
     field_vector_clear(cross, 3);
 }
 
-/* Three members whose gradients lie in one plane, no two of them parallel. */
+/* Ask the circuit of three members whose gradients lie in one plane, no two of them parallel. */
 static void ask_coplanar(sign_germ *g, const minors *m, int i, int j, int k) {
     value *cross = field_vector(g->f, 9);
     if (cross) {

@@ -18,15 +18,15 @@
  * cross product of two gradients of degree 3, divided by a plane in which they are parallel. */
 enum { FLOW_DEGREE = 5, LOW_ORDER = 4, AXES = 3 };
 
-/* Products of words that a system may cost, which nothing interrupts: about a second. */
+/* Most products of words to solve a system with: about a second, which nothing interrupts. */
 enum { SYSTEM_WORK = 1 << 27 };
 
-/* How many monomials have a degree up to this one. */
+/* The number of monomials in x, y, z of at most this degree. */
 static slong monomials(int degree) {
     return (slong)(degree + 1) * (degree + 2) * (degree + 3) / 6;
 }
 
-/* The place of a monomial by degree, then by what is no power of x, then by that of z. */
+/* The number of a monomial: by its degree, then by its degree in y and z together, then in z. */
 static slong monomial_place(const int p[3]) {
     int rest = p[1] + p[2];
     return monomials(p[0] + rest - 1) + rest * (rest + 1) / 2 + p[2];
@@ -58,7 +58,7 @@ static void put_product(fmpz_mat_t system, slong row, slong column, const csg_su
     }
 }
 
-/* One equation for each surface: the derivative along v and a combination of all vanish. */
+/* One equation for each surface: its derivative along v plus a combination of all surfaces is 0. */
 static void put_system(fmpz_mat_t system, const csg_surface *const *of, int count, int degree) {
     slong row = 0, column = 0;
     for (int i = 0; i < count; row += monomials(of[i++]->degree - 1 + degree)) {
@@ -126,7 +126,7 @@ static int has_flow(sign_germ *g, const csg_surface *const *of, int count, int d
            moves_point(g, fields, fmpz_mat_nullspace(fields, system), degree);
 }
 
-/* 1 if the trajectory itself is such a curve: along a gap all members vanish on it. */
+/* Is the trajectory itself a curve in all members? It is along a gap, where they vanish on it. */
 static int is_slide(const sign_germ *g) {
     const fmpz_poly_struct *x = g->c->x, *w = x + g->dimension;
     int moves = 0;

@@ -36,7 +36,8 @@ static graze_status disagree(const finding_walk *f) {
                         "a certain crossing and the exact path disagree on a sign");
 }
 
-/* Through one surface, at a time at which no other vanishes (proofs/surfaces.md C107). */
+/* Walk through one surface, at a time at which no other surface vanishes (proofs/surfaces.md C107).
+ */
 static graze_status walk_crossing(finding_walk *f, const crossing *c) {
     if (f->truths->sign[c->simplex] != (c->enters ? 1 : -1))
         return disagree(f);
@@ -57,7 +58,7 @@ static graze_status begin_walker(finding_walk *f) {
     return status;
 }
 
-/* Signs of the surfaces of a window, as the exact path left them. */
+/* Take over the signs that the surfaces of a window have after it, as the exact path found them. */
 static void take_signs(finding_walk *f, const exact_window *window, const candidate *asked) {
     for (size_t k = 0; k < window->count; k++)
         if (f->walker.expression.sign[asked[k].simplex] != f->truths->sign[asked[k].simplex])
@@ -88,7 +89,7 @@ static int is_before(const crossing *c, const exact_window *w) {
     return c->piece != w->piece ? c->piece < w->piece : c->from * WINDOW_WHOLE < w->from;
 }
 
-/* Crossings and windows in order of time. */
+/* Walk the crossings and the windows in order of time. */
 static graze_status walk_findings(finding_walk *f) {
     const findings *found = f->found;
     const exact_window *first = found->window;
@@ -110,7 +111,7 @@ static graze_status walk_findings(finding_walk *f) {
     return GRAZE_OK;
 }
 
-/* Each piece is a window for all surfaces. */
+/* Walk without the filter: each piece is one window for all surfaces. */
 static graze_status walk_pieces(tracer *r, word_builder *word) {
     walker w;
     size_t n = r->scene->solid->curved->surface_count;

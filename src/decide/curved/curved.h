@@ -22,13 +22,14 @@ int pattern_has(const pattern_set *set, unsigned pattern);
 
 /* The trace of a point through a curved solid (proofs/curved.md). */
 
-/** Trace a point as trace_point does, through a curved solid. If no rule decides a state the trace
- * is undecided, and its word has a `?`.
+/** Trace a point as trace_point does, through a curved solid. Where no rule decides a state, the
+ * trace is undecided and its word has a `?`.
  * @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM, GRAZE_EINTERNAL */
 graze_status curved_trace(graze_trace *out, graze_context *context, const graze_scene *scene,
                           query_point point, trace_detail detail);
 
-/** The pullback of one surface. @return GRAZE_ESYSTEM */
+/** The pullback of one surface along a piece of a trajectory, a polynomial in the local time.
+ * @return GRAZE_ESYSTEM */
 graze_status pullback_surface(fmpz_poly_t out, graze_context *context, const trajectory *c,
                               const csg_surface *surface);
 
@@ -47,15 +48,15 @@ typedef struct expression {
 graze_status expression_init(expression *e, graze_context *context, const csg *solid);
 void expression_clear(expression *e);
 
-/** The surfaces, of those asked, on whose signs the expression depends. */
+/** The asked surfaces on whose signs the expression depends. */
 typedef struct dependence {
     graze_state state;   /* I or O if it does not depend on any sign, else ABSENT */
     const size_t *asked; /* borrowed */
     size_t asked_count;
-    int too_many; /* it depends on more than CSG_FREE_MOST: the members below are not set */
+    int too_many; /* it depends on more than CSG_FREE_MOST surfaces; nothing below is set */
     int count;
     size_t surface[CSG_FREE_MOST]; /* the surfaces it depends on */
-    pattern_set truth;             /* over their signs */
+    pattern_set truth;             /* patterns of their signs for which it is true */
 } dependence;
 
 /** Evaluate the expression for all signs of some surfaces; the other surfaces have the signs in

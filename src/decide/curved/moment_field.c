@@ -12,7 +12,7 @@
 #include "base/number/sign.h"
 #include "decide/curved/walker.h"
 
-/* Leave of the time's polynomial the irreducible factor that has the time as a root. */
+/* Replace the time's polynomial by its irreducible factor that has the time as a root. */
 static graze_status make_irreducible(graze_context *context, algebraic *time) {
     TRY(common_factor_work(context, time->poly, time->poly));
     LOCAL(fmpz_poly_factor, factors);
@@ -99,8 +99,8 @@ void field_submul(value *out, moment_field *f, const value *a, const value *b) {
     fmpq_poly_neg(out, out);
 }
 
-/* Keep a polynomial whose sign was asked for on a gap, without what is kept already
- * (proofs/flows.md C122). */
+/* Keep a polynomial whose sign was asked for on a gap, divided by the kept polynomials that divide
+ * it (proofs/flows.md C122). */
 static void keep_asked(moment_field *f, const fmpz_poly_t p) {
     if (!fmpq_poly_is_zero(f->modulus))
         return;
@@ -129,7 +129,7 @@ int field_sign(moment_field *f, const value *a) {
         keep_asked(f, numerator);
     if (!f->status)
         f->status = algebraic_sign_at(&sign, f->context, numerator, f->time);
-    /* A sample may be a root, at which the gap is then cut. */
+    /* On a gap the sample may be a root: the polynomial is kept, and the gap is cut there. */
     if (!f->status && sign == 0 && !fmpq_poly_is_zero(f->modulus))
         f->status =
             context_fail(f->context, GRAZE_EINTERNAL, "a number that is not zero has the sign 0");

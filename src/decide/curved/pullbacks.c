@@ -99,7 +99,7 @@ void pullbacks_clear(pullbacks *p) {
     free(p->asked);
 }
 
-/* Add the roots of a surface, as zeros at times by their indices. */
+/* Add the roots of a surface's pullback to the times, and for each a zero with its index. */
 static graze_status add_roots(pullbacks *p, size_t surface, const dyadic_interval *unit) {
     size_t first = p->time.count;
     TRY(algebraic_roots(&p->time, p->context, &p->form[surface], unit));

@@ -13,7 +13,8 @@
 
 enum { POWERS = TAYLOR_DEGREE + 1, SCALES = 2 * TAYLOR_DEGREE };
 
-/* 1 if the minor of the base in some coordinates is not zero; these become the bound ones. */
+/* Find coordinates in which the minor of the base's gradients is not zero, and make them the bound
+ * ones; 0 if there are none. */
 static int choose_axes(probe *p, moment_field *f, value *minor) {
     int d = p->dimension;
     for (int i = 0; i < d && p->base_count == 1; i++) {
@@ -125,7 +126,8 @@ static void compose(value *out, moment_field *f, const taylor *of, const value *
     field_vector_clear(power, (d * POWERS + 2) * length);
 }
 
-/* Combine the base to one equation for each bound coordinate; the minor of its gradients. */
+/* Combine the base to one equation for each bound coordinate, and find the minor of its gradients.
+ */
 static void combine_base(taylor *equation, value *minor, const probe *p, moment_field *f) {
     const taylor *a = p->base[0], *b = p->base[1];
     int i = p->bound_axis[0], j = p->bound_axis[1];
@@ -142,8 +144,8 @@ static void combine_base(taylor *equation, value *minor, const probe *p, moment_
     }
 }
 
-/* The bound coordinates of `series`, of n terms, whose open ones are set, and then both in the
- * scale of the point. */
+/* Given the open coordinates of `series`, of n terms, find the bound ones, then multiply both by
+ * the powers of the minor, so that they solve the base itself. */
 static void solve_base(value *series, const probe *p, moment_field *f, int n) {
     taylor equation[2];
     value *scale = field_vector(f, SCALES);

@@ -25,8 +25,8 @@
 #include "input/csg/csg.h"
 #include "input/validate/validate.h"
 
-/* Work of a resultant beside the sizes of both members, as measured: a size is the square of the
- * degree and LEAST_SIZE more, times the bits over SIZE_BITS. */
+/* Work of a resultant, as measured: PAIR_WORK times the sizes of both members, where a size is
+ * (degree^2 + LEAST_SIZE) times the bits over SIZE_BITS. */
 enum { PAIR_WORK = 8, LEAST_SIZE = 6, SIZE_BITS = 256 };
 
 /* Places of the height at first; the width has more, by a branch as flat as y^4 = x. */
@@ -37,19 +37,19 @@ typedef struct stack {
     const trajectory *c;
     algebraic *time;
     size_t count;
-    ulong work;        /* of a pair of members */
-    candidate *member; /* their numbers alone */
+    ulong work;        /* work of a resultant of two members */
+    candidate *member; /* only the surfaces' numbers are set */
     fmpz_mpoly_ctx_t ring;
     fmpz_mpoly_struct *curve;  /* the members, the horizontal sides, the vertical line */
     dyadic_interval window[2]; /* in x, in y */
     algebraic_list place[2];   /* x, y of the point, once they are found */
     expression e;              /* its signs are those in a sector */
     pullbacks at;              /* the members along a vertical line */
-    int in, out;               /* the expression is true, false in a sector */
+    int in, out;               /* the expression is true in some sector, false in some sector */
     graze_status status;
 } stack;
 
-/* A window of five parts of 2^-places each, with coordinate i of the point in the inner three. */
+/* Set side i of the window: five parts of 2^-places each, the point in the inner three. */
 static void surround(stack *s, int i, ulong places) {
     fmpz *low = s->window[i].low, *high = s->window[i].high;
     LOCAL_VEC(fmpz, form, 6);
@@ -82,8 +82,9 @@ static void surround(stack *s, int i, ulong places) {
     s->window[i].exponent = places;
 }
 
-/* 1 if in the window all common zeros of two curves, or all multiple ones of a curve, are at one x
- * (axis 0), or y, the first that was found there. */
+/* 1 if all common zeros of two curves, or for a = b all multiple zeros of one, in the window's
+ * range of x (axis 0) or y (axis 1) have one such coordinate, that of the first zero found so far.
+ */
 static int meet_once(stack *s, int axis, size_t a, size_t b) {
     algebraic_list *place = &s->place[axis];
     fmpz_mpoly_struct *p = s->curve + a, *q = s->curve + b;
@@ -104,7 +105,7 @@ static int meet_once(stack *s, int axis, size_t a, size_t b) {
     return order == 0 && !s->status;
 }
 
-/* Curve k becomes the line on which a coordinate is n / d. */
+/* Set curve k to the line on which the coordinate `axis` is n / d. */
 static void set_line(stack *s, size_t k, int axis, const fmpz_t n, const fmpz_t d) {
     fmpz_mpoly_gen(s->curve + k, axis, s->ring);
     fmpz_mpoly_scalar_mul_fmpz(s->curve + k, s->curve + k, d, s->ring);
@@ -145,8 +146,8 @@ static void choose_window(stack *s) {
     }
 }
 
-/* The expression in the sectors over an abscissa, from below: at a branch its member changes its
- * sign. */
+/* Evaluate the expression on a vertical line from below; a member's sign changes at its branches.
+ */
 static void walk_up(stack *s, const fmpz_t abscissa) {
     const dyadic_interval *x = &s->window[0], *y = &s->window[1];
     pullbacks *at = &s->at;

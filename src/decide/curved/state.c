@@ -7,7 +7,7 @@
 #include "decide/curved/arrangement.h"
 #include "decide/curved/walker.h"
 
-/* Patterns of the smooth members' tangent planes occur where no other member is. */
+/* If all members are smooth, note the patterns that have an open cell among the tangent planes. */
 static void see_cells(sign_germ *g, unsigned smooth) {
     if (smooth != germ_patterns(g) - 1)
         return;
@@ -17,8 +17,7 @@ static void see_cells(sign_germ *g, unsigned smooth) {
             pattern_add(&g->seen, s);
 }
 
-/* The signs of all members along a probe; those that vanish along it are in `flat`, the base too.
- */
+/* Find the members that are negative, that vanish (`flat`) along a probe; its base vanishes. */
 static void look_along_probe(unsigned *negative, unsigned *flat, sign_germ *g, probe *p,
                              unsigned base) {
     *negative = *flat = 0;
@@ -35,8 +34,8 @@ static void look_along_probe(unsigned *negative, unsigned *flat, sign_germ *g, p
     }
 }
 
-/* Patterns beside a probe: of the members that vanish along it those of the arrangement, of the
- * others their signs (C100). */
+/* Note the patterns beside a probe: members that vanish along it take the patterns of their
+ * arrangement, all others have their signs along the probe (C100). */
 static void see_beside(sign_germ *g, probe *p, unsigned smooth) {
     unsigned negative, flat, members = 0;
     for (int b = 0; b < p->base_count; b++)
@@ -52,7 +51,7 @@ static void see_beside(sign_germ *g, probe *p, unsigned smooth) {
             pattern_add(&g->seen, s | negative);
 }
 
-/* Directions in which probes into one surface, or none, are sent besides. */
+/* Note the patterns beside probes into surface k, in some directions. */
 static void see_in_surfaces(sign_germ *g, unsigned smooth, int k) {
     static const slong direction[][2] = {{1, 0},  {-1, 0}, {0, 1},  {0, -1},  {1, 1}, {-1, -1},
                                          {1, -1}, {-1, 1}, {1, 2},  {-1, -2}, {2, 1}, {-2, -1},
@@ -83,7 +82,7 @@ static void see_in_curves(sign_germ *g, unsigned smooth, int j, int k) {
     probe_clear(&p);
 }
 
-/* Ask the rules until what is known decides. */
+/* Ask one rule after another until the known patterns decide the state. */
 static graze_state ask_all_rules(sign_germ *g) {
     unsigned smooth = 0;
     for (int k = 0; k < g->count; k++)
@@ -106,7 +105,7 @@ static graze_state ask_all_rules(sign_germ *g) {
     return state;
 }
 
-/* No pattern both occurs and does not. */
+/* Is some pattern known to occur and known not to occur? Then there is an internal error. */
 static int contradicts(const sign_germ *g) {
     for (unsigned s = 0; s < germ_patterns(g); s++)
         if (pattern_has(&g->seen, s) && pattern_has(&g->never, s))

@@ -20,7 +20,7 @@ void taylor_clear(taylor *t) {
     field_vector_clear(t->coefficient, TAYLOR_TERMS);
 }
 
-/* The coefficient of a power, a new one if there is none yet. */
+/* The coefficient of a power; if there is none yet, a zero is appended. */
 static value *taylor_at(taylor *t, const int power[3]) {
     for (size_t k = 0; k < t->count; k++)
         if (t->power[k][0] == power[0] && t->power[k][1] == power[1] && t->power[k][2] == power[2])
@@ -31,7 +31,7 @@ static value *taylor_at(taylor *t, const int power[3]) {
     return t->coefficient + t->count++;
 }
 
-/* Drop coefficients that are zero. */
+/* Drop the terms whose coefficients are zero. */
 static void taylor_normalise(taylor *t) {
     size_t kept = 0;
     for (size_t k = 0; k < t->count; k++) {

@@ -24,7 +24,7 @@ void expression_clear(expression *e) {
     free(e->work);
 }
 
-/* 1 if flipping surface k changes a table of `count` ones. */
+/* Does flipping the sign of surface k change a table over `count` surfaces? */
 static int depends_on(const pattern_set *table, int k, int count) {
     for (unsigned s = 0; s < 1u << count; s++)
         if (pattern_has(table, s) != pattern_has(table, s ^ 1u << k))
@@ -32,7 +32,7 @@ static int depends_on(const pattern_set *table, int k, int count) {
     return 0;
 }
 
-/* The table over the surfaces that are kept, whose places are `place`. */
+/* Set the table over the kept surfaces, whose numbers in the wider table are `place`. */
 static void narrow_table(dependence *out, const pattern_set *table, const int *place) {
     for (unsigned s = 0; s < 1u << out->count; s++) {
         unsigned whole = 0;

@@ -1,9 +1,9 @@
 /* From the roots of the surfaces along a trajectory to its states, piece after piece.
  * SPDX-License-Identifier: GPL-3.0-or-later
- *
- * Between two roots each sign is constant but of surfaces in which the trajectory runs; there the
- * state is constant between the roots of all signs that were asked for (C101). A time is decided
- * when the gap behind it is known, since the states beside it say what is arbitrarily near (C95).
+ * Between two roots the sign of each surface is constant along the trajectory. Where the trajectory
+ * runs in surfaces, the state is constant between the roots of all polynomials whose signs were
+ * asked for (C101). A time is decided once the gap after it is known, since the states of both gaps
+ * say whether interior and exterior come arbitrarily near (C95).
  */
 #include "decide/curved/curved.h"
 
@@ -18,7 +18,7 @@
 #include "decide/trace/trace.h"
 #include "input/csg/csg.h"
 
-/* Whether a primitive has one of some surfaces. */
+/* Does a primitive have one of the surfaces on which the expression depends? */
 static int node_meets(const csg *solid, const csg_node *node, const dependence *d) {
     for (size_t k = 0; k < node->count && node->operation == CSG_SIGN; k++)
         for (int s = 0; s < d->count; s++)
@@ -39,9 +39,9 @@ static contact *last_contact(walker *w) {
     return &w->r->out->contact[w->r->out->contact_count - 1];
 }
 
-/* Keep the first place where the rules end, and the states that are possible there: I and O are
- * those of the gaps beside a time too (proofs/curved.md C125). ABSENT beside a gap, which may be
- * anything. */
+/* Note a time or gap whose state no rule decides: the states that it may have and, of the first
+ * one, where it is. `before` and `after` are the states of the gaps beside a time, which is not I
+ * beside O, nor O beside I (proofs/curved.md C125). For a gap they are ABSENT. */
 static graze_status keep_undecided(walker *w, const dependence *d, const algebraic *time,
                                    graze_state before, graze_state after) {
     graze_trace *out = w->r->out;
@@ -68,8 +68,7 @@ static graze_status keep_undecided(walker *w, const dependence *d, const algebra
     return name_primitives(w, where, d);
 }
 
-/* The state by the rules, where the expression depends on surfaces; in the plane, where they end,
- * by stacks. */
+/* Decide the state where the expression depends on surfaces: by rules, else, in E^2, by stacks. */
 static graze_status ask_state(graze_state *out, walker *w, const dependence *d, moment_field *f,
                               graze_state before, graze_state after) {
     state_query at = {.solid = w->solid,
@@ -99,7 +98,8 @@ static graze_status ask_state(graze_state *out, walker *w, const dependence *d, 
     return status;
 }
 
-/* The state at the pending time, between two gaps; ABSENT at an end of the motion. */
+/* Decide the state at the pending time, between the gaps with the states w->before and `after`,
+ * which are ABSENT beyond an end of the motion. */
 static graze_status decide_time(graze_state *out, walker *w, const dependence *d,
                                 graze_state after) {
     graze_state before = w->before;
@@ -136,8 +136,8 @@ graze_status walker_settle(walker *w, graze_state after) {
     return status;
 }
 
-/* Let a time wait for the gap behind it; there vanish all surfaces of the slide, and those of the
- * zeros. */
+/* Make a time pending until the gap after it is known. At it vanish the surfaces that contain the
+ * piece, and those of `zeros`. */
 static void wait_for(walker *w, algebraic *time, const zero *zeros, size_t count) {
     w->pending = time;
     w->vanishing_count = 0;
@@ -147,7 +147,7 @@ static void wait_for(walker *w, algebraic *time, const zero *zeros, size_t count
         w->vanishing[w->vanishing_count++] = zeros[k].surface;
 }
 
-/* Put a gap of one state. */
+/* Put the state of the pending time, then that of the gap after it, which has one state. */
 static graze_status put_whole_gap(walker *w, graze_state state, const dependence *d,
                                   const algebraic *sample) {
     graze_status status = walker_settle(w, state);
@@ -161,7 +161,7 @@ static graze_status put_whole_gap(walker *w, graze_state state, const dependence
     return status;
 }
 
-/* The roots, strictly between two times, of what was asked on their gap. */
+/* Find the roots, strictly between two times, of the polynomials that were asked on their gap. */
 static graze_status find_slide_cuts(algebraic_list *cuts, walker *w, const moment_field *f,
                                     algebraic *low, algebraic *high) {
     HELD(dyadic_interval, unit);
@@ -195,12 +195,12 @@ static graze_status walk_parts(walker *w, algebraic_list *cuts, algebraic *low, 
         if (!status && k < count)
             wait_for(w, order[k], NULL, 0);
     }
-    /* The last cut is decided with its gap, so no time of the list waits any longer. */
+    /* The last gap put the state of the last cut, so no time of the list is pending any longer. */
     free(order);
     return status;
 }
 
-/* A gap on which the trajectory runs in surfaces that matter. */
+/* Walk a gap, cutting it where the signs beside surfaces that contain the trajectory change. */
 static graze_status walk_slide(walker *w, algebraic *low, algebraic *high) {
     dependence d;
     graze_state state = GRAZE_STATE_UNDECIDED;
@@ -224,7 +224,8 @@ static graze_status walk_slide(walker *w, algebraic *low, algebraic *high) {
     return status;
 }
 
-/* Signs in the gap behind a rank: of surfaces that vanish there, or at the first one of all. */
+/* Set the signs in the gap after a rank: those of the surfaces that vanish at it, or of all asked
+ * surfaces after the first rank. */
 static graze_status update_signs(walker *w, size_t rank, const zero *zeros, size_t count) {
     graze_status status;
     size_t n = rank ? count : w->at.asked_count;
@@ -253,7 +254,7 @@ graze_status walker_walk(walker *w, const exact_window *window, const candidate 
         const zero *zeros = next < w->at.zero_count ? w->at.zero + next : NULL;
         for (n = 0; next + n < w->at.zero_count && zeros[n].time == rank;)
             n++;
-        /* An end of the window that is none of the piece is off all its surfaces. */
+        /* At an end of the window that is no end of the piece none of its surfaces vanishes. */
         if (rank == 0 ? window->from == 0 : rank < last || window->to == WINDOW_WHOLE)
             wait_for(w, w->at.by_rank[rank], zeros, n);
         if (rank == last)

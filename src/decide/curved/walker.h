@@ -16,7 +16,7 @@
 
 /** A moment: a time, or a gap with a sample time. On a gap an element is zero iff it is the zero
  * polynomial, and its sign is that at the sample. Each non-constant polynomial whose sign was asked
- * for is kept: between the roots of these no answer changes (proofs/curved.md C101). */
+ *  on a gap is kept: between the roots of these no answer changes (proofs/curved.md C101). */
 typedef struct moment_field {
     graze_context *context;
     algebraic *time;
@@ -55,7 +55,7 @@ void field_vector_clear(value *vector, size_t count);
 
 /** A surface that vanishes at a time. */
 typedef struct zero {
-    size_t time, surface; /* time: an index, after pullbacks_set a rank */
+    size_t time, surface; /* time: its index in the list of times, after pullbacks_set its rank */
 } zero;
 
 /** The times are both ends of a window and all roots in it. Times of equal rank r are equal;
@@ -63,7 +63,7 @@ typedef struct zero {
 typedef struct pullbacks {
     graze_context *context;
     const csg *solid;
-    fmpz_poly_struct *form; /* by surface; set for those that are asked */
+    fmpz_poly_struct *form; /* by surface: its pullback, set for the asked surfaces */
     size_t *asked;
     size_t asked_count, asked_capacity;
     algebraic_list time;
@@ -92,8 +92,8 @@ typedef struct state_query {
     const trajectory *c;
     const size_t *surface; /* surfaces through the point on which the expression depends */
     int count;             /* at most CSG_FREE_MOST */
-    pattern_set truth;     /* the expression over their signs */
-    int near_in, near_out; /* the interior, and the exterior, come arbitrarily near */
+    pattern_set truth;     /* patterns of their signs for which the expression is true */
+    int near_in, near_out; /* the solid's interior, its exterior, come arbitrarily near */
 } state_query;
 
 /** Decide the state at a time, or on the part of a gap around the sample in which the polynomials
@@ -102,14 +102,14 @@ typedef struct state_query {
 graze_status state_decide(graze_state *out, const state_query *at, moment_field *f);
 
 /* Stacks: the signs of surfaces on two vertical lines beside a point of the plane, so near the
- * point that all patterns near it occur on them. */
+ * point that all patterns that occur near the point occur on these lines. */
 
 /** Decide the state in the plane at a time, or along a gap by its sample (proofs/curved.md C126,
  * C127).
  * @param[out] out I, B or O; UNDECIDED if the surfaces exceed the limit `work`
  * @param signs    signs of the surfaces that do not vanish there
  * @param surface  the surfaces through the point on which the expression depends: two or more, or
- * one singular one
+ * one that is singular there
  * @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM */
 graze_status stack_decide(graze_state *out, const expression *signs, const trajectory *c,
                           const size_t *surface, size_t count, algebraic *time);
@@ -117,7 +117,7 @@ graze_status stack_decide(graze_state *out, const expression *signs, const traje
 /* Builds the word and the contacts of a trace from states in order of time. */
 
 /** States are put alternately for a time and for the gap after it, from the first time to the last.
- * A time with the state of both gaps beside it may be left out. */
+ * A time may be left out if it and both gaps beside it have one state. */
 typedef struct word_builder {
     graze_trace *out;
     graze_context *context;
@@ -142,7 +142,7 @@ graze_status word_finish(word_builder *l);
 
 /* The states of a trajectory in the windows of time that are decided exactly. */
 
-/** State of the walk. Between windows the owner sets `before` and the signs. */
+/** State of the walk. Between windows the caller sets `before` and the expression's signs. */
 typedef struct walker {
     tracer *r;
     const csg *solid;
@@ -151,7 +151,7 @@ typedef struct walker {
     pullbacks at;
     size_t piece;
     const trajectory *c;
-    algebraic *pending; /* a time that is decided with the next window, or NULL */
+    algebraic *pending; /* a time whose state is not yet put, until the gap after it is known */
     size_t *vanishing;  /* surfaces that vanish at the pending time */
     size_t vanishing_count;
     unsigned long work; /* work of the rules, for the limit */

@@ -12,7 +12,7 @@ static graze_state last_of(const word_builder *l) {
     return l->length ? (graze_state)l->out->word[l->length - 1] : GRAZE_STATE_ABSENT;
 }
 
-/* Append a state to the word unless the word ends in it; I beside O is an internal error. */
+/* Append a state to the word unless it is the word's last; I next to O is an internal error. */
 static graze_status append_state(word_builder *l, graze_state state) {
     graze_state last = last_of(l);
     if (last == state)

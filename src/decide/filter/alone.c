@@ -1,9 +1,8 @@
-/* The simplices near the place of a crossing, held against its window of time.
+/* The simplices near the place of a crossing, tested for contacts in its window of time.
  * SPDX-License-Identifier: GPL-3.0-or-later
- *
- * A box around the curve in the window leaves out nearly all of them; the others are met at another
- * time, or not at all, by the tests of search.h. The bounds are those of proofs/membership.md
- * (C56).
+ * Nearly all simplices miss a box around the curve in the window; the tests of search.h show of the
+ * others that the curve meets them at another time, or never. The bounds are those of
+ * proofs/membership.md (C56).
  */
 #include <math.h>
 #include "decide/bounds/bounds.h"
@@ -20,7 +19,7 @@ typedef struct neighbourhood {
     box around;
 } neighbourhood;
 
-/* The greatest step between neighbouring coefficients of coordinate i, errors included. */
+/* Bound of the steps between neighbouring exact coefficients of coordinate i. */
 static double greatest_step(const curve *c, const span *piece, int i) {
     const double *x = curve_coefficients(c, piece, i);
     double step = 0;
@@ -40,7 +39,8 @@ static int bound_window(box *out, const curve *c, const span *piece, const meet_
     return place_bound(out, place, off, d);
 }
 
-/* Whether the curve meets the simplex of a leaf at other times only, or never. */
+/* Is it certain that the curve meets a simplex, unless it is the crossed one, at other times only?
+ */
 static int is_apart(const neighbourhood *n, uint32_t simplex) {
     const corners *corners = &n->solid->corners;
     size_t d = (size_t)n->curve->dimension;

@@ -1,5 +1,6 @@
-/* The simplices near a part of the time, which is halved until their velocities have certain signs
- * and those that differ have no place in common near the cell.
+/* Parts of the time are halved until, for each simplex near a part, the velocity of the cell's
+ * points across it has one certain sign, and simplices of opposite signs have no place in common
+ * near the cell.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "decide/filter/filter.h"
@@ -10,7 +11,8 @@
 #include "input/solid/solid.h"
 #include "input/validate/validate.h"
 
-/* Parts of time are cut to this level; simplices near one of them, and nodes visited for a cell. */
+/* Bounds: the level to which parts of the time are cut, the number of simplices near one part, and
+ * that of nodes visited for a cell. */
 enum { PASS_LEVELS = 20, PASS_NEAR = 64, PASS_VISITS = 30000 };
 
 /* The level of a span that is one time of a piece. */
@@ -19,18 +21,20 @@ enum { INSTANT = WINDOW_LEVELS + 1 };
 /* A part whose curve is shorter than this share of the points' spread is not cut. */
 static const double LEAST_LENGTH = 0.25;
 
-/* A facet goes through the cell only along a longer part. */
+/* As LEAST_LENGTH once a contact is not certain, when only a facet that crosses the whole cell is
+ * still looked for: that needs longer parts. */
 static const double LEAST_PIERCING = 1;
 
-/* A leaf near a part of time, and on which sides of its contacts trajectories are inside. */
+/* A simplex, at a leaf, near a part of the time; and on which side of the times of contacts with it
+ * the trajectories of the cell's points are inside. */
 typedef struct near_simplex {
     uint32_t node, simplex;
-    int pierced;     /* the whole cell goes through it */
+    int pierced;     /* it crosses the whole cell: all trajectories go through it */
     unsigned inside; /* bits of side_of_contact */
 } near_simplex;
 
 typedef struct near_simplices {
-    int count, overflow; /* more than there is room for */
+    int count, overflow; /* 1: more simplices are near than there is room for */
     near_simplex item[PASS_NEAR];
 } near_simplices;
 
@@ -49,7 +53,8 @@ typedef struct passing {
     double slope[3]; /* bound of a point's velocity minus the centre's */
 } passing;
 
-/* The greatest change of the map from coefficient to coefficient, over the cell. */
+/* Set `slope` for a piece: bounds of the difference between the steps, from one control coefficient
+ * to the next, of a point of the cell and of the centre. */
 static void find_slope(passing *p, uint32_t piece) {
     const carrier *map = &p->curve->course->piece[piece];
     int d = map->dimension, n = map->degree;
@@ -71,8 +76,8 @@ static void find_slope(passing *p, uint32_t piece) {
     }
 }
 
-/* The sides of a contact with a simplex between control coefficients first and last of a part,
- * as bits; 0 if none is certain. */
+/* The side of the times of contacts with a simplex on which the cell's points are inside, by the
+ * steps between the control coefficients `first` to `last` of a part; 0 if it is not certain. */
 static unsigned sides_of_contact(passing *p, const span *part, uint32_t simplex, int first,
                                  int last) {
     const corners *corners = &p->filter->solid->corners;
@@ -121,7 +126,7 @@ static int are_held_out(const passing *p, const span *part, uint32_t simplex, un
            walls_hold_out(p->walls, p->motion, p->filter->solid, part, simplex, mask);
 }
 
-/* Those below a node that a thick span may meet. */
+/* Add the simplices below a node that a thick span may meet. */
 static void find_near(near_simplices *out, passing *p, uint32_t node, const span *wide) {
     static const double none[3] = {0, 0, 0};
     const corners *corners = &p->filter->solid->corners;
@@ -145,7 +150,7 @@ static void find_near(near_simplices *out, passing *p, uint32_t node, const span
     }
 }
 
-/* Are contacts at common places of near simplices certain too? */
+/* Is the side of each near simplex certain, and equal for any two that have a place in common? */
 static int contacts_are_certain(const passing *p, const near_simplices *near, const span *wide) {
     unsigned shared;
     for (int k = 0; k < near->count; k++) {
@@ -163,7 +168,7 @@ static int contacts_are_certain(const passing *p, const near_simplices *near, co
     return 1;
 }
 
-/* Whether the whole cell goes through a simplex inside which no other rests. */
+/* Does a near simplex with no other one in its relative interior cross the whole cell? */
 static int one_is_pierced(const passing *p, const near_simplices *near) {
     int found = 0;
     for (int k = 0; k < near->count && !near->overflow && !found; k++) {
@@ -192,7 +197,7 @@ static double length_of_part(const span *part) {
     return largest3(part->along) + part->bend;
 }
 
-/* A part of one piece, near which some simplices are. */
+/* Decide a part of one piece with simplices near it, or its halves. */
 static void pass_near(passing *p, uint32_t index, near_simplices *near, const span *wide,
                       const double *spread) {
     const span *part = &p->curve->spans[index];
@@ -209,7 +214,7 @@ static void pass_near(passing *p, uint32_t index, near_simplices *near, const sp
     p->failed = 1;
 }
 
-/* `around`: the simplices near a longer part, or NULL. */
+/* Decide a part of the time; `around`: the simplices near a longer part, or NULL. */
 static void pass_part(passing *p, uint32_t index, const near_simplices *around) {
     const span *part = &p->curve->spans[index];
     double spread[3];
@@ -240,7 +245,8 @@ static void pass_part(passing *p, uint32_t index, const near_simplices *around) 
         pass_near(p, index, &near, &wide, spread);
 }
 
-/* Contacts at an end of a piece: inside before it by the piece before, or after it by the next. */
+/* Are contacts at a time between two pieces, or at an end of the motion, certain? The piece before
+ * tells where points are inside before that time, the next piece where they are after it. */
 static int joint_is_certain(passing *p, size_t joint) {
     size_t pieces = p->curve->course->piece_count;
     piece_time when = joint ? (piece_time){(uint32_t)(joint - 1), 1} : (piece_time){0, 0};

@@ -1,5 +1,5 @@
-/* The plane's form of a moved corner is a polynomial of the time; where its Bernstein coefficients
- * on a part have one sign, so has it. SPDX-License-Identifier: GPL-3.0-or-later
+/* A plane's form of a moved corner is a polynomial of the time; on a part it has the sign of all
+ * its Bernstein coefficients. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "decide/filter/filter.h"
 
@@ -11,7 +11,7 @@
 #include "input/solid/solid.h"
 #include "input/validate/validate.h"
 
-/* The form on all of a piece, with the weight as a positive factor. */
+/* The plane's form of a moved corner on a whole piece, times the positive weight. */
 static void form_of_corner(fmpq_poly_t form, const fmpq *plane, const point_map *map,
                            const fmpq *corner) {
     LOCAL(fmpq_poly, entry);
@@ -28,8 +28,8 @@ static void form_of_corner(fmpq_poly_t form, const fmpq *plane, const point_map 
         }
 }
 
-/* Whether a form is on a side, or 0, on all of a part: f(from + x way) as a polynomial of x, and
- * (1 + x)^n times that of x / (1 + x), have coefficients of one sign. */
+/* Has a form the sign `side`, or 0, on all of a part? Yes if all coefficients of (1 + x)^n
+ * f(from + way / (1 + x)) have it, n the degree of f. Changes `form`. */
 static int is_on_side(fmpq_poly_t form, const span *part, int side) {
     int on_side = 1;
     slong length = fmpq_poly_length(form);

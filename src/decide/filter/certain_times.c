@@ -27,8 +27,8 @@ static void take_stretch(stretches *s, uint32_t piece, double low, double high) 
     s->length[at] = high - low;
 }
 
-/* Take the stretches from one time to another: the part of the first piece, the part of the last
- * one, and the middle one of the whole pieces between them. */
+/* Take the stretches between the time `low` of one piece and the time `high` of another: the rest
+ * of the first piece, the beginning of the last, and the middle one of the whole pieces between. */
 static void take_between(stretches *s, uint32_t piece, double low, uint32_t last, double high) {
     if (piece == last) {
         take_stretch(s, piece, low, high);

@@ -1,4 +1,4 @@
-/* A box against the solid's tree: boxes by comparisons, simplices by the span that the box is.
+/* A box against the solid's tree: against boxes by comparisons, against simplices as a span.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "decide/bounds/bounds.h"
@@ -21,7 +21,7 @@ static int simplex_misses(const emptiness *e, uint32_t simplex) {
            CHORD_MISSES;
 }
 
-/* Whether certainly no simplex below a node meets the box. */
+/* Is it certain that no simplex below a node meets the box? */
 static int is_empty(const emptiness *e, uint32_t index) {
     const tree_node *node = &e->solid->boxes.node[index];
     if (flip(FLIP_BOX, !box_meets(&node->box, e->space)))

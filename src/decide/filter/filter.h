@@ -39,24 +39,24 @@ int candidates_append(candidates *list, candidate item);
 /** Sort by piece, simplex and time, and join windows of one simplex that touch. */
 void candidates_join(candidates *list);
 
-/** A certain crossing: once, at some time of the window, which is in units of a piece, the curve
- * goes through the relative interior of the simplex; `enters`: from outside to inside. */
+/** A certain crossing: at just one time of [from, to], parameters of the piece in [0, 1], the curve
+ * goes through the relative interior of the simplex. `enters`: it goes from outside to inside. */
 typedef struct crossing {
     double from, to;
     uint32_t piece, simplex;
     int enters;
 } crossing;
 
-/** Candidates first ... first + count - 1 with overlapping windows: the exact path answers for all
- * of [from, to] at once. */
+/** Candidates `first` ... `first + count - 1`, whose windows overlap: the exact path answers for
+ * all of [from, to], in units of 2^-WINDOW_LEVELS, at once. */
 typedef struct exact_window {
     uint32_t piece, from, to;
     size_t first, count;
 } exact_window;
 
-/** The crossings and the windows in order of time, disjoint within each piece; and, in order, the
- * pieces for which the filter cannot be used. At all other times the trajectory is off the
- * boundary. */
+/** The crossings and the windows in order of time, disjoint within each piece; `lost` are the
+ * pieces, in order, for which the filter cannot be used. At times in none of these the trajectory
+ * is off the boundary. */
 typedef struct findings {
     size_t crossing_count, crossing_capacity;
     crossing *crossing;
@@ -81,7 +81,7 @@ typedef struct interior {
  * For a simplex it reports no contact, one certain crossing, or a question; it never decides a
  * tangency, an edge, a vertex or an end (proofs/filter.md C36, C37). */
 
-/** Bricks; one thread lays them, under the lock, when memberships alone are first asked for. */
+/** The bricks of a solid, laid under the lock when memberships alone are first asked for. */
 typedef struct brick_memo {
     pthread_mutex_t lock;
     interior all;
@@ -93,11 +93,11 @@ typedef struct filter {
     const graze_solid *solid; /* borrowed */
     course course;
     brick_memo *bricks;
-    graze_state proves; /* a time in this state decides the membership */
+    graze_state proves; /* one time at which the point is in this state decides the membership */
 } filter;
 
 /**
- * @param operation which of the motion's point maps carries the query points */
+ * @param operation chooses the motion's point maps that carry the query points */
 graze_status filter_make(filter *out, graze_context *context, const graze_solid *solid,
                          const graze_motion *motion, graze_operation operation);
 void filter_clear(filter *f);
@@ -109,7 +109,7 @@ typedef struct filter_workspace {
     int set; /* `curve` is that of the point */
     curve curve, ray;
     findings found, ray_found;
-    form_memory forms; /* of the solid that was asked last */
+    form_memory forms; /* of the solid in which a place was located last */
     /* For a curved solid: products along the curve, and truths at the start of the motion. */
     surface_curve along;
     truths truths;
@@ -127,7 +127,7 @@ void filter_begin(filter_workspace *w);
 /** Search all pieces. The findings stand in the workspace until the next search.
  * @param[out] settled NULL; or 1 if the point is somewhere in the state that decides its
  * membership: then there are no findings. Else 0
- * @param bricks  with `settled`: those that are asked; NULL: crossings alone settle it
+ * @param bricks  used with `settled`: their states may settle the membership; NULL: crossings alone
  * @return 0 if the filter cannot be used for this point, or without memory: ask the exact search */
 int filter_search(filter_workspace *w, int *settled, const interior *bricks, const filter *f,
                   const filter_point *point);
@@ -145,7 +145,7 @@ int sides_meet(unsigned *inside, const curve *c, const span *piece, const double
 typedef struct cell_walls {
     int count;
     const fmpq *plane; /* four numbers each */
-    unsigned sides;    /* bit k: the part is where plane k is positive */
+    unsigned sides;    /* bit k: the form of plane k is positive in the part, else negative */
 } cell_walls;
 
 /* Times at which the state of a trajectory is certain from its certain crossings. */
@@ -156,11 +156,11 @@ typedef struct piece_time {
     double at;
 } piece_time;
 
-/** Bound of the number of times that a call finds. */
+/** certain_times_find finds at most this number of times. */
 enum { CERTAIN_TIMES_MOST = 2 };
 
 /** Find the middles of the longest stretches of time in which the point of a search is certainly
- * inside, with `outside` certainly outside (proofs/cells.md C76).
+ * inside or, if `outside` is set, certainly outside (proofs/cells.md C76).
  * @param found the findings of filter_search
  * @return the number of times found; 0 also if a finding is not certain, or there is no crossing */
 int certain_times_find(piece_time out[CERTAIN_TIMES_MOST], const findings *found,
@@ -181,8 +181,8 @@ typedef struct anchor {
     box around;
 } anchor;
 
-/** Set a thread's memory to a cell's centre. All functions below take the memory of the cell they
- * ask about.
+/** Set a thread's memory to the trajectory of a cell's centre. The functions below take a memory
+ * that was set for the cell they are asked about.
  * @return 0 if the filter cannot be used for it, or if memory runs out */
 int point_box_begin(curve *memory, const filter *f, const point_box *points);
 
@@ -202,17 +202,18 @@ int point_box_joins(curve *memory, const filter *f, const point_box *points, con
 
 /** Is it certain that at some time all points of the cell are in the state that decides their
  * membership (proofs/bricks.md C86)?
- * @param[in,out] hint the time that is tried first; 0 for the first cell
+ * @param[in,out] hint number of the time that is tried first, 0 for the first cell; set to the time
+ * that settled the cell
  * @return 0 if that is not certain */
 int point_box_is_settled(curve *memory, const filter *f, const point_box *points, size_t *hint);
 
-/** Find a box around the places of the cell's points at a time; if `half` is NULL, around the
- * centre's. 0 if there is none. */
+/** Find a box around the places of the cell's points at a time or, if `half` is NULL, around the
+ * place of the centre. 0 if none is found. */
 int point_box_places(box *out, curve *memory, const filter *f, const piece_time *when,
                      const double *half);
 
-/* Tests whether the trajectories of all points of a box cross the boundary, and none only touches
- * it. */
+/* Tests whether every contact of the trajectories of a box's points is a crossing of the boundary.
+ */
 
 /** Results about the trajectories of a cell's points (proofs/judging.md C116). */
 typedef enum cell_passage {
@@ -232,10 +233,10 @@ cell_passage cell_passes(curve *memory, const filter *f, const point_box *points
 /* The search of a curve for the surfaces of a curved solid that it meets. */
 
 /**
- * Find all surfaces that a point's trajectory meets: findings, whose simplices are surfaces, are in
- * the workspace until the next search, and the signs at the start in its truths
- * (proofs/surfaces.md C106).
- * @param exactly let every time be asked: one window a piece
+ * Find all surfaces that a point's trajectory meets (proofs/surfaces.md C106). Until the next
+ * search the workspace holds the findings, in which `simplex` is the number of a surface, and in
+ * `truths` the signs at the start of the motion.
+ * @param exactly leave all times of a surface's findings to the exact path: windows of whole pieces
  * @return 0 if the filter cannot be used for this point, or without memory
  */
 int surfaces_search(filter_workspace *w, const surface_filter *f, const filter_point *point,
@@ -243,11 +244,12 @@ int surfaces_search(filter_workspace *w, const surface_filter *f, const filter_p
 
 /* Where a trajectory is at one time, by a ray in doubles (proofs/filter.md C38). */
 
-/** Lay the bricks that spare searches for memberships alone, unless they are. */
+/** Lay the bricks unless they are laid: they spare searches where memberships alone are asked for.
+ */
 graze_status filter_lay_bricks(const filter *f, graze_context *context);
 
 /**
- * The state at u of a piece.
+ * The state of a point at the parameter u of a piece.
  * @return GRAZE_STATE_I or GRAZE_STATE_O, or GRAZE_STATE_ABSENT: ask the exact location
  */
 graze_state filter_locate(filter_workspace *w, const filter *f, size_t piece,

@@ -9,7 +9,8 @@
 #include "input/solid/solid.h"
 #include "input/validate/validate.h"
 
-/* Bricks: a number for each simplex, within limits; and tests of simplices for each of either. */
+/* Bricks for each simplex, the bounds of their number, and the tests of simplices that are allowed
+ * for each simplex and each brick. */
 enum { BRICKS_A_SIMPLEX = 8, LEAST_BRICKS = 1 << 14, MOST_BRICKS = 1 << 19, TESTS_EACH = 8 };
 
 typedef struct block {
@@ -74,7 +75,7 @@ static void take_empty(const layer *l, const block *b, const box *space) {
     fill_block(l->out, b, state);
 }
 
-/* Halve the longest side, counted in bricks, until nothing is in a block. */
+/* Fill a block that no simplex meets with its state; halve others along the longest side. */
 static void lay_block(layer *l, const block *b) {
     int axis = 0;
     for (int k = 1; k < 3; k++)
@@ -98,7 +99,7 @@ static void lay_block(layer *l, const block *b) {
     }
 }
 
-/* Bricks about as long as wide; 0 if the box is beyond what doubles can share. */
+/* Divide a box into about `wanted` bricks with sides about equal; 0 if it is too long for that. */
 static int choose_bricks(interior *m, const box *all, size_t wanted) {
     double volume = 1;
     for (int k = 0; k < m->dimension; k++)
@@ -135,7 +136,7 @@ void interior_clear(interior *m) {
     m->state = NULL;
 }
 
-/* The bricks along an axis that hold [low, high] together; 0 if none do. */
+/* Find the bricks `first` ... `end - 1` along an axis that cover [low, high]; 0 if none do. */
 static int find_bricks(size_t *first, size_t *end, const interior *m, int axis, double low,
                        double high) {
     double from = (low - m->low[axis]) / m->step[axis], to = (high - m->low[axis]) / m->step[axis];

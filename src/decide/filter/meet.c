@@ -26,7 +26,8 @@ typedef struct meeter {
     pullback plane;
 } meeter;
 
-/* n . (X - v_0 W), coefficient by coefficient. */
+/* Set `plane` to the pullback n . (X - v_0 W) of the simplex's plane, coefficient by coefficient.
+ */
 static void make_plane(meeter *m) {
     int d = m->c->dimension, n = m->piece->degree;
     const double *w = curve_coefficients(m->c, m->piece, d);
@@ -47,7 +48,7 @@ static void make_plane(meeter *m) {
     pullback_measure(p);
 }
 
-/* D = X - v W in two coordinates, exact up to `error` in each. */
+/* Two coordinates of D = X - v W, each within `error` of the exact one. */
 typedef struct shifted {
     double i, j, error;
 } shifted;
@@ -74,7 +75,7 @@ static int side_sign(const meeter *m, int k, int drop, const shifted *at) {
     return pullback_sign(value, error);
 }
 
-/* The two coordinates that side_sign asks for. */
+/* The coordinates `i` and `j` of `shifted` that side_sign reads. */
 static int first_axis(const meeter *m, int drop) {
     return m->c->dimension == 2 ? 0 : (drop + 1) % 3;
 }
@@ -82,7 +83,7 @@ static int second_axis(const meeter *m, int drop) {
     return m->c->dimension == 2 ? 1 : (drop + 2) % 3;
 }
 
-/* Whether the whole span is certainly beyond one side. */
+/* Is it certain that the whole span is beyond one side of the simplex? */
 static int is_beside(const meeter *m, int drop) {
     int d = m->c->dimension, n = m->piece->degree, i = first_axis(m, drop),
         j = second_axis(m, drop);
@@ -102,7 +103,7 @@ static int is_beside(const meeter *m, int drop) {
     return 0;
 }
 
-/* As sides_meet. */
+/* The body of sides_meet. */
 static int judge_sides(unsigned *inside, const meeter *m, const meet_window *w) {
     int d = m->c->dimension, drop = normal_axis(&m->normal, d);
     *inside = 0;
@@ -124,7 +125,7 @@ static int judge_sides(unsigned *inside, const meeter *m, const meet_window *w) 
     return 1;
 }
 
-/* The sides at the window of the plane's one root. */
+/* Decide the meeting by the sides of the simplex in the window of the plane's one root. */
 static meeting judge_window(const meeter *m, const meet_window *w) {
     unsigned inside, all = (1u << m->c->dimension) - 1;
     if (!judge_sides(&inside, m, w))

@@ -1,4 +1,5 @@
-/* Spans made as thick as the box that the points are from, against the solid's tree.
+/* Spans of the centre's trajectory, made so thick that they hold those of all points of a box,
+ * against the solid's tree.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "decide/filter/filter.h"
@@ -9,20 +10,20 @@
 #include "input/solid/solid.h"
 #include "input/validate/validate.h"
 
-/* Spans are cut down to these levels: for the sake of boxes, and of one simplex. */
+/* The deepest levels to which spans are cut: against boxes, and against a simplex. */
 enum { CELL_BOX_LEVELS = 16, CELL_LEVELS = 8 };
 
-/* Simplices that are looked at between a cell and an anchor. */
+/* Bound of the simplices that are tested between a cell and an anchor. */
 enum { JOIN_TESTS = 64 };
 
-/* Times at which a cell is looked at together. */
+/* Bound of the times at which the places of a cell are looked up in the bricks. */
 enum { CELL_TIMES = 16 };
 
 /* A span is cut for one simplex where it strays from its chord by more than this share of the
  * points' spread. */
 static const double LEAST_BEND = 0.25;
 
-/* Entries of a carrier below it have become 0. */
+/* Entries of a carrier below this have been rounded to 0. */
 static const double LOST_ENTRY = 0x1p-1000;
 
 typedef struct cell_search {
@@ -62,8 +63,7 @@ static int spread_over_piece(double spread[3], const carrier *map, const double 
     return 1;
 }
 
-/* The spread over several pieces. Those without a bound are cut before anything is asked of them.
- */
+/* The spread over a group of pieces; 0, and not used, for a group without bound: it is cut. */
 static void spread_over_group(double spread[3], const piece_group *g, int d, const double *half) {
     for (int i = 0; i < d; i++) {
         double sum = 0;
@@ -89,7 +89,7 @@ int point_box_spread(double spread[3], const curve *memory, const point_box *poi
 
 static void descend_cell(cell_search *s, uint32_t node, uint32_t index, const double *spread);
 
-/* Both halves. Each of several pieces has a spread of its own. */
+/* Cut a span and descend with both halves. The halves of a group have spreads of their own. */
 static void cut_cell(cell_search *s, uint32_t node, uint32_t index, const double *spread) {
     int several = !s->curve->spans[index].degree;
     if (!curve_cut(s->curve, index)) {
@@ -116,7 +116,7 @@ span point_box_widen(const span *part, const double *spread) {
     return wide;
 }
 
-/* A simplex against the span as thick as the cell makes it. */
+/* Test the simplex of a leaf against a span widened by the spread. */
 static void meet_cell(cell_search *s, uint32_t node, uint32_t index, const double *spread) {
     const corners *corners = &s->filter->solid->corners;
     size_t d = (size_t)s->curve->dimension, simplex = s->filter->solid->boxes.node[node].simplex;

@@ -8,8 +8,7 @@
 #include "input/solid/solid.h"
 #include "input/validate/validate.h"
 
-/* Spans are cut down to these levels: for the sake of boxes, of one simplex before its Bernstein
- * forms, and after them. */
+/* The deepest levels of spans: against boxes; against a simplex by chord, by Bernstein forms. */
 enum { BOX_LEVELS = 20, CHORD_LEVELS = 4, SIMPLEX_LEVELS = 8 };
 
 typedef struct searcher {
@@ -24,7 +23,7 @@ static time_part part_of(const span *piece) {
     return (time_part){piece->piece, piece->start, piece->level};
 }
 
-/* How far the middle of a chord is from that of the solid's box, squared. */
+/* The squared distance of a chord's middle from the middle of the solid's box. */
 static double distance_of(const searcher *s, const span *piece) {
     const box *all = &s->solid->boxes.node[0].box;
     double sum = 0;
@@ -35,13 +34,15 @@ static double distance_of(const searcher *s, const span *piece) {
     return sum;
 }
 
-/* The half to be searched first: where one crossing is enough, the one nearer to the solid. */
+/* The half to be searched first, 0 or 1: where one crossing is enough, the half nearer to the
+ * solid.
+ */
 static uint32_t first_half(const searcher *s, uint32_t child) {
     const span *half = &s->curve->spans[child];
     return s->early && distance_of(s, half + 1) < distance_of(s, half);
 }
 
-/* Whether the curve is in the state that ends the search, at a time of a span. */
+/* End the search if the curve is in the state that ends it at the parameter `at` of a span. */
 static void sample(const searcher *s, const span *piece, double at) {
     double place[4], off[4];
     box around;
@@ -53,7 +54,7 @@ static void sample(const searcher *s, const span *piece, double at) {
             flip(FLIP_INTERIOR, interior_state(s->early->bricks, &around) == s->early->state);
 }
 
-/* Places along the part of a span that can be in the solid's box. */
+/* Sample places along the part of a span that can be in the solid's box. */
 static void sample_along(const searcher *s, const span *piece) {
     static const double share[] = {0.5, 0.25, 0.75};
     double from, to;
@@ -63,13 +64,13 @@ static void sample_along(const searcher *s, const span *piece) {
         sample(s, piece, from + share[k] * (to - from));
 }
 
-/* Whether the slab of a node misses a span; one without bound is cut first. */
+/* Is it certain that the slab of a node misses a span? Not if the span has no bound. */
 static int span_misses_slab(const searcher *s, const span *piece, const tree_node *node) {
     return node->child && piece->bounded &&
            !chord_meets_slab(piece, piece->wide, slab_below(&s->solid->slabs, node));
 }
 
-/* Whether bricks are asked along a span. */
+/* Are bricks asked for the states of places of a span? */
 static int samples(const searcher *s, uint32_t span_index) {
     return s->early && s->early->bricks && s->curve->spans[span_index].degree;
 }
@@ -89,7 +90,7 @@ static int cut_and_descend(searcher *s, uint32_t node, uint32_t span_index) {
     return 1;
 }
 
-/* A certain crossing is kept, or is enough. */
+/* End the search with a certain crossing that is alone, if it may, or keep it; 0 without memory. */
 static int take_crossing(searcher *s, const span *piece, uint32_t simplex, const meet_window *at) {
     if (s->early)
         s->early->met = crossing_is_alone(s->curve, piece, s->solid, simplex, at);
@@ -133,7 +134,7 @@ static void descend_curve(searcher *s, uint32_t node, uint32_t span_index) {
         if (s->failed || (s->early && s->early->met) || piece->lost ||
             flip(FLIP_BOX, !span_meets(piece, &here->box)) || span_misses_slab(s, piece, here))
             return;
-        /* A single simplex is left to its own tests. */
+        /* For a single simplex, meet_leaf decides whether to cut. */
         if (!piece->bounded || (here->child && span_is_thick(s->curve, piece, &here->box))) {
             if (piece->level < BOX_LEVELS) {
                 cut_and_descend(s, node, span_index);

@@ -23,9 +23,10 @@ typedef struct time_part {
 /** Convert a window of a part's parameter to the piece's parameter, rounded outward. */
 candidate candidate_in(time_part part, uint32_t simplex, const meet_window *w);
 
-/** A crossing in a window of a part's own parameter. */
+/** Make a crossing from a window of a part's parameter, rounded outward. */
 crossing crossing_in(time_part part, uint32_t simplex, const meet_window *w);
 
+/* Each of these appends to a list of the findings; 0 if memory runs out. */
 int findings_add_crossing(findings *found, crossing item);
 int findings_add_window(findings *found, exact_window item);
 int findings_lose(findings *found, uint32_t piece);
@@ -33,10 +34,12 @@ void findings_clear(findings *found);
 
 /* Bricks of space that are certainly inside the solid, or certainly outside it. */
 
-/** Gives the certain state of a brick that no simplex meets, by the brick's middle. */
+/** Finds the state of a block of bricks that no simplex meets, by its middle; ABSENT: not certain.
+ */
 typedef graze_state locate_function(void *data, const double middle[3]);
 
-/** Lay one brick per simplex, or some thousands.
+/** Lay some bricks for each simplex, within fixed bounds, over the solid's box, and find their
+ * states. No state is found if the solid's numbers are beyond the filter.
  * @param locate the state at a place in doubles, or ABSENT
  * @return 0 without memory */
 int interior_make(interior *out, const graze_solid *solid, locate_function *locate, void *data);
@@ -49,9 +52,9 @@ graze_state interior_state(const interior *m, const box *b);
  * question for the exact path. */
 
 typedef enum meeting {
-    MEET_NONE,     /* no time of the closed span is on the closed simplex */
-    MEET_CROSSING, /* one time is, in its relative interior; the curve crosses to the other side */
-    MEET_ASK,      /* not certain; every time on the simplex lies in the window */
+    MEET_NONE,     /* at no time of the closed span is the curve on the closed simplex */
+    MEET_CROSSING, /* at just one time it is: it crosses the simplex's relative interior */
+    MEET_ASK,      /* not certain; all times at which it is on the simplex lie in the window */
     MEET_CUT       /* as MEET_ASK, but halves of the span may decide */
 } meeting;
 
@@ -61,7 +64,8 @@ typedef enum meeting {
 meeting meet_simplex(meet_window *out, const curve *c, const span *piece, const double *corner,
                      double corner_error);
 
-/* Tests whether a certain crossing is alone at its time: then the point is inside beside it. */
+/* Tests whether a certain crossing is the only contact at its time: then the point is inside just
+ * before or just after that time. */
 
 /** Is it certain that no other simplex is met at the time of a certain crossing? Then the curve is
  * outside just before or after that time, and inside on the other side (proofs/membership.md C56).
@@ -72,11 +76,12 @@ int crossing_is_alone(const curve *c, const span *piece, const graze_solid *soli
 
 /* Planes that cut a part out of a cell, and a test for simplices that never reach the part. */
 
-/** Are some corners of a moved simplex outside one of the planes at all times of a span
- * (proofs/judging.md C123)? Exact.
+/** Is there a plane of the walls on or beyond which all corners in `mask` of a moved simplex stay
+ * at all times of a span? Then their convex hull misses the part that the walls cut out
+ * (proofs/judging.md C123). Exact.
  * @param motion of a sweep
- * @param part   of one piece; of degree 0: its beginning alone
- * @param mask   the corners, some */
+ * @param part   a span of one piece; with degree 0 its beginning alone
+ * @param mask   bit k: corner k of the simplex; not 0 */
 int walls_hold_out(const cell_walls *walls, const graze_motion *motion, const graze_solid *solid,
                    const span *part, uint32_t simplex, unsigned mask);
 
@@ -106,8 +111,8 @@ int box_is_empty(const graze_solid *solid, const box *b, size_t *tests);
 /* The descent of a curve's spans through a solid's tree. */
 
 /** Conditions that end a search early: a time at which the curve is certainly in `state`, or a
- * certain crossing, which has both states beside it (proofs/membership.md C56, proofs/bricks.md
- * C86). */
+ * certain crossing that is alone at its time, for the curve is inside on one side of that time and
+ * outside on the other (proofs/membership.md C56, proofs/bricks.md C86). */
 typedef struct early_end {
     const interior *bricks; /* NULL: crossings alone */
     graze_state state;
@@ -127,8 +132,7 @@ int search_curve(findings *out, early_end *early, curve *c, const graze_solid *s
  * what is not certainly apart is asked together (proofs/filter.md C37). 0 without memory. */
 int findings_settle(findings *found);
 
-/**
- * The state at a place.
+/* * Locate a place in the solid by rays: I or O, or ABSENT if that is not certain.
  * @param at, error d + 1 homogeneous coordinates, the last one positive, each within its error
  */
 graze_state ray_locate(filter_workspace *w, const graze_solid *solid, const double *at,

@@ -1,4 +1,5 @@
-/* Windows that touch are united, and take in the crossings that they touch, until none does.
+/* Windows of time that touch are united, and crossings that touch a window or another crossing are
+ * taken into windows, until no two things touch.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "decide/filter/filter.h"
@@ -25,7 +26,7 @@ static int compare_crossings(const void *left, const void *right) {
     return a->from < b->from ? -1 : a->from > b->from;
 }
 
-/* Windows that have a point in common become one. */
+/* Make exact windows of the candidates: windows that have a time in common become one. */
 static int unite_windows(findings *found) {
     found->window_count = 0;
     if (found->asked.count)
@@ -46,7 +47,7 @@ static int unite_windows(findings *found) {
 
 static const double UNITS = (double)(UINT32_C(1) << WINDOW_LEVELS);
 
-/* `first`: the first window of the crossing's piece. */
+/* Does a crossing touch a window? `first`: the first window of the crossing's piece. */
 static int meets_window(const findings *found, size_t first, const crossing *c) {
     for (size_t k = first; k < found->window_count && found->window[k].piece == c->piece; k++)
         if (!flip(FLIP_APART,
@@ -65,11 +66,12 @@ static int ask_for_crossing(findings *found, const crossing *c) {
     return candidates_append(&found->asked, asked);
 }
 
-/* A crossing that is not certainly apart from all else becomes a candidate: 1 if there was one, -1
- * without memory. */
+/* Make candidates of the crossings that are not certainly apart, in time, from all windows and
+ * other crossings; 1 if there was one, -1 without memory. */
 static int ask_for_meeting(findings *found) {
     size_t kept = 0, n = found->crossing_count, window = 0;
-    crossing *c = found->crossing, latest = {.to = -INFINITY}; /* of the latest end so far */
+    crossing *c = found->crossing,
+             latest = {.to = -INFINITY}; /* the one that ends latest, so far */
     int moved = 0;
     for (size_t k = 0; k < n; k++) {
         crossing here = c[k];
@@ -102,7 +104,7 @@ static int is_lost(const findings *found, uint32_t piece) {
            NULL;
 }
 
-/* Order the lost pieces, each once, and drop what was found of them. */
+/* Order the lost pieces, each once, and drop the crossings and candidates in them. */
 static void drop_lost(findings *found) {
     size_t kept = 0;
     if (!found->lost_count)
@@ -128,7 +130,7 @@ int findings_settle(findings *found) {
     drop_lost(found);
     if (found->crossing_count)
         qsort(found->crossing, found->crossing_count, sizeof *found->crossing, compare_crossings);
-    /* A slide is found in every span that it goes through. */
+    /* A trajectory along a simplex is found in each span, so its windows are joined. */
     candidates_join(&found->asked);
     int moved;
     do {

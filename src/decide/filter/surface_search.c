@@ -1,5 +1,5 @@
-/* Surfaces with a box by the tree, time and tree cut together; all others one by one. On a span the
- * signs of Bernstein coefficients decide, on halves where they do not.
+/* Surfaces with a box by the tree, time and tree cut together; all others one by one. The signs of
+ * Bernstein coefficients on a span decide, or those on its halves.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "decide/filter/filter.h"
@@ -10,7 +10,7 @@
 #include "input/solid/solid.h"
 #include "input/validate/validate.h"
 
-/* Spans are cut down to these levels: for the sake of boxes, and of one surface. */
+/* The deepest levels to which time is cut: against boxes, and for the roots of one surface. */
 enum { BOX_LEVELS = 6, SURFACE_LEVELS = 10 };
 
 typedef struct surface_search {
@@ -19,7 +19,7 @@ typedef struct surface_search {
     int failed;
 } surface_search;
 
-/* At the start of the motion a sign is kept, if it is certain. */
+/* Keep the sign of a surface on a part that begins with the motion, if it is certain (not 0). */
 static void keep_start(surface_search *s, time_part part, size_t surface, int sign) {
     truths *m = &s->w->truths;
     if (part.piece == 0 && part.start == 0 && sign && sign != m->sign[surface])
@@ -100,7 +100,7 @@ static void descend_boxes(surface_search *s, uint32_t node, uint32_t span_index)
     }
 }
 
-/* A surface without a box: several pieces at once where it is far. */
+/* Find the roots of a surface without a box; a group of pieces with a certain sign has none. */
 static void meet_open(surface_search *s, uint32_t span_index, uint32_t surface) {
     curve *c = &s->w->curve;
     const span *piece = &c->spans[span_index];
@@ -133,7 +133,7 @@ static int begin_search(surface_search *s, const filter_point *point) {
     return 1;
 }
 
-/* All findings of a piece become one window. */
+/* Make candidates of all findings, with whole pieces as windows. */
 static int ask_all(findings *found) {
     for (size_t k = 0; k < found->asked.count; k++) {
         found->asked.item[k].from = 0;

@@ -8,7 +8,7 @@
 #include "decide/filter/search.h"
 #include "input/solid/solid.h"
 
-/* Certainly outside the box of all corners. */
+/* Is a place certainly outside the box of all corners? */
 static int is_far(const graze_solid *solid, const double *at, const double *error, int d) {
     const box *all = &solid->boxes.node[0].box;
     double least = at[d] - 2 * error[d], most = at[d] + 2 * error[d];
@@ -23,8 +23,8 @@ static int is_far(const graze_solid *solid, const double *at, const double *erro
     return 0;
 }
 
-/* The direction to the nearest side of the box, well beyond it, turned a little so that it is
- * parallel to no axis; `turn` chooses among several. */
+/* A vector to a point well beyond the nearest side of the box, turned a little so that it is
+ * parallel to no axis; `turn` chooses among several such turns. */
 static void choose_direction(double *direction, const graze_solid *solid, const double *at, int d,
                              int turn) {
     static const double tilt[3] = {0.0859375, -0.0561523, 0.0321045};
@@ -45,7 +45,7 @@ static void choose_direction(double *direction, const graze_solid *solid, const 
         direction[i] = i == axis ? (up ? 1.5 : -1.5) * size : (1 + turn) * tilt[i] * size;
 }
 
-/* Whether the ray's far end is certainly outside. It is exact but for the weight. */
+/* Is the ray's far end certainly outside? Its coordinates are exact but for the weight. */
 static int ends_far(const curve *ray, const graze_solid *solid, const double *error, int d) {
     double end[4] = {0};
     for (int i = 0; i <= d; i++)
@@ -65,7 +65,7 @@ static int comes_first(const findings *found, const crossing *first) {
     return 1;
 }
 
-/* The state before the first crossing of the ray, if that is certain. */
+/* The state before the first crossing of the ray; ABSENT if it is not certain. */
 static graze_state read_ray(const findings *found) {
     const crossing *first = NULL;
     for (size_t k = 0; k < found->crossing_count; k++)

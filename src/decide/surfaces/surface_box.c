@@ -67,12 +67,12 @@ static void bound_quadric(box *out, const quadric *q, const fmpz_mat_t inverse,
     }
 }
 
-/* A^-1 = inverse / denominator > 0, where A is positive definite; else 0. */
+/* Set A^-1 = inverse / denominator with a positive denominator; 0 unless A is positive definite. */
 static int invert_form(fmpz_mat_t inverse, fmpz_t denominator, const quadric *q) {
     fmpz_mat_det(denominator, q->form);
     if (fmpz_sgn(denominator) <= 0 || !fmpz_mat_inv(inverse, denominator, q->form))
         return 0;
-    /* Sylvester's rule: the minor of d - 1 rows is the denominator times the inverse's last entry.
+    /* Sylvester's rule: the leading minor of size d - 1 and the inverse's last entry have one sign.
      */
     int last = q->dimension - 1;
     return fmpz_sgn(denominator) > 0 && fmpz_sgn(fmpz_mat_entry(q->form, 0, 0)) > 0 &&

@@ -12,8 +12,8 @@
 #define U UNIT_ROUNDING
 #define SLACK FILTER_SLACK
 
-/* Coordinates beyond it are left to the exact path, so that products stay in the range of doubles;
- * and more than all that underflow can add to a pullback. */
+/* Larger coordinates are left to the exact path, so that products stay in the range of doubles; and
+ * a bound of all that underflow can add to a pullback. */
 #define COORDINATE_REACH 0x1p60
 #define PULLBACK_FLOOR 0x1p-700
 
@@ -30,7 +30,7 @@ void surface_curve_clear(surface_curve *m) {
     free(m->at);
 }
 
-/* The number of a span's products; SIZE_MAX without memory. */
+/* The index of a span's products, new ones if it has none yet; SIZE_MAX without memory. */
 static size_t products_of(surface_curve *m, uint32_t span_index) {
     if (!array_reserve(&m->of_span, &m->known_room, span_index + 1, sizeof *m->of_span))
         return SIZE_MAX;

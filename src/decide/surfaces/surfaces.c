@@ -28,7 +28,7 @@ static void list_products(surface_filter *f, int coordinates) {
     f->product_count = last;
 }
 
-/* The product with these powers, the weight's last. */
+/* The index of the product with these powers of the coordinates, the weight's power last. */
 static unsigned char find_product(const surface_filter *f, const int *power, int coordinates) {
     for (int k = 0;; k++) {
         int left[4] = {0, 0, 0, 0};
@@ -134,7 +134,7 @@ void surface_filter_free(surface_filter *f) {
     course_clear(&f->course);
     tree_clear(&f->boxes);
     expression_tree_clear(&f->expression);
-    /* The last one may be begun. */
+    /* If memory ran out, the surface after the last one counted is begun. */
     for (size_t k = 0; f->surface && k <= f->surface_count; k++) {
         free(f->surface[k].product);
         free(f->surface[k].coefficient);

@@ -1,4 +1,4 @@
-/* surfaces: .
+/* surfaces: the surfaces of a curved solid in doubles, and its expression, updated sign by sign.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_DECIDE_SURFACES_H
 #define GRAZE_DECIDE_SURFACES_H
@@ -10,13 +10,13 @@
 
 /* The expression of a curved solid as a tree, updated by one change of sign at a time. */
 
-/** The tree, with the parent of each node and the nodes of each surface; truths are for all
- * surfaces positive. */
+/** The tree, with the parent of each node and the nodes of each surface; `count` and `is_true` hold
+ * where all surfaces are positive. */
 typedef struct expression_tree {
     const csg *solid;       /* borrowed */
     uint32_t *first, *node; /* of surface k: node[first[k]] ... node[first[k + 1] - 1] */
     uint32_t *parent;       /* UINT32_MAX of the root */
-    uint32_t *count;        /* true operands */
+    uint32_t *count;        /* by node: the number of its true operands */
     unsigned char *is_true; /* by node */
 } expression_tree;
 
@@ -44,11 +44,11 @@ int truths_all(const truths *m, const expression_tree *t);
 
 /* The surfaces of a curved solid in doubles: what its filter evaluates, and a tree of boxes. */
 
-/** Products of at most CSG_DEGREE of four coordinates: C(8, 4) - 1. */
+/** The number of products of 1 to CSG_DEGREE of four coordinates: C(8, 4) - 1. */
 enum { PRODUCT_MOST = 69 };
 
-/** A product of homogeneous coordinates; of degree 1 the coordinate alone. The parent has one
- * degree less, and stands before it. */
+/** A product of homogeneous coordinates: that of its parent, whose degree is one less and which
+ * stands before it in the list, and a coordinate; of degree 1 the coordinate alone. */
 typedef struct product {
     unsigned char degree, parent, coordinate;
 } product;
@@ -64,13 +64,13 @@ typedef struct surface_form {
 /** The filter of a curved solid under a motion; immutable, shared by threads. */
 typedef struct surface_filter {
     course course;
-    corners reach; /* of the boxes; no corners */
+    corners reach; /* only the bounds of coordinates are set: those of the boxes */
     int product_count, degree;
     product product[PRODUCT_MOST];
     size_t surface_count;
     surface_form *surface;
-    /* Surfaces whose polynomials are positive outside a box: box k is that of boxed[k]; and all
-     * others. */
+    /* Surfaces whose polynomials are positive outside a box: box k belongs to surface boxed[k]. All
+     * other surfaces are in `open`. */
     tree boxes;
     uint32_t *boxed, *open;
     size_t boxed_count, open_count;
@@ -91,20 +91,21 @@ void surface_filter_free(surface_filter *f);
 /* A surface along a span of a curve: its pullback in Bernstein form, with a bound for its errors.
  */
 
-/** Products of a span's coordinates that were made, coefficient k times the binomial, and bounds of
- * the coefficients without it and of their errors (proofs/surfaces.md C105). */
+/** The products of a span's coordinates: which of them are made, and for each bounds of its
+ * Bernstein coefficients and of their errors. The coefficients are kept, times their binomials, in
+ * surface_curve (proofs/surfaces.md C105). */
 typedef struct span_products {
     unsigned char made[PRODUCT_MOST];
     double size[PRODUCT_MOST], error[PRODUCT_MOST];
 } span_products;
 
-/** Products by span, of one thread; used again from curve to curve. */
+/** The products of a curve's spans, in one thread; its memory is used again for the next curve. */
 typedef struct surface_curve {
     const surface_filter *filter;
     const curve *curve;
     size_t stride; /* of a product's coefficients */
     size_t known, known_room, count, count_room, room;
-    uint32_t *of_span; /* 1 + the products of a span; 0: none yet */
+    uint32_t *of_span; /* by span: 1 + its index in `products`; 0: it has none yet */
     span_products *products;
     double *at;
 } surface_curve;
@@ -113,8 +114,8 @@ typedef struct surface_curve {
 void surface_curve_begin(surface_curve *m, const surface_filter *filter, const curve *curve);
 void surface_curve_clear(surface_curve *m);
 
-/** The sign of a surface on the set that holds a bounded span, perhaps of several pieces; 0 if it
- * is not certain (proofs/surfaces.md C106). */
+/** The sign of a surface's polynomial on the thick chord of a bounded span, perhaps of several
+ * pieces; 0 if it is not certain (proofs/surfaces.md C106). */
 int surface_sign_on(const surface_filter *filter, size_t surface, const span *piece);
 
 /**

@@ -11,14 +11,15 @@
 /* Half angles as exact pairs (w, c), and proved bounds on their distance from the angles wanted.
  *
  * A rotation about the axis v of length L by the angle a has the quaternion (w, c v) for every
- * pair with w + i c L a positive multiple of exp(i a/2). A wanted angle is an exact fraction f of
- * a whole turn of the half angle: a/2 = 2 pi f. MPFR's results carry at most half a unit in the
+ * pair with w + i c L a positive multiple of exp(i a/2). A wanted angle a is given by an exact
+ * fraction f: a/2 = 2 pi f. MPFR's results err by at most half a unit in the
  * last of ANGLE_BITS bits; a chain of at most eight operations on numbers up to 8 in size is off
  * by less than ANGLE_SLACK = 2^-300, which is added to every bound; all further steps round up. */
 
 enum { ANGLE_BITS = 320, ANGLE_SLACK = 300, ANGLE_FINEST = 256 };
 
-/** The pair (w, c). With it goes `square`, the exact square of the axis's length L > 0. */
+/** The pair (w, c). Functions take with it `square`, the exact square of the axis's length L > 0.
+ */
 typedef struct half_angle {
     fmpq_t w, c;
 } half_angle;
@@ -31,8 +32,8 @@ void half_angle_clear(half_angle *h);
 void half_angle_dyadic(half_angle *out, const fmpq_t f, const fmpq_t square, slong bits);
 
 /**
- * w = 1 and c a convergent of the continued fraction of tan(2 pi f) / L, the first of them whose
- * angle is within `tolerance` (radians, at least 2^-ANGLE_FINEST). |f| <= 1/8.
+ * w = 1 and c the first convergent of the continued fraction of tan(2 pi f) / L for which the bound
+ * of half_angle_error is at most `tolerance` (radians, at least 2^-ANGLE_FINEST). |f| <= 1/8.
  */
 void half_angle_convergent(half_angle *out, const fmpq_t f, const fmpq_t square,
                            const fmpq_t tolerance);
@@ -41,15 +42,16 @@ void half_angle_convergent(half_angle *out, const fmpq_t f, const fmpq_t square,
  * 0 where both angles are 0. */
 void half_angle_error(mpfr_t out, const half_angle *h, const fmpq_t f, const fmpq_t square);
 
-/** An upper bound of the angle between two pairs, less than 180 degrees, that exceeds it by at most
- * 2^(1 - ANGLE_SLACK). */
+/** An upper bound of the angle between the numbers w + i c L of two pairs, which is less than 180
+ * degrees; it exceeds that angle by at most 2^(1 - ANGLE_SLACK). */
 void half_angle_apart(mpfr_t out, const half_angle *from, const half_angle *to,
                       const fmpq_t square);
 
 /**
  * An upper bound, radians, of how far the angle 2 arg((1 - s) z0 + s z1), s in [0, 1], strays from
- * the uniform 2 ((1 - s) arg z0 + s arg z1), where z = w + i c L: first for numbers of one length
- * that are `apart`, then for all. Proofs stand in angle.c.
+ * the uniform 2 ((1 - s) arg z0 + s arg z1), where z = w + i c L. angle_sway: for z0 and z1 of one
+ * length and with the angle `apart` between them; half_angle_sway: for any two pairs. Proofs stand
+ * in angle.c.
  */
 void angle_sway(mpfr_t out, const mpfr_t apart);
 void half_angle_sway(mpfr_t out, const half_angle *from, const half_angle *to, const fmpq_t square);
@@ -90,8 +92,8 @@ void put_rational_fact(text *t, const char *name, const fmpq_t bound);
 graze_status joint_bits(slong *bits, graze_context *context, const joint *j, const target *goal,
                         size_t count);
 
-/** Make both with that many sides and pieces of the arc, coordinates of directions on a grid of
- * 2^-bits. tool_pair_clear in any case. */
+/** Make both polyhedra with `sides` sides a ring and `pieces` pieces of the arc; coordinates of
+ * directions are multiples of 2^-bits. tool_pair_clear in any case. */
 void tool_pair_make(tool_pair *out, const tool *s, size_t sides, size_t pieces, slong bits);
 
 /* Decides whether two polyhedra hold a tool between them. */

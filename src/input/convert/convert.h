@@ -31,14 +31,14 @@ graze_status convert_dyadic(conversion *out, graze_context *context, const graze
 /** One joint of a chain. */
 typedef struct joint {
     int is_slide;
-    fmpq_t degrees; /* of the whole motion; 0 for a slide */
-    fmpq_t advance; /* along the axis, in the unit of the coordinates, of the whole motion */
-    fmpq axis[3];   /* not zero; (0, 0, 1) in the plane; a slide: the whole way */
+    fmpq_t degrees; /* angle of the whole motion; 0 for a slide */
+    fmpq_t advance; /* way along the axis in the whole motion, in the unit of the coordinates */
+    fmpq axis[3];   /* not zero; (0, 0, 1) in the plane; of a slide the vector of its whole way */
     fmpq center[3];
     int centered;  /* center is not the origin */
     fmpq_t square; /* of the axis's length */
     fmpq_t length; /* the length, where it is rational, else 0 */
-    mpfr_t reach;  /* no point is further from the axis, upwards */
+    mpfr_t reach;  /* upper bound of the distance of points from the axis; 0 for a slide */
 } joint;
 
 /** Tolerance of an approximation, and the points that it holds for. */
@@ -63,7 +63,7 @@ graze_status joints_measure(joint *joints, graze_context *context, const target 
 
 /* Rotations as three angles about coordinate axes, in the order of a machine. */
 
-/** The rotation is that about axis[2] first, then axis[1], then axis[0], all of them standing. */
+/** The rotation is about axis[2] first, then axis[1], then axis[0]; the axes are fixed in space. */
 typedef struct angle_order {
     const char *machine;
     const char *name[3]; /* of the columns, the first of axis[0] */
@@ -88,8 +88,8 @@ typedef struct pose_choice {
     int has_from, has_to;
     fmpq_t from, to;     /* times, where there are such ends */
     fmpq_t scale;        /* factor of positions, positive */
-    unsigned long every; /* of these poses the first, each so manieth, and the last; from 1 up */
-    int numbered;        /* rows are numbers of poses, those not taken counted too */
+    unsigned long every; /* n >= 1: of these poses the first, each n-th after it, and the last */
+    int numbered;        /* rows are numbered by poses, counting those that are not taken too */
     const char *text;    /* read in place of the file; NULL: the file is; borrowed */
     size_t length;
 } pose_choice;
@@ -104,16 +104,16 @@ graze_status convert_poses(conversion *out, graze_context *context, const char *
 
 /**
  * The unit quaternion, up to the rounding of doubles, that is nearest to a matrix: the eigenvector
- * of the largest eigenvalue of a symmetric 4x4 matrix (Horn 1987; Bar-Itzhack 2000), of the sign
- * nearer to `before`. pose_deviation has its distance.
+ * of the largest eigenvalue of a symmetric 4x4 matrix (Horn 1987; Bar-Itzhack 2000), with the sign
+ * that is nearer to `before`. pose_deviation measures how far its rotation is from the matrix.
  */
 void pose_nearest(double out[4], const double matrix[9], const double before[4]);
 
 /** The rotation of a quaternion that is not 0: 9 entries, rows. */
 void pose_rotation(fmpq *out, const fmpq *q);
 
-/** The largest absolute difference between an entry of a rotation and of a matrix, of whose rows of
- * some columns the first three count; exact. */
+/** The largest absolute difference between entries of a rotation and of a matrix at the same place;
+ * exact. The matrix has `columns` numbers a row; the first three count. */
 void rotation_distance(fmpq_t out, const fmpq *rotation, const fmpq *matrix, int columns);
 
 /* Milling tools, cylinders, balls and boxes as polyhedra inside and outside of them.
@@ -161,8 +161,9 @@ typedef struct profile {
     fmpq *point;
 } profile;
 
-/** Both polyhedra: `sides` corners u_k of an inscribed polygon; those outside have the corners
- * stretch u_k, and the same number of profile points, each near its counterpart. */
+/** Both polyhedra. The inner one has as rings the inscribed polygon of the `sides` corners u_k, the
+ * outer one the polygon of the corners stretch u_k. Their profiles have the same number of points,
+ * each near its counterpart. */
 typedef struct tool_pair {
     profile in, out;
     size_t sides;
@@ -196,7 +197,8 @@ void tool_report(text *out, const tool_pair *p, const fmpq_t square);
 
 /* Polyhedra of tools, and boxes, as OFF. */
 
-/** Write one of both as OFF, moved by `at` (NULL: not): `factor` times the corners. */
+/** Write the polyhedron with a profile as OFF, moved by `at` (NULL: not); its rings have `factor`
+ * times the corners of the pair. */
 void tool_write(text *out, const profile *p, const tool_pair *pair, const fmpq_t factor,
                 const fmpq *at);
 /** A box from the origin, of these sides. */
@@ -204,7 +206,7 @@ void tool_write_box(text *out, const fmpq *size, const fmpq *at);
 
 /* One turn to an angle in degrees. */
 
-/** One turn at no particular speed; only its end is approximated. */
+/** Convert one turn whose speed is free: only its end position is approximated. */
 graze_status convert_rotation(conversion *out, graze_context *context, const target *goal,
                               const joint *turn);
 

@@ -73,7 +73,8 @@ static void put_keyframe(json_writer *w, const pose *p, const pose_list *list) {
     json_close(w, '}');
 }
 
-/* The poses between two, in the middle first. */
+/* Write the poses between two, by halving: first those before the middle, then it, then the rest.
+ */
 static void put_between(json_writer *w, const pose_list *list, const slerp_course *s,
                         const pose *from, const pose *to, int halvings) {
     if (!halvings)

@@ -28,7 +28,7 @@ static graze_status misses(const naming *n, const char *what) {
                            what);
 }
 
-/* All or none of the columns from `first` on. */
+/* Check that the file has all or none of `count` columns from `first` on; *some: it has them. */
 static graze_status whole(const naming *n, int first, int count, int *some) {
     int missing = -1, found = 0;
     for (int k = first; k < first + count; k++) {
@@ -137,7 +137,7 @@ static void pass_over(naming *n, field name) {
     put_file_name(&n->passed, name);
 }
 
-/* A stamp counts where nothing else has the time, and the caller says in which unit. */
+/* Refuse a stamp that is the only time of the file: the caller is to say in which unit it is. */
 static graze_status refuse_stamp(const naming *n, field name) {
     return context_fail_in(n->context, GRAZE_EINPUT, n->source, n->line,
                            "the column '%.*s' is in seconds in some logs and in nanoseconds in "

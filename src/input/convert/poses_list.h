@@ -50,17 +50,16 @@ void pose_name_meant(text *out, field name);
 
 /** Are a name of a file and one of these equal but for large and small letters? */
 int pose_name_is(field name, const char *known);
-/** A name that says nothing of a pose: a counter, a frame, a block number or feed of a tool path.
- */
+/** Has a name no meaning for a pose? Counters, frames, block numbers and feeds of tool paths. */
 int pose_name_is_idle(field name);
-/** A message's stamp: seconds in some logs, nanoseconds in others. */
+/** Is a name that of a message's stamp? Some logs have seconds in it, others nanoseconds. */
 int pose_name_is_stamp(field name);
 
 /* The columns of a list of poses, fixed by its first line. */
 
 /** How the rows give rotations. */
 typedef enum pose_form {
-    POSES_OF_POSITIONS, /* not at all */
+    POSES_OF_POSITIONS, /* no rotations */
     POSES_OF_QUATERNIONS,
     POSES_OF_MATRICES,
     POSES_OF_AXES, /* of a tool: the least rotation from (0, 0, 1) */
@@ -68,16 +67,16 @@ typedef enum pose_form {
 } pose_form;
 
 typedef struct pose_columns {
-    int place[POSE_COLUMNS]; /* of each in a row, from 0; -1 where there is none */
-    size_t count;            /* of a row */
+    int place[POSE_COLUMNS]; /* place of each column in a row, from 0; -1: the file lacks it */
+    size_t count;            /* columns of a row */
     pose_form form;
 } pose_columns;
 
 /**
- * Fix the columns by the first line of a file. Without names it is a row of a TUM trajectory (time,
- * position, quaternion x, y, z, w: 8 numbers between blanks), or of matrices (12 or 16 numbers, row
- * by row). Columns that are neither known nor named are refused, but for counters and frames: a
- * position or time under another name is not to be lost.
+ * Fix the columns by the first line of a file. A line without names is a row of a TUM trajectory
+ * (time, position, quaternion x, y, z, w: 8 numbers between blanks), or of matrices (12 or 16
+ * numbers, row by row). Columns that are neither known nor named are refused, but for counters and
+ * frames: a position or time under another name is not to be lost.
  * @param[out] header 1 if the line has the names, 0 if it is a row
  * @param[out] report lines on names that were taken for others, and on columns passed over
  * @param source      file, for messages
@@ -93,11 +92,11 @@ graze_status pose_columns_fix(pose_columns *out, int *header, text *report, graz
 typedef struct pose {
     fmpq_t time;
     fmpq matrix[12];    /* rows of (linear part, position); with quaternions only the positions */
-    fmpq quaternion[4]; /* w, x, y, z; at first a tool's axis or angles, and found later of these
-                           and of matrices */
+    fmpq quaternion[4]; /* w, x, y, z; of an axis or angles these numbers at first. Quaternions of
+                       axes, angles and matrices are found later */
     unsigned long line; /* in the file, from 1 */
-    unsigned long row;  /* that its piece has and reports name: of its column, its number from 1, or
-                           the line */
+    unsigned long row;  /* number that its piece has and reports name: that in the column of row
+                       numbers, or the pose's own number from 1, or its line */
 } pose;
 
 typedef struct pose_list {
@@ -131,18 +130,19 @@ void pose_deviation(fmpq_t out, const pose *p);
 
 /* SLERP between poses: how far linear quaternions are from it, and poses between that come near. */
 
-/** The way to a pose, and what is known of all ways before. Only the tolerance is set at first. */
+/** The way from one pose to the next, with sums and bounds over all ways so far. Only the tolerance
+ * is set at first. */
 typedef struct slerp_course {
     const fmpq *tolerance; /* of the angle between both rotations at one time; NULL: no halving */
-    int halvings;          /* of the way */
-    size_t pieces;         /* of all ways */
-    double worst;          /* the angle off SLERP, radians, at most */
-    unsigned long row;     /* of the pose that the way of that bound leads to; 0: none turns */
+    int halvings;          /* how often this way is halved */
+    size_t pieces;         /* number of pieces of all ways */
+    double worst;          /* bound of the angle to SLERP on all ways, radians */
+    unsigned long row; /* row of the pose to which the way with that bound leads; 0: none turns */
 } slerp_course;
 
-/** Look at the way to a pose, item `i` of a list, from the one before: how often it is halved and
- * how far it then is from SLERP. Where it may be halved, a factor brings the quaternion to
- * length 1.
+/** Look at the way from pose i - 1 of a list to pose i: how often it is halved and how far it then
+ * is from SLERP. If ways may be halved, quaternion i is multiplied by a factor that brings it near
+ * to length 1.
  * @return GRAZE_EINPUT a quaternion that is 0, or opposite to the one before; GRAZE_ELIMIT,
  * GRAZE_ECANCELED */
 graze_status slerp_look(slerp_course *s, graze_context *context, const pose_list *list, size_t i);
@@ -164,8 +164,8 @@ void slerp_report(text *t, const slerp_course *s, const char *unit);
 graze_status poses_turn(text *report, graze_context *context, pose_list *list,
                         const angle_order *order, const fmpq_t tolerance);
 
-/** Bits of an angle such that the errors of three angles together stay within the tolerance; 0 asks
- * for the finest. */
+/** The number of bits of an angle with which the errors of three angles together stay within the
+ * tolerance; tolerance 0 asks for the most bits. */
 slong bits_within(const fmpq_t tolerance);
 
 /** Sign of the scalar product of a pose's quaternion with that of the pose before. */

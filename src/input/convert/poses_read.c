@@ -24,7 +24,7 @@ typedef struct reading {
     pose_columns columns;
     fmpq_t before; /* the time of the row before */
     unsigned long line_before, in_time;
-    int passing; /* the last pose is taken unless another one comes */
+    int passing; /* the last pose read is kept only if none follows */
 } reading;
 
 void pose_init(pose *p) {

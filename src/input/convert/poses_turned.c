@@ -134,8 +134,8 @@ static void report_turned(text *t, const pose_list *list, const angle_order *ord
         text_put(t, "axes: each rotation is the least one from (0, 0, 1) to the tool's axis");
     else
         text_format(t,
-                    "angles: in degrees, %s: first %s about %c, then %s about %c, then %s about "
-                    "%c, axes standing",
+                    "angles: in degrees, in the order of %s: about fixed axes, first %s about %c, "
+                    "then %s about %c, then %s about %c",
                     order->machine, order->name[2], "xyz"[order->axis[2]], order -> name[1],
                     "xyz"[order->axis[1]], order -> name[0], "xyz"[order->axis[0]]);
     put_fact(t, ", off by", worst, "radians");

@@ -26,13 +26,14 @@ typedef struct csg_surface {
     unsigned char (*power)[3]; /* of x, y, z; that of z is 0 in the plane */
 } csg_surface;
 
-/** CSG_SIGN: an odd number of the operands, surfaces, is negative. Others: all, any, an odd number
- * of the operands, nodes, are true. */
+/** Truth of a node. CSG_SIGN: its operands are surfaces, and an odd number of them is negative.
+ * CSG_ALL, CSG_ANY, CSG_ODD: its operands are nodes, and all, any, an odd number of them are true.
+ */
 typedef enum csg_operation { CSG_SIGN, CSG_ALL, CSG_ANY, CSG_ODD } csg_operation;
 
 typedef struct csg_node {
     csg_operation operation;
-    int complement;      /* the opposite of what the operation says */
+    int complement;      /* the node is true where its operation is false */
     size_t first, count; /* of the operands, in csg.operand */
     size_t primitive;    /* of a CSG_SIGN */
 } csg_node;

@@ -49,7 +49,7 @@ static void round_reach(fmpq_t out, const fmpq *form, const fmpq *axis, const fm
     }
 }
 
-/* Let coordinate i of a box hold an interval. */
+/* Enlarge coordinate i of a box until it holds an interval. */
 static void hold_interval(csg_box *box, int i, const fmpq_t low, const fmpq_t high) {
     if (!box->dimension || fmpq_cmp(low, &box->low[i]) < 0)
         fmpq_set(&box->low[i], low);

@@ -18,7 +18,7 @@
 #include "input/csg/csg_reader.h"
 
 enum { TERM_WORK = 4 };   /* what a term costs, for each of its words */
-enum { LONG_WORDS = 64 }; /* from here on a common divisor costs more than a word's time each */
+enum { LONG_WORDS = 64 }; /* at this number of words a common divisor doubles the work */
 
 void csg_build_begin(csg_builder *b, graze_context *context, csg *out, int dimension) {
     *out = (csg){.dimension = dimension};

@@ -25,31 +25,33 @@ typedef struct csg_builder {
  * nodes or of operands, GRAZE_ECANCELED, GRAZE_ESYSTEM. */
 void csg_build_begin(csg_builder *b, graze_context *context, csg *out, int dimension);
 
-/** One more primitive, whose signs follow. `name` may be NULL. */
+/** Add a primitive; the signs added after it are its own. `name` may be NULL. */
 graze_status csg_add_primitive(csg_builder *b, const char *kind, const char *name);
 
-/** The set f <= 0 of the last primitive; f is not zero, of degree at most CSG_DEGREE. */
+/** Add a node for the set f <= 0 to the last primitive; f is not zero, of degree at most
+ * CSG_DEGREE.
+ */
 graze_status csg_add_sign(size_t *node, csg_builder *b, const fmpq_mpoly_t f);
 
-/** A node of nodes, each the operand of one node at most. */
+/** Add a node whose operands are nodes; each node is the operand of at most one. */
 graze_status csg_add_node(size_t *node, csg_builder *b, csg_operation operation,
                           const size_t *operands, size_t count);
 
 /** Turn a node into its complement. */
 void csg_complement(csg_builder *b, size_t node);
 
-/** Let equal surfaces be one. */
+/** Finish the solid: equal surfaces become one. */
 graze_status csg_build_finish(csg_builder *b);
 
 /* The state in which the nodes of a curved solid are read. */
 
-/** Coordinates of a point in the frame of the node at hand, as linear forms of those of the solid;
- * the way back; and room for the polynomials of one primitive. */
+/** The frame of the node at hand: `coordinate` has the coordinates of a point in it as linear forms
+ * of those in the solid's frame, `place` maps the other way. And room for polynomials. */
 typedef struct csg_reader {
     csg_builder build;
     int dimension;
     fmpq_mat_t place; /* from the frame of the node to that of the solid, homogeneous */
-    csg_box box;      /* of the last node, in the frame of the solid (csg_reader.h) */
+    csg_box box;      /* a box of the last node, in the frame of the solid */
     fmpq_mpoly_struct coordinate[3];
     fmpq_mpoly_struct from[3];                /* the point minus a primitive's own point */
     fmpq_mpoly_struct square, along, f, term; /* |from|^2, axis . from, the polynomial, a summand */
@@ -69,7 +71,7 @@ graze_status csg_read_members(const json **out, csg_reader *r, const json *value
 /** GRAZE_EINPUT in the plane, for a primitive of space. */
 graze_status csg_in_space(csg_reader *r, const json *value);
 
-/** A number, as entry_number; one that is written as a token is no calculation. */
+/** Read a number as entry_number does; a plain number token is taken without an expression. */
 graze_status csg_read_number(fmpq_t out, csg_reader *r, const json *value);
 
 /** `count` numbers. */
@@ -79,13 +81,12 @@ graze_status csg_read_vector(fmpq *out, csg_reader *r, const json *value, size_t
 void csg_linear_form(fmpq_mpoly_t out, csg_reader *r, const fmpq *factor,
                      const fmpq_mpoly_struct *x, const fmpq_t constant);
 
-/** f <= 0 of r->f, or f >= 0 if `other`. */
+/** Add a node for the set r->f <= 0, or r->f >= 0 if `other`. */
 graze_status csg_add_side(size_t *node, csg_reader *r, int other);
 
 /* Boxes that hold the nodes of a curved solid (proofs/curved.md C102). */
 
-/**
- * Let the reader's box hold, beside what it holds, the sum of a disk and a ball.
+/* * Enlarge the reader's box until it holds the Minkowski sum of a disk and a ball.
  * @param point the centre of the disk, in the frame of the node at hand
  * @param axis  normal to the disk; unused if `disk` is 0
  * @param ball  radius of the ball, 0 or more
@@ -94,11 +95,12 @@ graze_status csg_add_side(size_t *node, csg_reader *r, int other);
 void csg_bound_round(csg_reader *r, const fmpq *point, const fmpq *axis, const fmpq_t ball,
                      const fmpq_t disk);
 
-/** Likewise the box with these opposite corners, in the frame of the node at hand. */
+/** Enlarge the reader's box until it holds the box with these opposite corners, which are in the
+ * frame of the node at hand. */
 void csg_bound_corners(csg_reader *r, const fmpq *low, const fmpq *high);
 
-/** Let the box of some nodes be that of their union, or intersection, with another node. Where two
- * boxes have no interior in common the intersection is empty, and the first stays. */
+/** Replace the box of some nodes by a box of their union, or intersection, with another node. If
+ * the interiors of two boxes are disjoint, the intersection is empty and the first box stays. */
 void csg_bound_union(csg_box *box, const csg_box *other);
 void csg_bound_intersection(csg_box *box, const csg_box *other);
 

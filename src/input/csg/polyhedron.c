@@ -58,8 +58,8 @@ static int set_plane(faces *f, size_t a, size_t b, size_t c) {
     return !(fmpq_is_zero(f->form) && fmpq_is_zero(f->form + 1) && fmpq_is_zero(f->form + 2));
 }
 
-/* All points are on one side of the plane at hand, the same of each plane, and the corners of its
- * face in it. */
+/* Check that all points are on one side of the plane at hand, equal for all planes, and that the
+ * corners of its face lie in it. */
 static graze_status check_plane(faces *f, const json *face) {
     graze_context *context = f->r->build.context;
     for (size_t k = 0; k < face->count; k++)
@@ -118,7 +118,7 @@ static graze_status read_face(faces *f, const json *face) {
     return GRAZE_OK;
 }
 
-/* Each edge is there as often in one direction as in the other. */
+/* Check that faces run through each edge as often in one direction as in the other. */
 static graze_status check_closed(faces *f) {
     long sum = 0;
     qsort(f->edge, f->edges, sizeof *f->edge, edge_order);

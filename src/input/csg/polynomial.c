@@ -128,7 +128,9 @@ static graze_status add_edge(polygon_edges *e, csg_reader *r, const fmpq *p, con
     return add_strip(e, r, p, q, 0);
 }
 
-/* Let the end of an edge that is beyond the axis be where it meets it. */
+/* Move the end p of an edge, if it is beyond the axis, to the point in which the edge meets the
+ * axis.
+ */
 static void cut_at_axis(fmpq *p, const fmpq *q) {
     LOCAL_VEC(fmpq, v, 2);
     if (fmpq_sgn(p) < 0) {
@@ -229,7 +231,7 @@ static graze_status polygon_form(int *revolved, csg_reader *r, const json *value
     return GRAZE_OK;
 }
 
-/* Let the box be that of what is revolved. */
+/* Set the box to one of the revolved polygon. */
 static void revolve_box(polygon_edges *e) {
     fmpq_swap(e->low + 1, e->low + 2);
     fmpq_swap(e->high + 1, e->high + 2);

@@ -157,7 +157,7 @@ static void bound_between(csg_reader *r, const placed *p, int cone) {
     }
 }
 
-/* Let it hold the box about the point whose half sides are the axis. */
+/* Enlarge the reader's box until it holds the box about the point with `axis` as half sides. */
 static void bound_about(csg_reader *r, const placed *p) {
     int d = r->dimension;
     LOCAL_VEC(fmpq, end, 2 * d);

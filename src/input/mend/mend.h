@@ -12,12 +12,12 @@
 /**
  * Make a legal solid of a mesh in E^3 by steps that move no point: equal vertices become one,
  * facets without area go, edges are split at vertices in their middle, and facets are turned round
- * where the mesh is not legal without. With `weld`, a positive distance or NULL, vertices that are
- * no further from each other become one as well, which moves them.
+ * if the mesh is not legal otherwise. If `weld`, a positive distance, is not NULL, vertices that
+ * are no further from each other become one as well, which moves points.
  * @param[out] out    the solid; NULL on failure
  * @param[out] report a line for each thing that was done, initialised by the caller
  * @param input       taken over, also on failure; one cycle a facet
- * @return GRAZE_EILLEGAL it is not legal after that either; as solid_create
+ * @return GRAZE_EILLEGAL the mended mesh is not legal either; else as solid_create
  */
 graze_status mend_solid(graze_solid **out, text *report, graze_context *context, soup *input,
                         unsigned flags, const fmpq *weld);

@@ -15,7 +15,7 @@ typedef struct facets {
     size_t corner_count, corner_capacity;
     size_t *start; /* count + 1 offsets into corner; NULL while there is none */
     size_t count, start_capacity;
-    size_t *origin; /* the number of each in the input */
+    size_t *origin; /* of each facet its number in the input */
     size_t origin_capacity;
 } facets;
 
@@ -32,7 +32,7 @@ void mesh_clear(mesh *m);
 
 /** Add an empty facet behind the others. */
 graze_status facets_begin(facets *f, graze_context *context, size_t origin);
-/** Add a corner to the last one. */
+/** Add a corner to the last facet. */
 graze_status facets_corner(facets *f, graze_context *context, uint32_t vertex);
 /** Take the last facet away. */
 void facets_drop_last(facets *f);
@@ -45,10 +45,11 @@ const fmpq *mesh_point(const mesh *m, uint32_t vertex);
 /** Do three points lie on one line? */
 int mesh_collinear(const mesh *m, uint32_t a, uint32_t b, uint32_t c);
 
-/** A side of a facet, by its ends: low < high; it runs from low to high if it ascends. */
+/** A side of a facet, by the vertices at its ends, low < high. `ascends`: the facet's cycle runs
+ * from low to high. */
 typedef struct mesh_side {
     uint32_t low, high;
-    size_t facet, corner; /* the corner it begins at, counted over all facets */
+    size_t facet, corner; /* the corner at which the side begins, counted over all facets */
     int ascends;
 } mesh_side;
 
@@ -57,9 +58,9 @@ graze_status mesh_sides(mesh_side **out, size_t *count, const mesh *m);
 /** The end of the sides that belong to the edge of side `first`. */
 size_t mesh_edge_end(const mesh_side *side, size_t count, size_t first);
 
-/** A soup of the facets of one component, or of all where `component` is NULL, with the vertices
- * they use; `turned` says which are to run the other way round, NULL: none.
- * @param component the component of each facet; facets of `wanted` are taken */
+/** Make a soup of the facets of one component, with the vertices that they use.
+ * @param component of each facet its component; those of `wanted` are taken; NULL: all facets
+ * @param turned    of each facet whether its cycle is to be reversed; NULL: none is */
 graze_status mesh_soup(soup *out, const mesh *m, const size_t *component, size_t wanted,
                        const unsigned char *turned);
 
@@ -84,10 +85,9 @@ graze_status clean_facets(mesh *m);
 
 /* Orientation of facets. */
 
-/**
- * Turn facets round so that neighbours at edges of two facets run against each other, shells face
- * outward, and those inside an odd number of others inward. Shells that bound nothing by themselves
- * are left as they are.
+/* * Turn facets round so that facets at an edge of just two run along it in opposite senses, and
+ * shells face outward, or inward if they lie inside an odd number of other shells. A shell that is
+ * no legal boundary by itself is left as it is.
  * @param flags GRAZE_SOLID_TRIANGULATE
  * @return GRAZE_EILLEGAL the facets of a shell cannot be oriented
  */
@@ -95,18 +95,18 @@ graze_status orient_facets(mesh *m, unsigned flags);
 
 /* T-junctions. */
 
-/** Split edges that an odd number of facets have at the ends of other such edges in their middle.
- * Facets keep their points. */
+/** Split each edge that belongs to an odd number of facets at those ends of other such edges that
+ * lie strictly inside it. Facets keep their points. */
 graze_status split_edges(mesh *m);
 
-/** The ends of edges that an odd number of facets have, malloc'ed, each once. */
+/** The ends of all edges that belong to an odd number of facets, malloc'ed, each once. */
 graze_status split_open_ends(uint32_t **out, size_t *count, mesh *m);
 
 /* Vertices that are one within a distance. */
 
-/** Let facets name, in place of a vertex, the nearest one before it that stays, where that is no
- * further than `distance`, a positive number. The report has the largest displacement, rounded up;
- * it is at most `distance`. */
+/** Replace vertices in facets: a vertex that is no further than `distance`, a positive number, from
+ * one before it that stays is replaced by the nearest such one; all others stay. The report has the
+ * largest displacement, rounded up, at most `distance`. */
 graze_status weld_vertices(mesh *m, const fmpq_t distance);
 
 /** Where edges are left open and the ends of each are near those of others, compared with their

@@ -84,7 +84,7 @@ static void number_shells(orienter *o) {
         unsigned char against;
         size_t root = root_of_part(o, f, &against);
         o->turned[f] = against;
-        o->shell[f] = root; /* paths of later facets end here or before */
+        o->shell[f] = root; /* paths through f keep their root and their sense */
     }
     for (size_t f = 0; f < o->m->now.count; f++)
         o->shell[f] = o->shell[f] == f ? o->shell_count++ : o->shell[o->shell[f]];

@@ -51,7 +51,7 @@ void quotient_over(fmpz_poly_t out, const fmpz_poly_q_t a, const fmpz_poly_t com
 void quotient_set_rational(fmpz_poly_q_t out, const fmpq_t value);
 /** low + (high - low) u. */
 void quotient_set_line(fmpz_poly_q_t out, const fmpq_t low, const fmpq_t high);
-/** The value at a place that is no pole. */
+/** The value of a at u, which is no pole of a. */
 void quotient_at(fmpq_t out, const fmpz_poly_q_t a, const fmpq_t u);
 /** out(u) = a(line(u)), where the denominator of `line` is a constant. `out` is not `a`. */
 void quotient_substitute(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a,
@@ -59,8 +59,8 @@ void quotient_substitute(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t 
 /** 1 and one of the two roots if a is a square in Q(u), else 0. */
 int quotient_square_root(fmpz_poly_q_t out, const fmpz_poly_q_t a);
 
-/** GRAZE_ELIMIT in the calculation if degree or digits of a are past the limits, or the work done
- * for the motion, making a included. */
+/** Set GRAZE_ELIMIT in the calculation if a's degree or digits exceed the limits, or if the work
+ * done for the motion, that of making a included, does. */
 void quotient_check(calculation *c, const fmpz_poly_q_t a);
 
 /** quotient_check for a polynomial. */
@@ -70,8 +70,8 @@ void polynomial_check(calculation *c, const fmpz_poly_t p);
 void calculation_spend(calculation *c, unsigned long work);
 
 /**
- * Has p, not zero, a root in [0, 1]? If so *found is 1, and low <= the first one <= high, equal
- * when it is seen to be rational.
+ * Has p, not zero, a root in [0, 1]? If so *found is 1, and low <= r <= high for the least such
+ * root r; low = high if r is found to be rational.
  * @return GRAZE_ELIMIT, GRAZE_ECANCELED
  */
 graze_status polynomial_root(int *found, fmpq_t low, fmpq_t high, graze_context *context,
@@ -98,7 +98,7 @@ int affine_equal(const affine *a, const affine *b);
 fmpz_poly_q_struct *affine_at(affine *a, int i, int j);
 const fmpz_poly_q_struct *affine_get(const affine *a, int i, int j);
 
-/** out = a after b, that is, the matrix a b. `out` may be either. */
+/** out = a after b, that is, the matrix a b. `out` may be a or b. */
 void affine_multiply(calculation *c, affine *out, const affine *a, const affine *b);
 /** Put `center` (d functions) in the place of the origin: b += center - A center. */
 void affine_about(calculation *c, affine *a, fmpz_poly_q_t *center);
@@ -136,7 +136,8 @@ void common_map_clear(common_map *m);
 /** The entry of N in row i and column j. */
 fmpz_poly_struct *common_map_linear(common_map *m, int i, int j);
 
-/** Entries times the least common multiples of their denominators, which are in lowest terms. */
+/** Set w and v to the least common multiples of the entries' denominators, N and B to the entries
+ * times these. The entries are in lowest terms. */
 void common_map_from_affine(calculation *c, common_map *out, const affine *a);
 void common_map_to_affine(calculation *c, affine *out, const common_map *m);
 /** Is the linear part orthogonal? It is where N^T N = w^2. 0 after a failure too. */
@@ -150,7 +151,7 @@ void common_map_backward(calculation *c, point_map *out, const common_map *m);
 
 /* The entries of a motion file: JSON values to functions, numbers and integers. */
 
-/** Fault for which an entry is refused while the entry that makes a motion illegal is searched for.
+/** A fault of a motion: once it is known, a stretch is read again to refuse the entry that has it.
  */
 typedef enum entry_fault { FAULT_NONE, FAULT_POLE, FAULT_SINGULAR } entry_fault;
 
@@ -158,19 +159,19 @@ typedef enum entry_fault { FAULT_NONE, FAULT_POLE, FAULT_SINGULAR } entry_fault;
 typedef struct stretch {
     int dimension;
     fmpq_t from, to;    /* in s, which runs from 0 to 1 along the piece as written */
-    fmpq_t lo, hi;      /* the same in t */
-    fmpz_poly_q_t t, s; /* as functions of u */
-    entry_fault fault;  /* fault for which an entry is refused on this stretch, beside bad input */
+    fmpq_t lo, hi;      /* its ends in t */
+    fmpz_poly_q_t t, s; /* t and s as functions of u */
+    entry_fault fault;  /* an entry with this fault on the stretch is refused */
 } stretch;
 
-/** All of a piece lo < hi; dimension d. */
+/** Set the stretch to a whole piece from t = lo to t = hi. */
 void stretch_init(stretch *part, int dimension, const fmpq_t lo, const fmpq_t hi);
 void stretch_clear(stretch *part);
 /** Narrow to [from, to] in s. */
 void stretch_set(stretch *part, const fmpq_t lo, const fmpq_t hi, const fmpq_t from,
                  const fmpq_t to);
 
-/** The function of u an expression or a JSON number stands for. */
+/** The function of u for which an expression or a JSON number stands. */
 graze_status entry_function(fmpz_poly_q_t out, graze_context *context, const json *value,
                             const stretch *part);
 /** entry_function that refuses a pole on a stretch whose fault is FAULT_POLE. */
@@ -189,9 +190,9 @@ graze_status entry_no_root(graze_context *context, const json *where, const fmpz
 
 /**
  * Set the linear part and its denominator to the rotation of a quaternion w, x, y, z, of any
- * length; in E^2 x and y are zero. q is divided by what its numbers have in common.
+ * length; in E^2 x and y are zero. q is divided by the common factors of its numbers.
  * @param[in,out] out its dimension is set
- * @return GRAZE_EILLEGAL at `where` if they vanish together on the stretch [lo, hi] of t
+ * @return GRAZE_EILLEGAL at `where` if the four vanish together at a t of the stretch [lo, hi]
  */
 graze_status quaternion_rotation(common_map *out, graze_context *context, const json *where,
                                  fmpz_poly_struct q[4], const fmpq_t lo, const fmpq_t hi);
@@ -214,8 +215,8 @@ graze_status rotation_by_quaternion(affine *out, graze_context *context, const j
 
 /**
  * The rotation of a quaternion w, x, y, z, of any length; in E^2 x and y are zero and w + iz is the
- * half angle as a complex number. Only the ratios count, so a pole of the four is harmless.
- * @return GRAZE_EILLEGAL at `where` if they vanish together on the stretch [lo, hi] of t
+ * half angle as a complex number. Only the ratios of the four count, so poles are harmless.
+ * @return GRAZE_EILLEGAL at `where` if the four vanish together at a t of the stretch [lo, hi]
  */
 graze_status rotation_of(affine *out, graze_context *context, const json *where, fmpz_poly_q_t q[4],
                          const fmpq_t lo, const fmpq_t hi);

@@ -12,7 +12,7 @@
 typedef struct draft_piece {
     fmpq_t lo, hi;
     unsigned long row; /* the line of the log that it comes from; 0: none is given */
-    int rigid; /* between key frames: a rotation with its shift, which is to become point maps */
+    int rigid;         /* a piece between key frames: `frame` has its rotation and shift */
     union {
         affine map;       /* unless rigid */
         common_map frame; /* if rigid */
@@ -29,7 +29,8 @@ typedef struct draft {
 void draft_init(draft *d, int dimension);
 void draft_clear(draft *d);
 /**
- * One more piece at the end, its values to be set; it lives until the next call.
+ * Append a piece, whose values the caller sets. The pointer is valid until the next piece is
+ * appended.
  * @return GRAZE_ELIMIT more than the limit `pieces`; GRAZE_ECANCELED; GRAZE_ESYSTEM
  */
 graze_status draft_append(draft_piece **out, graze_context *context, draft *d);
@@ -38,18 +39,16 @@ graze_status draft_append_rigid(draft_piece **out, graze_context *context, draft
 /** Give every rigid piece its map: later steps take drafts without rigid pieces. */
 graze_status draft_spread(draft *d, graze_context *context);
 
-/**
- * frame^-1 moving ([IS] eq. 7), cut at the breaks of both. The two have one dimension and one
- * interval and are legal.
+/* * frame^-1 moving ([IS] eq. 7), cut at the breaks of both. Both motions are legal and have one
+ * dimension and one interval of time.
  * @param[out] out empty
  */
 graze_status draft_relative(draft *out, graze_context *context, const draft *moving,
                             const draft *frame);
 
-/**
- * Append `next`, run after all that is in `out`: its own interval becomes [from, from + 1], and
- * every position of it is taken after `end`, the end of what came before ([IS] eq. 29). `end` is
- * moved on to the end of `next`.
+/* * Append the motion `next`: its interval becomes [from, from + 1], and each of its positions is
+ * combined with `end`, the last position of `out` ([IS] eq. 29). `end` becomes the new last
+ * position.
  */
 graze_status draft_follow(draft *out, graze_context *context, const draft *next, slong from,
                           affine *end);
@@ -90,7 +89,7 @@ graze_status motion_read_draft(draft *out, graze_context *context, const json *v
 
 /* Motions made of pieces and of keyframes, from parsed JSON. */
 
-/** The two forms made of frames and of pieces; `out` is empty and has its dimension. */
+/** Read a motion in the form of pieces, of keyframes; `out` is empty and has its dimension. */
 graze_status motion_read_pieces(draft *out, graze_context *context, const json *pieces);
 graze_status motion_read_keyframes(draft *out, graze_context *context, const json *keyframes);
 

@@ -54,8 +54,7 @@ const point_map *motion_placing(const motion_piece *piece, graze_operation opera
 void point_map_init(point_map *map, int dimension);
 void point_map_clear(point_map *map);
 
-/** The value at u = numerator/denominator of a point map as an affine map with rational entries,
- * d*(d+1) initialised fmpq. */
+/** The affine map that a point map is at u: d*(d+1) rationals, initialised, row by row. */
 void point_map_at(fmpq *out, const point_map *map, const fmpq_t u);
 
 /** The sign of the determinant of an affine map as point_map_at gives it. */

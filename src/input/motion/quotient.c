@@ -12,8 +12,8 @@
 #include "base/number/refine.h"
 #include "input/motion/affine.h"
 
-enum { OPERATION_WORK = 8 }; /* what an operation costs beside the words of its result */
-enum { LONG_WORDS = 64 };    /* from here on a common divisor costs more than a word's time each */
+enum { OPERATION_WORK = 8 };    /* what an operation costs beside the words of its result */
+enum { LONG_WORDS = 64 };       /* at this number of words a common divisor doubles the work */
 enum { ROOT_REFINEMENTS = 12 }; /* narrow enough to be told in a message */
 
 void calculation_spend(calculation *c, unsigned long work) {

@@ -24,10 +24,11 @@
 typedef struct corners {
     double *at;
     double error, reach;
-    double axis_reach[3]; /* the same for each coordinate alone */
+    double axis_reach[3]; /* the same bound for each coordinate alone */
 } corners;
 
-/** Beyond it products of coordinates might leave the range of doubles (proofs/filter.md C32). */
+/** The largest coordinate for the filter: products of larger ones might leave the range of doubles
+ * (proofs/filter.md C32). */
 #define CORNER_REACH 0x1p200
 
 /** @param low, high bounds of all coordinates of the soup's vertices */
@@ -35,7 +36,7 @@ graze_status corners_make(corners *out, graze_context *context, const soup *s, c
                           const double *low, const double *high);
 void corners_clear(corners *c);
 
-/* A binary tree of boxes over the simplices of a boundary; a search leaves out what cannot meet. */
+/* A binary tree of boxes over the simplices of a boundary; searches leave out boxes they miss. */
 
 /** A closed box around a simplex, a node or a curve; in E^2 the third coordinate is [0, 0]. */
 typedef struct box {
@@ -96,17 +97,16 @@ void skin_side(fmpz *out, const skin *s, size_t simplex, const fmpz *plane, int 
 /** The coordinates of a simplex's vertices, d pointers. */
 void skin_vertices(const fmpq **vertex, const skin *s, size_t simplex);
 
-/* Slabs around the simplices below a node of a solid's tree, about parallel to them where they are
- * about flat: there a slab is much thinner than a box. */
+/* Slabs around the simplices below a node of a solid's tree. Where these simplices lie nearly in
+ * one plane, the slab is nearly parallel to it and much thinner than the box. */
 
-/** For all places x of the simplices low <= normal . x <= high, and |normal[i]| <= 1
- * (proofs/slabs.md C93). */
+/** low <= normal . x <= high on the simplices; |normal[i]| <= 1 (proofs/slabs.md C93). */
 typedef struct slab {
     double normal[3], low, high;
 } slab;
 
-/** Number 0 has no bounds, and is that of nodes with very few or with many simplices. `item` is
- * NULL where corners.at is. */
+/** Slab 0 is all of space, for nodes with few or many simplices. `item` is NULL if corners.at is.
+ */
 typedef struct slabs {
     slab *item;
 } slabs;
@@ -116,7 +116,7 @@ static inline const slab *slab_below(const slabs *s, const tree_node *node) {
     return &s->item[node->slab];
 }
 
-/** Make and number those of a tree over simplices with these corners; 0 without memory. */
+/** Make and number the slabs of a tree over simplices with these corners; 0 without memory. */
 int slabs_make(slabs *out, tree *boxes, const corners *corners, int dimension);
 void slabs_clear(slabs *s);
 
@@ -161,15 +161,14 @@ void solid_box(fmpq *low, fmpq *high, const graze_solid *solid);
  */
 int solid_plane(fmpz *out, const graze_solid *solid, size_t simplex);
 
-/**
- * Side form k < d of a simplex: not negative where the simplex is; the coordinate of the plane's
- * first non-zero normal coordinate does not occur in it.
+/* * Side form k < d of a simplex: not negative on the simplex. Its coefficient is 0 at the
+ * coordinate in which the plane's normal is first not zero.
  * @param plane the simplex's plane form
  */
 void solid_side(fmpz *out, const graze_solid *solid, size_t simplex, const fmpz *plane, int k);
 
-/** The boundary cell of a simplex at which just the side forms with their bit set in `zero` vanish,
- * as the simplex names it; the input's names are cut.names' (src/input/soup/soup.h). */
+/** The boundary cell of a simplex on which just the side forms vanish whose bit is set in `zero`,
+ * named by the simplex's vertices; cut.names has the input's names (src/input/soup/soup.h). */
 graze_cell solid_cell(const graze_solid *solid, size_t simplex, unsigned zero);
 
 /* Forms of the simplices that were asked for last, each made once.
@@ -177,8 +176,7 @@ graze_cell solid_cell(const graze_solid *solid, size_t simplex, unsigned zero);
  * Degenerate points ask for the same few planes and sides again and again where a solid is small;
  * of a large one hardly any are asked for twice, and no more than some hundred are kept. */
 
-/** A simplex with its plane and its sides, those of the mask `made`: bit 0 the plane, 1 + k side k.
- */
+/** A simplex with the forms that are made, by the bits of `made`: bit 0 its plane, 1 + k side k. */
 typedef struct known_forms {
     uint32_t simplex;
     unsigned made;
@@ -193,8 +191,7 @@ typedef struct form_memory {
 
 void form_memory_clear(form_memory *m);
 
-/**
- * As solid_plane, without the side it faces.
+/* * Find the plane form as solid_plane does, but not on which side of the simplex it is positive.
  * @param m memory, or NULL for none
  */
 void known_plane(fmpz *out, form_memory *m, const graze_solid *solid, uint32_t simplex);
@@ -210,9 +207,9 @@ const fmpz *known_side(fmpz *room, form_memory *m, const graze_solid *solid, uin
 
 /* The image of a box under an affine map in doubles. */
 
-/** A box of centre c and half sides h has its image in the box of centre A c + b and half sides
- * |A| h, widened by far more than what rounding takes (proofs/filter.md C34). Of NaN nothing is
- * left out by comparisons that are false for it.
+/** Find a box around the image of a box with centre c and half sides h: its centre is A c + b, its
+ * half sides are |A| h, widened by more than all rounding (proofs/filter.md C34). If it has NaN, it
+ * meets every box, since comparisons with NaN are false.
  * @param entry d*(d+1) entries, row by row, each within 2^-48 of its size of the exact one */
 void box_image(box *out, const double *entry, int d, const box *of);
 
@@ -222,7 +219,7 @@ void box_image(box *out, const double *entry, int d, const box *of);
  * tree, side tests. */
 graze_status solid_create(graze_solid **out, graze_context *context, soup *input, unsigned flags);
 
-/** Read a curved solid (csg_read). `sha256` is that of a file read before, or NULL. */
+/** Read a curved solid (csg_read). `sha256` is the hash that the file must have, or NULL. */
 graze_status solid_create_curved(graze_solid **out, graze_context *context, const char *path,
                                  const unsigned char *sha256);
 
@@ -247,9 +244,8 @@ graze_status solid_is_another(graze_context *context, const char *path);
  */
 int form_of_plane(fmpz *out, const fmpq *const *vertex, int dimension);
 
-/**
- * Side form k: zero on side k, positive at the opposite vertex, without the coordinate of the
- * plane's first non-zero normal coordinate.
+/* * Side form k: zero on side k, positive at the opposite vertex. Its coefficient is 0 at the
+ * coordinate in which the plane's normal is first not zero.
  */
 void form_of_side(fmpz *out, const fmpq *const *vertex, const fmpz *plane, int k, int dimension);
 

@@ -26,10 +26,10 @@ enum { FIRST_DECADE = -99, LAST_DECADE = 99, DECADES = LAST_DECADE - FIRST_DECAD
 
 typedef struct errors {
     unsigned long rows;          /* values judged */
-    unsigned long over, under;   /* above and below the enclosure; the others are within */
-    unsigned long beyond;        /* by more than the tolerance */
+    unsigned long over, under;   /* values above and below the enclosure; all others are in it */
+    unsigned long beyond;        /* values outside it by more than the tolerance */
     unsigned long past;          /* errors past the last decade */
-    unsigned long *bin[DECADES]; /* by two digits, 10 to 99; NULL: none */
+    unsigned long *bin[DECADES]; /* by decade: counts by the two leading digits; NULL: no error */
     ceiling largest, largest_over;
 } errors;
 
@@ -103,20 +103,21 @@ typedef struct table {
     int complete;       /* 1 once `# complete N` has been read, and N is the number of rows */
 } table;
 
-/** Parts of the size that rows may be deeper than: 1e-12, 1e-9, 1e-6, 1e-3. */
+/** The number of thresholds for depths, as parts of the size: 1e-12, 1e-9, 1e-6, 1e-3. */
 enum { DEPTH_PARTS = 4 };
 
 /** Zeroed at first, with `size` initialised. */
 typedef struct depths {
-    unsigned long wrong, stride;       /* rows offered; every stride-th waits */
-    size_t waiting;                    /* number of rows that wait */
+    unsigned long wrong, stride;       /* wrong rows; every stride-th waits to be measured */
+    size_t waiting;                    /* number of rows that wait to be measured */
     errors by[3];                      /* sizes of s, by golden pmc */
     fmpq_t size;                       /* the diagonal of S^0's box; 0: not known */
-    unsigned long deeper[DEPTH_PARTS]; /* rows that are certainly deeper than these parts of it */
+    unsigned long deeper[DEPTH_PARTS]; /* rows that are certainly deeper than each threshold */
     char *unmeasured;                  /* the limit that distances meet, malloc'ed; NULL: none */
 } depths;
 
-/** Columns that make a key, `id` alone or numbers; none where the order of rows alone matches. */
+/** Columns that make a row's key: `id` alone, or numbers; none if rows are matched by order alone.
+ */
 typedef struct row_key {
     int by_id;
     size_t count;
@@ -127,10 +128,10 @@ typedef struct row_key {
 typedef struct drift {
     const table *golden, *candidate;
     row_key axes;             /* coordinates that both tables have */
-    unsigned long rows;       /* whose points differ */
+    unsigned long rows;       /* pairs of rows whose points differ */
     fmpq_t farthest;          /* the greatest difference of a coordinate */
-    fmpq_t least[3], most[3]; /* of the golden coordinates of rows that are written otherwise */
-    int any;                  /* 1: there are such rows */
+    fmpq_t least[3], most[3]; /* bounds of golden coordinates, over pairs written differently */
+    int any;                  /* 1: there are such pairs */
 } drift;
 
 /** Ways to match rows. */
@@ -138,7 +139,7 @@ typedef enum match_way {
     MATCH_STREAMED, /* equal keys in the same order, but for rows that are missing or extra; rows
                        ahead are read only where the next ones differ, at most MATCH_AHEAD */
     MATCH_INDEXED,  /* equal keys in any order; the candidate's rows are in memory */
-    MATCH_ORDER     /* the first row with the first one, and so on, whatever their keys */
+    MATCH_ORDER     /* row k of one table with row k of the other, whatever their keys */
 } match_way;
 
 typedef struct group {
@@ -197,18 +198,18 @@ enum { CONVENTIONS = GRAZE_ON_AS_OUT + 1 };
 
 /** One disagreement, as it is shown. Texts are malloc'ed. */
 typedef struct disagreement {
-    unsigned long order; /* in which it was met */
+    unsigned long order; /* its number in the order in which disagreements were met */
     int pmc;             /* the golden answer of a wrong row; -1: a row is missing or extra */
     ceiling depth;       /* upper bound of |s|, where it is known */
     char *stratum;       /* NULL: not told */
-    unsigned long row;   /* golden rows before it */
+    unsigned long row;   /* number of golden rows before it */
     unsigned long golden_line, candidate_line; /* 0: no such row */
     char *point;                               /* coordinates with blanks between */
     char *golden, *candidate;                  /* the answers; NULL where there is no row */
     char *golden_row, *candidate_row;          /* whole rows, of transient tables alone */
 } disagreement;
 
-/** Candidate's answers beside golden ones; the last column of a matrix counts missing rows. */
+/** Counts by golden answer (row) and candidate's (column); the last column: missing rows. */
 typedef struct matrix {
     unsigned long pmc[3][4];    /* in, on, out */
     unsigned long class_[5][6]; /* in the order of Definitions 5 to 9 */
@@ -225,34 +226,34 @@ struct graze_comparison {
     unsigned long drifted;     /* rows matched by order alone whose points differ, */
     ceiling drift;             /* and the largest difference of a coordinate */
     int judged[JUDGED_COUNT];  /* 1: the candidate answers this */
-    int lacking[JUDGED_COUNT]; /* of contact points: 1 the candidate, 2 the golden table alone does
-                                  not have the column */
+    int lacking[JUDGED_COUNT]; /* of contact points: 1 only the candidate, 2 only the golden table
+                              lacks the column */
     int valued;                /* values are compared with the golden enclosures */
-    int enclosed;              /* these are read */
-    fmpq_t tolerance, eta;     /* of values, and of the motion */
+    int enclosed;              /* golden enclosures are read */
+    fmpq_t tolerance, eta;     /* the tolerance of values, the motion error */
     char *explain_options;     /* of `graze explain`, with a blank before each */
     unsigned long rows, agree, wrong, undecided, missing, extra;
     unsigned long column_wrong[JUDGED_COUNT];
     unsigned long wrong_as[CONVENTIONS];  /* rows that each convention would call wrong */
-    unsigned long golden_on, answered_on; /* rows of either table; golden ones with an answer */
-    unsigned long undecided_answers[3];   /* the candidate's, for such rows */
+    unsigned long golden_on, answered_on; /* answered rows whose golden, given answer is `on` */
+    unsigned long undecided_answers[3];   /* undecided rows by the candidate's answer */
     unsigned long undecided_by_motion;    /* rows that the motion error leaves undecided */
-    unsigned long open;                   /* golden rows that are undecided themselves, */
-    unsigned long of_pmc;                 /* and those judged by pmc alone, as the rest is */
-    int of_mesh;         /* 1: the candidate is a mesh (compare.h), and these rows are undecided: */
-    unsigned long apart; /* points on the mesh whose golden answer is `in` or `out` */
+    unsigned long open;                   /* golden rows with no decided answer that is judged */
+    unsigned long of_pmc;                 /* golden rows with pmc as their only decided answer */
+    int of_mesh;                          /* 1: the candidate is a mesh */
+    unsigned long apart; /* undecided rows: points on the mesh whose golden answer is in or out */
     errors values;
     depths depth; /* of wrong rows */
     matrix confusion;
     int grouped[GROUPING_COUNT]; /* 1: the golden table has the column */
     tally tallies[GROUPING_COUNT];
-    unsigned long met; /* disagreements that were offered; the number shown or kept for that, */
-    size_t shown, shown_capacity, shown_alone; /* the number of these that are missing or extra */
+    unsigned long met; /* disagreements met; then those kept to be shown, room for them, and */
+    size_t shown, shown_capacity, shown_alone; /* how many of them are missing or extra rows */
     int by_depth;                              /* 1: the deepest wrong rows come first */
     disagreement *disagreements;
 };
 
-/** Does the candidate never answer `on`, though golden rows are? */
+/** Does the candidate never answer `on`, though golden rows have this answer? */
 int comparison_has_no_on(const graze_comparison *c);
 
 /* Comparison of a golden table with the table of a candidate.
@@ -278,7 +279,7 @@ void comparison_clear(graze_comparison *c);
 
 /* Reports of a mesh that was judged. */
 
-/** Bounds are decimals that are bounds too.
+/** Report a judged mesh. Bounds are rounded outward, so that they hold as they are written.
  * @param points what the mesh says of points, or NULL
  * @return GRAZE_ESYSTEM */
 graze_status judge_report(text *out, graze_context *context, const graze_judgement *judgement,
@@ -288,8 +289,8 @@ graze_status judge_report(text *out, graze_context *context, const graze_judgeme
 
 /** Points that a mesh is asked about. */
 typedef struct mesh_points {
-    const struct graze_generator *generator; /* those of its rows from 0 on; or NULL: */
-    const fmpq *point;                       /* these, 3 canonical rationals each */
+    const struct graze_generator *generator; /* points of its rows 0 to count - 1; or NULL: */
+    const fmpq *point;                       /* the points, 3 canonical rationals each */
     size_t count;
     const char *explain_options; /* for `graze explain`, with a blank before each; NULL: none */
 } mesh_points;

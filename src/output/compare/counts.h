@@ -45,8 +45,8 @@ typedef struct value_error {
 /** Count an error. 0 when out of memory. */
 int errors_add(errors *e, value_error one);
 
-/** The least number of two digits (of the largest error if that is past the last decade) that at
- * least `per_mille` thousandths of the errors do not exceed; 0 of none. */
+/** The least number of two digits that at least `per_mille` thousandths of the errors do not
+ * exceed; past the last decade the largest error; 0 if there are no errors. */
 ceiling errors_quantile(const errors *e, unsigned long per_mille);
 
 void errors_clear(errors *e);
@@ -108,7 +108,8 @@ graze_status tally_add(tally *t, graze_context *context, field name, char status
 void tally_sort(tally *t);
 void tally_clear(tally *t);
 
-/** Is this an answer of a table of contact points (1), or of graze classify (0)? */
+/** Is a judged answer one of tables of contact points (if `contacts`), or of graze classify (else)?
+ */
 int judged_of(int judged, int contacts);
 
 /** Answers, and indices of them. */
@@ -119,7 +120,7 @@ enum { PMC_IN, PMC_ON, PMC_OUT };
 const char *grouping_name(grouping g);
 const char *grouping_title(grouping g);
 
-/** Most wrong rows of one stratum that are shown where the deepest are. */
+/** The most wrong rows of one stratum that are shown if the deepest ones come first. */
 enum { MOST_OF_STRATUM = 2 };
 
 /* A candidate's signed distance against the enclosure of the exact one. */
@@ -127,7 +128,7 @@ enum { MOST_OF_STRATUM = 2 };
 /** Position of a value relative to the enclosure of its row. */
 typedef struct valuation {
     int certain; /* pmc is the same for every motion within the comparison's motion error */
-    int judged;  /* the candidate's value is */
+    int judged;  /* the candidate's value is judged */
     value_error error;
     char decade[24]; /* the power of ten at or below the greater bound's size, with the sign of the
                         answer; 0: `on` */

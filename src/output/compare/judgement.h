@@ -40,7 +40,7 @@ graze_status answer_read(answer *out, const table *t, const table_row *row, cons
 graze_status judged_position(const graze_comparison *c, const table *golden, const table_row *row,
                              int pmc);
 
-/** Judge an answer's pmc beside the truth, under a convention and under each. */
+/** Judge an answer's pmc by the truth, under the convention `on_as`, and under each convention. */
 void judge_pmc(judgement *j, graze_on_as on_as, int given);
 
 /** Judge a pair of rows by these answers. */
@@ -54,21 +54,21 @@ judgement judge(const graze_comparison *c, const int *judged, const table *golde
  * locale. */
 void put_share(text *out, unsigned long part, unsigned long whole);
 
-/** A line on the columns by which points were matched; of contact points none. Where nothing but
- * the order told, it says how far the points are apart. */
+/** Write a line on the columns by which points were matched, none for contact points. If rows were
+ * matched by order alone, it says how far their points are apart. */
 void put_matched(text *out, const graze_comparison *c);
 
 /** The share of wrong rows and their number by column; where rows are missing there is no share. */
 void put_wrong_rows(text *out, const graze_comparison *c);
 
-/** A line on the points that lie on a mesh; of tables none. */
+/** Write a line on the points that lie on a judged mesh; none if tables are compared. */
 void put_apart(text *out, const graze_comparison *c);
 
 /** A line on the wrong rows under every convention for `on`, if the candidate never answers it. */
 void put_conventions(text *out, const graze_comparison *c);
 
-/** A table of the sizes of the wrong rows' signed distances, by the golden answer; nothing where
- * none was taken. */
+/** Write a table of |s| of the wrong rows by the golden answer; nothing if no distance was taken.
+ */
 void put_depths(text *out, const graze_comparison *c);
 
 /** Rows as members of a JSON object. */
@@ -99,7 +99,7 @@ void put_values(text *out, const graze_comparison *c);
 /** The errors by stratum, k and distance. */
 void put_values_by(text *out, const graze_comparison *c);
 
-/** Both as members of a JSON object, in one call. */
+/** Write the contents of put_values and put_values_by as members of a JSON object. */
 void put_json_values(json_writer *w, const graze_comparison *c);
 
 #endif

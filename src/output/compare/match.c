@@ -69,7 +69,7 @@ static graze_status look_ahead(match *m) {
     return GRAZE_OK;
 }
 
-/* Same bytes are the same point; others are compared as numbers, after rounding. */
+/* Have two rows one point? Equal bytes have; others are compared as numbers, after rounding. */
 static graze_status same_row(int *same, match *m, table_row *g, table_row *c) {
     *same = 1;
     for (size_t k = 0; k < m->key.count && *same; k++)
@@ -83,7 +83,8 @@ static graze_status same_row(int *same, match *m, table_row *g, table_row *c) {
     return GRAZE_OK;
 }
 
-/* The nearest pair of equal rows: fewest rows skipped, missing ones rather than extra ones. */
+/* Find the nearest pair of equal rows: that with the fewest rows skipped, of several the one that
+ * skips golden rows rather than candidate's; 0 if there is none. */
 static int nearest_rounding(match *m) {
     size_t golden = m->golden.count, candidate = m->candidate.count;
     for (size_t sum = 1; sum + 1 < golden + candidate; sum++)

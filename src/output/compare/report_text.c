@@ -93,7 +93,7 @@ static void put_summary(text *out, const graze_comparison *c) {
             "point; answered in %lu, on %lu, out %lu\n",
             c->undecided_answers[0], c->undecided_answers[1], c->undecided_answers[2]);
     if (c->open)
-        text_format(out, "of these %lu golden rows are undecided themselves\n", c->open);
+        text_format(out, "in %lu golden rows all answers that are judged are undecided\n", c->open);
     if (c->of_pmc)
         text_format(out, "in %lu golden rows class, i, t and word are undecided: pmc is judged\n",
                     c->of_pmc);

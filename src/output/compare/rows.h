@@ -96,16 +96,16 @@ typedef struct kept_row {
     digest key;
     unsigned long line, number; /* in the file, and among the rows */
     char *text;                 /* malloc'ed */
-    size_t taken;               /* of the first of a key: how many of them are handed out */
+    size_t taken;               /* in the first row of a key: how many rows of it are handed out */
 } kept_row;
 
 /** Zeroed at first. */
 typedef struct row_index {
     table *table;
-    kept_row *rows; /* by key, then by number; once `rest` is asked those left, by number */
+    kept_row *rows; /* by key, then by number; while `resting` only rows not taken, by number */
     size_t count, capacity;
     int resting;  /* 1: the rest is being handed out */
-    size_t next;  /* of it */
+    size_t next;  /* index of the next row of the rest */
     table_row at; /* the row handed out last */
 } row_index;
 
@@ -140,7 +140,7 @@ typedef struct match {
     int indexed; /* 1: the candidate's rows are in `index` */
     row_index index;
     int sites;   /* 1: rows are contact points */
-    drift drift; /* of pairs that were not matched by their points */
+    drift drift; /* over pairs that were not matched by their points */
     row_window golden, candidate;
     size_t skip_golden, skip_candidate; /* rows to hand out alone before the next pair */
     digest missing, extra;              /* sums of the keys of rows handed out alone */

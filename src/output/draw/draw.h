@@ -97,7 +97,7 @@ typedef struct projection {
     double row[2][3];
 } projection;
 
-/** A rectangle of the plane that holds what was put into it. */
+/** The least rectangle of the plane around the points that were added; empty at first. */
 typedef struct extent {
     double low[2], high[2];
 } extent;
@@ -114,8 +114,8 @@ typedef struct section {
 } section;
 void section_clear(section *s);
 
-/** Colour of a point: its class for a sweep, its pmc for an unsweep, of a cell also a band of its
- * distance. Zero is none. */
+/** Colour of a point: by its class for a sweep, by its pmc for an unsweep; that of a cell may also
+ * be a band of its distance. */
 typedef enum tone {
     TONE_NONE = 0, /* undecided too */
     TONE_REGULAR = 1,
@@ -143,13 +143,13 @@ typedef struct cells {
     const section *section; /* borrowed; NULL: the plane of two axes */
     fmpq_t side;
     unsigned char *tone; /* row by row, i running fastest */
-    size_t parts;        /* of a split cell along each side, odd; 1: no cell is split */
-    uint32_t *split;     /* one a cell: 0, or the number of its block of parts, from 1 */
+    size_t parts;    /* number of parts of a split cell along each side, odd; 1: none is split */
+    uint32_t *split; /* by cell: 0, or the number, from 1, of its block of parts */
     size_t split_count;
     unsigned char *part;           /* tones of the parts, block by block, row by row */
     double *distance;              /* of the cells' centres; NULL: not asked */
-    double step;                   /* between levels: */
-    int step_digit, step_exponent; /* 1, 2, 5 or 10, times this power of ten */
+    double step;                   /* distance between levels: step_digit 10^step_exponent, */
+    int step_digit, step_exponent; /* with the digit 1, 2, 5 or 10 */
 } cells;
 void cells_clear(cells *c);
 
@@ -158,7 +158,7 @@ void cells_clear(cells *c);
 void cells_plane(text *out, const cells *c, int axis);
 /** The rectangle of the plane that the cells cover. */
 extent cells_extent(const cells *c);
-/** The point of space of two coordinates in the plane of the cells, in E^3. */
+/** The point of E^3 with two given coordinates in the plane of the cells. */
 void cells_corner(double out[3], const cells *c, double horizontal, double vertical);
 
 /* Cells at borders, split into parts, so that a border has no stairs.
@@ -175,7 +175,8 @@ graze_status parts_classify(cells *c, graze_context *context, const graze_scene 
 
 /* The picture of what contacts cover of the directions about an `on` point of E^2. */
 
-/** Draw it and write it to a file. @return what graze_draw_cones does */
+/** Draw what contacts cover of the directions about the point, and write the picture to a file.
+ * @return what graze_draw_cones does */
 graze_status draw_cones(graze_context *context, const graze_scene *scene, const char *file,
                         const fmpq *point, const topo_finding *topo);
 
@@ -222,11 +223,10 @@ graze_status draw_picture(graze_context *context, const graze_scene *scene, cons
  *
  * Made in doubles: a picture of the solid decides nothing. */
 
-/**
- * Fill a solid that stands for a curved one in pictures (views.h, draw.h) and nowhere else:
- * its vertices' bounds and its simplices are set, segments in the plane, triangles in space. What
- * is narrower than a cell of the lattice, a 256th of the box in the plane and a 64th in space, may
- * be missed. Cleared by eye_solid_clear, also on failure.
+/* * Make a solid that stands for a curved one in pictures and nowhere else: only its vertices'
+ * bounds and its simplices are set, segments in the plane, triangles in space. Details narrower
+ * than a cell of the lattice, a 256th of the box in the plane and a 64th in space, may be missed.
+ * Cleared by eye_solid_clear, also on failure.
  * @param solid with a box
  */
 graze_status eye_solid_make(graze_solid *out, graze_context *context, const csg *solid);
@@ -278,7 +278,8 @@ typedef struct edge_list {
     shown_edge *item; /* malloc'ed; each edge once */
     size_t count;
     unsigned char *sides; /* a byte for each simplex: bit k is set where side k is shown */
-    uint32_t *face; /* of each simplex: the least one of the coplanar ones that it belongs to */
+    uint32_t
+        *face; /* by simplex: the least number of a simplex in its face of coplanar simplices */
 } edge_list;
 
 /** Choose the edges of a solid of E^3. Cleared by edges_clear, also on failure. */

@@ -195,7 +195,7 @@ typedef struct tick_row {
     double widest; /* in pixels */
 } tick_row;
 
-/* None where they would be long and alike, far from the origin. */
+/* The ticks of an axis; none if their numbers would be long and alike, far from the origin. */
 static tick_row ticks_of(const panel *p, int axis, double apart) {
     double low = p->window.low[axis], high = p->window.high[axis];
     tick_row t = {step_for(apart / p->scale), 0, -1, 0};

@@ -50,13 +50,13 @@ void panel_map_plane(double *x, double *y, const panel *p, double horizontal, do
 int panel_clip_segment(double share[2], const panel *p, const double from[2], const double to[2]);
 /** 1 if a pixel lies in the frame. */
 int panel_holds(const panel *p, double x, double y);
-/** 1 if some segment of a line through pixels does in part. */
+/** 1 if a line through pixels lies in the frame in part. */
 int panel_shows(const panel *p, const drawn_path *line);
 
 /** Room above and below the frame; that on its left is `left`. */
 enum { PANEL_ABOVE = 26, PANEL_BELOW = 24 };
 
-/** Give a panel its title, and room on the left, where `numbered` for those of panel_ticks. */
+/** Give a panel its title, and room on the left: if `numbered`, for the numbers of panel_ticks. */
 void panel_name(panel *p, const char *title, int numbered);
 /** The width of the frame or of its title, whichever is more. */
 double panel_span(const panel *p);
@@ -76,8 +76,9 @@ void draw_arrow_head(canvas *c, double x, double y, double dx, double dy, double
  *
  * All of it is rational, so that points of the plane are exact: its points are origin + u way[0] +
  * v way[1]. The origin is the plane's point nearest to that of space; way[0] is horizontal, and
- * way[1] is the cross product of the normal and way[0]: upwards where the normal is not. Both are
- * orthogonal to one another and of length 1 to within 2^-50, as a length is not rational. */
+ * way[1] is the cross product of the normal and way[0], pointing upwards unless the normal is
+ * vertical. They are orthogonal, and their lengths differ from 1 by at most 2^-50, since exact
+ * lengths would not be rational. */
 
 /** @param out    uninitialised; section_clear in any case
  * @param normal three rationals, not all 0 */
@@ -87,8 +88,8 @@ void section_make(section *out, const fmpq *normal, const fmpq_t place);
 void section_point(fmpq *out, const section *s, const fmpq *uv);
 /** 1 if a point lies in the plane. */
 int section_holds(const section *s, const fmpq *point);
-/** A rectangle of the plane that holds what it has of a box and little more; 0 if it does not pass
- * inside.
+/** Find a rectangle of the plane that holds the plane's part in a box and little more; 0 if the
+ * plane has no point inside the box.
  * @param[out] low, high u and v each
  * @param box_low, box_high three rationals each */
 int section_extent(fmpq *low, fmpq *high, const section *s, const fmpq *box_low,
@@ -138,8 +139,8 @@ graze_status cells_classify(cells *c, graze_context *context, const graze_scene 
 const char *cells_axes(const cells *c);
 /** Add the cells of a tone as rectangles, one for each run of them along a row. */
 void cells_path(drawn_path *out, const cells *c, const panel *p, tone t);
-/** Add the rectangle of `length` neighbouring cells from (i, j) on, of the grid whose cells are
- * `parts` times as small. */
+/** Add the rectangle of `length` neighbouring cells of a row from (i, j) on, of the grid in which
+ * each cell is divided into `parts` along each side. */
 void cells_rectangle(drawn_path *out, const cells *c, const panel *p, size_t parts, size_t i,
                      size_t j, size_t length);
 
@@ -151,7 +152,7 @@ void cells_attributes(text *out, const cells *c, const panel *p);
  * A cell is split where one of its eight neighbours has another tone; each part is classified
  * exactly at its own centre. The middle part has the cell's centre. */
 
-/** Add the parts of a tone whose cells have another one as rectangles, one for each run. */
+/** Add the parts that have a tone in cells of another tone, as rectangles, one for each run. */
 void parts_path(drawn_path *out, const cells *c, const panel *p, tone t);
 
 /* Lines in which the boundary of a solid meets a plane, chained from triangle to triangle. */
@@ -212,10 +213,10 @@ typedef struct trail_span {
 
 typedef struct trail_contact {
     graze_kind kind;
-    graze_cell_kind
-        cell;     /* of the smallest dimension at an instant, inside an interval the largest */
-    double at[3]; /* of an interval the middle one of its places */
-    int lasts;    /* an interval: */
+    graze_cell_kind cell; /* kind of the touched cell: at an instant that of the least dimension,
+                     for an interval that of the greatest */
+    double at[3];         /* its place; of an interval the middle one of its drawn places */
+    int lasts;            /* 1: it is an interval, with these ends: */
     graze_cell_kind end_cell[2];
     double end[2][3];
 } trail_contact;

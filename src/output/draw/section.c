@@ -112,7 +112,7 @@ int section_holds(const section *s, const fmpq *point) {
     return fmpq_is_zero(height);
 }
 
-/* Let a rectangle hold a point of the plane. */
+/* Enlarge a rectangle until it holds a point of the plane; `first`: set it to the point. */
 static void hold_point(fmpq *low, fmpq *high, int first, const section *s, const fmpq *point) {
     LOCAL_VEC(fmpq, value, 2);
     fmpq *square = value + 1;

@@ -78,7 +78,7 @@ void shape_extent(extent *out, const shape *s, const projection *look) {
                    projection_at(look, 1, s->at + 3 * v));
 }
 
-/* Nodes of a line of a dense mesh are no nearer than this to one another, in pixels. */
+/* The least distance in pixels between nodes of a line, in a mesh of `count` simplices. */
 static double nodes_apart(size_t count) {
     enum { DENSE = 2000 };
     return count < DENSE ? 0 : .4;

@@ -166,7 +166,7 @@ static void add_contact(follower *f, const contact *from) {
     }
 }
 
-/* The word has one letter for each span. */
+/* Make one span for each letter of the word. */
 static void follow_word(follower *f, const graze_trace *trace, size_t piece_count) {
     moment now = {0, 0};
     const moment end = {piece_count - 1, 1};

@@ -233,7 +233,7 @@ graze_status view_classes(canvas *c, graze_context *context, const picture *p) {
     graze_status status = draw_cells(c, context, p);
     if (!status && p->request->by_distance)
         status = draw_levels(c, context, p);
-    /* They would be taken for level lines. */
+    /* Not over distances, where outlines between would be taken for level lines. */
     for (size_t k = 1; k < last && !p->request->by_distance; k++)
         draw_outline(c, p, k, &outline_between);
     draw_outline(c, p, last, &outline_end);

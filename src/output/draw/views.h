@@ -47,7 +47,7 @@ enum { CONTOUR_FINENESS = 32 };
 /**
  * Add the region of the points of the set (in or on) whose tone is `least` or one after it, as
  * closed polygons: marching squares between the cells' centres. A node is the middle of an interval
- * on a side, at most 1 / CONTOUR_FINENESS of a pixel long, of whose ends one is in the region. The
+ * on a square's side, at most 1 / CONTOUR_FINENESS of a pixel long, with one end in the region. The
  * middle of a square of four nodes is classified to tell which are neighbours. Undecided points are
  * outside. Beyond the outermost centres lines go straight on to the frame.
  * @param scene NULL: the region of distances below `level`, interpolated between the centres
@@ -63,7 +63,7 @@ typedef struct obstacle {
     enum { OBSTACLE_LINE, OBSTACLE_MARK, OBSTACLE_NAME } kind; /* no line may cross a name */
 } obstacle;
 
-/** An obstacle in one bin, and the next one there. Both numbers count from 1; 0 ends the chain. */
+/** An obstacle in one bin, and the bin's next link. Numbers count from 1; 0 ends the chain. */
 typedef struct obstacle_link {
     size_t item, next;
 } obstacle_link;
@@ -195,7 +195,7 @@ void raster_draw(canvas *c, const raster *r, const panel *p);
  *
  * Its vertices are doubles: a picture of the solid decides nothing. */
 
-/** The images of the solid's vertices, three coordinates each. The solid is borrowed. */
+/** The solid (borrowed) at one time: the images of its vertices, three coordinates each. */
 typedef struct shape {
     const graze_solid *solid;
     double *at;
@@ -267,7 +267,7 @@ graze_status view_positions(canvas *c, graze_context *context, const picture *p)
 
 /** Draw the trajectories through the standing S. */
 graze_status view_trajectories(canvas *c, graze_context *context, const picture *p);
-/** Note in the legend what it shows; after views_fit. */
+/** Note in the legend what the panel of trajectories shows; after views_fit. */
 void trajectories_seen(picture *p);
 
 #endif

@@ -59,9 +59,8 @@ graze_status page_cells(text *out, graze_context *context, const graze_scene *sc
 
 /* The points of a page: answers and contacts, from which the page makes its sentences. */
 
-/**
- * All points of a request as an object of JSON (src/output/page/README.md).
- * @param centre  that of the page's box, from which places are told
+/* * All points of a request as an object of JSON (src/output/page/README.md).
+ * @param centre  the centre of the page's box; places are written relative to it
  */
 graze_status page_rows(text *out, graze_context *context, const graze_scene *scene,
                        const draw_request *request, const double *centre);
@@ -73,10 +72,10 @@ graze_status page_solid(text *out, graze_context *context, const graze_solid *so
 /** The motion's pieces as an array of JSON: coefficients as doubles, which only draw. */
 void page_motion(text *out, const graze_motion *motion, graze_operation operation);
 /** The mesh of a request as an object of JSON; null if it has none.
- * @param centre  that of the page's box, from which places are told */
+ * @param centre  the centre of the page's box; places are written relative to it */
 void page_mesh(text *out, const draw_request *request, const double *centre);
 /** The surface of the sweep as an object of JSON; null if the request wants none.
- * @param centre  that of the page's box, from which places are told */
+ * @param centre  the centre of the page's box; places are written relative to it */
 graze_status page_surface(text *out, graze_context *context, const graze_scene *scene,
                           const draw_request *request, const double *centre);
 

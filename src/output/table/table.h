@@ -67,7 +67,7 @@ typedef enum column_kind {
     COLUMN_TEXT    /* any other further column */
 } column_kind;
 
-/* The values of all rows: one of the two arrays. */
+/* A column with the values of all rows in one of two arrays, `number` or `code`. */
 typedef struct typed_column {
     field name; /* in the table's column line */
     column_kind kind;
@@ -77,7 +77,7 @@ typedef struct typed_column {
                        of the text */
     size_t capacity;
     texts texts; /* WORD, TEXT */
-    text fields; /* NUMBER: the fields, a newline behind each, in case a later one is none */
+    text fields; /* NUMBER: the fields, a newline behind each, in case a later one is no number */
 } typed_column;
 
 typedef struct typed_table {
@@ -87,8 +87,8 @@ typedef struct typed_table {
     fmpq low[3], high[3]; /* the grid's box, 0 for an axis that is not */
     text names;           /* the names of the columns */
     size_t row_count, column_count;
-    size_t own; /* number of the first columns, which are Graze's answers; the others are read as
-                   text */
+    size_t own; /* columns 0 to own - 1 are coordinates and answers of Graze; the further columns
+               are read as text */
     typed_column *column;
 } typed_table;
 
@@ -103,8 +103,8 @@ void typed_set_grid(typed_table *t, int dimension, const size_t *size, graze_rat
 /** The word of a code of pmc or class; NULL for other columns. Static. */
 const char *typed_word(const typed_column *c, uint32_t code);
 
-/** The name of a column, `column` if it has none; `_2` and so on stand behind a name that occurred.
- */
+/** The name of a column, `column` if it has none; a name that an earlier column has gets `_2`, `_3`
+ * and so on behind it. */
 void typed_name(text *out, const typed_table *t, size_t index);
 
 /* A typed table as a numpy array. */
@@ -162,7 +162,7 @@ graze_status vtk_rational_point(const vtk *w, graze_context *context, const mpq_
 /** Begin the cells; vtk_cell puts each. */
 void vtk_cells_begin(const vtk *w, size_t count, size_t corners);
 void vtk_cell(const vtk *w, const size_t *corner, size_t corners);
-/** The types of all cells, which are of one type. */
+/** Put the type of each cell: all have one type. */
 void vtk_cell_types(const vtk *w, size_t count, unsigned type);
 
 /** Begin the data of points (POINT_DATA) or cells (CELL_DATA). */

@@ -267,7 +267,7 @@ void plane_clear(plane_numbers *p);
 
 /** Read `z=1/2`, the four numbers of an equation, a point and a normal, or three points. Returns an
  * exit status and says what is wrong.
- * @param[out] out its plane, plane_axis and normal; they point into `p` */
+ * @param[out] out its plane with plane_axis or normal; plane and normal point into `p` */
 int plane_read(graze_draw_options *out, plane_numbers *p, graze_context *context, const char *text);
 
 /* Values of options that several commands take.

@@ -1,4 +1,4 @@
-/* io: .
+/* io: files, messages and exit status of the programs; contexts and scenes made by options.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_PROGRAM_IO_H
 #define GRAZE_PROGRAM_IO_H
@@ -9,8 +9,8 @@
 
 /* Files that a command reads and writes, compared before it opens one for writing.
  *
- * Two names are one file where device and inode are the same; of a file that is not there yet,
- * where the folder is the same and the name in it. Pipes, devices and folders are left alone. */
+ * Two names are one file if device and inode are equal; for a file that does not exist yet, if the
+ * folder and the name in it are equal. Pipes, devices and folders are not compared. */
 
 /** How a file is used; GUARD_INPUT: read, where `-` is standard input. */
 typedef enum guard_use { GUARD_READ, GUARD_INPUT, GUARD_WRITTEN } guard_use;
@@ -25,12 +25,12 @@ typedef struct guard {
 /**
  * Add a file.
  * @param option the option that names it, without `--`; NULL: an operand
- * @param path   its name; NULL, or of a file to write `-`: standard output
+ * @param path   its name; NULL, or `-` for a file to be written: standard output
  * @param ending stands behind the path, "" for none
  */
 void guard_add(guard *g, guard_use use, const char *option, const char *path, const char *ending);
 
-/** Refuse a file that is written and named a second time: EXIT_USAGE, and says so; EXIT_IO. */
+/** Refuse a file to be written that is named twice: EXIT_USAGE, with a message. EXIT_IO: memory. */
 int guard_check(const guard *g);
 
 void guard_clear(guard *g);
@@ -53,21 +53,21 @@ enum {
  * option that raises the limit stands behind the message. */
 int complain(int status, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/** Write no more of what complain is called for with EXIT_DONE: notes. */
+/** From now on complain writes no notes: messages with EXIT_DONE. */
 void complain_of_faults_alone(void);
 
 /** The context's message without the name of the public function that it begins with, which users
  * of commands do not know. Valid as long as the message. */
 const char *complaint_of(const graze_context *context);
 
-/** Write that message; returns the exit status of its cause (EXIT_SIGNAL for a cancel). */
+/** Write the context's message; returns the exit status for `status` (EXIT_SIGNAL for a cancel). */
 int complain_of(graze_status status, const graze_context *context);
 
-/** complain, where GRAZE_EUSE is a fault of the command line: EXIT_USAGE. */
+/** As complain_of, but GRAZE_EUSE is a fault of the command line: EXIT_USAGE. */
 int complain_of_use(graze_status status, const graze_context *context);
 
-/** Exit status for a number or a point that was refused: that of a limit or of the machine, or
- * else `otherwise`. */
+/** The exit status for a number or a point that was refused with `status`: that of a limit or of a
+ * failing machine, for other causes `otherwise`. */
 int exit_for(graze_status status, int otherwise);
 
 /* Contexts and scenes as the options ask for them. */
@@ -122,7 +122,7 @@ void loaded_clear(loaded *l);
 
 /* Checksums of 64 bits over bytes, against accidents. */
 
-/** Zeroed: of no bytes. How the bytes are cut into calls does not matter. */
+/** Zeroed it is the checksum of no bytes. How the bytes are divided among calls does not matter. */
 typedef struct checksum {
     unsigned long long sum, held; /* held: the last length % 8 bytes, the first one lowest */
     unsigned long long length;
@@ -134,9 +134,9 @@ unsigned long long checksum_value(const checksum *c);
 
 /* SIGINT, SIGTERM and SIGHUP as a flag that long work asks for. */
 
-/** Catch these three, unless they are ignored already; ignore SIGPIPE and SIGXFSZ, so that a write
- * fails instead. A process that still works ten seconds after the signal dies of it. 0 on success.
- */
+/** Catch SIGINT, SIGTERM and SIGHUP, unless they are ignored already; ignore SIGPIPE and SIGXFSZ,
+ * so that a write fails instead. A process that still works ten seconds after a caught signal dies
+ * of it. 0 on success. */
 int interrupt_watch(void);
 
 /** The signal that came, or 0. Any thread may ask. */
@@ -152,8 +152,8 @@ void interrupt_die(void);
  * their first use. */
 void memory_guard(void);
 
-/** Call `what` before such an end; NULL: nothing. It runs in any thread and may use neither memory
- * nor locks. */
+/** Have `what` called before memory_guard ends the program; NULL: nothing. It runs in any thread
+ * and may neither allocate memory nor take locks. */
 void memory_before_end(void (*what)(void));
 
 /* Numbers on the command line, and as text. */
@@ -167,7 +167,7 @@ void memory_before_end(void (*what)(void));
 int numbers_read(mpq_t *out, graze_context *context, const char *name, const char *text,
                  size_t length, int count);
 
-/** A whole number from `low` up; digits only. 1 if it is one. */
+/** Read a whole number of digits alone that is at least `low`; 0 if the text is none. */
 int numbers_count(unsigned long *out, const char *text, unsigned long low);
 
 /** An integer, or a ratio in lowest terms: malloc'ed; NULL when out of memory. */
@@ -189,7 +189,7 @@ typedef struct output {
 /** Is this a name of standard output: `-`, or `-` and an ending, which is the form of what is
  * written? 0 for NULL. */
 int output_is_standard(const char *path);
-/** The name itself, but for `-` the name with an ending, such as `-.svg`. */
+/** The name itself; for `-` the name `standard`, which has an ending, such as `-.svg`. */
 const char *output_name(const char *path, const char *standard);
 /** Send output without a name to this file from now on, or to standard error where it is NULL;
  * before that it goes to standard output. */
@@ -203,7 +203,7 @@ int output_continue(output *out, const char *path);
 /** Lock the file until it or any other descriptor of it is closed. EXIT_IO: another process has
  * locked it. */
 int output_lock(output *out);
-/** Cut the file off at that byte and go on from there. */
+/** Cut the file off after its first `byte` bytes, and write on from there. */
 void output_from(output *out, long long byte);
 void output_put(output *out, const char *text);
 void output_bytes(output *out, const char *text, size_t length);
@@ -212,8 +212,8 @@ void output_sink(void *out, const char *text, size_t length);
 /** An integer, or a ratio in lowest terms. */
 void output_number(output *out, const mpq_t value);
 void output_flush(output *out);
-/** Drop what is not written yet, and empty a plain file that was opened by its name: a file in a
- * form that is useless in parts is written whole or not at all. */
+/** Drop the bytes that are not written yet, and empty a plain file that was opened by its name: for
+ * formats in which a part is useless. */
 void output_drop(output *out);
 /** Flush and close. Returns an exit status and says what went wrong since it was opened. */
 int output_close(output *out);
@@ -232,7 +232,7 @@ void output_guard_standard(void);
 /* A line that grows on standard error, where it is a terminal: rows, rate and, where the end is
  * known, per cent and the time left. */
 
-/** How far the work is: `done` of `whole`, in any unit; `whole` is 0 where it is unknown. */
+/** How far the work is: `done` of `whole`, in any unit; `whole` is 0 if the end is unknown. */
 typedef struct portion {
     unsigned long done, whole;
 } portion;
@@ -260,7 +260,7 @@ void progress_end(progress *p, unsigned long rows, portion reached);
 
 /** From now on waiting_show shows the time since then; until then it does nothing. */
 void waiting_start(void);
-/** Show the seconds, once a second, from the second one on. */
+/** Show the seconds worked, at most once a second, after the first two. */
 void waiting_show(void);
 /** Take the line away, so that a message or an answer can stand there. */
 void waiting_clear(void);

@@ -71,7 +71,7 @@ void output_from(output *out, long long byte) {
     out->open_line = 0;
 }
 
-/* The first `done` bytes of the buffer are written. */
+/* Update open_line after the first `done` bytes of the buffer were written. */
 static void note_open_line(output *out, size_t done) {
     size_t k = done;
     while (k > 0 && out->buffer[k - 1] != '\n')

@@ -12,8 +12,8 @@ int fault_of(fault *f, graze_status status, const graze_context *context, int ot
 
 /* The columns of a file of contact points. */
 
-/** Fix the columns by a line of names: time and point, `cell` where points are moved; all others
- * but those of the table are carried along.
+/** Fix the columns by a line of names: time and point, and `cell` if points are moved. All other
+ * columns are carried along, but for those whose names a table of contact points has.
  * @param[out] where the columns of time and point
  * @param file the name of the file, for messages
  * @return EXIT_DONE or the status of the fault */
@@ -27,7 +27,7 @@ int site_columns_fault(fault *f, const site_form *s, const char *file, unsigned 
 /** Is a field a time as tables write one that is not rational? */
 int site_time_is_root(field token);
 
-/** The name of a number of a row, 0 that of its time. */
+/** The name of number `index` of a row; number 0 is the time. */
 const char *site_number_name(const site_form *s, int index);
 
 /** Facts from the `#` lines before the first line: whether Graze has written the file, and with
@@ -47,10 +47,11 @@ int columns_fix(int *header, fault *f, columns *c, graze_context *context, field
 
 /* Boundary cells as graze generate spells them. */
 
-/** The form, for messages. */
+/** The form of a cell, for messages. */
 #define CELL_FORM "`face 3`, `edge 1-2` or `vertex 5`"
 
-/** Read CELL_FORM, of an edge the lower end first; 0 if the text is none. */
+/** Read a cell in CELL_FORM; an edge is stored with the lower number first. 0 if the text is none.
+ */
 int cell_read(graze_cell *out, field text);
 
 /* Heads of numpy's .npy files. */
@@ -97,7 +98,7 @@ void npy_close(npy *a);
  */
 int npy_next(npy *a, fault *f, field *line);
 
-/** Points handed out, and in all. */
+/** The number of points handed out, and that of all points of the file. */
 unsigned long npy_done(const npy *a);
 unsigned long npy_count(const npy *a);
 

@@ -1,4 +1,4 @@
-/* points: .
+/* points: query points from files and grids, in blocks of rows, and their columns in tables.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_PROGRAM_POINTS_H
 #define GRAZE_PROGRAM_POINTS_H
@@ -35,8 +35,7 @@ int line_note(field *value, result_kind kind, field line, const char *key);
 /* Blocks of rows on their way from a file or a grid through the threads to the table, and faults.
  */
 
-/** A block takes no further line once it holds that many rows or bytes; a run has at most RUN_ROWS.
- */
+/** A block is full with BLOCK_ROWS rows or BLOCK_BYTES bytes; a run has at most RUN_ROWS rows. */
 enum { BLOCK_ROWS = 1024, BLOCK_BYTES = 1 << 20, RUN_ROWS = 64 };
 
 /** Why a row has no answer: an exit status (src/program/io/io.h) and, unless it is EXIT_SIGNAL, a
@@ -61,8 +60,8 @@ typedef struct line {
 /** Neighbouring rows answered by one thread, at the place of the first of them. */
 typedef struct row_run {
     graze_row_totals totals; /* of the rows that are done */
-    size_t taken;            /* rows; 0 until a thread takes them */
-    size_t done;             /* rows the texts hold */
+    size_t taken;            /* number of its rows; 0 until a thread takes them */
+    size_t done;             /* number of its rows that the texts hold */
     struct row_text {
         char *text; /* for graze_free; NULL where none is wanted */
         size_t length;
@@ -85,15 +84,16 @@ typedef struct block {
 
 block *block_create(void);
 void block_destroy(block *b);
-/** Take the answers away and empty the block, whose rows will come after `before` others. */
+/** Free the answers and empty the block; `before` rows of the shard come before its next rows. */
 void block_reset(block *b, unsigned long before);
 /** Add a line of a file; 0 when memory is short. */
 int block_add(block *b, field text, unsigned long number);
 
-/** Contact points in place of points: a row has a time too, before the coordinates, which are those
- * of the solid's frame or, `in_world`, of the place then; and a cell with `snap`. */
+/** Contact points in place of points: a row has a time before the coordinates, and with `snap` a
+ * cell. The coordinates are in the solid's frame or, if `in_world`, those of the place at the time.
+ */
 typedef struct site_form {
-    int wanted, snap; /* by the options */
+    int wanted, snap; /* the options ask for contact points, for points moved to contacts */
     int dimension, in_world;
     size_t cell;   /* its column */
     char *carried; /* 1 for each column that is carried along */
@@ -103,19 +103,19 @@ typedef struct site_form {
 
 /** Columns of a file that graze classify has written: its answers, which are not carried along. */
 typedef struct own_columns {
-    size_t first, end; /* answers are the columns from `first` to before `end` */
-    size_t last;       /* and the last ones: of --sdf, --moments, --topo and --regular */
+    size_t first, end; /* answers are columns `first` to `end` - 1, */
+    size_t last;       /* and the last `last` columns: of --sdf, --moments, --topo, --regular */
 } own_columns;
 
 /** `count` is 0 until the first line has fixed them; nothing changes afterwards. */
 typedef struct columns {
     const char *name; /* of the file, for messages; borrowed */
     int dimension;
-    int numbers; /* of a row: the dimension, one more of contact points */
+    int numbers; /* count of numbers of a row: the dimension, with contact points one more */
     site_form sites;
     size_t count;
-    size_t where[4]; /* the columns of time, x, y, z, without time of x, y, z */
-    char separator;  /* of the file's fields; those of a table stand between commas */
+    size_t where[4]; /* the columns of the numbers: of x, y, z or of time, x, y, z */
+    char separator;  /* between fields of this file; tables that are written have commas */
     own_columns own;
     char *others; /* names of the further columns, comma-joined; NULL if none */
 } columns;
@@ -133,8 +133,8 @@ typedef struct reader {
 void reader_clear(reader *r);
 
 /**
- * Names of the further columns in a table: one that the table has already gets `_in` behind it
- * until it is free, and a note says so.
+ * Names of the further columns in a table. A name that the table has already gets `_in` behind it,
+ * again and again, until the table does not have it, and a note says so.
  * @param own the table's own column line
  * @return malloc'ed; NULL when out of memory, or where there are no further columns
  */
@@ -143,7 +143,7 @@ char *columns_free_names(const columns *c, field own);
 /**
  * Read a line of a block. Any thread may ask, once the columns are fixed.
  * @param[out] point one initialised rational per number of a row
- * @param r          the further columns are added to `rest` where there are any
+ * @param r          the row's further columns, if there are any, are added to its `rest`
  * @return EXIT_DONE, or the status of the fault, which names file and line
  */
 int columns_row(mpq_t *point, fault *f, const columns *c, reader *r, const block *b, size_t index);
@@ -193,7 +193,7 @@ int coordinates_put(text *out, fault *f, const coordinate_options *o, graze_cont
 #define SHARD_ROWS "rows-of-all-shards "
 #define SHARD_POINTS "points-checksum "
 #define SHARD_BYTES "bytes-checksum "
-/** Before these, in a table with positions: how many are undecided. */
+/** Before these notes, in a table with positions (--topo): the number of undecided ones. */
 #define UNDECIDED_LINE "undecided "
 /** The last line, with the number of rows. */
 #define COMPLETE_LINE "complete "
@@ -224,7 +224,7 @@ typedef struct grid_options {
 
 typedef struct grid grid;
 
-/** Read a value of --box into d initialised rationals each. On failure says why. */
+/** Read a value of --box into two corners of d initialised rationals each. On failure says why. */
 int box_read(mpq_t *low, mpq_t *high, const char *text, int d, graze_context *context);
 /** Make the grid of these options, in the box of the scene unless one is given. On failure says
  * why; `*out` is to be closed in either case. */
@@ -238,11 +238,11 @@ void grid_fill(const grid *g, shard part, block *b, unsigned long most);
  * Any thread may ask.
  * @param[out] points room for three coordinates a point; d of them are set, point after point */
 void grid_points(mpq_t *points, const grid *g, shard part, unsigned long first, size_t count);
-/** Rows of pmc alone of these points, as graze_grid_rows. */
+/** Make graze_grid_rows's rows for `count` points of a shard from its point `first` on. */
 graze_status grid_rows(char **out, size_t *length, size_t *done, graze_context *context,
                        const grid *g, shard part, unsigned long first, size_t count,
                        graze_format format);
-/** Tell a table of its rows that they are the grid's. */
+/** Tell a table that its rows are the points of the grid. */
 void grid_shape(typed_table *t, const grid *g);
 /** Add the lines `# grid` and `# box`. */
 void grid_notes(text *out, const grid *g);
@@ -257,7 +257,7 @@ typedef struct csv csv;
  * borrowed. On failure says why. */
 int csv_open(csv **out, const char *path, int dimension, shard part, graze_context *context);
 void csv_close(csv *c);
-/** Before the first line is read: the rows are contact points, which are moved with `snap`. */
+/** Before the first line: expect contact points as rows, with `snap` to be moved to contacts. */
 void csv_expect_sites(csv *c, int snap);
 /**
  * Fill a block with the next rows, at most `most`; an empty block means the end. On an error, for
@@ -271,7 +271,7 @@ int csv_ready(csv *c);
 const fault *csv_fault(const csv *c);
 /** The columns, fixed once a header or a first row has been read. */
 const columns *csv_columns(const csv *c);
-/** How much of the file is read; unknown for a pipe. */
+/** How much of the file is read, in bytes; for a pipe the whole is unknown (0). */
 portion csv_portion(const csv *c);
 /** Rows read so far, those of other shards too, and a checksum of the line of names and of their
  * text. */
@@ -283,21 +283,21 @@ unsigned long long csv_checksum(const csv *c);
 /** Zeroed: of no points; distinct_clear at last. */
 typedef struct distinct {
     slots seen;
-    unsigned idle;         /* points in a row that were no new ones */
-    unsigned spent;        /* strata that gave too many of these, as a set of 1 << graze_stratum */
+    unsigned idle;  /* how many points one after another were repeated ones */
+    unsigned spent; /* strata that gave too many repeated ones: a set of 1 << graze_stratum */
     int is_wanted, failed; /* failed: memory has run short */
-    graze_stratum wanted;  /* that of the last point, which was no new one */
-    unsigned tries;        /* at another one of this stratum */
-    unsigned passed;       /* points of others meanwhile */
+    graze_stratum wanted;  /* if is_wanted: the stratum of the last point, a repeated one */
+    unsigned tries;        /* number of tries at another point of this stratum */
+    unsigned passed;       /* number of points of other strata passed over meanwhile */
 } distinct;
 
-/** Whether a point is to be looked at: after one that repeats all but those of its stratum are
- * passed over, up to a number, so that each stratum keeps its share. */
+/** Is a point of a stratum to be taken? After a repeated point, points of other strata are passed
+ * over, up to a number, so that each stratum keeps its share. */
 int distinct_wants(distinct *d, graze_stratum stratum);
-/** Whether a point of a stratum is none of those before. Points are as they are written; of 2^64
- * hashes an equal one counts as an equal point. */
+/** Add a point of a stratum; 1 if it differs from all points before it. Points are compared as they
+ * are written, by hashes of 64 bits: an equal hash counts as an equal point. */
 int distinct_add(distinct *d, graze_stratum stratum, const char *point, size_t length);
-/** Whether the last points were all repeated, so that trying on is of no use. */
+/** Were too many points in a row repeated ones for further tries to be of use? */
 int distinct_is_over(const distinct *d);
 void distinct_clear(distinct *d);
 

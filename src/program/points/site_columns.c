@@ -44,7 +44,7 @@ int site_time_is_root(field token) {
     return field_behind(&value, token, "root(");
 }
 
-/* The last one is a column of the table if points are moved. */
+/* Is a name one of these? The last of them only if points are moved. */
 static int is_result(field name, int snap) {
     for (size_t k = 0; k < RESULT_NAMES - !snap; k++)
         if (field_is(name, result_names[k]))

@@ -91,7 +91,7 @@ static graze_status write_members(answerer *a, row_run *r, unsigned long first) 
                      first, r->taken, a->task.rows->format);
 }
 
-/* Row `row` of the block has no answer. Only what was read may be the cause itself. */
+/* Set the fault of a row that has no answer; only GRAZE_EINPUT is a fault of the file. */
 static void fail_row(answerer *a, row_run *r, graze_status status, const block *b, size_t row) {
     const columns *c = a->task.source.columns;
     const char *why = status == GRAZE_ESYSTEM ? "out of memory" : graze_context_message(a->context);

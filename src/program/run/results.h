@@ -24,68 +24,68 @@ size_t answer_most(const answer_task *task);
 /** Record of a run: rows that are written, with the sums that bind them to points and files. */
 typedef struct record {
     unsigned long rows, undecided, wide;
-    unsigned long long points; /* checksum of the points up to there */
+    unsigned long long points; /* checksum of the points of these rows */
     struct recorded {
-        unsigned long long length, sum; /* of the file up to there */
+        unsigned long long length, sum; /* length and checksum of the file with these rows */
     } file[RESULT_KINDS];
 } record;
 
 typedef struct record_file {
     char *path;     /* NULL: there is no record */
     int fd;         /* -1 until the first line is written */
-    double written; /* seconds of the monotonic clock; first the start */
+    double written; /* time of the last writing, at first of the start; monotonic clock, seconds */
 } record_file;
 
 /** Name the record of `path`. EXIT_INPUT: something else stands there; EXIT_IO. Says why. */
 int record_open(record_file *f, const char *path);
-/** Read it; 0 if there is none, or it is not whole. */
+/** Read the record; 0 if there is none, or if it is not whole. */
 int record_read(record *out, const record_file *f);
-/** Write it, `now` or where the last time is a second ago. A record that cannot be written is none:
- * its rows are made again. */
+/** Write the record if the last one is a second old, or in any case if `now`. If it cannot be
+ * written, no failure is reported: a run that continues makes the rows again. */
 void record_write(record_file *f, const record *r, int now);
-/** Take it away: the files are whole, or begun anew. */
+/** Remove the record, when the files are whole or begun anew. */
 void record_remove(record_file *f);
 void record_close(record_file *f);
 
 /* The table or the certificate that a run writes: begun anew, or continued where an earlier run
  * was interrupted.
  *
- * A file that is continued is passed over up to the end of its record; behind that its
- * bytes are compared with those of this run. Until all of it is the same nothing in the file
+ * A continued file is passed over up to the end of its record; the bytes behind are
+ * compared with those that this run makes. Until the end of the file is reached nothing in it
  * changes; a last line without its end is written anew. */
 
 typedef struct result {
     output out;
     result_kind kind;
     int opened;
-    int beside; /* a certificate beside a table, which alone tells how far a run has come */
+    int beside; /* a certificate beside a table; the table alone tells how far a run has come */
     const char *resumed;      /* the file that is continued, or NULL */
     unsigned long long there; /* bytes of its whole lines, without those that are dropped */
     unsigned long long size;  /* its bytes when it was opened */
     checksum sum;             /* of the bytes passed over, compared or written */
-    unsigned long lines;      /* among them, for messages */
+    unsigned long lines;      /* lines among these bytes, for messages */
     unsigned long rows;       /* rows written, or taken over from an earlier run */
 } result;
 
-/** Open standard output (NULL), a file, or with `resumed` a file to continue, which need not be
- * there. Returns an exit status and says what is wrong: EXIT_INPUT the file is whole already, which
- * one that is `beside` another may be. `t` is zeroed before but for `kind` and `beside`;
- * result_close ends it in any case. */
+/** Open the file `resumed` to continue it, or make it if it is not there. If `resumed` is NULL,
+ * open `path` as output_open does. Returns an exit status and says what is wrong; EXIT_INPUT:
+ * `resumed` is complete, which is allowed if `beside` is set. The caller zeroes `t` before, but for
+ * `kind` and `beside`, and calls result_close in any case. */
 int result_open(result *t, const char *path, const char *resumed);
 
-/** Write the head, or see that it is the one there. EXIT_INPUT: it is not. */
+/** Write the head or, in a continued file, check it. EXIT_INPUT: the file has another head. */
 int result_begin(result *t, const char *head);
 
-/** 1 if the file has that number of bytes, so that a record may belong to it. */
+/** 1 if the file has at least kept->length bytes, so that a record may belong to it. */
 int result_reach(const result *t, const struct recorded *kept);
 
-/** Pass over the file up to there, `rows` rows. EXIT_INPUT: it was changed. */
+/** Pass over the kept bytes of the file, which have `rows` rows. EXIT_INPUT: they were changed. */
 int result_pass(result *t, const struct recorded *kept, unsigned long rows);
 
-/** Add whole lines with `rows` rows, or check that they are there. EXIT_INPUT: others are. */
+/** Add whole lines with `rows` rows, or check that the file has them. EXIT_INPUT: it has others. */
 int result_add(result *t, const char *text, size_t length, unsigned long rows);
 
-/** Nothing will be added. EXIT_INPUT: there are rows for which this run has no points. */
+/** Check that all of a continued file is reached. EXIT_INPUT: it has rows beyond this run's. */
 int result_end(const result *t);
 
 /** How far the file has come. */
@@ -104,8 +104,8 @@ typedef struct results {
     const classify_options *o;
     const loaded *l;
     result file[RESULT_KINDS];
-    typed_table typed;  /* the table, where it is exported */
-    record_file beside; /* of the table, or of the certificate alone */
+    typed_table typed;  /* the table's values, if its form is binary (npy, vtk) */
+    record_file beside; /* the record: beside the table, or beside a certificate alone */
     int recorded;       /* rows of this run are in it */
     record at;          /* how far the rows have come; not beyond a row without an answer */
 } results;
@@ -118,13 +118,14 @@ result *results_main(results *out);
 
 /** Open the files, or those to continue. Returns an exit status and says what is wrong. */
 int results_open(results *out);
-/** Pass over these rows, whose points, `rows` of them, have this checksum. EXIT_INPUT: they are
- * other rows, or of other points. */
+/** Pass over the rows that the record of an earlier run counts, for which this run has read `rows`
+ * points with the checksum `points`. EXIT_INPUT: the files have other rows, or rows of other
+ * points. */
 int results_pass(results *out, unsigned long rows, unsigned long long points);
 /** Write the heads. `source` has the columns or the grid. */
 int results_begin(results *out, const row_source *source);
-/** Write the rows of a block that have answers, up to the first that has none. EXIT_SIGNAL: that
- * was left out after a signal. */
+/** Write the rows of a block up to the first that has no answer, and complain of that one.
+ * EXIT_SIGNAL: it was left out because a signal came. */
 int results_block(results *out, const block *b);
 /** Write the last lines, or the table in the form asked for. `rows_of_all` and `checksum` describe
  * the whole run, so that merge can match the parts. */

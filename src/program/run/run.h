@@ -29,10 +29,10 @@ typedef struct classify_options {
     const char *output;      /* NULL: standard output */
     const char *resume;      /* the table to continue, or NULL */
     const char *certificate; /* a file for the certificate beside the table, or NULL */
-    int times;               /* it gives the times and cells of contacts */
+    int times;               /* the certificate gives the times and cells of contacts */
     int threads;             /* 0: one for each core */
     int quiet;               /* no progress */
-    int transient;           /* the files are not kept, and nothing is that a run may go on with */
+    int transient;           /* files are for a moment only: no record for a later run is kept */
 } classify_options;
 
 /* One run of graze classify or graze certify: points of a file or a grid into a table, a
@@ -45,7 +45,7 @@ int classify_run(const classify_options *o);
 /* Runs of rows answered: their numbers read, their points classified, all of it written as one
  * text. */
 
-/** Source of the rows of the blocks: one is NULL. */
+/** Source of the rows of the blocks: a file's columns or a grid; the other is NULL. */
 typedef struct row_source {
     const columns *columns;
     const grid *grid;
@@ -58,7 +58,7 @@ typedef struct answer_task {
     const context_options *context;
     const graze_scene *scene;
     const graze_certifier *certifier; /* NULL: no certificate is wanted */
-    int no_table;                     /* a certificate alone is */
+    int no_table;                     /* 1: a certificate alone is wanted */
     const graze_row_options *rows;
     row_source source;
     int one_by_one; /* no points of a grid are decided together: the solid is curved */
@@ -78,8 +78,8 @@ typedef struct answerer {
 /** Make an answerer; answerer_clear frees it in either case. On failure says why. */
 int answerer_init(answerer *a, const answer_task *task);
 void answerer_clear(answerer *a);
-/** Answer the run that begins at row `first` of a block, into a run whose `taken` is set and that
- * is zeroed otherwise. */
+/** Answer the rows of a block from `first` on into `r`, whose `taken` is set to their number and
+ * which is zeroed otherwise. */
 void answer(answerer *a, row_run *r, const block *b, size_t first);
 
 /* The scene of a certificate, in a form that graze-check reads. */
@@ -88,8 +88,8 @@ void answer(answerer *a, row_run *r, const block *b, size_t first);
  * Make the certifier of a scene that was read, with times of contacts or without. A solid or a
  * motion that graze-check cannot read is written as `graze convert` writes it to a file beside the
  * certificate, CERTIFICATE.off, .wkt or .json, which is named on standard error, and the scene is
- * read anew with it; a file there that is read too, or holds another one of a run that is
- * continued, is refused. On failure says why and returns an exit status.
+ * read anew with that file. Refused if a file of that name is one that is read, or if a run is
+ * continued and the file there has another content. On failure says why and returns an exit status.
  * @param writes 0: the files beside the certificate are there already
  */
 int certified_load(loaded *l, const classify_options *o, int writes);
@@ -98,17 +98,16 @@ int certified_load(loaded *l, const classify_options *o, int writes);
 
 typedef struct jobs jobs;
 
-/** After a signal, rows that are nearly answered have this number of looks, this number of
- * milliseconds apart. */
+/** After a signal jobs_wait looks LAST_LOOKS times for answers, LOOK_MILLISECONDS apart. */
 enum { LAST_LOOKS = 10, LOOK_MILLISECONDS = 20 };
 
-/** How many rows are answered at one time, if `threads` are asked for: no more than there are
- * cores; 0: one for each core. */
+/** The number of threads used if `threads` are asked for (0: one a core): at most one a core. */
 int jobs_width(int threads);
 /** Start the threads, each with a context of its own. On failure says why; `*out` is for jobs_stop
  * in either case. */
 int jobs_start(jobs **out, int threads, const answer_task *task);
-/** Hand a block over; it is answered after those before it and must stay until jobs_wait. */
+/** Hand a block over; it is answered after the blocks handed over before, and must stay until
+ * jobs_wait has returned for it. */
 void jobs_submit(jobs *j, block *b);
 /** Wait until all rows of a block are answered; after a signal only for a moment. Runs without an
  * answer have the fault EXIT_SIGNAL. */
@@ -126,8 +125,8 @@ int jobs_stop(jobs *j);
 /* A part: the table or the certificate of one shard, as graze merge reads it.
  *
  * A part is a plain file that is open only while it is read from, so that there is no limit to how
- * many there are. Its head and its last lines are read first; the number of its rows and a
- * checksum of its bytes are held to these lines. */
+ * many there are. Its head and its last lines are read first; the last lines state the number of
+ * rows and a checksum of the bytes, which are compared with those of the file. */
 
 typedef struct part {
     stream in;
@@ -137,8 +136,8 @@ typedef struct part {
     field next;   /* the line behind the rows that are copied, borrowed from `in` */
     checksum sum; /* of the bytes before that line */
     unsigned long rows, rows_of_all;
-    int topo; /* rows have positions; and the number of undecided ones */
-    unsigned long undecided;
+    int topo;                /* rows have positions */
+    unsigned long undecided; /* the number of undecided positions, as the last lines state it */
     unsigned long long points, bytes; /* checksums in the last lines */
 } part;
 
@@ -150,7 +149,7 @@ void part_close(part *p);
 /** Copy the next row. EXIT_INPUT: there is none. */
 int part_copy_row(part *p, output *out);
 
-/** All rows are copied. EXIT_INPUT: there are more, or the part was changed. */
+/** Check that no row is left. EXIT_INPUT: there are more, or the part was changed meanwhile. */
 int part_end(part *p);
 
 /* Blocks with rows that are not yet taken, in order. */
@@ -176,8 +175,8 @@ size_t queue_take(queue *q, block **of, int workers, size_t most);
  * search for facets that meet again.
  *
  * A receipt is a text that the scene and the options that shape it determine: version, hashes of
- * both files and of the scene, rounding, triangulation; and last a checksum of itself, against
- * accidents. It holds for a run that would write the same one. */
+ * both files and of the scene, rounding, triangulation; and last a checksum of the lines before,
+ * against accidents. It holds for every run that would write an equal receipt. */
 
 /** Write the receipt of a legal scene to a file. */
 int receipt_write(const char *path, const loaded *l, const scene_options *o);

@@ -38,11 +38,11 @@ typedef struct cell_faces {
     size_t cell, first;
 } cell_faces;
 
-/** A vertex within a cell: between a point that is out and one that is not, d rationals each, at
- * most 2^-21 of the cell apart along each axis; the latter itself where it is on. */
+/** A vertex within a cell: the middle between a point that is out and one that is not, d rationals
+ * each, at most 2^-21 of the cell apart along each axis; `inside` itself if it is on. */
 typedef struct feature {
     fmpq outside[3], inside[3];
-    graze_pmc pmc; /* of the latter */
+    graze_pmc pmc; /* of `inside`: in or on */
 } feature;
 
 struct graze_boundary {
@@ -54,14 +54,14 @@ struct graze_boundary {
     unsigned long budget;
     fmpq low[3], side[3];
     fmpq point[3];          /* the lattice point at hand */
-    int threads;            /* that ask for points off the lattice, */
-    struct asker *askers;   /* one each */
+    int threads;            /* number of threads that classify points off the lattice */
+    struct asker *askers;   /* one for each thread */
     number_index points;    /* lattice points and their pmc */
     unsigned long known[4]; /* points by pmc */
     sample_cell *cells;
     size_t cell_count, cell_capacity, leaf_count;
     size_t *leaves;
-    uint64_t *contacts; /* places of the smallest cells that hold one, sorted */
+    uint64_t *contacts; /* places of the smallest cells that hold a contact point, sorted */
     size_t contact_count;
     unsigned long asked; /* contact points made; they count as points of the budget */
     size_t *work;        /* cells to look at */
@@ -82,7 +82,7 @@ struct graze_boundary {
     size_t feature_count, feature_capacity;
 };
 
-/** Who asks for points off the lattice: a thread with a context, a point at hand and a count. */
+/** A thread that classifies points off the lattice: its context, its point at hand, its count. */
 typedef struct asker {
     const struct graze_boundary *boundary;
     graze_context *context; /* of the call at work */

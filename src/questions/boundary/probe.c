@@ -66,7 +66,7 @@ graze_status probe_line(fmpq_t low, fmpq_t high, graze_pmc *pmc, asker *a, const
     return status;
 }
 
-/* Along which axis `way` goes farthest, in cells. */
+/* The axis along which `way` is longest, measured in cells. */
 static int main_axis(const struct graze_boundary *b, const fmpq *way) {
     int best = 0;
     LOCAL_VEC(fmpq, share, 2);

@@ -25,10 +25,11 @@ graze_pmc lattice_known(const struct graze_boundary *b, uint64_t key);
  */
 graze_status lattice_classify(graze_pmc *out, graze_context *context, struct graze_boundary *b,
                               uint64_t key);
-/** 1 if a part of the cell's corners is out and another not. */
+/** 1 if some corner of the cell is out and another is not. */
 int sample_cell_mixed(const struct graze_boundary *b, const sample_cell *c);
 
-/* The longest edge is sqrt(3) cells, so both points are within 2^-20 of a cell's longest side. */
+/* The longest edge is a cell's diagonal, so both points are within 2^-20 of a cell's longest side.
+ */
 enum { BISECT_BITS = 21 };
 
 /** Set the places of all vertices. */
@@ -77,11 +78,10 @@ graze_status feature_find(feature *out, int *found, asker *a, const sample_cell 
 /** 1 if a point lies strictly inside a cell of the level reached. */
 int probe_in_cell(const struct graze_boundary *b, const sample_cell *c, const fmpq *point);
 
-/**
- * Look on the line base + s way for the boundary by bisection, s from `low`, where the answer must
- * not be out, to `high`, where it must be.
- * @param[in,out] low, high shares; afterwards at most 2^-`bits` apart
- * @param[out] pmc at `low`; GRAZE_PMC_NONE where the answers at the ends are not those
+/* * Look on the line base + s way for the boundary by bisection, between s = low, where the answer
+ * must be in or on, and s = high, where it must be out.
+ * @param[in,out] low, high values of s; afterwards at most 2^-`bits` apart
+ * @param[out] pmc at `low`; GRAZE_PMC_NONE if the answers at the ends are not as they must be
  */
 graze_status probe_line(fmpq_t low, fmpq_t high, graze_pmc *pmc, asker *a, const fmpq *base,
                         const fmpq *way, unsigned bits);

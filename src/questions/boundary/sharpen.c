@@ -28,7 +28,7 @@
 #include "input/solid/solid.h"
 #include "questions/boundary/sampling.h"
 
-/* A patch with a feature, whose number is the fan's. */
+/* A patch that is replaced by a fan about its feature; fan k has feature k. */
 typedef struct fan {
     size_t patch, first, count; /* of its rim in `rims` */
 } fan;
@@ -174,7 +174,8 @@ static int is_joined(rim_run *run, size_t *other, const sharpening *s, const fan
                            &s->tangents[vertex[(run->first + run->edges) % f->count]]);
 }
 
-/* Both faces along p q, made once for the two fans. */
+/* Add the two triangles at the edge from one fan's apex to the other's. The fan of the lower number
+ * adds them for both. */
 static graze_status join_fans(sharpening *s, size_t index, size_t other, const rim_run *run) {
     const fan *f = &s->fans[index];
     const size_t *vertex = s->rims + f->first;
@@ -213,7 +214,7 @@ static graze_status spread(sharpening *s, size_t index) {
     return keep_face(s, (size_t[]){apex_of(s, index), vertex[f->count - 1]});
 }
 
-/* Take away the vertices that no face has; the others keep their order. */
+/* Remove the vertices that no face has; the remaining vertices keep their order. */
 static graze_status drop_vertices(sharpening *s) {
     struct graze_boundary *b = s->boundary;
     size_t corners = s->face_count * (size_t)b->dimension, old = b->vertices.count, count = 0;

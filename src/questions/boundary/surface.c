@@ -18,7 +18,7 @@
 /* A simplex's corners with those in `out` last. */
 typedef struct corner_simplex {
     uint32_t at[4][3];
-    int corners, rest; /* how many there are, and how many of them are not out */
+    int corners, rest; /* number of corners, and of those that are not out */
 } corner_simplex;
 
 static graze_status vertex(size_t *out, graze_context *context, struct graze_boundary *b,
@@ -124,7 +124,8 @@ static int at_border(const struct graze_boundary *b, const sample_cell *c) {
     return border;
 }
 
-/* Corners of a mixed cell on the border of the box that are not out: the surface ends there. */
+/* Has a mixed cell corners on the border of the box that are not out? Then the surface ends there.
+ */
 static int ends_at_border(const struct graze_boundary *b, const sample_cell *c) {
     uint32_t last = 1u << (b->depth + 1);
     for (unsigned k = 0; at_border(b, c) && k < 1u << b->dimension; k++) {

@@ -16,7 +16,7 @@
 #include "input/validate/validate.h"
 #include "questions/certify/prove.h"
 
-/* Beyond it powers of M might leave the range of doubles. */
+/* The range of M: beyond it powers of M might leave the range of doubles. */
 static const double SMALLEST = 0x1p-200, LARGEST = 0x1p200;
 
 /* A simplex: its edges from corner 0, and bounds of determinants. */
@@ -89,7 +89,7 @@ static int make_frame(frame *out, const control *c, const graze_solid *solid,
     return 1;
 }
 
-/* All of one strict sign. */
+/* Has the plane form certainly one strict sign at all control points? */
 static int plane_clears(const frame *f, const control *c, const double *corner) {
     int sign = 0;
     for (size_t k = 0; k < c->count; k++) {
@@ -104,7 +104,7 @@ static int plane_clears(const frame *f, const control *c, const double *corner) 
     return 1;
 }
 
-/* Coordinate i of the normal is zero, exactly: a coordinate is that of all corners. */
+/* Is coordinate i of the normal exactly zero, since all corners share another coordinate? */
 static int is_flat(const frame *f, const graze_solid *solid, int i) {
     int j = (i + 1) % 3, k = (i + 2) % 3;
     return solid->corners.error == 0 && ((f->edge[0][j] == 0 && f->edge[1][j] == 0) ||
@@ -122,7 +122,7 @@ static int find_axis(const frame *f, const graze_solid *solid) {
     return 3;
 }
 
-/* All on the other side of side k than the simplex, along the axis. */
+/* Are all control points certainly beyond side k of the simplex, with `axis` left out? */
 static int side_clears(const frame *f, const control *c, const double *corner, int axis, int k) {
     const double *from = corner + 3 * k, *to = corner + 3 * ((k + 1) % 3);
     double along[3] = {to[0] - from[0], to[1] - from[1], to[2] - from[2]};

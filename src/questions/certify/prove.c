@@ -48,7 +48,7 @@ static void add_near(enclosure *e, uint32_t simplex) {
         e->out_of_memory = 1;
 }
 
-/* From this number of near simplices on a shorter interval is cheaper; no bound in the end. */
+/* With this number of near simplices a shorter interval is cheaper; it grows by levels. */
 static size_t many(const enclosure *e) {
     return (size_t)48 << (e->at.exponent < 60 ? e->at.exponent / 2 : 30);
 }
@@ -105,7 +105,7 @@ static void pull_back(fmpz_t out, const enclosure *e, const fmpz *form, slong k)
         fmpz_addmul(out, form + i, e->coefficients + i * terms(e) + k);
 }
 
-/* All strictly of one sign: that sign, else 0. */
+/* The strict sign that all coefficients have; 0 if they have none in common. */
 static int prove_one_sign(const fmpz *c, slong count) {
     int sign = count > 0 ? fmpz_sgn(c) : 0;
     for (slong k = 1; k < count && sign; k++)
@@ -233,7 +233,7 @@ static profile profile_of(enclosure *e, const root_claim *claim, const fmpz *for
     return out;
 }
 
-/* A bit for each place that has one of two signs: 1 before, 2 at, 4 after the root. */
+/* The places at which a profile has one of two signs, as bits: 1 before, 2 at, 4 after the root. */
 static unsigned places(profile p, int sign, int other) {
     return (p.left == sign || p.left == other ? 1u : 0) |
            (p.mid == sign || p.mid == other ? 2u : 0) |

@@ -49,7 +49,7 @@ typedef struct enclosure {
     fmpz *coefficients; /* d + 1 times degree + 1 */
     fmpz *value;        /* degree + 1 */
     control points;
-    int with_cells;         /* the cells met are to be known, and those that are not */
+    int with_cells;         /* proofs must show which boundary cells are met, and which are not */
     form_memory *forms;     /* borrowed, or NULL */
     fmpz plane[4], side[4]; /* room for those at hand */
     size_t count, capacity;
@@ -58,8 +58,8 @@ typedef struct enclosure {
     int out_of_memory;
 } enclosure;
 
-/** Claim about the interval around a root: the letters beside it, 0 for a side that is not there
- * (the root is that end). */
+/** Claim about the interval around a root of q: the state letters on the left and on the right of
+ * the root; 0 if the root is that end of the interval. */
 typedef struct root_claim {
     char left, right;
     const fmpz_poly_struct *q;
@@ -70,9 +70,10 @@ void enclosure_init(enclosure *e, const graze_solid *solid, const trajectory *c,
                     form_memory *forms);
 void enclosure_clear(enclosure *e);
 
+/* Each returns 1 if the checker's tests prove the claim, else 0. */
 /** The trajectory is off the boundary on the closed interval. */
 int prove_clear(enclosure *e, const dyadic_interval *at);
-/** One simplex holds it on the closed interval. */
+/** One simplex contains the trajectory on the closed interval. */
 int prove_slide(enclosure *e, const dyadic_interval *at);
 /** The claim about the root of q in the interval. */
 int prove_root(enclosure *e, const dyadic_interval *at, root_claim claim);
@@ -85,11 +86,11 @@ int prove_isolated(const fmpz_poly_t q, const dyadic_interval *at);
 /** A row being written. */
 typedef struct row_lines {
     text *out;
-    const graze_trace *trace;  /* its contacts are written with their cells; NULL: none are */
-    size_t said;               /* their number */
-    const motion_piece *piece; /* the one at hand */
-    text start, finish;        /* where the next interval begins, and the last one ends */
-    text opened;               /* the beginning of a contact that has not ended; empty: none */
+    const graze_trace *trace;  /* contacts of this trace are written with their cells; NULL: none */
+    size_t said;               /* number of contacts written */
+    const motion_piece *piece; /* the piece at hand */
+    text start, finish;        /* time at which the next interval begins; the motion's last time */
+    text opened;               /* time at which an unfinished contact began; empty: none */
 } row_lines;
 
 /** Begin to write the intervals of a row. */

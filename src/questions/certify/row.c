@@ -45,8 +45,7 @@ static graze_status row_no_memory(graze_context *context) {
 
 /* ------------------------------------------------------------------------------------- events */
 
-/* Make q irreducible: what each pullback that is 0 at the time can be divided by. Returns 1 if it
- * was not. */
+/* Make q irreducible, so that it divides each pullback that is 0 at the time; 1 if it changed. */
 static int find_factor(event *v) {
     slong degree = fmpz_poly_degree(v->q);
     LOCAL(fmpz_poly_factor, factors);
@@ -233,7 +232,7 @@ static graze_status place_events(piece_row *r) {
         event *v = &r->event[k];
         root_claim claim = {r->gap[k], r->gap[k + 1], v->q};
         if (v->place && (claim.left == 'B' || claim.right == 'B'))
-            continue; /* the slide's own interval says it */
+            continue; /* the interval of the slide claims this end too */
         for (int n = 0; !prove_root(&r->e, &v->at, claim); n++) {
             if (n > DEEPEST)
                 return too_deep(r);

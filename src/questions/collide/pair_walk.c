@@ -49,7 +49,7 @@ static void then_clear(scene_then *s) {
 }
 
 static graze_status lack_memory(graze_context *context) {
-    return context_fail(context, GRAZE_ESYSTEM, "out of memory for a motion at a time");
+    return context_fail(context, GRAZE_ESYSTEM, "out of memory for a time of a motion");
 }
 
 /* Find the pairs that may meet then, of the given ones, or of all if `of` is NULL.
@@ -222,7 +222,8 @@ static graze_status know_gap(pair_walk *walk, size_t *piece, fmpq_t u, graze_tim
     return status || walk->gap ? status : look_into_gap(walk, *piece, u);
 }
 
-/* Find the state at a time at which the boundaries meet, after a gap in state I or at t0. */
+/* Find the state, I or B, at a time at which the boundaries meet: t0, or a time whose gap before it
+ * has the state I. `u`, on the piece `before`, is a rational time in that gap. */
 static graze_status look_at_contact(graze_state *out, pair_walk *walk, scene_then *then, placing *p,
                                     int at_start, size_t before, const fmpq_t u) {
     placing rational;

@@ -14,19 +14,20 @@
 /* A boundary point of a solid: the facets that contain it, by position, and what the solid is like
  * near it. */
 
-/** The local cone (proofs/envelope.md C57): a half-space, convex, with a convex complement, or
- * neither of these. */
+/** Kinds of the solid's local cone at a point (proofs/envelope.md C57): a half-space; else convex;
+ * with a convex complement; none of these. */
 typedef enum place_kind { PLACE_FACET, PLACE_CONVEX, PLACE_REFLEX, PLACE_OTHER } place_kind;
 
 /** A facet that contains the point; one that is not planar counts once for each of its planes. */
 typedef struct place_facet {
     graze_cell name; /* a face; in E^2 an edge */
-    size_t simplex;  /* one in the facet and its plane that contains the point */
+    size_t simplex;  /* a simplex of the facet, in this plane, that contains the point */
     fmpz form[4];    /* the plane's form, positive on the outer side: d + 1 coprime integers */
-    fmpz normal[3];  /* its first d coefficients, coprime */
+    fmpz normal[3];  /* the form's first d coefficients, divided by their common divisor */
 } place_facet;
 
-/** `cell` is the lowest cell that contains the point, of these the one of the least numbers. */
+/** A boundary point's neighborhood. `cell` is the cell of the least dimension that contains the
+ * point, of several the one with the least numbers. */
 typedef struct neighborhood {
     int dimension;
     place_kind kind;
@@ -59,8 +60,9 @@ void flow_along(fmpq_t out, const fmpz *normal, const fmpq *vector, int dimensio
 
 /* Record of a site. */
 
-/** A side of t: the motion's piece there and the parameter of t in it. Not `present` beyond an end
- * of the motion. Where one piece is on both sides, the flow of the side before is that of both. */
+/** A side of the time t: the motion's piece there, and the parameter u of t in it. Not `present`
+ * beyond an end of the motion. If one piece is on both sides, only the flow of the side before t is
+ * made, and holds for both. */
 typedef struct site_side {
     int present;
     size_t piece;
@@ -68,20 +70,21 @@ typedef struct site_side {
     flow flow;
 } site_side;
 
-/** A facet through y on one side of t: the speed g, the drift, its derivative by t at fixed y, the
- * second derivative theta of the pullback by t, with the primitive outward normal; and order and
- * sign of the pullback next to t, 0 and GRAZE_ORDER_VANISHES where it vanishes. */
+/** A facet through y on one side of t, with its primitive outward normal: `speed` is g, `drift` is
+ * g's derivative by t at fixed y, `theta` the second derivative by t of the pullback of its plane.
+ * `order` and `sign` are those of the pullback next to t; where it vanishes identically they are
+ * GRAZE_ORDER_VANISHES and 0. */
 typedef struct site_germ {
-    size_t facet; /* of place.facet */
+    size_t facet; /* its index in place.facet */
     int side;     /* -1 before t, +1 after it */
     fmpq_t speed, drift, theta;
     int order, sign;
 } site_germ;
 
 /** Sides before and after t. Germs stand facet by facet, before t first. `is_break`: two different
- * pieces meet at t. `near` and `near_in` are NULL where there is none; each is owned, or a time of
- * the trace. `shift` counts where `snapped`; where that is `missed` too, the cell of the facts has
- * no contact, and of the rest t, y, world and sides alone are known. */
+ * pieces meet at t. `near` and `near_in` are NULL if there is no such time; else each is owned, or
+ * a time of the trace. `shift` is set if `snapped`. If `missed` too, the cell in `facts` has no
+ * contact at t, and beside that cell only t, y, world and the sides are set. */
 struct graze_site {
     const graze_scene *scene;
     int dimension, is_break;
@@ -114,8 +117,8 @@ graze_status site_make(graze_site *out, graze_context *context, const graze_scen
  * t. */
 typedef enum site_question { SITE_ALL, SITE_ROLE, SITE_TRIM } site_question;
 
-/** site_make for a part: of the others only place, sides, germs and the point in the world are
- * made. site_clear after GRAZE_OK. */
+/** As site_make, but only the place, the sides, the germs, the point in the world and the part
+ * asked for are sure to be set. site_clear after GRAZE_OK. */
 graze_status site_make_for(graze_site *out, graze_context *context, const graze_scene *scene,
                            const fmpq_t t, const fmpq *y, site_question asked);
 
@@ -139,8 +142,8 @@ typedef struct velocity_field {
     fmpq *at_zero, *slope;
 } velocity_field;
 
-/** The fields on the sides of a time: `present` as in site_side, before t first. Where one piece is
- * on both sides they are equal. */
+/** The velocity fields on both sides of a time t, that before t first; `present` as in site_side.
+ * If one piece is on both sides the fields are equal. */
 typedef struct speed {
     int dimension, present[2];
     velocity_field field[2];
@@ -148,8 +151,7 @@ typedef struct speed {
 
 /* The sides of a rational time of a motion. */
 
-/** Do two different pieces meet between the sides? Two that are one rational function count as
- * one. */
+/** Do two different pieces meet between the sides? Pieces of one rational function count as one. */
 int sides_break(const site_side side[2], const graze_motion *motion);
 
 #endif

@@ -11,7 +11,8 @@
 #include "input/validate/validate.h"
 #include "questions/contact/nearby.h"
 
-/* The ends, and a zero of g for each facet and side. */
+/* The places that bound stretches are at most the two ends of the edge and, for each of two facets
+ * and each side of the time, one zero of g. */
 enum { RUN_PARTS = 6 };
 
 /* Along the edge from u to v, by the part of the way. `normal` has 3 of each facet; in a flat edge
@@ -40,7 +41,7 @@ static void edge_point_at(fmpq *out, const edge_run *r, const fmpq_t part) {
     }
 }
 
-/* Is there a corner of a simplex outside a plane? */
+/* Is some corner of a simplex on the outer side of a plane? */
 static int leads_outside(const graze_solid *solid, size_t simplex, const fmpz *form) {
     int outside = 0;
     for (int k = 0; k < 3; k++)
@@ -86,7 +87,7 @@ static void add_zero(edge_run *r, int side, int facet) {
     }
 }
 
-/* Is that point in contact, by the facets of the edge? */
+/* Is a point of the edge in contact, by the signs of g of the edge's facets? */
 static int is_in_contact(const edge_run *r, const fmpq *y) {
     int holds = 1;
     LOCAL(fmpq, g);

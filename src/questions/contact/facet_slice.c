@@ -1,8 +1,8 @@
 /* Cuts simplices of the boundary by the signs of g, exactly.
  * SPDX-License-Identifier: GPL-3.0-or-later
- *
- * What is left of a simplex is a convex polygon, which may be a segment or a point. Its point that
- * is nearest to another is the foot in the simplex's plane if that is in it, else on its border.
+ * The rest of a cut simplex is a convex polygon, which may be a segment or a point. Its point
+ * nearest to a given point is that point's foot in the simplex's plane, if the foot lies in the
+ * polygon, else a point of the polygon's border.
  */
 #include "questions/contact/contact.h"
 
@@ -54,7 +54,7 @@ static void find_normal(polygon *p) {
     }
 }
 
-/* g before t (0), and -g after it (1): not negative in the contact set. */
+/* The condition of a side, not negative in the contact set: g before t (0), -g after t (1). */
 static void condition(fmpq_t out, const polygon *p, int side, const fmpq *y) {
     speed_along(out, p->speed, side, p->normal, y);
     if (side)
@@ -75,7 +75,7 @@ static void put_crossing(fmpq *out, const fmpq *a, const fmpq *b, const fmpq_t x
     }
 }
 
-/* Keep what has a condition that is not negative. */
+/* Cut the polygon to the part with a condition that is not negative. */
 static void cut_polygon(polygon *p, int side) {
     int d = p->dimension, kept = 0;
     fmpq *out = _fmpq_vec_init(POLYGON_CORNERS * d);
@@ -125,7 +125,7 @@ static int holds_conditions(const polygon *p, const fmpq *y) {
     return holds;
 }
 
-/* Try the foot in the plane, if it is in the set. */
+/* Try the foot in the simplex's plane, if it lies in the contact set. */
 static void try_foot(nearby *n, const polygon *p) {
     LOCAL_VEC(fmpq, foot, 3);
     LOCAL_VEC(fmpq, height, 2);

@@ -13,7 +13,8 @@
 /* Derivatives of the trajectory through a body point at a rational time, from those of the motion.
  */
 
-/** At the parameter u of a piece (proofs/envelope.md C58). flow_clear in any case. */
+/** Make the flow of the body point y at the parameter u of a piece (proofs/envelope.md C58).
+ * flow_clear in any case. */
 void flow_make(flow *out, const motion_piece *piece, const fmpq_t u, const fmpq *y);
 void flow_clear(flow *f);
 
@@ -21,9 +22,9 @@ void flow_clear(flow *f);
 
 /**
  * The planes of the simplices that meet a box around a point of d rationals, then the planes of the
- * box's sides, in which no simplex is counted. A ray from the point that has met none of them is
- * still in the box, where the boundary has no other simplices: so a cone made of this list
- * (questions/topo/topo.h) is that of the list of all planes, and is made in a time that does not
+ * box's sides, in which no simplex is listed. A ray from the point is still in the box until it
+ * meets one of these planes, and in the box the boundary has no other simplices: so a cone
+ * (questions/topo/topo.h) made of this list is that made of all planes, in a time that does not
  * grow with the solid.
  * @param[out] out planes_clear after GRAZE_OK
  * @return GRAZE_ESYSTEM
@@ -31,10 +32,9 @@ void flow_clear(flow *f);
 graze_status around_planes(plane_list *out, graze_context *context, const graze_solid *solid,
                            const fmpq *point);
 
-/* The point of some convex sets that is nearest to a given one, found set by set. */
+/* The point of a union of convex sets that is nearest to a given point, found set by set. */
 
-/** The nearest point so far; of two equally near the lexicographically first. `from` is borrowed.
- */
+/** The point nearest to `from` (borrowed) so far; of equally near ones the lexicographic first. */
 typedef struct nearby {
     int dimension, found;
     const fmpq *from;
@@ -53,7 +53,7 @@ void nearby_try_segment(nearby *n, const fmpq *a, const fmpq *b);
 
 /* The velocity of trajectories at a time, as an affine function of the body point. */
 
-/** The fields on sides that were found. speed_clear in any case. */
+/** Make the velocity fields of sides that sides_find has set. speed_clear in any case. */
 void speed_make(speed *out, const graze_motion *motion, const site_side side[2]);
 void speed_clear(speed *s);
 
@@ -65,13 +65,13 @@ void speed_along(fmpq_t out, const speed *s, int side, const fmpq *normal, const
 /**
  * Try the nearest point of the contact set of the edge between two corners (proofs/snap.md
  * C75).
- * @return GRAZE_EINPUT other than two facets meet along it
+ * @return GRAZE_EINPUT the number of facets along the edge is not two
  */
 graze_status edge_run_try(nearby *n, graze_context *context, const graze_solid *solid,
                           const fmpq *u, const fmpq *v, const speed *s);
 
-/* Where a facet is in contact at a time: g <= 0 after it and g >= 0 before it, g = 0 within a
- * piece of the motion. */
+/* The points of a facet in contact at a time: g <= 0 on the side after the time and g >= 0 on the
+ * side before it; within a piece of the motion g = 0. */
 
 /** Try the nearest point of the contact set of a simplex of the boundary (proofs/snap.md C75). */
 void facet_slice_try(nearby *n, const graze_solid *solid, size_t simplex, const speed *s);
@@ -80,23 +80,22 @@ void facet_slice_try(nearby *n, const graze_solid *solid, size_t simplex, const 
 
 /**
  * The role of a site with its place, sides, germs and points (proofs/envelope.md C60).
- * @return GRAZE_ELIMIT too many planes border what is covered; as cone_state
+ * @return GRAZE_ELIMIT too many planes border the covered directions; else as cone_state
  */
 graze_status role_decide(graze_role *out, graze_context *context, const graze_site *site);
 
 /* The contact set of a boundary cell at a time, and the point of it that is nearest to another. */
 
-/**
- * Find the nearest point of the contact set of a cell at t (proofs/snap.md C75); of a vertex
- * its position, whatever its role.
- * @param[in,out] n without a point yet; none is found where the set is empty
+/* * Find the point of the contact set of a cell at t that is nearest to n->from (proofs/snap.md
+ * C75); for a vertex it is the vertex's position, whatever its role.
+ * @param[in,out] n without a point yet; no point is found if the set is empty
  * @return GRAZE_EINPUT t is not a time of the motion, the solid has no such cell, or more than two
  * facets meet along an edge; GRAZE_ELIMIT; GRAZE_ESYSTEM
  */
 graze_status snap_find(nearby *n, graze_context *context, const graze_scene *scene, const fmpq_t t,
                        const graze_cell *cell);
 
-/* Where the time of a site stands in the trace of its point. */
+/* The position of a site's time among the contacts in the trace of its point. */
 
 /**
  * From the trace of a site: `left`, `right` and `trim` of its facts, `near`, `near_in` and, if one
@@ -105,13 +104,13 @@ graze_status snap_find(nearby *n, graze_context *context, const graze_scene *sce
  */
 graze_status nearest_find(graze_site *site, graze_context *context);
 
-/** The facts alone, without the times. */
+/** Find `left`, `right` and `trim` of the site's facts, without the times. */
 graze_status nearest_trim(graze_site *site, graze_context *context);
 
 /* The sides of a rational time of a motion. */
 
 /**
- * Find the sides of t, but for their flows.
+ * Find the pieces and parameters of the sides of t; their flows are not set.
  * @param[out] side initialised; before t first
  * @return GRAZE_EINPUT the motion has no such time
  */

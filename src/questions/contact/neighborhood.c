@@ -24,11 +24,11 @@ typedef struct place_finder {
     const graze_solid *solid;
     fmpz *x; /* the point: d + 1 homogeneous integers */
     box around;
-    size_t *simplex; /* those that contain it */
+    size_t *simplex; /* the simplices that contain the point */
     size_t simplex_count, simplex_capacity;
 } place_finder;
 
-/* Lower cells come first, then smaller numbers. */
+/* Has cell a less dimension than cell b or, if the dimensions are equal, smaller numbers? */
 static int is_lower(const graze_cell *a, const graze_cell *b) {
     return a->kind != b->kind ? a->kind > b->kind : cell_compare(a, b) < 0;
 }
@@ -104,7 +104,8 @@ static graze_status search_place(place_finder *f, size_t index) {
     return search_place(f, node->child + 1);
 }
 
-/* Signs, against the outward normals, of the directions to the corners of a simplex. */
+/* Note whether directions from the point to corners of a simplex lead to the outer side, to the
+ * inner side, of some facet's plane. */
 static void look_at_corners(int *outside, int *inside, const place_finder *f, size_t simplex) {
     int d = f->out->dimension;
     LOCAL_VEC(fmpz, corner, d + 1);

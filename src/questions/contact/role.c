@@ -30,8 +30,7 @@ static g_signs signs_on(const graze_site *s, int side) {
     return out;
 }
 
-/* Does a direction of the body lie in the germ's cone, or in what is swept of it along a leading
- * direction? */
+/* Is a direction of the body in the germ's cone, or in its sweep along a leading direction? */
 static graze_status is_in_germ(int *out, graze_context *context, germ *g, const fmpz *u) {
     graze_state state = GRAZE_STATE_O;
     graze_status status = cone_state(&state, &g->cone, context, u);
@@ -66,7 +65,8 @@ static graze_status leads_inside(int *out, graze_context *context, germ_list *ge
     return status;
 }
 
-/* The outward normals and their sum: often one of them is open, and spares the arrangement. */
+/* Look for an uncovered direction among the outward normals and their sum: often there is one, and
+ * no arrangement is needed. */
 static graze_status try_normals(int *found, graze_context *context, germ_list *germs,
                                 const neighborhood *p) {
     int d = p->dimension;

@@ -104,7 +104,7 @@ static void find_germ_order(site_germ *germ, const graze_site *s) {
         germ->sign = -germ->sign;
 }
 
-/* Is the piece the same on both sides of t? Then the first side has the flow of both. */
+/* Is one piece on both sides of t? Then the first side has the flow of both. */
 static int is_within_piece(const graze_site *s) {
     return s->side[0].present && s->side[1].present && s->side[0].piece == s->side[1].piece;
 }
@@ -151,7 +151,8 @@ static graze_status find_germs(graze_site *s, graze_context *context) {
     return GRAZE_OK;
 }
 
-/* theta, order and orientation where they mean something (proofs/envelope.md C61, C62). */
+/* Set theta, order and orientation of the facts if they are defined (proofs/envelope.md C61, C62).
+ */
 static void find_slice(graze_site *s) {
     const site_germ *germ = &s->germ[0];
     graze_site_facts *f = &s->facts;
@@ -166,7 +167,8 @@ static void find_slice(graze_site *s) {
                                 : GRAZE_ORIENTATION_DEGENERATE;
 }
 
-/* The state on a side, from the signs of the pullbacks; only where the cone's kind tells. */
+/* The state on a side of t by the pullbacks' signs; ABSENT if the cone's kind does not decide it.
+ */
 static graze_state state_by_signs(const graze_site *s, int side) {
     int outside = 0, inside = 0, count = 0, reflex = s->place.kind == PLACE_REFLEX;
     for (size_t k = 0; k < s->germ_count; k++)
@@ -182,7 +184,7 @@ static graze_state state_by_signs(const graze_site *s, int side) {
     return outside ? GRAZE_STATE_O : inside == count ? GRAZE_STATE_I : GRAZE_STATE_B;
 }
 
-/* The trace and the germs say the same of the states beside t. */
+/* Check that the trace and the germs agree on the states beside t. */
 static graze_status check_states(const graze_site *s, graze_context *context) {
     if (s->place.kind == PLACE_OTHER ||
         (state_by_signs(s, -1) == s->facts.left && state_by_signs(s, 1) == s->facts.right))
@@ -237,7 +239,7 @@ graze_status site_make(graze_site *out, graze_context *context, const graze_scen
     return site_make_for(out, context, scene, t, y, SITE_ALL);
 }
 
-/* Where the cell has no contact: the point as it was. */
+/* Make the site of a cell that has no contact at t: the point stays as it was given. */
 static graze_status make_missed(graze_site *out, graze_context *context, const graze_scene *scene,
                                 const fmpq_t t, const fmpq *y, const graze_cell *cell) {
     begin_site(out, scene, t, y);

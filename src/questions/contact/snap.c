@@ -9,7 +9,7 @@
 #include "input/validate/validate.h"
 #include "questions/contact/nearby.h"
 
-/* Is one of the input's names of the cell a simplex gives that one? */
+/* Is `cell` one of the input's names of the cell on which a simplex's side forms `zero` vanish? */
 static int has_name(const graze_solid *solid, size_t simplex, unsigned zero,
                     const graze_cell *cell) {
     size_t count;
@@ -28,7 +28,7 @@ static const fmpq *corner_at(const graze_solid *solid, size_t simplex, int k) {
     return solid->input.coordinates + solid->cut.item[simplex].vertex[k] * d;
 }
 
-/* The slices of the simplices of a facet; in E^2 of an edge. Returns how many it has. */
+/* Try the contact sets of all simplices of a facet (E^2: an edge); returns their number. */
 static size_t try_facet(nearby *n, const graze_solid *solid, const graze_cell *cell,
                         const speed *s) {
     size_t found = 0;

@@ -12,7 +12,7 @@
 #include "input/motion/motion.h"
 #include "questions/contact/nearby.h"
 
-/* *out: sign of a time of the trace minus t. */
+/* Set *out to the sign of (time - t), for a time of the trace. */
 static graze_status compare_to_site(int *out, graze_context *context, graze_time *time,
                                     const graze_site *s) {
     const motion_piece *piece = &s->scene->motion->piece[time->piece];
@@ -26,7 +26,7 @@ static graze_status compare_to_site(int *out, graze_context *context, graze_time
     return algebraic_compare(out, context, &time->u, &own);
 }
 
-/* The contact that holds t, and whether t is its beginning and its end. */
+/* Find the contact that holds t, and whether t is its beginning, its end. */
 static graze_status find_contact(size_t *out, int *begins, int *ends, graze_context *context,
                                  const graze_site *s) {
     for (size_t k = 0; k < s->trace.contact_count; k++) {
@@ -131,7 +131,7 @@ static void interiors_beside(graze_time **before, graze_time **after, const graz
             *after = trace->contact[j].to;
 }
 
-/* The facts, and the contact that holds t; *is_instant: t is all of it. */
+/* Find `left`, `right` and `trim`, and the contact that holds t; *is_instant: it is t alone. */
 static graze_status find_trim(graze_site *s, graze_context *context, size_t *k, int *is_instant) {
     const graze_trace *trace = &s->trace;
     int begins = 0, ends = 0;

@@ -1,4 +1,5 @@
-/* Pieces beside a time. Two that are one function, as where a motion was cut in two, make no break.
+/* Pieces beside a time. Two pieces of one rational function, as where a motion was cut, make no
+ * break.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/contact/contact.h"

@@ -7,7 +7,7 @@
 #include "questions/distance/gap.h"
 #include "questions/distance/time_search.h"
 
-/* Squares below it lose digits to underflow: a covector so small says nothing. */
+/* Smaller squares lose digits to underflow: a covector with such a square proves no bound. */
 static const double LEAST_SQUARE = 0x1p-600;
 
 double gap_box(const double *m, const box *b) {

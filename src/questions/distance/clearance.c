@@ -13,7 +13,7 @@
 /* Cubes are smaller than 2^SIZE_ABOVE times the solid's box, and at least 2^-SIZE_BELOW times. */
 enum { SIZE_ABOVE = 5, SIZE_BELOW = 52 };
 
-/* Parts of a power of two that a size is told to. */
+/* Sizes that are tried are multiples of 1 / SIZE_PARTS of a power of two. */
 enum { SIZE_PARTS = 8 };
 
 typedef struct cube_search {

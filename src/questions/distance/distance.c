@@ -128,7 +128,7 @@ static void set_on(distance *out, const graze_trace *trace) {
     *out = (distance){.at = trace->contact_count ? trace->contact[0].from : NULL};
 }
 
-/* Search, and give the bounds the sign of the answer. */
+/* Search the distance of a point that is not `on`, and give the bounds the sign of its answer. */
 static graze_status find_off(distance *out, search *s, const graze_scene *scene,
                              const graze_trace *trace) {
     int unsweep = scene->options.operation == GRAZE_UNSWEEP;

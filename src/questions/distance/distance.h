@@ -14,11 +14,13 @@
 /** low <= s <= high, with the sign of the point's exact answer (proofs/distance.md C66, C67). */
 typedef struct distance {
     double low, high;
-    int wide;     /* high - low is more than was asked for */
-    size_t piece; /* a time at which the solid is as near as the bound says: the piece's */
-    double from, length, v; /* parameter from + length v, exactly, or */
-    const graze_time *at; /* a contact, borrowed from the trace: the first of an `on` point, or one
-                             at the end of a visit in which no double is certain to lie */
+    int wide; /* high - low is more than was asked for */
+    /* A time at which the bound is met: parameter from + length v of the piece, exactly; or `at`, a
+     * contact's time, borrowed from the trace: that of the first contact of an `on` point, or of
+     * one at the end of a visit in which no double is certain to lie. */
+    size_t piece;
+    double from, length, v;
+    const graze_time *at;
 } distance;
 
 /**
@@ -33,11 +35,11 @@ graze_status distance_find(distance *out, graze_context *context, const graze_sc
 /** 1 if every motion within the error has the same answer (proofs/distance.md C73). */
 int distance_is_certain(const distance *found, double motion_error);
 
-/** The time of a distance of an `in` or `out` point, in the motion's parameter. */
+/** The time at which the bound is met, for an `in` or `out` point, in the motion's parameter. */
 void distance_time(fmpq_t out, const distance *found, const graze_motion *motion);
 
-/** A rational near a contact's time: the time itself if it is rational, else within 2^-60 of a
- * piece's length of it. */
+/** A rational near a contact's time: the time itself if it is rational, else a number at most 2^-60
+ * of its piece's length from it. */
 graze_status distance_contact_time(fmpq_t out, graze_context *context, const graze_time *time);
 
 /** The double nearest to the time of a distance, of an `on` point too, in the motion's parameter.
@@ -67,7 +69,7 @@ typedef struct arc_maps {
     const course *whole; /* the filter's */
     size_t arc_count, arc_capacity;
     arc *arc;         /* in the order of time */
-    size_t *first;    /* arc of each piece, and their number behind the last */
+    size_t *first;    /* by piece: its first arc; behind the last piece the number of arcs */
     ulong deepest;    /* the shortest arc is 2^-deepest of its piece */
     scene_memo *tree; /* the arc_tree, made at need */
 } arc_maps;
@@ -77,8 +79,9 @@ typedef struct arc_maps {
 /** Coefficients of one polynomial, at most. */
 enum { WINDOW_ROOM = CARRIER_DEGREE + 1, WINDOW_MAPS = POINT_MAP_ENTRIES + 1 };
 
-/** A query point on one arc: the coefficients of X_0 ... X_(d-1), W on [0, 1], each of X within
- * error_x of the exact one and at most size_x, and error_w, size_w for W. */
+/** The trajectory of a query point on one arc: the coefficients of X_0 ... X_(d-1), W on [0, 1].
+ * Those of X are within error_x of the exact ones and at most size_x in absolute value, those of W
+ * within error_w and at most size_w. */
 typedef struct point_arc {
     const arc_maps *base;
     size_t arc;
@@ -97,7 +100,7 @@ typedef struct window {
     double from, to;
     int degree;
     double x[4][WINDOW_ROOM];
-    double most_w;    /* what W's coefficients may be off by */
+    double most_w;    /* bound of the errors of W's coefficients */
     double least;     /* W is at least this; positive */
     double stray;     /* X - q W errs by at most this in each coordinate, for places q of the solid
                          that are within the corners' error and rounding */
@@ -152,7 +155,7 @@ double foot_of_box(double *g, const stance *s, const box *b);
 
 /** State of a place in a window of time. */
 typedef enum place_state {
-    PLACE_NEW,  /* nothing: its bound is that of a longer window */
+    PLACE_NEW,  /* not looked at: its bound is that of a longer window */
     PLACE_SEEN, /* the middle of the window has been asked; the bound is that of a larger place */
     PLACE_BOUNDED,
     PLACE_SMALL /* bounded, and no larger than the window */

@@ -67,7 +67,7 @@ enum { SQUARED = 20, SQUARE_ROOM = 2 * SQUARED + 5 };
  * coefficients (proofs/distance.md C69). */
 #define SQUARE_ERROR (128 * UNIT_ROUNDING)
 
-/** Down and up by more than the roundings of a short chain of operations. */
+/** Factors that change a number by more than the roundings of a short chain of operations do. */
 #define ROUNDED_DOWN (1 - 0x1p-48)
 #define ROUNDED_UP (1 + 0x1p-48)
 
@@ -80,15 +80,15 @@ void product_vectors(double *out, const double (*a)[3], const double (*c)[3], in
 /* Bounds of the distance between the query point and places of the moving solid over a window
  * (proofs/distance.md C69, C70). */
 
-/**
- * A distance that no place of a simplex comes below during the window, from a place of it that
- * moves from q0 to q1, linearly in the solid. Exact where that is the nearest place all the time.
+/* * A lower bound of the distance to all places of a simplex during the window, by a place of the
+ * simplex that moves linearly from q0 to q1 in the solid's frame. Exact if that place is the
+ * nearest one at all times of the window.
  */
 double gap_about(const window *w, const double *q0, const double *q1, const double *corner,
                  int count);
 
-/** A distance that the place that moves from q0 to q1 during the window, linearly in the solid,
- * never exceeds. */
+/** An upper bound, during the window, of the distance to the place that moves linearly from q0 to
+ * q1 in the solid's frame. */
 double gap_most(const window *w, const double *q0, const double *q1);
 
 #endif

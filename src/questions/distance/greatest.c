@@ -137,7 +137,7 @@ static graze_status begin_stretch(search *s, const stretch_of_time *of) {
     return explore_greatest(s, of, &p, &first, &last, INFINITY);
 }
 
-/* One round: half of what is not known is asked for. */
+/* One round: cut the windows aside whose bound is not near enough (s->step) to the one met. */
 static graze_status greatest_round(search *s) {
     graze_status status = GRAZE_OK;
     window_aside *was = s->window;

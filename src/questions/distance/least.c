@@ -259,7 +259,7 @@ static int same_window(const pair_aside *a, const pair_aside *b) {
     return a->arc == b->arc && a->from == b->from && a->to == b->to;
 }
 
-/* One round: half of what is not known is asked for. */
+/* One round: go on with pairs aside whose bound is not near enough (s->step) to the one met. */
 static graze_status least_round(search *s) {
     graze_status status = GRAZE_OK;
     pair_aside *was = s->aside;

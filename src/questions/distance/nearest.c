@@ -24,7 +24,7 @@ static const graze_solid *solid_of(const descent *d) {
     return d->s->at.of->base->scene->solid;
 }
 
-/* Parts that are not entered are no nearer than this. */
+/* Nodes and simplices that are no nearer than this are not entered. */
 static double cut_of(const descent *d) {
     return smaller(d->out->high, d->limit);
 }

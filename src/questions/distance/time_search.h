@@ -9,9 +9,8 @@
 
 /* Bounds of the distance to convex sets along a covector (proofs/distance.md C69). */
 
-/**
- * A distance that no place of a convex set comes below during the window: that along the covector
- * m. 0 if m says nothing.
+/* * A lower bound of the distance to all places of a convex set during the window, measured along
+ * the covector m. 0 if m proves none.
  * @param m    3 numbers in the solid's space, any
  * @param most at least m . v for all places v of the set, but for the stray
  */
@@ -26,16 +25,15 @@ int stance_make(stance *out, const point_arc *of, double time);
 
 /* The distance of the query point to the boundary at one instant. */
 
-/** low <= distance at the instant to the boundary below the nodes asked <= high. */
+/** low <= d <= high for the distance d, at the instant, to the simplices below the nodes asked. */
 typedef struct nearest {
     double low, high;
-    uint32_t simplex; /* one at which it is at most high, if `found` */
+    uint32_t simplex; /* if `found`: a simplex whose distance is at most high */
     int found;
 } nearest;
 
-/**
- * Search below some nodes of the solid's tree, leaving out what is certainly not nearer than
- * `limit`: then low is at most the limit, and high may be infinite.
+/* * Search below some nodes of the solid's tree, leaving out nodes and simplices that are certainly
+ * not nearer than `limit`: so low is at most the limit, and high may be infinite.
  * @param visits counts the boxes and simplices asked
  */
 void nearest_boundary(nearest *out, const stance *s, const place *list, size_t count, double limit,
@@ -43,7 +41,7 @@ void nearest_boundary(nearest *out, const stance *s, const place *list, size_t c
 
 /* Searches over the times of a motion and the tree of a solid. */
 
-/** A place, put aside, and a window [from, to] of an arc. */
+/** A place and a window [from, to] of an arc, put aside for a later round. */
 typedef struct pair_aside {
     place place;
     uint32_t arc;
@@ -56,8 +54,8 @@ typedef struct time_sample {
     uint32_t simplex;
 } time_sample;
 
-/** A window of a stretch of time, with samples at its ends and its middle: nothing is farther than
- * most. */
+/** A window of a stretch of time, with samples at its ends and its middle: at none of its times is
+ * the distance greater than `most`. */
 typedef struct window_aside {
     const struct stretch_of_time *of;
     time_sample sample[3];
@@ -74,14 +72,14 @@ typedef struct search {
     double low, high;
     size_t arc;
     double time;
-    int met;                /* the greatest alone: there is such a time among doubles */
+    int met;                /* greatest distance only: `time` is set, a double at which it is met */
     size_t visits, counted; /* work so far, and what the context knows of it */
-    double step;            /* what a round puts aside is so near to the bound that is met */
-    place *list;            /* the least alone: nodes of windows under way, and what is put aside */
+    double step;            /* a round puts pairs aside that are so near to the bound that is met */
+    place *list;            /* least distance only: nodes of windows under way; pairs put aside: */
     size_t list_count, list_capacity;
     pair_aside *aside;
     size_t aside_count, aside_capacity;
-    window_aside *window; /* the greatest alone: what is put aside */
+    window_aside *window; /* greatest distance only: windows put aside */
     size_t window_count, window_capacity;
 } search;
 
@@ -90,7 +88,7 @@ void search_begin(search *s, graze_context *context, const arc_maps *base, const
                   const double *high, double tolerance);
 void search_end(search *s);
 
-/** Work that one point may cost; beyond it the bounds that stand are taken. */
+/** Is the work that one point may cost spent? Then the bounds found so far are taken. */
 int search_is_over(const search *s);
 /** Tell the context; GRAZE_ECANCELED. */
 graze_status search_poll(search *s);
@@ -98,13 +96,13 @@ graze_status search_poll(search *s);
 graze_status search_no_room(search *s);
 /** Bounds of a window are not brought nearer to each other than this. */
 double search_floor(const window *w);
-/** 1 if bounds are as near to each other as was asked for: the only place that looks at that. */
+/** 1 if two bounds are as near to each other as was asked for; only this function tests that. */
 int search_is_done(const search *s, double low, double high);
 
 /* The greatest distance to the boundary over stretches of time (proofs/distance.md C72). */
 
-/** A stretch of one arc whose times [sure_from, sure_to] are certainly of a visit; none if
- * sure_from > sure_to. */
+/** A stretch [from, to] of one arc. Its times [sure_from, sure_to] certainly belong to a visit to
+ * the interior; there are no such times if sure_from > sure_to. */
 typedef struct stretch_of_time {
     size_t arc;
     double from, to, sure_from, sure_to;
@@ -120,9 +118,9 @@ graze_status search_least(search *s);
 
 /* The pairs of a time and a place that the search for the least distance begins with. */
 
-/**
- * Put aside what a search begins with, each pair with a bound, the nearest first: whole arcs with
- * the whole boundary, of many only those that are nearer than a distance that is reached.
+/* * Put aside the pairs with which a search begins, each with a bound, the nearest first: whole
+ * arcs with the whole boundary; of many arcs only those that are nearer than a distance that is
+ * reached.
  * @return GRAZE_ELIMIT, GRAZE_ESYSTEM
  */
 graze_status least_begin(search *s);

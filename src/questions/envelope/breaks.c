@@ -1,8 +1,7 @@
 /* Breaks, one side after the other. SPDX-License-Identifier: GPL-3.0-or-later
- *
- * Before the break contact and after it all g positive, or after it contact and before it all g
- * negative. Values there are rational. The sides are told apart by `turn`: 1 for the first of
- * these, -1 for the second, so that all g of the other side times `turn` are positive.
+ * The envelope may not decompose if there is contact before the break and all g are positive after
+ * it (turn = 1), or contact after it and all g are negative before it (turn = -1): so all g of the
+ * side without contact, times `turn`, are positive. Values at the break are rational.
  */
 #include "questions/envelope/envelope.h"
 

@@ -20,7 +20,7 @@ static int compare_chain_ends(const void *left, const void *right) {
     return order;
 }
 
-/* The first part of a chain stands for it. */
+/* The first part of the chain to which part k belongs. */
 static size_t root_of(size_t *parent, size_t k) {
     while (parent[k] != k)
         k = parent[k] = parent[parent[k]];
@@ -67,7 +67,7 @@ static void join_ends(graze_curve *c, size_t *parent, const chain_end *end, size
     }
 }
 
-/* A whole facet hangs together with all that ends in it. */
+/* Join a whole facet with all parts that end in it. */
 static void join_whole(graze_curve *c, size_t *parent, const cell_complex *cells, size_t part) {
     size_t facet = c->part[part].number;
     c->part[part].facts.form = GRAZE_CHAIN_BRANCHING;

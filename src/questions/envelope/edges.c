@@ -54,7 +54,8 @@ static void list_edge_sides(edge_finder *f) {
     qsort(f->side, f->side_count, sizeof *f->side, compare_sides);
 }
 
-/* Two simplices of one facet on both sides: no edge. */
+/* Have the sides of one edge, entries first to end - 1, one facet on both sides? Then it is none.
+ */
 static int is_diagonal(const edge_finder *f, size_t first, size_t end) {
     return f->c->dimension == 3 && end - first == 2 &&
            f->c->facet_of[f->side[first].simplex] == f->c->facet_of[f->side[first + 1].simplex];
@@ -183,8 +184,8 @@ static graze_status number_crossing(size_t *out, edge_finder *f, const fmpq *poi
     return status;
 }
 
-/* Where the lines of two segments meet in one point, *lambda of the way along the first; 0 where
- * they do not, or beyond the ends of either. `v`: room for 12 numbers. */
+/* Find the point in which two segments cross, *lambda of the way along the first; 0 if their lines
+ * do not meet in one point, or if it is not inside both. `v`: room for 12 numbers. */
 static int meet_within(fmpq_t lambda, fmpq *v, const cell_complex *c, const side *e, size_t p,
                        size_t q) {
     int d = c->dimension, found = 0;
@@ -300,7 +301,7 @@ static int order_of_edges(const void *left, const void *right) {
     return a->v < b->v ? -1 : a->v > b->v;
 }
 
-/* Parts of different sides may be one edge. */
+/* Drop edges that repeat: parts of different sides may be one edge. */
 static void drop_repeated(cell_complex *c) {
     size_t kept = 0;
     qsort(c->edge, c->edge_count, sizeof *c->edge, order_of_edges);

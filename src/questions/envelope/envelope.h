@@ -17,12 +17,12 @@
  * other edge, so the facets that contain it are the same all along it. In E^2 a facet is an edge
  * of the input, and the edges here are the parts of it between vertices. */
 
-/** A facet of the input; one that is not planar is one for each of its planes. */
+/** A facet of the input; a facet that is not planar gives one cell_facet for each of its planes. */
 typedef struct cell_facet {
     graze_cell name;
     fmpz form[4];        /* positive on the outer side: d + 1 coprime integers */
     fmpz normal[3];      /* outward, coprime */
-    size_t first, count; /* its simplices: entries of `order` */
+    size_t first, count; /* its simplices: entries first to first + count - 1 of `order` */
 } cell_facet;
 
 typedef struct cell_vertex {
@@ -93,7 +93,7 @@ typedef struct event_list {
 
 /* The envelope: cells, velocity fields, events, finding. */
 
-/** The finding that decides whether the envelope decomposes: the one of the least reason, of these
+/** The finding that decides whether the envelope decomposes: that with the least reason, of several
  * the first. */
 typedef struct finding {
     graze_decomposable_reason reason;
@@ -101,8 +101,9 @@ typedef struct finding {
     graze_time *time; /* or NULL; owned */
 } finding;
 
-/** One field a piece. `is_break`: two different pieces meet at the beginning of piece k. `still`:
- * entry piece * facets + facet: g vanishes all over the facet on the piece. */
+/** `field` has one entry for each piece of the motion. `is_break`, entry k: two different pieces
+ * meet at the beginning of piece k. `still`, entry piece * facet_count + facet: g vanishes at all
+ * points of the facet, at all times of the piece. */
 struct graze_envelope {
     const graze_scene *scene;
     cell_complex cells;
@@ -113,14 +114,15 @@ struct graze_envelope {
     finding found;
 };
 
-/** Where a part ends: at a vertex; or else within an edge, where g of a facet vanishes. Numbers of
- * these, SIZE_MAX for none. */
+/** An end of a part: a vertex, or a point within an edge where g of a facet vanishes. Their
+ * numbers, SIZE_MAX for none. */
 typedef struct part_end {
     size_t vertex, edge, facet;
 } part_end;
 
-/** A part of the curve: `a` and `b` are its ends, d rationals each, the same for a point; of a
- * whole facet a point within it. `number` is that of its facet, edge or vertex. */
+/** A part of the curve of contact: `a` and `b` are its ends, d rationals each, equal for a single
+ * point; for a whole facet both are a point within it. `number` is that of the part's facet, edge
+ * or vertex. */
 typedef struct curve_part {
     graze_curve_part facts;
     fmpq *a, *b;
@@ -135,9 +137,9 @@ struct graze_curve {
     curve_part *part;
 };
 
-/** Moments ascending, each once; the first and the last are the ends of the motion. `hard` are the
- * numbers of ends and breaks; `of_event` is the moment of each time in the envelope's list of
- * events. The times made here are `own`. */
+/** Moments (times) ascending, each once; the first and the last are the ends of the motion. `hard`
+ * are the numbers of the moments that are ends or breaks of the motion; `of_event` has for each
+ * time of the envelope's list of events the number of its moment.  `own` are times made here. */
 typedef struct moment_list {
     size_t count, own_count, hard_count;
     graze_time **time, **own;
@@ -158,8 +160,9 @@ typedef struct cell_event_list {
 
 /* Patches and joints. */
 
-/** A patch between two moments. `number` is that of its facet, edge or vertex. Its sample is at
- * time t at the point `body` of the solid's frame, `world` in that of the query points. */
+/** A patch between the moments with the numbers `from` and `to`. `number` is that of its facet,
+ * edge or vertex. Its sample is a contact at time t: `body` in the solid's frame, `world` in that
+ * of the query points. */
 typedef struct patch {
     graze_patch facts;
     size_t number, from, to;
@@ -168,7 +171,8 @@ typedef struct patch {
     fmpq *body, *world;
 } patch;
 
-/** A joint: entries first to first + count - 1 of `member` are the numbers of its patches. */
+/** A joint between the moments `from` and `to`: entries first to first + count - 1 of `member` are
+ * the numbers of its patches. */
 typedef struct patch_joint {
     graze_cell cell;
     graze_chain_form form;
@@ -176,7 +180,7 @@ typedef struct patch_joint {
 } patch_joint;
 
 /** Patches in the order of facets, edges, vertices, then of time; `changes` are the events by the
- * cells that they concern. */
+ * cells whose events they are. */
 struct graze_patches {
     const graze_envelope *envelope;
     moment_list moments;
@@ -189,7 +193,7 @@ struct graze_patches {
 };
 
 /* The contact points of all cells at one time: the curve of contact. */
-/** contact_curve_find with the verdicts of all middles, and chains. */
+/** Find the curve of contact at t, classify the middles of its parts, and chain the parts. */
 graze_status contact_curve_make(graze_curve *out, graze_context *context, const graze_envelope *e,
                                 const fmpq_t t);
 void contact_curve_clear(graze_curve *c);
@@ -209,9 +213,9 @@ void patches_clear(graze_patches *p);
 
 /* Single contact points spread over times and cells. */
 
-/**
- * Contact `index` of a seed: a time in one gap between events after another, and there a part of
- * the curve and a point of it, chosen by chance.
+/* * Make contact `index` of a seed: its time lies in one gap between events after another, by
+ * index; the time in the gap, a part of the curve of contact and a point of the part are drawn at
+ * random.
  * @param[out] out uninitialised; site_clear after GRAZE_OK and *found
  * @param found    0: there is no contact at that time
  */

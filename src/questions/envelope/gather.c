@@ -37,8 +37,8 @@ static int corner_theta(const signed char *sign) {
     return sign[CORNER_THETA];
 }
 
-/* theta at a corner on the slice is positive, else the envelope may not decompose; a slice is not
- * to reach a vertex that is not convex. */
+/* Note findings at a corner: theta not positive there while it is on the slice, or a slice that
+ * reaches a vertex which is not convex. */
 static graze_status judge_corner(graze_envelope *e, graze_context *context, size_t facet,
                                  size_t vertex, size_t piece, const signs *s) {
     const cell_vertex *v = &e->cells.vertex[vertex];
@@ -100,7 +100,8 @@ static int slice_turn(const signed char *sign) {
     return slice_ends(sign) ? sign[SLICE_TURN] * sign[SLICE_U] : SIGN_NONE;
 }
 
-/* theta is positive where the slice ends, and a slice does not reach an edge that is not convex. */
+/* Note findings at an edge: theta not positive where the slice ends, or a slice that reaches an
+ * edge which is not convex. */
 static graze_status judge_slice(graze_envelope *e, graze_context *context, size_t facet,
                                 size_t edge, size_t piece, const signs *s) {
     const cell_edge *side = &e->cells.edge[edge];

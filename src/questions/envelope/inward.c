@@ -66,7 +66,7 @@ static void velocity_near(fmpq *w, const graze_envelope *e, size_t vertex, size_
     }
 }
 
-/* Are -n w of all facets of the signs? */
+/* Have the values -n w of the vertex's facets the given signs? */
 static int has_speed_signs(const fmpq *w, const graze_envelope *e, size_t vertex,
                            const signed char *sign) {
     const cell_complex *c = &e->cells;

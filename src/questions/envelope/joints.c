@@ -37,7 +37,7 @@ static graze_chain_form form_of(const joining *j) {
                                                                  : GRAZE_CHAIN_BRANCHING;
 }
 
-/* Is it the same set, in a joint that lasts until now? Then it lasts longer. */
+/* Extend a joint of the set that lasts until now, if there is one; else 0. */
 static int extends_joint(const joining *j) {
     for (size_t k = j->first_joint; k < j->p->joint_count; k++) {
         patch_joint *old = &j->p->joint[k];
@@ -54,7 +54,7 @@ static int extends_joint(const joining *j) {
     return 0;
 }
 
-/* A joint of the set, if it is one: more than one patch, or in E^3 a slice or run alone. */
+/* Add a joint of the set if it has more than one patch or, in E^3, one slice or run. */
 static graze_status emit_set(joining *j) {
     const cell_complex *c = &j->p->envelope->cells;
     members_sort(&j->set);

@@ -25,8 +25,8 @@ const fmpz_poly_struct *derivatives_at(const derivatives *f, int k, size_t verte
 /** The velocity g of a facet at a vertex, -n Phi_1 for its outward normal: g times a positive
  * function. */
 void derivatives_velocity(fmpz_poly_t out, const derivatives *f, size_t facet, size_t vertex);
-/** n Phi_k at a vertex: for k = 2 theta, for k = 3 the third derivative, where those before are 0,
- * times positive functions. */
+/** n Phi_k at a vertex, times a positive function: theta for k = 2, the third derivative of the
+ * pullback for k = 3, each only where the lower derivatives are 0. */
 void derivatives_along(fmpz_poly_t out, const derivatives *f, int k, size_t facet, size_t vertex);
 
 /* Signs of several polynomials all along [0, 1]: at their roots, at the ends, and between. */
@@ -51,7 +51,7 @@ graze_status axis_sign(int *out, graze_context *context, axis *x, const fmpz_pol
 /** Its sign between points k - 1 and k, 1 <= k < count. */
 int axis_sign_before(const axis *x, const fmpz_poly_struct *p, size_t k);
 
-/** The strict sign of a polynomial on all of [0, 1], if it is cheaply seen to have one, else 0. */
+/** The sign of a polynomial without roots in [0, 1] there, if a cheap test shows it, else 0. */
 int axis_one_sign(const fmpz_poly_struct *p);
 
 /* The signs of a few polynomials along a piece of the motion, and the events they make. */
@@ -66,7 +66,7 @@ typedef struct signs {
     signed char *at, *before;
 } signs;
 
-/** Zero polynomials, to be set before signs_find. */
+/** Begin with `count` zero polynomials, which the caller sets before signs_find. */
 void signs_init(signs *s, size_t count, size_t rooted);
 void signs_clear(signs *s);
 graze_status signs_find(signs *s, graze_context *context);
@@ -87,7 +87,7 @@ void events_clear(event_list *list);
 graze_status events_add(event_list *list, graze_context *context, const found_event *what,
                         size_t piece, const algebraic *u);
 
-/** The signs of one quantity beside the end of the piece before. */
+/** The signs of one quantity just before the end of the last piece, and at that end. */
 typedef struct watch {
     int before, at;
 } watch;
@@ -95,9 +95,8 @@ typedef struct watch {
 /** The sign of a quantity from the signs of the polynomials at one place, or SIGN_NONE. */
 typedef int watched_sign(const signed char *sign);
 
-/**
- * Add the events of a quantity on the next piece: times at which it has a sign that is not the one
- * on both sides (proofs/events.md C79).
+/* * Add the events of a quantity on the next piece: times at which its sign differs from its sign
+ * before or after them (proofs/events.md C79).
  * @param past on the first piece anything; kept for the next one
  */
 graze_status events_watch(event_list *list, graze_context *context, const found_event *what,
@@ -106,7 +105,7 @@ graze_status events_watch(event_list *list, graze_context *context, const found_
 /** Put the events in order, with their times. */
 graze_status events_finish(event_list *list, graze_context *context);
 
-/* Moments that concern a cell (proofs/events.md C84). */
+/* Moments at which a cell's contacts may change (proofs/events.md C84). */
 
 /** Moments ascending, each once. */
 typedef struct moment_cuts {
@@ -124,7 +123,8 @@ graze_status cuts_add(moment_cuts *cuts, graze_context *context, size_t moment);
 /** Put the list in order once all are there. */
 void cuts_sort(moment_cuts *cuts);
 
-/** Add the moments that concern a cell. */
+/** Add the moments at which a facet, an edge, a vertex has events; for an edge also those at which
+ * one of its facets has an event at one of its ends. */
 graze_status cuts_add_of_facet(moment_cuts *cuts, graze_context *context,
                                const cell_event_list *list, const cell_complex *c, size_t facet);
 graze_status cuts_add_of_edge(moment_cuts *cuts, graze_context *context,
@@ -149,8 +149,7 @@ int enters_before(const graze_envelope *e, size_t facet, size_t vertex, size_t p
 
 /* Velocities of a vertex that lead into the solid. */
 
-/**
- * Does w, the velocity of the trajectory through a vertex, or -w lead into the solid's interior?
+/** Does w, the velocity of the trajectory through a vertex, or -w point into the solid's interior?
  * @param sign of g of the vertex's facets at u, in their order; not all 0
  */
 graze_status inward_decide(int *out, const graze_envelope *e, graze_context *context, size_t vertex,
@@ -193,17 +192,18 @@ void singular_view_make(singular_view *out, const graze_envelope *e, graze_conte
                         size_t facet, size_t piece);
 void singular_view_clear(singular_view *v);
 
-/** Has g one strict sign at all corners of the facet, all the time? If it is cheaply seen. */
+/** Does a cheap test show that g has one strict sign at all corners of the facet, at all times of
+ * the piece? Then the facet has no such point. 0 says nothing. */
 int singular_is_never(const singular_view *v);
 
-/** Does the determinant vanish all the time? If not, there is such a point at its roots alone. */
+/** Is the determinant 0 at all times of the piece? If not, such points occur at its roots only. */
 int singular_is_lasting(const singular_view *v);
 
 /** Is there such a point in the facet's relative interior at u? */
 graze_status singular_exists(int *out, const singular_view *v, algebraic *u);
 
-/** The times at which the answer may change (proofs/events.md C80): all others are between two at
- * which it is the same. @param[out] out uninitialised; axis_clear in any case */
+/** Find the times at which the answer of singular_exists may change (proofs/events.md C80): between
+ * two of them it is constant. @param[out] out uninitialised; axis_clear in any case */
 graze_status singular_axis(axis *out, const singular_view *v);
 
 /* Facets whose g vanishes all over. */

@@ -143,7 +143,8 @@ static graze_status is_point_in_triangle(int *out, const singular_view *v, algeb
     return status;
 }
 
-/* Is the point of these barycentric coordinates at u in the facet? */
+/* Is the point of these barycentric coordinates at u in the facet's relative interior? The
+ * coordinates are those in the facet's first triangle. */
 static graze_status is_in_facet(int *out, const singular_view *v, algebraic *u,
                                 const fmpz_poly_struct *weight) {
     fmpz_poly_struct point[4];

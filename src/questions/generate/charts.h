@@ -44,19 +44,18 @@ int quadratic_find_zero(quadratic *q);
 /** The direction of a line of zeros through a zero x: of a cylinder or a cone in space; else 0. */
 int quadratic_ruling(fmpq *out, const quadratic *q, const fmpq *x);
 
-/** The place of the other zero on the line along `direction` through the start, a zero; 0 if there
- * is none. */
+/** Find the second zero on the line along `direction` through the start, a zero; 0 without one. */
 int quadratic_other_zero(fmpq *out, const quadratic *q, const fmpq *direction);
 
 /* Rational points that polynomials have in common: flats, and quadrics in flats. */
 
 void charts_clear(charts *list);
 
-/** Append what is found of the zeros of a polynomial of the coordinates in a flat. */
+/** Append charts of the zeros that are found, in a flat, of a polynomial of the coordinates. */
 graze_status charts_add_section(charts *list, const flat *place, const fmpq_mpoly_t p);
 
-/** Append what is found of the common zeros of two, p irreducible: where one, or a factor of q, or
- * of what the division of one by the other leaves, is linear. */
+/** Append charts of common zeros of two polynomials, p irreducible: of those found because p, a
+ * factor of q, or a factor of the remainder of dividing one by the other is linear. */
 graze_status charts_add_common(charts *list, const fmpq_mpoly_t p, const fmpq_mpoly_t q);
 
 /** Append the singular point of the zeros of a polynomial of degree 2, if there is one. */
@@ -64,17 +63,16 @@ graze_status charts_add_singular(charts *list, const fmpq_mpoly_t p);
 
 /**
  * Draw a point.
- * @param low, high the box that flats are to be met in
+ * @param low, high the box in which points of flats are drawn
  * @return 0 if this try made none
  */
 int chart_draw(fmpq *point, const chart *from, random_stream *r, const fmpq *low, const fmpq *high);
 
-/* Rational points of a curved solid's surfaces, of their edges and vertices, and where they are
- * touched at a time. */
+/* Rational points of a curved solid's surfaces, of their edges and vertices, and of the places of
+ * surfaces whose normal velocity is zero at a time. */
 
-/**
- * Look for points of a curved solid that has a box, in bounded time: where it has many surfaces,
- * not of all pairs.
+/* * Look for rational points of a curved solid that has a box, in bounded time: if it has many
+ * surfaces, not for common points of all pairs.
  * @return GRAZE_ECANCELED, GRAZE_ESYSTEM; atlas_clear in any case
  */
 graze_status atlas_make(atlas *out, graze_context *context, const csg *solid,

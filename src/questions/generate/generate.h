@@ -25,20 +25,21 @@ typedef struct quadratic {
     fmpq *start, *slope, *value, *form;
 } quadratic;
 
-/** Points of a flat; if `bent`, all but the start are second points of lines through it. */
+/** Points of a flat; if `bent`, the zeros of `curve` in it: its start, and the second zeros on
+ * lines through the start. */
 typedef struct chart {
     flat place;
     int bent;
     int isolated;    /* a singular point of the zeros */
     quadratic curve; /* in the parameters of the flat; only if bent */
-    size_t mark;     /* what it was made of, as its maker counts */
+    size_t mark;     /* number of what it was made of, given by its maker */
 } chart;
 
 typedef struct charts {
     graze_context *context;
     const fmpq_mpoly_ctx_struct *ring; /* of the coordinates */
     int dimension;
-    size_t count, capacity, mark; /* mark: of those that are appended */
+    size_t count, capacity, mark; /* mark: that of charts appended from now on */
     chart *item;
 } charts;
 
@@ -60,7 +61,8 @@ typedef struct instant {
         velocity[16]; /* the first of them times a positive number, each within 2^-52 of itself */
 } instant;
 
-/** Charts of the arrangement of all surfaces: not all of their points are on the boundary. */
+/** Charts of the faces, edges and vertices in which all surfaces of a solid meet: not all of their
+ * points are on the solid's boundary. */
 typedef struct atlas {
     const csg *solid;
     fmpq_mpoly_ctx_t ring;

@@ -51,7 +51,7 @@ static graze_status point_neighbours(neighbours *out, graze_context *context, co
     return GRAZE_OK;
 }
 
-/* Bit i of `choice` tells which neighbour of coordinate i. */
+/* Set a point to the neighbours that `choice` tells: bit i is the number of coordinate i's. */
 static graze_status choose_neighbours(fmpq *point, graze_context *context, const neighbours *n,
                                       size_t choice) {
     for (int i = 0; i < n->d; i++)

@@ -186,7 +186,8 @@ static int order_at(const struct graze_generator *g, const touchpoint *p, const 
     return order;
 }
 
-/* A whole face touched at once, sliding or not. */
+/* Draw a point of a face that is in contact at all of its points at one time or, if `slides`,
+ * during a whole piece. */
 static int draw_special(touchpoint *p, const struct graze_generator *g, random_stream *r,
                         int slides) {
     if (g->special.count == 0)

@@ -37,12 +37,11 @@ void instant_pullback(fmpz *out, const instant *i, const fmpz *form, int k);
  * the moved facet if the form is positive outside. */
 void instant_normal(fmpq *out, const instant *i, const fmpz *form);
 
-/* Facets that are touched over their whole face at once, which a search at sampled times would
- * miss. */
+/* Facets in contact at all of their points at one time, which a search at sampled times would miss.
+ */
 
-/**
- * Look for them among the planes of the solid: all planes, or evenly spread ones where there are
- * too many. A face that is touched as a whole at an irrational time is not among them.
+/* * Look for such facets among the planes of the solid: all planes, or if there are too many,
+ * planes evenly spread among them. Facets whose time is irrational are not found.
  */
 graze_status specials_find(specials *out, graze_context *context, const graze_scene *scene);
 void specials_clear(specials *list);
@@ -52,7 +51,8 @@ void specials_clear(specials *list);
 void special_velocity(fmpz_poly_t out, const graze_scene *scene, size_t piece, const fmpz *form,
                       const fmpq *y);
 
-/** Rational roots of a polynomial in (0, 1), at most SPECIAL_ROOTS; how many. */
+/** Find the rational roots of a polynomial in (0, 1), at most SPECIAL_ROOTS; returns their number.
+ */
 enum { SPECIAL_ROOTS = 40 };
 int special_roots(fmpq *out, const fmpz_poly_t p);
 
@@ -63,7 +63,7 @@ const instant *stratum_instant(const struct graze_generator *g, graze_stratum st
 /** Whether a contact of this order belongs to the stratum. */
 int stratum_takes_order(graze_stratum stratum, int order);
 
-/** 1 unless the generator keeps to points that a double holds, and this is none. */
+/** 0 if the generator keeps to points whose coordinates are doubles, and this point is none. */
 int sample_is_kept(const sample *s, const struct graze_generator *g);
 
 /* Query points of one stratum. */
@@ -94,18 +94,17 @@ graze_status stratum_try(int *made, sample *out, graze_context *context,
  */
 graze_status levels_find(struct graze_generator *g, graze_context *context);
 
-/** Try once for a point of one of these: an `on` point of a contact, displaced along the normal,
- * whose enclosure lies in the decade. *made is 0 if this try made none. */
+/** Try once for a point of one of the generator's levels: the point of a contact, displaced along
+ * the normal, whose enclosure of s lies in the decade. *made is 0 if this try made none. */
 graze_status level_try(int *made, sample *out, graze_context *context,
                        const struct graze_generator *g, random_stream *r);
 
 /* Query points within an ulp of a contact. */
 
-/**
- * Try once for the point of a contact whose coordinates become doubles next to them: those that are
- * none one of the two neighbours, the others perhaps the double before or behind. Among these
- * points one of a side that is drawn is taken, if there is one; the exact answer stands in the
- * sample.
+/* * Try once for a point whose coordinates are doubles next to those of a contact's point: for a
+ * coordinate that is no double one of its two neighbours, for a double itself or the double before
+ * or behind it. Among such points one on a side that is drawn, inside or outside, is taken, if
+ * there is one; the sample has its exact answer.
  * @param[out] made 0 if this try made none
  * @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM, GRAZE_EINTERNAL
  */

@@ -20,7 +20,7 @@ enum { DOUBLINGS = 60, LEVELS = DOUBLINGS + 256 };
 typedef struct measuring {
     suprema *s;
     int has_inside;
-    fmpq_t flat;                           /* volume inside the mesh in flat cubes */
+    fmpq_t flat;                           /* volume inside the mesh in cubes of kind CUBE_FLAT */
     size_t count[VOLUME_COUNT][2][LEVELS]; /* cubes by level, for bounds below and above */
 } measuring;
 

@@ -71,7 +71,7 @@ typedef struct root_sweep {
     fmpz_poly_struct *at, *way; /* each plane's values at u and along e, on the side 1 */
     signed char *at_sign, *way_sign, *sign;
     size_t *cut, cut_count; /* the planes that are crossed at a positive s, in order of s */
-    int *rank;              /* of each cut; planes of equal rank are crossed at the same s */
+    int *rank;              /* the rank of each cut by s; cuts at the same s have one rank */
 } root_sweep;
 
 static void sweep_clear(root_sweep *s) {

@@ -39,7 +39,7 @@ typedef struct place_finder {
     int rank;
 } place_finder;
 
-/* Keep a plane that contains the place, if it is independent of those kept. */
+/* Keep a plane, which contains the place, if its normal is independent of those kept. */
 static void keep_independent(place_finder *f, const fmpz *form) {
     int d = f->place->map->dimension;
     if (f->rank == d)
