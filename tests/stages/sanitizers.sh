@@ -10,7 +10,7 @@ set -euo pipefail
 left_out=(agree/laws curved/laws distance/laws check/mutants draw/dense shards/ended shards/mpi shards/contacts shards/certificates
     refuse/progress refuse/onto collide/polycubes collide/minkowski topo/duals)
 rest=(envelope/curve envelope/derivation envelope/laws envelope/patches envelope/singular curved/made generate/generate
-    judge/closed topo/degrees topo/dangling topo/orders topo/roofs topo/sides topo/witness)
+    topo/degrees topo/dangling topo/orders topo/roofs topo/sides topo/witness)
 build="build-clang"
 export LLVM_PROFILE_FILE="$PWD/$build/counts/%m.profraw"
 make -s B=$build CC=clang CXX=clang++ OPT="-O1 -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer" \
