@@ -57,8 +57,8 @@ GRAZE_API GRAZE_CHECKED graze_status graze_certificate_row(char **out, graze_con
  * @param[out] done   number of points: n, or on failure the index of the point that failed
  * @param[out] totals what the table's rows say together, or NULL
  * @param points      n*d canonical rationals, point after point; may be NULL if n is 0
- * @param texts a text for each row of the table, or NULL
- * @param options     of the table's rows, all answers; NULL: the defaults
+ * @param texts       n of them, one for each row of the table, or NULL
+ * @param options     of the table's rows, not GRAZE_COLUMNS_PMC; NULL: the defaults
  * @return GRAZE_EUSE, GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM
  */
 GRAZE_API GRAZE_CHECKED graze_status

@@ -41,7 +41,7 @@ typedef enum graze_limit {
     GRAZE_LIMIT_DIGITS = 0, /**< `digits`, 10000: decimal digits of a number, exponent expanded */
     GRAZE_LIMIT_DEGREE = 1, /**< `degree`, 200: degree of a polynomial of a motion */
     GRAZE_LIMIT_PIECES = 2, /**< `pieces`, 10000: pieces of a motion after all cuts */
-    GRAZE_LIMIT_DEPTH = 3,  /**< `depth`, 100: nesting of brackets, JSON values and transforms */
+    GRAZE_LIMIT_DEPTH = 3,  /**< `depth`, 100: nesting of brackets, JSON values and CSG nodes */
     GRAZE_LIMIT_GRID = 4,   /**< `grid`, 10^10: points of a grid */
     GRAZE_LIMIT_LINE = 5,   /**< `line`, 10^7: bytes of one line of a text file */
     GRAZE_LIMIT_CELLS = 6,  /**< `cells`, 10^8: vertices or facets of a solid */

@@ -87,9 +87,9 @@ typedef struct graze_judge_options {
 
 /** Distance that is judged. */
 typedef enum graze_judged {
-    GRAZE_JUDGED_OUTSIDE = 0, /**< of the mesh outside the sweep: the greatest from W */
-    GRAZE_JUDGED_INSIDE = 1,  /**< of the mesh inside the sweep: the greatest from W's complement */
-    GRAZE_JUDGED_SWEEP = 2,   /**< of the boundary of W: the greatest from the mesh */
+    GRAZE_JUDGED_OUTSIDE = 0, /**< how far a point of the mesh is from W at most */
+    GRAZE_JUDGED_INSIDE = 1,  /**< how far a point of the mesh is from W's complement at most */
+    GRAZE_JUDGED_SWEEP = 2,   /**< how far a boundary point of W is from the mesh at most */
     GRAZE_JUDGED_COUNT = 3
 } graze_judged;
 

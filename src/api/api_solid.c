@@ -144,7 +144,7 @@ typedef struct arrays {
     size_t index_count;
 } arrays;
 
-/* Check the arrays before anything is copied. */
+/* Check the arrays before anything is copied, and set `index_count`. */
 static graze_status check_arrays(arrays *a, graze_context *context, unsigned flags) {
     const char *name = a->doubles ? "graze_solid_from_doubles" : "graze_solid_from_arrays";
     unsigned long limit = context->limits[GRAZE_LIMIT_CELLS];

@@ -280,7 +280,7 @@ static inline int flip(flip_site site, int decision) {
 }
 #endif
 
-/* The normal of a simplex in doubles, and the constants of the filter's error bounds. */
+/* The normal of a simplex in doubles. */
 
 /** The normal of a simplex's plane, outward, and a bound for the error of each coordinate
  * (proofs/filter.md C35). */

@@ -108,7 +108,8 @@ static int sign_of_lowest_form(const apex *a, const taylor *t) {
     return field_sign(a->g->f, sum);
 }
 
-/* Note the patterns along the direction and its opposite. */
+/* Add the patterns of signs along the direction and its opposite: of homogeneous members to
+ * `shown`, and of all to the germ's `seen` if no form is 0 there. */
 static void look_both_ways(apex *a) {
     unsigned negative = 0, flat = 0;
     for (int k = 0; k < a->g->count; k++) {

@@ -132,7 +132,7 @@ int search_curve(findings *out, early_end *early, curve *c, const graze_solid *s
  * what is not certainly apart is asked together (proofs/filter.md C37). 0 without memory. */
 int findings_settle(findings *found);
 
-/* * Locate a place in the solid by rays: I or O, or ABSENT if that is not certain.
+/** Locate a place in the solid by rays: I or O, or ABSENT if that is not certain.
  * @param at, error d + 1 homogeneous coordinates, the last one positive, each within its error
  */
 graze_state ray_locate(filter_workspace *w, const graze_solid *solid, const double *at,

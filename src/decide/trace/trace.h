@@ -144,7 +144,7 @@ int trajectory_bound(box *out, const trajectory *c, const fmpz *bernstein);
 /* Data for tracing one point: the scene, the point, its exact trajectories when they are needed;
  * and the location of a time off the boundary. */
 
-/** The last finding, against which the next one is checked (decide/trace/trace.h). */
+/** The last finding, against which the next one is checked. */
 typedef struct last_seen {
     int any;
     size_t piece;
@@ -270,7 +270,7 @@ graze_status contacts_name(graze_trace *trace, graze_context *context, const cel
 graze_status crosscheck_crossing(tracer *r, size_t piece, int enters);
 
 /** An exact window [from, to], in 2^-WINDOW_LEVELS of `piece`, whose ends within the piece are off
- * the boundary; likewise. */
+ * the boundary. @return as crosscheck_crossing */
 graze_status crosscheck_window(tracer *r, size_t piece, uint32_t from, uint32_t to);
 
 /* The trace of a point. */

@@ -86,8 +86,8 @@ graze_status tracer_locate(graze_state *out, tracer *r, size_t piece, const fmpq
     return GRAZE_OK;
 }
 
-/* The nearest doubles, or nearly so: conversion and division each lose less than 2^-51. Past the
- * range of doubles they are infinite, which the filter refuses. */
+/* The nearest doubles, or nearly so: conversion and division each lose less than 2^-51. From about
+ * 2^1000 on they are infinite, which the filter refuses; below about 2^-1000 they are 0. */
 static void approximate_point(filter_point *out, query_point point, int dimension) {
     for (int k = 0; k < dimension; k++) {
         if (point.value) {

@@ -109,7 +109,7 @@ typedef struct pose_list {
 } pose_list;
 
 /**
- * Read a file in one of the forms of poses_list.h, its fields between commas, semicolons or
+ * Read a file in one of the forms above, its fields between commas, semicolons or
  * blanks. Without times they are 0, 1, 2, ... Nanoseconds are added to times, and not rounded.
  * `#` lines and blank lines are skipped.
  * @param[out] out    cleared by poses_clear, also after a failure

@@ -86,7 +86,7 @@ graze_status csg_add_side(size_t *node, csg_reader *r, int other);
 
 /* Boxes that hold the nodes of a curved solid (proofs/curved.md C102). */
 
-/* * Enlarge the reader's box until it holds the Minkowski sum of a disk and a ball.
+/** Enlarge the reader's box until it holds the Minkowski sum of a disk and a ball.
  * @param point the centre of the disk, in the frame of the node at hand
  * @param axis  normal to the disk; unused if `disk` is 0
  * @param ball  radius of the ball, 0 or more

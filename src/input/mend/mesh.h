@@ -85,7 +85,7 @@ graze_status clean_facets(mesh *m);
 
 /* Orientation of facets. */
 
-/* * Turn facets round so that facets at an edge of just two run along it in opposite senses, and
+/** Turn facets round so that facets at an edge of just two run along it in opposite senses, and
  * shells face outward, or inward if they lie inside an odd number of other shells. A shell that is
  * no legal boundary by itself is left as it is.
  * @param flags GRAZE_SOLID_TRIANGULATE

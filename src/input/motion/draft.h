@@ -39,14 +39,14 @@ graze_status draft_append_rigid(draft_piece **out, graze_context *context, draft
 /** Give every rigid piece its map: later steps take drafts without rigid pieces. */
 graze_status draft_spread(draft *d, graze_context *context);
 
-/* * frame^-1 moving ([IS] eq. 7), cut at the breaks of both. Both motions are legal and have one
+/** frame^-1 moving ([IS] eq. 7), cut at the breaks of both. Both motions are legal and have one
  * dimension and one interval of time.
  * @param[out] out empty
  */
 graze_status draft_relative(draft *out, graze_context *context, const draft *moving,
                             const draft *frame);
 
-/* * Append the motion `next`: its interval becomes [from, from + 1], and each of its positions is
+/** Append the motion `next`: its interval becomes [from, from + 1], and each of its positions is
  * combined with `end`, the last position of `out` ([IS] eq. 29). `end` becomes the new last
  * position.
  */

@@ -43,8 +43,8 @@ typedef struct box {
     double low[3], high[3];
 } box;
 
-/** Inner nodes have their children at `child` and `child` + 1, and the number of a slab
- * (input/solid/solid.h). A leaf has child 0 and one simplex. */
+/** Inner nodes have their children at `child` and `child` + 1, and the number of a slab.
+ * A leaf has child 0 and one simplex. */
 typedef struct tree_node {
     box box;
     uint32_t child;
@@ -78,7 +78,7 @@ static inline double box_extent(const box *b) {
 typedef struct skin {
     const soup *input;
     const simplices *cut;     /* none is degenerate */
-    const double *low, *high; /* bounds of the coordinates, as in a solid (solid.h) */
+    const double *low, *high; /* bounds of the coordinates, as in a solid */
     const tree *boxes;        /* of the simplices; node_count 0 where there are none */
 } skin;
 
@@ -90,7 +90,7 @@ graze_status skin_bounds(double **low, double **high, graze_context *context, co
  * @return GRAZE_ESYSTEM */
 graze_status skin_tree(tree *out, graze_context *context, const skin *s);
 
-/** The plane form of a simplex, and a side form of it: as solid_plane and solid_side (solid.h). */
+/** The plane form of a simplex, and a side form of it: as solid_plane and solid_side. */
 int skin_plane(fmpz *out, const skin *s, size_t simplex);
 void skin_side(fmpz *out, const skin *s, size_t simplex, const fmpz *plane, int k);
 
@@ -124,9 +124,8 @@ void slabs_clear(slabs *s);
  * search tree.
  *
  * The boundary is cut into simplices (validate.h). Each lies in a plane (E^2: a line) and is cut
- * out of it by its d side forms (solid.h). Large boundaries are asked about few of their
- * simplices, so forms are made when asked for and not kept here (solid.h keeps a few for a
- * thread). */
+ * out of it by its d side forms. Large boundaries are asked about few of their
+ * simplices, so forms are made when asked for; a form_memory keeps a few for a thread. */
 
 struct graze_solid {
     unsigned long number; /* no other solid of the process has had it; not 0 */
@@ -161,7 +160,7 @@ void solid_box(fmpq *low, fmpq *high, const graze_solid *solid);
  */
 int solid_plane(fmpz *out, const graze_solid *solid, size_t simplex);
 
-/* * Side form k < d of a simplex: not negative on the simplex. Its coefficient is 0 at the
+/** Side form k < d of a simplex: not negative on the simplex. Its coefficient is 0 at the
  * coordinate in which the plane's normal is first not zero.
  * @param plane the simplex's plane form
  */
@@ -191,7 +190,7 @@ typedef struct form_memory {
 
 void form_memory_clear(form_memory *m);
 
-/* * Find the plane form as solid_plane does, but not on which side of the simplex it is positive.
+/** Find the plane form as solid_plane does, but not on which side of the simplex it is positive.
  * @param m memory, or NULL for none
  */
 void known_plane(fmpz *out, form_memory *m, const graze_solid *solid, uint32_t simplex);
@@ -244,7 +243,7 @@ graze_status solid_is_another(graze_context *context, const char *path);
  */
 int form_of_plane(fmpz *out, const fmpq *const *vertex, int dimension);
 
-/* * Side form k: zero on side k, positive at the opposite vertex. Its coefficient is 0 at the
+/** Side form k: zero on side k, positive at the opposite vertex. Its coefficient is 0 at the
  * coordinate in which the plane's normal is first not zero.
  */
 void form_of_side(fmpz *out, const fmpq *const *vertex, const fmpz *plane, int k, int dimension);

@@ -102,7 +102,7 @@ graze_status boundaries_meet(int *out, graze_context *context, const soup *s, co
                              const fmpq *map);
 
 /* The geometry a soup must have to bound a solid, decided exactly, and its cut into simplices.
- * CGAL is used behind this header, validate.h and validate.h only. */
+ * CGAL is used in this room alone. */
 
 /** A flag beside GRAZE_SOLID_TRIANGULATE: this soup has passed before, so the search for facets
  * that meet is left out in E^3, and contacts inside facets join no components. */

@@ -81,7 +81,7 @@ graze_status depth_scale(depths *d, graze_context *context, const graze_scene *s
 graze_status depth_measure(depth_bounds *out, depths *d, graze_context *context,
                            const graze_scene *scene, const char *point, int pmc);
 
-/* How far the points of rows are apart that were matched by something else. */
+/* How far apart the points of two rows are that an id or the order of rows has matched. */
 
 void drift_init(drift *d, const table *golden, const table *candidate);
 void drift_clear(drift *d);

@@ -105,7 +105,7 @@ typedef struct row_index {
     kept_row *rows; /* by key, then by number; while `resting` only rows not taken, by number */
     size_t count, capacity;
     int resting;  /* 1: the rest is being handed out */
-    size_t next;  /* index of the next row of the rest */
+    size_t next;  /* while `resting`, the index of the row to hand out next */
     table_row at; /* the row handed out last */
 } row_index;
 

@@ -223,7 +223,7 @@ graze_status draw_picture(graze_context *context, const graze_scene *scene, cons
  *
  * Made in doubles: a picture of the solid decides nothing. */
 
-/* * Make a solid that stands for a curved one in pictures and nowhere else: only its vertices'
+/** Make a solid that stands for a curved one in pictures and nowhere else: only its vertices'
  * bounds and its simplices are set, segments in the plane, triangles in space. Details narrower
  * than a cell of the lattice, a 256th of the box in the plane and a 64th in space, may be missed.
  * Cleared by eye_solid_clear, also on failure.

@@ -205,7 +205,8 @@ graze_status eye_outline_make(graze_solid *out, graze_context *context, const cs
  * States, contacts and their cells are those of the exact trace; only the places that are drawn
  * are rounded. */
 
-/** A stretch of one state: places first ... first + count - 1. Neighbours share a place. */
+/** A stretch of one state: places first ... first + count - 1. The first one equals the last place
+ * of the stretch before. */
 typedef struct trail_span {
     graze_state state;
     size_t first, count;

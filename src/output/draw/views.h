@@ -142,7 +142,7 @@ extern const style outline_plane;
 /** A trajectory outside, inside and on the boundary of S. */
 extern const style trail_outside, trail_inside, trail_sliding;
 
-/** Contents of a picture that can be seen, for its legend. */
+/** Things that a picture shows, for its legend: flags, but for `band`. */
 typedef struct legend {
     int tones[TONE_COUNT];
     int by_distance;

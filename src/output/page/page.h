@@ -59,7 +59,7 @@ graze_status page_cells(text *out, graze_context *context, const graze_scene *sc
 
 /* The points of a page: answers and contacts, from which the page makes its sentences. */
 
-/* * All points of a request as an object of JSON (src/output/page/README.md).
+/** All points of a request as an object of JSON (src/output/page/README.md).
  * @param centre  the centre of the page's box; places are written relative to it
  */
 graze_status page_rows(text *out, graze_context *context, const graze_scene *scene,

@@ -18,7 +18,8 @@
 #include "questions/envelope/envelope.h"
 #include "questions/topo/topo.h"
 
-/** The first or last such time: an end of the motion or of a contact, and its piece. */
+/** The first or the last time at which a point is in the closed solid: an end of the motion or of a
+ * contact, and its piece. */
 typedef struct inside_end {
     const fmpq *end;        /* t0 or t1; borrowed from the motion */
     const graze_time *time; /* NULL if `end` is set, or if the point is never inside; borrowed */
@@ -159,7 +160,7 @@ void report_contact_json(text *out, const graze_site *site);
 
 /* The table of a scene and its points (src/program/cli/formats.md, Tables). */
 
-/** Write the head of a table of points; `notes` as above.
+/** Write the head of a table of points; `notes` may be NULL.
  * @param columns names of further columns, or NULL */
 graze_status report_header(char **out, graze_context *context, const graze_scene *scene,
                            const char *notes, const char *columns, const graze_row_options *shown);

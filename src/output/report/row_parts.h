@@ -67,7 +67,7 @@ graze_status closings_explain(text *t, graze_context *context, const graze_scene
                               const fmpq *point, const topo_finding *topo);
 
 /* Times as text: exact, and as correctly rounded decimals. */
-/** The decimal of a time minus `since`, likewise. */
+/** The decimal of a time minus `since`, as decimal_of_time gives that of a time. */
 char *decimal_of_time_since(int *exact, const graze_time *time, const fmpq_t since, int digits);
 
 /** Append a canonical time: a ratio, or root(c0 c1 ...;a;b); nothing for NULL. */
@@ -107,7 +107,7 @@ void json_time(json_writer *w, const char *key, const graze_time *time);
 /** A cell: `face 3`, `edge 1-2`, `vertex 5`; nothing for kind 0. */
 void report_put_cell(text *t, const graze_cell *cell);
 
-/** Write the head of a table of another kind: `#` lines and names.
+/** Write the head of a table of other rows than points: `#` lines and names.
  * @param notes further `# key value` lines, or NULL.
  * @param further names behind `names`, comma-joined, or NULL */
 graze_status table_head(char **out, graze_context *context, const graze_scene *scene,

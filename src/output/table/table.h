@@ -53,7 +53,7 @@ field texts_at(const texts *t, uint32_t number);
 
 /* A table of answers in columns of one type each.
  *
- * Rows are added as values (table.h). Of further columns only what they need is kept as text.
+ * Rows are added as values. Of further columns only what they need is kept as text.
  */
 
 typedef enum column_kind {

@@ -60,7 +60,8 @@ void complain_of_faults_alone(void);
  * of commands do not know. Valid as long as the message. */
 const char *complaint_of(const graze_context *context);
 
-/** Write the context's message; returns the exit status for `status` (EXIT_SIGNAL for a cancel). */
+/** Write the context's message, but nothing for GRAZE_OK or a cancel; returns the exit status for
+ * `status` (EXIT_SIGNAL for a cancel). */
 int complain_of(graze_status status, const graze_context *context);
 
 /** As complain_of, but GRAZE_EUSE is a fault of the command line: EXIT_USAGE. */

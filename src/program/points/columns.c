@@ -142,7 +142,8 @@ static char *put_carried(char *at, const columns *c, field one) {
     return at;
 }
 
-/* Names for the fields that are no coordinates, comma-joined; numbers where there is no header. */
+/* Set `others`: names of the fields that are carried along, comma-joined; where there is no header
+ * `column` with the field's number, from 1. */
 static int name_others(fault *f, columns *c, const fields *first, int numbered) {
     size_t room = 1;
     size_t further = 0;

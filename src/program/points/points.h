@@ -18,7 +18,7 @@ typedef enum result_kind { RESULT_TABLE, RESULT_CERTIFICATE, RESULT_KINDS } resu
 const char *result_name(result_kind kind);
 /** The command that writes such a file. */
 const char *result_command(result_kind kind);
-/** The text before the key of a note (points.h) and of the last line: "# " in a table. */
+/** The text before the key of a note and of the last line: "# " in a table. */
 const char *result_mark(result_kind kind);
 
 /** A row of a table is one line; one of a certificate goes on in the lines of its intervals
@@ -186,7 +186,7 @@ int coordinates_put(text *out, fault *f, const coordinate_options *o, graze_cont
  * 2n, ... of the whole run, counted from 1. So the number of rows need not be known, easy and hard
  * regions are shared evenly, and the whole is put together by taking rows in turn again. */
 
-/** Notes (points.h) that a shard's table or certificate has and a whole one lacks: the shard, in
+/** Notes that a shard's table or certificate has and a whole one lacks: the shard, in
  * the head; and before the last line the number of rows of all shards, a checksum of their points
  * (0 for a grid), and one of all bytes before it. */
 #define SHARD_LINE "shard "
@@ -249,7 +249,7 @@ void grid_notes(text *out, const grid *g);
 
 /* Files of query points, cut into lines and handed out in blocks.
  *
- * The first thread cuts a file into lines and does nothing else with them; points.h reads them. */
+ * The first thread cuts a file into lines and does nothing else with them; columns.c reads them. */
 
 typedef struct csv csv;
 

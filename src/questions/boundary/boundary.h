@@ -72,7 +72,7 @@ struct graze_boundary {
     unsigned long missed;
     number_index
         vertices;    /* the middles of the surface's edges, and pmc where `shares` are inside */
-    fmpq *shares;    /* two for each vertex (boundary.h) */
+    fmpq *shares;    /* two for each vertex */
     size_t exact;    /* vertices that are on the boundary itself */
     size_t *corners; /* of the surface's faces, d each */
     size_t face_count, corner_capacity;

@@ -1,10 +1,11 @@
 /* Cuts cells, one level after the other, so that a budget that runs out leaves a whole level.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * A cell is cut if its corners and centre are not all of one pmc or if it holds a contact point.
- * Across a mixed face of a cell of the level at hand the neighbour must be of this level too:
- * then every edge of the level between `out` and the rest has all its cells, and the surface no
- * border inside the box.
+ * All cells are cut to the coarse level; from there on a cell is cut if its corners and centre are
+ * not all of one pmc or if it holds a contact point. Where a face of a cell of the level at hand
+ * has both corners that are `out` and others, the neighbour there must be of this level too: then
+ * every edge of the level between `out` and the rest has all its cells, and the surface no border
+ * inside the box.
  */
 #include "questions/boundary/boundary.h"
 

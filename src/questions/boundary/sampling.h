@@ -66,7 +66,7 @@ int feature_between(const tangent *a, const tangent *b);
 /**
  * Look for a corner or a point of an edge of the boundary strictly inside a cell: where two or
  * three of the tangent planes meet, nearest to a point of reference. It is taken only if it is
- * between two exactly classified points of the cell (sampling.h, feature).
+ * between two exactly classified points of the cell.
  * @param[out] out   uninitialised; its numbers are set where *found is 1
  * @param reference  d rationals
  */
@@ -78,7 +78,7 @@ graze_status feature_find(feature *out, int *found, asker *a, const sample_cell 
 /** 1 if a point lies strictly inside a cell of the level reached. */
 int probe_in_cell(const struct graze_boundary *b, const sample_cell *c, const fmpq *point);
 
-/* * Look on the line base + s way for the boundary by bisection, between s = low, where the answer
+/** Look on the line base + s way for the boundary by bisection, between s = low, where the answer
  * must be in or on, and s = high, where it must be out.
  * @param[in,out] low, high values of s; afterwards at most 2^-`bits` apart
  * @param[out] pmc at `low`; GRAZE_PMC_NONE if the answers at the ends are not as they must be
@@ -132,7 +132,7 @@ int rim_run_at(rim_run *out, const struct graze_boundary *b, const sample_cell *
 /* The sharp edges and corners of a boundary, put into its surface. */
 
 /**
- * Give each cell with a feature (sampling.h) a vertex there. The surface stays a manifold without
+ * Give each cell with a feature a vertex there. The surface stays a manifold without
  * degenerate faces and without self-intersections, closed where it was; vertices that no face has
  * any more are gone.
  */

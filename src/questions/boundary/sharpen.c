@@ -36,8 +36,8 @@ typedef struct fan {
 typedef struct sharpening {
     struct graze_boundary *boundary;
     graze_context *context;
-    tangent *tangents;    /* of the vertices, */
-    unsigned char *asked; /* where they were asked for */
+    tangent *tangents;    /* of each vertex, found where `asked` is 1 */
+    unsigned char *asked; /* of each vertex: 1 if its tangent is wanted */
     fan *fans;
     size_t fan_count, fan_capacity;
     size_t *rims, rim_count, rim_capacity;

@@ -251,7 +251,7 @@ void sectors_about_add(sectors_about *list, placing *p, pair_side side, uint32_t
 /** Do two open cones have a common direction (proofs/collision.md C111)? 0 after a failure. */
 int open_cones_meet(placing *p, const sectors_about *a, const sectors_about *b);
 
-/* The star of a moving point: the closed simplices of its boundary that hold it. */
+/* The star of a point of an edge: the closed simplices of the edge's solid that hold it. */
 
 /** A simplex of the star, and its sides that hold the point. */
 typedef struct star_simplex {

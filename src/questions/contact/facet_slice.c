@@ -54,7 +54,7 @@ static void find_normal(polygon *p) {
     }
 }
 
-/* The condition of a side, not negative in the contact set: g before t (0), -g after t (1). */
+/* out = g at y before the time (side 0), -g after it (side 1): >= 0 in the contact set. */
 static void condition(fmpq_t out, const polygon *p, int side, const fmpq *y) {
     speed_along(out, p->speed, side, p->normal, y);
     if (side)

@@ -86,7 +86,7 @@ graze_status role_decide(graze_role *out, graze_context *context, const graze_si
 
 /* The contact set of a boundary cell at a time, and the point of it that is nearest to another. */
 
-/* * Find the point of the contact set of a cell at t that is nearest to n->from (proofs/snap.md
+/** Find the point of the contact set of a cell at t that is nearest to n->from (proofs/snap.md
  * C75); for a vertex it is the vertex's position, whatever its role.
  * @param[in,out] n without a point yet; no point is found if the set is empty
  * @return GRAZE_EINPUT t is not a time of the motion, the solid has no such cell, or more than two

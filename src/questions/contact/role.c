@@ -42,7 +42,7 @@ static graze_status is_in_germ(int *out, graze_context *context, germ *g, const 
     return status;
 }
 
-/* Is a direction of the body in none of the germs? */
+/* *out = 1 if the direction u, in the body's space, is in none of the germs (is_in_germ). */
 static graze_status is_in_none(int *out, graze_context *context, germ_list *germs, const fmpz *u) {
     int covered = 0;
     graze_status status = GRAZE_OK;

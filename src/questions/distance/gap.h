@@ -80,7 +80,7 @@ void product_vectors(double *out, const double (*a)[3], const double (*c)[3], in
 /* Bounds of the distance between the query point and places of the moving solid over a window
  * (proofs/distance.md C69, C70). */
 
-/* * A lower bound of the distance to all places of a simplex during the window, by a place of the
+/** A lower bound of the distance to all places of a simplex during the window, by a place of the
  * simplex that moves linearly from q0 to q1 in the solid's frame. Exact if that place is the
  * nearest one at all times of the window.
  */

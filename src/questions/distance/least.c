@@ -259,7 +259,8 @@ static int same_window(const pair_aside *a, const pair_aside *b) {
     return a->arc == b->arc && a->from == b->from && a->to == b->to;
 }
 
-/* One round: go on with pairs aside whose bound is not near enough (s->step) to the one met. */
+/* One round: go on with the pairs aside whose bound is below s->high - s->step. Of the others those
+ * below s->high stay aside. */
 static graze_status least_round(search *s) {
     graze_status status = GRAZE_OK;
     pair_aside *was = s->aside;

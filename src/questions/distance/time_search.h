@@ -9,7 +9,7 @@
 
 /* Bounds of the distance to convex sets along a covector (proofs/distance.md C69). */
 
-/* * A lower bound of the distance to all places of a convex set during the window, measured along
+/** A lower bound of the distance to all places of a convex set during the window, measured along
  * the covector m. 0 if m proves none.
  * @param m    3 numbers in the solid's space, any
  * @param most at least m . v for all places v of the set, but for the stray
@@ -32,7 +32,7 @@ typedef struct nearest {
     int found;
 } nearest;
 
-/* * Search below some nodes of the solid's tree, leaving out nodes and simplices that are certainly
+/** Search below some nodes of the solid's tree, leaving out nodes and simplices that are certainly
  * not nearer than `limit`: so low is at most the limit, and high may be infinite.
  * @param visits counts the boxes and simplices asked
  */
@@ -118,7 +118,7 @@ graze_status search_least(search *s);
 
 /* The pairs of a time and a place that the search for the least distance begins with. */
 
-/* * Put aside the pairs with which a search begins, each with a bound, the nearest first: whole
+/** Put aside the pairs with which a search begins, each with a bound, the nearest first: whole
  * arcs with the whole boundary; of many arcs only those that are nearer than a distance that is
  * reached.
  * @return GRAZE_ELIMIT, GRAZE_ESYSTEM

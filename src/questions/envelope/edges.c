@@ -151,7 +151,8 @@ static int compare_points(const fmpq *a, const fmpq *b, int d) {
     return order;
 }
 
-/* The corner at a point, or the first crossing where there is none. */
+/* The index of the corner at a point; if none is there, `corner_positions`, at which the crossings
+ * begin. */
 static size_t corner_at_point(const edge_finder *f, const fmpq *point) {
     size_t low = 0, high = f->corner_positions;
     while (low < high) {

@@ -213,7 +213,7 @@ void patches_clear(graze_patches *p);
 
 /* Single contact points spread over times and cells. */
 
-/* * Make contact `index` of a seed: its time lies in one gap between events after another, by
+/** Make contact `index` of a seed: its time lies in one gap between events after another, by
  * index; the time in the gap, a part of the curve of contact and a point of the part are drawn at
  * random.
  * @param[out] out uninitialised; site_clear after GRAZE_OK and *found

@@ -83,8 +83,8 @@ static size_t facets_at(const cell_complex *c, size_t vertex) {
     return c->vertex_facets.start[vertex + 1] - c->vertex_facets.start[vertex];
 }
 
-/* Calls a visitor's body for each edge at the vertex and each facet of it: position in the signs,
- * edge, facet. */
+/* An edge at the vertex and one of the edge's facets, and the position of their sign in
+ * corner_view. next_pair sets one pair after another; 0 at the end. */
 typedef struct corner_pair {
     size_t position, edge, facet;
 } corner_pair;

@@ -95,7 +95,7 @@ typedef struct watch {
 /** The sign of a quantity from the signs of the polynomials at one place, or SIGN_NONE. */
 typedef int watched_sign(const signed char *sign);
 
-/* * Add the events of a quantity on the next piece: times at which its sign differs from its sign
+/** Add the events of a quantity on the next piece: times at which its sign differs from its sign
  * before or after them (proofs/events.md C79).
  * @param past on the first piece anything; kept for the next one
  */

@@ -71,7 +71,7 @@ int chart_draw(fmpq *point, const chart *from, random_stream *r, const fmpq *low
 /* Rational points of a curved solid's surfaces, of their edges and vertices, and of the places of
  * surfaces whose normal velocity is zero at a time. */
 
-/* * Look for rational points of a curved solid that has a box, in bounded time: if it has many
+/** Look for rational points of a curved solid that has a box, in bounded time: if it has many
  * surfaces, not for common points of all pairs.
  * @return GRAZE_ECANCELED, GRAZE_ESYSTEM; atlas_clear in any case
  */

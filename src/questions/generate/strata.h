@@ -40,7 +40,7 @@ void instant_normal(fmpq *out, const instant *i, const fmpz *form);
 /* Facets in contact at all of their points at one time, which a search at sampled times would miss.
  */
 
-/* * Look for such facets among the planes of the solid: all planes, or if there are too many,
+/** Look for such facets among the planes of the solid: all planes, or if there are too many,
  * planes evenly spread among them. Facets whose time is irrational are not found.
  */
 graze_status specials_find(specials *out, graze_context *context, const graze_scene *scene);
@@ -101,7 +101,7 @@ graze_status level_try(int *made, sample *out, graze_context *context,
 
 /* Query points within an ulp of a contact. */
 
-/* * Try once for a point whose coordinates are doubles next to those of a contact's point: for a
+/** Try once for a point whose coordinates are doubles next to those of a contact's point: for a
  * coordinate that is no double one of its two neighbours, for a double itself or the double before
  * or behind it. Among such points one on a side that is drawn, inside or outside, is taken, if
  * there is one; the sample has its exact answer.

@@ -1,4 +1,4 @@
-/* Signs of normal velocities in doubles with proved bounds (proofs/doubles.md C64).
+/* Proves in doubles that the normal velocity has one sign on a simplex (proofs/doubles.md C64).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/generate/generate.h"

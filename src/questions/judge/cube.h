@@ -16,7 +16,7 @@
 /* Cubes of space and what is certain of them. */
 
 /** Kinds of a closed cube: all of its points are in the sweep, all are out, undecided, or flat,
- * where the mesh is the sweep's boundary (questions/judge/cube.h). A cut cube has the flags of
+ * where the mesh is the sweep's boundary. A cut cube has the flags of
  * all cubes below it. */
 enum { CUBE_IN = 1, CUBE_OUT = 2, CUBE_BAND = 4, CUBE_FLAT = 8 };
 

@@ -138,7 +138,7 @@ graze_status suprema_find(suprema *out, graze_context *context, const graze_scen
                           const judged_mesh *mesh, double within, size_t budget, int threads);
 void suprema_clear(suprema *s);
 
-/* The comparison of a mesh with a sweep, as reports show it. */
+/* The handles of graze/judge.h: a mesh, and what its comparison with a sweep has found. */
 
 struct graze_mesh {
     soup input;

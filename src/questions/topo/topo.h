@@ -45,6 +45,22 @@ void finding_init(topo_finding *f);
 void finding_clear(topo_finding *f);
 topo_witness finding_witness(const topo_finding *f);
 
+/* The position of a point relative to the closed sweep, by the cheapest level that decides it
+ * (proofs/topology.md C45 for the word; each other level cites its claim). */
+
+/** Decide the position of a point.
+ * @param[out] out initialised
+ * @param trace the point's trace, decided
+ * @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM, GRAZE_EINTERNAL */
+graze_status topo_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
+                         const fmpq *point, const graze_trace *trace);
+
+/** Decide the position relative to the regularised unsweep, the closure of the unsweep's interior,
+ * as topo_decide does. `on` points outside it are those of dangling parts (proofs/dangling.md
+ * C113). */
+graze_status topo_regular(topo_finding *out, graze_context *context, const graze_scene *scene,
+                          const fmpq *point, const graze_trace *trace);
+
 /* The local cone of a solid at a boundary point: the states of the directions there.
  *
  * Vectors are d integers, up to a positive factor. */
@@ -150,6 +166,19 @@ typedef struct germ_list {
 void germ_list_init(germ_list *list);
 void germ_list_clear(germ_list *list);
 
+/** The planes of all facets of a scene, made at the first call and kept with the scene. */
+graze_status topo_planes(const plane_list **out, graze_context *context, const graze_scene *scene);
+
+/** Find the germs of all contacts of a point (proofs/topology.md C46), without ways
+ * along edges. */
+graze_status germs_find(germ_list *list, graze_context *context, const graze_scene *scene,
+                        const plane_list *planes, const fmpq *point);
+
+/** Append the germ at a rational time u of a piece, at which the trajectory is on the boundary,
+ * with its sides in that piece; without ways along edges. */
+graze_status germs_at(germ_list *list, graze_context *context, const graze_scene *scene,
+                      const plane_list *planes, const fmpq *point, size_t piece, const fmpq_t u);
+
 /* The central arrangement of the planes (E^2: lines) at which the cover of directions can change.
  */
 
@@ -192,32 +221,6 @@ typedef struct germ_cover {
 graze_status germs_cover(germ_cover *out, germ_list *list, graze_context *context,
                          const fmpz *direction);
 
-/* Directions, as vectors of integers. */
-
-/** out = a x b in E^3; `out` is neither. */
-void directions_cross(fmpz *out, const fmpz *a, const fmpz *b);
-
-/** In E^3: is one vector a multiple of the other? */
-int directions_parallel(const fmpz *a, const fmpz *b);
-
-/** Divide n integers by their greatest common divisor. */
-void direction_reduce(fmpz *v, slong n);
-
-/** Coprime integers in the ratio of n rationals, times a positive number. */
-void direction_of_rationals(fmpz *out, const fmpq *x, slong n);
-
-/* The contacts of a trajectory to first order. */
-
-/** Find the germs of all contacts of a point (proofs/topology.md C46); edge_ways_find adds ways
- * along edges. */
-graze_status germs_find(germ_list *list, graze_context *context, const graze_scene *scene,
-                        const plane_list *planes, const fmpq *point);
-
-/** Append the germ at a rational time u of a piece, at which the trajectory is on the boundary,
- * with its sides in that piece; without ways along edges. */
-graze_status germs_at(germ_list *list, graze_context *context, const graze_scene *scene,
-                      const plane_list *planes, const fmpq *point, size_t piece, const fmpq_t u);
-
 /* A point that is out near a point with an undecided position: a hint, not a verdict. */
 
 /** Classify places about a point of E^3, from the nearest distance to the farthest: in a few
@@ -254,23 +257,18 @@ void sectors_clear(sector_list *list);
  * of the germs or at one of TURN_RAYS more rays. */
 graze_status sectors_find(sector_list *out, graze_context *context, const sector_question *asked);
 
-/* The position of a point relative to the closed sweep, by the cheapest level that decides it
- * (proofs/topology.md C45 for the word; each other level cites its claim). */
+/* Directions, as vectors of integers. */
 
-/** Decide the position of a point.
- * @param[out] out initialised
- * @param trace the point's trace, decided
- * @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM, GRAZE_EINTERNAL */
-graze_status topo_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
-                         const fmpq *point, const graze_trace *trace);
+/** out = a x b in E^3; `out` is neither. */
+void directions_cross(fmpz *out, const fmpz *a, const fmpz *b);
 
-/** Decide the position relative to the regularised unsweep, the closure of the unsweep's interior,
- * as topo_decide does. `on` points outside it are those of dangling parts (proofs/dangling.md
- * C113). */
-graze_status topo_regular(topo_finding *out, graze_context *context, const graze_scene *scene,
-                          const fmpq *point, const graze_trace *trace);
+/** In E^3: is one vector a multiple of the other? */
+int directions_parallel(const fmpz *a, const fmpz *b);
 
-/** The planes of all facets of a scene, made at the first call and kept with the scene. */
-graze_status topo_planes(const plane_list **out, graze_context *context, const graze_scene *scene);
+/** Divide n integers by their greatest common divisor. */
+void direction_reduce(fmpz *v, slong n);
+
+/** Coprime integers in the ratio of n rationals, times a positive number. */
+void direction_of_rationals(fmpz *out, const fmpq *x, slong n);
 
 #endif
