@@ -132,8 +132,8 @@ graze_status graze_number_parse(mpq_t out, graze_context *context, const char *t
                                 size_t length) {
     if (!out || !context || !text)
         return api_misuse(context, "graze_number_parse", "out, context and text must not be NULL");
-    LOCAL(fmpq,
-          value); /* made by integer arithmetic alone, which no floating-point mode disturbs */
+    /* made by integer arithmetic alone, which no floating-point mode disturbs */
+    LOCAL(fmpq, value);
     TRY(rational_parse(value, context, text, length));
     api_rational_out(out, value);
     return GRAZE_OK;

@@ -67,6 +67,12 @@ typedef struct findings {
     uint32_t *lost;
 } findings;
 
+/* The certified floating-point filter of a scene: it finds the certain crossings of the boundary,
+ * and the windows of time for which the exact path must be asked.
+ *
+ * For a simplex it reports no contact, one certain crossing, or a question; it never decides a
+ * tangency, an edge, a vertex or an end (proofs/filter.md C36, C37). */
+
 /** A grid of equal bricks over the solid's box; `state` is NULL if there is none. */
 typedef struct interior {
     int dimension;
@@ -74,12 +80,6 @@ typedef struct interior {
     double low[3], step[3];
     unsigned char *state; /* a graze_state for each brick; ABSENT: not certain */
 } interior;
-
-/* The certified floating-point filter of a scene: it finds the certain crossings of the boundary,
- * and the windows of time for which the exact path must be asked.
- *
- * For a simplex it reports no contact, one certain crossing, or a question; it never decides a
- * tangency, an edge, a vertex or an end (proofs/filter.md C36, C37). */
 
 /** The bricks of a solid, laid under the lock when memberships alone are first asked for. */
 typedef struct brick_memo {
@@ -96,13 +96,17 @@ typedef struct filter {
     graze_state proves; /* one time at which the point is in this state decides the membership */
 } filter;
 
-/**
+/** Make the filter of a solid and a motion.
  * @param operation chooses the motion's point maps that carry the query points */
 graze_status filter_make(filter *out, graze_context *context, const graze_solid *solid,
                          const graze_motion *motion, graze_operation operation);
 void filter_clear(filter *f);
 /** The bricks, or NULL if none are laid. */
 const interior *filter_bricks(const filter *f);
+
+/** Lay the bricks unless they are laid: they spare searches where memberships alone are asked for.
+ */
+graze_status filter_lay_bricks(const filter *f, graze_context *context);
 
 /** Memory of one thread, reused from query to query. */
 typedef struct filter_workspace {
@@ -115,14 +119,14 @@ typedef struct filter_workspace {
     truths truths;
 } filter_workspace;
 
-/** Set the workspace's curve, unless it is set; 0 if the filter cannot be used for it. */
-int filter_set(filter_workspace *w, const filter *f, const filter_point *point);
-
 /** The context's workspace, made at the first call; NULL if memory runs out. */
 filter_workspace *filter_workspace_of(graze_context *context);
 
 /** Forget the last point. */
 void filter_begin(filter_workspace *w);
+
+/** Set the workspace's curve, unless it is set; 0 if the filter cannot be used for it. */
+int filter_set(filter_workspace *w, const filter *f, const filter_point *point);
 
 /** Search all pieces. The findings stand in the workspace until the next search.
  * @param[out] settled NULL; or 1 if the point is somewhere in the state that decides its
@@ -132,21 +136,26 @@ void filter_begin(filter_workspace *w);
 int filter_search(filter_workspace *w, int *settled, const interior *bricks, const filter *f,
                   const filter_point *point);
 
-/** The sides of a simplex at the times of a window at which the curve is in its plane
- * (proofs/doubles.md C65).
- * @param[out] inside bit k: the curve is certainly on the inner side of side k
- * @return 0 if the curve is certainly beyond a side, and so off the simplex */
-int sides_meet(unsigned *inside, const curve *c, const span *piece, const double *corner,
-               double corner_error, const meet_window *at);
+/* The search of a curve for the surfaces of a curved solid that it meets. */
 
-/* Planes that cut a part out of a cell, and a test for simplices that never reach the part. */
+/**
+ * Find all surfaces that a point's trajectory meets (proofs/surfaces.md C106). Until the next
+ * search the workspace holds the findings, in which `simplex` is the number of a surface, and in
+ * `truths` the signs at the start of the motion.
+ * @param exactly leave all times of a surface's findings to the exact path: windows of whole pieces
+ * @return 0 if the filter cannot be used for this point, or without memory
+ */
+int surfaces_search(filter_workspace *w, const surface_filter *f, const filter_point *point,
+                    int exactly);
 
-/** The points of a cell that are strictly on one side of each plane n x + d = 0. */
-typedef struct cell_walls {
-    int count;
-    const fmpq *plane; /* four numbers each */
-    unsigned sides;    /* bit k: the form of plane k is positive in the part, else negative */
-} cell_walls;
+/* Where a trajectory is at one time, by a ray in doubles (proofs/filter.md C38). */
+
+/**
+ * The state of a point at the parameter u of a piece.
+ * @return GRAZE_STATE_I or GRAZE_STATE_O, or GRAZE_STATE_ABSENT: ask the exact location
+ */
+graze_state filter_locate(filter_workspace *w, const filter *f, size_t piece,
+                          const filter_point *point, double u);
 
 /* Times at which the state of a trajectory is certain from its certain crossings. */
 
@@ -223,36 +232,28 @@ typedef enum cell_passage {
                   */
 } cell_passage;
 
+/** The points of a cell that are strictly on one side of each plane n x + d = 0. */
+typedef struct cell_walls {
+    int count;
+    const fmpq *plane; /* four numbers each */
+    unsigned sides;    /* bit k: the form of plane k is positive in the part, else negative */
+} cell_walls;
+
 /**
+ * Find what is certain of the trajectories of all points of a cell.
  * @param memory set to the cell (point_box_begin)
  * @param walls  NULL, or the part of the cell that is asked about (proofs/judging.md C123)
  * @param motion of the sweep; used with walls */
 cell_passage cell_passes(curve *memory, const filter *f, const point_box *points,
                          const cell_walls *walls, const graze_motion *motion);
 
-/* The search of a curve for the surfaces of a curved solid that it meets. */
+/* The sides of one simplex, for the exact path. */
 
-/**
- * Find all surfaces that a point's trajectory meets (proofs/surfaces.md C106). Until the next
- * search the workspace holds the findings, in which `simplex` is the number of a surface, and in
- * `truths` the signs at the start of the motion.
- * @param exactly leave all times of a surface's findings to the exact path: windows of whole pieces
- * @return 0 if the filter cannot be used for this point, or without memory
- */
-int surfaces_search(filter_workspace *w, const surface_filter *f, const filter_point *point,
-                    int exactly);
-
-/* Where a trajectory is at one time, by a ray in doubles (proofs/filter.md C38). */
-
-/** Lay the bricks unless they are laid: they spare searches where memberships alone are asked for.
- */
-graze_status filter_lay_bricks(const filter *f, graze_context *context);
-
-/**
- * The state of a point at the parameter u of a piece.
- * @return GRAZE_STATE_I or GRAZE_STATE_O, or GRAZE_STATE_ABSENT: ask the exact location
- */
-graze_state filter_locate(filter_workspace *w, const filter *f, size_t piece,
-                          const filter_point *point, double u);
+/** The sides of a simplex at the times of a window at which the curve is in its plane
+ * (proofs/doubles.md C65).
+ * @param[out] inside bit k: the curve is certainly on the inner side of side k
+ * @return 0 if the curve is certainly beyond a side, and so off the simplex */
+int sides_meet(unsigned *inside, const curve *c, const span *piece, const double *corner,
+               double corner_error, const meet_window *at);
 
 #endif

@@ -92,8 +92,8 @@ static graze_status read_map(fmpq_mat_t map, fmpq_mat_t out, csg_reader *r, cons
     for (int i = 0; i < d; i++, row = row->next)
         TRY(csg_read_vector(fmpq_mat_entry(map, i, 0), r, row, (size_t)d + 1));
     if (!fmpq_mat_inv(out, map))
-        TRY(json_fail(r->build.context, GRAZE_EILLEGAL, value,
-                      "the matrix is singular; expected an invertible one"));
+        return json_fail(r->build.context, GRAZE_EILLEGAL, value,
+                         "the matrix is singular; expected an invertible one");
     return GRAZE_OK;
 }
 
@@ -187,10 +187,10 @@ static graze_status read_node(size_t *node, csg_reader *r, const json *value) {
         key = member[k] ? k : key;
     }
     if (given != 1)
-        TRY(json_fail(r->build.context, GRAZE_EINPUT, value,
-                      "expected exactly one primitive, affine, union, intersection or "
-                      "difference, not %d",
-                      given));
+        return json_fail(r->build.context, GRAZE_EINPUT, value,
+                         "expected exactly one primitive, affine, union, intersection or "
+                         "difference, not %d",
+                         given);
     TRY(read_name(&name, r, member[NAME]));
     if (key == AFFINE)
         return read_affine(node, r, member[key]);

@@ -104,20 +104,13 @@ void csg_bound_corners(csg_reader *r, const fmpq *low, const fmpq *high);
 void csg_bound_union(csg_box *box, const csg_box *other);
 void csg_bound_intersection(csg_box *box, const csg_box *other);
 
-/* Convex polyhedra of curved solids. */
+/* The readers of primitives, each a csg_primitive_reader: in polyhedron.c, polynomial.c,
+ * primitives.c. */
 
-/** A csg_primitive_reader. */
 graze_status csg_read_polyhedron(size_t *node, csg_reader *r, const json *value);
 
-/* Polynomials and polygons of curved solids. */
-
-/* Each is a csg_primitive_reader. */
 graze_status csg_read_polynomial(size_t *node, csg_reader *r, const json *value);
 graze_status csg_read_polygon(size_t *node, csg_reader *r, const json *value);
-
-/* Primitives of curved solids. */
-
-/* Each is a csg_primitive_reader. */
 graze_status csg_read_halfspace(size_t *node, csg_reader *r, const json *value);
 graze_status csg_read_box(size_t *node, csg_reader *r, const json *value);
 graze_status csg_read_ball(size_t *node, csg_reader *r, const json *value);

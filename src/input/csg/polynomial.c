@@ -201,8 +201,8 @@ static graze_status extrude(size_t *node, polygon_edges *e, csg_reader *r, const
     LOCAL_VEC(fmpq, height, 2);
     TRY(csg_read_vector(height, r, value, 2));
     if (fmpq_cmp(height, height + 1) >= 0)
-        TRY(json_fail(r->build.context, GRAZE_EILLEGAL, value,
-                      "expected a second height above the first"));
+        return json_fail(r->build.context, GRAZE_EILLEGAL, value,
+                         "expected a second height above the first");
     for (int k = 0; k < 2; k++) {
         fmpq_mpoly_sub_fmpq(&r->f, &r->coordinate[2], height + k, r->build.ring);
         TRY(csg_add_side(&part[1 + k], r, k == 0));
@@ -227,7 +227,7 @@ static graze_status polygon_form(int *revolved, csg_reader *r, const json *value
     LOCAL(fmpz, whole);
     TRY(entry_integer(whole, context, turns));
     if (!fmpz_is_one(whole))
-        TRY(json_fail(context, GRAZE_EINPUT, turns, "expected 1, a whole turn"));
+        return json_fail(context, GRAZE_EINPUT, turns, "expected 1, a whole turn");
     return GRAZE_OK;
 }
 

@@ -43,7 +43,7 @@ static void placed_clear(placed *p) {
 static graze_status read_size(fmpq_t out, csg_reader *r, const json *value) {
     TRY(csg_read_number(out, r, value));
     if (fmpq_sgn(out) <= 0)
-        TRY(json_fail(r->build.context, GRAZE_EILLEGAL, value, "expected a positive number"));
+        return json_fail(r->build.context, GRAZE_EILLEGAL, value, "expected a positive number");
     return GRAZE_OK;
 }
 
@@ -177,8 +177,8 @@ graze_status csg_read_halfspace(size_t *node, csg_reader *r, const json *value) 
     TRY(csg_read_number(p.first, r, member[1]));
     csg_linear_form(&r->f, r, p.axis, r->coordinate, p.first);
     if (fmpq_mpoly_is_fmpq(&r->f, r->build.ring))
-        TRY(json_fail(r->build.context, GRAZE_EILLEGAL, member[0],
-                      "the normal is zero; expected a direction"));
+        return json_fail(r->build.context, GRAZE_EILLEGAL, member[0],
+                         "the normal is zero; expected a direction");
     return csg_add_side(node, r, 0);
 }
 
@@ -237,31 +237,30 @@ graze_status csg_read_ellipsoid(size_t *node, csg_reader *r, const json *value) 
     return csg_add_side(node, r, 0);
 }
 
-graze_status csg_read_cylinder(size_t *node, csg_reader *r, const json *value) {
-    static const char *const names[] = {"point", "axis", "radius", "from", "to"};
+/* Read the members point, axis, a size, from and to into p; the size into p->first. */
+static graze_status read_between(placed *p, csg_reader *r, const json *value, const char *size) {
+    const char *const names[] = {"point", "axis", size, "from", "to"};
     const json *member[5];
-    HELD(placed, p);
     TRY(csg_in_space(r, value));
     TRY(csg_read_members(member, r, value, names, 5, 3));
-    TRY(read_placed_axis(&p, r, member[0], member[1]));
-    TRY(read_size(p.first, r, member[2]));
-    TRY(read_bounds(&p, r, member[3], member[4]));
+    TRY(read_placed_axis(p, r, member[0], member[1]));
+    TRY(read_size(p->first, r, member[2]));
+    return read_bounds(p, r, member[3], member[4]);
+}
+
+graze_status csg_read_cylinder(size_t *node, csg_reader *r, const json *value) {
+    HELD(placed, p);
+    TRY(read_between(&p, r, value, "radius"));
     bound_between(r, &p, 0);
     set_cylinder(r, &p);
     return add_bounded(node, r, &p);
 }
 
 graze_status csg_read_cone(size_t *node, csg_reader *r, const json *value) {
-    static const char *const names[] = {"point", "axis", "slope", "from", "to"};
-    const json *member[5];
     HELD(placed, p);
-    TRY(csg_in_space(r, value));
-    TRY(csg_read_members(member, r, value, names, 5, 3));
-    TRY(read_placed_axis(&p, r, member[0], member[1]));
-    TRY(read_size(p.first, r, member[2]));
-    TRY(read_bounds(&p, r, member[3], member[4]));
+    TRY(read_between(&p, r, value, "slope"));
     if (fmpq_sgn(p.from) < 0 || (p.has_to && fmpq_cmp(p.from, p.to) >= 0))
-        TRY(json_fail(r->build.context, GRAZE_EILLEGAL, value, "expected 0 <= from < to"));
+        return json_fail(r->build.context, GRAZE_EILLEGAL, value, "expected 0 <= from < to");
     p.has_from = 1;
     bound_between(r, &p, 1);
     fmpq_mul(p.second, p.first, p.first);
@@ -299,8 +298,8 @@ graze_status csg_read_torus(size_t *node, csg_reader *r, const json *value) {
     TRY(read_size(p.first, r, member[2]));
     TRY(read_size(p.second, r, member[3]));
     if (fmpq_cmp(p.second, p.first) >= 0)
-        TRY(json_fail(r->build.context, GRAZE_EILLEGAL, member[3],
-                      "expected less than major: a torus does not meet itself"));
+        return json_fail(r->build.context, GRAZE_EILLEGAL, member[3],
+                         "expected less than major: a torus does not meet itself");
     set_torus(r, &p);
     return csg_add_side(node, r, 0);
 }

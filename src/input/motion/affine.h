@@ -197,9 +197,8 @@ graze_status entry_no_root(graze_context *context, const json *where, const fmpz
 graze_status quaternion_rotation(common_map *out, graze_context *context, const json *where,
                                  fmpz_poly_struct q[4], const fmpq_t lo, const fmpq_t hi);
 
-/* Rotations of a motion file as affine maps. */
-
-/* Rotations, in rotation.c. `out` is initialised; the value is that of the key. */
+/* Rotations of a motion file as affine maps, in rotation.c. `out` is initialised; the value is that
+ * of the key. */
 
 /** {"tan_half": e, "times": n, "center": [...], "axis": [...]} */
 graze_status rotation_by_tangent(affine *out, graze_context *context, const json *value,

@@ -99,7 +99,7 @@ graze_status entry_integer(fmpz_t out, graze_context *context, const json *value
     LOCAL(fmpq, number);
     TRY(entry_number(number, context, value));
     if (!fmpz_is_one(fmpq_denref(number))) {
-        TRY(json_fail(context, GRAZE_EINPUT, value, "'%.60s' is not an integer", value->text));
+        return json_fail(context, GRAZE_EINPUT, value, "'%.60s' is not an integer", value->text);
     }
     fmpz_set(out, fmpq_numref(number));
     return GRAZE_OK;

@@ -57,10 +57,10 @@ static graze_status check_joint(const draft_piece *before, const draft_piece *af
             number_text(time, after->lo);
             number_text(from, end);
             number_text(to, start);
-            TRY(json_fail(context, GRAZE_EILLEGAL, where,
-                          "the motion jumps at t = %s: row %d, column %d of its matrix goes "
-                          "from %s to %s",
-                          time, k / (d + 1) + 1, k % (d + 1) + 1, from, to));
+            return json_fail(context, GRAZE_EILLEGAL, where,
+                             "the motion jumps at t = %s: row %d, column %d of its matrix goes "
+                             "from %s to %s",
+                             time, k / (d + 1) + 1, k % (d + 1) + 1, from, to);
         }
     }
     return GRAZE_OK;
@@ -145,8 +145,8 @@ static graze_status read_row(unsigned long *out, graze_context *context, const j
     LOCAL(fmpz, row);
     TRY(entry_integer(row, context, value));
     if (fmpz_sgn(row) <= 0 || fmpz_cmp_ui(row, most) > 0) {
-        TRY(json_fail(context, GRAZE_EINPUT, value,
-                      "expected the line of a log, an integer from 1 to 10^15"));
+        return json_fail(context, GRAZE_EINPUT, value,
+                         "expected the line of a log, an integer from 1 to 10^15");
     }
     *out = fmpz_get_ui(row);
     return GRAZE_OK;
@@ -182,7 +182,7 @@ static graze_status read_one_piece(draft *out, graze_context *context, const jso
 graze_status motion_read_pieces(draft *out, graze_context *context, const json *pieces) {
     TRY(json_array(context, pieces, 0));
     if (pieces->count == 0) {
-        TRY(json_fail(context, GRAZE_EINPUT, pieces, "expected at least one piece"));
+        return json_fail(context, GRAZE_EINPUT, pieces, "expected at least one piece");
     }
     for (const json *item = pieces->first; item != NULL; item = item->next) {
         TRY(read_one_piece(out, context, item));

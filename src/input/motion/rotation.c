@@ -223,7 +223,7 @@ static graze_status turn_members(const json *member[3], graze_context *context, 
     static const char *const names[] = {"quarters", "center", "axis"};
     TRY(json_members(member, context, value, names, 3));
     if (member[0] == NULL) {
-        TRY(json_fail(context, GRAZE_EINPUT, value, "the key quarters is missing"));
+        return json_fail(context, GRAZE_EINPUT, value, "the key quarters is missing");
     }
     return GRAZE_OK;
 }

@@ -150,8 +150,8 @@ static graze_status check_last_row(graze_context *context, const json *row, cons
     for (int j = 0; j <= d; j++, item = item->next) {
         TRY(entry_function(entry, context, item, part));
         if (!(j < d ? fmpz_poly_q_is_zero(entry) : fmpz_poly_q_is_one(entry))) {
-            TRY(json_fail(context, GRAZE_EINPUT, item,
-                          "the last row of a matrix is 0 ... 0 1; expected %d here", j == d));
+            return json_fail(context, GRAZE_EINPUT, item,
+                             "the last row of a matrix is 0 ... 0 1; expected %d here", j == d);
         }
     }
     return GRAZE_OK;

@@ -103,7 +103,7 @@ graze_status solid_create_curved(graze_solid **out, graze_context *context, cons
     TRY(csg_read(&curved, found, context, path));
     if (sha256 && memcmp(sha256, found, sizeof found) != 0) {
         csg_clear(&curved);
-        TRY(solid_is_another(context, path));
+        return solid_is_another(context, path);
     }
     return take_curved(out, context, &curved, found);
 }

@@ -13,6 +13,68 @@
 #include "questions/generate/generate.h"
 #include "questions/judge/judge.h"
 
+/* Comparison of a golden table with the table of a candidate.
+ *
+ * Invariant of a finished comparison: rows = agree + wrong + undecided + missing, and every tally
+ * adds up to the rows that have a value for it. */
+
+/** Open both tables, match their rows, judge them. `out` is zeroed by the caller and cleared by
+ * comparison_clear in either case. */
+graze_status comparison_make(graze_comparison *out, graze_context *context, const char *golden,
+                             const char *candidate, const graze_compare_options *options);
+
+void comparison_clear(graze_comparison *c);
+
+/** Does the candidate never answer `on`, though golden rows have this answer? */
+int comparison_has_no_on(const graze_comparison *c);
+
+/* A mesh as a candidate: its memberships beside golden ones, with no table of either. */
+
+/** Points that a mesh is asked about. */
+typedef struct mesh_points {
+    const struct graze_generator *generator; /* points of its rows 0 to count - 1; or NULL: */
+    const fmpq *point;                       /* the points, 3 canonical rationals each */
+    size_t count;
+    const char *explain_options; /* for `graze explain`, with a blank before each; NULL: none */
+} mesh_points;
+
+/**
+ * Compare what a mesh says of points with exact answers, as graze_compare does with tables; the
+ * report is the same, with the rows that disagree in it.
+ *
+ * A point on the mesh has no membership: with GRAZE_ON_AS_ANY it is undecided and counted as
+ * `apart` unless the golden answer is `on`, and in the matrix in any case; with the other
+ * conventions its answer is `on`.
+ *
+ * @param[out] out zeroed by the caller, and cleared by comparison_clear in either case
+ * @param scene in space; shared by threads
+ * @param mesh not of GRAZE_MESH_NONE
+ * @param options on_as, show, solid, motion and scene (to measure wrong points in; NULL: none)
+ * alone
+ * @param threads at most TEAM_MOST
+ * @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM, GRAZE_EINTERNAL
+ */
+graze_status comparison_of_mesh(graze_comparison *out, graze_context *context,
+                                const graze_scene *scene, const judged_mesh *mesh,
+                                const mesh_points *points, int threads,
+                                const graze_compare_options *options);
+
+/* Reports. */
+
+/** The report as JSON. */
+graze_status comparison_json(char **out, graze_context *context, const graze_comparison *c);
+
+/** The report as Markdown. */
+graze_status comparison_text(char **out, graze_context *context, const graze_comparison *c);
+
+/** Report a judged mesh. Bounds are rounded outward, so that they hold as they are written.
+ * @param points what the mesh says of points, or NULL
+ * @return GRAZE_ESYSTEM */
+graze_status judge_report(text *out, graze_context *context, const graze_judgement *judgement,
+                          const graze_comparison *points, graze_judgement_format format);
+
+/* The members of a comparison. First: errors of values, by decades. */
+
 /** digits * 10^(exponent - 5) with 100000 <= digits <= 999999, the least such number that is not
  * below the one it was made of; digits 0: zero. */
 typedef struct ceiling {
@@ -24,6 +86,7 @@ typedef struct ceiling {
  * alone. */
 enum { FIRST_DECADE = -99, LAST_DECADE = 99, DECADES = LAST_DECADE - FIRST_DECADE + 1 };
 
+/** Errors of values against their enclosures. */
 typedef struct errors {
     unsigned long rows;          /* values judged */
     unsigned long over, under;   /* values above and below the enclosure; all others are in it */
@@ -32,6 +95,8 @@ typedef struct errors {
     unsigned long *bin[DECADES]; /* by decade: counts by the two leading digits; NULL: no error */
     ceiling largest, largest_over;
 } errors;
+
+/* Columns, and the keys and ways by which rows are matched. */
 
 /** Columns that a comparison uses; others are skipped. Those from COLUMN_TIME on are of tables of
  * contact points. */
@@ -73,35 +138,23 @@ typedef enum column {
     COLUMN_COUNT
 } column;
 
-/** Keys of `#` lines that a comparison uses. */
-typedef enum note {
-    NOTE_GRAZE,
-    NOTE_DIMENSION,
-    NOTE_SOLID,
-    NOTE_MOTION,
-    NOTE_SCENE,
-    NOTE_OPERATION,
-    NOTE_FOLDS,
-    NOTE_ROUND,
-    NOTE_TRIANGULATE,
-    NOTE_COLUMNS,
-    NOTE_SDF,
-    NOTE_DIAGONAL,
-    NOTE_COUNT
-} note;
+/** Columns that make a row's key: `id` alone, or numbers; none if rows are matched by order alone.
+ */
+typedef struct row_key {
+    int by_id;
+    size_t count;
+    column at[4];
+} row_key;
 
-typedef struct table {
-    stream in;
-    char *notes[NOTE_COUNT];  /* values of `#` lines; NULL where there is none */
-    int dimension;            /* of the points; 0 without columns x and y */
-    long where[COLUMN_COUNT]; /* -1 where there is no such column */
-    size_t columns;
-    unsigned long head; /* the line of the column line */
-    int doubled;        /* the first column of contact points whose name stands twice, or -1 */
-    char *names;        /* the column line */
-    unsigned long rows; /* handed out */
-    int complete;       /* 1 once `# complete N` has been read, and N is the number of rows */
-} table;
+/** Ways to match rows. */
+typedef enum match_way {
+    MATCH_STREAMED, /* equal keys in the same order, but for rows that are missing or extra; rows
+                       ahead are read only where the next ones differ, at most MATCH_AHEAD */
+    MATCH_INDEXED,  /* equal keys in any order; the candidate's rows are in memory */
+    MATCH_ORDER     /* row k of one table with row k of the other, whatever their keys */
+} match_way;
+
+/* Depths of wrong rows, and counts by group. */
 
 /** The number of thresholds for depths, as parts of the size: 1e-12, 1e-9, 1e-6, 1e-3. */
 enum { DEPTH_PARTS = 4 };
@@ -116,38 +169,14 @@ typedef struct depths {
     char *unmeasured;                  /* the limit that distances meet, malloc'ed; NULL: none */
 } depths;
 
-/** Columns that make a row's key: `id` alone, or numbers; none if rows are matched by order alone.
- */
-typedef struct row_key {
-    int by_id;
-    size_t count;
-    column at[4];
-} row_key;
-
-/** Differences of coordinates over the rows counted so far. Tables are borrowed. */
-typedef struct drift {
-    const table *golden, *candidate;
-    row_key axes;             /* coordinates that both tables have */
-    unsigned long rows;       /* pairs of rows whose points differ */
-    fmpq_t farthest;          /* the greatest difference of a coordinate */
-    fmpq_t least[3], most[3]; /* bounds of golden coordinates, over pairs written differently */
-    int any;                  /* 1: there are such pairs */
-} drift;
-
-/** Ways to match rows. */
-typedef enum match_way {
-    MATCH_STREAMED, /* equal keys in the same order, but for rows that are missing or extra; rows
-                       ahead are read only where the next ones differ, at most MATCH_AHEAD */
-    MATCH_INDEXED,  /* equal keys in any order; the candidate's rows are in memory */
-    MATCH_ORDER     /* row k of one table with row k of the other, whatever their keys */
-} match_way;
-
+/** Counts of the rows of one value of a column. */
 typedef struct group {
     char *name;
     unsigned long rows, wrong, undecided, missing;
     errors *values; /* NULL: none */
 } group;
 
+/** Counts by the values of one column; `others`: of values past those that are kept. */
 typedef struct tally {
     size_t count, capacity;
     group *groups;
@@ -252,76 +281,5 @@ struct graze_comparison {
     int by_depth;                              /* 1: the deepest wrong rows come first */
     disagreement *disagreements;
 };
-
-/** Does the candidate never answer `on`, though golden rows have this answer? */
-int comparison_has_no_on(const graze_comparison *c);
-
-/* Comparison of a golden table with the table of a candidate.
- *
- * Invariant of a finished comparison: rows = agree + wrong + undecided + missing, and every tally
- * adds up to the rows that have a value for it. */
-
-/** Open both tables, match their rows, judge them. `out` is zeroed by the caller and cleared by
- * comparison_clear in either case. */
-graze_status comparison_make(graze_comparison *out, graze_context *context, const char *golden,
-                             const char *candidate, const graze_compare_options *options);
-
-typedef struct judgement {
-    int wrong[JUDGED_COUNT];
-    int any_wrong;
-    int wrong_as[CONVENTIONS]; /* any_wrong under each convention for `on` */
-    int undecided; /* the golden answer is `on`, and the closed sweep may hold the point inside; or
-                      the motion error leaves it undecided */
-    int truth;     /* the golden pmc under the question asked */
-} judgement;
-
-void comparison_clear(graze_comparison *c);
-
-/* Reports of a mesh that was judged. */
-
-/** Report a judged mesh. Bounds are rounded outward, so that they hold as they are written.
- * @param points what the mesh says of points, or NULL
- * @return GRAZE_ESYSTEM */
-graze_status judge_report(text *out, graze_context *context, const graze_judgement *judgement,
-                          const graze_comparison *points, graze_judgement_format format);
-
-/* A mesh as a candidate: its memberships beside golden ones, with no table of either. */
-
-/** Points that a mesh is asked about. */
-typedef struct mesh_points {
-    const struct graze_generator *generator; /* points of its rows 0 to count - 1; or NULL: */
-    const fmpq *point;                       /* the points, 3 canonical rationals each */
-    size_t count;
-    const char *explain_options; /* for `graze explain`, with a blank before each; NULL: none */
-} mesh_points;
-
-/**
- * Compare what a mesh says of points with exact answers, as graze_compare does with tables; the
- * report is the same, with the rows that disagree in it.
- *
- * A point on the mesh has no membership: with GRAZE_ON_AS_ANY it is undecided and counted as
- * `apart` unless the golden answer is `on`, and in the matrix in any case; with the other
- * conventions its answer is `on`.
- *
- * @param[out] out zeroed by the caller, and cleared by comparison_clear in either case
- * @param scene in space; shared by threads
- * @param mesh not of GRAZE_MESH_NONE
- * @param options on_as, show, solid, motion and scene (to measure wrong points in; NULL: none)
- * alone
- * @param threads at most TEAM_MOST
- * @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM, GRAZE_EINTERNAL
- */
-graze_status comparison_of_mesh(graze_comparison *out, graze_context *context,
-                                const graze_scene *scene, const judged_mesh *mesh,
-                                const mesh_points *points, int threads,
-                                const graze_compare_options *options);
-
-/* A comparison as JSON. */
-
-/** The report as JSON. */
-graze_status comparison_json(char **out, graze_context *context, const graze_comparison *c);
-
-/** The report as Markdown. */
-graze_status comparison_text(char **out, graze_context *context, const graze_comparison *c);
 
 #endif

@@ -154,6 +154,16 @@ graze_status valuation_read(valuation *out, const graze_comparison *c, const tab
 int comparison_begin(graze_comparison *c, const graze_context *context, const char *golden,
                      const char *candidate, const graze_compare_options *options);
 
+/** The judgement of a row. */
+typedef struct judgement {
+    int wrong[JUDGED_COUNT];
+    int any_wrong;
+    int wrong_as[CONVENTIONS]; /* any_wrong under each convention for `on` */
+    int undecided; /* the golden answer is `on`, and the closed sweep may hold the point inside; or
+                      the motion error leaves it undecided */
+    int truth;     /* the golden pmc under the question asked */
+} judgement;
+
 /** Count a golden row. `answered`: the candidate has it.
  * @return what became of it, as tally_add takes it */
 char comparison_count(graze_comparison *c, const judgement *j, int answered);

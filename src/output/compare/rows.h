@@ -14,6 +14,47 @@
  * Invariant: once opened, the `#` lines before the column line and the columns are known; every
  * row handed out has one field per column. */
 
+/** Keys of `#` lines that a comparison uses. */
+typedef enum note {
+    NOTE_GRAZE,
+    NOTE_DIMENSION,
+    NOTE_SOLID,
+    NOTE_MOTION,
+    NOTE_SCENE,
+    NOTE_OPERATION,
+    NOTE_FOLDS,
+    NOTE_ROUND,
+    NOTE_TRIANGULATE,
+    NOTE_COLUMNS,
+    NOTE_SDF,
+    NOTE_DIAGONAL,
+    NOTE_COUNT
+} note;
+
+/** A table that is read. */
+typedef struct table {
+    stream in;
+    char *notes[NOTE_COUNT];  /* values of `#` lines; NULL where there is none */
+    int dimension;            /* of the points; 0 without columns x and y */
+    long where[COLUMN_COUNT]; /* -1 where there is no such column */
+    size_t columns;
+    unsigned long head; /* the line of the column line */
+    int doubled;        /* the first column of contact points whose name stands twice, or -1 */
+    char *names;        /* the column line */
+    unsigned long rows; /* handed out */
+    int complete;       /* 1 once `# complete N` has been read, and N is the number of rows */
+} table;
+
+/** Differences of coordinates over the rows counted so far. Tables are borrowed. */
+typedef struct drift {
+    const table *golden, *candidate;
+    row_key axes;             /* coordinates that both tables have */
+    unsigned long rows;       /* pairs of rows whose points differ */
+    fmpq_t farthest;          /* the greatest difference of a coordinate */
+    fmpq_t least[3], most[3]; /* bounds of golden coordinates, over pairs written differently */
+    int any;                  /* 1: there are such pairs */
+} drift;
+
 /** The first 128 bits of a SHA-256, to find equal points and answers. */
 typedef struct digest {
     uint64_t high, low;

@@ -42,6 +42,9 @@ typedef struct classify_options {
  * says what is wrong. */
 int classify_run(const classify_options *o);
 
+/** Behind the name of a table, that of its record. */
+#define RECORD_ENDING ".kept"
+
 /* Runs of rows answered: their numbers read, their points classified, all of it written as one
  * text. */
 
@@ -94,6 +97,25 @@ void answer(answerer *a, row_run *r, const block *b, size_t first);
  */
 int certified_load(loaded *l, const classify_options *o, int writes);
 
+/* Blocks with rows that are not yet taken, in order. */
+
+/** Zeroed: empty. Blocks are borrowed and linked by `after`. */
+typedef struct queue {
+    block *first, *last;
+    size_t left; /* rows not yet taken */
+} queue;
+
+/** Add a block whose rows are taken after those of the blocks before it. */
+void queue_add(queue *q, block *b);
+
+/**
+ * Take the next rows, of one block: up to `most`, and fewer towards the end, so that all
+ * `workers` finish at about the same time. The queue is not empty.
+ * @param[out] of the block; its run at the row returned has `taken` set and the fault EXIT_SIGNAL
+ * @return the first of the rows
+ */
+size_t queue_take(queue *q, block **of, int workers, size_t most);
+
 /* Rows answered by several at one time: by threads (jobs.c), or by the ranks of graze-mpi. */
 
 typedef struct jobs jobs;
@@ -119,8 +141,20 @@ void jobs_wait(jobs *j, const block *b);
  */
 int jobs_stop(jobs *j);
 
-/** Behind the name of a table, that of its record. */
-#define RECORD_ENDING ".kept"
+/* Receipts: files in which graze check records a legal scene, so that graze classify need not
+ * search for facets that meet again.
+ *
+ * A receipt is a text that the scene and the options that shape it determine: version, hashes of
+ * both files and of the scene, rounding, triangulation; and last a checksum of the lines before,
+ * against accidents. It holds for every run that would write an equal receipt. */
+
+/** Write the receipt of a legal scene to a file. */
+int receipt_write(const char *path, const loaded *l, const scene_options *o);
+
+/** Read a scene, without the checks that its receipt covers; with all of them where `path` is NULL.
+ * EXIT_INPUT: the file is no receipt, or not one of this scene. `out` is for loaded_clear in either
+ * case. */
+int receipt_load(loaded *out, const char *path, const scene_options *o);
 
 /* A part: the table or the certificate of one shard, as graze merge reads it.
  *
@@ -151,39 +185,5 @@ int part_copy_row(part *p, output *out);
 
 /** Check that no row is left. EXIT_INPUT: there are more, or the part was changed meanwhile. */
 int part_end(part *p);
-
-/* Blocks with rows that are not yet taken, in order. */
-
-/** Zeroed: empty. Blocks are borrowed and linked by `after`. */
-typedef struct queue {
-    block *first, *last;
-    size_t left; /* rows not yet taken */
-} queue;
-
-/** Add a block whose rows are taken after those of the blocks before it. */
-void queue_add(queue *q, block *b);
-
-/**
- * Take the next rows, of one block: up to `most`, and fewer towards the end, so that all
- * `workers` finish at about the same time. The queue is not empty.
- * @param[out] of the block; its run at the row returned has `taken` set and the fault EXIT_SIGNAL
- * @return the first of the rows
- */
-size_t queue_take(queue *q, block **of, int workers, size_t most);
-
-/* Receipts: files in which graze check records a legal scene, so that graze classify need not
- * search for facets that meet again.
- *
- * A receipt is a text that the scene and the options that shape it determine: version, hashes of
- * both files and of the scene, rounding, triangulation; and last a checksum of the lines before,
- * against accidents. It holds for every run that would write an equal receipt. */
-
-/** Write the receipt of a legal scene to a file. */
-int receipt_write(const char *path, const loaded *l, const scene_options *o);
-
-/** Read a scene, without the checks that its receipt covers; with all of them where `path` is NULL.
- * EXIT_INPUT: the file is no receipt, or not one of this scene. `out` is for loaded_clear in either
- * case. */
-int receipt_load(loaded *out, const char *path, const scene_options *o);
 
 #endif
