@@ -34,12 +34,14 @@ static void set_grid(typed_table *t, const lattice *l) {
 static graze_status take_value_rows(typed_table *t, const graze_scene *scene, const char *rows,
                                     size_t length, const char *columns, const graze_grid *grid,
                                     const graze_row_options *shown) {
+    typed_kind last[COLUMNS_MOST];
     HELD(text, names);
     table_columns(&names, scene, columns, shown);
     graze_status status =
-        names.failed ? context_fail(t->context, GRAZE_ESYSTEM, "out of memory")
-                     : typed_begin(t, scene->motion->dimension, (field){names.data, names.length},
-                                   shown->columns == GRAZE_COLUMNS_PMC);
+        names.failed
+            ? context_fail(t->context, GRAZE_ESYSTEM, "out of memory")
+            : typed_begin(t, scene->motion->dimension, (field){names.data, names.length},
+                          shown->columns == GRAZE_COLUMNS_PMC, last, columns_kinds(last, shown));
     if (!status && grid)
         set_grid(t, &grid->lattice);
     if (!status)

@@ -12,23 +12,32 @@
 #include "decide/verdict/verdict.h"
 #include "output/report/report.h"
 
+/* Do the columns behind the verdict go with each other and with the form? */
+static graze_status check_sets(graze_context *context, const char *function,
+                               const graze_row_options *shown) {
+    int known = shown->columns == GRAZE_COLUMNS_ALL || shown->columns == GRAZE_COLUMNS_PMC;
+    for (const column_set *set = NULL; (set = columns_next(set, shown));)
+        known &= set->asked != ASKED_BY_FLAG || columns_flag(set, shown) == 1;
+    if (!known)
+        return api_misuse(context, function, "an option has an unknown value");
+    for (const column_set *set = NULL; (set = columns_next(set, shown));) {
+        if (shown->columns == GRAZE_COLUMNS_PMC && set->needs > NEEDS_PMC)
+            return api_misuse(context, function,
+                              "topo, regular, moments and sdf are decided by the contacts, which "
+                              "columns of pmc alone spare");
+        if (set->is_exact && shown->format > GRAZE_FORMAT_JSONL)
+            return api_misuse(context, function,
+                              "moments are exact times, which binary rows cannot hold");
+    }
+    return GRAZE_OK;
+}
+
 graze_status api_rows(graze_row_options *out, graze_context *context, const char *function,
                       const graze_row_options *options) {
     TRY(api_options(out, sizeof *out, context, function, options));
     if (!(out->format >= GRAZE_FORMAT_CSV && out->format <= GRAZE_FORMAT_NPY))
         return api_misuse(context, function, "the format is unknown");
-    if ((out->topo != 0 && out->topo != 1) || (out->regular != 0 && out->regular != 1) ||
-        (out->moments != 0 && out->moments != 1) || (out->boundary != 0 && out->boundary != 1) ||
-        (out->columns != GRAZE_COLUMNS_ALL && out->columns != GRAZE_COLUMNS_PMC))
-        return api_misuse(context, function, "an option has an unknown value");
-    if (out->columns == GRAZE_COLUMNS_PMC &&
-        (out->topo || out->regular || out->moments || out->sdf != 0))
-        return api_misuse(context, function,
-                          "topo, regular, moments and sdf are decided by the contacts, which "
-                          "columns of pmc alone spare");
-    if (out->moments && out->format > GRAZE_FORMAT_JSONL)
-        return api_misuse(context, function,
-                          "moments are exact times, which binary rows cannot hold");
+    TRY(check_sets(context, function, out));
     if (out->columns == GRAZE_COLUMNS_PMC && out->format == GRAZE_FORMAT_JSONL)
         return api_misuse(context, function,
                           "JSON Lines have all answers; expected another format for pmc alone");
@@ -75,10 +84,7 @@ graze_status api_row(text *out, graze_row_totals *totals, graze_context *context
     if (status == GRAZE_OK && out->failed)
         status = context_fail(context, GRAZE_ESYSTEM, "out of memory");
     if (status == GRAZE_OK && totals) {
-        int open = shown->columns == GRAZE_COLUMNS_PMC ? trace->verdict.pmc == GRAZE_PMC_UNDECIDED
-                                                       : trace->undecided != NULL;
-        totals->undecided += open || (shown->topo && r.topo.position == GRAZE_TOPO_UNDECIDED) ||
-                             (shown->regular && r.regular.position == GRAZE_TOPO_UNDECIDED);
+        totals->undecided += (unsigned long)row_is_undecided(&r);
         totals->wide += shown->sdf > 0 && r.space.wide;
     }
     row_clear(&r);

@@ -44,6 +44,8 @@ void field_note(field *key, field *value, field line);
  * @return 0 if a quoted field does not end before a comma or the line's end
  */
 int field_take(field *out, field *rest);
+/** Is a name the content of a field of this line? */
+int field_is_among(field name, field line);
 
 /** The fields of one line, with their blanks and quotes; zeroed at first. */
 typedef struct fields {

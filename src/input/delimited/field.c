@@ -182,3 +182,11 @@ void fields_clear(fields *f) {
     free(f->item);
     *f = (fields){NULL, 0, 0};
 }
+
+int field_is_among(field name, field line) {
+    field one;
+    while (line.start && field_take(&one, &line))
+        if (field_equal(field_content(one), name))
+            return 1;
+    return 0;
+}

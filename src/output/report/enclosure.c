@@ -29,6 +29,14 @@ void report_width(char out[BOUND_ROOM], double value, int up) {
     }
 }
 
+void report_put_width(text *t, const char *name, double width, int up) {
+    char number[BOUND_ROOM];
+    if (!(width > 0))
+        return;
+    report_width(number, width, up);
+    text_format(t, "# %s %s\n", name, number);
+}
+
 /* Set the time of an enclosure and return 1, if it is rational; else return 0. */
 static int rational_time(fmpq_t out, const graze_scene *scene, const distance *found) {
     if (found->at && !time_is_rational(found->at))
@@ -52,12 +60,12 @@ const char *report_certainty(const distance *found, double motion_error) {
     return distance_is_certain(found, motion_error) ? "yes" : "undecided";
 }
 
-void report_distance(text *out, const graze_scene *scene, const distance *found) {
+void report_distance(text *out, const row *r) {
     char low[BOUND_ROOM], high[BOUND_ROOM];
-    report_bound(low, found->low, 0);
-    report_bound(high, found->high, 1);
+    report_bound(low, r->space.low, 0);
+    report_bound(high, r->space.high, 1);
     text_format(out, ",%s,%s,", low, high);
-    report_distance_time(out, scene, found);
+    report_distance_time(out, r->scene, &r->space);
 }
 
 void explain_distance(text *out, const graze_scene *scene, const distance *found) {

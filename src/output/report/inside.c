@@ -16,8 +16,10 @@ static size_t last_piece(const graze_time *time) {
     return time->piece + (time_is_piece_end(time) && !time_is_end(time));
 }
 
-graze_status inside_find(inside_times *out, graze_context *context, const graze_motion *motion,
-                         const graze_trace *trace) {
+graze_status inside_find(row *r, graze_context *context) {
+    const graze_motion *motion = r->scene->motion;
+    const graze_trace *trace = r->trace;
+    inside_times *out = &r->inside;
     const contact *c = trace->contact;
     size_t count = trace->contact_count, last = motion->piece_count - 1;
     *out = (inside_times){.undecided = trace->undecided != NULL};
@@ -42,12 +44,6 @@ static int is_never(const inside_end *m) {
     return !m->end && !m->time;
 }
 
-void inside_columns(text *out, const graze_motion *motion) {
-    text_put(out, motion->has_rows ? ",first,first_near,first_piece,first_row,last,last_near,"
-                                     "last_piece,last_row"
-                                   : ",first,first_near,first_piece,last,last_near,last_piece");
-}
-
 static void put_inside_end(text *out, const inside_end *m, const graze_motion *motion) {
     unsigned long row = motion->piece[m->piece].row;
     text_put(out, ",");
@@ -64,13 +60,14 @@ static void put_inside_end(text *out, const inside_end *m, const graze_motion *m
         text_count(out, row);
 }
 
-void inside_csv(text *out, const inside_times *m, const graze_motion *motion) {
-    if (m->undecided) {
+void inside_csv(text *out, const row *r) {
+    const graze_motion *motion = r->scene->motion;
+    if (r->inside.undecided) {
         text_put(out, motion->has_rows ? ",undecided,,,,undecided,,," : ",undecided,,,undecided,,");
         return;
     }
-    put_inside_end(out, &m->first, motion);
-    put_inside_end(out, &m->last, motion);
+    put_inside_end(out, &r->inside.first, motion);
+    put_inside_end(out, &r->inside.last, motion);
 }
 
 static void json_inside_end(json_writer *w, const char *const keys[3], const inside_end *m,
@@ -85,16 +82,16 @@ static void json_inside_end(json_writer *w, const char *const keys[3], const ins
         json_index(w, keys[2], !is_never(m) && row, row);
 }
 
-void inside_json(json_writer *w, const inside_times *m, const graze_motion *motion) {
+void inside_json(json_writer *w, const row *r) {
     static const char *const first[] = {"first", "first_piece", "first_row"}, *const last[] = {
                                                                                   "last",
                                                                                   "last_piece",
                                                                                   "last_row"};
-    if (m->undecided) {
+    if (r->inside.undecided) {
         json_text(w, "first", "undecided");
         json_text(w, "last", "undecided");
         return;
     }
-    json_inside_end(w, first, &m->first, motion);
-    json_inside_end(w, last, &m->last, motion);
+    json_inside_end(w, first, &r->inside.first, r->scene->motion);
+    json_inside_end(w, last, &r->inside.last, r->scene->motion);
 }

@@ -4,15 +4,11 @@
 
 #include "output/report/report.h"
 
-#include <stdio.h>
-#include "base/context/scope.h"
 #include "decide/scene/scene.h"
 #include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
 #include "input/csg/csg.h"
 #include "output/report/row_parts.h"
-#include "questions/distance/distance.h"
-#include "questions/topo/topo.h"
 
 /* The cells of a contact; of a curved solid primitives, by their titles. */
 static void json_features(json_writer *w, const graze_scene *scene, const contact *c) {
@@ -66,83 +62,6 @@ static void json_verdict(json_writer *w, const graze_scene *scene, const graze_v
     json_count(w, "t", v->t);
 }
 
-/* A list of integers. */
-static void json_integers(json_writer *w, const char *key, const fmpz *v, int count) {
-    json_open(w, key, '[');
-    for (int k = 0; k < count; k++)
-        json_integer(w, NULL, v + k);
-    json_close(w, ']');
-}
-
-/* A finding, whose keys begin with the name of its question. */
-typedef struct json_finding {
-    json_writer *w;
-    const char *question;
-    const topo_finding *found;
-    int dimension;
-    char key[32];
-} json_finding;
-
-static const char *key_of(json_finding *f, const char *end) {
-    snprintf(f->key, sizeof f->key, "%s_%s", f->question, end);
-    return f->key;
-}
-
-/* The path P + s^order along + s^(order + 1) lift across on which a witness lies. */
-static void json_path(json_finding *f) {
-    json_integers(f->w, key_of(f, "direction"), f->found->open, 3);
-    json_integers(f->w, key_of(f, "normal"), f->found->across, 3);
-    json_count(f->w, key_of(f, "order"), (unsigned long)f->found->order);
-    json_rational(f->w, key_of(f, "z"), &f->found->lift);
-}
-
-/* The witness, and the ray, the path or the square on which it lies. */
-static void json_witness(json_finding *f) {
-    topo_witness kind = finding_witness(f->found);
-    json_point(f->w, key_of(f, "witness"), f->found->witness, f->dimension);
-    if (kind == WITNESS_PATH) {
-        json_path(f);
-    } else if (kind == WITNESS_RAY) {
-        json_integers(f->w, key_of(f, "direction"), f->found->direction, f->dimension);
-    } else if (f->dimension == 3) {
-        json_open(f->w, key_of(f, "plane"), '[');
-        for (int k = 0; k < 2; k++)
-            json_integers(f->w, NULL, f->found->along[k], f->dimension);
-        json_close(f->w, ']');
-    }
-    json_rational(f->w, key_of(f, kind == WITNESS_SQUARE ? "rho" : "epsilon"), &f->found->reach);
-}
-
-static void json_position(json_writer *w, const char *question, const char *answer,
-                          const topo_finding *found, int dimension) {
-    json_finding f = {w, question, found, dimension, ""};
-    json_text(w, question, answer);
-    if (found->position == GRAZE_TOPO_UNDECIDED)
-        json_text(w, key_of(&f, "reason"), found->reason);
-    else
-        json_text(w, key_of(&f, "level"), graze_topo_level_name(found->level));
-    if (found->has_witness)
-        json_witness(&f);
-}
-
-static void json_bound(json_writer *w, const char *key, double bound, int up) {
-    char decimal[BOUND_ROOM];
-    report_bound(decimal, bound, up);
-    json_number(w, key, decimal);
-}
-
-static void json_distance(json_writer *w, const graze_scene *scene, const distance *found) {
-    json_bound(w, "sdf_low", found->low, 0);
-    json_bound(w, "sdf_high", found->high, 1);
-    if (found->at) {
-        json_time(w, "sdf_t", found->at);
-        return;
-    }
-    LOCAL(fmpq, time);
-    distance_time(time, found, scene->motion);
-    json_rational(w, "sdf_t", time);
-}
-
 void report_json(text *out, const row *r) {
     const graze_trace *trace = r->trace;
     int d = r->scene->motion->dimension;
@@ -157,18 +76,8 @@ void report_json(text *out, const row *r) {
     json_close(&w, ']');
     if (trace->undecided)
         json_undecided(&w, r->scene, trace->undecided);
-    if (r->shown->sdf > 0)
-        json_distance(&w, r->scene, &r->space);
-    if (r->shown->boundary)
-        json_bound(&w, "boundary_low", r->boundary, 0);
-    if (r->shown->motion_error > 0)
-        json_text(&w, "certain", report_certainty(&r->space, r->shown->motion_error));
-    if (r->shown->moments)
-        inside_json(&w, &r->inside, r->scene->motion);
-    if (r->shown->topo)
-        json_position(&w, "topo", graze_topo_name(r->topo.position), &r->topo, d);
-    if (r->shown->regular)
-        json_position(&w, "regular", graze_regular_name(r->regular.position), &r->regular, d);
+    for (const column_set *set = NULL; (set = columns_next(set, r->shown));)
+        set->json(&w, r);
     json_close(&w, '}');
     text_put(out, "\n");
 }

@@ -1,8 +1,14 @@
-/* Cells, states, times and points as JSON. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Cells, states, times, points, enclosures and positions as JSON.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/report/report.h"
 
+#include <stdio.h>
+#include "base/context/scope.h"
+#include "decide/scene/scene.h"
 #include "decide/trace/trace.h"
 #include "output/report/row_parts.h"
+#include "questions/distance/distance.h"
+#include "questions/topo/topo.h"
 
 enum { APPROX_DIGITS = 17 };
 
@@ -61,4 +67,82 @@ void json_cell(json_writer *w, const char *key, const graze_cell *cell) {
         json_count(w, cell->kind == GRAZE_CELL_FACE ? "face" : "vertex", cell->a);
     }
     json_close(w, '}');
+}
+
+/* A list of integers. */
+static void json_integers(json_writer *w, const char *key, const fmpz *v, int count) {
+    json_open(w, key, '[');
+    for (int k = 0; k < count; k++)
+        json_integer(w, NULL, v + k);
+    json_close(w, ']');
+}
+
+/* A finding, whose keys begin with the name of its question. */
+typedef struct json_finding {
+    json_writer *w;
+    const char *question;
+    const topo_finding *found;
+    int dimension;
+    char key[32];
+} json_finding;
+
+static const char *key_of(json_finding *f, const char *end) {
+    snprintf(f->key, sizeof f->key, "%s_%s", f->question, end);
+    return f->key;
+}
+
+/* The path P + s^order along + s^(order + 1) lift across on which a witness lies. */
+static void json_path(json_finding *f) {
+    json_integers(f->w, key_of(f, "direction"), f->found->open, 3);
+    json_integers(f->w, key_of(f, "normal"), f->found->across, 3);
+    json_count(f->w, key_of(f, "order"), (unsigned long)f->found->order);
+    json_rational(f->w, key_of(f, "z"), &f->found->lift);
+}
+
+/* The witness, and the ray, the path or the square on which it lies. */
+static void json_witness(json_finding *f) {
+    topo_witness kind = finding_witness(f->found);
+    json_point(f->w, key_of(f, "witness"), f->found->witness, f->dimension);
+    if (kind == WITNESS_PATH) {
+        json_path(f);
+    } else if (kind == WITNESS_RAY) {
+        json_integers(f->w, key_of(f, "direction"), f->found->direction, f->dimension);
+    } else if (f->dimension == 3) {
+        json_open(f->w, key_of(f, "plane"), '[');
+        for (int k = 0; k < 2; k++)
+            json_integers(f->w, NULL, f->found->along[k], f->dimension);
+        json_close(f->w, ']');
+    }
+    json_rational(f->w, key_of(f, kind == WITNESS_SQUARE ? "rho" : "epsilon"), &f->found->reach);
+}
+
+void json_position(json_writer *w, const char *question, const char *answer,
+                   const topo_finding *found, int dimension) {
+    json_finding f = {w, question, found, dimension, ""};
+    json_text(w, question, answer);
+    if (found->position == GRAZE_TOPO_UNDECIDED)
+        json_text(w, key_of(&f, "reason"), found->reason);
+    else
+        json_text(w, key_of(&f, "level"), graze_topo_level_name(found->level));
+    if (found->has_witness)
+        json_witness(&f);
+}
+
+void json_bound(json_writer *w, const char *key, double bound, int up) {
+    char decimal[BOUND_ROOM];
+    report_bound(decimal, bound, up);
+    json_number(w, key, decimal);
+}
+
+void json_distance(json_writer *w, const row *r) {
+    const distance *found = &r->space;
+    json_bound(w, "sdf_low", found->low, 0);
+    json_bound(w, "sdf_high", found->high, 1);
+    if (found->at) {
+        json_time(w, "sdf_t", found->at);
+        return;
+    }
+    LOCAL(fmpq, time);
+    distance_time(time, found, r->scene->motion);
+    json_rational(w, "sdf_t", time);
 }

@@ -12,6 +12,7 @@
 #include "decide/trace/trace.h"
 #include "graze/report.h"
 #include "input/motion/motion.h"
+#include "output/report/columns.h"
 #include "questions/collide/collide.h"
 #include "questions/contact/contact.h"
 #include "questions/distance/distance.h"
@@ -57,6 +58,8 @@ graze_status row_answer(row *out, graze_context *context, const graze_scene *sce
                         const graze_row_options *shown, const fmpq *point,
                         const graze_trace *trace);
 void row_clear(row *r);
+/** Is an answer of the row undecided that has a count of its own in tables? */
+int row_is_undecided(const row *r);
 
 /** Round a bound to a decimal of at most 17 digits that is a bound too: at least the double if
  * `up`, else at most the double. */

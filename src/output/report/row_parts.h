@@ -16,20 +16,13 @@
 /* The first and the last time at which a point is in the closed solid (src/program/cli/formats.md,
  * Tables). */
 
-/** Find both times from a trace with contacts (proofs/claims.md C8); the times become canonical.
- * @return GRAZE_ELIMIT, GRAZE_ECANCELED
- */
-graze_status inside_find(inside_times *out, graze_context *context, const graze_motion *motion,
-                         const graze_trace *trace);
-
-/** Append the names of their columns, a comma before each; with columns for rows if the motion's
- * pieces have rows.
- */
-void inside_columns(text *out, const graze_motion *motion);
-/** Append their fields, a comma before each. */
-void inside_csv(text *out, const inside_times *m, const graze_motion *motion);
+/** Find both times from the row's trace with contacts (proofs/claims.md C8); the times become
+ * canonical. GRAZE_ELIMIT, GRAZE_ECANCELED. */
+graze_status inside_find(row *r, graze_context *context);
+/** Append their fields, a comma before each; fields for rows of a log if the motion has them. */
+void inside_csv(text *out, const row *r);
 /** Add them to a JSON object. */
-void inside_json(json_writer *w, const inside_times *m, const graze_motion *motion);
+void inside_json(json_writer *w, const row *r);
 
 /* Enclosures of distances in tables, JSON and explanations. */
 
@@ -42,7 +35,7 @@ void report_distance_time(text *out, const graze_scene *scene, const distance *f
 const char *report_certainty(const distance *found, double motion_error);
 
 /** Append the three columns of an enclosure, a comma before each. */
-void report_distance(text *out, const graze_scene *scene, const distance *found);
+void report_distance(text *out, const row *r);
 
 /** Append a paragraph about an enclosure for a person. */
 void explain_distance(text *out, const graze_scene *scene, const distance *found);
@@ -103,6 +96,17 @@ void json_contact_kind(json_writer *w, const char *key, graze_kind kind);
 void json_state(json_writer *w, const char *key, graze_state state);
 /** A time (src/program/cli/formats.md, TIME); makes it canonical. NULL: null. */
 void json_time(json_writer *w, const char *key, const graze_time *time);
+
+/** Write a bound as report_bound rounds it. */
+void json_bound(json_writer *w, const char *key, double bound, int up);
+/** Write the enclosure of a row. */
+void json_distance(json_writer *w, const row *r);
+/** Write the answer to `question`, which begins the keys of its level or reason and its witness. */
+void json_position(json_writer *w, const char *question, const char *answer,
+                   const topo_finding *found, int dimension);
+
+/** Append a line `# name width` with report_width's decimal, unless the width is 0. */
+void report_put_width(text *out, const char *name, double width, int up);
 
 /** A cell: `face 3`, `edge 1-2`, `vertex 5`; nothing for kind 0. */
 void report_put_cell(text *t, const graze_cell *cell);

@@ -9,6 +9,8 @@
     "cell,role,theta,contact_order,orientation,left,right,trimmed,status,near,near_decimal,near_"  \
     "in,near_in_decimal,word"
 
+const char contact_columns[] = "time,bx,by,bz,x,y,z," SITE_ANSWERS ",shift";
+
 graze_status report_contact_header(char **out, graze_context *context, const graze_scene *scene,
                                    const char *notes, const char *columns) {
     return table_head(out, context, scene, notes,

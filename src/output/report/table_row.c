@@ -1,6 +1,7 @@
 /* Answers points for rows. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/report/report.h"
 
+#include <string.h>
 #include "base/context/scope.h"
 #include "decide/scene/scene.h"
 #include "decide/trace/trace.h"
@@ -9,9 +10,12 @@
 #include "questions/topo/topo.h"
 
 trace_detail row_detail(const graze_row_options *shown) {
-    if (shown->format == GRAZE_FORMAT_JSONL || shown->sdf > 0 || shown->moments)
-        return TRACE_CONTACTS;
-    return shown->columns == GRAZE_COLUMNS_PMC ? TRACE_PMC : TRACE_WORD;
+    trace_detail detail = shown->format == GRAZE_FORMAT_JSONL   ? TRACE_CONTACTS
+                          : shown->columns == GRAZE_COLUMNS_PMC ? TRACE_PMC
+                                                                : TRACE_WORD;
+    for (const column_set *set = NULL; (set = columns_next(set, shown));)
+        detail = set->needs == NEEDS_CONTACTS ? TRACE_CONTACTS : detail;
+    return detail;
 }
 
 graze_status row_answer(row *out, graze_context *context, const graze_scene *scene,
@@ -20,23 +24,23 @@ graze_status row_answer(row *out, graze_context *context, const graze_scene *sce
     *out = (row){.scene = scene, .shown = shown, .point = point, .trace = trace};
     finding_init(&out->topo);
     finding_init(&out->regular);
-    if (shown->topo)
-        TRY(topo_decide(&out->topo, context, scene, point, trace));
-    if (shown->regular)
-        TRY(topo_regular(&out->regular, context, scene, point, trace));
-    if (shown->sdf > 0)
-        TRY(distance_find(&out->space, context, scene, point, trace, shown->sdf));
-    if (shown->boundary)
-        TRY(distance_to_boundary(&out->boundary, context, scene, point, trace->verdict.pmc,
-                                 &out->space));
-    if (shown->format == GRAZE_FORMAT_JSONL || shown->sdf > 0)
-        TRY(trace_canonicalise(trace, context));
-    if (shown->moments)
-        TRY(inside_find(&out->inside, context, scene->motion, trace));
-    return GRAZE_OK;
+    for (const column_set *set = NULL; (set = columns_next(set, shown));)
+        if (set->find)
+            TRY(set->find(out, context));
+    return shown->format == GRAZE_FORMAT_JSONL || shown->sdf > 0
+               ? trace_canonicalise(trace, context)
+               : GRAZE_OK;
 }
 
 void row_clear(row *r) {
     finding_clear(&r->topo);
     finding_clear(&r->regular);
+}
+
+int row_is_undecided(const row *r) {
+    int is = r->shown->columns == GRAZE_COLUMNS_PMC ? r->trace->verdict.pmc == GRAZE_PMC_UNDECIDED
+                                                    : r->trace->undecided != NULL;
+    for (const column_set *set = NULL; (set = columns_next(set, r->shown));)
+        is |= set->undecided && strcmp(set->word(r), "undecided") == 0;
+    return is;
 }

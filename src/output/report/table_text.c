@@ -21,13 +21,16 @@ static void put_hash(text *t, const char *key, const unsigned char sha256[32]) {
     text_put(t, given ? "\n" : "none\n");
 }
 
-/* Append a `#` line with a number, unless that is 0. */
-static void put_width(text *t, const char *name, double width, int up) {
-    char number[BOUND_ROOM];
-    if (!(width > 0))
-        return;
-    report_width(number, width, up);
-    text_format(t, "# %s %s\n", name, number);
+/* Append the `#` lines of columns. */
+static void put_column_note(text *t, graze_context *context, const graze_scene *scene,
+                            const column_set *set, const graze_row_options *shown) {
+    if (set->asked == ASKED_BY_FLAG)
+        text_format(t, "# %s yes\n", set->option);
+    else /* the decimal that the option rounds to this double */
+        report_put_width(t, set->option, columns_width(set, shown),
+                         set->asked == ASKED_BY_WIDTH_DOWN);
+    if (set->note)
+        set->note(t, context, scene);
 }
 
 /* Append the `#` lines. */
@@ -35,7 +38,6 @@ static void put_notes(text *t, graze_context *context, const graze_scene *scene,
                       const graze_row_options *shown) {
     const graze_options *options = &scene->options;
     int unsweep = options->operation == GRAZE_UNSWEEP;
-    double diagonal;
     text_format(t, "# graze " GRAZE_VERSION "\n# contract %d\n", scene->solid->curved ? 2 : 1);
     text_format(t, "# dimension %d\n", scene->motion->dimension);
     put_hash(t, "solid-sha256", scene->solid->input.sha256);
@@ -47,18 +49,8 @@ static void put_notes(text *t, graze_context *context, const graze_scene *scene,
     text_format(t, "# folds %s\n",
                 options->folds == GRAZE_FOLDS_COMBINED ? "combined" : "separate");
     text_format(t, "# round %s\n", graze_rounding_name(context->rounding));
-    put_width(t, "sdf", shown->sdf, 1);
-    if (shown->sdf > 0 && !distance_diagonal(&diagonal, context, scene))
-        put_width(t, "diagonal", diagonal, 0);
-    if (shown->boundary)
-        text_put(t, "# boundary-distance yes\n");
-    put_width(t, "motion-error", shown->motion_error, 0);
-    if (shown->moments)
-        text_put(t, "# moments yes\n");
-    if (shown->topo)
-        text_put(t, "# topo yes\n");
-    if (shown->regular)
-        text_put(t, "# regular yes\n");
+    for (const column_set *set = NULL; (set = columns_next(set, shown));)
+        put_column_note(t, context, scene, set, shown);
     if (shown->columns == GRAZE_COLUMNS_PMC)
         text_put(t, "# columns pmc\n");
     if (notes)
@@ -71,26 +63,15 @@ static void put_notes(text *t, graze_context *context, const graze_scene *scene,
 
 void table_columns(text *t, const graze_scene *scene, const char *columns,
                    const graze_row_options *shown) {
-    text_put(t, scene->motion->dimension == 2 ? "x,y,pmc" : "x,y,z,pmc");
-    if (shown->columns == GRAZE_COLUMNS_ALL)
-        text_put(t, scene->options.operation == GRAZE_UNSWEEP ? ",word"
-                                                              : ",class,definition,case,i,t,word");
+    text_put(t, scene->motion->dimension == 2 ? "x,y" : "x,y,z");
+    for (size_t k = 0; k < (shown->columns == GRAZE_COLUMNS_PMC ? 1 : ANSWER_COLUMNS); k++)
+        if (scene->options.operation == GRAZE_SWEEP || answer_columns[k].of_unsweep)
+            text_format(t, ",%s", answer_columns[k].name);
     if (columns) {
         text_put(t, ",");
         text_put(t, columns);
     }
-    if (shown->sdf > 0)
-        text_put(t, ",sdf_low,sdf_high,sdf_t");
-    if (shown->boundary)
-        text_put(t, ",boundary_low");
-    if (shown->motion_error > 0)
-        text_put(t, ",certain");
-    if (shown->moments)
-        inside_columns(t, scene->motion);
-    if (shown->topo)
-        text_put(t, ",topo");
-    if (shown->regular)
-        text_put(t, ",regular");
+    columns_put_names(t, scene, shown);
 }
 
 graze_status report_header(char **out, graze_context *context, const graze_scene *scene,
@@ -137,36 +118,6 @@ static void put_verdict(text *t, const graze_verdict *v) {
     text_put(t, ",");
 }
 
-static void put_boundary(text *t, double low) {
-    char decimal[BOUND_ROOM];
-    report_bound(decimal, low, 0);
-    text_format(t, ",%s", decimal);
-}
-
-/* Append the columns behind the answers, a comma before each. */
-static void put_further(text *out, const row *r) {
-    if (r->texts.rest) {
-        text_put(out, ",");
-        text_put(out, r->texts.rest);
-    }
-    if (r->shown->sdf > 0)
-        report_distance(out, r->scene, &r->space);
-    if (r->shown->boundary)
-        put_boundary(out, r->boundary);
-    if (r->shown->motion_error > 0)
-        text_format(out, ",%s", report_certainty(&r->space, r->shown->motion_error));
-    if (r->shown->moments)
-        inside_csv(out, &r->inside, r->scene->motion);
-    if (r->shown->topo) {
-        text_put(out, ",");
-        text_put(out, graze_topo_name(r->topo.position));
-    }
-    if (r->shown->regular) {
-        text_put(out, ",");
-        text_put(out, graze_regular_name(r->regular.position));
-    }
-}
-
 void report_csv(text *out, const row *r) {
     for (int k = 0; !r->texts.point && k < r->scene->motion->dimension; k++) {
         text_put(out, k ? "," : "");
@@ -181,18 +132,39 @@ void report_csv(text *out, const row *r) {
             put_verdict(out, &r->trace->verdict);
         text_put(out, r->trace->word);
     }
-    put_further(out, r);
+    if (r->texts.rest)
+        text_format(out, ",%s", r->texts.rest);
+    for (const column_set *set = NULL; (set = columns_next(set, r->shown));)
+        if (set->put)
+            set->put(out, r);
+        else
+            text_format(out, ",%s", set->word(r));
     text_put(out, "\n");
+}
+
+/* Add the values of a set's columns: a word, or the doubles nearest to the fields of CSV. */
+static graze_status put_set_values(text *out, graze_context *context, const row *r,
+                                   const column_set *set) {
+    if (set->word) {
+        values_text(out, set->word(r), strlen(set->word(r)));
+        return GRAZE_OK;
+    }
+    HELD(text, fields);
+    set->put(&fields, r);
+    field rest = {fields.data + 1, fields.length - 1}, one; /* without the comma before them */
+    out->failed |= fields.failed;
+    while (!fields.failed && rest.start && field_take(&one, &rest))
+        TRY(values_field(out, context, one));
+    return GRAZE_OK;
 }
 
 graze_status report_values(text *out, graze_context *context, const row *r) {
     const graze_verdict *v = &r->trace->verdict;
-    graze_status status = GRAZE_OK;
-    for (int k = 0; k < r->scene->motion->dimension && !status; k++) {
+    for (int k = 0; k < r->scene->motion->dimension; k++) {
         double nearest = 0;
-        status = values_nearest(&nearest, context, r->point + k);
+        graze_status status = values_nearest(&nearest, context, r->point + k);
         if (status)
-            status = context_at(context, status, "column %c", 'x' + k);
+            return context_at(context, status, "column %c", 'x' + k);
         values_coordinate(out, nearest);
     }
     values_code(out, (uint32_t)v->pmc);
@@ -203,10 +175,9 @@ graze_status report_values(text *out, graze_context *context, const row *r) {
             values_code(out, codes[k]);
         values_text(out, r->trace->word, strlen(r->trace->word));
     }
-    HELD(text, further);
-    put_further(&further, r);
-    if (further.length) /* without the comma before them */
-        values_text(out, further.data + 1, further.length - 1);
-    out->failed |= further.failed;
-    return status;
+    if (r->texts.rest)
+        values_text(out, r->texts.rest, strlen(r->texts.rest));
+    for (const column_set *set = NULL; (set = columns_next(set, r->shown));)
+        TRY(put_set_values(out, context, r, set));
+    return GRAZE_OK;
 }

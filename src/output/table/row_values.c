@@ -3,6 +3,8 @@
  */
 #include "output/table/table.h"
 
+#include "base/context/scope.h"
+#include "base/number/rational.h"
 #include "base/number/rounding.h"
 
 /* A double holds it. */
@@ -24,6 +26,19 @@ graze_status values_nearest(double *out, graze_context *context, const fmpq_t va
 
 void values_coordinate(text *out, double value) {
     text_bytes(out, (const char *)&value, sizeof value);
+}
+
+graze_status values_field(text *out, graze_context *context, field number) {
+    LOCAL(fmpq, value);
+    graze_rounding asked = context->rounding;
+    double nearest = 0;
+    context->rounding = GRAZE_ROUND_NONE;
+    graze_status status = rational_parse(value, context, number.start, number.length);
+    context->rounding = asked;
+    if (!status)
+        status = values_nearest(&nearest, context, value);
+    values_coordinate(out, nearest);
+    return status;
 }
 
 void values_code(text *out, uint32_t code) {

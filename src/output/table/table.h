@@ -16,13 +16,16 @@
  *
  * A row is its coordinates, each the nearest double; codes of 32 bits for pmc and, in this order,
  * class, definition (0 for ext), case, i and t, those that the table has; its word, if it has one;
- * and where there are further columns these, comma-joined. A text is its length and its bytes. All
- * is as in memory, without gaps. */
+ * where there are further columns these, comma-joined; then the answers behind them, each a double
+ * or a word. A text is its length and its bytes. All is as in memory, without gaps. */
 
 /** The nearest double, ties to even. GRAZE_EINPUT: it is past binary64. */
 graze_status values_nearest(double *out, graze_context *context, const fmpq_t value);
 
 void values_coordinate(text *out, double value);
+/** Add the double nearest to a number that was written, as GRAZE_EINPUT of values_nearest. The
+ * rounding of the context has no effect. */
+graze_status values_field(text *out, graze_context *context, field number);
 void values_code(text *out, uint32_t code);
 void values_text(text *out, const char *bytes, size_t length);
 
@@ -56,23 +59,35 @@ field texts_at(const texts *t, uint32_t number);
  * Rows are added as values. Of further columns only what they need is kept as text.
  */
 
-typedef enum column_kind {
-    COLUMN_COORDINATE, /* x, y, z: rationals */
-    COLUMN_PMC,        /* in, on, out */
-    COLUMN_CLASS,
-    COLUMN_DEFINITION, /* a number, or ext */
-    COLUMN_COUNT,      /* case, i, t */
-    COLUMN_WORD,
-    COLUMN_NUMBER, /* a further column with a number in every row */
-    COLUMN_TEXT    /* any other further column */
-} column_kind;
+typedef enum typed_kind {
+    TYPED_DOUBLE, /* x, y, z and bounds: the nearest double */
+    TYPED_PMC,    /* in, on, out */
+    TYPED_CLASS,
+    TYPED_DEFINITION, /* a number, or ext */
+    TYPED_COUNT,      /* case, i, t */
+    TYPED_WORD,       /* word, and answers that are a word */
+    TYPED_NUMBER,     /* a further column with a number in every row */
+    TYPED_TEXT        /* any other further column */
+} typed_kind;
+
+/* An answer that stands in front of the columns of the file. */
+typedef struct answer_column {
+    const char *name;
+    typed_kind kind;
+    int of_unsweep; /* tables of unsweeps have it too */
+} answer_column;
+
+enum { ANSWER_COLUMNS = 7 };
+
+/** In their order. With columns of pmc alone the first is the only one. */
+extern const answer_column answer_columns[ANSWER_COLUMNS];
 
 /* A column with the values of all rows in one of two arrays, `number` or `code`. */
 typedef struct typed_column {
     field name; /* in the table's column line */
-    column_kind kind;
+    typed_kind kind;
     size_t widest;  /* bytes of its longest field */
-    double *number; /* COORDINATE, NUMBER: the nearest double */
+    double *number; /* DOUBLE, NUMBER */
     uint32_t *code; /* pmc and class as in graze.h; definition, 0 for ext; counts; else the number
                        of the text */
     size_t capacity;
@@ -87,8 +102,8 @@ typedef struct typed_table {
     fmpq low[3], high[3]; /* the grid's box, 0 for an axis that is not */
     text names;           /* the names of the columns */
     size_t row_count, column_count;
-    size_t own; /* columns 0 to own - 1 are coordinates and answers of Graze; the further columns
-               are read as text */
+    size_t own, last; /* the first `own` columns are coordinates and answers of Graze, the last
+                         `last` answers too; the further columns between them are read as text */
     typed_column *column;
 } typed_table;
 
@@ -114,8 +129,10 @@ graze_status typed_write_npy(const typed_table *t, sink to);
 
 /* Rows of values, read into typed columns. */
 
-/** Set the columns of a table: the names that its head has, comma-joined. */
-graze_status typed_begin(typed_table *t, int dimension, field names, int pmc_alone);
+/** Set the columns of a table: the names that its head has, comma-joined, and the kinds of the
+ * last ones, which are answers. */
+graze_status typed_begin(typed_table *t, int dimension, field names, int pmc_alone,
+                         const typed_kind *last, size_t last_count);
 /**
  * Add rows of values. The rounding of the context has no effect: numbers of further columns do not
  * belong to the scene.

@@ -40,9 +40,9 @@ void typed_set_grid(typed_table *t, int dimension, const size_t *size, graze_rat
 }
 
 const char *typed_word(const typed_column *c, uint32_t code) {
-    return c->kind == COLUMN_PMC     ? graze_pmc_name((graze_pmc)code)
-           : c->kind == COLUMN_CLASS ? graze_class_name((graze_class)code)
-                                     : NULL;
+    return c->kind == TYPED_PMC     ? graze_pmc_name((graze_pmc)code)
+           : c->kind == TYPED_CLASS ? graze_class_name((graze_class)code)
+                                    : NULL;
 }
 
 void typed_name(text *out, const typed_table *t, size_t index) {

@@ -47,9 +47,9 @@ static void put_description(text *out, const typed_table *t) {
         const typed_column *from = &t->column[k];
         text_put(out, k ? ", ('" : "('");
         put_name(out, t, k);
-        if (from->kind == COLUMN_COORDINATE || from->kind == COLUMN_NUMBER)
+        if (from->kind == TYPED_DOUBLE || from->kind == TYPED_NUMBER)
             text_put(out, "', '<f8')");
-        else if (from->kind == COLUMN_DEFINITION || from->kind == COLUMN_COUNT)
+        else if (from->kind == TYPED_DEFINITION || from->kind == TYPED_COUNT)
             text_put(out, "', '<u4')");
         else
             text_format(out, "', '|S%zu')", width_of(from));
@@ -86,12 +86,12 @@ static void put_npy_text(sink to, field one, size_t width) {
 
 static void put_field(sink to, const typed_column *c, size_t row) {
     switch (c->kind) {
-    case COLUMN_COORDINATE:
-    case COLUMN_NUMBER:
+    case TYPED_DOUBLE:
+    case TYPED_NUMBER:
         put_double(to, c->number[row]);
         return;
-    case COLUMN_DEFINITION:
-    case COLUMN_COUNT:
+    case TYPED_DEFINITION:
+    case TYPED_COUNT:
         put_number(to, c->code[row], 4);
         return;
     default:

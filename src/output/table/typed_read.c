@@ -20,19 +20,17 @@ static graze_status typed_no_memory(const typed_table *t) {
 
 /* ------------------------------------------------------------------------------- columns */
 
-static column_kind kind_of(field name) {
-    static const struct {
-        const char *name;
-        column_kind kind;
-    } known[] = {{"x", COLUMN_COORDINATE}, {"y", COLUMN_COORDINATE},
-                 {"z", COLUMN_COORDINATE}, {"pmc", COLUMN_PMC},
-                 {"class", COLUMN_CLASS},  {"definition", COLUMN_DEFINITION},
-                 {"case", COLUMN_COUNT},   {"i", COLUMN_COUNT},
-                 {"t", COLUMN_COUNT},      {"word", COLUMN_WORD}};
-    for (size_t k = 0; k < sizeof known / sizeof *known; k++)
-        if (field_is(name, known[k].name))
-            return known[k].kind;
-    return COLUMN_TEXT;
+const answer_column answer_columns[ANSWER_COLUMNS] = {
+    {"pmc", TYPED_PMC, 1},    {"class", TYPED_CLASS, 0}, {"definition", TYPED_DEFINITION, 0},
+    {"case", TYPED_COUNT, 0}, {"i", TYPED_COUNT, 0},     {"t", TYPED_COUNT, 0},
+    {"word", TYPED_WORD, 1}};
+
+/* The kind of an answer or of a coordinate. */
+static typed_kind kind_of(field name) {
+    for (size_t k = 0; k < ANSWER_COLUMNS; k++)
+        if (field_is(name, answer_columns[k].name))
+            return answer_columns[k].kind;
+    return TYPED_DOUBLE;
 }
 
 /* Graze's columns are those up to `word`, or to `pmc` where it stands alone; further ones may have
@@ -44,7 +42,8 @@ static size_t own_columns(const fields *names, int pmc_alone) {
     return k + 1;
 }
 
-graze_status typed_begin(typed_table *t, int dimension, field names, int pmc_alone) {
+graze_status typed_begin(typed_table *t, int dimension, field names, int pmc_alone,
+                         const typed_kind *last, size_t last_count) {
     fields cut = {NULL, 0, 0};
     t->dimension = dimension;
     text_bytes(&t->names, names.start, names.length);
@@ -56,8 +55,11 @@ graze_status typed_begin(typed_table *t, int dimension, field names, int pmc_alo
     t->own = own_columns(&cut, pmc_alone);
     for (size_t k = 0; t->column && k < cut.count; k++) {
         t->column[k].name = field_content(cut.item[k]);
-        t->column[k].kind = k < t->own ? kind_of(t->column[k].name) : COLUMN_NUMBER;
+        t->column[k].kind = k < t->own                   ? kind_of(t->column[k].name)
+                            : k < cut.count - last_count ? TYPED_NUMBER
+                                                         : last[k + last_count - cut.count];
     }
+    t->last = last_count;
     t->column_count = t->column ? cut.count : 0;
     fields_clear(&cut);
     if (result == FIELDS_OPEN_QUOTE)
@@ -67,7 +69,7 @@ graze_status typed_begin(typed_table *t, int dimension, field names, int pmc_alo
 }
 
 static int is_number(const typed_column *c) {
-    return c->kind == COLUMN_COORDINATE || c->kind == COLUMN_NUMBER;
+    return c->kind == TYPED_DOUBLE || c->kind == TYPED_NUMBER;
 }
 
 /* Room for one more value; 0 where there is none. */
@@ -105,7 +107,7 @@ static graze_status add_text(const typed_table *t, typed_column *c, size_t row, 
 /* A further column that has met a field that is no number: its fields become texts. */
 static graze_status become_texts(const typed_table *t, typed_column *c) {
     graze_status status = GRAZE_OK;
-    c->kind = COLUMN_TEXT;
+    c->kind = TYPED_TEXT;
     c->capacity = 0;
     if (!column_reserve(c, t->row_count))
         return typed_no_memory(t);
@@ -122,7 +124,7 @@ static graze_status become_texts(const typed_table *t, typed_column *c) {
 
 /* A field of a further column. */
 static graze_status add_further(const typed_table *t, typed_column *c, field f) {
-    if (c->kind == COLUMN_NUMBER) {
+    if (c->kind == TYPED_NUMBER) {
         int number;
         graze_status status = read_number(&c->number[t->row_count], &number, t->context, f);
         if (!status) {
@@ -168,10 +170,10 @@ static graze_status not_whole(const typed_table *t) {
 /* The value of an answer. */
 static graze_status take_answer(const typed_table *t, typed_column *c, field *rows) {
     field one;
-    if (c->kind == COLUMN_COORDINATE)
+    if (c->kind == TYPED_DOUBLE)
         return take_bytes(&c->number[t->row_count], rows, sizeof *c->number) ? GRAZE_OK
                                                                              : not_whole(t);
-    if (c->kind == COLUMN_WORD) {
+    if (c->kind == TYPED_WORD) {
         if (!take_text(&one, rows))
             return not_whole(t);
         c->widest = one.length > c->widest ? one.length : c->widest;
@@ -189,10 +191,11 @@ static graze_status take_answer(const typed_table *t, typed_column *c, field *ro
 /* The further columns. */
 static graze_status take_further(typed_table *t, field *rows) {
     field rest, one;
-    if (t->own == t->column_count)
+    size_t end = t->column_count - t->last;
+    if (t->own == end)
         return GRAZE_OK;
     int whole = take_text(&rest, rows);
-    for (size_t k = t->own; k < t->column_count; k++) {
+    for (size_t k = t->own; k < end; k++) {
         if (!whole || !rest.start || !field_take(&one, &rest))
             return not_whole(t);
         one = field_content(one);
@@ -218,6 +221,8 @@ graze_status typed_add(typed_table *t, const char *rows, size_t length) {
             status = take_answer(t, &t->column[k], &rest);
         if (!status)
             status = take_further(t, &rest);
+        for (size_t k = t->column_count - t->last; k < t->column_count && !status; k++)
+            status = take_answer(t, &t->column[k], &rest);
         t->row_count += !status;
     }
     t->context->rounding = rounding;

@@ -20,7 +20,7 @@ static const char title[] =
     "exterior 5; texts by first occurrence";
 
 static int has_texts(const typed_column *c) {
-    return c->kind == COLUMN_WORD || c->kind == COLUMN_TEXT;
+    return c->kind == TYPED_WORD || c->kind == TYPED_TEXT;
 }
 
 /* The name of a column with `behind` at its end, initialised and filled. */

@@ -3,6 +3,7 @@
  */
 #include "program/cli/cli.h"
 
+#include "output/report/columns.h"
 #include "program/cli/values.h"
 #include "program/io/io.h"
 #include "program/points/points.h"
@@ -117,16 +118,34 @@ int classify_check_table(const classify_options *o) {
 
 /* Refuse options that need more than pmc. */
 static int check_columns(const classify_options *o) {
-    const char *more = o->scene.rows.sdf > 0                        ? "--sdf"
-                       : o->scene.rows.moments                      ? "--moments"
-                       : o->scene.rows.topo                         ? "--topo"
-                       : o->scene.rows.regular                      ? "--regular"
-                       : o->certificate                             ? "--certify"
-                       : o->scene.rows.format == GRAZE_FORMAT_JSONL ? "--format jsonl"
-                                                                    : NULL;
-    if (o->scene.rows.columns == GRAZE_COLUMNS_ALL || !more)
+    const graze_row_options *rows = &o->scene.rows;
+    const char *more = NULL;
+    if (rows->columns == GRAZE_COLUMNS_ALL)
         return EXIT_DONE;
-    return complain(EXIT_USAGE, "%s needs all answers; expected no --columns pmc beside it", more);
+    for (const column_set *set = NULL; !more && (set = columns_next(set, rows));)
+        more = set->needs > NEEDS_PMC ? set->option : NULL;
+    if (!more)
+        more = o->certificate                       ? "certify"
+               : rows->format == GRAZE_FORMAT_JSONL ? "format jsonl"
+                                                    : NULL;
+    return more ? complain(EXIT_USAGE,
+                           "--%s needs all answers; expected no --columns pmc beside it", more)
+                : EXIT_DONE;
+}
+
+/* Refuse columns that go with others, or not with the form of the rows. */
+static int check_column_sets(const classify_options *o) {
+    const graze_row_options *rows = &o->scene.rows;
+    const char *distances = NULL;
+    for (const column_set *set = NULL; (set = columns_next(set, rows));)
+        distances = set->beside_sdf ? set->option : distances;
+    if (distances && !(rows->sdf > 0))
+        return complain(EXIT_USAGE, "--%s needs distances; expected --sdf beside it", distances);
+    for (const column_set *set = NULL; (set = columns_next(set, rows));)
+        if (set->is_exact && rows->format > GRAZE_FORMAT_JSONL)
+            return complain(EXIT_USAGE, "--%s has exact times; expected --format csv or jsonl",
+                            set->option);
+    return EXIT_DONE;
 }
 
 /* Rows repeat numbers that were read as they are, unless something asks for exact ones. */
@@ -171,15 +190,10 @@ int classify_take(classify_options *o, const operands *given) {
         status = check_columns(o);
     if (!status)
         status = check_coordinates(o);
+    if (!status)
+        status = check_column_sets(o);
     if (status)
         return status;
-    const char *distances = o->scene.rows.motion_error > 0 ? "--motion-error"
-                            : o->scene.rows.boundary       ? "--boundary-distance"
-                                                           : NULL;
-    if (distances && !(o->scene.rows.sdf > 0))
-        return complain(EXIT_USAGE, "%s needs distances; expected --sdf beside it", distances);
-    if (o->scene.rows.moments && o->scene.rows.format > GRAZE_FORMAT_JSONL)
-        return complain(EXIT_USAGE, "--moments has exact times; expected --format csv or jsonl");
     if (o->times && !o->certificate)
         return complain(EXIT_USAGE, "--times goes with --certify; see graze classify --help");
     status = classify_check_table(o);

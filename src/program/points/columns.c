@@ -13,6 +13,7 @@
 #include "base/context/scope.h"
 #include "base/number/text.h"
 #include "input/delimited/delimited.h"
+#include "output/report/columns.h"
 #include "program/io/io.h"
 #include "program/points/heads.h"
 
@@ -45,26 +46,16 @@ static int is_further(const columns *c, size_t column) {
     return !(column >= c->own.first && column < c->own.end) && column + c->own.last < c->count;
 }
 
-/* How many of the last columns are an enclosure, moments and positions, behind each other, among
- * `most`. Moments have rows where the motion has, and in older tables no decimals. */
-static size_t count_last(const fields *first, columns_head head, size_t most) {
-    const struct {
-        const char *name;
-        int is_there, may_lack;
-    } last[] = {{"regular", head.regular, 0},    {"topo", head.topo, 0},
-                {"last_row", head.moments, 1},   {"last_piece", head.moments, 0},
-                {"last_near", head.moments, 1},  {"last", head.moments, 0},
-                {"first_row", head.moments, 1},  {"first_piece", head.moments, 0},
-                {"first_near", head.moments, 1}, {"first", head.moments, 0},
-                {"certain", head.certain, 0},    {"boundary_low", head.boundary, 0},
-                {"sdf_t", head.sdf, 0},          {"sdf_high", head.sdf, 0},
-                {"sdf_low", head.sdf, 0}};
+/* How many of the last columns are those of answers that the head tells of, among `most`. */
+static size_t count_last(const fields *first, unsigned sets, size_t most) {
+    field names[COLUMNS_MOST];
     size_t count = 0;
-    for (size_t k = 0; k < sizeof last / sizeof *last && count < most; k++) {
-        if (!last[k].is_there)
-            continue;
-        int is_it = field_is(field_content(first->item[first->count - 1 - count]), last[k].name);
-        if (!is_it && !last[k].may_lack)
+    for (size_t k = columns_names(names, sets); k > 0 && count < most; k--) {
+        field name = names[k - 1];
+        int may_lack = strchr("?*", name.start[name.length - 1]) != NULL;
+        name.length -= (size_t)may_lack;
+        int is_it = field_equal(field_content(first->item[first->count - 1 - count]), name);
+        if (!is_it && !may_lack)
             return 0;
         count += (size_t)is_it;
     }
@@ -74,19 +65,17 @@ static size_t count_last(const fields *first, columns_head head, size_t most) {
 /* The answers in a file that graze classify has written: they stand behind the coordinates, in this
  * order and some left out, and positions in the last columns. */
 static void find_own(columns *c, const fields *first, columns_head head) {
-    static const char *const of_sweep[] = {"pmc", "class", "definition", "case", "i", "t", "word"};
-    static const char *const of_unsweep[] = {"pmc", "word"};
-    const char *const *answers = head.unsweep ? of_unsweep : of_sweep;
-    size_t count = head.pmc_alone ? 1 : head.unsweep ? 2 : 7, k = 0;
+    size_t count = head.pmc_alone ? 1 : ANSWER_COLUMNS, k = 0;
     size_t at = c->own.first = c->own.end = (size_t)c->dimension;
     for (; head.graze && at < first->count; at++) {
-        while (k < count && !field_is(field_content(first->item[at]), answers[k]))
+        while (k < count && ((head.unsweep && !answer_columns[k].of_unsweep) ||
+                             !field_is(field_content(first->item[at]), answer_columns[k].name)))
             k++;
         if (k++ >= count)
             break;
         c->own.end = at + 1;
     }
-    c->own.last = head.graze ? count_last(first, head, first->count - c->own.end) : 0;
+    c->own.last = head.graze ? count_last(first, head.sets, first->count - c->own.end) : 0;
 }
 
 static int order_of_names(const void *a, const void *b) {
@@ -237,19 +226,10 @@ int columns_fix(int *header, fault *f, columns *c, graze_context *context, field
     return status;
 }
 
-/* Is a name among those of a line of names? */
-static int is_named(field line, field name) {
-    field one;
-    while (line.start && field_take(&one, &line))
-        if (field_equal(field_content(one), name))
-            return 1;
-    return 0;
-}
-
 /* Add a name to the table's, changed until none of its own and of the others is the same. */
 static void put_free_name(text *out, const columns *c, field own, field others, field name) {
     field bare = field_content(name);
-    if (!is_named(own, bare)) {
+    if (!field_is_among(bare, own)) {
         text_bytes(out, name.start, name.length);
         return;
     }
@@ -257,8 +237,8 @@ static void put_free_name(text *out, const columns *c, field own, field others, 
     text_bytes(&one, bare.start, bare.length);
     do
         text_put(&one, "_in");
-    while (!one.failed && (is_named(own, (field){one.data, one.length}) ||
-                           is_named(others, (field){one.data, one.length})));
+    while (!one.failed && (field_is_among((field){one.data, one.length}, own) ||
+                           field_is_among((field){one.data, one.length}, others)));
     if (!one.failed)
         complain(EXIT_DONE,
                  "note: %s: the column `%.*s` is carried as `%s`, since the table has one of that "

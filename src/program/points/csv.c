@@ -10,6 +10,7 @@
 #include <sys/stat.h>
 #include "base/context/scope.h"
 #include "input/delimited/delimited.h"
+#include "output/report/columns.h"
 #include "program/io/io.h"
 #include "program/points/heads.h"
 
@@ -132,12 +133,7 @@ static int next_point_line(csv *c, field *line) {
 static void read_head_line(csv *c, field text) {
     field version;
     c->head.graze |= c->in.line == 1 && field_behind(&version, text, "# graze ");
-    c->head.topo |= field_is(text, "# topo yes");
-    c->head.regular |= field_is(text, "# regular yes");
-    c->head.sdf |= field_behind(&version, text, "# sdf ");
-    c->head.boundary |= field_is(text, "# boundary-distance yes");
-    c->head.certain |= field_behind(&version, text, "# motion-error ");
-    c->head.moments |= field_is(text, "# moments yes");
+    c->head.sets |= columns_of_line(text);
     c->head.unsweep |= field_is(text, "# operation unsweep");
     c->head.pmc_alone |= field_is(text, "# columns pmc");
 }

@@ -33,7 +33,8 @@ const char *site_number_name(const site_form *s, int index);
 /** Facts from the `#` lines before the first line: whether Graze has written the file, and with
  * which answers. */
 typedef struct columns_head {
-    int graze, topo, regular, sdf, boundary, certain, moments, unsweep, pmc_alone;
+    int graze, unsweep, pmc_alone;
+    unsigned sets; /* bits of columns_of_line */
 } columns_head;
 void columns_clear(columns *c);
 

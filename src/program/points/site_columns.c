@@ -4,37 +4,14 @@
 #include "program/points/points.h"
 
 #include <stdlib.h>
+#include <string.h>
 #include "input/delimited/delimited.h"
+#include "output/report/columns.h"
 #include "program/io/io.h"
 #include "program/points/heads.h"
 
 static const char *const body_names[] = {"time", "bx", "by", "bz"};
 static const char *const world_names[] = {"time", "x", "y", "z"};
-/* Columns of the table that a file may have, as when a table is read again. */
-static const char *const result_names[] = {"time",
-                                           "bx",
-                                           "by",
-                                           "bz",
-                                           "x",
-                                           "y",
-                                           "z",
-                                           "cell",
-                                           "role",
-                                           "theta",
-                                           "contact_order",
-                                           "orientation",
-                                           "left",
-                                           "right",
-                                           "trimmed",
-                                           "status",
-                                           "near",
-                                           "near_decimal",
-                                           "near_in",
-                                           "near_in_decimal",
-                                           "word",
-                                           "shift"};
-enum { RESULT_NAMES = sizeof result_names / sizeof *result_names };
-
 const char *site_number_name(const site_form *s, int index) {
     return (s->in_world ? world_names : body_names)[index];
 }
@@ -44,12 +21,10 @@ int site_time_is_root(field token) {
     return field_behind(&value, token, "root(");
 }
 
-/* Is a name one of these? The last of them only if points are moved. */
+/* Is a name that of a column of the table? The last one, `shift`, only if points are moved. */
 static int is_result(field name, int snap) {
-    for (size_t k = 0; k < RESULT_NAMES - !snap; k++)
-        if (field_is(name, result_names[k]))
-            return 1;
-    return 0;
+    field names = {contact_columns, strlen(contact_columns)};
+    return field_is_among(name, names) && (snap || !field_is(name, "shift"));
 }
 
 /* The column of a name; 0 if it is missing, -1 if it stands twice. */

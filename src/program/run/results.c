@@ -10,6 +10,7 @@
 #include <sys/stat.h>
 #include "base/context/scope.h"
 #include "input/delimited/delimited.h"
+#include "output/report/columns.h"
 #include "output/table/table.h"
 #include "program/io/io.h"
 #include "program/points/points.h"
@@ -146,10 +147,12 @@ static int make_free_head(char **head, const results *out, const row_source *sou
 
 /* Begin a table of columns: its head's names are theirs. */
 static int begin_export(results *out, const row_source *source, const char *head) {
+    typed_kind last[COLUMNS_MOST];
     if (source->grid)
         grid_shape(&out->typed, source->grid);
     return complain_of(typed_begin(&out->typed, graze_scene_dimension(out->l->scene),
-                                   names_of(head), out->l->rows.columns == GRAZE_COLUMNS_PMC),
+                                   names_of(head), out->l->rows.columns == GRAZE_COLUMNS_PMC, last,
+                                   columns_kinds(last, &out->l->rows)),
                        out->l->context);
 }
 
@@ -281,10 +284,17 @@ static int put_last_line(results *out, result_kind kind, const char *format, ...
     return result_add(&out->file[kind], line, strlen(line), 0);
 }
 
-/* Whether rows may be undecided: their position, or all of a curved solid's. */
+/* The last set of columns that is asked for and may be undecided, or NULL. */
+static const column_set *undecided_set(const results *out) {
+    const column_set *last = NULL;
+    for (const column_set *set = NULL; (set = columns_next(set, &out->l->rows));)
+        last = set->undecided ? set : last;
+    return last;
+}
+
+/* Whether rows may be undecided: such columns, or all of a curved solid's. */
 static int counts_undecided(const results *out) {
-    return out->l->rows.topo || out->l->rows.regular ||
-           graze_solid_primitive_count(out->l->solid) > 0;
+    return undecided_set(out) || graze_solid_primitive_count(out->l->solid) > 0;
 }
 
 /* A shard's last lines match it with the others; `complete` is the last line of all. */
@@ -331,8 +341,15 @@ static void report_whole_rows(const results *out, int kind) {
                  can_go_on ? result_name(file->kind) : "");
 }
 
+static void tell_undecided(const results *out) {
+    const column_set *set = undecided_set(out);
+    const char *bare = out->l->rows.columns == GRAZE_COLUMNS_PMC ? "pmc" : "the word";
+    complain(EXIT_DONE, "note: %s of %lu of %lu rows is undecided; graze explain%s%s says why",
+             set ? set->undecided : bare, out->at.undecided, out->file[RESULT_TABLE].rows,
+             set ? " --" : "", set ? set->option : "");
+}
+
 int results_close(results *out, int status) {
-    const graze_row_options *rows = &out->l->rows;
     int ended = status;
     if (status && out->recorded)
         record_write(&out->beside, &out->at, 1);
@@ -342,15 +359,7 @@ int results_close(results *out, int status) {
             status = closed != ended && status == ended ? closed : status;
         }
     if (!status && out->at.undecided)
-        complain(EXIT_DONE, "note: %s of %lu of %lu rows is undecided; graze explain%s says why",
-                 rows->regular                        ? "regular"
-                 : rows->topo                         ? "the position"
-                 : rows->columns == GRAZE_COLUMNS_PMC ? "pmc"
-                                                      : "the word",
-                 out->at.undecided, out->file[RESULT_TABLE].rows,
-                 rows->regular ? " --regular"
-                 : rows->topo  ? " --topo"
-                               : "");
+        tell_undecided(out);
     if (!status && out->o->coordinates.digits)
         complain(EXIT_DONE,
                  "note: coordinates of more than %d digits are rounded; the answers are those of "
