@@ -120,7 +120,13 @@ def general(rng):
     normals = [[f.get(tuple(int(n == i) for n in range(3)), F(0)) for i in range(3)] for f in surfaces]
     touch = any(all(a[i] * b[j] == a[j] * b[i] for i in range(3) for j in range(i))
                 for a, b in itertools.combinations(normals, 2))
+    if not touch and count > 3 and any(det(*three) == 0 for three in itertools.combinations(normals, 3)):
+        return "general, three at an edge in company", surfaces
     return "general, two touching" if touch else "general", surfaces
+
+
+def det(a, b, c):
+    return sum(a[i] * (b[i - 2] * c[i - 1] - b[i - 1] * c[i - 2]) for i in range(3))
 
 
 def apex(rng):
