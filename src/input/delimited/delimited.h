@@ -30,6 +30,9 @@ int field_count(unsigned long *out, field f, unsigned long most);
 
 /** Take the next line from the front of a text, without its line end. */
 field field_line(field *rest);
+/** Take lines from the front of two texts until they differ: the next two that do; 0 if none do. */
+int lines_differ(field *a, field *b, const char **x, const char **y);
+
 /** The bytes behind a key that begins a line, perhaps none; 0 if the line begins otherwise. */
 int field_behind(field *out, field line, const char *key);
 

@@ -190,3 +190,15 @@ int field_is_among(field name, field line) {
             return 1;
     return 0;
 }
+
+int lines_differ(field *a, field *b, const char **x, const char **y) {
+    do {
+        if (!**x && !**y)
+            return 0;
+        *a = (field){*x, strcspn(*x, "\n")};
+        *b = (field){*y, strcspn(*y, "\n")};
+        *x += a->length + ((*x)[a->length] == '\n');
+        *y += b->length + ((*y)[b->length] == '\n');
+    } while (field_equal(*a, *b));
+    return 1;
+}

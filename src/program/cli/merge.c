@@ -11,6 +11,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
+#include "input/delimited/delimited.h"
 #include "program/cli/values.h"
 #include "program/io/io.h"
 #include "program/points/points.h"
@@ -46,19 +48,15 @@ typedef struct merger {
 /* Refuse two parts that differ where the parts of one run are equal. */
 static int compare_heads(const part *a, const part *b) {
     const char *x = a->head.data, *y = b->head.data;
+    field one, other;
     if (a->shard.count != b->shard.count)
         return complain(EXIT_INPUT,
                         "%s is a shard of %lu and %s one of %lu; expected parts of one run",
                         a->in.name, a->shard.count, b->in.name, b->shard.count);
-    while (*x || *y) {
-        size_t n = strcspn(x, "\n"), m = strcspn(y, "\n");
-        if (n != m || memcmp(x, y, n) != 0)
-            return complain(
-                EXIT_INPUT, "%s has `%.*s` and %s has `%.*s`; expected parts of one run",
-                a->in.name, (int)(n < 200 ? n : 200), x, b->in.name, (int)(m < 200 ? m : 200), y);
-        x += n + (x[n] == '\n');
-        y += m + (y[m] == '\n');
-    }
+    if (lines_differ(&one, &other, &x, &y))
+        return complain(EXIT_INPUT, "%s has `%.*s` and %s has `%.*s`; expected parts of one run",
+                        a->in.name, (int)(one.length < 200 ? one.length : 200), one.start,
+                        b->in.name, (int)(other.length < 200 ? other.length : 200), other.start);
     if (a->rows_of_all != b->rows_of_all || a->points != b->points)
         return complain(EXIT_INPUT,
                         "%s and %s were made from different points; expected parts of one run",
@@ -72,11 +70,8 @@ static int open_parts(merger *m, const operands *given) {
     if (!m->parts)
         return complain(EXIT_IO, "out of memory");
     for (int k = 0; k < given->count; k++) {
-        int status = part_open(&m->parts[m->count++], m->context, given->item[k]);
-        if (!status && k > 0)
-            status = compare_heads(&m->parts[0], &m->parts[k]);
-        if (status)
-            return status;
+        TRY(part_open(&m->parts[m->count++], m->context, given->item[k]));
+        TRY(compare_heads(&m->parts[0], &m->parts[k]));
     }
     return EXIT_DONE;
 }
@@ -133,21 +128,16 @@ static void put_counts(merger *m) {
 }
 
 static int merge_parts(merger *m, const merge_options *o, const operands *given) {
-    int status = graze_context_create(&m->context) ? complain(EXIT_IO, "out of memory") : EXIT_DONE;
-    if (!status)
-        status = open_parts(m, given);
-    if (!status)
-        status = check_parts(m);
-    if (!status)
-        status = output_open(&m->out, o->output);
-    m->opened = !status;
-    if (status)
-        return status;
+    if (graze_context_create(&m->context))
+        return complain(EXIT_IO, "out of memory");
+    TRY(open_parts(m, given));
+    TRY(check_parts(m));
+    TRY(output_open(&m->out, o->output));
+    m->opened = 1;
     output_put(&m->out, m->parts[0].head.data);
-    status = copy_rows(m, o);
-    if (!status)
-        put_counts(m);
-    return status;
+    TRY(copy_rows(m, o));
+    put_counts(m);
+    return EXIT_DONE;
 }
 
 static const option_entry merge_table[] = {OUTPUT(merge_options, output, value_output),

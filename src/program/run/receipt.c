@@ -6,6 +6,8 @@
 #include <sha256.h>
 #include <stdio.h>
 #include <string.h>
+#include "base/context/scope.h"
+#include "base/number/text.h"
 #include "input/delimited/delimited.h"
 #include "program/io/io.h"
 
@@ -16,59 +18,48 @@ static const char first_line[] = "graze receipt 1\n";
 static const char solid_key[] = "\nsolid-sha256 ";
 static const char checksum_key[] = "\nchecksum ";
 
-static void append_text(char *text, const char *more) {
-    strncat(text, more, RECEIPT - strlen(text) - 1);
-}
-
-static void append_hex(char *text, const char *key, const unsigned char hash[HASH]) {
-    char hex[2 * HASH + 1];
+static void put_hash(text *t, const char *key, const unsigned char hash[HASH]) {
+    text_put(t, key);
     for (size_t k = 0; k < HASH; k++)
-        snprintf(hex + 2 * k, 3, "%02x", hash[k]);
-    append_text(text, key);
-    append_text(text, hex);
+        text_format(t, "%02x", hash[k]);
 }
 
 /* The checksum is of everything before its line. */
-static void append_checksum(char *text) {
-    SHA2_CTX sha;
-    unsigned char hash[HASH];
-    SHA256Init(&sha);
-    SHA256Update(&sha, (const uint8_t *)text, strlen(text));
-    SHA256Final(hash, &sha);
-    append_hex(text, checksum_key, hash);
-    append_text(text, "\n");
+static void put_checksum(text *t) {
+    char hex[SHA256_DIGEST_STRING_LENGTH];
+    SHA256Data((const uint8_t *)t->data, t->length, hex);
+    text_format(t, "%s%s\n", checksum_key, hex);
 }
 
-static void make_receipt(char text[RECEIPT], const graze_scene *scene, const scene_options *o) {
+static void put_receipt(text *t, const graze_scene *scene, const scene_options *o) {
     graze_hashes hashes = graze_scene_hashes(scene);
-    *text = '\0';
-    append_text(text, first_line);
-    append_text(text, "version " GRAZE_VERSION);
-    append_hex(text, solid_key, hashes.solid);
-    append_hex(text, "\nmotion-sha256 ", hashes.motion);
-    append_hex(text, "\nscene-sha256 ", hashes.scene);
-    append_text(text, o->solid_flags & GRAZE_SOLID_TRIANGULATE ? "\ntriangulate yes"
-                                                               : "\ntriangulate no");
-    append_text(text, "\nround ");
-    append_text(text, graze_rounding_name(o->context.rounding));
-    append_checksum(text);
+    text_format(t, "%sversion " GRAZE_VERSION, first_line);
+    put_hash(t, solid_key, hashes.solid);
+    put_hash(t, "\nmotion-sha256 ", hashes.motion);
+    put_hash(t, "\nscene-sha256 ", hashes.scene);
+    text_format(t, "\ntriangulate %s\nround %s",
+                o->solid_flags & GRAZE_SOLID_TRIANGULATE ? "yes" : "no",
+                graze_rounding_name(o->context.rounding));
+    if (!t->failed)
+        put_checksum(t);
 }
 
 int receipt_write(const char *path, const loaded *l, const scene_options *o) {
-    char text[RECEIPT];
-    make_receipt(text, l->scene, o);
-    return output_text(path, text);
+    HELD(text, t);
+    put_receipt(&t, l->scene, o);
+    return t.failed ? complain(EXIT_IO, "out of memory") : output_text(path, t.data);
 }
 
 /* Does the text end with the checksum of what is before it? */
-static int is_intact_receipt(const char *text) {
-    char again[RECEIPT];
-    const char *end = strstr(text, checksum_key);
-    if (strncmp(text, first_line, strlen(first_line)) != 0 || !end)
+static int is_intact_receipt(const char *receipt) {
+    HELD(text, again);
+    const char *end = strstr(receipt, checksum_key);
+    if (strncmp(receipt, first_line, strlen(first_line)) != 0 || !end)
         return 0;
-    snprintf(again, sizeof again, "%.*s", (int)(end - text), text);
-    append_checksum(again);
-    return strcmp(text, again) == 0;
+    text_bytes(&again, receipt, (size_t)(end - receipt));
+    if (!again.failed)
+        put_checksum(&again);
+    return !again.failed && strcmp(receipt, again.data) == 0;
 }
 
 static int read_receipt(char text[RECEIPT], const char *path, const context_options *o) {
@@ -91,12 +82,8 @@ static int read_hash_line(unsigned char hash[HASH], const char *text, const char
     const char *at = strstr(text, key);
     if (!at || strspn(at + strlen(key), "0123456789abcdef") != 2 * HASH)
         return 0;
-    for (size_t k = 0; k < HASH; k++) {
-        unsigned value;
-        if (sscanf(at + strlen(key) + 2 * k, "%2x", &value) != 1)
-            return 0;
-        hash[k] = (unsigned char)value;
-    }
+    for (size_t k = 0; k < HASH; k++)
+        sscanf(at + strlen(key) + 2 * k, "%2hhx", &hash[k]);
     return 1;
 }
 
@@ -109,35 +96,31 @@ static int is_known_before(const char *line) {
  * known before it is read. */
 static int compare_receipts(const char *path, const char *there, const graze_scene *scene,
                             const scene_options *o) {
-    char mine[RECEIPT];
-    const char *here = mine;
-    make_receipt(mine, scene, o);
-    while (*there || *here) {
-        size_t n = strcspn(there, "\n"), m = strcspn(here, "\n");
-        if ((scene || is_known_before(here)) && (n != m || memcmp(there, here, n) != 0))
+    HELD(text, mine);
+    field a, b;
+    put_receipt(&mine, scene, o);
+    if (mine.failed)
+        return complain(EXIT_IO, "out of memory");
+    for (const char *here = mine.data; lines_differ(&a, &b, &there, &here);)
+        if (scene || is_known_before(b.start))
             return complain(
                 EXIT_INPUT,
                 "%s: is a receipt for `%.*s`, and this run has `%.*s`; expected a receipt for "
                 "this solid, motion and these options",
-                path, (int)n, there, (int)m, here);
-        there += n + (there[n] == '\n');
-        here += m + (here[m] == '\n');
-    }
+                path, (int)a.length, a.start, (int)b.length, b.start);
     return EXIT_DONE;
 }
 
 int receipt_load(loaded *out, const char *path, const scene_options *o) {
-    char text[RECEIPT];
+    char receipt[RECEIPT];
     unsigned char solid[HASH];
     if (!path)
         return loaded_read(out, o, EXIT_INPUT, NULL);
     memset(out, 0, sizeof *out);
-    int status = read_receipt(text, path, &o->context);
-    if (!status && !read_hash_line(solid, text, solid_key))
-        status = complain(EXIT_INPUT, "%s: names no solid", path);
-    if (!status)
-        status = compare_receipts(path, text, NULL, o);
-    if (!status)
-        status = loaded_read(out, o, EXIT_INPUT, solid);
-    return status ? status : compare_receipts(path, text, out->scene, o);
+    TRY(read_receipt(receipt, path, &o->context));
+    if (!read_hash_line(solid, receipt, solid_key))
+        return complain(EXIT_INPUT, "%s: names no solid", path);
+    TRY(compare_receipts(path, receipt, NULL, o));
+    TRY(loaded_read(out, o, EXIT_INPUT, solid));
+    return compare_receipts(path, receipt, out->scene, o);
 }
