@@ -57,7 +57,7 @@ static int compare_heads(const part *a, const part *b) {
         return complain(EXIT_INPUT, "%s has `%.*s` and %s has `%.*s`; expected parts of one run",
                         a->in.name, (int)(one.length < 200 ? one.length : 200), one.start,
                         b->in.name, (int)(other.length < 200 ? other.length : 200), other.start);
-    if (a->rows_of_all != b->rows_of_all || a->points != b->points)
+    if (a->last.rows_of_all != b->last.rows_of_all || a->last.points != b->last.points)
         return complain(EXIT_INPUT,
                         "%s and %s were made from different points; expected parts of one run",
                         a->in.name, b->in.name);
@@ -97,7 +97,7 @@ static int check_parts(merger *m) {
 }
 
 static int copy_rows(merger *m, const merge_options *o) {
-    unsigned long rows = m->parts[0].rows_of_all, row = 0;
+    unsigned long rows = m->parts[0].last.rows_of_all, row = 0;
     int status = EXIT_DONE;
     progress line;
     progress_start(&line, o->quiet, 0, (portion){0, rows});
@@ -113,18 +113,19 @@ static int copy_rows(merger *m, const merge_options *o) {
     return status;
 }
 
-/* The last lines. */
-static void put_counts(merger *m) {
-    char text[96];
-    const char *mark = result_mark(m->parts[0].kind);
-    unsigned long undecided = 0;
-    for (size_t k = 0; k < m->count; k++)
-        undecided += m->parts[k].undecided;
-    snprintf(text, sizeof text, "%s" UNDECIDED_LINE "%lu\n", mark, undecided);
-    if (m->parts[0].topo)
-        output_put(&m->out, text);
-    snprintf(text, sizeof text, "%s" COMPLETE_LINE "%lu\n", mark, m->parts[0].rows_of_all);
-    output_put(&m->out, text);
+/* The last lines: those of a part, of all rows and without what is of a shard. */
+static int put_counts(merger *m) {
+    HELD(text, lines);
+    last_lines all = m->parts[0].last;
+    result_kind kind = m->parts[0].kind;
+    all.of_shard = 0;
+    all.rows = all.rows_of_all;
+    for (size_t k = 1; k < m->count; k++)
+        all.undecided += m->parts[k].last.undecided;
+    last_lines_begin(&lines, kind, &all);
+    last_lines_end(&lines, kind, &all);
+    output_bytes(&m->out, lines.data, lines.length);
+    return lines.failed ? complain(EXIT_IO, "out of memory") : EXIT_DONE;
 }
 
 static int merge_parts(merger *m, const merge_options *o, const operands *given) {
@@ -136,8 +137,7 @@ static int merge_parts(merger *m, const merge_options *o, const operands *given)
     m->opened = 1;
     output_put(&m->out, m->parts[0].head.data);
     TRY(copy_rows(m, o));
-    put_counts(m);
-    return EXIT_DONE;
+    return put_counts(m);
 }
 
 static const option_entry merge_table[] = {OUTPUT(merge_options, output, value_output),

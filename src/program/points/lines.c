@@ -3,6 +3,10 @@
  */
 #include "program/points/points.h"
 
+#include <stdlib.h>
+#include <string.h>
+#include "base/context/scope.h"
+#include "base/number/text.h"
 #include "input/delimited/delimited.h"
 
 const char *result_name(result_kind kind) {
@@ -38,4 +42,54 @@ int line_ends_head(result_kind kind, field line) {
 int line_note(field *value, result_kind kind, field line, const char *key) {
     field note;
     return field_behind(&note, line, result_mark(kind)) && field_behind(value, note, key);
+}
+
+static const char undecided_key[] = "undecided ", rows_key[] = "rows-of-all-shards ",
+                  points_key[] = "points-checksum ";
+
+void last_lines_begin(text *out, result_kind kind, const last_lines *l) {
+    const char *mark = result_mark(kind);
+    if (l->counts_undecided)
+        text_format(out, "%s%s%lu\n", mark, undecided_key, l->undecided);
+    if (l->of_shard)
+        text_format(out, "%s%s%lu\n%s%s%016llx\n", mark, rows_key, l->rows_of_all, mark, points_key,
+                    l->points);
+}
+
+void last_lines_end(text *out, result_kind kind, const last_lines *l) {
+    const char *mark = result_mark(kind);
+    if (l->of_shard)
+        text_format(out, "%s" SHARD_BYTES "%016llx\n", mark, l->bytes);
+    text_format(out, "%s" COMPLETE_LINE "%lu\n", mark, l->rows);
+}
+
+static unsigned long long number_behind(const char *at, const char *key, int base) {
+    const char *number = strstr(at, key);
+    return number ? strtoull(number + strlen(key), NULL, base) : 0;
+}
+
+/* They are those that are written for the same numbers. */
+static int are_these(last_lines *out, result_kind kind, const char *at, field first) {
+    field value;
+    HELD(text, same);
+    *out = (last_lines){line_note(&value, kind, first, undecided_key),
+                        1,
+                        (unsigned long)number_behind(at, undecided_key, 10),
+                        (unsigned long)number_behind(at, rows_key, 10),
+                        (unsigned long)number_behind(at, COMPLETE_LINE, 10),
+                        number_behind(at, points_key, 16),
+                        number_behind(at, SHARD_BYTES, 16)};
+    last_lines_begin(&same, kind, out);
+    last_lines_end(&same, kind, out);
+    return !same.failed && strcmp(at, same.data) == 0;
+}
+
+int last_lines_read(last_lines *out, result_kind kind, const char *tail) {
+    field rest = {tail, strlen(tail)};
+    while (rest.length) {
+        const char *at = rest.start;
+        if (are_these(out, kind, at, field_line(&rest)))
+            return 1;
+    }
+    return 0;
 }

@@ -186,17 +186,27 @@ int coordinates_put(text *out, fault *f, const coordinate_options *o, graze_cont
  * 2n, ... of the whole run, counted from 1. So the number of rows need not be known, easy and hard
  * regions are shared evenly, and the whole is put together by taking rows in turn again. */
 
-/** Notes that a shard's table or certificate has and a whole one lacks: the shard, in
- * the head; and before the last line the number of rows of all shards, a checksum of their points
- * (0 for a grid), and one of all bytes before it. */
+/** The note that names the shard in the head of its table or certificate. */
 #define SHARD_LINE "shard "
-#define SHARD_ROWS "rows-of-all-shards "
-#define SHARD_POINTS "points-checksum "
+/** The key of the checksum of all bytes before it, which a shard's file has. */
 #define SHARD_BYTES "bytes-checksum "
-/** Before these notes, in a table with positions (--topo): the number of undecided ones. */
-#define UNDECIDED_LINE "undecided "
-/** The last line, with the number of rows. */
+/** The key of the last line, which has the number of rows. */
 #define COMPLETE_LINE "complete "
+
+/** The last lines of a table or a certificate: `undecided` where rows may be; of a shard how many
+ * rows all shards have, a checksum of their points (0 for a grid) and one of all bytes before it;
+ * and `complete`. */
+typedef struct last_lines {
+    int counts_undecided, of_shard;
+    unsigned long undecided, rows_of_all, rows;
+    unsigned long long points, bytes;
+} last_lines;
+
+/** Append those before the checksum of bytes, and those from it on. */
+void last_lines_begin(text *out, result_kind kind, const last_lines *l);
+void last_lines_end(text *out, result_kind kind, const last_lines *l);
+/** Read the last lines at the end of a shard's file; 0 if it does not end with them. */
+int last_lines_read(last_lines *out, result_kind kind, const char *tail);
 
 /** Shard `index` < `count`; one shard is the whole run. */
 typedef struct shard {

@@ -25,7 +25,8 @@ static const char *command_of(const part *p) {
 }
 
 static int complain_of_rows(const part *p) {
-    return complain(EXIT_INPUT, "%s: has other rows than the %lu it counts", p->in.name, p->rows);
+    return complain(EXIT_INPUT, "%s: has other rows than the %lu it counts", p->in.name,
+                    p->last.rows);
 }
 
 /* Go on to the next line; the one before it belongs to the sum. */
@@ -67,7 +68,7 @@ int part_end(part *p) {
         sum_line(p, p->next);
         TRY(go_on(p));
     }
-    if (checksum_value(&p->sum) == p->bytes)
+    if (checksum_value(&p->sum) == p->last.bytes)
         return EXIT_DONE;
     return complain(EXIT_INPUT,
                     "%s: was changed: its bytes have another checksum than its last lines say; "
@@ -131,79 +132,34 @@ static int read_head(part *p) {
     return EXIT_DONE;
 }
 
-/* A checksum is 16 hexadecimal digits. */
-static int read_sum(unsigned long long *out, field value) {
-    *out = 0;
-    for (size_t k = 0; k < value.length; k++) {
-        const char *digits = "0123456789abcdef", *at = memchr(digits, value.start[k], 16);
-        if (!at)
-            return 0;
-        *out = *out << 4 | (unsigned long long)(at - digits);
-    }
-    return value.length == 16;
-}
-
-/* The last lines; `undecided` stands where rows have positions. */
-enum { LAST_UNDECIDED, LAST_ROWS, LAST_POINTS, LAST_BYTES, LAST_COMPLETE, LAST_LINES };
-
-static int take_last_line(part *p, int which, field value) {
-    switch (which) {
-    case LAST_UNDECIDED:
-        p->topo = 1;
-        return field_count(&p->undecided, value, ~0ul);
-    case LAST_ROWS:
-        return field_count(&p->rows_of_all, value, ~0ul);
-    case LAST_POINTS:
-        return read_sum(&p->points, value);
-    case LAST_BYTES:
-        return read_sum(&p->bytes, value);
-    default:
-        return field_count(&p->rows, value, ~0ul);
-    }
-}
-
-/* Read the last lines. *found is their number; less where another stands among them. */
-static int read_last_lines(part *p, int *found) {
-    static const char *const key[LAST_LINES] = {UNDECIDED_LINE, SHARD_ROWS, SHARD_POINTS,
-                                                SHARD_BYTES, COMPLETE_LINE};
-    field line, value;
+/* The whole lines at the end of the file. */
+static int read_tail_lines(part *p, text *tail) {
+    field line;
     TRY(next_line(p, &line)); /* perhaps a piece of one */
-    *found = LAST_UNDECIDED;
     while (line.start) {
         TRY(next_line(p, &line));
-        if (!line.start)
-            break;
-        int which = *found;
-        if (which == LAST_UNDECIDED && !line_note(&value, p->kind, line, UNDECIDED_LINE))
-            which = LAST_ROWS;
-        if (which < LAST_LINES && p->in.whole && line_note(&value, p->kind, line, key[which]) &&
-            take_last_line(p, which, value))
-            *found = which + 1;
-        else
-            *found = LAST_UNDECIDED;
+        if (line.start)
+            stream_copy_line(tail, &p->in, line);
     }
-    return EXIT_DONE;
+    return tail->failed ? complain(EXIT_IO, "out of memory") : EXIT_DONE;
 }
 
 /* Read the last lines of a file of `size` bytes, and go back to the rows. */
 static int read_tail(part *p, long long size) {
     long long rows = stream_tell(&p->in);
     unsigned long head_lines = p->in.line;
-    int found = 0;
-    int status = complain_of(stream_seek(&p->in, size > TAIL ? size - TAIL : 0), p->in.context);
-    if (!status)
-        status = read_last_lines(p, &found);
-    if (status)
-        return status;
-    if (found != LAST_LINES)
+    HELD(text, tail);
+    TRY(complain_of(stream_seek(&p->in, size > TAIL ? size - TAIL : 0), p->in.context));
+    TRY(read_tail_lines(p, &tail));
+    if (!tail.length || !last_lines_read(&p->last, p->kind, tail.data))
         return complain(EXIT_INPUT,
                         "%s: does not end with `%sbytes-checksum` and `complete`: the run was "
                         "interrupted, or an older graze made it; %s --resume continues it",
                         p->in.name, result_mark(p->kind), command_of(p));
-    unsigned long dealt = shard_rows(p->shard, p->rows_of_all);
-    if (p->rows != dealt)
+    unsigned long dealt = shard_rows(p->shard, p->last.rows_of_all);
+    if (p->last.rows != dealt)
         return complain(EXIT_INPUT, "%s: counts %lu rows; expected %lu of %lu in all", p->in.name,
-                        p->rows, dealt, p->rows_of_all);
+                        p->last.rows, dealt, p->last.rows_of_all);
     p->in.line = head_lines;
     return complain_of(stream_seek(&p->in, rows), p->in.context);
 }

@@ -3,7 +3,6 @@
  */
 #include "program/run/run.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -270,20 +269,6 @@ int results_failed(const results *out) {
     return 0;
 }
 
-/* A line at the end of a table or certificate. */
-static int put_last_line(results *out, result_kind kind, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
-
-static int put_last_line(results *out, result_kind kind, const char *format, ...) {
-    char line[96];
-    va_list values;
-    int length = snprintf(line, sizeof line, "%s", result_mark(kind));
-    va_start(values, format);
-    vsnprintf(line + length, sizeof line - (size_t)length, format, values);
-    va_end(values);
-    return result_add(&out->file[kind], line, strlen(line), 0);
-}
-
 /* The last set of columns that is asked for and may be undecided, or NULL. */
 static const column_set *undecided_set(const results *out) {
     const column_set *last = NULL;
@@ -300,17 +285,24 @@ static int counts_undecided(const results *out) {
 /* A shard's last lines match it with the others; `complete` is the last line of all. */
 static int put_last_lines(results *out, result_kind kind, unsigned long rows_of_all,
                           unsigned long long points) {
-    const result *file = &out->file[kind];
-    if (kind == RESULT_TABLE && counts_undecided(out))
-        TRY(put_last_line(out, kind, UNDECIDED_LINE "%lu\n", out->at.undecided));
-    if (out->o->shard.given) {
-        TRY(put_last_line(out, kind, SHARD_ROWS "%lu\n", rows_of_all));
-        TRY(put_last_line(out, kind, SHARD_POINTS "%016llx\n", points));
-        TRY(put_last_line(out, kind, SHARD_BYTES "%016llx\n", checksum_value(&file->sum)));
-    }
-    TRY(put_last_line(out, kind, COMPLETE_LINE "%lu\n", file->rows));
+    result *file = &out->file[kind];
+    HELD(text, lines);
+    last_lines last = {.counts_undecided = kind == RESULT_TABLE && counts_undecided(out),
+                       .of_shard = out->o->shard.given,
+                       .undecided = out->at.undecided,
+                       .rows_of_all = rows_of_all,
+                       .rows = file->rows,
+                       .points = points};
+    last_lines_begin(&lines, kind, &last);
+    TRY(result_add(file, lines.data, lines.length, 0));
+    last.bytes = checksum_value(&file->sum);
+    lines.length = 0;
+    last_lines_end(&lines, kind, &last);
+    if (lines.failed)
+        return complain(EXIT_IO, "out of memory");
+    TRY(result_add(file, lines.data, lines.length, 0));
     TRY(result_end(file));
-    output_flush(&out->file[kind].out);
+    output_flush(&file->out);
     return EXIT_DONE;
 }
 

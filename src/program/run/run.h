@@ -169,10 +169,7 @@ typedef struct part {
     text head;    /* without the line that names the shard */
     field next;   /* the line behind the rows that are copied, borrowed from `in` */
     checksum sum; /* of the bytes before that line */
-    unsigned long rows, rows_of_all;
-    int topo;                /* rows have positions */
-    unsigned long undecided; /* the number of undecided positions, as the last lines state it */
-    unsigned long long points, bytes; /* checksums in the last lines */
+    last_lines last;
 } part;
 
 /** Read head and last lines, and see that they fit together. Returns an exit status and says what
