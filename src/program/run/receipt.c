@@ -18,7 +18,7 @@ static const char first_line[] = "graze receipt 1\n";
 static const char solid_key[] = "\nsolid-sha256 ";
 static const char checksum_key[] = "\nchecksum ";
 
-static void put_hash(text *t, const char *key, const unsigned char hash[HASH]) {
+static void put_hash_line(text *t, const char *key, const unsigned char hash[HASH]) {
     text_put(t, key);
     for (size_t k = 0; k < HASH; k++)
         text_format(t, "%02x", hash[k]);
@@ -34,9 +34,9 @@ static void put_checksum(text *t) {
 static void put_receipt(text *t, const graze_scene *scene, const scene_options *o) {
     graze_hashes hashes = graze_scene_hashes(scene);
     text_format(t, "%sversion " GRAZE_VERSION, first_line);
-    put_hash(t, solid_key, hashes.solid);
-    put_hash(t, "\nmotion-sha256 ", hashes.motion);
-    put_hash(t, "\nscene-sha256 ", hashes.scene);
+    put_hash_line(t, solid_key, hashes.solid);
+    put_hash_line(t, "\nmotion-sha256 ", hashes.motion);
+    put_hash_line(t, "\nscene-sha256 ", hashes.scene);
     text_format(t, "\ntriangulate %s\nround %s",
                 o->solid_flags & GRAZE_SOLID_TRIANGULATE ? "yes" : "no",
                 graze_rounding_name(o->context.rounding));
