@@ -113,7 +113,8 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         named = [(n, name) for n, name in enumerate(casefile.names()) if chosen.only in name]
         for n, name in named if chosen.derived else []:
-            check_known(tally, programs, casefile.Case(name), folder, chosen.scale > 1 or n % 8 == 0 or name == "bracket")
+            # In figure2-turn-3d a sign follows a number without a blank, which graze-check does not read.
+            check_known(tally, programs, casefile.Case(name), folder, chosen.scale > 1 or n % 8 == 0 or name in ("bracket", "figure2-turn-3d"))
         for n, name in chosen.once(named):
             case = casefile.Case(name)
             check_generated(tally, programs, case, folder, chosen.rows or min(300, 20 * max(1, int(chosen.scale))))

@@ -50,6 +50,8 @@ static const char *pass_sum(const char *s) {
     for (s += *s == '-';; s++) {
         s = pass_blanks(s);
         size_t digits = strspn(s, "0123456789./eE");
+        if (digits && (s[digits] == '+' || s[digits] == '-'))
+            return NULL; /* graze-check takes the sign for the number's */
         s = pass_blanks(s + digits);
         int times = digits && *s == '*';
         s = times ? pass_blanks(s + 1) : s;
