@@ -10,7 +10,12 @@
 /** out = a + b, out = a - b; `out` may be either. */
 void vector_add(fmpq *out, const fmpq *a, const fmpq *b, int dimension);
 void vector_sub(fmpq *out, const fmpq *a, const fmpq *b, int dimension);
+/** out = (a + b) / 2; `out` may be either. */
+void vector_middle(fmpq *out, const fmpq *a, const fmpq *b, int dimension);
 int vector_is_zero(const fmpq *a, int dimension);
+/** The order of two points: by their first coordinates that differ. */
+int vector_compare(const fmpq *a, const fmpq *b, int dimension);
+void vector_set(fmpq *out, const fmpq *a, int dimension);
 /** out = a x b, in space; `out` is neither. */
 void vector_cross(fmpq *out, const fmpq *a, const fmpq *b);
 /** The image of a point under a homogeneous matrix of size d + 1; `out` is another vector. */

@@ -5,8 +5,6 @@
  * no leading coefficient, discriminant or resultant by y has a root, the roots in y of all forms
  * are continuous and distinct; so one x in each interval and one y in each gap are enough (C129).
  */
-#include "decide/curved/curved.h"
-
 #include <flint/fmpq_mpoly.h>
 #include <flint/fmpz_mpoly.h>
 #include <flint/fmpz_mpoly_factor.h>
@@ -16,8 +14,6 @@
 #include "base/number/order.h"
 #include "base/number/refine.h"
 #include "decide/curved/arrangement.h"
-#include "decide/curved/walker.h"
-#include "input/csg/csg.h"
 
 enum { X, Y, VARIABLES, PARTS = CSG_FREE_MOST * CSG_DEGREE + VARIABLES };
 
@@ -166,7 +162,7 @@ static void walk_gaps(apex *a, cuts *at, int variable) {
     for (int end = 0; end < 2; end++, fmpz_neg(at->bound, at->bound))
         algebraic_set_dyadic(algebraic_list_append(&at->root), at->bound, 0);
     size_t n = at->root.count;
-    algebraic **order = malloc(n * sizeof(algebraic *));
+    FREED(algebraic *, order, malloc(n * sizeof(algebraic *)));
     if (!order) {
         f->status = context_fail(f->context, GRAZE_ESYSTEM, "out of memory for %zu directions", n);
         return;
@@ -179,7 +175,6 @@ static void walk_gaps(apex *a, cuts *at, int variable) {
         if (f->status == GRAZE_OK)
             variable + 2 < a->g->dimension ? walk_line(a) : look_both_ways(a);
     }
-    free(order);
 }
 
 /* Walk the directions with the x that is set: cut y at the roots of all parts at this x. */

@@ -5,11 +5,8 @@
  * in which d - 1 planes meet, and the sum of those in a full cell is interior to it. A pattern of
  * the members alone is a union of such cells.
  */
-#include "decide/curved/curved.h"
-
 #include "base/context/scope.h"
 #include "decide/curved/arrangement.h"
-#include "decide/curved/walker.h"
 
 void field_dot(value *out, moment_field *f, const value *a, const value *b, int dimension) {
     fmpq_poly_zero(out);

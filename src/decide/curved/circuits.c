@@ -6,12 +6,8 @@
  * units of the sign of -mu_k / mu_m, phi the last member where the others are 0: the pattern
  * occurs iff phi takes the sign e sgn mu_m arbitrarily near (C97).
  */
-#include "decide/curved/curved.h"
-
 #include "base/context/scope.h"
 #include "decide/curved/arrangement.h"
-#include "decide/curved/walker.h"
-#include "input/csg/csg.h"
 
 /* Whether a function takes a sign arbitrarily near the point. */
 typedef enum taking { TAKES_NOT, TAKES, TAKES_PERHAPS } taking;

@@ -6,13 +6,9 @@
  * and the rank of their gradients is constant on it (proofs/flows.md C121). The coefficients of v
  * and of the combinations solve a linear system of integers, whatever the time.
  */
-#include "decide/curved/curved.h"
-
 #include <flint/fmpz_mat.h>
 #include "base/context/scope.h"
 #include "decide/curved/arrangement.h"
-#include "decide/curved/walker.h"
-#include "input/csg/csg.h"
 
 /* Degrees of v: axes of revolution have 1, pipes that meet in a circle 3, and 5 is that of the
  * cross product of two gradients of degree 3, divided by a plane in which they are parallel. */

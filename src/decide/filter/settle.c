@@ -2,13 +2,9 @@
  * taken into windows, until no two things touch.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/filter/filter.h"
-
 #include <math.h>
 #include <stdlib.h>
-#include "decide/bounds/bounds.h"
 #include "decide/filter/search.h"
-#include "input/validate/validate.h"
 
 static int compare_by_time(const void *left, const void *right) {
     const candidate *a = left, *b = right;

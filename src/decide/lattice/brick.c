@@ -7,8 +7,6 @@
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "decide/filter/filter.h"
-#include "decide/scene/scene.h"
 #include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
 
