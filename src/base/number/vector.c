@@ -3,6 +3,10 @@
  */
 #include "base/number/vector.h"
 
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
+
 void vector_add(fmpq *out, const fmpq *a, const fmpq *b, int dimension) {
     for (int k = 0; k < dimension; k++)
         fmpq_add(out + k, a + k, b + k);
@@ -52,4 +56,26 @@ int vector_compare(const fmpq *a, const fmpq *b, int dimension) {
 void vector_set(fmpq *out, const fmpq *a, int dimension) {
     for (int i = 0; i < dimension; i++)
         fmpq_set(out + i, a + i);
+}
+
+void cross_integers(fmpz_t out, const fmpz *p, const fmpz *q, const fmpz *r, int i, int j) {
+    LOCAL(fmpz, a);
+    LOCAL(fmpz, b);
+    fmpz_sub(a, q + i, p + i);
+    fmpz_sub(b, r + j, p + j);
+    fmpz_mul(out, a, b);
+    fmpz_sub(a, q + j, p + j);
+    fmpz_sub(b, r + i, p + i);
+    fmpz_submul(out, a, b);
+}
+
+/* By integers over one denominator. */
+void cross_rationals(fmpq_t out, const fmpq *p, const fmpq *q, const fmpq *r, int i, int j) {
+    const fmpq borrowed[] = {p[i], p[j], q[i], q[j], r[i], r[j]};
+    LOCAL_VEC(fmpz, at, 8);
+    fmpz *common = at + 6, *product = at + 7;
+    _fmpq_vec_get_fmpz_vec_fmpz(at, common, borrowed, 6);
+    cross_integers(product, at, at + 2, at + 4, 0, 1);
+    fmpz_mul(common, common, common);
+    fmpq_set_fmpz_frac(out, product, common);
 }

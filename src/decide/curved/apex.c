@@ -232,23 +232,20 @@ static void walk_directions(apex *a) {
 /* If a member's lowest form is quadratic and definite, exclude its other sign (C99). */
 static void exclude_by_definite_form(sign_germ *g, int k) {
     const taylor *t = &g->member[k];
-    value *h = field_vector(g->f, 12); /* a matrix: twice the form; and a product of its rows */
-    for (size_t n = 0; n < t->count && h; n++)
+    LOCAL_VEC(fmpq_poly, h, 12); /* a matrix: twice the form; and a product of its rows */
+    for (size_t n = 0; n < t->count; n++)
         for (int i = 0; i < g->dimension && power_sum(t, n) == 2; i++)
             for (int j = 0; j < g->dimension; j++)
                 if (t->power[n][i] && t->power[n][j] && (i != j || t->power[n][i] == 2))
                     fmpq_poly_scalar_mul_si(h + 3 * i + j, t->coefficient + n, i == j ? 2 : 1);
-    if (h) {
-        int sign = field_sign(g->f, h);
-        unsigned bit = 1u << k;
-        if (g->dimension == 2)
-            fmpq_poly_set(h + 8, h);
-        field_cross(h + 9, g->f, h, h + 3);
-        field_dot(h, g->f, h + 6, h + 9, 3);
-        if (sign && field_sign(g->f, h + 11) > 0 && field_sign(g->f, h) == sign)
-            germ_exclude(g, bit, sign > 0 ? bit : 0);
-    }
-    field_vector_clear(h, 12);
+    int sign = field_sign(g->f, h);
+    unsigned bit = 1u << k;
+    if (g->dimension == 2)
+        fmpq_poly_set(h + 8, h);
+    field_cross(h + 9, g->f, h, h + 3);
+    field_dot(h, g->f, h + 6, h + 9, 3);
+    if (sign && field_sign(g->f, h + 11) > 0 && field_sign(g->f, h) == sign)
+        germ_exclude(g, bit, sign > 0 ? bit : 0);
 }
 
 /* Set `near`. */

@@ -58,30 +58,24 @@ size_t time_first_piece(const graze_time *time) {
 
 graze_status time_between(size_t *piece, fmpq_t u, graze_context *context, graze_time *before,
                           graze_time *after) {
-    algebraic one;
     HELD(algebraic, zero);
-    algebraic_init(&one);
+    HELD(algebraic, one);
     fmpq_one(one.value);
     *piece = before->piece;
     algebraic *low = &before->u;
     int order = 0;
-    graze_status status = algebraic_compare(&order, context, low, &one);
-    if (status == GRAZE_OK && order == 0) {
+    TRY(algebraic_compare(&order, context, low, &one));
+    if (order == 0) {
         ++*piece;
         low = &zero;
     }
     algebraic *high = after->piece == *piece ? &after->u : &one;
-    if (status == GRAZE_OK)
-        status = algebraic_compare(&order, context, low, high);
+    TRY(algebraic_compare(&order, context, low, high));
     /* Windows that were not apart would give one time twice, between which there is none. */
-    if (status == GRAZE_OK && after->piece >= *piece && order < 0) {
-        status = algebraic_between(u, context, low, high);
-    } else if (status == GRAZE_OK) {
-        status = context_fail(context, GRAZE_EINTERNAL,
-                              "two contacts, one after the other, are not in order of time");
-    }
-    algebraic_clear(&one);
-    return status;
+    if (after->piece >= *piece && order < 0)
+        return algebraic_between(u, context, low, high);
+    return context_fail(context, GRAZE_EINTERNAL,
+                        "two contacts, one after the other, are not in order of time");
 }
 
 /* With lo = a / b and hi - lo = c / e: u = (e b t - e a) / (b c). The result is p(u) times a

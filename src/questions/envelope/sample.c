@@ -55,13 +55,13 @@ static graze_status pick_parameter(fmpq_t out, graze_context *context, const gra
         algebraic_set(&low, &e->events.time[gap->from]->u);
     if (gap->to != SIZE_MAX)
         algebraic_set(&high, &e->events.time[gap->to]->u);
-    graze_status status = algebraic_between(out, context, &low, &high);
-    for (size_t steps = random_below(r, 4); steps > 0 && !status; steps--) {
+    TRY(algebraic_between(out, context, &low, &high));
+    for (size_t steps = random_below(r, 4); steps > 0; steps--) {
         algebraic_set_rational(&middle, out);
-        status = random_below(r, 2) ? algebraic_between(out, context, &low, &middle)
-                                    : algebraic_between(out, context, &middle, &high);
+        TRY(random_below(r, 2) ? algebraic_between(out, context, &low, &middle)
+                               : algebraic_between(out, context, &middle, &high));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* A point of a part by chance, not one of its ends if it has two. */
