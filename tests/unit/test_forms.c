@@ -5,7 +5,7 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "../lib/random.h"
-#include "base/number/cross.h"
+#include "base/number/vector.h"
 #include "input/solid/solid.h"
 #include "input/validate/validate.h"
 #include "fixture.h"

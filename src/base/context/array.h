@@ -18,4 +18,32 @@ int array_reserve(void *items, size_t *capacity, size_t count, size_t size);
 graze_status array_grow(graze_context *context, void *items, size_t *capacity, size_t count,
                         size_t size, const char *what);
 
+/** array_grow for one entry more of a list with the members item, count and capacity. */
+#define LIST_GROW(context, list, what)                                                             \
+    array_grow(context, &(list)->item, &(list)->capacity, (list)->count + 1, sizeof *(list)->item, \
+               what)
+
+/** An order as of qsort. */
+typedef int array_order(const void *left, const void *right);
+
+/** The order of two numbers, size_t. */
+int array_compare_numbers(const void *left, const void *right);
+
+/** Sort entries, and keep the first of equal ones. @return the number kept */
+size_t array_sort_once(void *items, size_t count, size_t size, array_order *order);
+
+/** The index of the first of some sorted entries that is not less than the key; else `count`. */
+size_t array_first(const void *key, const void *items, size_t count, size_t size,
+                   array_order *order);
+
+/** A list of numbers; it begins as zeros. */
+typedef struct numbers {
+    size_t count, capacity, *item;
+} numbers;
+
+graze_status numbers_add(numbers *list, graze_context *context, size_t number, const char *what);
+void numbers_clear(numbers *list);
+/** Put a list in order, each number once. */
+void numbers_sort(numbers *list);
+
 #endif

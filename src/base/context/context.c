@@ -32,23 +32,19 @@ static const struct {
 };
 
 graze_status graze_context_create(graze_context **out) {
-    if (out == NULL) {
+    if (out == NULL)
         return GRAZE_EUSE;
-    }
     *out = calloc(1, sizeof **out);
-    if (*out == NULL) {
+    if (*out == NULL)
         return GRAZE_ESYSTEM;
-    }
-    for (int k = 0; k < GRAZE_LIMIT_COUNT; k++) {
+    for (int k = 0; k < GRAZE_LIMIT_COUNT; k++)
         (*out)->limits[k] = limit_table[k].preset;
-    }
     return GRAZE_OK;
 }
 
 void graze_context_destroy(graze_context *context) {
-    if (context != NULL && context->workspace != NULL) {
+    if (context != NULL && context->workspace != NULL)
         context->workspace_free(context->workspace);
-    }
     free(context);
 }
 
@@ -61,9 +57,8 @@ const char *graze_context_message(const graze_context *context) {
 }
 
 graze_place graze_context_place(const graze_context *context) {
-    if (context == NULL) {
+    if (context == NULL)
         return (graze_place){"", 0, "", 0, ""};
-    }
     const context_place *at = &context->place;
     return (graze_place){at->file, at->line, at->item, at->index, at->field};
 }
@@ -74,17 +69,14 @@ static int is_limit(graze_limit limit) {
 
 graze_status graze_context_set_limit(graze_context *context, graze_limit limit,
                                      unsigned long value) {
-    if (context == NULL) {
+    if (context == NULL)
         return GRAZE_EUSE;
-    }
-    if (!is_limit(limit)) {
+    if (!is_limit(limit))
         return context_fail(context, GRAZE_EUSE, "limit %d: expected 0 to %d", (int)limit,
                             (int)GRAZE_LIMIT_COUNT - 1);
-    }
-    if (value == 0 || value > limit_table[limit].largest) {
+    if (value == 0 || value > limit_table[limit].largest)
         return context_fail(context, GRAZE_EUSE, "limit %s=%lu: expected 1 to %lu",
                             limit_table[limit].name, value, limit_table[limit].largest);
-    }
     context->limits[limit] = value;
     return GRAZE_OK;
 }
@@ -94,9 +86,8 @@ unsigned long graze_context_limit(const graze_context *context, graze_limit limi
 }
 
 void graze_context_set_filter(graze_context *context, int on) {
-    if (context != NULL) {
+    if (context != NULL)
         context->exact_only = !on;
-    }
 }
 
 const char *graze_status_name(graze_status status) {
@@ -115,13 +106,11 @@ const char *graze_limit_name(graze_limit limit) {
 }
 
 graze_status graze_context_set_rounding(graze_context *context, graze_rounding rounding) {
-    if (context == NULL) {
+    if (context == NULL)
         return GRAZE_EUSE;
-    }
-    if (graze_rounding_name(rounding) == NULL) {
+    if (graze_rounding_name(rounding) == NULL)
         return context_fail(context, GRAZE_EUSE, "rounding %d: expected none, binary64 or binary32",
                             (int)rounding);
-    }
     context->rounding = rounding;
     return GRAZE_OK;
 }
@@ -149,11 +138,9 @@ static void set_message(graze_context *context, const char *text) {
         unsigned char c = (unsigned char)text[k];
         context->message[k] = c < 0x20 || c == 0x7f ? '?' : text[k];
     }
-    if (n == CONTEXT_MESSAGE_SIZE - 1) {
-        while (n > 0 && ((unsigned char)text[n - 1] & 0x80) != 0) {
+    if (n == CONTEXT_MESSAGE_SIZE - 1)
+        while (n > 0 && ((unsigned char)text[n - 1] & 0x80) != 0)
             n--;
-        }
-    }
     context->message[n] = '\0';
 }
 
@@ -196,9 +183,8 @@ graze_status context_in(graze_context *context, graze_status status, const char 
                         size_t line) {
     char where[CONTEXT_MESSAGE_SIZE];
     int used = snprintf(where, sizeof where, "%s", file);
-    if (line != 0 && used >= 0 && (size_t)used < sizeof where) {
+    if (line != 0 && used >= 0 && (size_t)used < sizeof where)
         snprintf(where + used, sizeof where - (size_t)used, ":%zu", line);
-    }
     put_before(context, where);
     set_field(context->place.file, sizeof context->place.file, file);
     context->place.line = line;
@@ -237,20 +223,17 @@ graze_status context_limit(graze_context *context, graze_limit limit, const char
 }
 
 graze_status context_poll(graze_context *context) {
-    if (context->cancel != NULL && context->cancel(context->cancel_data) != 0) {
+    if (context->cancel != NULL && context->cancel(context->cancel_data) != 0)
         return context_fail(context, GRAZE_ECANCELED, "canceled by the caller");
-    }
     return GRAZE_OK;
 }
 
 graze_status context_work(graze_context *context, unsigned long work) {
-    if (context == NULL) {
+    if (context == NULL)
         return GRAZE_OK;
-    }
     context->unpolled += work < POLLED_WORK ? work : POLLED_WORK;
-    if (context->unpolled < POLLED_WORK) {
+    if (context->unpolled < POLLED_WORK)
         return GRAZE_OK;
-    }
     context->unpolled = 0;
     return context_poll(context);
 }

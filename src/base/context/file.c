@@ -12,6 +12,7 @@
 #include "base/context/array.h"
 #include "base/context/file.h"
 #include "base/context/input.h"
+#include "base/context/scope.h"
 
 void file_sha256(unsigned char sha256[32], const char *text, size_t length) {
     SHA256_CTX state;
@@ -26,18 +27,11 @@ static graze_status read_stream(char **text, size_t *length, graze_context *cont
                                 const char *path, int file, size_t guess) {
     size_t capacity = 0;
     for (;;) {
-        if (*length > context->limits[GRAZE_LIMIT_BYTES]) {
+        if (*length > context->limits[GRAZE_LIMIT_BYTES])
             return context_limit(context, GRAZE_LIMIT_BYTES, path);
-        }
-        graze_status status =
-            array_grow(context, text, &capacity, capacity ? *length + 2 : guess, 1, path);
         size_t n;
-        if (status == GRAZE_OK) {
-            status = input_read(&n, context, path, file, *text + *length, capacity - *length - 1);
-        }
-        if (status != GRAZE_OK) {
-            return status;
-        }
+        TRY(array_grow(context, text, &capacity, capacity ? *length + 2 : guess, 1, path));
+        TRY(input_read(&n, context, path, file, *text + *length, capacity - *length - 1));
         if (n == 0) {
             (*text)[*length] = '\0';
             return GRAZE_OK;
@@ -51,10 +45,8 @@ graze_status file_read(char **text, size_t *length, unsigned char sha256[32],
     *text = NULL;
     *length = 0;
     int file;
-    graze_status status = input_open(&file, context, path);
-    if (status != GRAZE_OK) {
-        return status;
-    }
+    TRY(input_open(&file, context, path));
+    graze_status status;
     struct stat about;
     if (fstat(file, &about) != 0) {
         status =

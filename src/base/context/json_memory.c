@@ -20,53 +20,45 @@ static json_block *block_of(void *bytes) {
 
 /* Point the neighbours of a block that is new or has moved to it. */
 static void *link_in(json_memory *memory, json_block *block) {
-    if (block->newer != NULL) {
+    if (block->newer != NULL)
         block->newer->older = block;
-    } else {
+    else
         memory->newest = block;
-    }
-    if (block->older != NULL) {
+    if (block->older != NULL)
         block->older->newer = block;
-    }
     return block->bytes;
 }
 
 static void *json_allocate(void *data, size_t size) {
     json_memory *memory = data;
     json_block *block = malloc(sizeof *block + size);
-    if (block == NULL) {
+    if (block == NULL)
         longjmp(memory->short_of, 1);
-    }
     *block = (json_block){.older = memory->newest, .newer = NULL};
     return link_in(memory, block);
 }
 
 static void *json_resize(void *data, void *bytes, size_t size) {
     json_memory *memory = data;
-    if (bytes == NULL) {
+    if (bytes == NULL)
         return json_allocate(data, size);
-    }
     json_block *block = realloc(block_of(bytes), sizeof *block + size);
-    if (block == NULL) {
+    if (block == NULL)
         longjmp(memory->short_of, 1);
-    }
     return link_in(memory, block);
 }
 
 static void release(void *data, void *bytes) {
     json_memory *memory = data;
-    if (bytes == NULL) {
+    if (bytes == NULL)
         return;
-    }
     json_block *block = block_of(bytes);
-    if (block->newer != NULL) {
+    if (block->newer != NULL)
         block->newer->older = block->older;
-    } else {
+    else
         memory->newest = block->older;
-    }
-    if (block->older != NULL) {
+    if (block->older != NULL)
         block->older->newer = block->newer;
-    }
     free(block);
 }
 
@@ -76,7 +68,6 @@ void json_memory_init(json_memory *memory) {
 }
 
 void json_memory_clear(json_memory *memory) {
-    while (memory->newest != NULL) {
+    while (memory->newest != NULL)
         release(memory, memory->newest->bytes);
-    }
 }

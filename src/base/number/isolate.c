@@ -42,9 +42,7 @@ static graze_status search_cluster(const root_search *s, const dyadic_interval *
  * searched. The form is that of the interval; it is spent. */
 static graze_status roots_in_halves(const root_search *s, bernstein_form *form,
                                     const dyadic_interval *interval) {
-    graze_status status = algebraic_may_narrow(s->context, interval);
-    if (status != GRAZE_OK)
-        return status;
+    TRY(algebraic_may_narrow(s->context, interval));
     bernstein_form upper;
     HELD(dyadic_interval, left);
     HELD(dyadic_interval, right);
@@ -53,7 +51,7 @@ static graze_status roots_in_halves(const root_search *s, bernstein_form *form,
     int middle_is_root = wide_sign(&upper.c, 0) == 0, searched = bernstein_variations(&upper) > 0;
     if (!searched)
         bernstein_form_clear(&upper);
-    status = roots_inside(s, form, &left);
+    graze_status status = roots_inside(s, form, &left);
     if (status == GRAZE_OK && middle_is_root)
         algebraic_set_dyadic(algebraic_list_append(s->list), left.high, left.exponent);
     if (status == GRAZE_OK && searched)
@@ -76,8 +74,8 @@ static graze_status roots_inside(const root_search *s, bernstein_form *form,
     }
     if (interval->exponent >= s->whole->exponent + EXACT_HALVINGS)
         return search_cluster(s, interval, low, high);
-    graze_status status = context_work(s->context, (ulong)n * (ulong)n * (ulong)form->c.limbs);
-    return status == GRAZE_OK ? roots_in_halves(s, form, interval) : status;
+    TRY(context_work(s->context, (ulong)n * (ulong)n * (ulong)form->c.limbs));
+    return roots_in_halves(s, form, interval);
 }
 
 /* Roots of a polynomial of degree two or more whose form has at most one sign change or that has no
@@ -117,26 +115,24 @@ static graze_status append_roots_of_quotient(algebraic_list *list, graze_context
 
 /* Narrow a root's interval until it leaves another number out; *behind: it is greater. */
 static graze_status exclude(int *behind, graze_context *context, algebraic *x, const fmpq_t r) {
-    graze_status status = GRAZE_OK;
     ulong gain = FIRST_GAIN;
-    for (int step = 0; status == GRAZE_OK && !algebraic_is_rational(x); step++) {
+    for (int step = 0; !algebraic_is_rational(x); step++) {
         *behind = dyadic_compare(x->where.low, x->where.exponent, r) > 0;
         if (*behind || dyadic_compare(x->where.high, x->where.exponent, r) < 0)
             return GRAZE_OK;
-        status = algebraic_narrow(context, x, step, &gain);
+        TRY(algebraic_narrow(context, x, step, &gain));
     }
     *behind = fmpq_cmp(x->value, r) > 0;
-    return status;
+    return GRAZE_OK;
 }
 
 /* One root more among those from number `first` on, whose intervals are to leave it out. */
 static graze_status insert_root(algebraic_list *list, graze_context *context, size_t first,
                                 const fmpq_t root) {
-    graze_status status = GRAZE_OK;
     size_t place = list->count;
     int behind;
-    for (size_t k = list->count; k > first && status == GRAZE_OK; k--) {
-        status = exclude(&behind, context, &list->item[k - 1], root);
+    for (size_t k = list->count; k > first; k--) {
+        TRY(exclude(&behind, context, &list->item[k - 1], root));
         place -= (size_t)behind;
     }
     algebraic_set_rational(algebraic_list_append(list), root);
@@ -145,7 +141,7 @@ static graze_status insert_root(algebraic_list *list, graze_context *context, si
         list->item[k] = list->item[k - 1];
         list->item[k - 1] = swap;
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* If a fraction in part of the interval is a root, append it and all others. */
@@ -174,17 +170,15 @@ static graze_status repeated_roots(algebraic_list *list, graze_context *context,
     LOCAL(fmpz_poly, g);
     HELD(dyadic_interval, part);
     fmpz_poly_derivative(derivative, p);
-    graze_status status = common_factor_work(context, p, derivative);
+    TRY(common_factor_work(context, p, derivative));
     int coprime = polynomials_certainly_coprime(p, derivative);
-    if (status == GRAZE_OK && !coprime && guess_interval(&part, derivative, interval))
-        status = roots_beside_fraction(&done, list, context, p, interval, &part);
-    if (status == GRAZE_OK && !done) {
-        if (!coprime && common_factor(g, p, derivative) > 0)
-            status = append_roots_of_quotient(list, context, p, g, interval);
-        else
-            status = append_roots(&(root_search){list, context, p, interval}, form);
-    }
-    return status;
+    if (!coprime && guess_interval(&part, derivative, interval))
+        TRY(roots_beside_fraction(&done, list, context, p, interval, &part));
+    if (done)
+        return GRAZE_OK;
+    return !coprime && common_factor(g, p, derivative) > 0
+               ? append_roots_of_quotient(list, context, p, g, interval)
+               : append_roots(&(root_search){list, context, p, interval}, form);
 }
 
 /* Roots of a polynomial of degree two or more. */
@@ -203,6 +197,6 @@ graze_status algebraic_roots(algebraic_list *list, graze_context *context, const
         append_linear_root(list, p, interval);
     if (fmpz_poly_degree(p) <= 1)
         return GRAZE_OK;
-    graze_status status = roots_beside_fraction(&done, list, context, p, interval, interval);
-    return status == GRAZE_OK && !done ? isolate_roots(list, context, p, interval) : status;
+    TRY(roots_beside_fraction(&done, list, context, p, interval, interval));
+    return done ? GRAZE_OK : isolate_roots(list, context, p, interval);
 }

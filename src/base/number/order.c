@@ -164,18 +164,17 @@ graze_status algebraic_places_between(ulong *out, graze_context *context, algebr
     LOCAL_VEC(fmpq, low, 5);
     fmpq *below = low + 1, *above = low + 2, *high = low + 3, *between = low + 4;
     ulong gain[] = {FIRST_GAIN, FIRST_GAIN};
-    graze_status status = GRAZE_OK;
-    while (status == GRAZE_OK) {
+    for (;;) {
         algebraic_bounds(low, below, x);
         algebraic_bounds(above, high, y);
         simplest_dyadic(between, low, high);
         int in_x = fmpq_cmp(between, below)<0, in_y = fmpq_cmp(between, above)> 0;
         if (!in_x && !in_y)
             break;
-        status = algebraic_narrow(context, in_x ? x : y, CHEAP_HALVINGS, &gain[in_y]);
+        TRY(algebraic_narrow(context, in_x ? x : y, CHEAP_HALVINGS, &gain[in_y]));
     }
     *out = fmpz_val2(fmpq_denref(between));
-    return status;
+    return GRAZE_OK;
 }
 
 /* Merge order[0 ... middle - 1] and order[middle ... count - 1]; `spare` has room for the first. */
@@ -199,10 +198,9 @@ static graze_status sort_run(algebraic **order, size_t count, algebraic **spare,
     size_t middle = count / 2;
     if (count < 2)
         return GRAZE_OK;
-    graze_status status = sort_run(order, middle, spare, context);
-    if (status == GRAZE_OK)
-        status = sort_run(order + middle, count - middle, spare, context);
-    return status == GRAZE_OK ? merge_runs(order, middle, count, spare, context) : status;
+    TRY(sort_run(order, middle, spare, context));
+    TRY(sort_run(order + middle, count - middle, spare, context));
+    return merge_runs(order, middle, count, spare, context);
 }
 
 graze_status algebraic_sort(algebraic **order, size_t count, graze_context *context) {

@@ -24,9 +24,8 @@ typedef struct shape {
 
 static size_t digit_run(const char *p, const char *end) {
     const char *start = p;
-    while (p < end && *p >= '0' && *p <= '9') {
+    while (p < end && *p >= '0' && *p <= '9')
         p++;
-    }
     return (size_t)(p - start);
 }
 
@@ -40,9 +39,8 @@ static const char *exponent_shape(long *exponent, const char *p, const char *end
     p += is_sign_character(p, end);
     size_t n = digit_run(p, end);
     long value = 0;
-    for (size_t k = 0; k < n && value < EXPONENT_CAP; k++) {
+    for (size_t k = 0; k < n && value < EXPONENT_CAP; k++)
         value = 10 * value + (p[k] - '0');
-    }
     value = value > EXPONENT_CAP ? EXPONENT_CAP : value;
     *exponent = negative ? -value : value;
     return n == 0 ? NULL : p + n;
@@ -65,12 +63,10 @@ static int token_shape(shape *s, const char *p, size_t length) {
         s->fraction_count = digit_run(p + 1, end);
         p += 1 + s->fraction_count;
     }
-    if (s->whole_count + s->fraction_count == 0) {
+    if (s->whole_count + s->fraction_count == 0)
         return 0;
-    }
-    if (p < end && (*p == 'e' || *p == 'E')) {
+    if (p < end && (*p == 'e' || *p == 'E'))
         p = exponent_shape(&s->exponent, p + 1, end);
-    }
     return p == end;
 }
 
@@ -89,13 +85,11 @@ static unsigned long written_out(const shape *s) {
 /* The integer of two runs of digits, one after the other. 0 when memory is short. */
 static int set_digits(fmpz_t out, const char *a, size_t a_count, const char *b, size_t b_count) {
     char *digits = malloc(a_count + b_count + 1);
-    if (digits == NULL) {
+    if (digits == NULL)
         return 0;
-    }
     memcpy(digits, a, a_count);
-    if (b_count > 0) {
+    if (b_count > 0)
         memcpy(digits + a_count, b, b_count);
-    }
     digits[a_count + b_count] = '\0';
     int failed = fmpz_set_str(out, digits, 10);
     free(digits);
@@ -103,9 +97,8 @@ static int set_digits(fmpz_t out, const char *a, size_t a_count, const char *b, 
 }
 
 static int set_decimal(fmpq_t out, const shape *s) {
-    if (!set_digits(fmpq_numref(out), s->whole, s->whole_count, s->fraction, s->fraction_count)) {
+    if (!set_digits(fmpq_numref(out), s->whole, s->whole_count, s->fraction, s->fraction_count))
         return 0;
-    }
     long shift = s->exponent - (long)s->fraction_count;
     LOCAL(fmpz, power);
     fmpz_set_ui(power, 10);
@@ -123,9 +116,8 @@ static int set_decimal(fmpq_t out, const shape *s) {
 /* Append a run of digits to `value`; 0 where the number no longer fits. */
 static int append_digits(uint64_t *value, const char *digits, size_t count) {
     for (size_t k = 0; k < count; k++) {
-        if (*value > (UINT64_MAX - 9) / 10) {
+        if (*value > (UINT64_MAX - 9) / 10)
             return 0;
-        }
         *value = 10 * *value + (uint64_t)(digits[k] - '0');
     }
     return 1;
@@ -135,24 +127,20 @@ static int append_digits(uint64_t *value, const char *digits, size_t count) {
  * are too long for this way. `out` is 0 before. */
 static int set_scaled_word(fmpq_t out, uint64_t value, long shift) {
     enum { FIVES = 27, TENS = 19 }; /* 5^27 and 10^19 fit in 64 bits */
-    if (shift > TENS || value == 0) {
+    if (shift > TENS || value == 0)
         return value == 0;
-    }
     if (shift >= 0) {
         fmpz_set_ui(fmpq_numref(out), value);
         fmpz_mul_ui(fmpq_numref(out), fmpq_numref(out), n_pow(10, (ulong)shift));
         return 1;
     }
     long twos = -shift, fives = twos;
-    for (; fives > 0 && value % 5 == 0; fives--) {
+    for (; fives > 0 && value % 5 == 0; fives--)
         value /= 5;
-    }
-    for (; twos > 0 && value % 2 == 0; twos--) {
+    for (; twos > 0 && value % 2 == 0; twos--)
         value /= 2;
-    }
-    if (fives > FIVES) {
+    if (fives > FIVES)
         return 0;
-    }
     fmpz_set_ui(fmpq_numref(out), value);
     fmpz_set_ui(fmpq_denref(out), n_pow(5, (ulong)fives));
     fmpz_mul_2exp(fmpq_denref(out), fmpq_denref(out), (ulong)twos);
@@ -163,16 +151,13 @@ static int set_scaled_word(fmpq_t out, uint64_t value, long shift) {
  * the denominator 0. `out` is 0 before. */
 static int set_short(fmpq_t out, const shape *s) {
     uint64_t value = 0, denominator = 0;
-    if (!append_digits(&value, s->whole, s->whole_count)) {
+    if (!append_digits(&value, s->whole, s->whole_count))
         return 0;
-    }
-    if (s->denominator == NULL) {
+    if (s->denominator == NULL)
         return append_digits(&value, s->fraction, s->fraction_count) &&
                set_scaled_word(out, value, s->exponent - (long)s->fraction_count);
-    }
-    if (!append_digits(&denominator, s->denominator, s->denominator_count) || denominator == 0) {
+    if (!append_digits(&denominator, s->denominator, s->denominator_count) || denominator == 0)
         return 0;
-    }
     uint64_t common = n_gcd(value, denominator);
     fmpz_set_ui(fmpq_numref(out), value / common);
     fmpz_set_ui(fmpq_denref(out), denominator / common);
@@ -181,9 +166,8 @@ static int set_short(fmpq_t out, const shape *s) {
 
 static graze_status set_ratio(fmpq_t out, graze_context *context, const shape *s) {
     if (!set_digits(fmpq_numref(out), s->whole, s->whole_count, NULL, 0) ||
-        !set_digits(fmpq_denref(out), s->denominator, s->denominator_count, NULL, 0)) {
+        !set_digits(fmpq_denref(out), s->denominator, s->denominator_count, NULL, 0))
         return context_fail(context, GRAZE_ESYSTEM, "no memory for a number");
-    }
     if (fmpz_is_zero(fmpq_denref(out))) {
         fmpz_one(fmpq_denref(out));
         return context_fail(context, GRAZE_EINPUT, "a ratio has the denominator 0");
@@ -212,25 +196,21 @@ graze_status rational_parse(fmpq_t out, graze_context *context, const char *text
     }
     graze_status status = GRAZE_OK;
     int done = set_short(out, &s);
-    if (!done && s.denominator != NULL) {
+    if (!done && s.denominator != NULL)
         status = set_ratio(out, context, &s);
-    } else if (!done && !set_decimal(out, &s)) {
+    else if (!done && !set_decimal(out, &s))
         status = context_fail(context, GRAZE_ESYSTEM, "no memory for a number");
-    }
-    if (status == GRAZE_OK && s.negative) {
+    if (status == GRAZE_OK && s.negative)
         fmpq_neg(out, out);
-    }
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = rational_round(out, context, context->rounding);
-    }
     return status == GRAZE_OK ? status : context_at(context, status, "'%.*s%s'", shown, text, more);
 }
 
 /* |value| as a word, which it fits. */
 static uint64_t small_magnitude(const fmpz_t value) {
-    if (fmpz_sgn(value) >= 0) {
+    if (fmpz_sgn(value) >= 0)
         return fmpz_get_ui(value);
-    }
     LOCAL(fmpz, positive);
     fmpz_neg(positive, value);
     return fmpz_get_ui(positive);
@@ -239,9 +219,8 @@ static uint64_t small_magnitude(const fmpz_t value) {
 int rational_is_canonical(const mpq_t value) {
     const mpz_srcptr top = mpq_numref(value), bottom = mpq_denref(value);
     const uint64_t fives = UINT64_C(7450580596923828125); /* 5^27, the largest in 64 bits */
-    if (mpz_sgn(bottom) <= 0) {
+    if (mpz_sgn(bottom) <= 0)
         return 0;
-    }
     if (mpz_size(top) > 1 || mpz_size(bottom) > 1) {
         LOCAL(mpz, common);
         mpz_gcd(common, top, bottom);
@@ -249,9 +228,8 @@ int rational_is_canonical(const mpq_t value) {
     }
     uint64_t numerator = mpz_getlimbn(top, 0), denominator = mpz_getlimbn(bottom, 0);
     uint64_t odd = denominator / (denominator & -denominator);
-    if (fives % odd != 0) {
+    if (fives % odd != 0)
         return n_gcd(numerator, denominator) == 1;
-    }
     return (odd == denominator || numerator % 2 != 0) && (odd == 1 || numerator % 5 != 0);
 }
 
@@ -296,8 +274,7 @@ size_t rational_write(char *text, const fmpq_t value) {
 
 char *rational_text(const fmpq_t value) {
     char *text = malloc(rational_room(value));
-    if (text != NULL) {
+    if (text != NULL)
         rational_write(text, value);
-    }
     return text;
 }

@@ -116,12 +116,11 @@ graze_status algebraic_narrow(graze_context *context, algebraic *x, int halvings
     if (algebraic_is_rational(x))
         return GRAZE_OK;
     ulong limbs = x->where.exponent / FLINT_BITS + 1;
-    graze_status status = algebraic_may_narrow(context, &x->where);
-    if (status == GRAZE_OK)
-        status = context_work(context, (ulong)fmpz_poly_length(x->poly) * limbs * limbs);
-    if (status == GRAZE_OK && halvings < CHEAP_HALVINGS)
+    TRY(algebraic_may_narrow(context, &x->where));
+    TRY(context_work(context, (ulong)fmpz_poly_length(x->poly) * limbs * limbs));
+    if (halvings < CHEAP_HALVINGS)
         algebraic_refine(x);
-    else if (status == GRAZE_OK)
+    else
         algebraic_refine_quadratically(x, gain);
-    return status;
+    return GRAZE_OK;
 }

@@ -26,14 +26,12 @@ static const binary_format formats[] = {
 /* integer 2^shift, with a sign, as a rational. */
 static void set_scaled(fmpq_t out, const fmpz_t integer, slong shift, int negative) {
     fmpq_set_fmpz(out, integer);
-    if (shift >= 0) {
+    if (shift >= 0)
         fmpq_mul_2exp(out, out, (flint_bitcnt_t)shift);
-    } else {
+    else
         fmpq_div_2exp(out, out, (flint_bitcnt_t)-shift);
-    }
-    if (negative) {
+    if (negative)
         fmpq_neg(out, out);
-    }
 }
 
 /* The finite number `x` as a rational. */
@@ -44,9 +42,8 @@ static void set_mpfr(fmpq_t out, const mpfr_t x) {
 }
 
 graze_status rational_round(fmpq_t value, graze_context *context, graze_rounding rounding) {
-    if (rounding == GRAZE_ROUND_NONE || fmpq_is_zero(value)) {
+    if (rounding == GRAZE_ROUND_NONE || fmpq_is_zero(value))
         return GRAZE_OK;
-    }
     const binary_format *format = &formats[rounding];
     mpfr_exp_t emin = mpfr_get_emin(), emax = mpfr_get_emax();
     LOCAL_MPFR(x, format->precision);
@@ -57,9 +54,8 @@ graze_status rational_round(fmpq_t value, graze_context *context, graze_rounding
     int overflows = mpfr_inf_p(x);
     mpfr_set_emin(emin);
     mpfr_set_emax(emax);
-    if (!overflows) {
+    if (!overflows)
         set_mpfr(value, x);
-    }
     return overflows ? context_fail(context, GRAZE_EINPUT, "overflows %s when rounded",
                                     graze_rounding_name(rounding))
                      : GRAZE_OK;
@@ -92,9 +88,8 @@ graze_status rational_from_double(fmpq_t out, graze_context *context, double val
 
 void rational_bounds(double *low, double *high, const fmpq_t value) {
     *low = *high = 0;
-    if (fmpq_is_zero(value)) {
+    if (fmpq_is_zero(value))
         return;
-    }
     slong places = (slong)fmpz_bits(fmpq_denref(value)) - 1;
     if (fmpz_bits(fmpq_numref(value)) <= DBL_MANT_DIG && places <= DBL_MANT_DIG &&
         (slong)fmpz_val2(fmpq_denref(value)) == places) {
@@ -110,9 +105,8 @@ void rational_bounds(double *low, double *high, const fmpq_t value) {
         above = INFINITY;
     } else if (mpfr_get_exp(x) > -1022) {
         below = mpfr_get_d(x, MPFR_RNDZ);
-        if (inexact) {
+        if (inexact)
             mpfr_nextabove(x);
-        }
         above = mpfr_get_d(x, MPFR_RNDU);
     }
     *low = fmpq_sgn(value) > 0 ? below : -above;

@@ -94,25 +94,23 @@ graze_status algebraic_sign_at(int *out, graze_context *context, const fmpz_poly
     if (degree <= 0)
         return GRAZE_OK;
     ulong gain = FIRST_GAIN;
-    graze_status status = GRAZE_OK;
     int step = 0;
-    while (!algebraic_is_rational(x) && status == GRAZE_OK) {
+    while (!algebraic_is_rational(x)) {
         *out = sign_on_interval(q, x);
         if (*out != 0)
             return GRAZE_OK;
         if (step == CHEAP_HALVINGS) {
-            status = common_factor_work(context, q, x->poly);
-            if (status == GRAZE_OK && vanishes_at(q, x))
+            TRY(common_factor_work(context, q, x->poly));
+            if (vanishes_at(q, x))
                 return GRAZE_OK;
         }
         if (step == 0 && narrow_by_guess(context, x)) {
             step = CHEAP_HALVINGS;
             gain = GUESS_GAIN;
-        } else if (status == GRAZE_OK) {
-            status = algebraic_narrow(context, x, step++, &gain);
+        } else {
+            TRY(algebraic_narrow(context, x, step++, &gain));
         }
     }
-    if (status == GRAZE_OK)
-        *out = rational_sign(q, x->value);
-    return status;
+    *out = rational_sign(q, x->value);
+    return GRAZE_OK;
 }

@@ -3,6 +3,10 @@
  */
 #include "base/number/vector.h"
 
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
+
 void vector_add(fmpq *out, const fmpq *a, const fmpq *b, int dimension) {
     for (int k = 0; k < dimension; k++)
         fmpq_add(out + k, a + k, b + k);
@@ -11,6 +15,12 @@ void vector_add(fmpq *out, const fmpq *a, const fmpq *b, int dimension) {
 void vector_sub(fmpq *out, const fmpq *a, const fmpq *b, int dimension) {
     for (int k = 0; k < dimension; k++)
         fmpq_sub(out + k, a + k, b + k);
+}
+
+void vector_middle(fmpq *out, const fmpq *a, const fmpq *b, int dimension) {
+    vector_add(out, a, b, dimension);
+    for (int k = 0; k < dimension; k++)
+        fmpq_div_2exp(out + k, out + k, 1);
 }
 
 int vector_is_zero(const fmpq *a, int dimension) {
@@ -34,4 +44,38 @@ void vector_image(fmpq *out, const fmpq_mat_t map, const fmpq *point, int dimens
         for (int j = 0; j < dimension; j++)
             fmpq_addmul(out + i, fmpq_mat_entry(map, i, j), point + j);
     }
+}
+
+int vector_compare(const fmpq *a, const fmpq *b, int dimension) {
+    int order = 0;
+    for (int i = 0; i < dimension && order == 0; i++)
+        order = fmpq_cmp(a + i, b + i);
+    return order;
+}
+
+void vector_set(fmpq *out, const fmpq *a, int dimension) {
+    for (int i = 0; i < dimension; i++)
+        fmpq_set(out + i, a + i);
+}
+
+void cross_integers(fmpz_t out, const fmpz *p, const fmpz *q, const fmpz *r, int i, int j) {
+    LOCAL(fmpz, a);
+    LOCAL(fmpz, b);
+    fmpz_sub(a, q + i, p + i);
+    fmpz_sub(b, r + j, p + j);
+    fmpz_mul(out, a, b);
+    fmpz_sub(a, q + j, p + j);
+    fmpz_sub(b, r + i, p + i);
+    fmpz_submul(out, a, b);
+}
+
+/* By integers over one denominator. */
+void cross_rationals(fmpq_t out, const fmpq *p, const fmpq *q, const fmpq *r, int i, int j) {
+    const fmpq borrowed[] = {p[i], p[j], q[i], q[j], r[i], r[j]};
+    LOCAL_VEC(fmpz, at, 8);
+    fmpz *common = at + 6, *product = at + 7;
+    _fmpq_vec_get_fmpz_vec_fmpz(at, common, borrowed, 6);
+    cross_integers(product, at, at + 2, at + 4, 0, 1);
+    fmpz_mul(common, common, common);
+    fmpq_set_fmpz_frac(out, product, common);
 }

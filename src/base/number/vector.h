@@ -1,4 +1,4 @@
-/* Vectors of rationals.
+/* Vectors of rationals, and cross products, from which areas, turns and normals come.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_NUMBER_VECTOR_H
@@ -10,10 +10,20 @@
 /** out = a + b, out = a - b; `out` may be either. */
 void vector_add(fmpq *out, const fmpq *a, const fmpq *b, int dimension);
 void vector_sub(fmpq *out, const fmpq *a, const fmpq *b, int dimension);
+/** out = (a + b) / 2; `out` may be either. */
+void vector_middle(fmpq *out, const fmpq *a, const fmpq *b, int dimension);
 int vector_is_zero(const fmpq *a, int dimension);
+/** The order of two points: by their first coordinates that differ. */
+int vector_compare(const fmpq *a, const fmpq *b, int dimension);
+void vector_set(fmpq *out, const fmpq *a, int dimension);
 /** out = a x b, in space; `out` is neither. */
 void vector_cross(fmpq *out, const fmpq *a, const fmpq *b);
 /** The image of a point under a homogeneous matrix of size d + 1; `out` is another vector. */
 void vector_image(fmpq *out, const fmpq_mat_t map, const fmpq *point, int dimension);
+
+/** (q_i - p_i)(r_j - p_j) - (q_j - p_j)(r_i - p_i): twice the area of the triangle p, q, r in the
+ * coordinates i and j, positive if it runs counter-clockwise. */
+void cross_integers(fmpz_t out, const fmpz *p, const fmpz *q, const fmpz *r, int i, int j);
+void cross_rationals(fmpq_t out, const fmpq *p, const fmpq *q, const fmpq *r, int i, int j);
 
 #endif

@@ -49,12 +49,11 @@ void wide_addmul(wide_vector *v, slong i, slong j, const fmpz_t factor) {
     slong limbs;
     mp_limb_t small, *to = wide_entry(v, i);
     const mp_limb_t *digit = magnitude(&limbs, &small, factor), *from = wide_entry(v, j);
-    for (slong k = 0; k < limbs && k < v->limbs; k++) {
+    for (slong k = 0; k < limbs && k < v->limbs; k++)
         if (fmpz_sgn(factor) > 0)
             mpn_addmul_1(to + k, from, v->limbs - k, digit[k]);
         else
             mpn_submul_1(to + k, from, v->limbs - k, digit[k]);
-    }
 }
 
 /* From the highest limb of the entry down, each is replaced by its multiple; the limbs above take

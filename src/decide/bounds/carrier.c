@@ -8,7 +8,6 @@
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/bernstein.h"
-#include "input/motion/motion.h"
 
 /* After this number of halvings, a part whose weight is still small leaves its piece without bound.
  */

@@ -6,7 +6,6 @@
 
 #include <math.h>
 #include <string.h>
-#include "input/solid/solid.h"
 #include "input/validate/validate.h"
 
 static const double *double_corner(const graze_solid *solid, uint32_t simplex, int k) {

@@ -5,7 +5,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include "input/motion/motion.h"
 
 static int entries_of(const course *c) {
     return c->dimension * (c->dimension + 1);

@@ -9,7 +9,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
-#include "input/solid/solid.h"
 
 #define U UNIT_ROUNDING
 #define SLACK FILTER_SLACK

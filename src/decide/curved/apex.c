@@ -5,8 +5,6 @@
  * no leading coefficient, discriminant or resultant by y has a root, the roots in y of all forms
  * are continuous and distinct; so one x in each interval and one y in each gap are enough (C129).
  */
-#include "decide/curved/curved.h"
-
 #include <flint/fmpq_mpoly.h>
 #include <flint/fmpz_mpoly.h>
 #include <flint/fmpz_mpoly_factor.h>
@@ -16,8 +14,6 @@
 #include "base/number/order.h"
 #include "base/number/refine.h"
 #include "decide/curved/arrangement.h"
-#include "decide/curved/walker.h"
-#include "input/csg/csg.h"
 
 enum { X, Y, VARIABLES, PARTS = CSG_FREE_MOST * CSG_DEGREE + VARIABLES };
 
@@ -166,7 +162,7 @@ static void walk_gaps(apex *a, cuts *at, int variable) {
     for (int end = 0; end < 2; end++, fmpz_neg(at->bound, at->bound))
         algebraic_set_dyadic(algebraic_list_append(&at->root), at->bound, 0);
     size_t n = at->root.count;
-    algebraic **order = malloc(n * sizeof(algebraic *));
+    FREED(algebraic *, order, malloc(n * sizeof(algebraic *)));
     if (!order) {
         f->status = context_fail(f->context, GRAZE_ESYSTEM, "out of memory for %zu directions", n);
         return;
@@ -179,7 +175,6 @@ static void walk_gaps(apex *a, cuts *at, int variable) {
         if (f->status == GRAZE_OK)
             variable + 2 < a->g->dimension ? walk_line(a) : look_both_ways(a);
     }
-    free(order);
 }
 
 /* Walk the directions with the x that is set: cut y at the roots of all parts at this x. */
@@ -237,23 +232,20 @@ static void walk_directions(apex *a) {
 /* If a member's lowest form is quadratic and definite, exclude its other sign (C99). */
 static void exclude_by_definite_form(sign_germ *g, int k) {
     const taylor *t = &g->member[k];
-    value *h = field_vector(g->f, 12); /* a matrix: twice the form; and a product of its rows */
-    for (size_t n = 0; n < t->count && h; n++)
+    LOCAL_VEC(fmpq_poly, h, 12); /* a matrix: twice the form; and a product of its rows */
+    for (size_t n = 0; n < t->count; n++)
         for (int i = 0; i < g->dimension && power_sum(t, n) == 2; i++)
             for (int j = 0; j < g->dimension; j++)
                 if (t->power[n][i] && t->power[n][j] && (i != j || t->power[n][i] == 2))
                     fmpq_poly_scalar_mul_si(h + 3 * i + j, t->coefficient + n, i == j ? 2 : 1);
-    if (h) {
-        int sign = field_sign(g->f, h);
-        unsigned bit = 1u << k;
-        if (g->dimension == 2)
-            fmpq_poly_set(h + 8, h);
-        field_cross(h + 9, g->f, h, h + 3);
-        field_dot(h, g->f, h + 6, h + 9, 3);
-        if (sign && field_sign(g->f, h + 11) > 0 && field_sign(g->f, h) == sign)
-            germ_exclude(g, bit, sign > 0 ? bit : 0);
-    }
-    field_vector_clear(h, 12);
+    int sign = field_sign(g->f, h);
+    unsigned bit = 1u << k;
+    if (g->dimension == 2)
+        fmpq_poly_set(h + 8, h);
+    field_cross(h + 9, g->f, h, h + 3);
+    field_dot(h, g->f, h + 6, h + 9, 3);
+    if (sign && field_sign(g->f, h + 11) > 0 && field_sign(g->f, h) == sign)
+        germ_exclude(g, bit, sign > 0 ? bit : 0);
 }
 
 /* Set `near`. */

@@ -5,11 +5,8 @@
  * in which d - 1 planes meet, and the sum of those in a full cell is interior to it. A pattern of
  * the members alone is a union of such cells.
  */
-#include "decide/curved/curved.h"
-
 #include "base/context/scope.h"
 #include "decide/curved/arrangement.h"
-#include "decide/curved/walker.h"
 
 void field_dot(value *out, moment_field *f, const value *a, const value *b, int dimension) {
     fmpq_poly_zero(out);
@@ -60,14 +57,14 @@ void arrangement_init(arrangement *a, moment_field *f, const taylor *member, int
     int d = member[0].dimension, planes = count + d;
     *a = (arrangement){.dimension = d, .count = count};
     a->ray = field_vector(f, (size_t)(ARRANGEMENT_RAYS * d));
-    value *normal = field_vector(f, (size_t)(planes * d));
-    for (int k = 0; k < planes && normal; k++)
+    LOCAL_VEC(fmpq_poly, normal, planes * d);
+    for (int k = 0; k < planes; k++)
         for (int i = 0; i < d; i++)
             if (k < count)
                 fmpq_poly_set(normal + k * d + i, taylor_gradient(&member[k], i));
             else
                 fmpq_poly_set_si(normal + k * d + i, k - count == i);
-    for (int k = 0; k < planes && normal && a->ray; k++) {
+    for (int k = 0; k < planes && a->ray; k++) {
         if (k < count && !(mask >> k & 1))
             continue;
         value *ray = a->ray + a->ray_count * d;
@@ -83,7 +80,6 @@ void arrangement_init(arrangement *a, moment_field *f, const taylor *member, int
             keep_ray(a, f, normal, mask);
         }
     }
-    field_vector_clear(normal, (size_t)(planes * d));
 }
 
 void arrangement_clear(arrangement *a) {

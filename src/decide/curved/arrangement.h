@@ -3,10 +3,7 @@
 #ifndef GRAZE_DECIDE_CURVED_ARRANGEMENT_H
 #define GRAZE_DECIDE_CURVED_ARRANGEMENT_H
 
-#include "decide/curved/curved.h"
 #include "decide/curved/walker.h"
-#include "decide/trace/trace.h"
-#include "input/csg/csg.h"
 
 /* Expansions of polynomials that vanish at a point of the trajectory, over the field of a moment.
  *

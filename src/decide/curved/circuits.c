@@ -6,12 +6,8 @@
  * units of the sign of -mu_k / mu_m, phi the last member where the others are 0: the pattern
  * occurs iff phi takes the sign e sgn mu_m arbitrarily near (C97).
  */
-#include "decide/curved/curved.h"
-
 #include "base/context/scope.h"
 #include "decide/curved/arrangement.h"
-#include "decide/curved/walker.h"
-#include "input/csg/csg.h"
 
 /* Whether a function takes a sign arbitrarily near the point. */
 typedef enum taking { TAKES_NOT, TAKES, TAKES_PERHAPS } taking;
@@ -125,8 +121,8 @@ static takings take_on_surface(sign_germ *g, const circuit *c) {
     const taylor *base = &g->member[c->member[0]], *of = &g->member[c->member[1]];
     takings out = unknown;
     probe p;
-    value *form = field_vector(g->f, 3);
-    if (probe_init(&p, g->f, g->dimension, &base, 1) && form) {
+    LOCAL_VEC(fmpq_poly, form, 3);
+    if (probe_init(&p, g->f, g->dimension, &base, 1)) {
         int discriminant = form_on_surface(form, g, &p, of);
         int first = field_sign(g->f, form), second = field_sign(g->f, form + 1);
         int mixed = field_sign(g->f, form + 2);
@@ -140,7 +136,6 @@ static takings take_on_surface(sign_germ *g, const circuit *c) {
             out = take_flat(g, &p, of);
     }
     probe_clear(&p);
-    field_vector_clear(form, 3);
     return out;
 }
 
@@ -191,14 +186,9 @@ static int sign_of_dot(const sign_germ *g, const value *a, const value *b) {
 }
 
 static int sign_of_triple(const sign_germ *g, const minors *m, int i, int j, int k) {
-    value *cross = field_vector(g->f, 3);
-    int sign = 0;
-    if (cross) {
-        cross_members(cross, g, m, i, j);
-        sign = sign_of_dot(g, cross, m->normal + 3 * k);
-    }
-    field_vector_clear(cross, 3);
-    return sign;
+    LOCAL_VEC(fmpq_poly, cross, 3);
+    cross_members(cross, g, m, i, j);
+    return sign_of_dot(g, cross, m->normal + 3 * k);
 }
 
 static int is_zero_value(const sign_germ *g, const value *a) {
@@ -213,8 +203,8 @@ static int are_smooth(const minors *m, unsigned members) {
 }
 
 static void ask_pairs(sign_germ *g, minors *m) {
-    value *cross = field_vector(g->f, 3);
-    for (int j = 0; j < g->count && cross; j++)
+    LOCAL_VEC(fmpq_poly, cross, 3);
+    for (int j = 0; j < g->count; j++)
         for (int i = 0; i < j && g->f->status == GRAZE_OK; i++) {
             if (!are_smooth(m, 1u << i | 1u << j))
                 continue;
@@ -225,22 +215,16 @@ static void ask_pairs(sign_germ *g, minors *m) {
             int same = sign_of_dot(g, m->normal + 3 * i, m->normal + 3 * j);
             ask_circuit(g, &(circuit){2, {i, j}, {1, -same}});
         }
-    field_vector_clear(cross, 3);
 }
 
 /* Ask the circuit of three members whose gradients lie in one plane, no two of them parallel. */
 static void ask_coplanar(sign_germ *g, const minors *m, int i, int j, int k) {
-    value *cross = field_vector(g->f, 9);
-    if (cross) {
-        cross_members(cross, g, m, j, k);
-        cross_members(cross + 3, g, m, k, i);
-        cross_members(cross + 6, g, m, i, j);
-        ask_circuit(g, &(circuit){3,
-                                  {i, j, k},
-                                  {sign_of_dot(g, cross, cross + 6),
-                                   sign_of_dot(g, cross + 3, cross + 6), 1}});
-    }
-    field_vector_clear(cross, 9);
+    LOCAL_VEC(fmpq_poly, cross, 9);
+    cross_members(cross, g, m, j, k);
+    cross_members(cross + 3, g, m, k, i);
+    cross_members(cross + 6, g, m, i, j);
+    int first = sign_of_dot(g, cross, cross + 6), second = sign_of_dot(g, cross + 3, cross + 6);
+    ask_circuit(g, &(circuit){3, {i, j, k}, {first, second, 1}});
 }
 
 static void ask_triples(sign_germ *g, const minors *m) {
@@ -271,15 +255,14 @@ static void ask_quadruples(sign_germ *g, const minors *m) {
 }
 
 void circuits_ask(sign_germ *g, unsigned smooth) {
-    minors m = {.smooth = smooth, .normal = field_vector(g->f, 3 * (size_t)g->count)};
-    for (int k = 0; k < g->count && m.normal; k++)
+    LOCAL_VEC(fmpq_poly, normal, 3 * g->count);
+    minors m = {.smooth = smooth, .normal = normal};
+    for (int k = 0; k < g->count; k++)
         for (int i = 0; i < g->dimension; i++)
-            fmpq_poly_set(m.normal + 3 * k + i, taylor_gradient(&g->member[k], i));
-    if (m.normal)
-        ask_pairs(g, &m);
+            fmpq_poly_set(normal + 3 * k + i, taylor_gradient(&g->member[k], i));
+    ask_pairs(g, &m);
     if (g->f->status == GRAZE_OK)
         ask_triples(g, &m);
     if (g->f->status == GRAZE_OK)
         ask_quadruples(g, &m);
-    field_vector_clear(m.normal, 3 * (size_t)g->count);
 }

@@ -6,13 +6,9 @@
  * and the rank of their gradients is constant on it (proofs/flows.md C121). The coefficients of v
  * and of the combinations solve a linear system of integers, whatever the time.
  */
-#include "decide/curved/curved.h"
-
 #include <flint/fmpz_mat.h>
 #include "base/context/scope.h"
 #include "decide/curved/arrangement.h"
-#include "decide/curved/walker.h"
-#include "input/csg/csg.h"
 
 /* Degrees of v: axes of revolution have 1, pipes that meet in a circle 3, and 5 is that of the
  * cross product of two gradients of degree 3, divided by a plane in which they are parallel. */
@@ -91,9 +87,10 @@ static value *monomials_at(sign_germ *g, int degree) {
 /* 1 if one of the fields in the columns of a matrix is not 0 at the point. */
 static int moves_point(sign_germ *g, const fmpz_mat_t fields, slong count, int degree) {
     slong n = monomials(degree);
-    value *at = monomials_at(g, degree), *sum = field_vector(g->f, 2);
+    value *at = monomials_at(g, degree);
+    LOCAL_VEC(fmpq_poly, sum, 2);
     int moves = 0;
-    for (slong k = 0; k < AXES * count && at && sum && !moves; k++) {
+    for (slong k = 0; k < AXES * count && at && !moves; k++) {
         fmpq_poly_zero(sum);
         for (slong q = 0; q < n; q++) {
             fmpq_poly_scalar_mul_fmpz(sum + 1, at + q,
@@ -103,7 +100,6 @@ static int moves_point(sign_germ *g, const fmpz_mat_t fields, slong count, int d
         moves = field_sign(g->f, sum) != 0;
     }
     field_vector_clear(at, (size_t)n);
-    field_vector_clear(sum, 2);
     return moves;
 }
 

@@ -3,17 +3,12 @@
  *
  * Without the filter, or where it cannot be used, each piece is one window for all surfaces.
  */
-#include "decide/curved/curved.h"
-
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "decide/bounds/bounds.h"
 #include "decide/curved/walker.h"
-#include "decide/filter/filter.h"
-#include "decide/scene/scene.h"
 #include "decide/surfaces/surfaces.h"
-#include "decide/trace/trace.h"
 #include "input/validate/validate.h"
 
 typedef struct finding_walk {
@@ -41,13 +36,14 @@ static graze_status disagree(const finding_walk *f) {
 static graze_status walk_crossing(finding_walk *f, const crossing *c) {
     if (f->truths->sign[c->simplex] != (c->enters ? 1 : -1))
         return disagree(f);
-    graze_status status = f->walks ? walker_settle(&f->walker, f->state) : GRAZE_OK;
+    if (f->walks)
+        TRY(walker_settle(&f->walker, f->state));
     truths_flip(f->truths, &f->filter->expression, c->simplex);
     graze_state after = state_now(f);
-    if (!status && after != f->state)
-        status = word_put_crossing(f->word);
+    if (after != f->state)
+        TRY(word_put_crossing(f->word));
     f->state = after;
-    return status ? status : word_put_gap(f->word, after);
+    return word_put_gap(f->word, after);
 }
 
 static graze_status begin_walker(finding_walk *f) {
@@ -68,21 +64,18 @@ static void take_signs(finding_walk *f, const exact_window *window, const candid
 
 static graze_status walk_asked(finding_walk *f, const exact_window *window) {
     const candidate *asked = f->found->asked.item + window->first;
-    graze_status status = GRAZE_OK;
     int starts = window->piece == 0 && window->from == 0;
     if (!f->walks)
-        status = begin_walker(f);
+        TRY(begin_walker(f));
     /* A time between two pieces is decided once, with the later one. */
-    if (!status && f->walker.pending && (window->from > 0 || window->piece != f->walker.piece + 1))
-        status = walker_settle(&f->walker, f->state);
-    if (status)
-        return status;
+    if (f->walker.pending && (window->from > 0 || window->piece != f->walker.piece + 1))
+        TRY(walker_settle(&f->walker, f->state));
     if (!f->walker.pending)
         f->walker.before = starts ? GRAZE_STATE_ABSENT : f->state;
     memcpy(f->walker.expression.sign, f->truths->sign, f->filter->surface_count);
-    status = walker_walk(&f->walker, window, asked);
+    TRY(walker_walk(&f->walker, window, asked));
     take_signs(f, window, asked);
-    return status;
+    return GRAZE_OK;
 }
 
 static int is_before(const crossing *c, const exact_window *w) {
@@ -97,13 +90,12 @@ static graze_status walk_findings(finding_walk *f) {
     f->state = state_now(f);
     if (!found->window_count || first->piece > 0 || first->from > 0)
         TRY(word_put_gap(f->word, f->state));
-    while ((c < found->crossing_count || w < found->window_count)) {
+    while ((c < found->crossing_count || w < found->window_count))
         if (w == found->window_count ||
             (c < found->crossing_count && is_before(&found->crossing[c], &found->window[w])))
             TRY(walk_crossing(f, &found->crossing[c++]));
         else
             TRY(walk_asked(f, &found->window[w++]));
-    }
     if (f->walks) {
         int ends = f->walker.piece + 1 == f->r->scene->motion->piece_count;
         TRY(walker_settle(&f->walker, ends ? GRAZE_STATE_ABSENT : f->state));
@@ -113,20 +105,17 @@ static graze_status walk_findings(finding_walk *f) {
 
 /* Walk without the filter: each piece is one window for all surfaces. */
 static graze_status walk_pieces(tracer *r, word_builder *word) {
-    walker w;
+    ZEROED(walker, w);
     size_t n = r->scene->solid->curved->surface_count;
-    graze_status status = walker_init(&w, r, word);
+    TRY(walker_init(&w, r, word));
     FREED(candidate, all, malloc((n + 1) * sizeof *all));
-    if (!status && !all)
-        status = context_fail(r->context, GRAZE_ESYSTEM, "out of memory for %zu surfaces", n);
-    for (size_t k = 0; k < n && !status; k++)
+    if (!all)
+        return context_fail(r->context, GRAZE_ESYSTEM, "out of memory for %zu surfaces", n);
+    for (size_t k = 0; k < n; k++)
         all[k] = (candidate){.simplex = (uint32_t)k};
-    for (size_t k = 0; k < r->scene->motion->piece_count && !status; k++)
-        status = walker_walk(&w, &(exact_window){(uint32_t)k, 0, WINDOW_WHOLE, 0, n}, all);
-    if (!status)
-        status = walker_settle(&w, GRAZE_STATE_ABSENT);
-    walker_clear(&w);
-    return status;
+    for (size_t k = 0; k < r->scene->motion->piece_count; k++)
+        TRY(walker_walk(&w, &(exact_window){(uint32_t)k, 0, WINDOW_WHOLE, 0, n}, all));
+    return walker_settle(&w, GRAZE_STATE_ABSENT);
 }
 
 static graze_status walk_point(tracer *r, word_builder *word) {
@@ -154,7 +143,7 @@ graze_status curved_trace(graze_trace *out, graze_context *context, const graze_
     tracer_begin(&r);
     graze_status status = walk_point(&r, &word);
     if (!status)
-        status = word_finish(&word);
+        status = word_tell_contacts(out, context, word.length);
     tracer_clear(&r);
     if (status)
         trace_clear(out);

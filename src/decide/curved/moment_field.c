@@ -1,8 +1,6 @@
 /* Polynomials in the local time, and their signs at a time or along a gap.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/curved/curved.h"
-
 #include <flint/fmpz_poly_factor.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
@@ -28,8 +26,8 @@ static graze_status make_irreducible(graze_context *context, algebraic *time) {
     return GRAZE_OK;
 }
 
-void field_init(moment_field *f, graze_context *context, algebraic *time, int on_gap,
-                unsigned long *work) {
+void moment_field_init(moment_field *f, graze_context *context, algebraic *time, int on_gap,
+                       unsigned long *work) {
     *f = (moment_field){.context = context, .time = time, .work = work};
     fmpq_poly_init(f->modulus);
     if (on_gap)
@@ -45,7 +43,7 @@ void field_init(moment_field *f, graze_context *context, algebraic *time, int on
     fmpq_poly_set_fmpz_poly(f->modulus, time->poly);
 }
 
-void field_clear(moment_field *f) {
+void moment_field_clear(moment_field *f) {
     for (size_t k = 0; k < f->asked_count; k++)
         fmpz_poly_clear(&f->asked[k]);
     free(f->asked);

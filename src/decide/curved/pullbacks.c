@@ -1,8 +1,6 @@
 /* Pullbacks of surfaces, and their roots.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/curved/curved.h"
-
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
@@ -10,9 +8,6 @@
 #include "base/number/order.h"
 #include "decide/bounds/bounds.h"
 #include "decide/curved/walker.h"
-#include "decide/filter/filter.h"
-#include "decide/trace/trace.h"
-#include "input/csg/csg.h"
 #include "input/validate/validate.h"
 
 enum { SIDE = CSG_DEGREE + 1, MONOMIALS = SIDE * SIDE * SIDE * SIDE };
@@ -118,65 +113,51 @@ static int compare_zeros(const void *left, const void *right) {
 }
 
 static graze_status rank_zeros(pullbacks *p) {
-    size_t n = p->time.count, *rank_of = malloc(n * sizeof *rank_of);
+    size_t n = p->time.count;
+    FREED(size_t, rank_of, malloc(n * sizeof *rank_of));
     free(p->by_rank);
     p->by_rank = malloc(n * sizeof(algebraic *));
-    if (!p->by_rank || !rank_of) {
-        free(rank_of);
+    if (!p->by_rank || !rank_of)
         return context_fail(p->context, GRAZE_ESYSTEM, "out of memory for %zu times", n);
-    }
     for (size_t k = 0; k < n; k++)
         p->by_rank[k] = &p->time.item[k];
     p->rank_count = n;
-    graze_status status =
-        algebraic_sort_once(p->by_rank, &p->rank_count, p->context, p->time.item, rank_of);
-    for (size_t k = 0; k < p->zero_count && !status; k++)
+    TRY(algebraic_sort_once(p->by_rank, &p->rank_count, p->context, p->time.item, rank_of));
+    for (size_t k = 0; k < p->zero_count; k++)
         p->zero[k].time = rank_of[p->zero[k].time];
     if (p->zero_count)
         qsort(p->zero, p->zero_count, sizeof *p->zero, compare_zeros);
-    free(rank_of);
-    return status;
-}
-
-static int compare_numbers_asked(const void *left, const void *right) {
-    const size_t *a = left, *b = right;
-    return *a < *b ? -1 : *a > *b;
+    return GRAZE_OK;
 }
 
 /* The surfaces of a window, each once, in order. */
 static graze_status ask_surfaces(pullbacks *p, const exact_window *window, const candidate *asked) {
-    size_t kept = 0;
-    graze_status status = array_grow(p->context, &p->asked, &p->asked_capacity, window->count + 1,
-                                     sizeof *p->asked, "the surfaces of a window");
-    for (size_t k = 0; k < window->count && !status; k++)
+    TRY(array_grow(p->context, &p->asked, &p->asked_capacity, window->count + 1, sizeof *p->asked,
+                   "the surfaces of a window"));
+    for (size_t k = 0; k < window->count; k++)
         p->asked[k] = asked[k].simplex;
-    if (!status && window->count)
-        qsort(p->asked, window->count, sizeof *p->asked, compare_numbers_asked);
-    for (size_t k = 0; k < window->count && !status; k++)
-        if (!kept || p->asked[kept - 1] != p->asked[k])
-            p->asked[kept++] = p->asked[k];
-    p->asked_count = kept;
-    return status;
+    p->asked_count =
+        array_sort_once(p->asked, window->count, sizeof *p->asked, array_compare_numbers);
+    return GRAZE_OK;
 }
 
 static void set_interval(dyadic_interval *out, const exact_window *window) {
     int whole = window->from == 0 && window->to == WINDOW_WHOLE;
-    dyadic_interval_init(out);
     dyadic_interval_set_si(out, window->from, whole ? 1 : window->to);
     out->exponent = whole ? 0 : WINDOW_LEVELS;
 }
 
 graze_status pullbacks_set(pullbacks *p, const trajectory *c, const exact_window *window,
                            const candidate *asked) {
-    dyadic_interval where;
-    graze_status status = context_poll(p->context);
+    TRY(context_poll(p->context));
+    TRY(ask_surfaces(p, window, asked));
+    HELD(dyadic_interval, where);
+    set_interval(&where, window);
     monomials *m = monomials_create(p->context, c);
     if (!m)
         return GRAZE_ESYSTEM;
-    if (!status)
-        status = ask_surfaces(p, window, asked);
+    graze_status status = GRAZE_OK;
     p->time.count = p->zero_count = p->slide_count = 0;
-    set_interval(&where, window);
     algebraic_set_dyadic(algebraic_list_append(&p->time), where.low, where.exponent);
     algebraic_set_dyadic(algebraic_list_append(&p->time), where.high, where.exponent);
     for (size_t k = 0; k < p->asked_count && !status; k++) {
@@ -188,6 +169,5 @@ graze_status pullbacks_set(pullbacks *p, const trajectory *c, const exact_window
             status = add_roots(p, surface, &where);
     }
     monomials_free(m);
-    dyadic_interval_clear(&where);
     return status ? status : rank_zeros(p);
 }

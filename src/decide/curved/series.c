@@ -5,11 +5,8 @@
  * its gradients. With x = a^2 x' and y = a y' each equation, divided by a^2, is y'_i + (terms with
  * x' or of degree two in y'), over the ring: nothing is divided. Iteration gains one order a step.
  */
-#include "decide/curved/curved.h"
-
 #include "base/context/scope.h"
 #include "decide/curved/arrangement.h"
-#include "decide/curved/walker.h"
 
 enum { POWERS = TAYLOR_DEGREE + 1, SCALES = 2 * TAYLOR_DEGREE };
 

@@ -1,13 +1,8 @@
 /* Germs: what is known of the patterns, and what that decides.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/curved/curved.h"
-
 #include "base/context/scope.h"
 #include "decide/curved/arrangement.h"
-#include "decide/curved/walker.h"
-#include "decide/trace/trace.h"
-#include "input/csg/csg.h"
 
 int pattern_has(const pattern_set *set, unsigned pattern) {
     return set->word[pattern / 64] >> (pattern % 64) & 1;

@@ -6,8 +6,6 @@
  * point on the vertical line through it, and in its width branches meet at the abscissa of the
  * point alone. Then those in the window are the branches that end in the point (C126).
  */
-#include "decide/curved/curved.h"
-
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_mpoly.h>
 #include <flint/fmpz_vec.h>
@@ -20,9 +18,6 @@
 #include "base/number/sign.h"
 #include "decide/bounds/bounds.h"
 #include "decide/curved/walker.h"
-#include "decide/filter/filter.h"
-#include "decide/trace/trace.h"
-#include "input/csg/csg.h"
 #include "input/validate/validate.h"
 
 /* Work of a resultant, as measured: PAIR_WORK times the sizes of both members, where a size is

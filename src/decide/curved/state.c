@@ -1,11 +1,8 @@
 /* The rules, from the cheapest to the last.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/curved/curved.h"
-
 #include "base/context/scope.h"
 #include "decide/curved/arrangement.h"
-#include "decide/curved/walker.h"
 
 /* If all members are smooth, note the patterns that have an open cell among the tangent planes. */
 static void see_cells(sign_germ *g, unsigned smooth) {

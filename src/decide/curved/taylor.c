@@ -1,14 +1,9 @@
 /* Expansions of surfaces at a point of the trajectory.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/curved/curved.h"
-
 #include <string.h>
 #include "base/context/scope.h"
 #include "decide/curved/arrangement.h"
-#include "decide/curved/walker.h"
-#include "decide/trace/trace.h"
-#include "input/csg/csg.h"
 
 static const fmpq_poly_t no_value = {{.den = {1}}}; /* zero */
 

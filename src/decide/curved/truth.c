@@ -1,13 +1,11 @@
 /* Tables of truth, without the surfaces that change nothing.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/curved/curved.h"
-
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "decide/curved/arrangement.h"
-#include "input/csg/csg.h"
 
 graze_status expression_init(expression *e, graze_context *context, const csg *solid) {
     *e = (expression){.solid = solid, .context = context};
@@ -50,11 +48,8 @@ graze_status expression_ask(dependence *out, expression *e, const size_t *surfac
     *out = (dependence){.asked = surface, .asked_count = count, .too_many = count > CSG_FREE_MOST};
     if (out->too_many)
         return GRAZE_OK;
-    graze_status status =
-        array_grow(e->context, &e->work, &e->room, e->solid->node_count * csg_table_words(n),
-                   sizeof *e->work, "the nodes of a solid");
-    if (status)
-        return status;
+    TRY(array_grow(e->context, &e->work, &e->room, e->solid->node_count * csg_table_words(n),
+                   sizeof *e->work, "the nodes of a solid"));
     for (int k = 0; k < n; k++) {
         kept[k] = e->sign[surface[k]];
         e->sign[surface[k]] = (signed char)(2 + k);

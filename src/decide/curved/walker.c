@@ -5,8 +5,6 @@
  * asked for (C101). A time is decided once the gap after it is known, since the states of both gaps
  * say whether interior and exterior come arbitrarily near (C95).
  */
-#include "decide/curved/curved.h"
-
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
@@ -14,9 +12,6 @@
 #include "base/number/sign.h"
 #include "decide/bounds/bounds.h"
 #include "decide/curved/walker.h"
-#include "decide/filter/filter.h"
-#include "decide/trace/trace.h"
-#include "input/csg/csg.h"
 
 /* Does a primitive have one of the surfaces on which the expression depends? */
 static int node_meets(const csg *solid, const csg_node *node, const dependence *d) {
@@ -89,13 +84,12 @@ static graze_status ask_state(graze_state *out, walker *w, const dependence *d, 
     }
     if (status || *out != GRAZE_STATE_UNDECIDED || w->c->dimension != 2)
         return status;
-    status = stack_decide(out, &w->expression, w->c, d->too_many ? d->asked : d->surface,
-                          d->too_many ? d->asked_count : (size_t)d->count, f->time);
-    if (!status &&
-        ((at.near_in && *out == GRAZE_STATE_O) || (at.near_out && *out == GRAZE_STATE_I)))
-        status = context_fail(f->context, GRAZE_EINTERNAL,
-                              "a gap and the stacks beside its end disagree");
-    return status;
+    TRY(stack_decide(out, &w->expression, w->c, d->too_many ? d->asked : d->surface,
+                     d->too_many ? d->asked_count : (size_t)d->count, f->time));
+    return (at.near_in && *out == GRAZE_STATE_O) || (at.near_out && *out == GRAZE_STATE_I)
+               ? context_fail(f->context, GRAZE_EINTERNAL,
+                              "a gap and the stacks beside its end disagree")
+               : GRAZE_OK;
 }
 
 /* Decide the state at the pending time, between the gaps with the states w->before and `after`,
@@ -111,11 +105,8 @@ static graze_status decide_time(graze_state *out, walker *w, const dependence *d
         (before == GRAZE_STATE_I && after == GRAZE_STATE_O) ||
         (before == GRAZE_STATE_O && after == GRAZE_STATE_I))
         return GRAZE_OK;
-    moment_field f;
-    field_init(&f, w->r->context, w->pending, 0, &w->work);
-    graze_status status = ask_state(out, w, d, &f, before, after);
-    field_clear(&f);
-    return status;
+    HELD(moment_field, f, w->r->context, w->pending, 0, &w->work);
+    return ask_state(out, w, d, &f, before, after);
 }
 
 graze_status walker_settle(walker *w, graze_state after) {
@@ -123,17 +114,13 @@ graze_status walker_settle(walker *w, graze_state after) {
     graze_state state;
     if (!w->pending)
         return GRAZE_OK;
-    graze_status status = expression_ask(&d, &w->expression, w->vanishing, w->vanishing_count);
-    if (!status)
-        status = decide_time(&state, w, &d, after);
-    if (!status && state == GRAZE_STATE_UNDECIDED)
-        status = keep_undecided(w, &d, w->pending, w->before, after);
-    if (!status)
-        status = word_put_time(w->word, state, w->piece, w->pending);
-    if (!status && state == GRAZE_STATE_B)
-        status = name_primitives(w, last_contact(w), &d);
+    TRY(expression_ask(&d, &w->expression, w->vanishing, w->vanishing_count));
+    TRY(decide_time(&state, w, &d, after));
+    if (state == GRAZE_STATE_UNDECIDED)
+        TRY(keep_undecided(w, &d, w->pending, w->before, after));
+    TRY(word_put_time(w->word, state, w->piece, w->pending));
     w->pending = NULL;
-    return status;
+    return state == GRAZE_STATE_B ? name_primitives(w, last_contact(w), &d) : GRAZE_OK;
 }
 
 /* Make a time pending until the gap after it is known. At it vanish the surfaces that contain the
@@ -150,15 +137,12 @@ static void wait_for(walker *w, algebraic *time, const zero *zeros, size_t count
 /* Put the state of the pending time, then that of the gap after it, which has one state. */
 static graze_status put_whole_gap(walker *w, graze_state state, const dependence *d,
                                   const algebraic *sample) {
-    graze_status status = walker_settle(w, state);
-    if (!status && state == GRAZE_STATE_UNDECIDED)
-        status = keep_undecided(w, d, sample, GRAZE_STATE_ABSENT, GRAZE_STATE_ABSENT);
-    if (!status)
-        status = word_put_gap(w->word, state);
-    if (!status && state == GRAZE_STATE_B)
-        status = name_primitives(w, last_contact(w), d);
+    TRY(walker_settle(w, state));
+    if (state == GRAZE_STATE_UNDECIDED)
+        TRY(keep_undecided(w, d, sample, GRAZE_STATE_ABSENT, GRAZE_STATE_ABSENT));
+    TRY(word_put_gap(w->word, state));
     w->before = state;
-    return status;
+    return state == GRAZE_STATE_B ? name_primitives(w, last_contact(w), d) : GRAZE_OK;
 }
 
 /* Find the roots, strictly between two times, of the polynomials that were asked on their gap. */
@@ -184,62 +168,52 @@ static graze_status walk_slide(walker *w, algebraic *low, algebraic *high);
 /* Walk the parts of a gap that is cut. */
 static graze_status walk_parts(walker *w, algebraic_list *cuts, algebraic *low, algebraic *high) {
     size_t count = cuts->count;
-    algebraic **order = malloc(count * sizeof(algebraic *));
+    FREED(algebraic *, order, malloc(count * sizeof(algebraic *)));
     if (!order)
         return context_fail(w->r->context, GRAZE_ESYSTEM, "out of memory for %zu times", count);
     for (size_t k = 0; k < count; k++)
         order[k] = &cuts->item[k];
-    graze_status status = algebraic_sort_once(order, &count, w->r->context, NULL, NULL);
-    for (size_t k = 0; k <= count && !status; k++) {
-        status = walk_slide(w, k ? order[k - 1] : low, k < count ? order[k] : high);
-        if (!status && k < count)
+    TRY(algebraic_sort_once(order, &count, w->r->context, NULL, NULL));
+    for (size_t k = 0; k <= count; k++) {
+        TRY(walk_slide(w, k ? order[k - 1] : low, k < count ? order[k] : high));
+        if (k < count)
             wait_for(w, order[k], NULL, 0);
     }
     /* The last gap put the state of the last cut, so no time of the list is pending any longer. */
-    free(order);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Walk a gap, cutting it where the signs beside surfaces that contain the trajectory change. */
 static graze_status walk_slide(walker *w, algebraic *low, algebraic *high) {
     dependence d;
-    graze_state state = GRAZE_STATE_UNDECIDED;
-    moment_field f;
-    graze_status status = expression_ask(&d, &w->expression, w->at.slide, w->at.slide_count);
+    TRY(expression_ask(&d, &w->expression, w->at.slide, w->at.slide_count));
     HELD(algebraic, sample);
     HELD(algebraic_list, cuts);
-    if (!status)
-        status = algebraic_between(sample.value, w->r->context, low, high);
-    field_init(&f, w->r->context, &sample, 1, &w->work);
-    if (!status && d.state)
-        state = d.state;
-    else if (!status)
-        status = ask_state(&state, w, &d, &f, GRAZE_STATE_ABSENT, GRAZE_STATE_ABSENT);
-    if (!status && !w->limited)
-        status = find_slide_cuts(&cuts, w, &f, low, high);
-    if (!status)
-        status =
-            cuts.count ? walk_parts(w, &cuts, low, high) : put_whole_gap(w, state, &d, &sample);
-    field_clear(&f);
-    return status;
+    TRY(algebraic_between(sample.value, w->r->context, low, high));
+    HELD(moment_field, f, w->r->context, &sample, 1, &w->work);
+    graze_state state = d.state;
+    if (!state)
+        TRY(ask_state(&state, w, &d, &f, GRAZE_STATE_ABSENT, GRAZE_STATE_ABSENT));
+    if (!w->limited)
+        TRY(find_slide_cuts(&cuts, w, &f, low, high));
+    return cuts.count ? walk_parts(w, &cuts, low, high) : put_whole_gap(w, state, &d, &sample);
 }
 
 /* Set the signs in the gap after a rank: those of the surfaces that vanish at it, or of all asked
  * surfaces after the first rank. */
 static graze_status update_signs(walker *w, size_t rank, const zero *zeros, size_t count) {
-    graze_status status;
     size_t n = rank ? count : w->at.asked_count;
     HELD(algebraic, sample);
-    status = algebraic_between(sample.value, w->r->context, w->at.by_rank[rank],
-                               w->at.by_rank[rank + 1]);
-    for (size_t k = 0; k < n && !status; k++) {
+    TRY(algebraic_between(sample.value, w->r->context, w->at.by_rank[rank],
+                          w->at.by_rank[rank + 1]));
+    for (size_t k = 0; k < n; k++) {
         size_t surface = rank ? zeros[k].surface : w->at.asked[k];
         int sign = 1;
         if (!fmpz_poly_is_zero(&w->at.form[surface]))
-            status = algebraic_sign_at(&sign, w->r->context, &w->at.form[surface], &sample);
+            TRY(algebraic_sign_at(&sign, w->r->context, &w->at.form[surface], &sample));
         w->expression.sign[surface] = (signed char)sign;
     }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status walker_walk(walker *w, const exact_window *window, const candidate *asked) {
@@ -268,12 +242,10 @@ graze_status walker_walk(walker *w, const exact_window *window, const candidate 
 graze_status walker_init(walker *w, tracer *r, word_builder *word) {
     const csg *solid = r->scene->solid->curved;
     *w = (walker){.r = r, .solid = solid, .word = word, .before = GRAZE_STATE_ABSENT};
-    graze_status status = expression_init(&w->expression, r->context, solid);
-    graze_status other = pullbacks_init(&w->at, r->context, solid);
+    TRY(expression_init(&w->expression, r->context, solid));
+    TRY(pullbacks_init(&w->at, r->context, solid));
     w->vanishing = malloc((solid->surface_count + 1) * sizeof *w->vanishing);
-    if (!status)
-        status = w->vanishing ? other : context_fail(r->context, GRAZE_ESYSTEM, "out of memory");
-    return status;
+    return w->vanishing ? GRAZE_OK : context_fail(r->context, GRAZE_ESYSTEM, "out of memory");
 }
 
 void walker_clear(walker *w) {

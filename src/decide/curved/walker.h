@@ -4,11 +4,8 @@
 #define GRAZE_DECIDE_CURVED_WALKER_H
 
 #include <flint/fmpq_poly.h>
-#include "base/number/algebraic.h"
 #include "decide/curved/curved.h"
 #include "decide/filter/filter.h"
-#include "decide/trace/trace.h"
-#include "input/csg/csg.h"
 #include "input/motion/motion.h"
 
 /* The field of numbers that decide a moment of a trajectory: polynomials in the local time u,
@@ -29,9 +26,9 @@ typedef struct moment_field {
 } moment_field;
 
 /** Make the field of a time; the time's polynomial may be replaced by a factor of it. */
-void field_init(moment_field *f, graze_context *context, algebraic *time, int on_gap,
-                unsigned long *work);
-void field_clear(moment_field *f);
+void moment_field_init(moment_field *f, graze_context *context, algebraic *time, int on_gap,
+                       unsigned long *work);
+void moment_field_clear(moment_field *f);
 
 /** Set an element to an integer polynomial in u. */
 void field_set(value *out, const moment_field *f, const fmpz_poly_t p);
@@ -136,9 +133,6 @@ graze_status word_put_crossing(word_builder *l);
 
 /** Add a primitive to the cells of a contact, unless it is one of them. */
 graze_status word_add_cell(word_builder *l, contact *c, size_t primitive);
-
-/** Set the states beside each contact and those at the ends of the motion. */
-graze_status word_finish(word_builder *l);
 
 /* The states of a trajectory in the windows of time that are decided exactly. */
 

@@ -5,27 +5,15 @@
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "decide/curved/walker.h"
-#include "decide/trace/trace.h"
 #include "input/soup/soup.h"
 
 static graze_state last_of(const word_builder *l) {
     return l->length ? (graze_state)l->out->word[l->length - 1] : GRAZE_STATE_ABSENT;
 }
 
-/* Append a state to the word unless it is the word's last; I next to O is an internal error. */
 static graze_status append_state(word_builder *l, graze_state state) {
-    graze_state last = last_of(l);
-    if (last == state)
-        return GRAZE_OK;
-    if ((last == GRAZE_STATE_I && state == GRAZE_STATE_O) ||
-        (last == GRAZE_STATE_O && state == GRAZE_STATE_I))
-        return context_fail(l->context, GRAZE_EINTERNAL,
-                            "a trace passes from inside to outside without a contact");
-    TRY(array_grow(l->context, &l->out->word, &l->capacity, l->length + 2, 1,
-                   "the word of a trace"));
-    l->out->word[l->length++] = (char)state;
-    l->out->word[l->length] = '\0';
-    return GRAZE_OK;
+    return word_append(&l->out->word, &l->length, &l->capacity, l->context, state,
+                       "the word of a trace");
 }
 
 static graze_status no_memory(word_builder *l) {
@@ -89,21 +77,4 @@ graze_status word_add_cell(word_builder *l, contact *c, size_t primitive) {
     c->cell[c->cell_count++] = (graze_cell){.kind = GRAZE_CELL_PRIMITIVE, .a = primitive};
     qsort(c->cell, c->cell_count, sizeof *c->cell, cell_compare);
     return GRAZE_OK;
-}
-
-graze_status word_finish(word_builder *l) {
-    graze_trace *out = l->out;
-    size_t next = 0;
-    out->first = (graze_state)out->word[0];
-    out->last = last_of(l);
-    for (size_t k = 0; k < l->length; k++) {
-        if (out->word[k] != 'B')
-            continue;
-        contact *c = &out->contact[next++];
-        c->left = k > 0 ? (graze_state)out->word[k - 1] : GRAZE_STATE_ABSENT;
-        c->right = k + 1 < l->length ? (graze_state)out->word[k + 1] : GRAZE_STATE_ABSENT;
-    }
-    return next == out->contact_count
-               ? GRAZE_OK
-               : context_fail(l->context, GRAZE_EINTERNAL, "a trace has lost a contact");
 }

@@ -5,10 +5,7 @@
  * proofs/membership.md (C56).
  */
 #include <math.h>
-#include "decide/bounds/bounds.h"
 #include "decide/filter/search.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
 
 typedef struct neighbourhood {
     const curve *curve;

@@ -3,13 +3,7 @@
  * near the cell.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/filter/filter.h"
-
-#include "decide/bounds/bounds.h"
 #include "decide/filter/search.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
 
 /* Bounds: the level to which parts of the time are cut, the number of simplices near one part, and
  * that of nodes visited for a cell. */

@@ -1,15 +1,9 @@
 /* A plane's form of a moved corner is a polynomial of the time; on a part it has the sign of all
  * its Bernstein coefficients. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/filter/filter.h"
-
 #include <flint/fmpq_poly.h>
 #include "base/context/scope.h"
-#include "decide/bounds/bounds.h"
 #include "decide/filter/search.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
 
 /* The plane's form of a moved corner on a whole piece, times the positive weight. */
 static void form_of_corner(fmpq_poly_t form, const fmpq *plane, const point_map *map,

@@ -1,10 +1,7 @@
 /* A box against the solid's tree: against boxes by comparisons, against simplices as a span.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/bounds/bounds.h"
 #include "decide/filter/search.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
 
 typedef struct emptiness {
     const graze_solid *solid;

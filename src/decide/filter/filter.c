@@ -1,14 +1,8 @@
 /* The filter of a scene, and the search for one point.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/filter/filter.h"
-
 #include <stdlib.h>
-#include "decide/bounds/bounds.h"
 #include "decide/filter/search.h"
-#include "decide/surfaces/surfaces.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
 
 graze_status filter_make(filter *out, graze_context *context, const graze_solid *solid,
                          const graze_motion *motion, graze_operation operation) {

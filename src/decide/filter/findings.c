@@ -1,14 +1,10 @@
 /* Lists of crossings, candidates and windows, which grow.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/filter/filter.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
-#include "decide/bounds/bounds.h"
 #include "decide/filter/search.h"
-#include "input/validate/validate.h"
 
 candidate candidate_in(time_part part, uint32_t simplex, const meet_window *w) {
     double length = (double)(UINT32_C(1) << (WINDOW_LEVELS - part.level));

@@ -1,13 +1,9 @@
 /* Blocks of bricks are halved until no simplex meets them; the state of such a block is that of a
  * brick beside it, or of its middle. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/filter/filter.h"
-
 #include <math.h>
 #include <stdlib.h>
 #include "decide/filter/search.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
 
 /* Bricks for each simplex, the bounds of their number, and the tests of simplices that are allowed
  * for each simplex and each brick. */

@@ -5,10 +5,7 @@
  * are evaluated at the window of a root, or on the whole span, only. The error bounds are those of
  * proofs/filter.md (C35). A comparison that is false for NaN never decides.
  */
-#include "decide/filter/filter.h"
-
 #include <math.h>
-#include "decide/bounds/bounds.h"
 #include "decide/filter/search.h"
 
 #define U UNIT_ROUNDING

@@ -2,13 +2,8 @@
  * against the solid's tree.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/filter/filter.h"
-
 #include <math.h>
-#include "decide/bounds/bounds.h"
 #include "decide/filter/search.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
 
 /* The deepest levels to which spans are cut: against boxes, and against a simplex. */
 enum { CELL_BOX_LEVELS = 16, CELL_LEVELS = 8 };

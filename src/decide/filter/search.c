@@ -1,12 +1,7 @@
 /* Time and tree are subdivided together: a span that is thick beside the box it meets is cut before
  * the descent goes on. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/filter/filter.h"
-
-#include "decide/bounds/bounds.h"
 #include "decide/filter/search.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
 
 /* The deepest levels of spans: against boxes; against a simplex by chord, by Bernstein forms. */
 enum { BOX_LEVELS = 20, CHORD_LEVELS = 4, SIMPLEX_LEVELS = 8 };

@@ -6,11 +6,7 @@
 #include <flint/fmpq.h>
 #include <stddef.h>
 #include <stdint.h>
-#include "decide/bounds/bounds.h"
 #include "decide/filter/filter.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
 
 /* Results of the filter's search: certain crossings, and candidates for the exact path. */
 

@@ -2,13 +2,10 @@
  * taken into windows, until no two things touch.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/filter/filter.h"
-
 #include <math.h>
 #include <stdlib.h>
-#include "decide/bounds/bounds.h"
+#include "base/context/array.h"
 #include "decide/filter/search.h"
-#include "input/validate/validate.h"
 
 static int compare_by_time(const void *left, const void *right) {
     const candidate *a = left, *b = right;
@@ -109,12 +106,8 @@ static void drop_lost(findings *found) {
     size_t kept = 0;
     if (!found->lost_count)
         return;
-    qsort(found->lost, found->lost_count, sizeof *found->lost, compare_pieces);
-    for (size_t k = 0; k < found->lost_count; k++)
-        if (!kept || found->lost[kept - 1] != found->lost[k])
-            found->lost[kept++] = found->lost[k];
-    found->lost_count = kept;
-    kept = 0;
+    found->lost_count =
+        array_sort_once(found->lost, found->lost_count, sizeof *found->lost, compare_pieces);
     for (size_t k = 0; k < found->crossing_count; k++)
         if (!is_lost(found, found->crossing[k].piece))
             found->crossing[kept++] = found->crossing[k];

@@ -2,13 +2,7 @@
  * Bernstein coefficients on a span decide, or those on its halves.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/filter/filter.h"
-
-#include "decide/bounds/bounds.h"
 #include "decide/filter/search.h"
-#include "decide/surfaces/surfaces.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
 
 /* The deepest levels to which time is cut: against boxes, and for the roots of one surface. */
 enum { BOX_LEVELS = 6, SURFACE_LEVELS = 10 };

@@ -1,12 +1,8 @@
 /* Point location by a segment that leaves the solid's box: its first crossing gives the state
  * before it. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "decide/filter/filter.h"
-
 #include <math.h>
-#include "decide/bounds/bounds.h"
 #include "decide/filter/search.h"
-#include "input/solid/solid.h"
 
 /* Is a place certainly outside the box of all corners? */
 static int is_far(const graze_solid *solid, const double *at, const double *error, int d) {

@@ -7,8 +7,6 @@
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "decide/filter/filter.h"
-#include "decide/scene/scene.h"
 #include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
 
@@ -82,15 +80,14 @@ static int point_joins(bricklayer *b, const size_t at[3], const anchors *near) {
 
 static graze_status ask_points(bricklayer *b, const brick *part, const anchors *near) {
     size_t at[3];
-    graze_status status = GRAZE_OK;
     memcpy(at, part->first, sizeof at);
     do
         if (point_joins(b, at, near))
             *byte_of(b, at) = (unsigned char)cell_membership_proved(&b->ask);
         else
-            status = ask_point(b, at);
-    while (!status && next_place(at, part));
-    return status;
+            TRY(ask_point(b, at));
+    while (next_place(at, part));
+    return GRAZE_OK;
 }
 
 static void fill_part(bricklayer *b, const brick *part, graze_pmc pmc) {
@@ -156,13 +153,12 @@ graze_status brick_decide(unsigned char pmc[BRICK_POINTS], graze_context *contex
                           const graze_scene *scene, const lattice *l, const brick *points) {
     bricklayer b = {.pmc = pmc, .whole = points, .dimension = l->dimension};
     memset(pmc, 0, BRICK_POINTS);
-    graze_status status = context_poll(context);
-    if (status)
-        return status;
+    TRY(context_poll(context));
     cell_asker_init(&b.ask, context, scene);
     set_coordinates(&b, l);
     anchors none = {.count = 0};
-    status = context->exact_only ? ask_points(&b, points, &none) : decide_part(&b, points, &none);
+    graze_status status =
+        context->exact_only ? ask_points(&b, points, &none) : decide_part(&b, points, &none);
     for (int k = 0; k < l->dimension; k++)
         _fmpq_vec_clear(b.exact[k], (slong)(points->end[k] - points->first[k]));
     cell_asker_clear(&b.ask);

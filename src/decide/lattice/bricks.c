@@ -3,7 +3,6 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include "decide/scene/scene.h"
 
 /* Rows are asked for in order, by threads that are not far apart. So only the current layer of
  * bricks along the last axis, and LAYERS_KEPT layers before it, are kept. */

@@ -5,9 +5,6 @@
 
 #include <string.h>
 #include "base/context/scope.h"
-#include "decide/bounds/bounds.h"
-#include "decide/filter/filter.h"
-#include "decide/scene/scene.h"
 #include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
 

@@ -5,7 +5,6 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include "input/csg/csg.h"
 
 static int is_true(const csg_node *node, size_t count) {
     int holds = node->operation == CSG_ALL   ? count == node->count

@@ -6,8 +6,6 @@
 #include <math.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "input/csg/csg.h"
-#include "input/solid/solid.h"
 
 /* 2 f = x^T A x + 2 b^T x + 2 c. */
 typedef struct quadric {

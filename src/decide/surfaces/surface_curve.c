@@ -7,7 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
-#include "decide/bounds/bounds.h"
 
 #define U UNIT_ROUNDING
 #define SLACK FILTER_SLACK

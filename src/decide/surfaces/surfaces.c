@@ -7,10 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "decide/bounds/bounds.h"
-#include "input/csg/csg.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
 
 /* All products up to the solid's degree, by degree. */
 static void list_products(surface_filter *f, int coordinates) {
@@ -81,12 +77,11 @@ static int make_boxes(surface_filter *f, const csg *solid) {
     f->boxed = malloc((solid->surface_count + 1) * sizeof *f->boxed);
     f->open = malloc((solid->surface_count + 1) * sizeof *f->open);
     int made = boxes && f->boxed && f->open;
-    for (size_t k = 0; k < solid->surface_count && made; k++) {
+    for (size_t k = 0; k < solid->surface_count && made; k++)
         if (surface_box(&boxes[f->boxed_count], &solid->surface[k], solid->dimension))
             f->boxed[f->boxed_count++] = (uint32_t)k;
         else
             f->open[f->open_count++] = (uint32_t)k;
-    }
     for (size_t k = 0; k < f->boxed_count && made; k++)
         for (int i = 0; i < 3; i++)
             f->reach.axis_reach[i] =

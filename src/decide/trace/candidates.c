@@ -9,9 +9,6 @@
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "decide/bounds/bounds.h"
-#include "decide/filter/filter.h"
-#include "input/solid/solid.h"
 #include "input/validate/validate.h"
 
 /* The piece [start, start + 2^(LEVELS - level)] of the curve. */

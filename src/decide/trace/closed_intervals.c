@@ -6,17 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
-#include "input/motion/motion.h"
-#include "input/soup/soup.h"
 
 /* Sort the cells of a contact; each once. */
 static void order_cells(contact *c) {
-    size_t kept = c->cell_count > 0;
-    qsort(c->cell, c->cell_count, sizeof *c->cell, cell_compare);
-    for (size_t k = 1; k < c->cell_count; k++)
-        if (cell_compare(&c->cell[kept - 1], &c->cell[k]) != 0)
-            c->cell[kept++] = c->cell[k];
-    c->cell_count = kept;
+    c->cell_count = array_sort_once(c->cell, c->cell_count, sizeof *c->cell, cell_compare);
 }
 
 /* Add cells of touches to a contact, in order and each once; 0 without memory. */

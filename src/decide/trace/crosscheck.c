@@ -2,7 +2,6 @@
 #include "decide/trace/trace.h"
 
 #include "base/context/scope.h"
-#include "decide/bounds/bounds.h"
 
 static const uint32_t WHOLE = UINT32_C(1) << WINDOW_LEVELS;
 

@@ -8,9 +8,6 @@
 
 #include <math.h>
 #include "base/context/scope.h"
-#include "decide/bounds/bounds.h"
-#include "decide/filter/filter.h"
-#include "decide/scene/scene.h"
 #include "input/validate/validate.h"
 
 /* Contacts in windows that hold all touches of the candidates, which come in any order. */
@@ -24,36 +21,31 @@ static graze_status trace_window(tracer *r, size_t piece, candidates *list, int 
         quick.curve = &r->workspace->curve;
         quick.forms = &r->workspace->forms;
     }
-    graze_status status =
-        touches_find(&t, r->context, r->scene->solid, c, quick.piece ? &quick : NULL, list);
-    if (status == GRAZE_OK)
-        status = touches_order(&t, r->context);
-    if (status == GRAZE_OK)
-        status = contacts_append(r->out, r->context, r->scene->motion, piece, &t, opens);
-    return status;
+    TRY(touches_find(&t, r->context, r->scene->solid, c, quick.piece ? &quick : NULL, list));
+    TRY(touches_order(&t, r->context));
+    return contacts_append(r->out, r->context, r->scene->motion, piece, &t, opens);
 }
 
 static graze_status trace_exactly(tracer *r, size_t piece) {
     const trajectory *c = tracer_exact(r, piece);
     if (!c)
         return GRAZE_ESYSTEM;
-    graze_status status = candidates_find(&r->list, r->context, r->scene->solid, c);
-    if (status == GRAZE_OK)
-        status = crosscheck_window(r, piece, 0, UINT32_C(1) << WINDOW_LEVELS);
-    return status == GRAZE_OK ? trace_window(r, piece, &r->list, 1) : status;
+    TRY(candidates_find(&r->list, r->context, r->scene->solid, c));
+    TRY(crosscheck_window(r, piece, 0, UINT32_C(1) << WINDOW_LEVELS));
+    return trace_window(r, piece, &r->list, 1);
 }
 
 /* The contacts of a window of the filter. */
 static graze_status trace_exact_window(tracer *r, const findings *found,
                                        const exact_window *window) {
     candidates asked = {window->count, window->count, found->asked.item + window->first};
-    graze_status status = crosscheck_window(r, window->piece, window->from, window->to);
-    return status == GRAZE_OK ? trace_window(r, window->piece, &asked, window->from == 0) : status;
+    TRY(crosscheck_window(r, window->piece, window->from, window->to));
+    return trace_window(r, window->piece, &asked, window->from == 0);
 }
 
 static graze_status trace_crossing(tracer *r, size_t piece, int enters) {
-    graze_status status = crosscheck_crossing(r, piece, enters);
-    return status == GRAZE_OK ? contacts_append_crossing(r->out, r->context, enters) : status;
+    TRY(crosscheck_crossing(r, piece, enters));
+    return contacts_append_crossing(r->out, r->context, enters);
 }
 
 /* Nothing is met at the beginning of a piece. */
@@ -89,21 +81,22 @@ static size_t next_piece(const findings *found, const place_in *at) {
 static graze_status trace_findings(tracer *r, size_t piece, const findings *found, place_in *at) {
     const exact_window *window = next_window(found, at);
     int opens = !window || window->piece != piece || window->from > 0;
-    graze_status status = opens ? trace_nothing(r, piece) : GRAZE_OK;
-    while (status == GRAZE_OK && next_piece(found, at) == piece) {
+    if (opens)
+        TRY(trace_nothing(r, piece));
+    while (next_piece(found, at) == piece) {
         const crossing *next = next_crossing(found, at);
         window = next_window(found, at);
         window = window && window->piece == piece ? window : NULL;
         if (next && next->piece == piece &&
             (!window || ldexp(next->from, WINDOW_LEVELS) < window->from)) {
-            status = trace_crossing(r, piece, next->enters);
+            TRY(trace_crossing(r, piece, next->enters));
             at->crossing++;
         } else {
-            status = trace_exact_window(r, found, window);
+            TRY(trace_exact_window(r, found, window));
             at->window++;
         }
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* All that the filter found of a piece, with exact times. */
@@ -131,42 +124,39 @@ static graze_status trace_all(tracer *r, size_t piece, const findings *found, pl
 
 /* Trace the pieces with findings; contacts must not end where a piece without findings begins. */
 static graze_status trace_found(tracer *r, const findings *found) {
-    graze_status status = GRAZE_OK;
     place_in at = {0, 0, 0};
-    for (size_t piece, after = 0; status == GRAZE_OK; after = piece + 1) {
+    for (size_t piece, after = 0;; after = piece + 1) {
         piece = next_piece(found, &at);
         if (after > 0 && after < r->scene->motion->piece_count && piece != after)
-            status = trace_nothing(r, after);
-        if (piece == SIZE_MAX || status != GRAZE_OK)
-            break;
+            TRY(trace_nothing(r, after));
+        if (piece == SIZE_MAX)
+            return GRAZE_OK;
         if (at.lost < found->lost_count && found->lost[at.lost] == piece) {
-            status = trace_exactly(r, piece);
+            TRY(trace_exactly(r, piece));
             at.lost++;
         } else {
-            status = r->detail == TRACE_CONTACTS ? trace_all(r, piece, found, &at)
-                                                 : trace_findings(r, piece, found, &at);
+            TRY(r->detail == TRACE_CONTACTS ? trace_all(r, piece, found, &at)
+                                            : trace_findings(r, piece, found, &at));
         }
     }
-    return status;
 }
 
 static graze_status trace_pieces(tracer *r) {
-    graze_status status = context_poll(r->context);
+    TRY(context_poll(r->context));
     const filter *f = &r->scene->filter;
     int *settled = r->detail >= TRACE_PMC ? &r->out->settled : NULL;
-    if (status == GRAZE_OK && r->workspace &&
+    if (r->workspace &&
         filter_search(r->workspace, settled, r->detail == TRACE_PMC ? filter_bricks(f) : NULL, f,
                       &r->near)) {
         if (r->out->settled)
             return GRAZE_OK;
-        status = trace_found(r, &r->workspace->found);
+        TRY(trace_found(r, &r->workspace->found));
     } else {
-        for (size_t k = 0; k < r->scene->motion->piece_count && status == GRAZE_OK; k++)
-            status = trace_exactly(r, k);
+        for (size_t k = 0; k < r->scene->motion->piece_count; k++)
+            TRY(trace_exactly(r, k));
     }
-    if (status == GRAZE_OK)
-        status = contacts_name(r->out, r->context, &r->scene->solid->cut.names);
-    return status == GRAZE_OK ? word_read(r) : status;
+    TRY(contacts_name(r->out, r->context, &r->scene->solid->cut.names));
+    return word_read(r);
 }
 
 graze_status trace_point(graze_trace *out, graze_context *context, const graze_scene *scene,

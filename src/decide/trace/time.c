@@ -12,7 +12,6 @@
 #include "base/number/modular.h"
 #include "base/number/order.h"
 #include "base/number/refine.h"
-#include "input/motion/motion.h"
 
 graze_time *time_create(const graze_motion *motion, size_t piece, const algebraic *u) {
     graze_time *time = malloc(sizeof *time);
@@ -59,30 +58,24 @@ size_t time_first_piece(const graze_time *time) {
 
 graze_status time_between(size_t *piece, fmpq_t u, graze_context *context, graze_time *before,
                           graze_time *after) {
-    algebraic one;
     HELD(algebraic, zero);
-    algebraic_init(&one);
+    HELD(algebraic, one);
     fmpq_one(one.value);
     *piece = before->piece;
     algebraic *low = &before->u;
     int order = 0;
-    graze_status status = algebraic_compare(&order, context, low, &one);
-    if (status == GRAZE_OK && order == 0) {
+    TRY(algebraic_compare(&order, context, low, &one));
+    if (order == 0) {
         ++*piece;
         low = &zero;
     }
     algebraic *high = after->piece == *piece ? &after->u : &one;
-    if (status == GRAZE_OK)
-        status = algebraic_compare(&order, context, low, high);
+    TRY(algebraic_compare(&order, context, low, high));
     /* Windows that were not apart would give one time twice, between which there is none. */
-    if (status == GRAZE_OK && after->piece >= *piece && order < 0) {
-        status = algebraic_between(u, context, low, high);
-    } else if (status == GRAZE_OK) {
-        status = context_fail(context, GRAZE_EINTERNAL,
-                              "two contacts, one after the other, are not in order of time");
-    }
-    algebraic_clear(&one);
-    return status;
+    if (after->piece >= *piece && order < 0)
+        return algebraic_between(u, context, low, high);
+    return context_fail(context, GRAZE_EINTERNAL,
+                        "two contacts, one after the other, are not in order of time");
 }
 
 /* With lo = a / b and hi - lo = c / e: u = (e b t - e a) / (b c). The result is p(u) times a
@@ -228,8 +221,7 @@ static graze_status floor_of_time(fmpz_t out, graze_context *context, graze_time
 /* Index of the time among the isolated roots: the one whose interval holds the time's. */
 static graze_status find_itself(size_t *out, graze_context *context, graze_time *time,
                                 const algebraic_list *roots, fmpq_t low, fmpq_t high) {
-    graze_status status = GRAZE_OK;
-    for (ulong gain = FIRST_GAIN; status == GRAZE_OK;) {
+    for (ulong gain = FIRST_GAIN;;) {
         for (size_t k = 0; k < roots->count; k++) {
             const dyadic_interval *at = &roots->item[k].where;
             *out = k;
@@ -237,10 +229,9 @@ static graze_status find_itself(size_t *out, graze_context *context, graze_time 
                 dyadic_compare(at->high, at->exponent, high) >= 0)
                 return GRAZE_OK;
         }
-        status = algebraic_narrow(context, &time->u, CHEAP_HALVINGS, &gain);
+        TRY(algebraic_narrow(context, &time->u, CHEAP_HALVINGS, &gain));
         bounds_in_motion_parameter(low, high, time);
     }
-    return status;
 }
 
 /* The least m at which the interval of the time holds no other root of the list: at that m, a
@@ -249,13 +240,13 @@ static graze_status find_places(ulong *m, graze_context *context, graze_time *ti
                                 const algebraic_list *roots, fmpq_t low, fmpq_t high) {
     size_t own = 0;
     *m = 0;
-    graze_status status = find_itself(&own, context, time, roots, low, high);
-    for (size_t k = own > 0 ? own - 1 : 0; k <= own && k + 1 < roots->count && !status; k++) {
+    TRY(find_itself(&own, context, time, roots, low, high));
+    for (size_t k = own > 0 ? own - 1 : 0; k <= own && k + 1 < roots->count; k++) {
         ulong places = 0;
-        status = algebraic_places_between(&places, context, &roots->item[k], &roots->item[k + 1]);
+        TRY(algebraic_places_between(&places, context, &roots->item[k], &roots->item[k + 1]));
         *m = FLINT_MAX(*m, places);
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* An irrational number and the other roots of its minimal polynomial in the same unit interval: no
@@ -266,17 +257,14 @@ static graze_status find_widest_interval(graze_time *time, graze_context *contex
     algebraic_list *roots = NULL;
     ulong m = 0;
     LOCAL(fmpz, place);
-    graze_status status = floor_of_time(place, context, time, low, high, 0);
-    if (status == GRAZE_OK)
-        status = roots_from(&roots, family, context, factor, place);
-    if (status == GRAZE_OK)
-        status = find_places(&m, context, time, roots, low, high);
-    if (status == GRAZE_OK)
-        status = floor_of_time(place, context, time, low, high, m);
+    TRY(floor_of_time(place, context, time, low, high, 0));
+    TRY(roots_from(&roots, family, context, factor, place));
+    TRY(find_places(&m, context, time, roots, low, high));
+    TRY(floor_of_time(place, context, time, low, high, m));
     dyadic_value(time->low, place, m);
     fmpz_add_ui(place, place, 1);
     dyadic_value(time->high, place, m);
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status canonicalise_root(graze_time *time, graze_context *context, time_family *family,

@@ -13,9 +13,6 @@
 #include "base/number/order.h"
 #include "base/number/rounding.h"
 #include "base/number/sign.h"
-#include "decide/bounds/bounds.h"
-#include "decide/filter/filter.h"
-#include "input/solid/solid.h"
 #include "input/validate/validate.h"
 
 typedef struct finder {
@@ -127,11 +124,11 @@ static int sides_at(unsigned *inside, const finder *f, uint32_t simplex, const a
     size_t d = (size_t)f->c->dimension;
     meet_window at;
     double ignored;
-    fmpq *low = _fmpq_vec_init(2), *high = low + 1;
+    LOCAL_VEC(fmpq, low, 2);
+    fmpq *high = low + 1;
     algebraic_bounds(low, high, time);
     rational_bounds(&at.low, &ignored, low);
     rational_bounds(&ignored, &at.high, high);
-    _fmpq_vec_clear(low, 2);
     at.low = fmax(at.low, 0);
     at.high = fmin(at.high, 1);
     return sides_meet(inside, f->quick->curve, f->quick->piece, corners->at + simplex * d * d,
@@ -328,9 +325,8 @@ static graze_status rank_times(touches *t, graze_context *context, algebraic *co
     for (size_t k = 0; k < t->time.count; k++) {
         size_t index = (size_t)(order[k] - t->time.item);
         int differ = 0;
-        if (k > 0) {
+        if (k > 0)
             TRY(algebraic_compare(&differ, context, order[k - 1], order[k]));
-        }
         rank += differ != 0;
         rank_of[index] = rank;
         t->by_rank[rank] = index;

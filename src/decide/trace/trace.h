@@ -92,6 +92,14 @@ typedef struct query_point {
     const double *value;
 } query_point;
 
+/** Append a state to a word, unless it is the word's last one; I beside O is GRAZE_EINTERNAL. The
+ * word, NULL before its first state, ends in NUL. @param what of a message about memory */
+graze_status word_append(char **word, size_t *length, size_t *capacity, graze_context *context,
+                         graze_state state, const char *what);
+/** Set the states beside each contact and those at the ends of the motion from the word, in which
+ * each B is the next contact's. */
+graze_status word_tell_contacts(graze_trace *trace, graze_context *context, size_t length);
+
 /** The part of a trace that is wanted. */
 typedef enum trace_detail {
     TRACE_CONTACTS,  /* contacts with times and cells */

@@ -9,10 +9,6 @@
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "decide/bounds/bounds.h"
-#include "decide/filter/filter.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
 
 static int dimension_of(const tracer *r) {
     return r->scene->motion->dimension;

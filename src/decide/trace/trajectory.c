@@ -7,8 +7,6 @@
 #include <flint/fmpz_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
 
 void trajectory_init(trajectory *c, int dimension) {
     c->dimension = dimension;

@@ -3,8 +3,6 @@
 
 #include "base/context/scope.h"
 #include "decide/curved/curved.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
 
 graze_status classify_point(graze_trace *out, graze_context *context, const graze_scene *scene,
                             query_point point, trace_detail detail) {

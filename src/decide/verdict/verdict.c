@@ -4,7 +4,6 @@
 #include "decide/verdict/verdict.h"
 
 #include <string.h>
-#include "decide/trace/trace.h"
 
 /* [EI] Definitions 3 and 4 at the ends of the motion: the germ that is present decides. */
 graze_kind verdict_kind(graze_state left, graze_state right) {
@@ -120,12 +119,11 @@ void verdict_decide(graze_trace *trace, const graze_options *options) {
             (graze_verdict){.pmc = options->operation == GRAZE_UNSWEEP ? GRAZE_OUT : GRAZE_IN};
         return;
     }
-    for (size_t k = 0; k < trace->contact_count; k++) {
+    for (size_t k = 0; k < trace->contact_count; k++)
         if (verdict_kind(trace->contact[k].left, trace->contact[k].right) == GRAZE_INTERSECTION)
             i++;
         else
             t++;
-    }
     trace->verdict = options->operation == GRAZE_UNSWEEP
                          ? verdict_unsweep(trace->word, strlen(trace->word), i, t)
                          : verdict_sweep(trace->first, trace->last, i, t, options->folds);

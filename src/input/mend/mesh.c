@@ -7,7 +7,7 @@
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "base/number/cross.h"
+#include "base/number/vector.h"
 #include "input/mend/mesh.h"
 #include "input/soup/soup.h"
 

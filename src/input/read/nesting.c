@@ -10,7 +10,7 @@
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "base/number/cross.h"
+#include "base/number/vector.h"
 #include "input/soup/soup.h"
 #include "input/validate/validate.h"
 

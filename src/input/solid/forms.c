@@ -9,7 +9,7 @@
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
-#include "base/number/cross.h"
+#include "base/number/vector.h"
 
 /* The vertices of a simplex times a common denominator, which is positive. */
 typedef struct scaled_simplex {

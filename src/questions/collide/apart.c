@@ -1,13 +1,8 @@
 /* A separation is proved by the extents along a direction. Any vector may be tried, so directions
  * are chosen that separate often. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/collide/collide.h"
-
 #include "decide/bounds/bounds.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
 #include "questions/collide/near_pairs.h"
-#include "questions/collide/placing.h"
 
 /* Bounds that keep products in the range of doubles. */
 #define MOST_BOUND 0x1p950

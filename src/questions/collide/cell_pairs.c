@@ -2,15 +2,9 @@
  * corners; each pair of cells that meet contains such a mean.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/collide/collide.h"
-
-#include <stdlib.h>
 #include "base/context/array.h"
-#include "input/solid/solid.h"
 #include "input/soup/soup.h"
-#include "input/validate/validate.h"
 #include "questions/collide/near_pairs.h"
-#include "questions/collide/placing.h"
 
 /** The sides that hold a point: three bits for the moving simplex, then three for the fixed one. */
 typedef unsigned side_mask;
@@ -29,10 +23,7 @@ static void close_masks(unsigned char held[SIDE_MASKS], const common_points *poi
 }
 
 static void add_cell_pair(cell_pairs *out, placing *p, graze_cell moving, graze_cell fixed) {
-    if (!p->status)
-        p->status = array_grow(p->context, &out->item, &out->capacity, out->count + 1,
-                               sizeof *out->item, "pairs of cells");
-    if (!p->status)
+    if (PLACING_ROOM(p, out, "pairs of cells"))
         out->item[out->count++] = (graze_cell_pair){moving, fixed};
 }
 
@@ -66,11 +57,5 @@ void cell_pairs_find(cell_pairs *out, placing *p, const near_list *near) {
             if (held[m])
                 add_names(out, p, near->item[k], m);
     }
-    size_t kept = 0;
-    if (out->count)
-        qsort(out->item, out->count, sizeof *out->item, compare_cell_pairs);
-    for (size_t k = 0; k < out->count; k++)
-        if (kept == 0 || compare_cell_pairs(&out->item[kept - 1], &out->item[k]) != 0)
-            out->item[kept++] = out->item[k];
-    out->count = kept;
+    out->count = array_sort_once(out->item, out->count, sizeof *out->item, compare_cell_pairs);
 }

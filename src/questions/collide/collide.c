@@ -1,12 +1,8 @@
 /* Answers pairs: the word, its contacts, and their consequences.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/collide/collide.h"
-
 #include <string.h>
 #include "base/context/scope.h"
-#include "decide/trace/trace.h"
-#include "input/motion/motion.h"
 #include "questions/collide/near_pairs.h"
 
 /* Set `start` to t0 if the motion begins in state I. */
@@ -24,16 +20,11 @@ graze_status collide_answer(graze_pair *pair, graze_context *context) {
     pair_walk *walk = &pair->walk;
     *walk = (pair_walk){.pair = &pair->pair, .context = context, .first = pair->options.first};
     pair->pair.complement = pair->options.question == GRAZE_PAIR_INSIDE;
-    graze_status status = pair_walk_begin(walk);
-    if (!status)
-        status = pair_search(walk);
-    if (!status)
-        status = pair_walk_end(walk);
-    if (!status)
-        status = mark_start(pair, context);
-    if (status || walk->time_count == 0)
-        return status;
-    return times_canonicalise(walk->time, walk->time_count, context);
+    TRY(pair_walk_begin(walk));
+    TRY(pair_search(walk));
+    TRY(pair_walk_end(walk));
+    TRY(mark_start(pair, context));
+    return walk->time_count ? times_canonicalise(walk->time, walk->time_count, context) : GRAZE_OK;
 }
 
 void collide_clear(graze_pair *pair) {

@@ -1,8 +1,6 @@
 /* Corners of common parts, from signs of planes, sides and pairs of edges.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
 #include "questions/collide/placing.h"
 
 typedef struct finder {

@@ -3,8 +3,6 @@
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
 #include "questions/collide/placing.h"
 
 static int form_count(int d) {

@@ -6,8 +6,6 @@
 #include "base/context/scope.h"
 #include "base/number/order.h"
 #include "decide/filter/filter.h"
-#include "decide/trace/trace.h"
-#include "input/solid/solid.h"
 #include "questions/collide/placing.h"
 
 /* Bounds of the numbers of vertices tried for each solid, and of trajectories traced. */
@@ -16,19 +14,18 @@ enum { MOST_TRIED = 16, MOST_TRACED = 4 };
 /* Narrow [low, high] to the times between the contacts next to a time. */
 static graze_status narrow_interval(fmpq_t low, fmpq_t high, graze_context *context, touches *t,
                                     algebraic *time) {
-    graze_status status = GRAZE_OK;
     LOCAL_VEC(fmpq, from, 2);
     fmpq *to = from + 1;
-    for (size_t k = 0; k < t->time.count && !status; k++) {
+    for (size_t k = 0; k < t->time.count; k++) {
         int order = 0;
-        status = algebraic_compare(&order, context, &t->time.item[k], time);
+        TRY(algebraic_compare(&order, context, &t->time.item[k], time));
         algebraic_bounds(from, to, &t->time.item[k]);
         if (order < 0 && fmpq_cmp(to, low) > 0)
             fmpq_set(low, to);
         if (order > 0 && fmpq_cmp(from, high) < 0)
             fmpq_set(high, from);
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Find the interval of a vertex that is in the other solid's interior at `time`; keep it if it is
@@ -58,27 +55,23 @@ static graze_status trace_vertex(deep_interval *out, placing *whole, pair_side s
 
 graze_status deep_vertex_find(deep_interval *out, placing *whole, size_t piece,
                               const near_list *near, const dyadic_interval *interval) {
-    placing at;
-    graze_status status = GRAZE_OK;
     int traced = 0;
     HELD(algebraic, middle);
     fmpz_add(fmpq_numref(middle.value), interval->low, interval->high);
     fmpq_div_2exp(middle.value, middle.value, interval->exponent + 1);
     fmpq_zero(out->low);
     fmpq_zero(out->high);
-    placing_init_at(&at, whole->context, whole->pair, piece, middle.value);
-    for (size_t k = 0; k < 2 * MOST_TRIED && traced < MOST_TRACED && !status; k++) {
+    HELD(placing, at, whole->context, whole->pair, piece, middle.value);
+    for (size_t k = 0; k < 2 * MOST_TRIED && traced < MOST_TRACED; k++) {
         near_pair s = near->item[(k / 2) * near->count / MOST_TRIED];
         pair_side side = k % 2 ? SIDE_FIXED : SIDE_MOVING;
-        uint32_t vertex =
-            placing_solid(whole, side)->cut.item[k % 2 ? s.fixed : s.moving].vertex[0];
+        uint32_t vertex = placing_solid(whole, side)->cut.item[simplex_of(s, side)].vertex[0];
         int inside = placing_in_interior(&at, side, vertex);
-        status = at.status;
-        if (!status && inside) {
-            status = trace_vertex(out, whole, side, vertex, &middle);
+        TRY(at.status);
+        if (inside) {
+            TRY(trace_vertex(out, whole, side, vertex, &middle));
             traced++;
         }
     }
-    placing_clear(&at);
-    return status;
+    return GRAZE_OK;
 }

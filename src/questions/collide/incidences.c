@@ -9,10 +9,7 @@
 #include "base/number/isolate.h"
 #include "base/number/order.h"
 #include "base/number/rootless.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
 #include "questions/collide/near_pairs.h"
-#include "questions/collide/placing.h"
 
 /** A vertex and a simplex of the other solid, or two edges, with a pair of simplices around them.
  */
@@ -45,21 +42,12 @@ static int compare_cells(const void *left, const void *right) {
 }
 
 static void add_meeting(cell_list *list, finder *f, meeting_cells item) {
-    if (!f->p->status)
-        f->p->status = array_grow(f->p->context, &list->item, &list->capacity, list->count + 1,
-                                  sizeof *list->item, "cells that may meet");
-    if (!f->p->status)
+    if (PLACING_ROOM(f->p, list, "cells that may meet"))
         list->item[list->count++] = item;
 }
 
 static void leave_each_once(cell_list *list) {
-    size_t kept = 0;
-    if (list->count)
-        qsort(list->item, list->count, sizeof *list->item, compare_cells);
-    for (size_t k = 0; k < list->count; k++)
-        if (kept == 0 || compare_cells(&list->item[kept - 1], &list->item[k]) != 0)
-            list->item[kept++] = list->item[k];
-    list->count = kept;
+    list->count = array_sort_once(list->item, list->count, sizeof *list->item, compare_cells);
 }
 
 /* Gather, for each pair, the vertices of one simplex with the other simplex, which is of `side`. */
@@ -134,17 +122,14 @@ static void meet_vertex(finder *f, pair_side side, const meeting_cells *m) {
 static int cross_then(placing *p, const meeting_cells *m) {
     int plane[2][3] = {{0}, {0}};
     near_pair s = m->simplices;
-    for (int i = 0; i < 2; i++) {
-        int corner = (m->k + i) % 3;
-        plane[SIDE_MOVING][corner] = placing_plane_sign(
-            p, SIDE_FIXED, s.fixed, p->pair->moving->cut.item[s.moving].vertex[corner]);
-    }
-    if (plane[SIDE_MOVING][m->k] * plane[SIDE_MOVING][(m->k + 1) % 3] > 0)
-        return 0;
-    for (int i = 0; i < 2; i++) {
-        int corner = (m->l + i) % 3;
-        plane[SIDE_FIXED][corner] = placing_plane_sign(
-            p, SIDE_MOVING, s.moving, p->pair->fixed->cut.item[s.fixed].vertex[corner]);
+    for (int side = 0; side < 2; side++) {
+        pair_side own = (pair_side)side, other = (pair_side)!side;
+        const uint32_t *vertex = placing_solid(p, own)->cut.item[simplex_of(s, own)].vertex;
+        int first = own == SIDE_MOVING ? m->k : m->l, second = (first + 1) % 3;
+        plane[own][first] = placing_plane_sign(p, other, simplex_of(s, other), vertex[first]);
+        plane[own][second] = placing_plane_sign(p, other, simplex_of(s, other), vertex[second]);
+        if (own == SIDE_MOVING && plane[own][first] * plane[own][second] > 0)
+            return 0;
     }
     return edges_cross(p, s, m->k, m->l, plane);
 }

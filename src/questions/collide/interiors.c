@@ -5,8 +5,6 @@
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "decide/trace/trace.h"
-#include "input/validate/validate.h"
 #include "questions/collide/placing.h"
 
 /** A common point: its vertex or its two edges, and a pair of simplices with it as a corner. */
@@ -21,7 +19,7 @@ typedef struct looker {
     placing *p;
     int crossing; /* an edge passes through a simplex: the points are incomplete */
     size_t count, capacity;
-    meeting_point *point;
+    meeting_point *item;
 } looker;
 
 static int compare_meetings(const void *left, const void *right) {
@@ -36,10 +34,9 @@ static int compare_meetings(const void *left, const void *right) {
 
 static void set_key(meeting_point *m, const placing *p) {
     if (m->kind == CORNER_EDGES) {
-        for (int side = 0; side < 2; side++) {
+        for (int side = 0; side < 2; side++)
             simplex_edge(m->key + 2 * side, placing_solid(p, (pair_side)side),
                          simplex_of(m->simplices, (pair_side)side), m->corner.at[side]);
-        }
         return;
     }
     pair_side side = m->kind == CORNER_MOVING ? SIDE_MOVING : SIDE_FIXED;
@@ -48,12 +45,9 @@ static void set_key(meeting_point *m, const placing *p) {
 }
 
 static void add_meeting_point(looker *l, near_pair simplices, const common_corner *corner) {
-    if (!l->p->status)
-        l->p->status = array_grow(l->p->context, &l->point, &l->capacity, l->count + 1,
-                                  sizeof *l->point, "common points");
-    if (l->p->status)
+    if (!PLACING_ROOM(l->p, l, "common points"))
         return;
-    meeting_point *m = &l->point[l->count++];
+    meeting_point *m = &l->item[l->count++];
     *m = (meeting_point){.kind = corner->kind, .simplices = simplices, .corner = *corner};
     set_key(m, l->p);
 }
@@ -73,14 +67,14 @@ static void gather_points(looker *l, const near_list *near) {
             l->p->status = context_poll(l->p->context);
     }
     if (l->count)
-        qsort(l->point, l->count, sizeof *l->point, compare_meetings);
+        qsort(l->item, l->count, sizeof *l->item, compare_meetings);
 }
 
 /* Is a vertex one of the common points? */
 static int is_common(const looker *l, pair_side side, uint32_t vertex) {
     meeting_point m = {.kind = side == SIDE_MOVING ? CORNER_MOVING : CORNER_FIXED,
                        .key = {vertex, vertex, 0, 0}};
-    return l->count && bsearch(&m, l->point, l->count, sizeof *l->point, compare_meetings) != NULL;
+    return l->count && bsearch(&m, l->item, l->count, sizeof *l->item, compare_meetings) != NULL;
 }
 
 /* Is a component of one boundary, which does not meet the other boundary, in the other solid's
@@ -175,12 +169,9 @@ static int cones_meet_at(placing *p, const meeting_point *m, size_t count) {
 static int cones_meet(looker *l) {
     int found = 0;
     for (size_t k = 0, end; k < l->count && !found && !l->p->status; k = end) {
-        for (end = k + 1; end < l->count;)
-            if (compare_meetings(&l->point[k], &l->point[end++]) != 0) {
-                end--;
-                break;
-            }
-        found = cones_meet_at(l->p, &l->point[k], end - k);
+        for (end = k + 1; end < l->count && compare_meetings(&l->item[k], &l->item[end]) == 0;)
+            end++;
+        found = cones_meet_at(l->p, &l->item[k], end - k);
         if (!l->p->status)
             l->p->status = context_poll(l->p->context);
     }
@@ -194,6 +185,6 @@ graze_state interiors_look(placing *p, const near_list *near, placing *before) {
     int meet =
         l.crossing || (!p->status && (finds_inside(&l, rational, SIDE_MOVING) ||
                                       finds_inside(&l, rational, SIDE_FIXED) || cones_meet(&l)));
-    free(l.point);
+    free(l.item);
     return meet ? GRAZE_STATE_I : l.count ? GRAZE_STATE_B : GRAZE_STATE_O;
 }

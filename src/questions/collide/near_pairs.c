@@ -1,33 +1,36 @@
 /* A simultaneous descent of both trees; the moving tree's boxes are replaced by bounds of their
  * images. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/collide/collide.h"
-
 #include <math.h>
+#include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
 #include "questions/collide/near_pairs.h"
-#include "questions/collide/placing.h"
 
 graze_status node_list_add(node_list *list, graze_context *context, node_pair item) {
-    TRY(array_grow(context, &list->item, &list->capacity, list->count + 1, sizeof *list->item,
-                   "pairs of boxes"));
+    TRY(LIST_GROW(context, list, "pairs of boxes"));
     list->item[list->count++] = item;
     return GRAZE_OK;
 }
 
+void node_list_clear(node_list *list) {
+    free(list->item);
+}
+
+void near_list_clear(near_list *list) {
+    free(list->item);
+}
+
 graze_status near_pairs_take(near_list *out, graze_context *context, const solid_pair *pair,
                              const node_list *leaves) {
-    graze_status status = array_grow(context, &out->item, &out->capacity, leaves->count,
-                                     sizeof *out->item, "pairs of simplices");
+    TRY(array_grow(context, &out->item, &out->capacity, leaves->count, sizeof *out->item,
+                   "pairs of simplices"));
     out->count = 0;
-    for (size_t k = 0; k < leaves->count && !status; k++)
+    for (size_t k = 0; k < leaves->count; k++)
         out->item[out->count++] =
             (near_pair){pair->moving->boxes.node[leaves->item[k].moving].simplex,
                         pair->fixed->boxes.node[leaves->item[k].fixed].simplex};
-    return status;
+    return GRAZE_OK;
 }
 
 typedef struct refiner {

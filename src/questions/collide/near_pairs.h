@@ -3,9 +3,6 @@
 #ifndef GRAZE_QUESTIONS_COLLIDE_NEAR_PAIRS_H
 #define GRAZE_QUESTIONS_COLLIDE_NEAR_PAIRS_H
 
-#include "graze/pair.h"
-#include "input/validate/validate.h"
-#include "questions/collide/collide.h"
 #include "questions/collide/placing.h"
 
 /* Pairs of boundary cells, one of each solid, that meet at a time. */
@@ -44,6 +41,7 @@ graze_status near_pairs_refine(node_list *near, node_list *coarse, graze_context
 graze_status near_pairs_take(near_list *out, graze_context *context, const solid_pair *pair,
                              const node_list *leaves);
 
+void node_list_clear(node_list *list);
 graze_status node_list_add(node_list *list, graze_context *context, node_pair item);
 
 /* Builds the pair word, state by state, from the times at which it can change (proofs/collision.md

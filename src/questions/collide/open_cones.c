@@ -9,17 +9,14 @@
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
 #include "questions/collide/placing.h"
 
-static void moving_init(moving_vector *v) {
+static void moving_vector_init(moving_vector *v) {
     for (int i = 0; i < 3; i++)
         fmpz_poly_init(&v->c[i]);
 }
 
-static void moving_clear(moving_vector *v) {
+static void moving_vector_clear(moving_vector *v) {
     for (int i = 0; i < 3; i++)
         fmpz_poly_clear(&v->c[i]);
 }
@@ -63,12 +60,9 @@ static int dot_sign(placing *p, const moving_vector *a, const moving_vector *b) 
 /* The sign of (a x b) . n: positive if b is to the left of a, seen against n. */
 static int turn_about(placing *p, const moving_vector *a, const moving_vector *b,
                       const moving_vector *n) {
-    moving_vector cross;
-    moving_init(&cross);
+    HELD(moving_vector, cross);
     cross_moving(&cross, a, b);
-    int sign = dot_sign(p, &cross, n);
-    moving_clear(&cross);
-    return sign;
+    return dot_sign(p, &cross, n);
 }
 
 /* out = i a + j b with small integers; `out` may be a. */
@@ -104,9 +98,9 @@ static void ray_between(moving_vector *out, placing *p, const moving_vector *a,
 
 void sectors_about_clear(sectors_about *list) {
     for (size_t k = 0; k < list->count; k++) {
-        moving_clear(&list->item[k].from);
-        moving_clear(&list->item[k].to);
-        moving_clear(&list->item[k].normal);
+        moving_vector_clear(&list->item[k].from);
+        moving_vector_clear(&list->item[k].to);
+        moving_vector_clear(&list->item[k].normal);
     }
     free(list->item);
     *list = (sectors_about){0};
@@ -114,15 +108,12 @@ void sectors_about_clear(sectors_about *list) {
 
 static void add_sector(sectors_about *list, placing *p, const moving_vector *from,
                        const moving_vector *to) {
-    if (!p->status)
-        p->status = array_grow(p->context, &list->item, &list->capacity, list->count + 1,
-                               sizeof *list->item, "the sectors of a cone");
-    if (p->status)
+    if (!PLACING_ROOM(p, list, "the sectors of a cone"))
         return;
     sector *s = &list->item[list->count++];
-    moving_init(&s->from);
-    moving_init(&s->to);
-    moving_init(&s->normal);
+    moving_vector_init(&s->from);
+    moving_vector_init(&s->to);
+    moving_vector_init(&s->normal);
     moving_set(&s->from, from);
     moving_set(&s->to, to);
     cross_moving(&s->normal, from, to);
@@ -173,25 +164,21 @@ static void add_half_plane(sectors_about *list, placing *p, pair_side side, movi
 /* Append the strip of all heights over a ray of E^2; outward is to the right of a segment. */
 static void add_upright(sectors_about *list, placing *p, pair_side side, moving_vector *ray,
                         int backward) {
-    moving_vector up;
-    moving_init(&up);
+    HELD(moving_vector, up);
     fmpz_poly_set_si(&up.c[2], backward ? -1 : 1);
     add_half_plane(list, p, side, &up, ray);
-    moving_clear(&up);
 }
 
 /* In E^2: append the rays from the point to those ends of a segment that are not the point. */
 static void add_segment(sectors_about *list, placing *p, pair_side side, uint32_t simplex,
                         unsigned zero) {
-    moving_vector ray;
-    moving_init(&ray);
+    HELD(moving_vector, ray);
     edge_vector(&ray, p, side, simplex, 0, 1);
     if (!(zero & 2))
         add_upright(list, p, side, &ray, 1);
     moving_negate(&ray);
     if (!(zero & 1))
         add_upright(list, p, side, &ray, 0);
-    moving_clear(&ray);
 }
 
 void sectors_about_add(sectors_about *list, placing *p, pair_side side, uint32_t simplex,
@@ -200,9 +187,8 @@ void sectors_about_add(sectors_about *list, placing *p, pair_side side, uint32_t
         add_segment(list, p, side, simplex, zero);
         return;
     }
-    moving_vector along, across;
-    moving_init(&along);
-    moving_init(&across);
+    HELD(moving_vector, along);
+    HELD(moving_vector, across);
     /* The corner, or the first one of the side, that holds the point. */
     static const int first[8] = {0, 0, 1, 1, 2, 0, 2, 0};
     int k = first[zero & 7];
@@ -218,8 +204,6 @@ void sectors_about_add(sectors_about *list, placing *p, pair_side side, uint32_t
             add_half_plane(list, p, side, &along, &across);
         }
     }
-    moving_clear(&along);
-    moving_clear(&across);
 }
 
 /* Is a direction in a sector's plane strictly inside the sector? */
@@ -236,12 +220,10 @@ static int passes_sector(placing *p, const moving_vector *from, const moving_vec
         return -1;
     if (before * after >= 0)
         return 0;
-    moving_vector at;
-    moving_init(&at);
+    HELD(moving_vector, at);
     ray_between(&at, p, from, to, &s->normal);
     int left = turn_about(p, &s->from, &at, &s->normal);
     int right = turn_about(p, &at, &s->to, &s->normal);
-    moving_clear(&at);
     return left > 0 && right > 0 ? 1 : left < 0 || right < 0 ? 0 : -1;
 }
 
@@ -263,8 +245,7 @@ static int locate_by(placing *p, const sectors_about *cone, const moving_vector 
  * sector's plane, are special: at most three for each sector. */
 static int is_in_cone(placing *p, const sectors_about *cone, const moving_vector *v) {
     int found = -1;
-    moving_vector to;
-    moving_init(&to);
+    HELD(moving_vector, to);
     for (slong weight = 1; found < 0 && !p->status; weight++) {
         if ((size_t)weight > 3 * cone->count + 1)
             p->status = context_fail(p->context, GRAZE_EINTERNAL,
@@ -274,7 +255,6 @@ static int is_in_cone(placing *p, const sectors_about *cone, const moving_vector
             found = locate_by(p, cone, v, k, &to);
         }
     }
-    moving_clear(&to);
     return found > 0;
 }
 
@@ -292,14 +272,11 @@ static void insert_ray(ray_list *list, placing *p, const sector *s, const moving
         at--;
     if (at > 0 && turn == 0)
         return;
-    if (!p->status)
-        p->status = array_grow(p->context, &list->item, &list->capacity, list->count + 1,
-                               sizeof *list->item, "the cuts of a sector");
-    if (p->status)
+    if (!PLACING_ROOM(p, list, "the cuts of a sector"))
         return;
     for (size_t k = list->count; k > at; k--)
         list->item[k] = list->item[k - 1];
-    moving_init(&list->item[at]);
+    moving_vector_init(&list->item[at]);
     moving_set(&list->item[at], ray);
     list->count++;
 }
@@ -314,11 +291,9 @@ static void cut_by(ray_list *list, placing *p, const sector *s, const sector *by
         if (is_in_sector(p, s, &by->to))
             insert_ray(list, p, s, &by->to);
     } else if (first * last < 0) {
-        moving_vector ray;
-        moving_init(&ray);
+        HELD(moving_vector, ray);
         ray_between(&ray, p, &s->from, &s->to, &by->normal);
         insert_ray(list, p, s, &ray);
-        moving_clear(&ray);
     }
 }
 
@@ -334,8 +309,7 @@ static int part_meets(placing *p, const sector *s, const moving_vector *ray,
 static int sector_meets(placing *p, const sector *s, const sectors_about *other) {
     ray_list cuts = {0};
     int found = 0;
-    moving_vector middle;
-    moving_init(&middle);
+    HELD(moving_vector, middle);
     for (size_t k = 0; k < other->count && !p->status; k++)
         cut_by(&cuts, p, s, &other->item[k]);
     for (size_t k = 0; k <= cuts.count && !found && !p->status; k++) {
@@ -344,9 +318,8 @@ static int sector_meets(placing *p, const sector *s, const sectors_about *other)
         found = part_meets(p, s, &middle, other);
     }
     for (size_t k = 0; k < cuts.count; k++)
-        moving_clear(&cuts.item[k]);
+        moving_vector_clear(&cuts.item[k]);
     free(cuts.item);
-    moving_clear(&middle);
     return found;
 }
 

@@ -1,14 +1,9 @@
 /* Intervals of time are halved as long as pairs of boxes move further than they are large; the
  * remaining pairs are asked exactly. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/collide/collide.h"
-
 #include <flint/fmpq_vec.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
-#include "input/motion/motion.h"
 #include "questions/collide/near_pairs.h"
-#include "questions/collide/placing.h"
 
 /* Bound of the halvings of a piece: then pairs are asked however far they move. With MANY_PAIRS
  * pairs or more a vertex deep in the other solid is sought. */
@@ -34,13 +29,13 @@ typedef struct stretch_forms {
     map_forms motion;
 } stretch_forms;
 
-static void forms_clear(stretch_forms *s) {
+static void stretch_forms_clear(stretch_forms *s) {
     dyadic_interval_clear(&s->interval);
     map_forms_clear(&s->motion);
 }
 
 /* Restrict an interval to its left half, and make the right half. */
-static void forms_split(stretch_forms *s, stretch_forms *right) {
+static void stretch_forms_init(stretch_forms *right, stretch_forms *s) {
     dyadic_interval_init(&right->interval);
     dyadic_interval_halves(&s->interval, &right->interval, &s->interval);
     right->level = ++s->level;
@@ -85,13 +80,9 @@ static graze_status go_over(searcher *s, const dyadic_interval *interval,
 static graze_status search_stretch(searcher *s, stretch_forms *during, const node_list *of);
 
 static graze_status search_halves(searcher *s, stretch_forms *during, const node_list *of) {
-    stretch_forms right;
-    forms_split(during, &right);
-    graze_status status = search_stretch(s, during, of);
-    if (!status && !s->walk->done)
-        status = search_stretch(s, &right, of);
-    forms_clear(&right);
-    return status;
+    HELD(stretch_forms, right, during);
+    TRY(search_stretch(s, during, of));
+    return s->walk->done ? GRAZE_OK : search_stretch(s, &right, of);
 }
 
 /* Search the halves of an interval if a deep interval covers a part of it, which can be passed
@@ -102,30 +93,26 @@ static graze_status search_deep(int *done, searcher *s, stretch_forms *during,
     if (s->walk->first || near->count < MANY_PAIRS || during->level >= MOST_HALVINGS)
         return GRAZE_OK;
     int deep = is_deep(s, &during->interval);
-    graze_status status = GRAZE_OK;
     if (!deep)
-        status = deep_vertex_find(&s->deep, &s->whole, s->piece, near, &during->interval);
-    *done = !status && (deep || is_deep(s, &during->interval));
-    return *done ? search_halves(s, during, leaves) : status;
+        TRY(deep_vertex_find(&s->deep, &s->whole, s->piece, near, &during->interval));
+    *done = deep || is_deep(s, &during->interval);
+    return *done ? search_halves(s, during, leaves) : GRAZE_OK;
 }
 
 /* Find the times at which the boundaries of pairs of leaves meet, and walk to each. */
 static graze_status ask_exactly(searcher *s, stretch_forms *during, const control_maps *maps,
                                 const node_list *leaves) {
-    near_list near = {0};
+    ZEROED(near_list, near);
     int done = 0;
     HELD(algebraic_list, times);
-    graze_status status = near_pairs_take(&near, s->walk->context, s->walk->pair, leaves);
-    if (!status)
-        status = search_deep(&done, s, during, &near, leaves);
-    if (!status && !done)
-        status = incidences_find(&times, &s->whole, &near, maps, &during->interval);
-    for (size_t k = 0; k < times.count && !status && !s->walk->done; k++)
-        status = pair_walk_to(s->walk, &s->whole, s->piece, &times.item[k], leaves);
-    if (!status && !done && s->walk->first)
-        status = go_over(s, &during->interval, pair_walk_on);
-    free(near.item);
-    return status;
+    TRY(near_pairs_take(&near, s->walk->context, s->walk->pair, leaves));
+    TRY(search_deep(&done, s, during, &near, leaves));
+    if (done)
+        return GRAZE_OK;
+    TRY(incidences_find(&times, &s->whole, &near, maps, &during->interval));
+    for (size_t k = 0; k < times.count && !s->walk->done; k++)
+        TRY(pair_walk_to(s->walk, &s->whole, s->piece, &times.item[k], leaves));
+    return s->walk->first ? go_over(s, &during->interval, pair_walk_on) : GRAZE_OK;
 }
 
 /* Is it worth halving on: are there many pairs of leaves, and do halvings reduce them? */
@@ -141,26 +128,22 @@ static int becomes_less(stretch_forms *during, size_t pairs) {
 /* Search an interval for contacts of pairs of nodes: refine them, then halve it or ask exactly.
  * `left` has pairs of leaves first, then coarse pairs. */
 static graze_status search_stretch(searcher *s, stretch_forms *during, const node_list *of) {
-    node_list left = {0}, coarse = {0};
     if (is_deep(s, &during->interval) == 2)
         return go_over(s, &during->interval, pair_walk_pass);
-    control_maps maps = {0};
-    graze_status status = GRAZE_OK;
+    ZEROED(node_list, left);
+    ZEROED(node_list, coarse);
+    ZEROED(control_maps, maps);
     if (!control_maps_set(&maps, &during->motion))
-        status = context_fail(s->walk->context, GRAZE_ESYSTEM, "out of memory for a motion");
+        return context_fail(s->walk->context, GRAZE_ESYSTEM, "out of memory for a motion");
     int halve = during->level < MOST_HALVINGS;
-    if (!status)
-        status = near_pairs_refine(&left, halve ? &coarse : NULL, s->walk->context, s->walk->pair,
-                                   &maps, of, !halve);
+    TRY(near_pairs_refine(&left, halve ? &coarse : NULL, s->walk->context, s->walk->pair, &maps, of,
+                          !halve));
     halve = halve && (coarse.count > 0 || (s->walk->first && becomes_less(during, left.count)));
-    for (size_t k = 0; k < coarse.count && !status; k++)
-        status = node_list_add(&left, s->walk->context, coarse.item[k]);
-    if (!status && left.count)
-        status = halve ? search_halves(s, during, &left) : ask_exactly(s, during, &maps, &left);
-    free(left.item);
-    free(coarse.item);
-    control_maps_clear(&maps);
-    return status;
+    for (size_t k = 0; k < coarse.count; k++)
+        TRY(node_list_add(&left, s->walk->context, coarse.item[k]));
+    if (!left.count)
+        return GRAZE_OK;
+    return halve ? search_halves(s, during, &left) : ask_exactly(s, during, &maps, &left);
 }
 
 static graze_status search_piece(pair_walk *walk, size_t piece) {
@@ -172,14 +155,14 @@ static graze_status search_piece(pair_walk *walk, size_t piece) {
     dyadic_interval_init(&whole.interval);
     dyadic_interval_set_si(&whole.interval, 0, 1);
     map_forms_init(&whole.motion, &m->forward, &whole.interval);
-    placing_init(&s.whole, walk->context, walk->pair, piece);
+    placing_init(&s.whole, walk->context, walk->pair, piece, NULL);
     fmpq_init(s.deep.low);
     fmpq_init(s.deep.high);
     graze_status status = search_stretch(&s, &whole, &all);
     placing_clear(&s.whole);
     fmpq_clear(s.deep.low);
     fmpq_clear(s.deep.high);
-    forms_clear(&whole);
+    stretch_forms_clear(&whole);
     return status;
 }
 

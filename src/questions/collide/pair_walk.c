@@ -4,18 +4,13 @@
  * The interiors meet in an open set of times, the closed solids in a closed set. So a time at which
  * the boundaries meet has the state B if a gap beside it has O or B, and I or B if beside I.
  */
-#include "questions/collide/collide.h"
-
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/order.h"
 #include "base/number/refine.h"
-#include "decide/trace/trace.h"
-#include "input/motion/motion.h"
 #include "questions/collide/near_pairs.h"
-#include "questions/collide/placing.h"
 
 /* The gap after a first contact is examined at 2^-SOON of the way on, where few pairs meet yet. */
 enum { SOON = 8 };
@@ -40,10 +35,10 @@ void pair_walk_clear(pair_walk *walk) {
     *walk = (pair_walk){0};
 }
 
-static void then_clear(scene_then *s) {
+static void scene_then_clear(scene_then *s) {
     control_maps_clear(&s->maps);
-    free(s->leaves.item);
-    free(s->near.item);
+    node_list_clear(&s->leaves);
+    near_list_clear(&s->near);
     if (s->placed)
         placing_clear(&s->p);
 }
@@ -77,7 +72,7 @@ static graze_status find_near_at(scene_then *out, pair_walk *walk, size_t piece,
 static graze_status place_both_at(scene_then *out, pair_walk *walk, size_t piece, const fmpq_t u,
                                   const node_list *of) {
     graze_status status = find_near_at(out, walk, piece, u, of);
-    placing_init_at(&out->p, walk->context, walk->pair, piece, u);
+    placing_init(&out->p, walk->context, walk->pair, piece, u);
     out->placed = 1;
     return status;
 }
@@ -98,22 +93,14 @@ static graze_status find_near_root(scene_then *out, pair_walk *walk, size_t piec
 }
 
 static graze_status add_letter(pair_walk *walk, graze_state state) {
-    if (walk->length && walk->word[walk->length - 1] == (char)state)
-        return GRAZE_OK;
-    TRY(array_grow(walk->context, &walk->word, &walk->word_capacity, walk->length + 2, 1,
-                   "the word of a pair"));
-    walk->word[walk->length++] = (char)state;
-    walk->word[walk->length] = '\0';
-    return GRAZE_OK;
+    return word_append(&walk->word, &walk->length, &walk->word_capacity, walk->context, state,
+                       "the word of a pair");
 }
 
 /* Keep a time as the last one. */
 static graze_status keep_time(pair_walk *walk, size_t piece, const algebraic *u) {
-    graze_status status =
-        array_grow(walk->context, &walk->time, &walk->time_capacity, walk->time_count + 1,
-                   sizeof *walk->time, "the times of a pair");
-    if (status)
-        return status;
+    TRY(array_grow(walk->context, &walk->time, &walk->time_capacity, walk->time_count + 1,
+                   sizeof *walk->time, "the times of a pair"));
     graze_time *time = time_create(walk->pair->motion, piece, u);
     if (!time)
         return lack_memory(walk->context);
@@ -130,11 +117,8 @@ static graze_status keep_rational(pair_walk *walk, size_t piece, const fmpq_t u)
 /* Begin a contact at the last time, with the cells that meet at a placing. */
 static graze_status open_contact(pair_walk *walk, graze_state left, placing *p,
                                  const near_list *near) {
-    graze_status status =
-        array_grow(walk->context, &walk->contact, &walk->contact_capacity, walk->contact_count + 1,
-                   sizeof *walk->contact, "the contacts of a pair");
-    if (status)
-        return status;
+    TRY(array_grow(walk->context, &walk->contact, &walk->contact_capacity, walk->contact_count + 1,
+                   sizeof *walk->contact, "the contacts of a pair"));
     pair_contact *c = &walk->contact[walk->contact_count++];
     *c = (pair_contact){.left = left, .from = walk->last};
     walk->open = 1;
@@ -166,17 +150,11 @@ static graze_status enter_start(pair_walk *walk, graze_state state, scene_then *
 
 /* Find the state at a rational time, and enter the gap around it. */
 static graze_status look_into_gap(pair_walk *walk, size_t piece, const fmpq_t u) {
-    scene_then then = {0};
-    graze_state state = GRAZE_STATE_ABSENT;
-    graze_status status = place_both_at(&then, walk, piece, u, NULL);
-    if (!status) {
-        state = interiors_look(&then.p, &then.near, NULL);
-        status = then.p.status;
-    }
-    if (!status)
-        status = walk->last ? enter_gap(walk, state) : enter_start(walk, state, &then);
-    then_clear(&then);
-    return status;
+    ZEROED(scene_then, then);
+    TRY(place_both_at(&then, walk, piece, u, NULL));
+    graze_state state = interiors_look(&then.p, &then.near, NULL);
+    TRY(then.p.status);
+    return walk->last ? enter_gap(walk, state) : enter_start(walk, state, &then);
 }
 
 graze_status pair_walk_begin(pair_walk *walk) {
@@ -218,19 +196,17 @@ static graze_status time_before(size_t *piece, fmpq_t u, pair_walk *walk, graze_
 
 /* Find the gap before `next` unless it is known, and give a time u inside it. */
 static graze_status know_gap(pair_walk *walk, size_t *piece, fmpq_t u, graze_time *next) {
-    graze_status status = time_before(piece, u, walk, next);
-    return status || walk->gap ? status : look_into_gap(walk, *piece, u);
+    TRY(time_before(piece, u, walk, next));
+    return walk->gap ? GRAZE_OK : look_into_gap(walk, *piece, u);
 }
 
 /* Find the state, I or B, at a time at which the boundaries meet: t0, or a time whose gap before it
  * has the state I. `u`, on the piece `before`, is a rational time in that gap. */
 static graze_status look_at_contact(graze_state *out, pair_walk *walk, scene_then *then, placing *p,
                                     int at_start, size_t before, const fmpq_t u) {
-    placing rational;
     if (!p->is_frozen && !at_start) {
-        placing_init_at(&rational, walk->context, walk->pair, before, u);
+        HELD(placing, rational, walk->context, walk->pair, before, u);
         *out = interiors_look(p, &then->near, &rational);
-        placing_clear(&rational);
     } else {
         *out = interiors_look(p, &then->near, NULL);
     }
@@ -243,67 +219,67 @@ static graze_status look_at_contact(graze_state *out, pair_walk *walk, scene_the
 /* Enter the state at the last time, which was just reached. */
 static graze_status enter_time(pair_walk *walk, graze_state left, graze_state state, placing *p,
                                const near_list *near) {
-    graze_status status = add_letter(walk, state);
+    TRY(add_letter(walk, state));
     walk->gap = state == GRAZE_STATE_I ? GRAZE_STATE_I : GRAZE_STATE_ABSENT;
-    if (!status && state == GRAZE_STATE_B && !walk->open)
-        status = open_contact(walk, left, p, near);
-    if (!status && state == GRAZE_STATE_B)
-        walk->contact[walk->contact_count - 1].to = walk->last;
-    return status;
+    if (state != GRAZE_STATE_B)
+        return GRAZE_OK;
+    if (!walk->open)
+        TRY(open_contact(walk, left, p, near));
+    walk->contact[walk->contact_count - 1].to = walk->last;
+    return GRAZE_OK;
 }
 
 /* Find and enter the state at the last time; the gap before it is known. */
 static graze_status walk_into(pair_walk *walk, placing *whole, graze_state left, size_t before,
                               const fmpq_t u, const node_list *near) {
-    scene_then then = {0};
+    ZEROED(scene_then, then);
     graze_time *time = walk->last;
     graze_state state = GRAZE_STATE_B;
-    graze_status status = algebraic_is_rational(&time->u)
-                              ? place_both_at(&then, walk, time->piece, time->u.value, near)
-                              : find_near_root(&then, walk, time->piece, &time->u, near);
+    TRY(algebraic_is_rational(&time->u)
+            ? place_both_at(&then, walk, time->piece, time->u.value, near)
+            : find_near_root(&then, walk, time->piece, &time->u, near));
     placing *p = then.placed ? &then.p : whole;
     placing_set_time(whole, &time->u);
-    if (!status && left != GRAZE_STATE_O && left != GRAZE_STATE_B)
-        status = look_at_contact(&state, walk, &then, p, time_is_start(time), before, u);
-    if (!status)
-        status = enter_time(walk, left, state, p, &then.near);
-    then_clear(&then);
-    return status;
+    if (left != GRAZE_STATE_O && left != GRAZE_STATE_B)
+        TRY(look_at_contact(&state, walk, &then, p, time_is_start(time), before, u));
+    return enter_time(walk, left, state, p, &then.near);
 }
 
 /* Is a time equal to the last one? The end of a piece is the begin of the next one. */
 static graze_status is_last(int *out, pair_walk *walk, size_t piece, algebraic *time) {
     int order = 1;
-    graze_status status = GRAZE_OK;
     if (walk->last && walk->last->piece == piece)
-        status = algebraic_compare(&order, walk->context, &walk->last->u, time);
+        TRY(algebraic_compare(&order, walk->context, &walk->last->u, time));
     else if (walk->last && walk->last->piece + 1 == piece)
         order = !time_is_piece_end(walk->last) || !algebraic_is_rational(time) ||
                 !fmpq_is_zero(time->value);
     *out = order == 0;
-    return status;
+    return GRAZE_OK;
+}
+
+static graze_status walk_to_next(pair_walk *walk, placing *whole, graze_time *next,
+                                 const node_list *near) {
+    size_t before = 0;
+    LOCAL(fmpq, u);
+    if (!time_is_start(next))
+        TRY(know_gap(walk, &before, u, next));
+    graze_state left = walk->gap;
+    if (walk->done)
+        return GRAZE_OK;
+    TRY(keep_time(walk, next->piece, &next->u));
+    return walk_into(walk, whole, left, before, u, near);
 }
 
 graze_status pair_walk_to(pair_walk *walk, placing *whole, size_t piece, const algebraic *time,
                           const node_list *near) {
     int same = 0;
-    size_t before = 0;
     HELD(algebraic, own);
     algebraic_set(&own, time);
-    graze_status status = is_last(&same, walk, piece, &own);
-    graze_time *next = status || same ? NULL : time_create(walk->pair->motion, piece, &own);
-    if (status || same)
-        return status;
-    if (!next)
-        return lack_memory(walk->context);
-    LOCAL(fmpq, u);
-    if (!time_is_start(next))
-        status = know_gap(walk, &before, u, next);
-    graze_state left = walk->gap;
-    if (!status && !walk->done)
-        status = keep_time(walk, piece, &next->u);
-    if (!status && !walk->done)
-        status = walk_into(walk, whole, left, before, u, near);
+    TRY(is_last(&same, walk, piece, &own));
+    if (same)
+        return GRAZE_OK;
+    graze_time *next = time_create(walk->pair->motion, piece, &own);
+    graze_status status = next ? walk_to_next(walk, whole, next, near) : lack_memory(walk->context);
     time_destroy(next);
     return status;
 }
@@ -315,18 +291,17 @@ graze_status pair_walk_pass(pair_walk *walk, size_t piece, const fmpq_t u) {
 
 graze_status pair_walk_end(pair_walk *walk) {
     size_t piece = walk->pair->motion->piece_count - 1;
-    graze_status status = GRAZE_OK;
     if (walk->done || (walk->last && time_is_end(walk->last)))
         return GRAZE_OK;
     LOCAL(fmpq, end);
     if (!walk->last && !walk->gap)
-        status = look_into_gap(walk, 0, end); /* a contact that lasts begins at t0 */
+        TRY(look_into_gap(walk, 0, end)); /* a contact that lasts begins at t0 */
     fmpq_one(end);
-    if (!status && !walk->gap)
-        status = look_into_gap(walk, piece, end);
-    if (!status && walk->open) {
-        status = keep_rational(walk, piece, end);
+    if (!walk->gap)
+        TRY(look_into_gap(walk, piece, end));
+    if (walk->open) {
+        TRY(keep_rational(walk, piece, end));
         walk->contact[walk->contact_count - 1].to = walk->last;
     }
-    return status;
+    return GRAZE_OK;
 }

@@ -1,17 +1,11 @@
 /* Values of forms at carried vertices, and their signs. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/collide/collide.h"
-
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/sign.h"
-#include "decide/trace/trace.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
 #include "questions/collide/placing.h"
 
 /* Does the motion reverse orientation? Its determinant never vanishes, so one time tells. */
@@ -20,21 +14,7 @@ static int is_mirrored(const point_map *map) {
     LOCAL_VEC(fmpq, value, n);
     LOCAL(fmpq, start);
     point_map_at(value, map, start);
-    int sign = affine_orientation(value, map->dimension);
-    return sign < 0;
-}
-
-static void init(placing *p, graze_context *context, const solid_pair *pair) {
-    *p = (placing){.pair = pair, .context = context};
-    for (int k = 0; k < KNOWN_SIGNS; k++)
-        fmpz_poly_init(&p->known.of[k]);
-    p->mirrored = is_mirrored(&pair->motion->piece[0].forward);
-}
-
-void placing_init(placing *p, graze_context *context, const solid_pair *pair, size_t piece) {
-    init(p, context, pair);
-    p->map[SIDE_MOVING] = &pair->motion->piece[piece].forward;
-    p->map[SIDE_FIXED] = &pair->motion->piece[piece].inverse;
+    return affine_orientation(value, map->dimension) < 0;
 }
 
 /* The map at u, as constants. */
@@ -50,14 +30,19 @@ static void freeze(point_map *out, const point_map *map, const fmpq_t u) {
     fmpz_poly_set_fmpz(out->weight, entry + n);
 }
 
-void placing_init_at(placing *p, graze_context *context, const solid_pair *pair, size_t piece,
-                     const fmpq_t u) {
-    init(p, context, pair);
-    p->is_frozen = 1;
-    freeze(&p->frozen[SIDE_MOVING], &pair->motion->piece[piece].forward, u);
-    freeze(&p->frozen[SIDE_FIXED], &pair->motion->piece[piece].inverse, u);
-    for (int side = 0; side < 2; side++)
-        p->map[side] = &p->frozen[side];
+void placing_init(placing *p, graze_context *context, const solid_pair *pair, size_t piece,
+                  const fmpq *u) {
+    const motion_piece *m = &pair->motion->piece[piece];
+    const point_map *map[] = {[SIDE_MOVING] = &m->forward, [SIDE_FIXED] = &m->inverse};
+    *p = (placing){.pair = pair, .context = context, .is_frozen = u != NULL};
+    for (int k = 0; k < KNOWN_SIGNS; k++)
+        fmpz_poly_init(&p->known.of[k]);
+    p->mirrored = is_mirrored(&pair->motion->piece[0].forward);
+    for (int side = 0; side < 2; side++) {
+        if (u)
+            freeze(&p->frozen[side], map[side], u);
+        p->map[side] = u ? &p->frozen[side] : map[side];
+    }
 }
 
 void placing_set_time(placing *p, algebraic *when) {
@@ -212,32 +197,22 @@ int placing_sign(placing *p, const fmpz_poly_t q) {
     return fmpz_sgn(fmpz_poly_lead(q)) * sign;
 }
 
-/* Return the sign of a polynomial, and clear the polynomial. */
-static int sign_and_clear(placing *p, fmpz_poly_t q) {
-    int sign = placing_sign(p, q);
-    fmpz_poly_clear(q);
-    return sign;
-}
-
 int placing_plane_sign(placing *p, pair_side side, uint32_t simplex, uint32_t vertex) {
-    fmpz_poly_t q;
-    fmpz_poly_init(q);
+    LOCAL(fmpz_poly, q);
     placing_plane(q, p, side, simplex, vertex);
-    return sign_and_clear(p, q);
+    return placing_sign(p, q);
 }
 
 int placing_side_sign(placing *p, pair_side side, uint32_t simplex, int k, uint32_t vertex) {
-    fmpz_poly_t q;
-    fmpz_poly_init(q);
+    LOCAL(fmpz_poly, q);
     placing_side(q, p, side, simplex, k, vertex);
-    return sign_and_clear(p, q);
+    return placing_sign(p, q);
 }
 
 int placing_edges_sign(placing *p, const uint32_t moving[2], const uint32_t fixed[2]) {
-    fmpz_poly_t q;
-    fmpz_poly_init(q);
+    LOCAL(fmpz_poly, q);
     placing_edges(q, p, moving, fixed);
-    return sign_and_clear(p, q);
+    return placing_sign(p, q);
 }
 
 int placing_inside(unsigned *zero, placing *p, pair_side side, uint32_t simplex, uint32_t vertex) {

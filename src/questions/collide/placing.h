@@ -3,12 +3,10 @@
 #ifndef GRAZE_QUESTIONS_COLLIDE_PLACING_H
 #define GRAZE_QUESTIONS_COLLIDE_PLACING_H
 
+#include "base/context/array.h"
 #include "base/context/slots.h"
 #include "base/number/algebraic.h"
 #include "base/number/bernstein.h"
-#include "decide/trace/trace.h"
-#include "input/motion/motion.h"
-#include "input/solid/solid.h"
 #include "input/validate/validate.h"
 #include "questions/collide/collide.h"
 
@@ -23,6 +21,7 @@ typedef struct near_list {
     size_t count, capacity;
     near_pair *item;
 } near_list;
+void near_list_clear(near_list *list);
 
 /* Both solids at a time, exactly: signs of one solid's forms at the other's vertices.
  *
@@ -65,15 +64,18 @@ typedef struct placing {
     int mirrored; /* the motion reverses orientation */
 } placing;
 
-/** Place both solids on a whole piece; the caller sets a time before it asks for signs. */
-void placing_init(placing *p, graze_context *context, const solid_pair *pair, size_t piece);
-/** Place both solids at a rational time of a piece. */
-void placing_init_at(placing *p, graze_context *context, const solid_pair *pair, size_t piece,
-                     const fmpq_t u);
+/** Place both solids at a rational time of a piece; or, if `u` is NULL, on the whole piece: then
+ * the caller sets a time before it asks for signs. */
+void placing_init(placing *p, graze_context *context, const solid_pair *pair, size_t piece,
+                  const fmpq *u);
 void placing_clear(placing *p);
 
 /** Set the time of signs; it is borrowed, and questions narrow it. */
 void placing_set_time(placing *p, algebraic *when);
+
+/** Is there room for one entry more of a list, and no failure yet? */
+#define PLACING_ROOM(p, list, what)                                                                \
+    (!(p)->status && !((p)->status = LIST_GROW((p)->context, list, what)))
 
 const graze_solid *placing_solid(const placing *p, pair_side side);
 

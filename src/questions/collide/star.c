@@ -5,9 +5,6 @@
 #include <flint/fmpz_vec.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "decide/trace/trace.h"
-#include "input/solid/solid.h"
-#include "input/validate/validate.h"
 #include "questions/collide/placing.h"
 
 typedef struct finder {
@@ -36,10 +33,7 @@ static void look_at_simplex(finder *f, uint32_t simplex) {
         held = sign >= 0;
         found.zero |= sign == 0 ? 1u << k : 0;
     }
-    if (held && !f->p->status)
-        f->p->status = array_grow(f->p->context, &f->out->item, &f->out->capacity,
-                                  f->out->count + 1, sizeof *f->out->item, "simplices at a point");
-    if (held && !f->p->status)
+    if (held && PLACING_ROOM(f->p, f->out, "simplices at a point"))
         f->out->item[f->out->count++] = found;
 }
 

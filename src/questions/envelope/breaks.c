@@ -3,15 +3,10 @@
  * it (turn = 1), or contact after it and all g are negative before it (turn = -1): so all g of the
  * side without contact, times `turn`, are positive. Values at the break are rational.
  */
-#include "questions/envelope/envelope.h"
-
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
-#include "questions/contact/contact.h"
 #include "questions/envelope/patch_ends.h"
-#include "questions/envelope/sign_events.h"
 
 /* Two pieces that meet, the one with contact and the other one. */
 typedef struct meeting_pieces {
@@ -71,46 +66,38 @@ static int is_vertex_bad(const meeting_pieces *m, size_t vertex) {
     return all && low <= 0 && high >= 0;
 }
 
-/* A linear function on an edge by its values at the ends; the zero of it as a place on [0, 1]. */
-typedef struct edge_function {
-    fmpz_t at_u, at_v;
-} edge_function;
-
-static int sign_along(const edge_function *f, const fmpq_t lambda) {
+/* The sign at a place on [0, 1] of a linear function on an edge, by its values at both ends. */
+static int sign_along(const fmpz at[2], const fmpq_t lambda) {
     LOCAL_VEC(fmpq, value, 2);
     fmpq *rest = value + 1;
-    fmpq_mul_fmpz(value, lambda, f->at_v);
+    fmpq_mul_fmpz(value, lambda, at + 1);
     fmpq_set_si(rest, 1, 1);
     fmpq_sub(rest, rest, lambda);
-    fmpq_mul_fmpz(rest, rest, f->at_u);
+    fmpq_mul_fmpz(rest, rest, at);
     fmpq_add(value, value, rest);
     return fmpq_sgn(value);
 }
 
-static int compare_edge_places(const void *left, const void *right) {
-    return fmpq_cmp(left, right);
-}
-
-/* Is there a place on the edge at which the first two functions have different signs and the last
- * two are positive? Between zeros one place stands for all. */
-static int has_place(const edge_function f[4]) {
+/* Is there a place on the edge at which the first two of four functions have different signs and
+ * the last two are positive? Between zeros one place stands for all. */
+static int has_place(const fmpz *f) {
     LOCAL_VEC(fmpq, place, 6);
     slong count = 1;
     int found = 0;
     LOCAL(fmpq, middle);
     for (int k = 0; k < 4; k++)
-        if (fmpz_sgn(f[k].at_u) * fmpz_sgn(f[k].at_v) < 0) {
-            fmpz_sub(fmpq_denref(place + count), f[k].at_u, f[k].at_v);
-            fmpz_set(fmpq_numref(place + count), f[k].at_u);
+        if (fmpz_sgn(f + 2 * k) * fmpz_sgn(f + 2 * k + 1) < 0) {
+            fmpz_sub(fmpq_denref(place + count), f + 2 * k, f + 2 * k + 1);
+            fmpz_set(fmpq_numref(place + count), f + 2 * k);
             fmpq_canonicalise(place + count++);
         }
     fmpq_set_si(place + count++, 1, 1);
-    qsort(place, (size_t)count, sizeof *place, compare_edge_places);
+    _fmpq_vec_sort(place, count);
     for (slong k = 1; k < count && !found; k++) {
         fmpq_add(middle, place + k - 1, place + k);
         fmpq_div_2exp(middle, middle, 1);
-        found = sign_along(&f[0], middle) * sign_along(&f[1], middle) < 0 &&
-                sign_along(&f[2], middle) > 0 && sign_along(&f[3], middle) > 0;
+        found = sign_along(f, middle) * sign_along(f + 2, middle) < 0 &&
+                sign_along(f + 4, middle) > 0 && sign_along(f + 6, middle) > 0;
     }
     return found;
 }
@@ -123,19 +110,12 @@ static int is_edge_bad(const meeting_pieces *m, size_t edge) {
         return 0;
     const size_t *facet = c->edge_facets.item + c->edge_facets.start[edge];
     size_t last = c->edge_facets.start[edge + 1] - c->edge_facets.start[edge] - 1;
-    edge_function f[4];
+    LOCAL_VEC(fmpz, value, 8);
     for (int k = 0; k < 4; k++) {
-        fmpz_init(f[k].at_u);
-        fmpz_init(f[k].at_v);
-        break_value(f[k].at_u, m, k >= 2, facet[k % 2 ? last : 0], e->u);
-        break_value(f[k].at_v, m, k >= 2, facet[k % 2 ? last : 0], e->v);
+        break_value(value + 2 * k, m, k >= 2, facet[k % 2 ? last : 0], e->u);
+        break_value(value + 2 * k + 1, m, k >= 2, facet[k % 2 ? last : 0], e->v);
     }
-    int bad = has_place(f);
-    for (int k = 0; k < 4; k++) {
-        fmpz_clear(f[k].at_u);
-        fmpz_clear(f[k].at_v);
-    }
-    return bad;
+    return has_place(value);
 }
 
 /* Does a slice of the facet end on the edge, at the break, where g of the other side is positive?
@@ -186,11 +166,10 @@ static graze_status judge_turn(const meeting_pieces *m, graze_context *context,
 
 graze_status breaks_judge(graze_envelope *e, graze_context *context, size_t piece) {
     HELD(algebraic, start);
-    graze_status status =
-        judge_find(e, context, GRAZE_REASON_PIECES, &NO_CELL, &NO_CELL, piece, &start);
-    for (int turn = 1; turn >= -1 && !status && judge_wants(e, GRAZE_REASON_BREAK); turn -= 2) {
+    TRY(judge_find(e, context, GRAZE_REASON_PIECES, &NO_CELL, &NO_CELL, piece, &start));
+    for (int turn = 1; turn >= -1 && judge_wants(e, GRAZE_REASON_BREAK); turn -= 2) {
         meeting_pieces m = {e, turn > 0 ? piece - 1 : piece, turn > 0 ? piece : piece - 1, turn};
-        status = judge_turn(&m, context, &start, piece);
+        TRY(judge_turn(&m, context, &start, piece));
     }
-    return status;
+    return GRAZE_OK;
 }

@@ -1,6 +1,4 @@
 /* Moments by the cells that their events name. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/envelope/envelope.h"
-
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
@@ -49,59 +47,34 @@ void cell_events_clear(cell_event_list *list) {
     free(list->item);
 }
 
-graze_status cuts_add(moment_cuts *cuts, graze_context *context, size_t moment) {
-    TRY(array_grow(context, &cuts->item, &cuts->capacity, cuts->count + 1, sizeof *cuts->item,
-                   "the changes of a cell"));
-    cuts->item[cuts->count++] = moment;
-    return GRAZE_OK;
+graze_status cuts_add(numbers *cuts, graze_context *context, size_t moment) {
+    return numbers_add(cuts, context, moment, "the changes of a cell");
 }
 
-graze_status cuts_start(moment_cuts *cuts, graze_context *context, const moment_list *moments) {
+graze_status cuts_start(numbers *cuts, graze_context *context, const moment_list *moments) {
     cuts->count = 0;
     for (size_t k = 0; k < moments->hard_count; k++)
         TRY(cuts_add(cuts, context, moments->hard[k]));
     return GRAZE_OK;
 }
 
-static int compare_moments(const void *left, const void *right) {
-    const size_t *a = left, *b = right;
-    return *a < *b ? -1 : *a > *b;
-}
-
-void cuts_sort(moment_cuts *cuts) {
-    size_t kept = 0;
-    qsort(cuts->item, cuts->count, sizeof *cuts->item, compare_moments);
-    for (size_t k = 0; k < cuts->count; k++)
-        if (kept == 0 || cuts->item[kept - 1] != cuts->item[k])
-            cuts->item[kept++] = cuts->item[k];
-    cuts->count = kept;
-}
-
 /* Add the moments of one key. */
-static graze_status add_moments(moment_cuts *cuts, graze_context *context,
-                                const cell_event_list *list, const graze_cell *first,
-                                const graze_cell *second) {
+static graze_status add_moments(numbers *cuts, graze_context *context, const cell_event_list *list,
+                                const graze_cell *first, const graze_cell *second) {
     cell_event key = {*first, *second, 0};
-    size_t low = 0, high = list->count;
-    while (low < high) {
-        size_t middle = low + (high - low) / 2;
-        if (compare_keys(&list->item[middle], &key) < 0)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    for (; low < list->count && compare_keys(&list->item[low], &key) == 0; low++)
-        TRY(cuts_add(cuts, context, list->item[low].moment));
+    size_t k = array_first(&key, list->item, list->count, sizeof *list->item, compare_cell_events);
+    for (; k < list->count && compare_keys(&list->item[k], &key) == 0; k++)
+        TRY(cuts_add(cuts, context, list->item[k].moment));
     return GRAZE_OK;
 }
 
-graze_status cuts_add_of_facet(moment_cuts *cuts, graze_context *context,
-                               const cell_event_list *list, const cell_complex *c, size_t facet) {
+graze_status cuts_add_of_facet(numbers *cuts, graze_context *context, const cell_event_list *list,
+                               const cell_complex *c, size_t facet) {
     return add_moments(cuts, context, list, &c->facet[facet].name, &NO_SECOND);
 }
 
-graze_status cuts_add_of_edge(moment_cuts *cuts, graze_context *context,
-                              const cell_event_list *list, const cell_complex *c, size_t edge) {
+graze_status cuts_add_of_edge(numbers *cuts, graze_context *context, const cell_event_list *list,
+                              const cell_complex *c, size_t edge) {
     const cell_edge *side = &c->edge[edge];
     TRY(add_moments(cuts, context, list, &side->name, &NO_SECOND));
     for (size_t j = c->edge_facets.start[edge]; j < c->edge_facets.start[edge + 1]; j++) {
@@ -112,7 +85,7 @@ graze_status cuts_add_of_edge(moment_cuts *cuts, graze_context *context,
     return GRAZE_OK;
 }
 
-graze_status cuts_add_of_vertex(moment_cuts *cuts, graze_context *context,
-                                const cell_event_list *list, const cell_complex *c, size_t vertex) {
+graze_status cuts_add_of_vertex(numbers *cuts, graze_context *context, const cell_event_list *list,
+                                const cell_complex *c, size_t vertex) {
     return add_moments(cuts, context, list, &c->vertex[vertex].name, &NO_SECOND);
 }

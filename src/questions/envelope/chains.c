@@ -1,8 +1,7 @@
 /* Chains by the ends that parts share. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/envelope/envelope.h"
-
 #include <stdlib.h>
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 #include "questions/envelope/patch_ends.h"
 
 /* An end of a part. */
@@ -14,10 +13,7 @@ typedef struct chain_end {
 
 static int compare_chain_ends(const void *left, const void *right) {
     const chain_end *a = left, *b = right;
-    int order = 0;
-    for (int i = 0; i < a->dimension && order == 0; i++)
-        order = fmpq_cmp(a->at + i, b->at + i);
-    return order;
+    return vector_compare(a->at, b->at, a->dimension);
 }
 
 /* The first part of the chain to which part k belongs. */
@@ -78,12 +74,11 @@ static void join_whole(graze_curve *c, size_t *parent, const cell_complex *cells
 }
 
 graze_status chains_find(graze_curve *c, graze_context *context, const cell_complex *cells) {
-    size_t *parent = malloc((c->count + 1) * sizeof *parent), number = 0;
+    size_t number = 0;
+    FREED(size_t, parent, malloc((c->count + 1) * sizeof *parent));
     FREED(chain_end, end, malloc((2 * c->count + 1) * sizeof *end));
-    if (!parent || !end) {
-        free(parent);
+    if (!parent || !end)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for chains");
-    }
     for (size_t k = 0; k < c->count; k++)
         parent[k] = k;
     join_ends(c, parent, end, list_ends(end, c));
@@ -98,6 +93,5 @@ graze_status chains_find(graze_curve *c, graze_context *context, const cell_comp
     }
     for (size_t k = 0; k < c->count; k++)
         c->part[k].facts.form = c->part[root_of(parent, k)].facts.form;
-    free(parent);
     return GRAZE_OK;
 }

@@ -1,18 +1,15 @@
 /* Facets of simplices, vertices by position, and what lies in what, by location of each cell's
  * middle. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/envelope/envelope.h"
-
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "input/solid/solid.h"
+#include "base/number/vector.h"
 #include "input/soup/soup.h"
 #include "input/validate/validate.h"
-#include "questions/contact/contact.h"
 #include "questions/envelope/patch_ends.h"
 
 static graze_status no_room_for_cells(graze_context *context) {
@@ -28,12 +25,7 @@ typedef struct position {
 
 static int compare_positions(const void *left, const void *right) {
     const position *a = left, *b = right;
-    for (int i = 0; i < a->dimension; i++) {
-        int order = fmpq_cmp(a->at + i, b->at + i);
-        if (order)
-            return order;
-    }
-    return 0;
+    return vector_compare(a->at, b->at, a->dimension);
 }
 
 /* The corners of all simplices, each vertex once. */
@@ -53,7 +45,7 @@ static size_t list_corners(position *out, const cell_complex *c, size_t *seen) {
 /* Number the positions of the corners: number[v] of a vertex, zeros before. */
 static graze_status number_positions(size_t *number, cell_complex *c, graze_context *context) {
     size_t d = (size_t)c->dimension;
-    position *sorted = malloc(c->solid->input.vertex_count * sizeof *sorted);
+    FREED(position, sorted, malloc(c->solid->input.vertex_count * sizeof *sorted));
     if (!sorted)
         return no_room_for_cells(context);
     size_t n = list_corners(sorted, c, number);
@@ -62,12 +54,9 @@ static graze_status number_positions(size_t *number, cell_complex *c, graze_cont
     c->vertex_capacity = n;
     for (size_t k = 0; k < n; k++) {
         if (k == 0 || compare_positions(&sorted[k - 1], &sorted[k]) != 0)
-            for (size_t i = 0; i < d; i++)
-                fmpq_set(c->at + d * c->vertex_count + i, sorted[k].at + i);
-        c->vertex_count += k == 0 || compare_positions(&sorted[k - 1], &sorted[k]) != 0;
+            vector_set(c->at + d * c->vertex_count++, sorted[k].at, c->dimension);
         number[sorted[k].vertex] = c->vertex_count - 1;
     }
-    free(sorted);
     return GRAZE_OK;
 }
 
@@ -76,12 +65,13 @@ static graze_status find_corners(cell_complex *c, graze_context *context) {
     size_t d = (size_t)c->dimension;
     FREED(size_t, number, calloc(c->solid->input.vertex_count, sizeof *number));
     c->corner = malloc(cut->count * d * sizeof *c->corner);
-    graze_status status =
-        number && c->corner ? number_positions(number, c, context) : no_room_for_cells(context);
-    for (size_t s = 0; s < cut->count && !status; s++)
+    if (!number || !c->corner)
+        return no_room_for_cells(context);
+    TRY(number_positions(number, c, context));
+    for (size_t s = 0; s < cut->count; s++)
         for (size_t k = 0; k < d; k++)
             c->corner[s * d + k] = number[cut->item[s].vertex[k]];
-    return status;
+    return GRAZE_OK;
 }
 
 static int compare_cell_facets(const void *left, const void *right) {
@@ -166,31 +156,24 @@ typedef struct locating {
 
 /* Locate a point of the next cell: its name, kind and facets. */
 static graze_status locate_next(graze_cell *name, place_kind *kind, locating *l, const fmpq *at) {
-    neighborhood found;
-    graze_status status = neighborhood_locate(&found, l->context, l->c->solid, at);
-    if (!status && !found.count)
-        status = context_fail(l->context, GRAZE_EINTERNAL, "a cell is not on the boundary");
-    if (!status)
-        status = array_grow(l->context, &l->lists->item, &l->capacity, l->used + found.count,
-                            sizeof *l->lists->item, "the facets at a cell");
-    for (size_t k = 0; k < found.count && !status; k++)
+    ZEROED(neighborhood, found);
+    TRY(neighborhood_locate(&found, l->context, l->c->solid, at));
+    if (!found.count)
+        return context_fail(l->context, GRAZE_EINTERNAL, "a cell is not on the boundary");
+    TRY(array_grow(l->context, &l->lists->item, &l->capacity, l->used + found.count,
+                   sizeof *l->lists->item, "the facets at a cell"));
+    for (size_t k = 0; k < found.count; k++)
         l->lists->item[l->used++] = facet_number(l->c, &found.facet[k]);
     *name = found.cell;
     *kind = found.kind;
     l->lists->start[++l->done] = l->used;
-    neighborhood_clear(&found);
-    return status ? status : context_work(l->context, 10000);
-}
-
-static int compare_numbers(const void *left, const void *right) {
-    const size_t *a = left, *b = right;
-    return *a < *b ? -1 : *a > *b;
+    return context_work(l->context, 10000);
 }
 
 static void sort_lists(cell_lists *lists, size_t count) {
     for (size_t k = 0; k < count; k++)
         qsort(lists->item + lists->start[k], lists->start[k + 1] - lists->start[k],
-              sizeof *lists->item, compare_numbers);
+              sizeof *lists->item, array_compare_numbers);
 }
 
 static graze_status locate_vertices(cell_complex *c, graze_context *context) {
@@ -219,10 +202,7 @@ static graze_status locate_edges(cell_complex *c, graze_context *context) {
     LOCAL_VEC(fmpq, middle, d);
     for (size_t k = 0; k < c->edge_count; k++) {
         cell_edge *e = &c->edge[k];
-        for (int i = 0; i < d; i++) {
-            fmpq_add(middle + i, c->at + e->u * (size_t)d + i, c->at + e->v * (size_t)d + i);
-            fmpq_div_2exp(middle + i, middle + i, 1);
-        }
+        vector_middle(middle, c->at + e->u * (size_t)d, c->at + e->v * (size_t)d, d);
         TRY(locate_next(&e->name, &e->kind, &l, middle));
     }
     sort_lists(&c->edge_facets, c->edge_count);
@@ -279,9 +259,8 @@ static graze_status find_lone_vertices(cell_lists *out, graze_context *context,
     FREED(size_t, seen, calloc(c->facet_count, sizeof *seen));
     out->start = calloc(c->facet_count + 2, sizeof(size_t));
     out->item = malloc((c->vertex_facets.start[c->vertex_count] + 1) * sizeof(size_t));
-    if (!seen || !out->start || !out->item) {
+    if (!seen || !out->start || !out->item)
         return no_room_for_cells(context);
-    }
     list_lone_vertices(out, c, seen, 1);
     for (size_t k = 2; k < c->facet_count + 2; k++)
         out->start[k] += out->start[k - 1];

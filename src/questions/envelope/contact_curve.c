@@ -1,11 +1,8 @@
 /* All parts of a curve, their middles and chains. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/envelope/envelope.h"
-
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "questions/contact/contact.h"
 #include "questions/envelope/patch_ends.h"
 
 static graze_status find_parts(graze_curve *c, graze_context *context, const snapshot *s) {
@@ -21,59 +18,46 @@ static graze_status find_parts(graze_curve *c, graze_context *context, const sna
     return GRAZE_OK;
 }
 
-/* The verdict and orientation of a part's middle. */
-static graze_status look_at_middle(curve_part *part, graze_context *context, const snapshot *s) {
-    int d = s->dimension;
-    graze_site site;
-    LOCAL_VEC(fmpq, middle, d);
-    for (int i = 0; i < d; i++) {
-        fmpq_add(middle + i, part->a + i, part->b + i);
-        fmpq_div_2exp(middle + i, middle + i, 1);
+static graze_status judge_parts(graze_curve *c, graze_context *context, const graze_envelope *e) {
+    LOCAL_VEC(fmpq, middle, c->dimension);
+    for (size_t k = 0; k < c->count; k++) {
+        curve_part *part = &c->part[k];
+        TRY(parts_look_at_middle(&part->facts.trim, &part->facts.orientation, middle, NULL, context,
+                                 e, part, c->t));
+        part->facts.chain = k;
     }
-    TRY(site_make_for(&site, context, s->e->scene, s->t, middle, SITE_TRIM));
-    part->facts.trim = site.facts.trim;
-    part->facts.orientation = site.facts.on_slice ? site.facts.orientation : GRAZE_ORIENTATION_NONE;
-    site_clear(&site);
-    return GRAZE_OK;
+    return c->dimension == 3 ? chains_find(c, context, &e->cells) : GRAZE_OK;
 }
 
-static graze_status judge_parts(graze_curve *c, graze_context *context, const snapshot *s) {
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < c->count && !status; k++)
-        status = look_at_middle(&c->part[k], context, s);
-    if (!status && c->dimension == 3)
-        status = chains_find(c, context, &s->e->cells);
-    for (size_t k = 0; k < c->count && c->dimension == 2; k++)
-        c->part[k].facts.chain = k;
-    return status;
+static graze_status find_at(graze_curve *out, graze_context *context, const graze_envelope *e,
+                            const fmpq_t t) {
+    ZEROED(snapshot, s);
+    TRY(snapshot_make(&s, context, e, t));
+    return find_parts(out, context, &s);
 }
 
-static graze_status make_contact_curve(graze_curve *out, graze_context *context,
-                                       const graze_envelope *e, const fmpq_t t, int whole) {
-    snapshot s;
-    memset(out, 0, sizeof *out);
-    out->dimension = e->cells.dimension;
-    fmpq_init(out->t);
+graze_status contact_curve_find(graze_curve *out, graze_context *context, const graze_envelope *e,
+                                const fmpq_t t) {
+    contact_curve_init(out, e->cells.dimension);
     fmpq_set(out->t, t);
-    graze_status status = snapshot_make(&s, context, e, t);
-    if (!status)
-        status = find_parts(out, context, &s);
-    if (!status && whole)
-        status = judge_parts(out, context, &s);
-    snapshot_clear(&s);
+    graze_status status = find_at(out, context, e, t);
     if (status)
         contact_curve_clear(out);
     return status;
 }
 
-graze_status contact_curve_find(graze_curve *out, graze_context *context, const graze_envelope *e,
-                                const fmpq_t t) {
-    return make_contact_curve(out, context, e, t, 0);
-}
-
 graze_status contact_curve_make(graze_curve *out, graze_context *context, const graze_envelope *e,
                                 const fmpq_t t) {
-    return make_contact_curve(out, context, e, t, 1);
+    TRY(contact_curve_find(out, context, e, t));
+    graze_status status = judge_parts(out, context, e);
+    if (status)
+        contact_curve_clear(out);
+    return status;
+}
+
+void contact_curve_init(graze_curve *c, int dimension) {
+    *c = (graze_curve){.dimension = dimension};
+    fmpq_init(c->t);
 }
 
 void contact_curve_clear(graze_curve *c) {

@@ -1,10 +1,6 @@
 /* Findings. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/envelope/envelope.h"
-
 #include "base/context/scope.h"
-#include "decide/trace/trace.h"
 #include "questions/envelope/patch_ends.h"
-#include "questions/envelope/sign_events.h"
 
 int judge_wants(const graze_envelope *e, graze_decomposable_reason reason) {
     return reason < e->found.reason;

@@ -1,14 +1,12 @@
 /* Sides of simplices that bound facets, cut at the vertices in them and where they cross.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/envelope/envelope.h"
-
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "input/solid/solid.h"
+#include "base/number/vector.h"
 #include "input/validate/validate.h"
 #include "questions/envelope/patch_ends.h"
 
@@ -81,30 +79,6 @@ static const fmpq *at_vertex(const cell_complex *c, size_t v) {
     return c->at + v * (size_t)c->dimension;
 }
 
-static void difference(fmpq *out, const fmpq *a, const fmpq *b, int d) {
-    for (int i = 0; i < d; i++)
-        fmpq_sub(out + i, a + i, b + i);
-}
-
-/* out = a x b; in E^2 its third coordinate. */
-static void cross_of(fmpq *out, const fmpq *a, const fmpq *b, int d) {
-    for (int i = d == 2 ? 2 : 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        fmpq_mul(out + i, a + j, b + k);
-        fmpq_submul(out + i, a + k, b + j);
-    }
-}
-
-static int is_zero_vector(const fmpq *a) {
-    return fmpq_is_zero(a) && fmpq_is_zero(a + 1) && fmpq_is_zero(a + 2);
-}
-
-static void dot_of(fmpq_t out, const fmpq *a, const fmpq *b) {
-    fmpq_zero(out);
-    for (int i = 0; i < 3; i++)
-        fmpq_addmul(out, a + i, b + i);
-}
-
 static graze_status add_inner(edge_finder *f, const fmpq_t lambda, size_t vertex) {
     for (size_t k = 0; k < f->inner_count; k++)
         if (f->inner[k].vertex == vertex)
@@ -129,26 +103,19 @@ static graze_status try_inner_vertex(edge_finder *f, const side *e, size_t verte
         return GRAZE_OK;
     LOCAL_VEC(fmpq, along, 9);
     fmpq *to = along + 3, *cross = along + 6;
-    difference(along, at_vertex(f->c, e->v), at_vertex(f->c, e->u), d);
-    difference(to, at_vertex(f->c, vertex), at_vertex(f->c, e->u), d);
-    cross_of(cross, along, to, d);
-    if (is_zero_vector(cross)) {
+    vector_sub(along, at_vertex(f->c, e->v), at_vertex(f->c, e->u), d);
+    vector_sub(to, at_vertex(f->c, vertex), at_vertex(f->c, e->u), d);
+    vector_cross(cross, along, to);
+    if (vector_is_zero(cross, 3)) {
         LOCAL_VEC(fmpq, lambda, 2);
         fmpq *length = lambda + 1;
-        dot_of(lambda, to, along);
-        dot_of(length, along, along);
+        _fmpq_vec_dot(lambda, to, along, 3);
+        _fmpq_vec_dot(length, along, along, 3);
         fmpq_div(lambda, lambda, length);
         if (is_within(lambda))
             TRY(add_inner(f, lambda, vertex));
     }
     return GRAZE_OK;
-}
-
-static int compare_points(const fmpq *a, const fmpq *b, int d) {
-    int order = 0;
-    for (int i = 0; i < d && order == 0; i++)
-        order = fmpq_cmp(a + i, b + i);
-    return order;
 }
 
 /* The index of the corner at a point; if none is there, `corner_positions`, at which the crossings
@@ -157,13 +124,13 @@ static size_t corner_at_point(const edge_finder *f, const fmpq *point) {
     size_t low = 0, high = f->corner_positions;
     while (low < high) {
         size_t middle = low + (high - low) / 2;
-        if (compare_points(at_vertex(f->c, middle), point, f->c->dimension) < 0)
+        if (vector_compare(at_vertex(f->c, middle), point, f->c->dimension) < 0)
             low = middle + 1;
         else
             high = middle;
     }
     int found = low < f->corner_positions &&
-                compare_points(at_vertex(f->c, low), point, f->c->dimension) == 0;
+                vector_compare(at_vertex(f->c, low), point, f->c->dimension) == 0;
     return found ? low : f->corner_positions;
 }
 
@@ -172,17 +139,15 @@ static graze_status number_crossing(size_t *out, edge_finder *f, const fmpq *poi
     cell_complex *c = f->c;
     int d = c->dimension;
     for (*out = corner_at_point(f, point); *out < c->vertex_count; ++*out)
-        if (*out < f->corner_positions || compare_points(point, at_vertex(c, *out), d) == 0)
+        if (*out < f->corner_positions || vector_compare(point, at_vertex(c, *out), d) == 0)
             return GRAZE_OK;
     size_t before = c->vertex_capacity;
-    graze_status status = array_grow(f->context, &c->at, &c->vertex_capacity, c->vertex_count + 1,
-                                     (size_t)d * sizeof *c->at, "the crossings of edges");
+    TRY(array_grow(f->context, &c->at, &c->vertex_capacity, c->vertex_count + 1,
+                   (size_t)d * sizeof *c->at, "the crossings of edges"));
     for (size_t k = before * (size_t)d; k < c->vertex_capacity * (size_t)d; k++)
         fmpq_init(c->at + k);
-    for (int i = 0; i < d && !status; i++)
-        fmpq_set(c->at + c->vertex_count * (size_t)d + i, point + i);
-    c->vertex_count += !status;
-    return status;
+    vector_set(c->at + c->vertex_count++ * (size_t)d, point, d);
+    return GRAZE_OK;
 }
 
 /* Find the point in which two segments cross, *lambda of the way along the first; 0 if their lines
@@ -193,19 +158,19 @@ static int meet_within(fmpq_t lambda, fmpq *v, const cell_complex *c, const side
     fmpq *along = v, *other = v + 3, *to = v + 6, *normal = v + 9;
     LOCAL_VEC(fmpq, mu, 2);
     fmpq *length = mu + 1;
-    difference(along, at_vertex(c, e->v), at_vertex(c, e->u), d);
-    difference(other, at_vertex(c, q), at_vertex(c, p), d);
-    difference(to, at_vertex(c, p), at_vertex(c, e->u), d);
-    cross_of(normal, along, other, d);
-    dot_of(mu, to, normal);
-    if (!is_zero_vector(normal) && fmpq_is_zero(mu)) {
-        dot_of(length, normal, normal);
+    vector_sub(along, at_vertex(c, e->v), at_vertex(c, e->u), d);
+    vector_sub(other, at_vertex(c, q), at_vertex(c, p), d);
+    vector_sub(to, at_vertex(c, p), at_vertex(c, e->u), d);
+    vector_cross(normal, along, other);
+    _fmpq_vec_dot(mu, to, normal, 3);
+    if (!vector_is_zero(normal, 3) && fmpq_is_zero(mu)) {
+        _fmpq_vec_dot(length, normal, normal, 3);
         LOCAL_VEC(fmpq, side_of, 3);
-        cross_of(side_of, to, other, d);
-        dot_of(lambda, side_of, normal);
+        vector_cross(side_of, to, other);
+        _fmpq_vec_dot(lambda, side_of, normal, 3);
         fmpq_div(lambda, lambda, length);
-        cross_of(side_of, to, along, d);
-        dot_of(mu, side_of, normal);
+        vector_cross(side_of, to, along);
+        _fmpq_vec_dot(mu, side_of, normal, 3);
         fmpq_div(mu, mu, length);
         found = is_within(lambda) && is_within(mu);
     }
@@ -302,37 +267,29 @@ static int order_of_edges(const void *left, const void *right) {
     return a->v < b->v ? -1 : a->v > b->v;
 }
 
-/* Drop edges that repeat: parts of different sides may be one edge. */
-static void drop_repeated(cell_complex *c) {
-    size_t kept = 0;
-    qsort(c->edge, c->edge_count, sizeof *c->edge, order_of_edges);
-    for (size_t k = 0; k < c->edge_count; k++)
-        if (kept == 0 || order_of_edges(&c->edge[kept - 1], &c->edge[k]) != 0)
-            c->edge[kept++] = c->edge[k];
-    c->edge_count = kept;
+static void edge_finder_clear(edge_finder *f) {
+    free(f->side);
+    free(f->keep);
+    free(f->inner);
 }
 
 graze_status edges_find(cell_complex *c, graze_context *context) {
     size_t n = c->solid->cut.count;
-    edge_finder f = {.c = c, .context = context, .corner_positions = c->vertex_count};
+    ZEROED(edge_finder, f);
+    f.c = c;
+    f.context = context;
+    f.corner_positions = c->vertex_count;
     f.side = malloc(n * 3 * sizeof *f.side);
     f.keep = calloc(n, 1);
-    graze_status status = f.side && f.keep
-                              ? GRAZE_OK
-                              : context_fail(context, GRAZE_ESYSTEM, "out of memory for edges");
-    if (!status) {
-        list_edge_sides(&f);
-        keep_edges(&f);
+    if (!f.side || !f.keep)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for edges");
+    list_edge_sides(&f);
+    keep_edges(&f);
+    for (size_t k = 0; k < f.side_count; k++) {
+        TRY(cut_side(&f, &f.side[k]));
+        TRY(context_work(context, 10000));
     }
-    for (size_t k = 0; k < f.side_count && !status; k++) {
-        status = cut_side(&f, &f.side[k]);
-        if (!status)
-            status = context_work(context, 10000);
-    }
-    if (!status)
-        drop_repeated(c);
-    free(f.side);
-    free(f.keep);
-    free(f.inner);
-    return status;
+    /* Parts of different sides may be one edge. */
+    c->edge_count = array_sort_once(c->edge, c->edge_count, sizeof *c->edge, order_of_edges);
+    return GRAZE_OK;
 }

@@ -1,15 +1,8 @@
 /* Cells, fields, and what is gathered of each cell. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/envelope/envelope.h"
-
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "decide/scene/scene.h"
-#include "decide/trace/trace.h"
-#include "input/motion/motion.h"
-#include "questions/contact/contact.h"
 #include "questions/envelope/patch_ends.h"
-#include "questions/envelope/sign_events.h"
 
 /* Roots are sought of minors and products of these functions: many for each facet. Facets and
  * pieces, whose number the file fixes, are not counted. */
@@ -63,17 +56,17 @@ static graze_status gather_edge(graze_envelope *e, graze_context *context, size_
 static graze_status gather_vertex(graze_envelope *e, graze_context *context, size_t vertex) {
     const cell_complex *c = &e->cells;
     place_kind kind = c->vertex[vertex].kind;
-    graze_status status = GRAZE_OK;
-    for (size_t j = c->vertex_facets.start[vertex];
-         j < c->vertex_facets.start[vertex + 1] && !status; j++)
-        status = gather_corner(e, context, c->vertex_facets.item[j], vertex);
-    if (status || (kind != PLACE_REFLEX && kind != PLACE_OTHER))
-        return status;
-    status = saddle_gather(e, context, vertex);
-    return status ? status : saddle_judge(e, context, vertex);
+    for (size_t j = c->vertex_facets.start[vertex]; j < c->vertex_facets.start[vertex + 1]; j++)
+        TRY(gather_corner(e, context, c->vertex_facets.item[j], vertex));
+    if (kind != PLACE_REFLEX && kind != PLACE_OTHER)
+        return GRAZE_OK;
+    TRY(saddle_gather(e, context, vertex));
+    return saddle_judge(e, context, vertex);
 }
 
 static graze_status gather(graze_envelope *e, graze_context *context) {
+    TRY(complex_make(&e->cells, context, e->scene->solid));
+    TRY(make_fields(e, context));
     for (size_t k = 0; k < e->cells.facet_count; k++)
         TRY(gather_whole(e, context, k));
     for (size_t k = 0; k < e->cells.facet_count; k++)
@@ -85,7 +78,7 @@ static graze_status gather(graze_envelope *e, graze_context *context) {
     for (size_t k = 1; k < e->piece_count; k++)
         if (e->is_break[k])
             TRY(breaks_judge(e, context, k));
-    return GRAZE_OK;
+    return events_finish(&e->events, context);
 }
 
 graze_status envelope_make(graze_envelope *out, graze_context *context, const graze_scene *scene) {
@@ -93,13 +86,7 @@ graze_status envelope_make(graze_envelope *out, graze_context *context, const gr
     out->scene = scene;
     out->found.reason = GRAZE_REASON_POSITIVE;
     events_init(&out->events, scene->motion);
-    graze_status status = complex_make(&out->cells, context, scene->solid);
-    if (!status)
-        status = make_fields(out, context);
-    if (!status)
-        status = gather(out, context);
-    if (!status)
-        status = events_finish(&out->events, context);
+    graze_status status = gather(out, context);
     if (status)
         envelope_clear(out);
     return status;

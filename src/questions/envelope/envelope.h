@@ -136,6 +136,7 @@ struct graze_curve {
     size_t count, capacity;
     curve_part *part;
 };
+typedef graze_curve contact_curve;
 
 /** Moments (times) ascending, each once; the first and the last are the ends of the motion. `hard`
  * are the numbers of the moments that are ends or breaks of the motion; `of_event` has for each
@@ -196,6 +197,8 @@ struct graze_patches {
 /** Find the curve of contact at t, classify the middles of its parts, and chain the parts. */
 graze_status contact_curve_make(graze_curve *out, graze_context *context, const graze_envelope *e,
                                 const fmpq_t t);
+/** Begin without parts, at the time 0. */
+void contact_curve_init(graze_curve *c, int dimension);
 void contact_curve_clear(graze_curve *c);
 
 /* The events of an envelope, and whether it decomposes. */

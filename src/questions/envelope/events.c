@@ -1,13 +1,9 @@
 /* Events in order of exact times. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/envelope/envelope.h"
-
 #include <stddef.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/order.h"
-#include "decide/trace/trace.h"
-#include "input/motion/motion.h"
 #include "input/soup/soup.h"
 #include "questions/envelope/sign_events.h"
 
@@ -26,8 +22,7 @@ void events_clear(event_list *list) {
 
 graze_status events_add(event_list *list, graze_context *context, const found_event *what,
                         size_t piece, const algebraic *u) {
-    TRY(array_grow(context, &list->item, &list->capacity, list->count + 1, sizeof *list->item,
-                   "events"));
+    TRY(LIST_GROW(context, list, "events"));
     found_event *made = &list->item[list->count++];
     *made = *what;
     made->piece = piece;
@@ -103,17 +98,17 @@ static graze_status add_event_time(event_list *list, graze_context *context, siz
 /* Number the times of the events of one piece, `where` pointers to them. */
 static graze_status number_times(event_list *list, graze_context *context, algebraic **where,
                                  size_t count, size_t piece) {
-    graze_status status = algebraic_sort(where, count, context);
-    for (size_t k = 0; k < count && !status; k++) {
+    TRY(algebraic_sort(where, count, context));
+    for (size_t k = 0; k < count; k++) {
         found_event *event = (found_event *)((char *)where[k] - offsetof(found_event, u));
         int order = -1;
         if (k > 0)
-            status = algebraic_compare(&order, context, where[k - 1], where[k]);
-        if (!status && order != 0)
-            status = add_event_time(list, context, piece, where[k]);
+            TRY(algebraic_compare(&order, context, where[k - 1], where[k]));
+        if (order != 0)
+            TRY(add_event_time(list, context, piece, where[k]));
         event->time = list->time_count - 1;
     }
-    return status;
+    return GRAZE_OK;
 }
 
 static int compare_event_pieces(const void *left, const void *right) {
@@ -124,19 +119,18 @@ static int compare_event_pieces(const void *left, const void *right) {
 graze_status events_finish(event_list *list, graze_context *context) {
     FREED(algebraic *, where, malloc((list->count + 1) * sizeof *where));
     list->time = malloc((list->count + 1) * sizeof(graze_time *));
-    graze_status status = where && list->time
-                              ? GRAZE_OK
-                              : context_fail(context, GRAZE_ESYSTEM, "out of memory for times");
-    if (list->count)
-        qsort(list->item, list->count, sizeof *list->item, compare_event_pieces);
-    for (size_t k = 0, first = 0; k < list->count && !status; k++) {
+    if (!where || !list->time)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for times");
+    if (!list->count)
+        return GRAZE_OK;
+    qsort(list->item, list->count, sizeof *list->item, compare_event_pieces);
+    for (size_t k = 0, first = 0; k < list->count; k++) {
         where[k - first] = &list->item[k].u;
         if (k + 1 < list->count && list->item[k + 1].piece == list->item[k].piece)
             continue;
-        status = number_times(list, context, where, k + 1 - first, list->item[k].piece);
+        TRY(number_times(list, context, where, k + 1 - first, list->item[k].piece));
         first = k + 1;
     }
-    if (!status && list->count)
-        qsort(list->item, list->count, sizeof *list->item, compare_at_one_time);
-    return status;
+    qsort(list->item, list->count, sizeof *list->item, compare_at_one_time);
+    return GRAZE_OK;
 }

@@ -4,12 +4,8 @@
  * (g_u - g_v) where g_u g_v < 0, and a function f that is linear along the edge has there the sign
  * of (g_u f_v - g_v f_u) sgn g_u (proofs/events.md C78).
  */
-#include "questions/envelope/envelope.h"
-
 #include "base/context/scope.h"
-#include "questions/contact/contact.h"
 #include "questions/envelope/patch_ends.h"
-#include "questions/envelope/sign_events.h"
 
 /* out = a d - b c */
 static void subtract_products(fmpz_poly_struct *out, const fmpz_poly_struct *a,
@@ -45,23 +41,19 @@ static graze_status judge_corner(graze_envelope *e, graze_context *context, size
     const graze_cell *name = &e->cells.facet[facet].name;
     int free_of_theta = judge_is_still(e, facet),
         is_sharp = v->kind == PLACE_REFLEX || v->kind == PLACE_OTHER;
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < s->x.count && !status; k++) {
+    for (size_t k = 0; k < s->x.count; k++) {
         const signed char *at = signs_at(s, k), *before = signs_before(s, k);
         int touches = at[CORNER_G] == 0, stays = k > 0 && before[CORNER_G] == 0;
         int positive = (!touches || at[CORNER_THETA] > 0) && (!stays || before[CORNER_THETA] > 0);
         if (!positive && !free_of_theta)
-            status =
-                judge_find(e, context, GRAZE_REASON_ZERO, name, &v->name, piece, s->x.point[k]);
-        if (!status && touches && is_sharp)
-            status =
-                judge_find(e, context, GRAZE_REASON_REACHES, name, &v->name, piece, s->x.point[k]);
-        if (!status && stays && before[CORNER_THETA] < 0 && judge_wants(e, GRAZE_REASON_THETA) &&
+            TRY(judge_find(e, context, GRAZE_REASON_ZERO, name, &v->name, piece, s->x.point[k]));
+        if (touches && is_sharp)
+            TRY(judge_find(e, context, GRAZE_REASON_REACHES, name, &v->name, piece, s->x.point[k]));
+        if (stays && before[CORNER_THETA] < 0 && judge_wants(e, GRAZE_REASON_THETA) &&
             enters_before(e, facet, vertex, piece, &s->x, k))
-            status =
-                judge_find_before(e, context, GRAZE_REASON_THETA, name, &v->name, piece, &s->x, k);
+            TRY(judge_find_before(e, context, GRAZE_REASON_THETA, name, &v->name, piece, &s->x, k));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status gather_corner(graze_envelope *e, graze_context *context, size_t facet, size_t vertex) {
@@ -107,24 +99,19 @@ static graze_status judge_slice(graze_envelope *e, graze_context *context, size_
     const cell_edge *side = &e->cells.edge[edge];
     const graze_cell *name = &e->cells.facet[facet].name;
     int is_sharp = side->kind == PLACE_REFLEX || side->kind == PLACE_OTHER;
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < s->x.count && !status; k++) {
+    for (size_t k = 0; k < s->x.count; k++) {
         const signed char *at = signs_at(s, k), *before = signs_before(s, k);
         int theta = slice_theta(at), next = k > 0 ? slice_theta(before) : SIGN_NONE;
-        if (next < 0)
-            status = judge_find_before(e, context, GRAZE_REASON_THETA, name, &side->name, piece,
-                                       &s->x, k);
+        if (next < 0 || (next == 0 && theta > 0))
+            TRY(judge_find_before(e, context, next < 0 ? GRAZE_REASON_THETA : GRAZE_REASON_ZERO,
+                                  name, &side->name, piece, &s->x, k));
         else if (theta <= 0)
-            status =
-                judge_find(e, context, GRAZE_REASON_ZERO, name, &side->name, piece, s->x.point[k]);
-        else if (next == 0)
-            status = judge_find_before(e, context, GRAZE_REASON_ZERO, name, &side->name, piece,
-                                       &s->x, k);
-        if (!status && is_sharp && at[SLICE_U] * at[SLICE_V] <= 0)
-            status = judge_find(e, context, GRAZE_REASON_REACHES, name, &side->name, piece,
-                                s->x.point[k]);
+            TRY(judge_find(e, context, GRAZE_REASON_ZERO, name, &side->name, piece, s->x.point[k]));
+        if (is_sharp && at[SLICE_U] * at[SLICE_V] <= 0)
+            TRY(judge_find(e, context, GRAZE_REASON_REACHES, name, &side->name, piece,
+                           s->x.point[k]));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Have two functions one strict sign, the same, all the time? Then they become 0: no slice ends
@@ -213,19 +200,16 @@ graze_status gather_meet(graze_envelope *e, graze_context *context, size_t edge,
                         .other = e->cells.facet[first].name,
                         .cell = side->name};
     watch past = {SIGN_NONE, SIGN_NONE};
-    graze_status status = GRAZE_OK;
-    for (size_t piece = 0; piece < e->piece_count && !status; piece++) {
+    for (size_t piece = 0; piece < e->piece_count; piece++) {
         const unsigned char *still = e->still + piece * e->cells.facet_count;
         HELD(signs, s, MEET_SIGNS, MEET_SIGNS);
         set_meet(&s, &e->field[piece], side, first, second);
-        status = signs_find(&s, context);
-        if (!status)
-            status = events_watch(&e->events, context, &what, &past, piece, &s, meet_sign);
-        for (size_t k = 1; k < s.x.count && !status && side->kind == PLACE_REFLEX; k++)
+        TRY(signs_find(&s, context));
+        TRY(events_watch(&e->events, context, &what, &past, piece, &s, meet_sign));
+        for (size_t k = 1; k < s.x.count && side->kind == PLACE_REFLEX; k++)
             if (crosses_edge(signs_before(&s, k), still[first], still[second]))
-                status =
-                    judge_find_before(e, context, GRAZE_REASON_REFLEX, &e->cells.facet[first].name,
-                                      &side->name, piece, &s.x, k);
+                TRY(judge_find_before(e, context, GRAZE_REASON_REFLEX, &e->cells.facet[first].name,
+                                      &side->name, piece, &s.x, k));
     }
-    return status;
+    return GRAZE_OK;
 }

@@ -5,14 +5,11 @@
  * (proofs/claims.md C1). A rational velocity near the true one is brought into the planes that hold
  * that one; near enough its other signs are right.
  */
-#include "questions/envelope/envelope.h"
-
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "base/number/refine.h"
-#include "input/solid/solid.h"
-#include "questions/contact/contact.h"
+#include "base/number/vector.h"
 #include "questions/envelope/sign_events.h"
 #include "questions/topo/topo.h"
 
@@ -20,22 +17,13 @@
 static void drop_part(fmpq *v, const fmpq *b, int d) {
     LOCAL_VEC(fmpq, part, 2);
     fmpq *length = part + 1;
-    for (int i = 0; i < d; i++) {
-        fmpq_addmul(part, v + i, b + i);
-        fmpq_addmul(length, b + i, b + i);
-    }
+    _fmpq_vec_dot(part, v, b, d);
+    _fmpq_vec_dot(length, b, b, d);
     if (!fmpq_is_zero(length)) {
         fmpq_div(part, part, length);
         for (int i = 0; i < d; i++)
             fmpq_submul(v + i, b + i, part);
     }
-}
-
-static int is_zero(const fmpq *v, int d) {
-    for (int i = 0; i < d; i++)
-        if (!fmpq_is_zero(v + i))
-            return 0;
-    return 1;
 }
 
 /* The velocity's direction at a rational parameter, without its parts along the normals of the
@@ -53,16 +41,13 @@ static void velocity_near(fmpq *w, const graze_envelope *e, size_t vertex, size_
     for (size_t j = first; j < c->vertex_facets.start[vertex + 1] && basis_count < d; j++) {
         if (sign[j - first] != 0)
             continue;
-        for (int i = 0; i < d; i++)
-            fmpq_set_fmpz(normal + i, c->facet[c->vertex_facets.item[j]].normal + i);
+        _fmpq_vec_set_fmpz_vec(normal, c->facet[c->vertex_facets.item[j]].normal, d);
         for (int b = 0; b < basis_count; b++)
             drop_part(normal, basis + b * d, d);
-        if (is_zero(normal, d))
+        if (vector_is_zero(normal, d))
             continue;
-        for (int i = 0; i < d; i++)
-            fmpq_set(basis + basis_count * d + i, normal + i);
+        vector_set(basis + basis_count++ * d, normal, d);
         drop_part(w, normal, d);
-        basis_count++;
     }
 }
 
@@ -84,7 +69,6 @@ static graze_status find_direction(fmpz *out, const graze_envelope *e, graze_con
                                    size_t vertex, size_t piece, algebraic *u,
                                    const signed char *sign) {
     int d = e->cells.dimension;
-    graze_status status = GRAZE_OK;
     ulong gain = FIRST_GAIN;
     LOCAL_VEC(fmpq, w, d);
     LOCAL_VEC(fmpq, low, 2);
@@ -94,12 +78,10 @@ static graze_status find_direction(fmpz *out, const graze_envelope *e, graze_con
         velocity_near(w, e, vertex, piece, low, sign);
         if (has_speed_signs(w, e, vertex, sign))
             break;
-        status = algebraic_narrow(context, u, CHEAP_HALVINGS, &gain);
-        if (status)
-            break;
+        TRY(algebraic_narrow(context, u, CHEAP_HALVINGS, &gain));
     }
     direction_of_rationals(out, w, d);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status inward_decide(int *out, const graze_envelope *e, graze_context *context, size_t vertex,
@@ -109,11 +91,10 @@ graze_status inward_decide(int *out, const graze_envelope *e, graze_context *con
     local_cone cone = {.count = 0};
     LOCAL_VEC(fmpz, direction, d);
     *out = 0;
-    graze_status status = find_direction(direction, e, context, vertex, piece, u, sign);
-    if (!status)
-        status = topo_planes(&planes, context, e->scene);
-    if (!status)
-        status = cone_make(&cone, context, e->scene->solid, 0, planes, e->cells.vertex[vertex].x);
+    TRY(find_direction(direction, e, context, vertex, piece, u, sign));
+    TRY(topo_planes(&planes, context, e->scene));
+    graze_status status =
+        cone_make(&cone, context, e->scene->solid, 0, planes, e->cells.vertex[vertex].x);
     for (int k = 0; k < 2 && !status && !*out; k++) {
         graze_state state = GRAZE_STATE_O;
         status = cone_state(&state, &cone, context, direction);

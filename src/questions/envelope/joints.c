@@ -1,13 +1,10 @@
 /* Joints between moments: of each vertex and edge, which patches end at one place.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/envelope/envelope.h"
-
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "questions/envelope/patch_ends.h"
-#include "questions/envelope/sign_events.h"
 
 /* The places of one vertex or edge, between two moments; its joints begin at `first_joint`. */
 typedef struct joining {
@@ -15,8 +12,7 @@ typedef struct joining {
     graze_context *context;
     const patch_place *place;
     size_t count, from, to, first_joint;
-    moment_cuts cuts;
-    member_set set;
+    numbers cuts, set;
 } joining;
 
 static int is_active(const joining *j, const patch_place *place) {
@@ -57,7 +53,7 @@ static int extends_joint(const joining *j) {
 /* Add a joint of the set if it has more than one patch or, in E^3, one slice or run. */
 static graze_status emit_set(joining *j) {
     const cell_complex *c = &j->p->envelope->cells;
-    members_sort(&j->set);
+    numbers_sort(&j->set);
     graze_chain_form form = form_of(j);
     if ((j->set.count < 2 && form == GRAZE_CHAIN_NONE) || extends_joint(j))
         return GRAZE_OK;
@@ -77,14 +73,13 @@ static graze_status join_at_vertex(joining *j) {
 /* Whole facets with all of the edge. */
 static graze_status join_along_edge(joining *j) {
     int whole = 0;
-    graze_status status = GRAZE_OK;
     j->set.count = 0;
-    for (size_t k = 0; k < j->count && !status; k++)
+    for (size_t k = 0; k < j->count; k++)
         if (j->place[k].facet == SIZE_MAX && is_active(j, &j->place[k])) {
             whole |= j->p->item[j->place[k].patch].facts.kind == GRAZE_CURVE_WHOLE;
-            status = members_add(&j->set, j->context, j->place[k].patch);
+            TRY(members_add(&j->set, j->context, j->place[k].patch));
         }
-    return status || !whole ? status : emit_set(j);
+    return whole ? emit_set(j) : GRAZE_OK;
 }
 
 /* How far along the edge g of a facet vanishes, from 0 to 1. */
@@ -142,7 +137,7 @@ static graze_status find_cuts(joining *j) {
     if (j->place->is_edge)
         TRY(cuts_add_of_edge(&j->cuts, j->context, &j->p->changes, &j->p->envelope->cells,
                              j->place->cell));
-    cuts_sort(&j->cuts);
+    numbers_sort(&j->cuts);
     return GRAZE_OK;
 }
 
@@ -162,22 +157,24 @@ static graze_status join_cell(joining *j) {
     return context_work(j->context, 1000);
 }
 
+static void joining_clear(joining *j) {
+    numbers_clear(&j->cuts);
+    numbers_clear(&j->set);
+}
+
 graze_status joints_find(graze_patches *p, graze_context *context) {
-    joining j = {.p = p, .context = context};
-    place_list places;
-    graze_status status = places_make(&places, context, p);
-    for (size_t first = 0, end; first < places.count && !status; first = end) {
+    ZEROED(joining, j);
+    ZEROED(place_list, places);
+    j.p = p;
+    j.context = context;
+    TRY(places_make(&places, context, p));
+    for (size_t first = 0, end; first < places.count; first = end) {
         j.place = &places.item[first];
         for (end = first + 1; end < places.count && places.item[end].is_edge == j.place->is_edge &&
                               places.item[end].cell == j.place->cell;)
             end++;
         j.count = end - first;
-        status = join_cell(&j);
+        TRY(join_cell(&j));
     }
-    if (!status)
-        status = limits_find(p, context, &places);
-    free(places.item);
-    free(j.cuts.item);
-    free(j.set.item);
-    return status;
+    return limits_find(p, context, &places);
 }

@@ -4,18 +4,14 @@
  * tends to 0 if g_u has a zero of higher order there than g_v, to 1 if of lower order, and if both
  * are of order k, to the same expression of the derivatives of order k.
  */
-#include "questions/envelope/envelope.h"
-
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/sign.h"
-#include "decide/trace/trace.h"
 #include "questions/envelope/patch_ends.h"
-#include "questions/envelope/sign_events.h"
 
-/* A place that a patch has at a moment, seen from the motion's piece `piece` at its parameter `u`.
- */
+/* A place where a patch ends at a moment, which is the parameter `u` of the motion's piece `piece`;
+ * within an edge, `order` is that of the zeros of g at both ends of the edge. */
 typedef struct limit_place {
     int is_edge;
     size_t cell, facet, patch, piece;
@@ -32,7 +28,7 @@ typedef struct limit_finder {
     algebraic before, after; /* parameters of the pieces before and after */
     size_t count, capacity;
     limit_place *item;
-    member_set set;
+    numbers set;
 } limit_finder;
 
 /* g of a facet at one end of an edge, differentiated `order` times. */
@@ -58,7 +54,7 @@ static graze_status zero_order(slong *out, const limit_finder *f, const limit_pl
     return GRAZE_OK;
 }
 
-/* A place on an edge becomes one of the edge's ends, or keeps within it. */
+/* Replace a place on an edge by the end of the edge to which it tends, if it tends to one. */
 static graze_status take_limit(const limit_finder *f, limit_place *at) {
     const cell_edge *edge = &f->p->envelope->cells.edge[at->cell];
     slong at_u = 0, at_v = 0;
@@ -72,7 +68,8 @@ static graze_status take_limit(const limit_finder *f, limit_place *at) {
     return GRAZE_OK;
 }
 
-/* Where a patch ends at the moment: of one that ends then from the side before. */
+/* Set the place to which an end of a patch tends at the moment; at a break, for a patch that ends
+ * then, by the piece before it. */
 static graze_status place_at_moment(limit_place *out, limit_finder *f, const patch_place *place) {
     int earlier = f->is_break && f->p->item[place->patch].to == f->moment;
     *out = (limit_place){
@@ -84,34 +81,25 @@ static graze_status place_at_moment(limit_place *out, limit_finder *f, const pat
     return place->is_edge ? take_limit(f, out) : GRAZE_OK;
 }
 
-/* out = a_u b_v - a_v b_u of two places on one edge: 0 where they coincide. */
+/* *out: the sign of a_u b_v - a_v b_u for two places on one edge; 0 if they coincide. */
 static graze_status compare_within(int *out, limit_finder *f, const limit_place *a,
                                    const limit_place *b) {
-    fmpz_poly_t at[4];
-    fmpq_t value[4];
-    for (int k = 0; k < 4; k++) {
-        fmpz_poly_init(at[k]);
-        fmpq_init(value[k]);
-        derived_g(at[k], f, k < 2 ? a : b, k == 1 || k == 2);
+    LOCAL_VEC(fmpz_poly, at, 4); /* 0 a_u, 1 a_v, 2 b_v, 3 b_u */
+    LOCAL_VEC(fmpq, value, 4);
+    for (int k = 0; k < 4; k++)
+        derived_g(at + k, f, k < 2 ? a : b, k == 1 || k == 2);
+    if (a->piece == b->piece) {
+        fmpz_poly_mul(at, at, at + 2);
+        fmpz_poly_mul(at + 1, at + 1, at + 3);
+        fmpz_poly_sub(at, at, at + 1);
+        return algebraic_sign_at(out, f->context, at, a->u);
     }
-    graze_status status = GRAZE_OK;
-    if (a->piece == b->piece) { /* 0 a_u, 1 a_v, 2 b_v, 3 b_u */
-        fmpz_poly_mul(at[0], at[0], at[2]);
-        fmpz_poly_mul(at[1], at[1], at[3]);
-        fmpz_poly_sub(at[0], at[0], at[1]);
-        status = algebraic_sign_at(out, f->context, at[0], a->u);
-    } else { /* at a break, where parameters are 1 and 0 */
-        for (int k = 0; k < 4; k++)
-            fmpz_poly_evaluate_fmpq(value[k], at[k], k < 2 ? a->u->value : b->u->value);
-        fmpq_mul(value[0], value[0], value[2]);
-        fmpq_mul(value[1], value[1], value[3]);
-        *out = fmpq_cmp(value[0], value[1]);
-    }
-    for (int k = 0; k < 4; k++) {
-        fmpz_poly_clear(at[k]);
-        fmpq_clear(value[k]);
-    }
-    return status;
+    for (int k = 0; k < 4; k++) /* at a break, where parameters are 1 and 0 */
+        fmpz_poly_evaluate_fmpq(value + k, at + k, k < 2 ? a->u->value : b->u->value);
+    fmpq_mul(value, value, value + 2);
+    fmpq_mul(value + 1, value + 1, value + 3);
+    *out = fmpq_cmp(value, value + 1);
+    return GRAZE_OK;
 }
 
 static graze_status is_same_place(int *out, limit_finder *f, const limit_place *a,
@@ -146,27 +134,26 @@ static graze_status add_passing(limit_finder *f, const limit_place *at) {
     return GRAZE_OK;
 }
 
-/* The joint at the place of entry `first`, whose patches are then marked by piece SIZE_MAX. */
+/* Add the joint at the place of entry `first`; the entries at that place are then marked by piece
+ * SIZE_MAX. */
 static graze_status join_limits(limit_finder *f, size_t first) {
     const cell_complex *c = &f->p->envelope->cells;
     limit_place at = f->item[first];
-    graze_status status = GRAZE_OK;
     f->set.count = 0;
-    for (size_t k = first; k < f->count && !status; k++) {
+    for (size_t k = first; k < f->count; k++) {
         int same = 0;
         if (f->item[k].piece == SIZE_MAX)
             continue;
-        status = is_same_place(&same, f, &at, &f->item[k]);
-        if (status || !same)
+        TRY(is_same_place(&same, f, &at, &f->item[k]));
+        if (!same)
             continue;
         f->item[k].piece = SIZE_MAX;
-        status = members_add(&f->set, f->context, f->item[k].patch);
+        TRY(members_add(&f->set, f->context, f->item[k].patch));
     }
-    if (!status)
-        status = add_passing(f, &at);
-    members_sort(&f->set);
-    if (status || f->set.count < 2)
-        return status;
+    TRY(add_passing(f, &at));
+    numbers_sort(&f->set);
+    if (f->set.count < 2)
+        return GRAZE_OK;
     return joint_add(f->p, f->context,
                      at.is_edge ? &c->edge[at.cell].name : &c->vertex[at.cell].name,
                      GRAZE_CHAIN_NONE, f->moment, f->moment, &f->set);
@@ -194,15 +181,14 @@ static void begin_moment(limit_finder *f, size_t moment) {
     f->count = 0;
 }
 
-/* The joints of one moment, from the entries of a list. */
+/* Add the joints of one moment; the list has the ends of the patches that begin or end then. */
 static graze_status join_moment(limit_finder *f, const dated_place *list, size_t count) {
     begin_moment(f, list->moment);
     for (size_t k = 0; k < count; k++) {
         const patch_place *place = &f->places->item[list[k].place];
         if (place->is_edge && place->facet == SIZE_MAX)
             continue;
-        TRY(array_grow(f->context, &f->item, &f->capacity, f->count + 1, sizeof *f->item,
-                       "the joints of patches"));
+        TRY(LIST_GROW(f->context, f, "the joints of patches"));
         TRY(place_at_moment(&f->item[f->count++], f, place));
     }
     for (size_t k = 0; k < f->count; k++)
@@ -211,7 +197,8 @@ static graze_status join_moment(limit_finder *f, const dated_place *list, size_t
     return context_work(f->context, 1000);
 }
 
-/* All ends of patches by their moments, but for the ends of the motion. */
+/* List all ends of patches with the moments at which their patches begin and end, but for the ends
+ * of the motion; return their number. */
 static size_t date_places(dated_place *out, const graze_patches *p, const place_list *places) {
     size_t count = 0;
     for (size_t k = 0; k < places->count; k++) {
@@ -225,27 +212,33 @@ static size_t date_places(dated_place *out, const graze_patches *p, const place_
     return count;
 }
 
+static void limit_finder_init(limit_finder *f, graze_patches *p, graze_context *context,
+                              const place_list *places) {
+    *f = (limit_finder){.p = p, .context = context, .places = places};
+    LOCAL(fmpq, one);
+    fmpq_one(one);
+    algebraic_init(&f->before);
+    algebraic_init(&f->after);
+    algebraic_set_rational(&f->before, one);
+}
+
+static void limit_finder_clear(limit_finder *f) {
+    algebraic_clear(&f->before);
+    algebraic_clear(&f->after);
+    free(f->item);
+    numbers_clear(&f->set);
+}
+
 graze_status limits_find(graze_patches *p, graze_context *context, const place_list *places) {
-    limit_finder f = {.p = p, .context = context, .places = places};
-    dated_place *dated = malloc((2 * places->count + 1) * sizeof *dated);
+    HELD(limit_finder, f, p, context, places);
+    FREED(dated_place, dated, malloc((2 * places->count + 1) * sizeof *dated));
     if (!dated)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for the joints of patches");
     size_t count = date_places(dated, p, places);
-    graze_status status = GRAZE_OK;
-    LOCAL(fmpq, one);
-    fmpq_one(one);
-    algebraic_init(&f.before);
-    algebraic_init(&f.after);
-    algebraic_set_rational(&f.before, one);
-    for (size_t first = 0, next; first < count && !status; first = next) {
+    for (size_t first = 0, next; first < count; first = next) {
         for (next = first + 1; next < count && dated[next].moment == dated[first].moment;)
             next++;
-        status = join_moment(&f, dated + first, next - first);
+        TRY(join_moment(&f, dated + first, next - first));
     }
-    algebraic_clear(&f.before);
-    algebraic_clear(&f.after);
-    free(dated);
-    free(f.item);
-    free(f.set.item);
-    return status;
+    return GRAZE_OK;
 }

@@ -1,12 +1,8 @@
 /* Times of events merged with those of breaks. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/envelope/envelope.h"
-
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/order.h"
-#include "decide/trace/trace.h"
-#include "input/motion/motion.h"
 #include "questions/envelope/patch_ends.h"
 
 static int is_parameter(const graze_time *time, size_t piece, slong u) {
@@ -49,18 +45,15 @@ graze_status moments_make(moment_list *out, graze_context *context, const graze_
     out->of_event = malloc(room * sizeof *out->of_event);
     if (!out->time || !out->own || !out->hard || !out->of_event)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for times");
-    graze_status status = GRAZE_OK;
-    for (size_t piece = 0; piece < e->piece_count && !status; piece++) {
+    for (size_t piece = 0; piece < e->piece_count; piece++) {
         if (piece == 0 || e->is_break[piece])
-            status = append_boundary(out, context, events, &next, piece, 0);
+            TRY(append_boundary(out, context, events, &next, piece, 0));
         int is_last = piece + 1 == e->piece_count;
         while (next < events->time_count && events->time[next]->piece == piece &&
-               !(is_last && is_parameter(events->time[next], piece, 1))) {
-            append_event_time(out, events, next);
-            next++;
-        }
+               !(is_last && is_parameter(events->time[next], piece, 1)))
+            append_event_time(out, events, next++);
     }
-    return status ? status : append_boundary(out, context, events, &next, e->piece_count - 1, 1);
+    return append_boundary(out, context, events, &next, e->piece_count - 1, 1);
 }
 
 void moments_clear(moment_list *list) {

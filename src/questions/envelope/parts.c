@@ -3,19 +3,14 @@
  * A slice is cut at the vertices and edges that it meets; a segment between two of them is within
  * the facet if its middle is. On an edge contact changes at zeros of g only (proofs/events.md C79).
  */
-#include "questions/envelope/envelope.h"
-
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "decide/trace/trace.h"
-#include "input/solid/solid.h"
+#include "base/number/vector.h"
 #include "input/validate/validate.h"
-#include "questions/contact/contact.h"
 #include "questions/envelope/patch_ends.h"
-#include "questions/envelope/sign_events.h"
 
 /* A point in which a slice or run may end. */
 typedef struct slice_point {
@@ -23,7 +18,7 @@ typedef struct slice_point {
     part_end end;
 } slice_point;
 
-/* One more part between two points, which are copied. */
+/* Add a part between two points, which are copied. */
 static graze_status add_curve_part(graze_curve *c, graze_context *context, graze_curve_kind kind,
                                    const graze_cell *cell, size_t number, const slice_point *a,
                                    const slice_point *b) {
@@ -37,22 +32,13 @@ static graze_status add_curve_part(graze_curve *c, graze_context *context, graze
     made->end[1] = b->end;
     made->a = _fmpq_vec_init(c->dimension);
     made->b = _fmpq_vec_init(c->dimension);
-    for (int i = 0; i < c->dimension; i++) {
-        fmpq_set(made->a + i, a->at + i);
-        fmpq_set(made->b + i, b->at + i);
-    }
+    vector_set(made->a, a->at, c->dimension);
+    vector_set(made->b, b->at, c->dimension);
     return GRAZE_OK;
 }
 
 static const fmpq *vertex_at(const snapshot *s, size_t vertex) {
     return s->e->cells.at + vertex * (size_t)s->dimension;
-}
-
-static void middle_of(fmpq *out, const fmpq *a, const fmpq *b, int d) {
-    for (int i = 0; i < d; i++) {
-        fmpq_add(out + i, a + i, b + i);
-        fmpq_div_2exp(out + i, out + i, 1);
-    }
 }
 
 typedef struct slice_points {
@@ -73,14 +59,12 @@ static graze_status add_point(slice_points *list, graze_context *context, const 
     for (size_t k = 0; k < list->count; k++)
         if (end.vertex != SIZE_MAX && list->item[k].end.vertex == end.vertex)
             return GRAZE_OK;
-    TRY(array_grow(context, &list->item, &list->capacity, list->count + 1, sizeof *list->item,
-                   "the points of a slice"));
+    TRY(LIST_GROW(context, list, "the points of a slice"));
     slice_point *made = &list->item[list->count++];
     made->end = end;
     for (int i = 0; i < 3; i++)
         fmpq_init(made->at + i);
-    for (int i = 0; i < d; i++)
-        fmpq_set(made->at + i, at + i);
+    vector_set(made->at, at, d);
     return GRAZE_OK;
 }
 
@@ -91,7 +75,7 @@ static void slice_points_clear(slice_points *list) {
     free(list->item);
 }
 
-/* The vertices that rest within the facet and lie on its slice. */
+/* Add the vertices that rest within the facet and lie on its slice. */
 static graze_status meet_lone_vertices(slice_points *list, graze_context *context,
                                        const snapshot *s, size_t facet) {
     const cell_lists *lone = &s->e->cells.lone_vertices;
@@ -103,7 +87,8 @@ static graze_status meet_lone_vertices(slice_points *list, graze_context *contex
     return GRAZE_OK;
 }
 
-/* The points in which the slice meets the edges of its facet; *off: some g is not 0. */
+/* Add the points in which the slice meets the edges of its facet and the vertices that rest within
+ * it; *off becomes 1 unless g is 0 at all ends of the edges. */
 static graze_status meet_edges(slice_points *list, int *off, graze_context *context,
                                const snapshot *s, size_t facet) {
     const cell_complex *c = &s->e->cells;
@@ -131,13 +116,10 @@ static graze_status meet_edges(slice_points *list, int *off, graze_context *cont
 
 static int compare_slice_points(const void *left, const void *right) {
     const slice_point *a = left, *b = right;
-    int order = 0;
-    for (int i = 0; i < 3 && order == 0; i++)
-        order = fmpq_cmp(a->at + i, b->at + i);
-    return order;
+    return vector_compare(a->at, b->at, 3);
 }
 
-/* Points at one place by facet, the first facet's last. */
+/* The order of places; points at one place are in descending order of their facets. */
 static int compare_edge_points(const void *left, const void *right) {
     const slice_point *a = left, *b = right;
     int order = compare_slice_points(a, b);
@@ -146,22 +128,40 @@ static int compare_edge_points(const void *left, const void *right) {
                                           : 0;
 }
 
+int parts_simplex_holds(const cell_complex *c, size_t simplex, const fmpz *plane, const fmpz *x) {
+    int inside = 1;
+    LOCAL_VEC(fmpz, side, c->dimension + 1);
+    for (int k = 0; k < c->dimension && inside; k++) {
+        solid_side(side, c->solid, simplex, plane, k);
+        inside = form_sign(side, x, c->dimension) >= 0;
+    }
+    return inside;
+}
+
 int parts_facet_holds(const cell_complex *c, size_t facet, const fmpq *at) {
     const cell_facet *f = &c->facet[facet];
     int d = c->dimension, inside = 0;
-    LOCAL_VEC(fmpz, x, 3 * (d + 1));
-    fmpz *plane = x + d + 1, *side = plane + d + 1;
+    LOCAL_VEC(fmpz, x, 2 * (d + 1));
+    fmpz *plane = x + d + 1;
     _fmpq_vec_get_fmpz_vec_fmpz(x, x + d, at, d);
     for (size_t j = 0; j < f->count && !inside; j++) {
         size_t simplex = c->order[f->first + j];
         solid_plane(plane, c->solid, simplex);
-        inside = form_sign(plane, x, d) == 0;
-        for (int k = 0; k < d && inside; k++) {
-            solid_side(side, c->solid, simplex, plane, k);
-            inside = form_sign(side, x, d) >= 0;
-        }
+        inside = form_sign(plane, x, d) == 0 && parts_simplex_holds(c, simplex, plane, x);
     }
     return inside;
+}
+
+int parts_side_is_inner(const cell_complex *c, size_t facet, size_t a, size_t b) {
+    const cell_facet *f = &c->facet[facet];
+    int found = 0;
+    for (size_t j = 0; j < f->count; j++) {
+        const size_t *corner = c->corner + c->order[f->first + j] * 3;
+        int has_a = corner[0] == a || corner[1] == a || corner[2] == a;
+        int has_b = corner[0] == b || corner[1] == b || corner[2] == b;
+        found += has_a && has_b;
+    }
+    return found == 2;
 }
 
 /* Are two vertices the ends of one edge? */
@@ -178,10 +178,7 @@ static int are_joined(const cell_complex *c, size_t a, size_t b) {
 
 static graze_status add_slice(graze_curve *c, graze_context *context, const snapshot *s,
                               size_t facet, const slice_point *a, const slice_point *b) {
-    graze_status status =
-        add_curve_part(c, context, GRAZE_CURVE_SLICE, &s->e->cells.facet[facet].name, facet, a, b);
-    if (status)
-        return status;
+    TRY(add_curve_part(c, context, GRAZE_CURVE_SLICE, &s->e->cells.facet[facet].name, facet, a, b));
     c->part[c->count - 1].facts.theta_a = snapshot_theta_sign(s, facet, a->at);
     c->part[c->count - 1].facts.theta_b = snapshot_theta_sign(s, facet, b->at);
     return GRAZE_OK;
@@ -189,26 +186,23 @@ static graze_status add_slice(graze_curve *c, graze_context *context, const snap
 
 static graze_status add_whole(graze_curve *c, graze_context *context, const snapshot *s,
                               size_t facet) {
-    slice_point within = {.end = end_at(SIZE_MAX)};
-    for (int i = 0; i < 3; i++)
-        fmpq_init(within.at + i);
-    graze_status status = within_facet(within.at, context, &s->e->cells, facet);
-    if (!status)
-        status = add_curve_part(c, context, GRAZE_CURVE_WHOLE, &s->e->cells.facet[facet].name,
-                                facet, &within, &within);
-    for (int i = 0; i < 3; i++)
-        fmpq_clear(within.at + i);
-    return status;
+    LOCAL_VEC(fmpq, at, 3);
+    TRY(within_facet(at, context, &s->e->cells, facet));
+    const slice_point within = {{at[0], at[1], at[2]}, end_at(SIZE_MAX)}; /* borrowed */
+    return add_curve_part(c, context, GRAZE_CURVE_WHOLE, &s->e->cells.facet[facet].name, facet,
+                          &within, &within);
 }
 
-/* Segments between the points of a slice, those within the facet. */
+/* The segments between the points of a slice that are within the facet. */
 static graze_status add_segments(graze_curve *c, graze_context *context, const snapshot *s,
-                                 size_t facet, const slice_points *list) {
+                                 size_t facet, slice_points *list) {
     const cell_complex *cells = &s->e->cells;
     LOCAL_VEC(fmpq, middle, 3);
+    if (list->count)
+        qsort(list->item, list->count, sizeof *list->item, compare_slice_points);
     for (size_t k = 1; k < list->count; k++) {
         const slice_point *a = &list->item[k - 1], *b = &list->item[k];
-        middle_of(middle, a->at, b->at, 3);
+        vector_middle(middle, a->at, b->at, 3);
         if (!are_joined(cells, a->end.vertex, b->end.vertex) &&
             parts_facet_holds(cells, facet, middle))
             TRY(add_slice(c, context, s, facet, a, b));
@@ -218,36 +212,31 @@ static graze_status add_segments(graze_curve *c, graze_context *context, const s
 
 graze_status parts_of_facet(graze_curve *c, graze_context *context, const snapshot *s,
                             size_t facet) {
-    slice_points list = {.count = 0};
+    ZEROED(slice_points, list);
     int off = 0;
-    graze_status status = meet_edges(&list, &off, context, s, facet);
-    if (!status && !off)
-        status = add_whole(c, context, s, facet);
-    else if (!status && s->dimension == 2)
-        for (size_t k = 0; k < list.count && !status; k++) {
-            if (list.item[k].end.vertex == SIZE_MAX)
-                status = add_slice(c, context, s, facet, &list.item[k], &list.item[k]);
-        }
-    else if (!status && list.count) {
-        qsort(list.item, list.count, sizeof *list.item, compare_slice_points);
-        status = add_segments(c, context, s, facet, &list);
-    }
-    slice_points_clear(&list);
-    return status;
+    TRY(meet_edges(&list, &off, context, s, facet));
+    if (!off)
+        return add_whole(c, context, s, facet);
+    if (s->dimension == 3)
+        return add_segments(c, context, s, facet, &list);
+    for (size_t k = 0; k < list.count; k++)
+        if (list.item[k].end.vertex == SIZE_MAX)
+            TRY(add_slice(c, context, s, facet, &list.item[k], &list.item[k]));
+    return GRAZE_OK;
 }
 
-/* Is a point of the boundary a contact? By signs of g where they tell, else by its site. */
+/* Is a point of the boundary a contact? The signs of g of its facets tell; where it is neither
+ * convex nor reflex nor flat, its site does. */
 static graze_status is_contact_point(int *out, graze_context *context, const snapshot *s,
                                      place_kind kind, const size_t *facet, size_t count,
                                      const fmpq *at) {
     int low = 1, high = -1;
     if (kind == PLACE_OTHER) {
         graze_site site;
-        graze_status status = site_make_for(&site, context, s->e->scene, s->t, at, SITE_ROLE);
-        *out = !status && site.facts.role == GRAZE_ROLE_CONTACT;
-        if (!status)
-            site_clear(&site);
-        return status;
+        TRY(site_make_for(&site, context, s->e->scene, s->t, at, SITE_ROLE));
+        *out = site.facts.role == GRAZE_ROLE_CONTACT;
+        site_clear(&site);
+        return GRAZE_OK;
     }
     for (size_t k = 0; k < count; k++) {
         int sign = snapshot_g_sign(s, facet[k], at);
@@ -258,7 +247,8 @@ static graze_status is_contact_point(int *out, graze_context *context, const sna
     return GRAZE_OK;
 }
 
-/* Where g of some facet of the edge vanishes in it, and its ends, in order from u to v. */
+/* List the ends of an edge and the points within it where g of some facet of the edge vanishes, in
+ * order along it. */
 static graze_status cut_edge(slice_points *list, graze_context *context, const snapshot *s,
                              size_t edge) {
     const cell_complex *c = &s->e->cells;
@@ -281,7 +271,8 @@ static graze_status cut_edge(slice_points *list, graze_context *context, const s
     return GRAZE_OK;
 }
 
-/* The runs between the points of an edge, joined where the point between is a contact too. */
+/* Add the runs between the points of an edge, joined where the point between two of them is a
+ * contact; and the points within it that are contacts beside no run. */
 static graze_status add_runs(graze_curve *c, graze_context *context, const snapshot *s, size_t edge,
                              const slice_points *list) {
     const cell_complex *cells = &s->e->cells;
@@ -290,32 +281,29 @@ static graze_status add_runs(graze_curve *c, graze_context *context, const snaps
     size_t count = cells->edge_facets.start[edge + 1] - cells->edge_facets.start[edge];
     size_t from = 0;
     int open = 0;
-    graze_status status = GRAZE_OK;
     LOCAL_VEC(fmpq, middle, 3);
-    for (size_t k = 0; k < list->count && !status; k++) {
+    for (size_t k = 0; k < list->count; k++) {
+        const slice_point *at = &list->item[k];
         int is_end = k == 0 || k + 1 == list->count, here = 0, next = 0;
-        if (k + 1 < list->count && compare_slice_points(&list->item[k], &list->item[k + 1]) == 0)
+        if (k + 1 < list->count && compare_slice_points(at, at + 1) == 0)
             continue;
         if (k + 1 < list->count) {
-            middle_of(middle, list->item[k].at, list->item[k + 1].at, 3);
-            status = is_contact_point(&next, context, s, e->kind, facet, count, middle);
+            vector_middle(middle, at->at, at[1].at, 3);
+            TRY(is_contact_point(&next, context, s, e->kind, facet, count, middle));
         }
-        if (!status)
-            status = is_contact_point(&here, context, s, e->kind, facet, count, list->item[k].at);
-        if (!status && open && !(next && here)) {
-            status = add_curve_part(c, context, GRAZE_CURVE_RUN, &e->name, edge, &list->item[from],
-                                    &list->item[k]);
+        TRY(is_contact_point(&here, context, s, e->kind, facet, count, at->at));
+        if (open && !(next && here)) {
+            TRY(add_curve_part(c, context, GRAZE_CURVE_RUN, &e->name, edge, &list->item[from], at));
             open = 0;
-        } else if (!status && !open && !next && here && !is_end) {
-            status = add_curve_part(c, context, GRAZE_CURVE_POINT, &e->name, edge, &list->item[k],
-                                    &list->item[k]);
+        } else if (!open && !next && here && !is_end) {
+            TRY(add_curve_part(c, context, GRAZE_CURVE_POINT, &e->name, edge, at, at));
         }
         if (next && !open) {
             open = 1;
             from = k;
         }
     }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status parts_of_edge(graze_curve *c, graze_context *context, const snapshot *s, size_t edge) {
@@ -326,15 +314,10 @@ graze_status parts_of_edge(graze_curve *c, graze_context *context, const snapsho
 
 /* Is the point an end of a part? */
 static int is_end_of_part(const graze_curve *c, const fmpq *at) {
-    for (size_t k = 0; k < c->count; k++) {
-        int a = 1, b = 1;
-        for (int i = 0; i < c->dimension; i++) {
-            a = a && fmpq_equal(c->part[k].a + i, at + i);
-            b = b && fmpq_equal(c->part[k].b + i, at + i);
-        }
-        if (a || b)
+    for (size_t k = 0; k < c->count; k++)
+        if (vector_compare(c->part[k].a, at, c->dimension) == 0 ||
+            vector_compare(c->part[k].b, at, c->dimension) == 0)
             return 1;
-    }
     return 0;
 }
 
@@ -343,11 +326,11 @@ graze_status parts_add_vertex(graze_curve *c, graze_context *context, const snap
     const cell_complex *cells = &s->e->cells;
     size_t first = cells->vertex_facets.start[vertex];
     int contact = 0;
-    graze_status status = is_contact_point(
-        &contact, context, s, cells->vertex[vertex].kind, cells->vertex_facets.item + first,
-        cells->vertex_facets.start[vertex + 1] - first, vertex_at(s, vertex));
-    if (status || !contact)
-        return status;
+    TRY(is_contact_point(&contact, context, s, cells->vertex[vertex].kind,
+                         cells->vertex_facets.item + first,
+                         cells->vertex_facets.start[vertex + 1] - first, vertex_at(s, vertex)));
+    if (!contact)
+        return GRAZE_OK;
     slice_point at = {.end = end_at(vertex)};
     for (int i = 0; i < s->dimension; i++)
         at.at[i] = vertex_at(s, vertex)[i]; /* borrowed */
@@ -359,4 +342,18 @@ graze_status parts_of_vertex(graze_curve *c, graze_context *context, const snaps
                              size_t vertex) {
     return is_end_of_part(c, vertex_at(s, vertex)) ? GRAZE_OK
                                                    : parts_add_vertex(c, context, s, vertex);
+}
+
+graze_status parts_look_at_middle(graze_trim *trim, graze_orientation *orientation, fmpq *body,
+                                  fmpq *world, graze_context *context, const graze_envelope *e,
+                                  const curve_part *part, const fmpq_t t) {
+    graze_site site;
+    vector_middle(body, part->a, part->b, e->cells.dimension);
+    TRY(site_make_for(&site, context, e->scene, t, body, SITE_TRIM));
+    *trim = site.facts.trim;
+    *orientation = site.facts.on_slice ? site.facts.orientation : GRAZE_ORIENTATION_NONE;
+    if (world)
+        vector_set(world, site.world, e->cells.dimension);
+    site_clear(&site);
+    return GRAZE_OK;
 }

@@ -3,8 +3,6 @@
 #ifndef GRAZE_QUESTIONS_ENVELOPE_PATCH_ENDS_H
 #define GRAZE_QUESTIONS_ENVELOPE_PATCH_ENDS_H
 
-#include "input/solid/solid.h"
-#include "questions/envelope/envelope.h"
 #include "questions/envelope/sign_events.h"
 
 /* The times at which something may change, in order: ends of the motion, breaks, events. */
@@ -41,7 +39,7 @@ graze_status contact_curve_find(graze_curve *out, graze_context *context, const 
 
 static const graze_cell NO_CELL = {0, 0, 0};
 
-/** Does a finding of this reason count, which is not the first of its kind? */
+/** Would a finding with this reason take the place of the one that decides so far? */
 int judge_wants(const graze_envelope *e, graze_decomposable_reason reason);
 
 /** A finding at a point of a piece's parameter. @param facet, cell borrowed */
@@ -84,35 +82,31 @@ graze_status joints_find(graze_patches *p, graze_context *context);
 
 /* Where patches end: vertices, and points of edges where g of a facet vanishes. */
 
-/** A vertex, or an edge with a facet in which g vanishes there; SIZE_MAX for all of the edge. */
+/** A place where a patch ends: a vertex; a point within an edge where g of `facet` vanishes; or,
+ * with the facet SIZE_MAX, all of an edge. */
 typedef struct patch_place {
     int is_edge;
     size_t cell, facet, patch;
 } patch_place;
 
-/** In the order of vertices, then edges, then patches; each pair of patch and place once. */
+/** Vertices before edges, both by number, then patches; each pair of place and patch once. */
 typedef struct place_list {
     size_t count, capacity;
     patch_place *item;
 } place_list;
 
-/** Numbers of patches that meet. */
-typedef struct member_set {
-    size_t count, capacity, *item;
-} member_set;
-
-/** @param[out] out uninitialised; free its items in any case */
+/** @param[out] out zeros; place_list_clear in any case */
 graze_status places_make(place_list *out, graze_context *context, const graze_patches *p);
-/** The first entry of a cell's places. */
+void place_list_clear(place_list *list);
+/** The index of the first place of a cell, or where it would stand. */
 size_t places_first(const place_list *list, int is_edge, size_t cell);
 
-graze_status members_add(member_set *set, graze_context *context, size_t patch);
-/** Put a set in order, each patch once. */
-void members_sort(member_set *set);
+/** Add a patch to those that meet. */
+graze_status members_add(numbers *set, graze_context *context, size_t patch);
 
-/** One more joint of the patches in a set. */
+/** Add a joint of the patches in a set, which is in order. */
 graze_status joint_add(graze_patches *p, graze_context *context, const graze_cell *cell,
-                       graze_chain_form form, size_t from, size_t to, const member_set *set);
+                       graze_chain_form form, size_t from, size_t to, const numbers *set);
 
 /* Patches that meet at a moment. */
 
@@ -148,19 +142,31 @@ void snapshot_zero(fmpq *out, const fmpq_t a, const fmpq_t b, const fmpq *p, con
 
 /* The contact points of facets, edges and vertices at one time, cell by cell. */
 
-/** The slice of a facet within its relative interior, or all of it. */
+/** Add the slice of a facet within its relative interior; or the whole facet, if g = 0 on it. */
 graze_status parts_of_facet(graze_curve *c, graze_context *context, const snapshot *s,
                             size_t facet);
-/** Runs and single contacts in the relative interior of an edge (E^3), its ends added. */
+/** Add the runs of an edge and the single contacts in its relative interior (E^3). */
 graze_status parts_of_edge(graze_curve *c, graze_context *context, const snapshot *s, size_t edge);
-/** A vertex that is a contact. */
+/** Add a vertex if it is a contact. */
 graze_status parts_add_vertex(graze_curve *c, graze_context *context, const snapshot *s,
                               size_t vertex);
-/** A vertex that is a contact and no end of another part. */
+/** Add a vertex if it is a contact and no end of a part that is there. */
 graze_status parts_of_vertex(graze_curve *c, graze_context *context, const snapshot *s,
                              size_t vertex);
 
+/** Classify the middle of a part at time t.
+ * @param[out] body d rationals: the middle
+ * @param[out] world as many: its place among the query points; or NULL */
+graze_status parts_look_at_middle(graze_trim *trim, graze_orientation *orientation, fmpq *body,
+                                  fmpq *world, graze_context *context, const graze_envelope *e,
+                                  const curve_part *part, const fmpq_t t);
+
 /** Is a point in the facet, its border included? */
 int parts_facet_holds(const cell_complex *c, size_t facet, const fmpq *at);
+/** Is a point of a simplex's plane, d + 1 homogeneous integers, in the simplex? `plane`: of
+ * solid_plane. */
+int parts_simplex_holds(const cell_complex *c, size_t simplex, const fmpz *plane, const fmpz *x);
+/** Have two triangles of a facet both of these vertices as corners: a side within the facet? */
+int parts_side_is_inner(const cell_complex *c, size_t facet, size_t a, size_t b);
 
 #endif

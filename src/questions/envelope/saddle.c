@@ -1,12 +1,8 @@
 /* Vertices that are not convex. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/envelope/envelope.h"
-
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "input/soup/soup.h"
-#include "questions/contact/contact.h"
 #include "questions/envelope/patch_ends.h"
-#include "questions/envelope/sign_events.h"
 #include "questions/topo/topo.h"
 
 static size_t other_end(const cell_edge *edge, size_t vertex) {
@@ -110,20 +106,24 @@ static size_t pair_count(const cell_complex *c, size_t vertex) {
     return count;
 }
 
-static graze_status view_corner(corner_view *v) {
-    const cell_complex *c = &v->e->cells;
-    const derivatives *f = &v->e->field[v->piece];
-    size_t n = facets_at(c, v->vertex), total = n + pair_count(c, v->vertex);
+static void corner_view_init(corner_view *v, graze_envelope *e, graze_context *context,
+                             size_t vertex, size_t piece) {
+    const cell_complex *c = &e->cells;
+    const derivatives *f = &e->field[piece];
+    size_t n = facets_at(c, vertex), total = n + pair_count(c, vertex);
+    *v = (corner_view){.e = e, .context = context, .vertex = vertex, .piece = piece};
     signs_init(&v->s, total, total);
     for (size_t j = 0; j < n; j++)
-        derivatives_velocity(
-            &v->s.p[j], f, c->vertex_facets.item[c->vertex_facets.start[v->vertex] + j], v->vertex);
+        derivatives_velocity(&v->s.p[j], f,
+                             c->vertex_facets.item[c->vertex_facets.start[vertex] + j], vertex);
     corner_pair p = {.position = n - 1};
-    size_t j = c->vertex_edges.start[v->vertex], k = 0;
-    while (next_pair(&p, c, v->vertex, &j, &k))
-        derivatives_velocity(&v->s.p[p.position], f, p.facet,
-                             other_end(&c->edge[p.edge], v->vertex));
-    return signs_find(&v->s, v->context);
+    size_t j = c->vertex_edges.start[vertex], k = 0;
+    while (next_pair(&p, c, vertex, &j, &k))
+        derivatives_velocity(&v->s.p[p.position], f, p.facet, other_end(&c->edge[p.edge], vertex));
+}
+
+static void corner_view_clear(corner_view *v) {
+    signs_clear(&v->s);
 }
 
 /* The position of a facet among those of the vertex. */
@@ -157,9 +157,9 @@ static int run_reaches(const corner_view *v, const signed char *sign) {
     return 0;
 }
 
-/* Whether the slice of a facet with g = 0 at the vertex at point k ends, next to the point, on an
- * edge at the vertex, and comes to it. It does if g is not 0 all along that edge then
- * (proofs/events.md C82). */
+/* Does the slice of a facet end on an edge at the vertex just before or after point `at`, at which
+ * g of the facet is 0 at the vertex, and so come to the vertex? Edges along which g is 0 then do
+ * not count (proofs/events.md C82). `own` is the position of the facet's sign. */
 static int slice_comes(const corner_view *v, size_t facet, size_t own, size_t at) {
     const cell_complex *c = &v->e->cells;
     const signed char *here = signs_at(&v->s, at);
@@ -195,7 +195,8 @@ static graze_status slice_reaches(int *out, const corner_view *v, size_t k, int 
     return GRAZE_OK;
 }
 
-/* Does the velocity or its opposite lead into the solid, at point k or before it? */
+/* Does the velocity or its opposite lead into the solid, at point k or before it? At a reflex
+ * vertex it does unless g is 0 of all facets there. */
 static graze_status leads_in(int *out, const corner_view *v, size_t k, int before) {
     const cell_complex *c = &v->e->cells;
     const signed char *sign = before ? signs_before(&v->s, k) : signs_at(&v->s, k);
@@ -217,18 +218,17 @@ static graze_status judge_place(corner_view *v, size_t k, int before) {
     const graze_cell *name = &e->cells.vertex[v->vertex].name;
     int run = run_reaches(v, before ? signs_before(&v->s, k) : signs_at(&v->s, k));
     int reaches = run, leads = 0;
-    graze_status status = run ? GRAZE_OK : slice_reaches(&reaches, v, k, before);
-    if (status || !reaches)
-        return status;
     if (run)
-        status = judge_find(e, v->context, GRAZE_REASON_REACHES, &NO_CELL, name, v->piece,
-                            v->s.x.point[k]);
-    if (status || !judge_wants(e, GRAZE_REASON_VERTEX) ||
+        TRY(judge_find(e, v->context, GRAZE_REASON_REACHES, &NO_CELL, name, v->piece,
+                       v->s.x.point[k]));
+    else
+        TRY(slice_reaches(&reaches, v, k, before));
+    if (!reaches || !judge_wants(e, GRAZE_REASON_VERTEX) ||
         (!before && !judge_is_inner(e, v->piece, &v->s.x, k)))
-        return status;
-    status = leads_in(&leads, v, k, before);
-    if (status || !leads)
-        return status;
+        return GRAZE_OK;
+    TRY(leads_in(&leads, v, k, before));
+    if (!leads)
+        return GRAZE_OK;
     return before ? judge_find_before(e, v->context, GRAZE_REASON_VERTEX, &NO_CELL, name, v->piece,
                                       &v->s.x, k)
                   : judge_find(e, v->context, GRAZE_REASON_VERTEX, &NO_CELL, name, v->piece,
@@ -236,16 +236,14 @@ static graze_status judge_place(corner_view *v, size_t k, int before) {
 }
 
 graze_status saddle_judge(graze_envelope *e, graze_context *context, size_t vertex) {
-    graze_status status = GRAZE_OK;
-    for (size_t piece = 0; piece < e->piece_count && !status; piece++) {
-        corner_view v = {.e = e, .context = context, .vertex = vertex, .piece = piece};
-        status = view_corner(&v);
-        for (size_t k = 0; k < v.s.x.count && !status; k++) {
-            status = k > 0 ? judge_place(&v, k, 1) : GRAZE_OK;
-            if (!status)
-                status = judge_place(&v, k, 0);
+    for (size_t piece = 0; piece < e->piece_count; piece++) {
+        HELD(corner_view, v, e, context, vertex, piece);
+        TRY(signs_find(&v.s, context));
+        for (size_t k = 0; k < v.s.x.count; k++) {
+            if (k > 0)
+                TRY(judge_place(&v, k, 1));
+            TRY(judge_place(&v, k, 0));
         }
-        signs_clear(&v.s);
     }
-    return status;
+    return GRAZE_OK;
 }

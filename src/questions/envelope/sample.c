@@ -1,14 +1,9 @@
 /* Contact points by chance. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/envelope/envelope.h"
-
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/order.h"
 #include "base/number/random.h"
 #include "decide/bounds/bounds.h"
-#include "decide/trace/trace.h"
-#include "input/motion/motion.h"
-#include "questions/contact/contact.h"
 #include "questions/envelope/patch_ends.h"
 
 /* Is a time strictly within its piece? */
@@ -60,13 +55,13 @@ static graze_status pick_parameter(fmpq_t out, graze_context *context, const gra
         algebraic_set(&low, &e->events.time[gap->from]->u);
     if (gap->to != SIZE_MAX)
         algebraic_set(&high, &e->events.time[gap->to]->u);
-    graze_status status = algebraic_between(out, context, &low, &high);
-    for (size_t steps = random_below(r, 4); steps > 0 && !status; steps--) {
+    TRY(algebraic_between(out, context, &low, &high));
+    for (size_t steps = random_below(r, 4); steps > 0; steps--) {
         algebraic_set_rational(&middle, out);
-        status = random_below(r, 2) ? algebraic_between(out, context, &low, &middle)
-                                    : algebraic_between(out, context, &middle, &high);
+        TRY(random_below(r, 2) ? algebraic_between(out, context, &low, &middle)
+                               : algebraic_between(out, context, &middle, &high));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* A point of a part by chance, not one of its ends if it has two. */
@@ -91,21 +86,19 @@ graze_status sample_make(graze_site *out, int *found, graze_context *context,
     const motion_piece *piece = &e->scene->motion->piece[gap.piece];
     LOCAL_VEC(fmpq, t, 2);
     fmpq *width = t + 1;
+    LOCAL_VEC(fmpq, y, d);
     *found = 0;
-    graze_status status = pick_parameter(t, context, e, &gap, &r);
+    TRY(pick_parameter(t, context, e, &gap, &r));
     fmpq_sub(width, piece->hi, piece->lo);
     fmpq_mul(t, t, width);
     fmpq_add(t, t, piece->lo);
-    if (!status)
-        status = contact_curve_find(&curve, context, e, t);
-    if (!status) {
-        LOCAL_VEC(fmpq, y, d);
-        if (curve.count) {
-            pick_point(y, &curve.part[random_below(&r, curve.count)], d, &r);
-            status = site_make(out, context, e->scene, t, y);
-            *found = !status;
-        }
-        contact_curve_clear(&curve);
+    TRY(contact_curve_find(&curve, context, e, t));
+    graze_status status = GRAZE_OK;
+    if (curve.count) {
+        pick_point(y, &curve.part[random_below(&r, curve.count)], d, &r);
+        status = site_make(out, context, e->scene, t, y);
+        *found = !status;
     }
+    contact_curve_clear(&curve);
     return status;
 }

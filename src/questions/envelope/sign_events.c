@@ -1,6 +1,7 @@
 /* Tables of signs. SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "questions/envelope/sign_events.h"
 
 void signs_init(signs *s, size_t count, size_t rooted) {
@@ -22,22 +23,20 @@ void signs_clear(signs *s) {
 }
 
 graze_status signs_find(signs *s, graze_context *context) {
-    graze_status status = axis_make(&s->x, context, s->p, s->rooted);
-    if (status)
-        return status;
+    TRY(axis_make(&s->x, context, s->p, s->rooted));
     s->at = calloc(s->x.count, s->count);
     s->before = calloc(s->x.count, s->count);
     if (!s->at || !s->before)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for signs");
     for (size_t k = 0; k < s->x.count; k++)
-        for (size_t p = 0; p < s->count && !status; p++) {
+        for (size_t p = 0; p < s->count; p++) {
             int sign = 0;
-            status = axis_sign(&sign, context, &s->x, &s->p[p], k);
+            TRY(axis_sign(&sign, context, &s->x, &s->p[p], k));
             s->at[k * s->count + p] = (signed char)sign;
             if (k > 0)
                 s->before[k * s->count + p] = (signed char)axis_sign_before(&s->x, &s->p[p], k);
         }
-    return status;
+    return GRAZE_OK;
 }
 
 const signed char *signs_at(const signs *s, size_t k) {

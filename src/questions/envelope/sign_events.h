@@ -3,9 +3,8 @@
 #ifndef GRAZE_QUESTIONS_ENVELOPE_SIGN_EVENTS_H
 #define GRAZE_QUESTIONS_ENVELOPE_SIGN_EVENTS_H
 
+#include "base/context/array.h"
 #include "base/number/algebraic.h"
-#include "graze/envelope.h"
-#include "input/motion/motion.h"
 #include "questions/envelope/envelope.h"
 
 /* The derivatives of the trajectories through the points of the body, as polynomials of time.
@@ -107,30 +106,23 @@ graze_status events_finish(event_list *list, graze_context *context);
 
 /* Moments at which a cell's contacts may change (proofs/events.md C84). */
 
-/** Moments ascending, each once. */
-typedef struct moment_cuts {
-    size_t count, capacity, *item;
-} moment_cuts;
-
 /** @param[out] out uninitialised; cell_events_clear in any case */
 graze_status cell_events_make(cell_event_list *out, graze_context *context, const graze_envelope *e,
                               const moment_list *moments);
 void cell_events_clear(cell_event_list *list);
 
 /** Empty a list and put the hard moments there. */
-graze_status cuts_start(moment_cuts *cuts, graze_context *context, const moment_list *moments);
-graze_status cuts_add(moment_cuts *cuts, graze_context *context, size_t moment);
-/** Put the list in order once all are there. */
-void cuts_sort(moment_cuts *cuts);
+graze_status cuts_start(numbers *cuts, graze_context *context, const moment_list *moments);
+graze_status cuts_add(numbers *cuts, graze_context *context, size_t moment);
 
 /** Add the moments at which a facet, an edge, a vertex has events; for an edge also those at which
  * one of its facets has an event at one of its ends. */
-graze_status cuts_add_of_facet(moment_cuts *cuts, graze_context *context,
-                               const cell_event_list *list, const cell_complex *c, size_t facet);
-graze_status cuts_add_of_edge(moment_cuts *cuts, graze_context *context,
-                              const cell_event_list *list, const cell_complex *c, size_t edge);
-graze_status cuts_add_of_vertex(moment_cuts *cuts, graze_context *context,
-                                const cell_event_list *list, const cell_complex *c, size_t vertex);
+graze_status cuts_add_of_facet(numbers *cuts, graze_context *context, const cell_event_list *list,
+                               const cell_complex *c, size_t facet);
+graze_status cuts_add_of_edge(numbers *cuts, graze_context *context, const cell_event_list *list,
+                              const cell_complex *c, size_t edge);
+graze_status cuts_add_of_vertex(numbers *cuts, graze_context *context, const cell_event_list *list,
+                                const cell_complex *c, size_t vertex);
 
 /* Contact on one side of a break of the motion, and the solid's interior on the other. */
 
@@ -188,7 +180,7 @@ typedef struct singular_view {
 } singular_view;
 
 /** @param[out] out uninitialised; singular_view_clear after it */
-void singular_view_make(singular_view *out, const graze_envelope *e, graze_context *context,
+void singular_view_init(singular_view *out, const graze_envelope *e, graze_context *context,
                         size_t facet, size_t piece);
 void singular_view_clear(singular_view *v);
 

@@ -1,16 +1,13 @@
-/* The three functions are linear on the facet's plane. By their values at the corners of one
- * triangle, barycentric coordinates of a common zero are the kernel of a 3 x 3 matrix of
+/* g, theta and the third derivative are linear on the facet's plane. By their values at the corners
+ * of one triangle, barycentric coordinates of a common zero are the kernel of a 3 x 3 matrix of
  * polynomials (proofs/events.md C80). Its determinant vanishes where there is one; where it
  * vanishes all the time, the zero is a point that moves, or a line.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/envelope/envelope.h"
-
 #include "base/context/scope.h"
 #include "base/number/sign.h"
-#include "input/solid/solid.h"
 #include "input/validate/validate.h"
-#include "questions/envelope/sign_events.h"
+#include "questions/envelope/patch_ends.h"
 
 static void derivative_at(fmpz_poly_struct *out, const singular_view *v, int row, size_t vertex) {
     derivatives_along(out, &v->e->field[v->piece], row + 1, v->facet, vertex);
@@ -42,7 +39,7 @@ static const size_t *corners_at(const singular_view *v, size_t j) {
     return v->e->cells.corner + triangle_at(v, j) * 3;
 }
 
-void singular_view_make(singular_view *out, const graze_envelope *e, graze_context *context,
+void singular_view_init(singular_view *out, const graze_envelope *e, graze_context *context,
                         size_t facet, size_t piece) {
     *out = (singular_view){.e = e, .context = context, .facet = facet, .piece = piece};
     fmpz_poly_struct *p = out->p, *minor = out->p + SINGULAR_ROWS;
@@ -87,20 +84,14 @@ static const fmpz_poly_struct *minors_of(const singular_view *v, int pair) {
     return v->p + SINGULAR_ROWS + 3 * pair;
 }
 
-/* A point of the facet's plane by its barycentric coordinates: four homogeneous ones. */
-static void point_init(fmpz_poly_struct *point, const singular_view *v,
-                       const fmpz_poly_struct *weight) {
-    for (int i = 0; i < 4; i++) {
-        fmpz_poly_init(point + i);
+/* A point of the facet's plane, by its barycentric coordinates in the first triangle: four
+ * homogeneous ones. `point` is zeros. */
+static void set_point(fmpz_poly_struct *point, const singular_view *v,
+                      const fmpz_poly_struct *weight) {
+    for (int i = 0; i < 4; i++)
         for (int k = 0; k < 3; k++)
             fmpz_poly_scalar_addmul_fmpz(point + i, weight + k,
                                          v->e->cells.vertex[corners_at(v, 0)[k]].x + i);
-    }
-}
-
-static void point_clear(fmpz_poly_struct *point) {
-    for (int i = 0; i < 4; i++)
-        fmpz_poly_clear(point + i);
 }
 
 /* The form of side k of a triangle at a homogeneous point. */
@@ -114,80 +105,71 @@ static void side_at(fmpz_poly_struct *out, const singular_view *v, size_t simple
         fmpz_poly_scalar_addmul_fmpz(out, point + i, form + 4 + i);
 }
 
-/* Have two triangles of the facet the side k of triangle j? */
+/* Does another triangle of the facet have side k of triangle j? */
 static int is_shared_side(const singular_view *v, size_t j, int k) {
-    size_t a = corners_at(v, j)[k], b = corners_at(v, j)[(k + 1) % 3];
-    int shared = 0;
-    for (size_t i = 0; i < triangle_count(v); i++) {
-        const size_t *q = corners_at(v, i);
-        shared += (q[0] == a || q[1] == a || q[2] == a) && (q[0] == b || q[1] == b || q[2] == b);
-    }
-    return shared == 2;
+    const size_t *corner = corners_at(v, j);
+    return parts_side_is_inner(&v->e->cells, v->facet, corner[k], corner[(k + 1) % 3]);
 }
 
 /* Is a homogeneous point in the interior of triangle j, or within a side that another one has? */
 static graze_status is_point_in_triangle(int *out, const singular_view *v, algebraic *u, size_t j,
                                          const fmpz_poly_struct *point) {
-    graze_status status = GRAZE_OK;
     int zeros = 0;
     LOCAL(fmpz_poly, value);
     *out = 1;
-    for (int k = 0; k < 3 && !status && *out; k++) {
+    for (int k = 0; k < 3 && *out; k++) {
         int sign = 0;
         side_at(value, v, triangle_at(v, j), k, point);
-        status = algebraic_sign_at(&sign, v->context, value, u);
+        TRY(algebraic_sign_at(&sign, v->context, value, u));
         zeros += sign == 0;
         *out = sign > 0 || (sign == 0 && is_shared_side(v, j, k));
     }
     *out = *out && zeros < 2;
-    return status;
+    return GRAZE_OK;
 }
 
 /* Is the point of these barycentric coordinates at u in the facet's relative interior? The
  * coordinates are those in the facet's first triangle. */
 static graze_status is_in_facet(int *out, const singular_view *v, algebraic *u,
                                 const fmpz_poly_struct *weight) {
-    fmpz_poly_struct point[4];
+    LOCAL_VEC(fmpz_poly, point, 4);
     int side = 0;
-    point_init(point, v, weight);
+    set_point(point, v, weight);
     *out = 0;
-    graze_status status = algebraic_sign_at(&side, v->context, point + 3, u);
+    TRY(algebraic_sign_at(&side, v->context, point + 3, u));
     for (int i = 0; i < 4 && side < 0; i++)
         fmpz_poly_neg(point + i, point + i);
-    for (size_t j = 0; j < triangle_count(v) && side != 0 && !status && !*out; j++)
-        status = is_point_in_triangle(out, v, u, j, point);
-    point_clear(point);
-    return status;
+    for (size_t j = 0; j < triangle_count(v) && side != 0 && !*out; j++)
+        TRY(is_point_in_triangle(out, v, u, j, point));
+    return GRAZE_OK;
 }
 
 /* Do the three values not all vanish at u? */
 static graze_status is_nonzero(int *out, const singular_view *v, algebraic *u,
                                const fmpz_poly_struct *p) {
-    graze_status status = GRAZE_OK;
     *out = 0;
-    for (int k = 0; k < 3 && !status && !*out; k++)
-        status = algebraic_sign_at(out, v->context, p + k, u);
+    for (int k = 0; k < 3 && !*out; k++)
+        TRY(algebraic_sign_at(out, v->context, p + k, u));
     *out = *out != 0;
-    return status;
+    return GRAZE_OK;
 }
 
 /* Does the zero line of a row at u meet the interior of triangle j, or a side that another one has
  * all along? */
 static graze_status is_line_in_triangle(int *out, const singular_view *v, algebraic *u, int row,
                                         size_t j) {
-    graze_status status = GRAZE_OK;
     int sign[3] = {0, 0, 0};
     LOCAL(fmpz_poly, value);
-    for (int k = 0; k < 3 && !status; k++) {
+    for (int k = 0; k < 3; k++) {
         derivative_at(value, v, row, corners_at(v, j)[k]);
-        status = algebraic_sign_at(&sign[k], v->context, value, u);
+        TRY(algebraic_sign_at(&sign[k], v->context, value, u));
     }
     *out = 0;
-    for (int k = 0; k < 3 && !status; k++) {
+    for (int k = 0; k < 3; k++) {
         int a = sign[k], b = sign[(k + 1) % 3];
         *out = *out || a * b < 0 || (a == 0 && b == 0 && is_shared_side(v, j, k));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status is_line_in_facet(int *out, const singular_view *v, algebraic *u, int row) {
@@ -200,21 +182,21 @@ static graze_status is_line_in_facet(int *out, const singular_view *v, algebraic
 graze_status singular_exists(int *out, const singular_view *v, algebraic *u) {
     int sign = 0, some = 0;
     *out = 0;
-    graze_status status = algebraic_sign_at(&sign, v->context, v->p + SINGULAR_DETERMINANT, u);
-    if (status || sign != 0)
-        return status;
-    for (int pair = 0; pair < 3 && !status; pair++) {
-        status = is_nonzero(&some, v, u, minors_of(v, pair));
-        if (!status && some)
+    TRY(algebraic_sign_at(&sign, v->context, v->p + SINGULAR_DETERMINANT, u));
+    if (sign != 0)
+        return GRAZE_OK;
+    for (int pair = 0; pair < 3; pair++) {
+        TRY(is_nonzero(&some, v, u, minors_of(v, pair)));
+        if (some)
             return is_in_facet(out, v, u, minors_of(v, pair));
     }
-    for (int row = 0; row < 3 && !status; row++) {
-        status = is_nonzero(&some, v, u, v->p + 3 * row);
-        if (!status && some)
+    for (int row = 0; row < 3; row++) {
+        TRY(is_nonzero(&some, v, u, v->p + 3 * row));
+        if (some)
             return is_line_in_facet(out, v, u, row);
     }
-    *out = !status;
-    return status;
+    *out = 1;
+    return GRAZE_OK;
 }
 
 /* The first pair of rows that is not always parallel; 3 if there is none. */
@@ -229,13 +211,12 @@ static int first_pair(const singular_view *v) {
 /* The sides of all triangles that no other one has, at the point that moves: `out` has 9 for each
  * triangle. */
 static void fill_sides(fmpz_poly_struct *out, const singular_view *v, int pair) {
-    fmpz_poly_struct point[4];
-    point_init(point, v, minors_of(v, pair));
+    LOCAL_VEC(fmpz_poly, point, 4);
+    set_point(point, v, minors_of(v, pair));
     for (size_t j = 0; j < triangle_count(v); j++)
         for (int k = 0; k < 3; k++)
             if (!is_shared_side(v, j, k))
                 side_at(out + 9 * j + k, v, triangle_at(v, j), k, point);
-    point_clear(point);
 }
 
 /* The three functions at the corners of all triangles. */

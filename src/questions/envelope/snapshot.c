@@ -1,10 +1,6 @@
 /* Fields at a rational time. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/envelope/envelope.h"
-
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
-#include "input/motion/motion.h"
-#include "questions/contact/contact.h"
 #include "questions/envelope/patch_ends.h"
 
 static void evaluate_entries(fmpq *out, const fmpz_poly_struct *entry, int count, const fmpq_t u) {

@@ -1,12 +1,8 @@
 /* Facets whose g vanishes all over at single times. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/envelope/envelope.h"
-
 #include "base/context/scope.h"
 #include "base/number/sign.h"
 #include "input/validate/validate.h"
-#include "questions/contact/contact.h"
 #include "questions/envelope/patch_ends.h"
-#include "questions/envelope/sign_events.h"
 
 /* The common divisor of g at the corners of one simplex of the facet: 0 if g vanishes all the time.
  */
@@ -26,17 +22,16 @@ static graze_status is_theta_negative(int *out, const graze_envelope *e, graze_c
                                       size_t facet, size_t piece, algebraic *u) {
     const cell_complex *c = &e->cells;
     size_t d = (size_t)c->dimension;
-    graze_status status = GRAZE_OK;
     LOCAL(fmpz_poly, theta);
     *out = 0;
-    for (size_t j = 0; j < c->facet[facet].count * d && !status && !*out; j++) {
+    for (size_t j = 0; j < c->facet[facet].count * d && !*out; j++) {
         int sign = 0;
         size_t simplex = c->order[c->facet[facet].first + j / d];
         derivatives_along(theta, &e->field[piece], 2, facet, c->corner[simplex * d + j % d]);
-        status = algebraic_sign_at(&sign, context, theta, u);
+        TRY(algebraic_sign_at(&sign, context, theta, u));
         *out = sign < 0;
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Does g of another facet of the edge not vanish at one of its ends? */
@@ -76,22 +71,20 @@ static graze_status judge_whole(graze_envelope *e, graze_context *context, size_
 }
 
 graze_status gather_whole(graze_envelope *e, graze_context *context, size_t facet) {
-    graze_status status = GRAZE_OK;
-    for (size_t piece = 0; piece < e->piece_count && !status; piece++) {
+    for (size_t piece = 0; piece < e->piece_count; piece++) {
         LOCAL(fmpz_poly, common);
         find_common(common, e, facet, piece);
         e->still[piece * e->cells.facet_count + facet] = (unsigned char)fmpz_poly_is_zero(common);
-        if (fmpz_poly_degree(common) > 0) {
-            axis x;
-            status = axis_make(&x, context, common, 1);
-            for (size_t k = 0; k < x.count && !status; k++) {
-                int sign = 0;
-                status = axis_sign(&sign, context, &x, common, k);
-                if (!status && sign == 0 && !judge_is_break(e, piece, &x, k))
-                    status = judge_whole(e, context, facet, piece, &x, k);
-            }
-            axis_clear(&x);
+        if (fmpz_poly_degree(common) <= 0)
+            continue;
+        ZEROED(axis, x);
+        TRY(axis_make(&x, context, common, 1));
+        for (size_t k = 0; k < x.count; k++) {
+            int sign = 0;
+            TRY(axis_sign(&sign, context, &x, common, k));
+            if (sign == 0 && !judge_is_break(e, piece, &x, k))
+                TRY(judge_whole(e, context, facet, piece, &x, k));
         }
     }
-    return status;
+    return GRAZE_OK;
 }

@@ -1,10 +1,7 @@
 /* Points on a conic: a line meets it twice at most, so finitely many vertices and edges leave one.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "questions/envelope/envelope.h"
-
 #include "base/context/scope.h"
-#include "questions/contact/contact.h"
 #include "questions/envelope/sign_events.h"
 
 /* The point in the interior of the facet's first simplex of barycentric weights 1, s, s^2. */
@@ -31,14 +28,11 @@ static void point_within(fmpq *out, const cell_complex *c, size_t facet, slong s
 
 graze_status within_facet(fmpq *out, graze_context *context, const cell_complex *cells,
                           size_t facet) {
-    graze_status status = GRAZE_OK;
-    int found = 0;
-    for (slong s = 1; !status && !found; s++) {
-        neighborhood at;
+    for (slong s = 1;; s++) {
+        ZEROED(neighborhood, at);
         point_within(out, cells, facet, s);
-        status = neighborhood_locate(&at, context, cells->solid, out);
-        found = at.cell.kind == cells->facet[facet].name.kind;
-        neighborhood_clear(&at);
+        TRY(neighborhood_locate(&at, context, cells->solid, out));
+        if (at.cell.kind == cells->facet[facet].name.kind)
+            return GRAZE_OK;
     }
-    return status;
 }
