@@ -45,7 +45,7 @@ ROOMS = {
                        "unit/test_places", "topo/dangling", "topo/prisms", "topo/germs", "topo/orders", "topo/witness", "unit/test_topo", "topo/straight"],
     "questions/contact": ["api/test_contact", "contact/hand", "contact/derivation", "contact/snap", "contact/laws", "contact/probe",
                           "envelope/hand"],
-    "questions/distance": ["unit/test_gap", "unit/test_diagonal", "distance/weights", "api/test_distance", "distance/laws", "distance/golden", "distance/table",
+    "questions/distance": ["unit/test_gap", "unit/test_diagonal", "refuse/run distance", "distance/weights", "api/test_distance", "distance/laws", "distance/golden", "distance/table",
                            "distance/cgal", "draw/levels"],
     "questions/envelope": ["api/test_envelope", "envelope/hand", "envelope/joints", "envelope/figures", "envelope/vertex",
                            "envelope/saucer", "envelope/cusps", "envelope/patches", "envelope/singular", "envelope/curve",

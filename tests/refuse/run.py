@@ -23,7 +23,7 @@ and a CSV table must end with `# complete`, every other case must not print it.
     run.py --graze GRAZE [--sanitizers] [NAME ...]
 
 NAME restricts to case or topic names. A whole run also asks messages.py which messages of the
-source no case has reached, and of which none says what is expected; each is a failure.
+source no case reaches, or quotes with its expectation; each is a failure.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import concurrent.futures
