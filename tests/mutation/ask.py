@@ -32,7 +32,7 @@ SECONDS = 900
 KINDS = {
     "an allocation that is not checked": ["memory/memory", "api/test_memory"],
     "a race": [f"$ {THREADS} test_threads.py"],
-    "a document of a name that is gone": ["readme/formats", "readme/readme", "refuse/run usage", "$ make -s docs"],
+    "a document of a name that is gone": ["structure/structure", "readme/formats", "readme/readme", "refuse/run usage", "$ make -s docs"],
     "a rule of unfinished files": ["shards/ended", "shards/resume", "shards/record", "shards/shards", "memory/memory", "api/test_classify"],
     "a symbol that is exported by mistake": ["install/abi"],
     "a file that stays open": ["cases/cases", "readme/readme"],

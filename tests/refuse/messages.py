@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Messages of the source that the refusal cases have reached.
+"""Messages of the source that the refusal cases have reached, and those whose expectation they quote.
 
 A message is a string literal handed to context_fail, to a function declared with a printf format
 attribute, or to one of the functions named below that pass a text on. Its conversions become
-wildcards, and it is reached when the pattern occurs in what the cases printed to standard error.
+wildcards, and it is reached when the pattern occurs in what the cases printed to standard error. A
+case must also quote, in a line `says`, what the message expects, so that no message loses it.
 run.py calls account(); messages.py --list prints the messages found. SPDX-License-Identifier:
 GPL-3.0-or-later
 """
@@ -169,20 +170,23 @@ def says_something(message):
     return len(re.sub(r"[^a-z]", "", CONVERSION.sub("", message))) >= 4
 
 
-def account(printed):
-    """(number reached, [(where, message) of those that are not])."""
-    reached, silent, lines = 0, [], set(printed.split("\n"))
+def account(printed, quoted):
+    """(number reached, [(where, message) of those that are not], those whose expectation is not among the lines `quoted`)."""
+    reached, silent, unquoted, lines = 0, [], [], set(printed.split("\n"))
     for where, message in messages():
         file = where.split(":")[0]
         if not says_something(message) or file in LIBRARY:
             continue
         if any(part in message for part in UNREACHED):
             continue
-        if is_printed(message, lines):
-            reached += 1
-        else:
+        if not is_printed(message, lines):
             silent.append((where, message))
-    return reached, silent
+            continue
+        reached += 1
+        expects = message.find("expected")
+        if expects >= 0 and not is_printed(message[expects:], quoted):
+            unquoted.append((where, message))
+    return reached, silent, unquoted
 
 
 if __name__ == "__main__":

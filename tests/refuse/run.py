@@ -23,7 +23,7 @@ and a CSV table must end with `# complete`, every other case must not print it.
     run.py --graze GRAZE [--sanitizers] [NAME ...]
 
 NAME restricts to case or topic names. A whole run also asks messages.py which messages of the
-source no case has reached; each is a failure.
+source no case reaches, or quotes with its expectation; each is a failure.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import concurrent.futures
@@ -221,10 +221,12 @@ def main():
             print("    stdout: " + out[:2000].decode("utf-8", "replace").replace("\n", "\n      "))
             print("    stderr: " + err[:4000].decode("utf-8", "replace").replace("\n", "\n      "))
     if not args.names:
-        reached, silent = messages.account("".join(said))
+        reached, silent, unquoted = messages.account("".join(said), {part for case in cases for part in case.keys["says"]})
         checks.passed += reached
         for where, text in silent:
             checks.fail(f"{where}: no case reaches the message {text!r}")
+        for where, text in unquoted:
+            checks.fail(f"{where}: no case says what is expected in the message {text!r}")
     checks.finish()
 
 

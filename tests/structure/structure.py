@@ -2,7 +2,7 @@
 """# suite: the structure of the sources: seven wings, whose order and whose rooms' order includes and calls follow
 downwards only and without a circle, each room has one header that is its face, which alone other rooms include, a function is
 declared in one header of its room, a function's name stands once, the commands stand on the public header, two rooms and two small tools alone, only one room touches CGAL, FLINT's functions are called behind their own
-headers, the top level holds nothing that is not named, the paths that comments and pages name are there, and so are
+headers, the top level holds nothing that is not named, the paths that comments and pages name are there, the identifiers, options and commands too (quotes.py), and so are
 the lines that tests/mutants.txt explains and that tests/check/forged.py turns round; comments, pages and messages
 begin with their subject, but for a number that only falls.
 
@@ -21,6 +21,7 @@ import calls
 import flint
 import openings
 import paths
+import quotes
 import sources
 
 TESTS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
@@ -221,6 +222,14 @@ def check_paths():
         check(False, f"{file} names {path}, which is not there")
 
 
+def check_quoted(build):
+    """Every identifier, option, command and target that a page or a comment quotes is there."""
+    wrong, seen = quotes.missing(build)
+    check(seen > 2000, f"{seen} names are found in comments and pages")
+    for file, name in wrong:
+        check(False, f"{file} quotes {name}, which is not there")
+
+
 def check_openings():
     """Openings without a subject and phrases that hide a bound are at most those allowed; the pattern finds samples."""
     for path, text, lines in openings.SAMPLES:
@@ -330,6 +339,7 @@ def main():
     check_top()
     check_public(files)
     check_paths()
+    check_quoted(build)
     check_openings()
     check_mutants()
     print(f"{checks - len(failures)} passed, {len(failures)} failed")

@@ -49,8 +49,7 @@ static void round_reach(fmpq_t out, const fmpq *form, const fmpq *axis, const fm
     }
 }
 
-/* Enlarge coordinate i of a box until it holds an interval. */
-static void hold_interval(csg_box *box, int i, const fmpq_t low, const fmpq_t high) {
+void csg_box_hold(csg_box *box, int i, const fmpq_t low, const fmpq_t high) {
     if (!box->dimension || fmpq_cmp(low, &box->low[i]) < 0)
         fmpq_set(&box->low[i], low);
     if (!box->dimension || fmpq_cmp(high, &box->high[i]) > 0)
@@ -69,7 +68,7 @@ void csg_bound_round(csg_reader *r, const fmpq *point, const fmpq *axis, const f
         round_reach(size, form, axis, ball, disk, d);
         fmpq_add(v + 2, middle, size);
         fmpq_sub(middle, middle, size);
-        hold_interval(&r->box, i, middle, v + 2);
+        csg_box_hold(&r->box, i, middle, v + 2);
     }
     r->box.dimension = d;
 }
@@ -87,7 +86,7 @@ void csg_bound_corners(csg_reader *r, const fmpq *low, const fmpq *high) {
 
 void csg_bound_union(csg_box *box, const csg_box *other) {
     for (int i = 0; i < box->dimension && other->dimension; i++)
-        hold_interval(box, i, &other->low[i], &other->high[i]);
+        csg_box_hold(box, i, &other->low[i], &other->high[i]);
     box->dimension = other->dimension ? box->dimension : 0;
 }
 

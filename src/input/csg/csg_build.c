@@ -30,11 +30,8 @@ void csg_build_begin(csg_builder *b, graze_context *context, csg *out, int dimen
 
 graze_status csg_add_primitive(csg_builder *b, const char *kind, const char *name) {
     csg *out = b->out;
-    graze_status status =
-        array_grow(b->context, &out->primitive, &out->primitive_capacity, out->primitive_count + 1,
-                   sizeof *out->primitive, "the primitives of a solid");
-    if (status)
-        return status;
+    TRY(array_grow(b->context, &out->primitive, &out->primitive_capacity, out->primitive_count + 1,
+                   sizeof *out->primitive, "the primitives of a solid"));
     size_t room = strlen(kind) + (name ? strlen(name) : 0) + 32;
     char *title = malloc(room);
     if (!title)
@@ -76,11 +73,8 @@ void csg_complement(csg_builder *b, size_t node) {
 /* One more surface, of a factor's terms. */
 static graze_status add_surface(csg_builder *b, const fmpz_mpoly_t factor) {
     csg *out = b->out;
-    graze_status status =
-        array_grow(b->context, &out->surface, &out->surface_capacity, out->surface_count + 1,
-                   sizeof *out->surface, "the surfaces of a solid");
-    if (status)
-        return status;
+    TRY(array_grow(b->context, &out->surface, &out->surface_capacity, out->surface_count + 1,
+                   sizeof *out->surface, "the surfaces of a solid"));
     size_t count = (size_t)fmpz_mpoly_length(factor, b->ring->zctx);
     csg_surface *s = &out->surface[out->surface_count];
     *s = (csg_surface){.count = count, .power = calloc(count, sizeof *s->power)};

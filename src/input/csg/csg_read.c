@@ -12,39 +12,18 @@
 #include "input/csg/csg_reader.h"
 #include "input/motion/motion.h"
 
-enum {
-    NAME,
-    AFFINE,
-    UNION,
-    INTERSECTION,
-    DIFFERENCE,
-    HALFSPACE,
-    BOX,
-    BALL,
-    ELLIPSOID,
-    CYLINDER,
-    CONE,
-    TORUS,
-    CAPSULE,
-    QUADRIC,
-    POLYNOMIAL,
-    POLYGON,
-    POLYHEDRON,
-    KEYS
-};
+/* Keys of a node; behind those that have names here stand the primitives. */
+enum { NAME, AFFINE, UNION, INTERSECTION, DIFFERENCE, FIRST_PRIMITIVE, KEYS = 17 };
 
 static const char *const key_names[KEYS] = {
     "name",    "affine",  "union",      "intersection", "difference", "halfspace",
     "box",     "ball",    "ellipsoid",  "cylinder",     "cone",       "torus",
     "capsule", "quadric", "polynomial", "polygon",      "polyhedron"};
 
-static csg_primitive_reader *const readers[KEYS] = {
-    [HALFSPACE] = csg_read_halfspace, [BOX] = csg_read_box,
-    [BALL] = csg_read_ball,           [ELLIPSOID] = csg_read_ellipsoid,
-    [CYLINDER] = csg_read_cylinder,   [CONE] = csg_read_cone,
-    [TORUS] = csg_read_torus,         [CAPSULE] = csg_read_capsule,
-    [QUADRIC] = csg_read_polynomial,  [POLYNOMIAL] = csg_read_polynomial,
-    [POLYGON] = csg_read_polygon,     [POLYHEDRON] = csg_read_polyhedron};
+static csg_primitive_reader *const readers[KEYS - FIRST_PRIMITIVE] = {
+    csg_read_halfspace,  csg_read_box,        csg_read_ball,    csg_read_ellipsoid,
+    csg_read_cylinder,   csg_read_cone,       csg_read_torus,   csg_read_capsule,
+    csg_read_polynomial, csg_read_polynomial, csg_read_polygon, csg_read_polyhedron};
 
 enum { DIGITS_A_LIMB = 20 }; /* more than a limb has */
 
@@ -167,7 +146,7 @@ static graze_status read_primitive(size_t *node, csg_reader *r, const json *valu
     graze_status status = csg_add_primitive(&r->build, key_names[key], name);
     r->box.dimension = 0;
     if (!status)
-        status = readers[key](node, r, value);
+        status = readers[key - FIRST_PRIMITIVE](node, r, value);
     status = json_at_last(r->build.context, status, value);
     for (int i = 0; i < r->box.dimension && !status; i++) {
         fmpq *middle = &r->build.out->primitive[r->build.out->primitive_count - 1].middle[i];
@@ -194,7 +173,7 @@ static graze_status read_node(size_t *node, csg_reader *r, const json *value) {
     TRY(read_name(&name, r, member[NAME]));
     if (key == AFFINE)
         return read_affine(node, r, member[key]);
-    if (!readers[key])
+    if (key < FIRST_PRIMITIVE)
         return read_operands(node, r, member[key], key);
     return read_primitive(node, r, member[key], key, name);
 }

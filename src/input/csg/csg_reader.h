@@ -12,6 +12,8 @@
 #include "input/motion/motion.h"
 
 void csg_box_set(csg_box *to, const csg_box *from);
+/** Enlarge coordinate i of a box until it holds an interval; the caller sets the dimension. */
+void csg_box_hold(csg_box *box, int i, const fmpq_t low, const fmpq_t high);
 
 /* A curved solid that grows: polynomials are factored to surfaces, nodes appended. */
 

@@ -138,19 +138,15 @@ static graze_status check_closed(faces *f) {
 }
 
 static graze_status polyhedron_points(faces *f, const json *value) {
-    LOCAL_VEC(fmpq, low, 6);
-    fmpq *high = low + 3;
+    HELD(csg_box, box);
     for (const json *item = value->first; item; item = item->next) {
         fmpq *x = f->point + 3 * item->index;
         TRY(csg_read_vector(x, f->r, item, 3));
-        for (int i = 0; i < 3; i++) {
-            if (item->index == 0 || fmpq_cmp(x + i, low + i) < 0)
-                fmpq_set(low + i, x + i);
-            if (item->index == 0 || fmpq_cmp(x + i, high + i) > 0)
-                fmpq_set(high + i, x + i);
-        }
+        for (int i = 0; i < 3; i++)
+            csg_box_hold(&box, i, x + i, x + i);
+        box.dimension = 3;
     }
-    csg_bound_corners(f->r, low, high);
+    csg_bound_corners(f->r, box.low, box.high);
     return GRAZE_OK;
 }
 

@@ -68,33 +68,21 @@ graze_status csg_read_polynomial(size_t *node, csg_reader *r, const json *value)
     return csg_add_side(node, r, 0);
 }
 
-/* The nodes of the edges of a polygon, and its box. */
+/* The nodes of the edges of a polygon, and its box; heights of a prism are the last coordinate. */
 typedef struct polygon_edges {
     size_t *node, count, capacity;
-    int revolved;     /* about the z axis: points are distances from it, and heights */
-    int bounded;      /* the box holds a point */
-    fmpq *low, *high; /* 3 each; heights of a prism last */
+    int revolved; /* about the z axis: points are distances from it, and heights */
+    csg_box box;
 } polygon_edges;
 
 static void polygon_edges_init(polygon_edges *e) {
-    *e = (polygon_edges){.low = _fmpq_vec_init(6)};
-    e->high = e->low + 3;
+    *e = (polygon_edges){.node = NULL};
+    csg_box_init(&e->box);
 }
 
 static void polygon_edges_clear(polygon_edges *e) {
     free(e->node);
-    _fmpq_vec_clear(e->low, 6);
-}
-
-/* Let the box hold a point. */
-static void hold_corner(polygon_edges *e, const fmpq *point) {
-    for (int i = 0; i < 2; i++) {
-        if (!e->bounded || fmpq_cmp(point + i, e->low + i) < 0)
-            fmpq_set(e->low + i, point + i);
-        if (!e->bounded || fmpq_cmp(point + i, e->high + i) > 0)
-            fmpq_set(e->high + i, point + i);
-    }
-    e->bounded = 1;
+    csg_box_clear(&e->box);
 }
 
 /* Add the points on one side of the edge from p to q, f <= 0 of the reader, between the lines, or
@@ -184,7 +172,9 @@ static graze_status read_polygon_ring(polygon_edges *e, csg_reader *r, const jso
     fmpq *first = point, *last = point + 2, *next = point + 4;
     for (const json *item = value->first; item; item = item->next) {
         TRY(csg_read_vector(next, r, item, 2));
-        hold_corner(e, next);
+        for (int i = 0; i < 2; i++)
+            csg_box_hold(&e->box, i, next + i, next + i);
+        e->box.dimension = 2;
         if (item->index > 0)
             TRY(add(e, r, last, next));
         for (int i = 0; i < 2; i++) {
@@ -207,8 +197,8 @@ static graze_status extrude(size_t *node, polygon_edges *e, csg_reader *r, const
         fmpq_mpoly_sub_fmpq(&r->f, &r->coordinate[2], height + k, r->build.ring);
         TRY(csg_add_side(&part[1 + k], r, k == 0));
     }
-    fmpq_swap(e->low + 2, height);
-    fmpq_swap(e->high + 2, height + 1);
+    fmpq_swap(&e->box.low[2], height);
+    fmpq_swap(&e->box.high[2], height + 1);
     return csg_add_node(node, &r->build, CSG_ALL, part, 3);
 }
 
@@ -232,12 +222,12 @@ static graze_status polygon_form(int *revolved, csg_reader *r, const json *value
 }
 
 /* Set the box to one of the revolved polygon. */
-static void revolve_box(polygon_edges *e) {
-    fmpq_swap(e->low + 1, e->low + 2);
-    fmpq_swap(e->high + 1, e->high + 2);
-    fmpq_set(e->high + 1, e->high);
-    fmpq_neg(e->low, e->high);
-    fmpq_set(e->low + 1, e->low);
+static void revolve_box(csg_box *box) {
+    fmpq_swap(&box->low[1], &box->low[2]);
+    fmpq_swap(&box->high[1], &box->high[2]);
+    fmpq_set(&box->high[1], &box->high[0]);
+    fmpq_neg(&box->low[0], &box->high[0]);
+    fmpq_set(&box->low[1], &box->low[0]);
 }
 
 graze_status csg_read_polygon(size_t *node, csg_reader *r, const json *value) {
@@ -260,7 +250,7 @@ graze_status csg_read_polygon(size_t *node, csg_reader *r, const json *value) {
     if (member[2])
         TRY(extrude(node, &e, r, member[2]));
     if (e.revolved)
-        revolve_box(&e);
-    csg_bound_corners(r, e.low, e.high);
+        revolve_box(&e.box);
+    csg_bound_corners(r, e.box.low, e.box.high);
     return GRAZE_OK;
 }

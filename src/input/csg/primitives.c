@@ -14,29 +14,18 @@
 /* Numbers of a primitive; those that are not given stay as they are. */
 typedef struct placed {
     fmpq *point, *axis; /* 3 each */
-    fmpq_t length2;     /* |axis|^2 */
-    fmpq_t first, second, from, to;
+    fmpq *length2;      /* |axis|^2 */
+    fmpq *first, *second, *from, *to;
     int has_from, has_to;
 } placed;
 
 static void placed_init(placed *p) {
-    p->point = _fmpq_vec_init(6);
-    p->axis = p->point + 3;
-    fmpq_init(p->length2);
-    fmpq_init(p->first);
-    fmpq_init(p->second);
-    fmpq_init(p->from);
-    fmpq_init(p->to);
-    p->has_from = p->has_to = 0;
+    fmpq *v = _fmpq_vec_init(11);
+    *p = (placed){v, v + 3, v + 6, v + 7, v + 8, v + 9, v + 10, 0, 0};
 }
 
 static void placed_clear(placed *p) {
-    _fmpq_vec_clear(p->point, 6);
-    fmpq_clear(p->length2);
-    fmpq_clear(p->first);
-    fmpq_clear(p->second);
-    fmpq_clear(p->from);
-    fmpq_clear(p->to);
+    _fmpq_vec_clear(p->point, 11);
 }
 
 /* A number that is positive. */

@@ -5,6 +5,7 @@
 
 #include <flint/fmpq.h>
 #include "base/context/context.h"
+#include "input/delimited/delimited.h"
 #include "input/scad/scad.h"
 
 /* The nodes of OpenSCAD's `.csg` files (src/program/cli/formats.md, OpenSCAD). */
@@ -26,18 +27,12 @@ typedef enum scad_role {
     SCAD_POLYGON
 } scad_role;
 
-/** Bytes of the text, borrowed. */
-typedef struct scad_span {
-    const char *at;
-    size_t length;
-} scad_span;
-
 typedef struct scad_node {
-    scad_span name, arguments;
+    field name, arguments;
     size_t line;
     char mark;     /* `%`, `*` or `!`; 0 without one of these */
     int absent;    /* no part of the solid, by a mark of its own or around it */
-    int empty;     /* no set: groups without children, and what they leave nothing of */
+    int empty;     /* a group without children, or an operation that leaves nothing of such */
     int dimension; /* 2 or 3, 0 if it is empty */
     scad_role role;
     size_t parent, first, last, next; /* 0: none */
@@ -64,10 +59,6 @@ void scad_clear(scad *file);
 size_t scad_first(const scad *file, size_t node);
 size_t scad_next(const scad *file, size_t child);
 
-/** Fail with "source:line: name: message". */
-graze_status scad_fail(const scad *file, graze_context *context, graze_status status, size_t node,
-                       const char *format, ...) __attribute__((format(printf, 5, 6)));
-
 /* Arguments of the nodes of OpenSCAD's `.csg` files. */
 
 /** The node whose arguments are read, and where failures are told. */
@@ -77,26 +68,32 @@ typedef struct scad_place {
     size_t node;
 } scad_place;
 
+/** Fail with "source:line: name: message". */
+graze_status scad_fail(const scad_place *p, graze_status status, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
 /** The next item of a list between commas.
  * @param[in,out] rest what follows it
  * @return 0 at the end */
-int scad_item(scad_span *item, scad_span *rest);
+int scad_item(field *item, field *rest);
 
 /** The value of an argument; that without a name for NULL.
  * @return 0 if it is not given, or `undef` */
-int scad_value(scad_span *out, const scad_place *p, const char *name);
+int scad_value(field *out, const scad_place *p, const char *name);
 
-/** GRAZE_EINPUT unless all names of arguments are among these, between blanks, or begin with $. */
+/** GRAZE_EINPUT unless each argument's name is one of `names`, which blanks separate, or begins
+ * with
+ * $. */
 graze_status scad_known(const scad_place *p, const char *names);
 
 /** The items of a value in brackets. */
-graze_status scad_list(scad_span *out, const scad_place *p, scad_span value);
+graze_status scad_list(field *out, const scad_place *p, field value);
 
-/** A number. */
-graze_status scad_number(fmpq_t out, const scad_place *p, scad_span value);
+/** The number that a value is. */
+graze_status scad_number(fmpq_t out, const scad_place *p, field value);
 
 /** A list of exactly `count` numbers. */
-graze_status scad_vector(fmpq *out, const scad_place *p, scad_span value, size_t count);
+graze_status scad_vector(fmpq *out, const scad_place *p, field value, size_t count);
 
 /** The numbers of an argument that must be given, exactly `count`. */
 graze_status scad_named_vector(fmpq *out, const scad_place *p, const char *name, size_t count);
@@ -105,10 +102,10 @@ graze_status scad_named_vector(fmpq *out, const scad_place *p, const char *name,
 graze_status scad_named_number(fmpq_t out, const scad_place *p, const char *name);
 
 /** The items of an argument that must be given. */
-graze_status scad_named_list(scad_span *out, const scad_place *p, const char *name);
+graze_status scad_named_list(field *out, const scad_place *p, const char *name);
 
 /** A number of one of `count` things, from 0. */
-graze_status scad_index(size_t *out, const scad_place *p, scad_span value, size_t count);
+graze_status scad_index(size_t *out, const scad_place *p, field value, size_t count);
 
 /** Whether an argument is `true`. */
 int scad_flag(const scad_place *p, const char *name);

@@ -18,7 +18,7 @@ static graze_status write_sphere(scad_writer *w, const scad_place *p) {
     TRY(scad_known(p, "r"));
     TRY(scad_round(w, p));
     TRY(scad_size(w->reach, p, "r"));
-    scad_begin(w, p, "ball");
+    scad_open(w, p, "ball", '{');
     json_rational(&w->json, "radius", w->reach);
     scad_end(w, p);
     return GRAZE_OK;
@@ -46,9 +46,9 @@ static void put_cylinder(scad_writer *w, const scad_place *p, const fmpq *height
     } else {
         fmpq_set(v + 9, height);
     }
-    scad_begin(w, p, order ? "cone" : "cylinder");
-    scad_put_vector(w, "point", point, 3);
-    scad_put_vector(w, "axis", axis, 3);
+    scad_open(w, p, order ? "cone" : "cylinder", '{');
+    json_point(&w->json, "point", point, 3);
+    json_point(&w->json, "axis", axis, 3);
     json_rational(&w->json, order ? "slope" : "radius", order ? slope : radius);
     json_rational(&w->json, "from", v + 8 + up);
     json_rational(&w->json, "to", v + 9 - up);
@@ -65,8 +65,7 @@ static graze_status write_cylinder(scad_writer *w, const scad_place *p) {
     TRY(scad_named_number(radius + 1, p, "r2"));
     const fmpq *most = fmpq_cmp(radius, radius + 1) < 0 ? radius + 1 : radius;
     if (fmpq_sgn(radius) < 0 || fmpq_sgn(radius + 1) < 0 || fmpq_sgn(most) <= 0)
-        return scad_fail(p->file, p->context, GRAZE_EILLEGAL, p->node,
-                         "expected radii of 0 or more, one of them positive");
+        return scad_fail(p, GRAZE_EILLEGAL, "expected radii of 0 or more, one of them positive");
     fmpq_add(w->reach, height, most);
     if (scad_flag(p, "center"))
         fmpq_div_2exp(low, height, 1);
@@ -76,8 +75,8 @@ static graze_status write_cylinder(scad_writer *w, const scad_place *p) {
 }
 
 /* The points of a face by their numbers. */
-static graze_status put_face(scad_writer *w, const scad_place *p, scad_span face, size_t count) {
-    scad_span rest, item;
+static graze_status put_face(scad_writer *w, const scad_place *p, field face, size_t count) {
+    field rest, item;
     TRY(scad_list(&rest, p, face));
     json_open(&w->json, NULL, '[');
     while (scad_item(&item, &rest)) {
@@ -90,17 +89,17 @@ static graze_status put_face(scad_writer *w, const scad_place *p, scad_span face
 }
 
 static graze_status write_polyhedron(scad_writer *w, const scad_place *p) {
-    scad_span points, faces, item;
+    field points, faces, item;
     LOCAL_VEC(fmpq, x, 3);
     size_t count = 0;
     TRY(scad_known(p, "points faces convexity"));
     TRY(scad_named_list(&points, p, "points"));
     TRY(scad_named_list(&faces, p, "faces"));
-    scad_begin(w, p, "polyhedron");
+    scad_open(w, p, "polyhedron", '{');
     json_open(&w->json, "points", '[');
     for (; scad_item(&item, &points); count++) {
         TRY(scad_vector(x, p, item, 3));
-        scad_put_vector(w, NULL, x, 3);
+        json_point(&w->json, NULL, x, 3);
         scad_hold(w->reach, x, 3);
     }
     json_close(&w->json, ']');
@@ -113,14 +112,7 @@ static graze_status write_polyhedron(scad_writer *w, const scad_place *p) {
 }
 
 graze_status scad_write_body(scad_writer *w, const scad_place *p) {
-    switch (p->file->node[p->node].role) {
-    case SCAD_CUBE:
-        return write_cube(w, p);
-    case SCAD_SPHERE:
-        return write_sphere(w, p);
-    case SCAD_CYLINDER:
-        return write_cylinder(w, p);
-    default:
-        return write_polyhedron(w, p);
-    }
+    static graze_status (*const writers[])(scad_writer *, const scad_place *) = {
+        write_cube, write_sphere, write_cylinder, write_polyhedron};
+    return writers[p->file->node[p->node].role - SCAD_CUBE](w, p);
 }

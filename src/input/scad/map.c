@@ -3,6 +3,7 @@
  */
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 #include "input/csg/csg.h"
 #include "input/scad/arguments.h"
 #include "input/scad/writer.h"
@@ -21,7 +22,8 @@ void scad_map_clear(scad_map *m) {
     fmpq_clear(m->error);
 }
 
-/* Let a map be one of the plane, as OpenSCAD does; the third axis is kept, at about the scale. */
+/* Let a map be one of the plane, as OpenSCAD does. The third axis is scaled about as the plane is,
+ * so that scad_turn sees a rotation where there is one. */
 static void flatten(scad_map *m) {
     LOCAL(fmpq, square);
     for (int k = 0; k < 5; k++)
@@ -37,43 +39,37 @@ static void flatten(scad_map *m) {
 }
 
 graze_status scad_map_read(scad_map *out, scad_writer *w, const scad_place *p, int *turned) {
-    scad_span value, rest, row;
+    field value, rest = {"", 0}, row;
     LOCAL_VEC(fmpq, v, 16);
-    int rows = 0, good = scad_value(&value, p, NULL);
-    graze_status status = good ? scad_list(&rest, p, value) : GRAZE_OK;
-    for (; good && !status && scad_item(&row, &rest); rows++)
+    int rows = 0;
+    if (scad_value(&value, p, NULL))
+        TRY(scad_list(&rest, p, value));
+    for (; scad_item(&row, &rest); rows++)
         if (rows < 4)
-            status = scad_vector(v + 4 * rows, p, row, 4);
-    good = rows == 4 && fmpq_is_one(v + 15);
+            TRY(scad_vector(v + 4 * rows, p, row, 4));
+    if (rows != 4 || !vector_is_zero(v + 12, 3) || !fmpq_is_one(v + 15))
+        return scad_fail(p, GRAZE_EINPUT, "expected 4 rows of 4 numbers, the last one 0, 0, 0, 1");
     for (int i = 0; i < 3; i++) {
-        good = good && fmpq_is_zero(v + 12 + i);
         fmpq_set(out->shift + i, v + 4 * i + 3);
         for (int j = 0; j < 3; j++)
             fmpq_set(out->linear + 3 * i + j, v + 4 * i + j);
     }
-    if (!status && !good)
-        status = scad_fail(p->file, p->context, GRAZE_EINPUT, p->node,
-                           "expected 4 rows of 4 numbers, the last one 0, 0, 0, 1");
     if (p->file->node[p->node].dimension == 2)
         flatten(out);
-    *turned = !status && w->choice->near_rotation &&
+    *turned = w->choice->near_rotation &&
               scad_turn(out->linear, out->error, w->context, w->choice->near_rotation);
-    return status;
+    return GRAZE_OK;
 }
 
-void scad_compose(scad_writer *w, const scad_map *m) {
-    LOCAL_VEC(fmpq, v, 6);
-    for (int i = 0; i < 2; i++) {
-        const fmpq *row = w->map + 3 * i;
+void scad_compose(fmpq *out, const fmpq *map, const scad_map *m) {
+    for (int i = 0; i < 2; i++, map += 3, out += 3) {
         for (int j = 0; j < 3; j++) {
             const fmpq *x = j < 2 ? m->linear + j : m->shift, *y = j < 2 ? x + 3 : x + 1;
-            fmpq_mul(v + 3 * i + j, row, x);
-            fmpq_addmul(v + 3 * i + j, row + 1, y);
+            fmpq_mul(out + j, map, x);
+            fmpq_addmul(out + j, map + 1, y);
         }
-        fmpq_add(v + 3 * i + 2, v + 3 * i + 2, row + 2);
+        fmpq_add(out + 2, out + 2, map + 2);
     }
-    for (int k = 0; k < 6; k++)
-        fmpq_set(w->map + k, v + k);
 }
 
 /* At least a number, with few digits. */

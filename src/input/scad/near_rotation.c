@@ -60,14 +60,6 @@ static void set_rotation(fmpq *out, const double *quaternion, int places, int ot
         fmpq_neg(out + k, out + k);
 }
 
-static int determinant_sign(const double *m) {
-    return m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) +
-                       m[2] * (m[3] * m[7] - m[4] * m[6]) <
-                   0
-               ? -1
-               : 1;
-}
-
 /* The rotation, or reflection, of fewest binary places within the tolerance of a matrix. */
 static int find_rotation(fmpq *out, graze_context *context, const fmpq *matrix,
                          const fmpq_t tolerance) {
@@ -76,7 +68,9 @@ static int find_rotation(fmpq *out, graze_context *context, const fmpq *matrix,
     for (int k = 0; k < 9; k++)
         if (rational_nearest(&m[k], context, matrix + k))
             return 0;
-    int other = determinant_sign(m) < 0, found = 0;
+    double volume = m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) +
+                    m[2] * (m[3] * m[7] - m[4] * m[6]);
+    int other = volume < 0, found = 0;
     for (int k = 0; k < 9 && other; k++)
         m[k] = -m[k];
     pose_nearest(quaternion, m, before);

@@ -18,10 +18,6 @@ typedef struct rings {
     size_t ends, end_capacity;
 } rings;
 
-static void rings_init(rings *r) {
-    *r = (rings){.count = 0};
-}
-
 static void rings_clear(rings *r) {
     for (size_t k = 0; k < 2 * r->count; k++)
         fmpq_clear(r->point + k);
@@ -56,18 +52,10 @@ static graze_status end_ring(rings *r, scad_writer *w) {
     return GRAZE_OK;
 }
 
-/* The points of a polygon, with the map not used yet. */
-static graze_status scad_points(fmpq *out, const scad_place *p, scad_span list) {
-    scad_span item;
-    for (; scad_item(&item, &list); out += 2)
-        TRY(scad_vector(out, p, item, 2));
-    return GRAZE_OK;
-}
-
 /* A ring of points by their numbers. */
-static graze_status read_path(rings *r, scad_writer *w, const scad_place *p, scad_span path,
+static graze_status read_path(rings *r, scad_writer *w, const scad_place *p, field path,
                               const fmpq *point, size_t count) {
-    scad_span rest, item;
+    field rest, item;
     TRY(scad_list(&rest, p, path));
     while (scad_item(&item, &rest)) {
         size_t k;
@@ -78,14 +66,15 @@ static graze_status read_path(rings *r, scad_writer *w, const scad_place *p, sca
 }
 
 static graze_status scad_polygon(rings *r, scad_writer *w, const scad_place *p) {
-    scad_span list, value, rest, item;
+    field list, value, rest, item;
     size_t count = 0;
     TRY(scad_known(p, "points paths convexity"));
     TRY(scad_named_list(&list, p, "points"));
     for (rest = list; scad_item(&item, &rest);)
         count++;
     LOCAL_VEC(fmpq, point, (slong)(2 * count));
-    TRY(scad_points(point, p, list));
+    for (size_t k = 0; scad_item(&item, &list); k += 2)
+        TRY(scad_vector(point + k, p, item, 2));
     if (scad_value(&value, p, "paths")) {
         TRY(scad_list(&rest, p, value));
         while (scad_item(&item, &rest))
@@ -96,7 +85,7 @@ static graze_status scad_polygon(rings *r, scad_writer *w, const scad_place *p) 
         TRY(end_ring(r, w));
     }
     if (r->ends == 0)
-        return scad_fail(p->file, w->context, GRAZE_EILLEGAL, p->node, "expected a path");
+        return scad_fail(p, GRAZE_EILLEGAL, "expected a path");
     return GRAZE_OK;
 }
 
@@ -132,14 +121,14 @@ static graze_status write_square(scad_writer *w, const scad_place *p) {
 static void put_scad_ring(scad_writer *w, const char *key, const rings *r, size_t ring) {
     json_open(&w->json, key, '[');
     for (size_t k = ring ? r->end[ring - 1] : 0; k < r->end[ring]; k++)
-        scad_put_vector(w, NULL, r->point + 2 * k, 2);
+        json_point(&w->json, NULL, r->point + 2 * k, 2);
     json_close(&w->json, ']');
 }
 
 static graze_status write_polygon(scad_writer *w, const scad_place *p) {
-    HELD(rings, r);
+    ZEROED(rings, r);
     TRY(read_rings(&r, w, p));
-    scad_begin(w, p, "polygon");
+    scad_open(w, p, "polygon", '{');
     put_scad_ring(w, "points", &r, 0);
     if (r.ends > 1)
         json_open(&w->json, "holes", '[');
@@ -148,7 +137,7 @@ static graze_status write_polygon(scad_writer *w, const scad_place *p) {
     if (r.ends > 1)
         json_close(&w->json, ']');
     if (w->form == SCAD_PRISM)
-        scad_put_vector(w, "extrude", w->height, 2);
+        json_point(&w->json, "extrude", w->height, 2);
     if (w->form == SCAD_REVOLVED)
         json_count(&w->json, "revolve", 1);
     scad_end(w, p);
@@ -169,7 +158,7 @@ static graze_status map_radius(fmpq_t out, const scad_writer *w, const scad_plac
     csg_upper_root(v + 1, v);
     fmpq_mul(out, out, v + 1);
     return round ? GRAZE_OK
-                 : scad_fail(p->file, p->context, GRAZE_EINPUT, p->node,
+                 : scad_fail(p, GRAZE_EINPUT,
                              "maps make it an ellipse; expected a circle that is revolved");
 }
 
@@ -178,19 +167,20 @@ static graze_status put_revolved(scad_writer *w, const scad_place *p, const fmpq
     LOCAL_VEC(fmpq, center, 6);
     fmpq *axis = center + 3;
     const fmpq *x = w->map + 2;
+    int torus = !fmpq_is_zero(x);
     fmpq_set(center + 2, w->map + 5);
     fmpq_one(axis + 2);
-    if (!fmpq_is_zero(x) && fmpq_cmp(x, radius) <= 0)
-        TRY(scad_fail(p->file, p->context, GRAZE_EILLEGAL, p->node,
-                      "the circle meets the axis about which it is revolved; expected its "
-                      "centre on the axis, or all of it beside the axis"));
-    scad_begin(w, p, fmpq_is_zero(x) ? "ball" : "torus");
-    scad_put_vector(w, fmpq_is_zero(x) ? "center" : "point", center, 3);
-    if (!fmpq_is_zero(x))
-        scad_put_vector(w, "axis", axis, 3);
-    if (!fmpq_is_zero(x))
+    if (torus && fmpq_cmp(x, radius) <= 0)
+        return scad_fail(p, GRAZE_EILLEGAL,
+                         "the circle meets the axis about which it is revolved; expected its "
+                         "centre on the axis, or all of it beside the axis");
+    scad_open(w, p, torus ? "torus" : "ball", '{');
+    json_point(&w->json, torus ? "point" : "center", center, 3);
+    if (torus) {
+        json_point(&w->json, "axis", axis, 3);
         json_rational(&w->json, "major", x);
-    json_rational(&w->json, fmpq_is_zero(x) ? "radius" : "minor", radius);
+    }
+    json_rational(&w->json, torus ? "minor" : "radius", radius);
     scad_end(w, p);
     return GRAZE_OK;
 }
@@ -201,9 +191,9 @@ static void put_disk_prism(scad_writer *w, const scad_place *p, const fmpq_t rad
     fmpq *axis = point + 3;
     fmpq_set(point + 2, w->height);
     fmpq_sub(axis + 2, w->height + 1, w->height);
-    scad_begin(w, p, "cylinder");
-    scad_put_vector(w, "point", point, 3);
-    scad_put_vector(w, "axis", axis, 3);
+    scad_open(w, p, "cylinder", '{');
+    json_point(&w->json, "point", point, 3);
+    json_point(&w->json, "axis", axis, 3);
     json_rational(&w->json, "radius", radius);
     json_count(&w->json, "from", 0);
     json_count(&w->json, "to", 1);
@@ -227,14 +217,14 @@ static graze_status write_circle(scad_writer *w, const scad_place *p) {
         put_disk_prism(w, p, radius);
         return GRAZE_OK;
     }
-    scad_begin(w, p, "ball");
+    scad_open(w, p, "ball", '{');
     json_rational(&w->json, "radius", radius);
     scad_end(w, p);
     return GRAZE_OK;
 }
 
 graze_status scad_outline_extent(fmpq *low_high, scad_writer *w, const scad_place *p) {
-    HELD(rings, r);
+    ZEROED(rings, r);
     fmpq *low = low_high, *high = low_high + 1;
     if (p->file->node[p->node].role == SCAD_CIRCLE) {
         TRY(read_circle(high, w, p));

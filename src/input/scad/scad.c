@@ -40,16 +40,15 @@ static const struct {
              {"circle", SCAD_CIRCLE},
              {"polygon", SCAD_POLYGON}};
 
-graze_status scad_fail(const scad *file, graze_context *context, graze_status status, size_t node,
-                       const char *format, ...) {
-    const scad_node *n = &file->node[node];
+graze_status scad_fail(const scad_place *p, graze_status status, const char *format, ...) {
+    const scad_node *n = &p->file->node[p->node];
     char said[CONTEXT_MESSAGE_SIZE];
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(said, sizeof said, format, arguments);
     va_end(arguments);
-    return context_fail_in(context, status, file->source, n->line, "%.*s: %s",
-                           n->name.length < 40 ? (int)n->name.length : 40, n->name.at, said);
+    return context_fail_in(p->context, status, p->file->source, n->line, "%.*s: %s",
+                           FIELD_SHOWN(n->name), said);
 }
 
 static graze_status fail_here(scan *s, const char *what) {
@@ -67,8 +66,8 @@ static char next_byte(scan *s) {
     return s->at < s->length ? s->text[s->at] : 0;
 }
 
-static scad_span scan_name(scan *s) {
-    scad_span name = {s->text + s->at, 0};
+static field scan_name(scan *s) {
+    field name = {s->text + s->at, 0};
     for (; s->at < s->length; s->at++, name.length++)
         if (!isalnum((unsigned char)s->text[s->at]) && s->text[s->at] != '_')
             break;
@@ -76,7 +75,7 @@ static scad_span scan_name(scan *s) {
 }
 
 /* Scan arguments in parentheses; the first has been read. */
-static graze_status scan_arguments(scad_span *out, scan *s) {
+static graze_status scan_arguments(field *out, scan *s) {
     size_t start = s->at, line = s->line, round = 1;
     int quoted = 0;
     for (; s->at < s->length && round > 0; s->at++) {
@@ -93,7 +92,7 @@ static graze_status scan_arguments(scad_span *out, scan *s) {
         s->line = line;
         return fail_here(s, "the file ends within the parentheses that begin here");
     }
-    *out = (scad_span){s->text + start, s->at - 1 - start};
+    *out = (field){s->text + start, s->at - 1 - start};
     return GRAZE_OK;
 }
 
@@ -173,17 +172,17 @@ static graze_status take_parts(scad *file, graze_context *context) {
         if (n->absent)
             continue;
         size_t r = 0, known = sizeof roles / sizeof *roles;
-        while (r < known && (strlen(roles[r].name) != n->name.length ||
-                             memcmp(roles[r].name, n->name.at, n->name.length) != 0))
+        while (r < known && !field_is(n->name, roles[r].name))
             r++;
         if (r == known)
-            return scad_fail(file, context, GRAZE_EINPUT, k,
+            return scad_fail(&(scad_place){file, context, k}, GRAZE_EINPUT,
                              "not taken; expected cubes, spheres, "
                              "cylinders, convex polyhedra, squares, circles and polygons, moved, "
                              "combined and extruded");
         n->role = roles[r].role;
         if (n->first && n->role >= SCAD_CUBE)
-            return scad_fail(file, context, GRAZE_EINPUT, k, "expected ; after it, no nodes");
+            return scad_fail(&(scad_place){file, context, k}, GRAZE_EINPUT,
+                             "expected ; after it, no nodes");
     }
     return GRAZE_OK;
 }
@@ -215,7 +214,7 @@ static graze_status take_dimension(scad *file, graze_context *context, size_t k)
         n->empty |= n->role == SCAD_INTERSECTION && child->empty;
         some |= !child->empty;
         if (n->dimension && child->dimension && n->dimension != child->dimension)
-            return scad_fail(file, context, GRAZE_EINPUT, c,
+            return scad_fail(&(scad_place){file, context, c}, GRAZE_EINPUT,
                              "it has dimension %d; expected %d, as what stands before it",
                              child->dimension, n->dimension);
         n->dimension = child->dimension ? child->dimension : n->dimension;
@@ -224,7 +223,8 @@ static graze_status take_dimension(scad *file, graze_context *context, size_t k)
     if (n->role != SCAD_EXTRUSION && n->role != SCAD_REVOLUTION)
         return GRAZE_OK;
     if (n->dimension == 3)
-        return scad_fail(file, context, GRAZE_EINPUT, k, "expected nodes of the plane in it");
+        return scad_fail(&(scad_place){file, context, k}, GRAZE_EINPUT,
+                         "expected nodes of the plane in it");
     n->dimension = n->dimension ? 3 : 0;
     return GRAZE_OK;
 }

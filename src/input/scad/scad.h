@@ -8,9 +8,9 @@
 /** Changes to a file that the caller allows. */
 typedef struct scad_choice {
     int smooth; /* a number of sides, $fn, stands for a round surface */
-    const fmpq
-        *near_rotation; /* an exact rotation, times a scale, is taken instead of a linear part
-                   whose entries over the scale are as near to it as this; NULL: none is */
+    /* A linear part whose entries, over a scale, are as near as this to those of a rotation is
+     * replaced by that rotation times the scale; NULL: none is. */
+    const fmpq *near_rotation;
 } scad_choice;
 
 /* A `.csg.json` file of OpenSCAD's `.csg` file. */
@@ -23,7 +23,9 @@ int scad_is_named(const char *path);
  * what is written name lines of the text.
  * @param[out] out    initialised
  * @param[out] report lines on rotations that were taken; initialised
- * @return as scad_parse, and GRAZE_EILLEGAL for a primitive that there is not
+ * @return GRAZE_EINPUT what OpenSCAD does not write, and nodes that are not taken; GRAZE_EILLEGAL
+ * nothing is left of the solid, or a primitive has no interior, as a sphere of radius 0;
+ * GRAZE_ELIMIT `depth`, `cells`; GRAZE_ECANCELED; GRAZE_ESYSTEM
  */
 graze_status scad_write(text *out, text *report, graze_context *context, const char *source,
                         const char *bytes, size_t length, const scad_choice *choice);

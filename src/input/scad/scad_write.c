@@ -65,24 +65,24 @@ static void put_map_rows(scad_writer *w, const scad_map *m) {
         fmpq_set(row + d, m->shift + i);
         if (flat && i == 2)
             fmpq_one(row + 2);
-        scad_put_vector(w, NULL, row, (size_t)d + 1);
+        json_point(&w->json, NULL, row, d + 1);
     }
     json_close(&w->json, ']');
 }
 
 static graze_status write_mapped(scad_writer *w, const scad_place *p) {
-    LOCAL_VEC(fmpq, before, 6);
+    LOCAL_VEC(fmpq, inner, 6);
+    fmpq *outer = w->map;
     int turned;
     HELD(scad_map, m);
     TRY(scad_map_read(&m, w, p, &turned));
     w->turned += (size_t)turned;
     if (w->form == SCAD_REVOLVED) {
-        for (int k = 0; k < 6; k++)
-            fmpq_set(before + k, w->map + k);
-        scad_compose(w, &m);
-        TRY(write_operands(w, p));
-        for (int k = 0; k < 6; k++)
-            fmpq_swap(w->map + k, before + k);
+        scad_compose(inner, outer, &m);
+        w->map = inner;
+        graze_status status = write_operands(w, p);
+        w->map = outer;
+        TRY(status);
     } else {
         scad_open(w, p, "affine", '{');
         put_map_rows(w, &m);
@@ -109,15 +109,16 @@ static graze_status find_extent(fmpq *out, scad_writer *w, size_t node) {
     if (role >= SCAD_CUBE)
         return scad_outline_extent(out, w, &p);
     LOCAL_VEC(fmpq, v, 8);
-    fmpq *before = v, *next = v + 6;
+    fmpq *inner = v, *next = v + 6, *outer = w->map;
     size_t c = 0;
     int first = 1, turned;
     HELD(scad_map, m);
-    graze_status status = role == SCAD_MAP ? scad_map_read(&m, w, &p, &turned) : GRAZE_OK;
-    for (int k = 0; k < 6; k++)
-        fmpq_set(before + k, w->map + k);
-    if (role == SCAD_MAP)
-        scad_compose(w, &m);
+    if (role == SCAD_MAP) {
+        TRY(scad_map_read(&m, w, &p, &turned));
+        scad_compose(inner, outer, &m);
+        w->map = inner;
+    }
+    graze_status status = GRAZE_OK;
     for (; !status && (c = operand_after(w->file, node, c)); first = 0) {
         if (role == SCAD_DIFFERENCE && !first)
             break;
@@ -126,8 +127,7 @@ static graze_status find_extent(fmpq *out, scad_writer *w, size_t node) {
             if (first || (fmpq_cmp(next + k, out + k) < 0) == ((role == SCAD_INTERSECTION) == k))
                 fmpq_set(out + k, next + k);
     }
-    for (int k = 0; k < 6; k++)
-        fmpq_swap(w->map + k, before + k);
+    w->map = outer;
     return status;
 }
 
@@ -137,14 +137,14 @@ static graze_status find_side(scad_writer *w, const scad_place *p) {
     reset_map(w, 1);
     TRY(find_extent(extent, w, p->node));
     if (fmpq_sgn(extent) < 0 && fmpq_sgn(extent + 1) > 0)
-        return scad_fail(p->file, p->context, GRAZE_EILLEGAL, p->node,
+        return scad_fail(p, GRAZE_EILLEGAL,
                          "the outline is on both sides of the axis; expected x of one sign");
     reset_map(w, fmpq_sgn(extent) < 0 ? -1 : 1);
     return GRAZE_OK;
 }
 
 static graze_status write_revolution(scad_writer *w, const scad_place *p) {
-    scad_span value;
+    field value;
     LOCAL(fmpq, angle);
     TRY(scad_known(p, "angle start convexity"));
     TRY(scad_round(w, p));
@@ -152,8 +152,7 @@ static graze_status write_revolution(scad_writer *w, const scad_place *p) {
     if (scad_value(&value, p, "angle"))
         TRY(scad_number(angle, p, value));
     if (fmpq_cmp_si(angle, 360) != 0)
-        return scad_fail(p->file, p->context, GRAZE_EINPUT, p->node,
-                         "only whole turns are taken; expected angle = 360");
+        return scad_fail(p, GRAZE_EINPUT, "only whole turns are taken; expected angle = 360");
     TRY(find_side(w, p));
     w->form = SCAD_REVOLVED;
     TRY(write_operands(w, p));
@@ -162,11 +161,11 @@ static graze_status write_revolution(scad_writer *w, const scad_place *p) {
     return GRAZE_OK;
 }
 
-/* That an extrusion is a prism over its outline. */
+/* Refuse an extrusion that is no prism over its outline. */
 static graze_status check_straight(const scad_place *p) {
     LOCAL_VEC(fmpq, v, 3);
     fmpq *twist = v, *scale = v + 1;
-    scad_span value;
+    field value;
     fmpq_one(scale);
     fmpq_one(scale + 1);
     if (scad_value(&value, p, "twist"))
@@ -174,8 +173,8 @@ static graze_status check_straight(const scad_place *p) {
     if (scad_value(&value, p, "scale"))
         TRY(scad_vector(scale, p, value, 2));
     if (!(fmpq_is_zero(twist) && fmpq_is_one(scale) && fmpq_is_one(scale + 1)))
-        TRY(scad_fail(p->file, p->context, GRAZE_EINPUT, p->node,
-                      "only prisms are taken; expected no twist and a scale of 1"));
+        return scad_fail(p, GRAZE_EINPUT,
+                         "only prisms are taken; expected no twist and a scale of 1");
     return GRAZE_OK;
 }
 
@@ -217,7 +216,7 @@ static graze_status write_node(scad_writer *w, size_t node) {
 static void put_report(text *report, const scad_writer *w) {
     if (!w->choice->near_rotation)
         return;
-    fmpq_set_si(w->height, 101, 100); /* three digits may be less by half a hundredth */
+    fmpq_set_si(w->height, 101, 100); /* rounded to three digits it loses half a per cent at most */
     fmpq_mul(w->moved, w->moved, w->height);
     text_put(report, "maps taken as rotations: ");
     text_count(report, w->turned);
@@ -228,29 +227,26 @@ static void put_report(text *report, const scad_writer *w) {
 
 graze_status scad_write(text *out, text *report, graze_context *context, const char *source,
                         const char *bytes, size_t length, const scad_choice *choice) {
-    scad file;
+    ZEROED(scad, file);
     LOCAL_VEC(fmpq, v, 10);
-    graze_status status = scad_parse(&file, context, source, bytes, length);
+    TRY(scad_parse(&file, context, source, bytes, length));
     scad_writer w = {.file = &file,
                      .context = context,
                      .choice = choice,
                      .json.out = out,
                      .line = 1,
                      .key = "solid",
+                     .dimension = file.node[file.root].dimension,
                      .height = v,
                      .map = v + 2,
                      .reach = v + 8,
                      .moved = v + 9};
-    if (!status) {
-        w.dimension = file.node[file.root].dimension;
-        reset_map(&w, 1);
-        json_open(&w.json, NULL, '{');
-        json_count(&w.json, "dimension", (unsigned long)w.dimension);
-        status = write_node(&w, file.root);
-        json_close(&w.json, '}');
-        text_put(out, "\n");
-        put_report(report, &w);
-    }
-    scad_clear(&file);
-    return status;
+    reset_map(&w, 1);
+    json_open(&w.json, NULL, '{');
+    json_count(&w.json, "dimension", (unsigned long)w.dimension);
+    TRY(write_node(&w, file.root));
+    json_close(&w.json, '}');
+    text_put(out, "\n");
+    put_report(report, &w);
+    return GRAZE_OK;
 }

@@ -15,10 +15,6 @@ void scad_open(scad_writer *w, const scad_place *p, const char *key, char bracke
     w->key = NULL;
 }
 
-void scad_begin(scad_writer *w, const scad_place *p, const char *key) {
-    scad_open(w, p, key, '{');
-}
-
 void scad_end(scad_writer *w, const scad_place *p) {
     char name[40];
     json_close(&w->json, '}');
@@ -27,28 +23,23 @@ void scad_end(scad_writer *w, const scad_place *p) {
     json_close(&w->json, '}');
 }
 
-void scad_put_vector(scad_writer *w, const char *key, const fmpq *x, size_t count) {
-    json_point(&w->json, key, x, (int)count);
-}
-
 graze_status scad_size(fmpq_t out, const scad_place *p, const char *name) {
     TRY(scad_named_number(out, p, name));
     if (fmpq_sgn(out) <= 0)
-        return scad_fail(p->file, p->context, GRAZE_EILLEGAL, p->node,
-                         "%s is not positive; expected a positive number", name);
+        return scad_fail(p, GRAZE_EILLEGAL, "%s is not positive; expected a positive number", name);
     return GRAZE_OK;
 }
 
 graze_status scad_round(const scad_writer *w, const scad_place *p) {
-    scad_span value;
+    field value;
     LOCAL(fmpq, sides);
     if (scad_value(&value, p, "$fn"))
         TRY(scad_number(sides, p, value));
     if (fmpq_sgn(sides) > 0 && !w->choice->smooth)
-        TRY(scad_fail(p->file, p->context, GRAZE_EINPUT, p->node,
-                      "$fn = %.*s asks for so many sides; expected 0, or smooth: graze "
-                      "convert --smooth takes it as round",
-                      value.length < 20 ? (int)value.length : 20, value.at));
+        return scad_fail(p, GRAZE_EINPUT,
+                         "$fn = %.*s asks for so many sides; expected 0, or smooth: graze "
+                         "convert --smooth takes it as round",
+                         value.length < 20 ? (int)value.length : 20, value.start);
     return GRAZE_OK;
 }
 
@@ -65,11 +56,10 @@ void scad_hold(fmpq_t reach, const fmpq *x, int dimension) {
 
 graze_status scad_box(fmpq *low, fmpq *high, scad_writer *w, const scad_place *p, int dimension) {
     TRY(scad_known(p, "size center"));
-    TRY(scad_named_vector(high, p, "size", (size_t)dimension));
+    TRY(scad_named_vector(high, p, "size", dimension));
     for (int i = 0; i < dimension; i++)
         if (fmpq_sgn(high + i) <= 0)
-            return scad_fail(p->file, p->context, GRAZE_EILLEGAL, p->node,
-                             "expected a size of positive numbers");
+            return scad_fail(p, GRAZE_EILLEGAL, "expected a size of positive numbers");
     for (int i = 0; i < dimension && scad_flag(p, "center"); i++) {
         fmpq_div_2exp(high + i, high + i, 1);
         fmpq_neg(low + i, high + i);
@@ -80,8 +70,8 @@ graze_status scad_box(fmpq *low, fmpq *high, scad_writer *w, const scad_place *p
 
 void scad_put_box(scad_writer *w, const scad_place *p, const fmpq *low, const fmpq *high,
                   int dimension) {
-    scad_begin(w, p, "box");
-    scad_put_vector(w, "low", low, (size_t)dimension);
-    scad_put_vector(w, "high", high, (size_t)dimension);
+    scad_open(w, p, "box", '{');
+    json_point(&w->json, "low", low, dimension);
+    json_point(&w->json, "high", high, dimension);
     scad_end(w, p);
 }

@@ -32,27 +32,22 @@ typedef struct scad_writer {
     size_t turned;       /* maps replaced by rotations */
 } scad_writer;
 
-/** Begin a node, in the line in which the file has it, where `key` is what it is; the value of that
- * is open, an object or a list. */
+/** Begin a node in the line in which the file has it. `key` is its kind, whose value, an object or
+ * a list as `bracket` says, stays open. */
 void scad_open(scad_writer *w, const scad_place *p, const char *key, char bracket);
-/** Begin a primitive. */
-void scad_begin(scad_writer *w, const scad_place *p, const char *key);
-/** End it. */
+/** End a primitive, an object, and name it after its line. */
 void scad_end(scad_writer *w, const scad_place *p);
 
-/** A list of numbers. */
-void scad_put_vector(scad_writer *w, const char *key, const fmpq *x, size_t count);
-
-/** The number of an argument, positive. */
+/** Read an argument that must be a positive number. */
 graze_status scad_size(fmpq_t out, const scad_place *p, const char *name);
 
-/** GRAZE_EINPUT for a number of sides, unless it means a round surface. */
+/** GRAZE_EINPUT if $fn asks for a number of sides, unless the caller takes that as round. */
 graze_status scad_round(const scad_writer *w, const scad_place *p);
 
 /** Let `reach` be at least the distance of a point from the origin. */
 void scad_hold(fmpq_t reach, const fmpq *x, int dimension);
 
-/** The corners of a cube, or in the plane of a square; `reach` is set. */
+/** The corners of a cube, or in the plane of a square; `low` is 0 before; `reach` is set. */
 graze_status scad_box(fmpq *low, fmpq *high, scad_writer *w, const scad_place *p, int dimension);
 void scad_put_box(scad_writer *w, const scad_place *p, const fmpq *low, const fmpq *high,
                   int dimension);
@@ -64,7 +59,7 @@ graze_status scad_write_body(scad_writer *w, const scad_place *p);
 
 /* Maps of OpenSCAD's nodes. */
 
-/** A map: its linear part, 9 in rows, and its shift; of a node of the plane those of x and y. */
+/** A map: its linear part, 9 in rows, and its shift of 3; a node of the plane keeps z apart. */
 typedef struct scad_map {
     fmpq *linear, *shift;
     fmpq_t error; /* at least the norm of what a rotation that is taken changes */
@@ -77,8 +72,9 @@ void scad_map_clear(scad_map *m);
  * @param[out] turned whether a rotation is taken instead of its linear part */
 graze_status scad_map_read(scad_map *out, scad_writer *w, const scad_place *p, int *turned);
 
-/** Compose the map at hand, of what is revolved, with another one, which acts first. */
-void scad_compose(scad_writer *w, const scad_map *m);
+/** The composition of a map of what is revolved, as scad_writer has it, with another one, which
+ * acts first; `out` is not `map`. */
+void scad_compose(fmpq *out, const fmpq *map, const scad_map *m);
 
 /** Let `reach` and `moved` be those of the image of the last node. */
 void scad_map_bounds(scad_writer *w, const scad_map *m);

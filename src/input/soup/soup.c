@@ -74,23 +74,16 @@ graze_status soup_add_facet(soup *s, graze_context *context) {
 }
 
 graze_status soup_add_cycle(soup *s, graze_context *context, const size_t *vertex, size_t count) {
-    graze_status status =
-        add_part(context, &s->cycle_start, &s->cycle_capacity, &s->cycle_count, s->index_count);
-    if (status == GRAZE_OK) {
-        s->facet_start[s->facet_count] = (uint32_t)s->cycle_count;
-    }
-    for (size_t k = 0; k < count && status == GRAZE_OK; k++) {
-        status = soup_add_index(s, context, vertex[k]);
-    }
-    return status;
+    TRY(add_part(context, &s->cycle_start, &s->cycle_capacity, &s->cycle_count, s->index_count));
+    s->facet_start[s->facet_count] = (uint32_t)s->cycle_count;
+    for (size_t k = 0; k < count; k++)
+        TRY(soup_add_index(s, context, vertex[k]));
+    return GRAZE_OK;
 }
 
 graze_status soup_add_index(soup *s, graze_context *context, size_t vertex) {
-    graze_status status =
-        make_room(context, &s->index, &s->index_capacity, s->index_count + 1, sizeof *s->index);
-    if (status == GRAZE_OK) {
-        s->index[s->index_count++] = (uint32_t)vertex;
-        s->cycle_start[s->cycle_count] = (uint32_t)s->index_count;
-    }
-    return status;
+    TRY(make_room(context, &s->index, &s->index_capacity, s->index_count + 1, sizeof *s->index));
+    s->index[s->index_count++] = (uint32_t)vertex;
+    s->cycle_start[s->cycle_count] = (uint32_t)s->index_count;
+    return GRAZE_OK;
 }

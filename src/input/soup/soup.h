@@ -12,10 +12,7 @@
 extern "C" {
 #endif
 
-/* A polygon soup: the boundary as a file or the caller's arrays give it, indices checked, geometry
- * not yet.
- *
- * In E^3 a facet is one or more cycles of vertices (an outer one, then holes; only .nef3 has more
+/* In E^3 a facet is one or more cycles of vertices (an outer one, then holes; only .nef3 has more
  * than one), outward oriented: seen from outside the outer cycle runs counter-clockwise. In E^2 a
  * facet is one polygon: its cycles are rings, the outer one counter-clockwise, the holes clockwise
  * (the WKT reader turns them so). A cycle does not repeat its first vertex at its end. */
@@ -34,15 +31,14 @@ typedef struct soup {
     size_t coordinate_capacity, index_capacity, cycle_capacity, facet_capacity;
 } soup;
 
-/** An empty soup; grows by the functions below, which obey the cells limit and end with
- * GRAZE_ELIMIT past what 32 bits can number. */
+/** An empty soup; it grows by the functions below, which end with GRAZE_ELIMIT past what 32 bits
+ * can number. Vertices and facets obey the cells limit. */
 void soup_init(soup *s, int dimension);
 void soup_clear(soup *s);
-/** Append a vertex; `coordinates` are `dimension` canonical rationals, copied. Obeys the cells
- * limit. */
+/** Append a vertex; `coordinates` are `dimension` canonical rationals, copied. */
 graze_status soup_add_vertex(soup *s, graze_context *context, const fmpq *coordinates);
-/** Append a facet without cycles; its cycles follow. The caller has checked that indices are in
- * range. */
+/** Append a facet without cycles, and to the last facet a cycle of vertices, whose numbers the
+ * caller has checked. */
 graze_status soup_add_facet(soup *s, graze_context *context);
 graze_status soup_add_cycle(soup *s, graze_context *context, const size_t *vertex, size_t count);
 /** Append a vertex number to the last cycle, which soup_add_cycle may have begun with none. */

@@ -8,7 +8,8 @@
 #include <cstdint>
 #include <vector>
 #include <CGAL/box_intersection_d.h>
-#include "input/validate/points.hpp"
+#include "input/validate/failure.hpp"
+#include "input/validate/pairs.hpp"
 
 /** A list of closed boxes, each with a number. A third axis is 0 in E^2. */
 class box_list {
@@ -61,5 +62,19 @@ class box_list {
 
     std::vector<box> boxes_;
 };
+
+/** Call visit(i, j), i < j, for any two of some pieces whose boxes intersect, once. */
+template <class Visit>
+void each_candidate(graze_context *context, const points &at, const std::vector<piece> &pieces,
+                    const Visit &visit) {
+    box_list boxes(pieces.size());
+    for (std::uint32_t i = 0; i < pieces.size(); i++)
+        boxes.add(at, i, pieces[i].at, at.dimension());
+    interruption cancel(context);
+    boxes.each_pair([&](std::uint32_t i, std::uint32_t j) {
+        cancel.poll();
+        visit(std::min(i, j), std::max(i, j));
+    });
+}
 
 #endif

@@ -8,7 +8,7 @@
 #include "input/soup/soup.h"
 #include "input/validate/boxes.hpp"
 #include "input/validate/cgal.hpp"
-#include "input/validate/outline.hpp"
+#include "input/validate/steps.hpp"
 
 namespace {
 
@@ -40,14 +40,9 @@ std::string crossing_text(const soup &s, const simplex &e, const simplex &f) {
 edge_pair find_crossing(bool &overlap, graze_context *context, const points &at,
                         const std::vector<piece> &edges) {
     edge_pair first = {NONE, NONE};
-    box_list boxes(edges.size());
-    for (std::uint32_t i = 0; i < edges.size(); i++)
-        boxes.add(at, i, edges[i].at, 2);
     overlap = false;
-    interruption cancel(context);
-    boxes.each_pair([&](std::uint32_t i, std::uint32_t j) {
-        cancel.poll();
-        const edge_pair here = std::minmax(i, j);
+    each_candidate(context, at, edges, [&](std::uint32_t i, std::uint32_t j) {
+        const edge_pair here = {i, j};
         if (here > first)
             return;
         const piece &e = edges[i], &f = edges[j];

@@ -8,7 +8,7 @@
  * whole facet, which is then the facet's orientation. No vertex is added, so every side is a side
  * of one triangle, a slit of two.
  */
-#include "input/validate/cut.hpp"
+#include "input/validate/steps.hpp"
 
 #include <map>
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>

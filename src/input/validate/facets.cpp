@@ -2,12 +2,10 @@
  * into triangles, or fanned where GRAZE_SOLID_TRIANGULATE allows it. Consecutive corners at one
  * position make a run, and its last one is taken. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/validate/facets.hpp"
+#include "input/validate/steps.hpp"
 
 #include <algorithm>
-#include "input/validate/cut.hpp"
 #include "input/validate/failure.hpp"
-#include "input/validate/faults.hpp"
 
 namespace {
 
@@ -42,21 +40,6 @@ void check_cycle(graze_context *context, const points &at, std::size_t facet,
                facet, different.size());
 }
 
-/* Three positions of the facet that span its plane; false if all its vertices lie on one line. */
-bool spans_plane(piece &plane, const points &at, const cycle &all) {
-    for (std::size_t k = 2; k < all.size(); k++) {
-        plane.at[0] = position(at, all[0]);
-        plane.at[1] = position(at, all[1]);
-        plane.at[2] = position(at, all[k]);
-        plane.cell.vertex[0] = static_cast<std::uint32_t>(all[0]);
-        plane.cell.vertex[1] = static_cast<std::uint32_t>(all[1]);
-        plane.cell.vertex[2] = static_cast<std::uint32_t>(all[k]);
-        if (piece_orient(plane, at))
-            return true;
-    }
-    return false;
-}
-
 piece triangle(const points &at, std::size_t facet, std::size_t u, std::size_t v, std::size_t w) {
     piece p = {};
     const std::size_t vertex[3] = {u, v, w};
@@ -66,6 +49,17 @@ piece triangle(const points &at, std::size_t facet, std::size_t u, std::size_t v
     }
     p.cell.facet = static_cast<std::uint32_t>(facet);
     return p;
+}
+
+/* The first three vertices of the facet, in its order, that span its plane; false if all lie on one
+ * line. */
+bool spans_plane(piece &plane, const points &at, std::size_t facet, const cycle &all) {
+    for (std::size_t k = 2; k < all.size(); k++) {
+        plane = triangle(at, facet, all[0], all[1], all[k]);
+        if (piece_orient(plane, at))
+            return true;
+    }
+    return false;
 }
 
 void fan_facet(graze_context *context, std::vector<piece> &out, const points &at, std::size_t facet,
@@ -114,7 +108,7 @@ void cut_facet(graze_context *context, std::vector<piece> &out, const points &at
                std::size_t facet, bool fan, std::size_t *flat) {
     const cycle all = vertices_of(at, s, facet);
     piece plane = {};
-    const bool spans = spans_plane(plane, at, all);
+    const bool spans = spans_plane(plane, at, facet, all);
     if (!spans && flat != nullptr) {
         ++*flat;
         return;
@@ -128,11 +122,8 @@ void cut_facet(graze_context *context, std::vector<piece> &out, const points &at
     if (!spans)
         refuse(context, "facet %zu has no area: all its vertices lie on one line", facet);
     if (all.size() == 3) {
-        piece whole = triangle(at, facet, all[0], all[1], all[2]);
-        whole.drop = plane.drop;
-        whole.facing = plane.facing;
-        whole.planar = true;
-        out.push_back(whole);
+        plane.planar = true;
+        out.push_back(plane);
         return;
     }
     for (std::size_t v : all) {

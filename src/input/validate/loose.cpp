@@ -11,10 +11,8 @@
 #include <array>
 #include "input/soup/soup.h"
 #include "input/validate/cgal.hpp"
-#include "input/validate/components.hpp"
-#include "input/validate/facets.hpp"
-#include "input/validate/half_edges.hpp"
-#include "input/validate/pieces_out.hpp"
+#include "input/validate/steps.hpp"
+#include "input/validate/pairs.hpp"
 
 namespace {
 
@@ -31,7 +29,8 @@ struct line_end {
     passes through;
 };
 
-/* A line: its direction with a leading 1, the axis of that 1, and its point at 0 on this axis. */
+/* A line. `at` has, of the two axes behind `axis`, the slopes over it, and the coordinates of the
+ * line's point at 0 on it. */
 struct line {
     std::array<mpq_class, 4> at;
     int axis;

@@ -2,11 +2,10 @@
  * point of contact, every hole in its own outer ring; and the components. Sides without length are
  * no edges. SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/validate/outline.hpp"
+#include "input/validate/steps.hpp"
 
 #include <algorithm>
 #include "input/validate/boxes.hpp"
-#include "input/validate/components.hpp"
 #include "input/validate/failure.hpp"
 #include "input/validate/germs.hpp"
 
@@ -49,15 +48,8 @@ std::vector<ring> rings_of(const points &at, const soup &s) {
     return all;
 }
 
-/* The vertex `vertex` (a position) rests inside the edge `edge`. */
-struct resting {
-    std::uint32_t vertex, edge;
-};
-
-/* An edge as seen from one of its ends. */
-struct edge_end {
-    std::uint32_t vertex, edge;
-};
+/* A vertex, by its position, and an edge that ends there, or has it inside. */
+typedef std::pair<std::uint32_t, std::uint32_t> incidence;
 
 class outline {
   public:
@@ -82,7 +74,7 @@ class outline {
     const points &at_;
     std::vector<ring> rings_;
     disjoint_sets sets_;
-    std::vector<resting> resting_;
+    std::vector<incidence> resting_;
     std::pair<std::uint32_t, std::uint32_t> worst_;
     segments how_ = segments::apart;
 };
@@ -97,14 +89,8 @@ std::size_t outline::check() {
 void outline::check_pairs() {
     const std::uint32_t count = static_cast<std::uint32_t>(edges_.size());
     worst_ = {count, count};
-    box_list boxes(count);
-    for (std::uint32_t i = 0; i < count; i++)
-        boxes.add(at_, i, edges_[i].at, 2);
-    interruption cancel(context_);
-    boxes.each_pair([&](std::uint32_t i, std::uint32_t j) {
-        cancel.poll();
-        visit_pair(std::min(i, j), std::max(i, j));
-    });
+    each_candidate(context_, at_, edges_,
+                   [&](std::uint32_t i, std::uint32_t j) { visit_pair(i, j); });
     if (how_ != segments::apart)
         report_pair();
 }
@@ -121,7 +107,7 @@ void outline::visit_pair(std::uint32_t i, std::uint32_t j) {
         how_ = lie;
     }
     if (lie == segments::touch)
-        resting_.push_back({vertex, vertex == e.at[0] || vertex == e.at[1] ? j : i});
+        resting_.emplace_back(vertex, vertex == e.at[0] || vertex == e.at[1] ? j : i);
 }
 
 void outline::report_pair() {
@@ -135,27 +121,21 @@ void outline::report_pair() {
 }
 
 void outline::check_points() {
-    std::vector<edge_end> ends;
+    std::vector<incidence> ends;
     for (std::uint32_t i = 0; i < edges_.size(); i++)
         for (int k = 0; k < 2; k++)
-            ends.push_back({edges_[i].at[k], i});
-    const auto by_vertex = [](const auto &a, const auto &b) {
-        return a.vertex != b.vertex ? a.vertex < b.vertex : a.edge < b.edge;
-    };
-    const auto same = [](const resting &a, const resting &b) {
-        return a.vertex == b.vertex && a.edge == b.edge;
-    };
-    std::sort(ends.begin(), ends.end(), by_vertex);
-    std::sort(resting_.begin(), resting_.end(), by_vertex);
-    resting_.erase(std::unique(resting_.begin(), resting_.end(), same), resting_.end());
+            ends.emplace_back(edges_[i].at[k], i);
+    std::sort(ends.begin(), ends.end());
+    std::sort(resting_.begin(), resting_.end());
+    resting_.erase(std::unique(resting_.begin(), resting_.end()), resting_.end());
     auto r = resting_.begin();
     for (std::size_t first = 0, last; first < ends.size(); first = last) {
-        const std::uint32_t vertex = ends[first].vertex;
+        const std::uint32_t vertex = ends[first].first;
         std::vector<std::uint32_t> here, through;
-        for (last = first; last < ends.size() && ends[last].vertex == vertex; last++)
-            here.push_back(ends[last].edge);
-        for (; r != resting_.end() && r->vertex == vertex; ++r)
-            through.push_back(r->edge);
+        for (last = first; last < ends.size() && ends[last].first == vertex; last++)
+            here.push_back(ends[last].second);
+        for (; r != resting_.end() && r->first == vertex; ++r)
+            through.push_back(r->second);
         for (std::uint32_t edge : here)
             sets_.join(here.front(), edge);
         for (std::uint32_t edge : through)
@@ -239,8 +219,8 @@ void outline::check_holes() {
     std::vector<std::uint8_t> passes(at_.count(), 0);
     for (const piece &e : edges_)
         passes[e.at[0]] = static_cast<std::uint8_t>(std::min(passes[e.at[0]] + 1, 2));
-    for (const resting &r : resting_)
-        passes[r.vertex] = 2;
+    for (const incidence &r : resting_)
+        passes[r.first] = 2;
     const ring *outer = nullptr;
     interruption cancel(context_);
     for (const ring &r : rings_) {

@@ -57,14 +57,12 @@ void apply(fmpq *out, const fmpq *map, const fmpq *x, std::size_t d) {
 void invert(fmpq *out, const fmpq *map, slong d) {
     fmpq_mat_t square;
     fmpq_mat_init(square, d + 1, d + 1);
-    for (slong i = 0; i < d; i++)
-        for (slong j = 0; j <= d; j++)
-            fmpq_set(fmpq_mat_entry(square, i, j), map + i * (d + 1) + j);
+    for (slong k = 0; k < d * (d + 1); k++)
+        fmpq_set(square->entries + k, map + k);
     fmpq_one(fmpq_mat_entry(square, d, d));
     const int invertible = fmpq_mat_inv(square, square);
-    for (slong i = 0; i < d; i++)
-        for (slong j = 0; j <= d; j++)
-            fmpq_set(out + i * (d + 1) + j, fmpq_mat_entry(square, i, j));
+    for (slong k = 0; k < d * (d + 1); k++)
+        fmpq_set(out + k, square->entries + k);
     fmpq_mat_clear(square);
     CGAL_precondition(invertible);
 }

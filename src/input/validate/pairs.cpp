@@ -61,9 +61,15 @@ namespace {
 
 /* Signs of the vertices of one triangle with respect to the plane of another. */
 struct plane_signs {
-    int sign[3];
-    int zeros, positive, negative;
+    int sign[3] = {0, 0, 0};
+    int zeros = 0, positive = 0, negative = 0;
 
+    void set(int k, int to) {
+        sign[k] = to;
+        zeros += to == 0;
+        positive += to > 0;
+        negative += to < 0;
+    }
     bool one_side() const {
         return zeros == 0 && (positive == 0 || negative == 0);
     }
@@ -73,14 +79,11 @@ struct plane_signs {
 };
 
 plane_signs signs_against(const points &at, const piece &plane, const piece &t) {
-    plane_signs s = {{0, 0, 0}, 0, 0, 0};
+    plane_signs s;
     for (int k = 0; k < 3; k++) {
         const std::uint32_t v = t.at[k];
         const bool corner = v == plane.at[0] || v == plane.at[1] || v == plane.at[2];
-        s.sign[k] = corner ? 0 : at.side(plane.at[0], plane.at[1], plane.at[2], v);
-        s.zeros += s.sign[k] == 0;
-        s.positive += s.sign[k] > 0;
-        s.negative += s.sign[k] < 0;
+        s.set(k, corner ? 0 : at.side(plane.at[0], plane.at[1], plane.at[2], v));
     }
     return s;
 }
@@ -132,13 +135,10 @@ int side_in_plane(const plane_signs &s) {
 
 /* How the vertices of t lie to the line of side k of s, in their common plane: positive inside. */
 plane_signs signs_beside(const points &at, const piece &s, int k, const piece &t) {
-    plane_signs signs = {{0, 0, 0}, 0, 0, 0};
+    plane_signs signs;
     for (int m = 0; m < 3; m++) {
         const std::uint32_t a = s.at[k], b = s.at[(k + 1) % 3], c = t.at[m];
-        signs.sign[m] = c == a || c == b ? 0 : s.facing * at.turn(s.drop, a, b, c);
-        signs.zeros += signs.sign[m] == 0;
-        signs.positive += signs.sign[m] > 0;
-        signs.negative += signs.sign[m] < 0;
+        signs.set(m, c == a || c == b ? 0 : s.facing * at.turn(s.drop, a, b, c));
     }
     return signs;
 }

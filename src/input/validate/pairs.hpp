@@ -1,12 +1,14 @@
-/* Pieces of a boundary, and the predicates for the relative position of two of them, for the
- * validation and the overlap test. SPDX-License-Identifier: GPL-3.0-or-later
+/* Pieces of a boundary, the predicates for the relative position of two of them, and the sides of
+ * triangles, those of one edge together. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_VALIDATE_PAIRS_HPP
 #define GRAZE_VALIDATE_PAIRS_HPP
 
 #include "input/validate/validate.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 #include "input/validate/points.hpp"
 
@@ -55,5 +57,32 @@ triangles triangles_lie(contact_sides &sides, const points &at, const piece &s, 
 
 /** Do two closed triangles (segments when the points are of dimension 2) have a point in common? */
 bool pieces_meet(const points &at, const piece &s, const piece &t);
+
+/** One side of one triangle. */
+struct half_edge {
+    std::uint32_t low, high; /* positions, low < high */
+    std::uint32_t piece;
+    std::uint8_t side;
+    bool ascends; /* runs from low to high */
+
+    bool same_edge(const half_edge &other) const {
+        return low == other.low && high == other.high;
+    }
+};
+
+/** All sides, sorted: those of one edge stand together, in the order of their triangles. */
+inline std::vector<half_edge> sorted_half_edges(const std::vector<piece> &pieces) {
+    std::vector<half_edge> edges;
+    edges.reserve(3 * pieces.size());
+    for (std::uint32_t i = 0; i < pieces.size(); i++)
+        for (std::uint8_t k = 0; k < 3; k++) {
+            const std::uint32_t a = pieces[i].at[k], b = pieces[i].at[(k + 1) % 3];
+            edges.push_back({std::min(a, b), std::max(a, b), i, k, a < b});
+        }
+    std::sort(edges.begin(), edges.end(), [](const half_edge &e, const half_edge &f) {
+        return std::tie(e.low, e.high, e.piece, e.side) < std::tie(f.low, f.high, f.piece, f.side);
+    });
+    return edges;
+}
 
 #endif

@@ -1,5 +1,7 @@
-/* Sizes of soups, and simplices in memory of C. SPDX-License-Identifier: GPL-3.0-or-later */
-#include "input/validate/pieces_out.hpp"
+/* Sizes of soups, numbers of components, and simplices in memory of C.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include "input/validate/steps.hpp"
 
 #include <cstdlib>
 #include <limits>
@@ -23,4 +25,23 @@ void hand_over(simplices *out, const std::vector<piece> &pieces, std::size_t com
         out->item[k] = pieces[k].cell;
     out->count = pieces.size();
     out->component_count = components;
+}
+
+std::size_t assign_components(std::vector<piece> &pieces, disjoint_sets &sets) {
+    constexpr std::uint32_t NONE = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> number(pieces.size(), NONE);
+    std::uint32_t count = 0;
+    for (std::uint32_t i = 0; i < pieces.size(); i++) {
+        std::uint32_t &mine = number[sets.find(i)];
+        if (mine == NONE)
+            mine = count++;
+        pieces[i].cell.component = mine;
+    }
+    return count;
+}
+
+void simplices_clear(simplices *cut) {
+    std::free(cut->item);
+    cell_names_clear(&cut->names);
+    *cut = {};
 }

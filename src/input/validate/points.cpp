@@ -26,29 +26,11 @@ int sign_of(double value) {
     return (value > 0) - (value < 0);
 }
 
-/* The two coordinates left when `drop` is dropped, in the cyclic order that keeps the sign. */
-int first_kept(int drop) {
-    return (drop + 1) % 3;
-}
-int second_kept(int drop) {
-    return (drop + 2) % 3;
-}
-
 double largest(double a, double b, double c) {
     return std::max(std::fabs(a), std::max(std::fabs(b), std::fabs(c))) + DELTA;
 }
 
 } // namespace
-
-integers::integers(std::size_t count) : value_(count) {
-    for (fmpz &value : value_)
-        fmpz_init(&value);
-}
-
-integers::~integers() {
-    for (fmpz &value : value_)
-        fmpz_clear(&value);
-}
 
 points::points(int dimension, std::size_t count, const fmpq *coordinates)
     : dimension_(dimension), count_(count), coordinates_(coordinates), common_(3),
@@ -166,7 +148,7 @@ void points::differences(int first, int step, std::uint32_t a, const std::uint32
 }
 
 int points::turn(int drop, std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-    const int i = first_kept(drop), j = second_kept(drop);
+    const int i = (drop + 1) % 3, j = (drop + 2) % 3; /* in this order the sign is kept */
     const double bi = approximation(b, i) - approximation(a, i);
     const double bj = approximation(b, j) - approximation(a, j);
     const double ci = approximation(c, i) - approximation(a, i);

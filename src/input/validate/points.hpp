@@ -11,24 +11,26 @@
 #include <vector>
 #include <flint/fmpq.h>
 #include <flint/fmpz.h>
+#include <flint/fmpz_vec.h>
 #include <gmpxx.h>
 
-/** A vector of integers that clears what it initialised. */
+/** A vector of integers, 0 at first, that clears itself. */
 class integers {
   public:
-    explicit integers(std::size_t count);
-    ~integers();
+    explicit integers(slong count) : count_(count), value_(_fmpz_vec_init(count)) {
+    }
+    ~integers() {
+        _fmpz_vec_clear(value_, count_);
+    }
     integers(const integers &) = delete;
     integers &operator=(const integers &) = delete;
-    fmpz *operator[](std::size_t i) {
-        return &value_[i];
-    }
-    const fmpz *operator[](std::size_t i) const {
-        return &value_[i];
+    fmpz *operator[](std::size_t i) const {
+        return value_ + i;
     }
 
   private:
-    std::vector<fmpz> value_;
+    slong count_;
+    fmpz *value_;
 };
 
 /**

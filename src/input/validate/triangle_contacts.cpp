@@ -7,17 +7,15 @@
  * triangle or along another edge. It is then split at the ends of those contacts, and on each part
  * the germs of all triangles that contain the part are sorted around it.
  */
-#include "input/validate/triangle_contacts.hpp"
+#include "input/validate/steps.hpp"
 
 #include <algorithm>
 #include <string>
 #include <tuple>
 #include "input/validate/boxes.hpp"
-#include "input/validate/components.hpp"
 #include "input/validate/failure.hpp"
-#include "input/validate/faults.hpp"
 #include "input/validate/germs.hpp"
-#include "input/validate/half_edges.hpp"
+#include "input/validate/pairs.hpp"
 
 namespace {
 
@@ -61,6 +59,9 @@ class surface {
     std::uint32_t end(const half_edge &e, int k) const { /* the input's vertex at either end */
         return pieces_[e.piece].cell.vertex[(e.side + k) % 3];
     }
+    std::string name(const half_edge &e) const {
+        return std::to_string(end(e, 0)) + "-" + std::to_string(end(e, 1));
+    }
 
     graze_context *context_;
     std::vector<piece> &pieces_;
@@ -85,7 +86,7 @@ std::size_t surface::check(bool trust_contacts) {
     return assign_components(pieces_, sets_);
 }
 
-/* How often an edge is run through along its first and against it, the larger number first. */
+/* How often an edge is run through each way, the larger number first. */
 std::pair<std::size_t, std::size_t> surface::uses_of(place first, place last) {
     const std::size_t along = static_cast<std::size_t>(
         std::count_if(first, last, [](const half_edge &e) { return e.ascends; }));
@@ -114,8 +115,8 @@ void surface::check_balance() {
         report_unbalanced(worst, worst_last);
 }
 
-/* The unbalanced edges with the same number of uses as this one; all with more uses are of one
- * kind. */
+/* The unbalanced edges of the same kind as this one: run through once, twice the same way, or
+ * otherwise. */
 fault_list surface::faults_like(place first, place last) const {
     const auto kind = [](std::pair<std::size_t, std::size_t> uses) {
         return uses.second == 0 && uses.first <= 2 ? uses.first : 3;
@@ -123,8 +124,7 @@ fault_list surface::faults_like(place first, place last) const {
     fault_list list;
     for (const auto &[from, to] : unbalanced_)
         if (kind(uses_of(from, to)) == kind(uses_of(first, last)))
-            list.add(facet(from->piece),
-                     std::to_string(end(*from, 0)) + "-" + std::to_string(end(*from, 1)));
+            list.add(facet(from->piece), name(*from));
     return list;
 }
 
@@ -187,14 +187,8 @@ void surface::report_junction(const half_edge &broken, const fault_list &alike) 
 void surface::check_pairs() {
     const std::uint32_t none = static_cast<std::uint32_t>(pieces_.size());
     worst_ = {none, none, triangles::clear};
-    box_list boxes(pieces_.size());
-    for (std::uint32_t i = 0; i < none; i++)
-        boxes.add(at_, i, pieces_[i].at, 3);
-    interruption cancel(context_);
-    boxes.each_pair([&](std::uint32_t i, std::uint32_t j) {
-        cancel.poll();
-        visit_pair(std::min(i, j), std::max(i, j));
-    });
+    each_candidate(context_, at_, pieces_,
+                   [&](std::uint32_t i, std::uint32_t j) { visit_pair(i, j); });
     if (std::get<2>(worst_) != triangles::clear)
         report_pair();
 }
@@ -366,14 +360,13 @@ bool surface::check_part(const half_edge &e, const std::vector<std::uint32_t> &a
     if (k == germs.size())
         return true;
     const std::size_t one = facet(germs[k].piece), two = facet(germs[(k + 1) % germs.size()].piece);
-    const std::string name = std::to_string(end(e, 0)) + "-" + std::to_string(end(e, 1));
     if (bad_edges_.count() == 0)
-        bad_edge_ = "around edge " + name + " facets " + std::to_string(one) + " and " +
+        bad_edge_ = "around edge " + name(e) + " facets " + std::to_string(one) + " and " +
                     std::to_string(two) + " follow one another and both have the " +
                     (germs[k].crossing > 0 ? "inside" : "outside") +
                     " behind them: parts overlap there; expected in and out to alternate around "
                     "every edge";
-    bad_edges_.add(bad_edges_.count(), name);
+    bad_edges_.add(bad_edges_.count(), name(e));
     return false;
 }
 

@@ -7,32 +7,30 @@
  * the last in its run. In E^2 an edge has its own two vertices, and only those that have a side
  * without length before them and behind them are named by none.
  */
-#include "input/validate/twin_names.hpp"
+#include "input/validate/steps.hpp"
 
 #include <algorithm>
 #include <cstdlib>
 #include <new>
+#include <tuple>
 
 namespace {
 
-typedef std::pair<graze_cell, graze_cell> naming;     /* key, name */
+typedef std::tuple<graze_cell_kind, std::size_t, std::size_t>
+    cell;                                             /* ordered as cell_compare does */
+typedef std::pair<cell, cell> naming;                 /* key, name */
 typedef std::pair<std::uint32_t, std::uint32_t> spot; /* position, vertex */
 
-bool before(const graze_cell &a, const graze_cell &b) {
-    return cell_compare(&a, &b) < 0;
-}
-
-bool naming_before(const naming &a, const naming &b) {
-    const int order = cell_compare(&a.first, &b.first);
-    return order != 0 ? order < 0 : before(a.second, b.second);
-}
-
-graze_cell vertex_cell(std::size_t v) {
+cell vertex_cell(std::size_t v) {
     return {GRAZE_CELL_VERTEX, v, 0};
 }
 
-graze_cell edge_cell(std::size_t u, std::size_t v) {
+cell edge_cell(std::size_t u, std::size_t v) {
     return {GRAZE_CELL_EDGE, std::min(u, v), std::max(u, v)};
+}
+
+graze_cell plain(const cell &c) {
+    return {std::get<0>(c), std::get<1>(c), std::get<2>(c)};
 }
 
 class namer {
@@ -133,19 +131,13 @@ void namer::name_facet(std::size_t facet, std::vector<spot> named) {
 
 /* A cell whose only name is that of the simplices needs no entry. */
 void namer::drop_plain() {
-    std::sort(all_.begin(), all_.end(), naming_before);
-    const auto same = [](const graze_cell &a, const graze_cell &b) {
-        return cell_compare(&a, &b) == 0;
-    };
-    const auto equal = [&](const naming &a, const naming &b) {
-        return same(a.first, b.first) && same(a.second, b.second);
-    };
-    all_.erase(std::unique(all_.begin(), all_.end(), equal), all_.end());
+    std::sort(all_.begin(), all_.end());
+    all_.erase(std::unique(all_.begin(), all_.end()), all_.end());
     std::vector<naming> kept;
     for (auto first = all_.begin(), last = first; first != all_.end(); first = last) {
-        while (last != all_.end() && same(last->first, first->first))
+        while (last != all_.end() && last->first == first->first)
             ++last;
-        if (last - first > 1 || !same(first->first, first->second))
+        if (last - first > 1 || first->first != first->second)
             kept.insert(kept.end(), first, last);
     }
     all_.swap(kept);
@@ -156,10 +148,10 @@ void namer::drop_plain() {
 void namer::finish() {
     drop_plain();
     const std::size_t known = all_.size();
-    const auto by_key = [](const naming &a, const naming &b) { return before(a.first, b.first); };
+    const auto by_key = [](const naming &a, const naming &b) { return a.first < b.first; };
     for (std::size_t c = 0; c < s_.cycle_count && known > 0; c++)
         for (std::size_t k = 0; k < size(c); k++) {
-            const graze_cell side = edge_cell(vertex(c, k), vertex(c, k + 1));
+            const cell side = edge_cell(vertex(c, k), vertex(c, k + 1));
             if (has_length(c, k) &&
                 std::binary_search(all_.begin(), all_.begin() + known, naming(side, side), by_key))
                 all_.push_back({side, side});
@@ -179,8 +171,8 @@ void namer::hand_over(cell_names *out) const {
     }
     out->count = all_.size();
     for (std::size_t k = 0; k < all_.size(); k++) {
-        out->key[k] = all_[k].first;
-        out->name[k] = all_[k].second;
+        out->key[k] = plain(all_[k].first);
+        out->name[k] = plain(all_[k].second);
     }
 }
 

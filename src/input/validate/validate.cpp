@@ -29,11 +29,7 @@
 #include <CGAL/version.h>
 #include "input/soup/soup.h"
 #include "input/validate/cgal.hpp"
-#include "input/validate/facets.hpp"
-#include "input/validate/outline.hpp"
-#include "input/validate/pieces_out.hpp"
-#include "input/validate/triangle_contacts.hpp"
-#include "input/validate/twin_names.hpp"
+#include "input/validate/steps.hpp"
 
 namespace {
 

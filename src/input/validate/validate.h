@@ -69,13 +69,13 @@ enum { LOOSE_EDGES_KEPT = 8 };
 /**
  * Edges that do not close, and among them those with an odd number of triangles. Positions count,
  * not vertex numbers, and points of edges, not their ends: where one edge lies on two others that
- * meet in its middle they close (proofs/mesh.md C114). Whole edges that close are not counted among
- * what passes a part of a line.
+ * meet in its middle they close (proofs/mesh.md C114). `forward` and `backward` leave out edges
+ * that close as a whole.
  */
 typedef struct loose_edges {
     size_t odd_count, unbalanced_count;
-    size_t
-        kept_count; /* the first by numbers: of the odd ones if there are any, else of the others */
+    /* The first by numbers: of the odd ones if there are any, else of the others. */
+    size_t kept_count;
     loose_edge kept[LOOSE_EDGES_KEPT];
 } loose_edges;
 

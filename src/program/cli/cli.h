@@ -7,7 +7,7 @@
 #include "program/io/io.h"
 #include "program/run/run.h"
 
-/** Read the value of `--name`, or of `-n` where the name is one letter, into `to`. Returns an exit
+/** Read the value of `--NAME`, or of `-N` where the name is one letter, into `to`. Returns an exit
  * status and says what is wrong. */
 typedef int option_read(void *to, const char *name, const char *value);
 

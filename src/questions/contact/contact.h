@@ -37,7 +37,7 @@ typedef struct neighborhood {
 } neighborhood;
 
 /** Find the place of a point of d rationals. `count` is 0 if it is not on the boundary.
- * @param[out] out uninitialised; place_clear in any case */
+ * @param[out] out uninitialised; neighborhood_clear in any case */
 graze_status neighborhood_locate(neighborhood *out, graze_context *context,
                                  const graze_solid *solid, const fmpq *point);
 void neighborhood_clear(neighborhood *p);
