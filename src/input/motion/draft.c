@@ -15,11 +15,10 @@ void draft_init(draft *d, int dimension) {
 }
 
 static void clear_map(draft_piece *piece) {
-    if (piece->rigid) {
+    if (piece->rigid)
         common_map_clear(&piece->frame);
-    } else {
+    else
         affine_clear(&piece->map);
-    }
 }
 
 void draft_clear(draft *d) {
@@ -33,9 +32,8 @@ void draft_clear(draft *d) {
 }
 
 static graze_status append_piece(draft_piece **out, graze_context *context, draft *d, int rigid) {
-    if (d->count >= context->limits[GRAZE_LIMIT_PIECES]) {
+    if (d->count >= context->limits[GRAZE_LIMIT_PIECES])
         return context_limit(context, GRAZE_LIMIT_PIECES, "pieces of a motion");
-    }
     TRY(context_poll(context));
     TRY(array_grow(context, &d->piece, &d->capacity, d->count + 1, sizeof *d->piece,
                    "the pieces of a motion"));
@@ -87,11 +85,10 @@ static void cut_map(calculation *c, affine *out, const draft_piece *piece, const
     fmpq_div(low, low, span);
     fmpq_sub(high, hi, piece->lo);
     fmpq_div(high, high, span);
-    if (fmpq_is_zero(low) && fmpq_is_one(high)) {
+    if (fmpq_is_zero(low) && fmpq_is_one(high))
         affine_set(out, &piece->map);
-    } else {
+    else
         affine_substitute(c, out, &piece->map, low, high);
-    }
 }
 
 /* frame^-1 moving over [lo, hi], which lies in both pieces. */
@@ -99,9 +96,8 @@ static graze_status relative_piece(draft *out, graze_context *context, const dra
                                    const draft_piece *frame, const fmpq_t lo, const fmpq_t hi) {
     draft_piece *piece;
     graze_status status = draft_append(&piece, context, out);
-    if (status != GRAZE_OK) {
+    if (status != GRAZE_OK)
         return status;
-    }
     calculation c = {context, GRAZE_OK};
     HELD(common_map, common);
     HELD(affine, part, out->dimension);
@@ -148,9 +144,8 @@ graze_status draft_follow(draft *out, graze_context *context, const draft *next,
         const draft_piece *piece = &next->piece[k];
         draft_piece *copy;
         c.status = draft_append(&copy, context, out);
-        if (c.status != GRAZE_OK) {
+        if (c.status != GRAZE_OK)
             break;
-        }
         fmpq_sub(copy->lo, piece->lo, first);
         fmpq_div(copy->lo, copy->lo, span);
         fmpq_add_si(copy->lo, copy->lo, from);
@@ -178,11 +173,10 @@ static void finish_map(calculation *c, motion_piece *out, const affine *map) {
     HELD(common_map, common);
     common_map_from_affine(c, &common, map);
     common_map_forward(c, &out->forward, &common);
-    if (common_map_is_orthogonal(c, &common)) {
+    if (common_map_is_orthogonal(c, &common))
         common_map_backward(c, &out->inverse, &common);
-    } else if (c->status == GRAZE_OK) {
+    else if (c->status == GRAZE_OK)
         invert_quotients(c, &out->inverse, map);
-    }
 }
 
 static graze_status finish_piece(motion_piece *out, graze_context *context,
@@ -219,9 +213,8 @@ graze_status draft_finish(graze_motion **out, graze_context *context, const draf
         point_map_init(&next->forward, d->dimension);
         point_map_init(&next->inverse, d->dimension);
         status = context_poll(context);
-        if (status == GRAZE_OK) {
+        if (status == GRAZE_OK)
             status = finish_piece(next, context, &d->piece[motion->piece_count]);
-        }
         motion->has_rows |= next->row > 0;
         motion->piece_count++;
     }

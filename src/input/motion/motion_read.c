@@ -50,29 +50,24 @@ static graze_status read_relative(draft *out, graze_context *context, const json
     static const char *const names[] = {"moving", "frame"};
     const json *member[2];
     graze_status status = json_members(member, context, value, names, 2);
-    for (int k = 0; k < 2 && status == GRAZE_OK; k++) {
-        if (member[k] == NULL) {
+    for (int k = 0; k < 2 && status == GRAZE_OK; k++)
+        if (member[k] == NULL)
             status = json_fail(context, GRAZE_EINPUT, value, "the key %s is missing", names[k]);
-        }
-    }
-    if (status != GRAZE_OK) {
+    if (status != GRAZE_OK)
         return status;
-    }
     draft moving;
     HELD(draft, frame, out->dimension);
     status = read_inner(&moving, context, member[0], out->dimension);
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = read_inner(&frame, context, member[1], out->dimension);
-    }
     if (status == GRAZE_OK && !same_interval(&moving, &frame)) {
         status =
             json_fail(context, GRAZE_EILLEGAL, value,
                       "moving and frame have different intervals of t; expected the same interval");
     } else if (status == GRAZE_OK) {
         status = draft_relative(out, context, &moving, &frame);
-        if (status != GRAZE_OK) {
+        if (status != GRAZE_OK)
             json_at(context, status, value);
-        }
     }
     draft_clear(&moving);
     return status;
@@ -88,9 +83,8 @@ static int starts_at_identity(const draft *d) {
 
 static graze_status read_sequence(draft *out, graze_context *context, const json *value) {
     graze_status status = json_array(context, value, 0);
-    if (status == GRAZE_OK && value->count == 0) {
+    if (status == GRAZE_OK && value->count == 0)
         status = json_fail(context, GRAZE_EINPUT, value, "expected at least one motion");
-    }
     HELD(affine, end, out->dimension);
     for (const json *item = value->first; item != NULL && status == GRAZE_OK; item = item->next) {
         draft next;
@@ -102,9 +96,8 @@ static graze_status read_sequence(draft *out, graze_context *context, const json
                                item->index);
         } else if (status == GRAZE_OK) {
             status = draft_follow(out, context, &next, (slong)item->index, &end);
-            if (status != GRAZE_OK) {
+            if (status != GRAZE_OK)
                 json_at(context, status, item);
-            }
         }
         draft_clear(&next);
     }
@@ -127,9 +120,8 @@ graze_status motion_read_draft(draft *out, graze_context *context, const json *v
     int form = 0, forms = 0, own = 0;
     draft_init(out, dimension);
     TRY(json_members(member, context, value, names, KEYS));
-    if (member[DIMENSION] == NULL) {
+    if (member[DIMENSION] == NULL)
         return json_fail(context, GRAZE_EINPUT, value, "the key dimension is missing");
-    }
     for (int k = PIECES; k < KEYS; k++) {
         forms += member[k] != NULL;
         form = member[k] != NULL ? k : form;
@@ -151,14 +143,12 @@ static graze_status read_motion(graze_motion **out, graze_context *context, cons
     *out = NULL;
     context->work = 0;
     graze_status status = json_parse(&document, context, source, text, length);
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = motion_read_draft(&made, context, document.root, 0);
-    }
     if (status == GRAZE_OK) {
         status = draft_finish(out, context, &made);
-        if (status != GRAZE_OK) {
+        if (status != GRAZE_OK)
             context_in(context, status, source, 0);
-        }
     }
     json_clear(&document);
     return status;
@@ -170,14 +160,12 @@ graze_status motion_from_file(graze_motion **out, graze_context *context, const 
     unsigned char sha256[32];
     *out = NULL;
     graze_status status = file_read(&text, &length, sha256, context, path);
-    if (status != GRAZE_OK) {
+    if (status != GRAZE_OK)
         return status;
-    }
     status = read_motion(out, context, path, text, length);
     free(text);
-    for (int k = 0; k < 32 && *out != NULL; k++) {
+    for (int k = 0; k < 32 && *out != NULL; k++)
         (*out)->sha256[k] = sha256[k];
-    }
     return status;
 }
 

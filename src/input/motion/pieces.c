@@ -80,23 +80,19 @@ static graze_status read_stretch(draft *out, graze_context *context, const json 
                                  stretch *part) {
     draft_piece *piece;
     graze_status status = draft_append(&piece, context, out);
-    if (status != GRAZE_OK) {
+    if (status != GRAZE_OK)
         return json_at(context, status, transform);
-    }
     fmpq_set(piece->lo, part->lo);
     fmpq_set(piece->hi, part->hi);
     status = transform_map(&piece->map, context, transform, part);
-    if (status != GRAZE_OK) {
+    if (status != GRAZE_OK)
         return json_at_last(context, status, transform);
-    }
     status = check_poles(piece, context, transform);
-    if (status == GRAZE_EILLEGAL) {
+    if (status == GRAZE_EILLEGAL)
         return blame(&piece->map, context, transform, part, FAULT_POLE);
-    }
     status = check_determinant(piece, context, transform);
-    if (status == GRAZE_EILLEGAL) {
+    if (status == GRAZE_EILLEGAL)
         return blame(&piece->map, context, transform, part, FAULT_SINGULAR);
-    }
     return status == GRAZE_OK && out->count > 1 ? check_joint(piece - 1, piece, context, transform)
                                                 : status;
 }
@@ -139,9 +135,8 @@ static graze_status read_interval(fmpq_t lo, fmpq_t hi, graze_context *context, 
 static graze_status read_row(unsigned long *out, graze_context *context, const json *value) {
     static const unsigned long most = 1000000000000000;
     *out = 0;
-    if (value == NULL) {
+    if (value == NULL)
         return GRAZE_OK;
-    }
     LOCAL(fmpz, row);
     TRY(entry_integer(row, context, value));
     if (fmpz_sgn(row) <= 0 || fmpz_cmp_ui(row, most) > 0) {
@@ -162,31 +157,25 @@ static graze_status read_one_piece(draft *out, graze_context *context, const jso
         status = json_fail(context, GRAZE_EINPUT, item, "the piece has no key %s",
                            names[member[0] != NULL]);
     }
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = read_row(&row, context, member[2]);
-    }
     LOCAL_VEC(fmpq, lo, 2);
     fmpq *hi = lo + 1;
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = read_interval(lo, hi, context, member[0], out);
-    }
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = read_transform(out, context, member[1], lo, hi);
-    }
-    for (size_t k = first; k < out->count; k++) {
+    for (size_t k = first; k < out->count; k++)
         out->piece[k].row = row;
-    }
     return status;
 }
 
 graze_status motion_read_pieces(draft *out, graze_context *context, const json *pieces) {
     TRY(json_array(context, pieces, 0));
-    if (pieces->count == 0) {
+    if (pieces->count == 0)
         return json_fail(context, GRAZE_EINPUT, pieces, "expected at least one piece");
-    }
-    for (const json *item = pieces->first; item != NULL; item = item->next) {
+    for (const json *item = pieces->first; item != NULL; item = item->next)
         TRY(read_one_piece(out, context, item));
-    }
     return GRAZE_OK;
 }
 
@@ -205,23 +194,19 @@ typedef struct keyframe {
 
 static void keyframe_init(keyframe *frame) {
     fmpq_init(frame->time);
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3; k++)
         fmpq_init(frame->position[k]);
-    }
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < 4; k++)
         fmpq_init(frame->rotation[k]);
-    }
     fmpq_one(frame->rotation[0]);
 }
 
 static void keyframe_clear(keyframe *frame) {
     fmpq_clear(frame->time);
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3; k++)
         fmpq_clear(frame->position[k]);
-    }
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < 4; k++)
         fmpq_clear(frame->rotation[k]);
-    }
 }
 
 /* Every `step`th of the numbers from an array of `count`. */
@@ -229,9 +214,8 @@ static graze_status read_numbers(fmpq_t *out, graze_context *context, const json
                                  size_t count, size_t step) {
     TRY(json_array(context, value, count));
     const json *item = value->first;
-    for (size_t k = 0; k < count; k++, item = item->next) {
+    for (size_t k = 0; k < count; k++, item = item->next)
         TRY(entry_number(out[k * step], context, item));
-    }
     return GRAZE_OK;
 }
 
@@ -240,15 +224,13 @@ static graze_status read_keyframe(keyframe *frame, graze_context *context, const
     const char *const names[] = {"t", "position", dimension == 3 ? "quaternion" : "complex", "row"};
     const json *member[FRAME_KEYS];
     TRY(json_members(member, context, value, names, FRAME_KEYS));
-    if (member[TIME] == NULL) {
+    if (member[TIME] == NULL)
         return json_fail(context, GRAZE_EINPUT, value, "the frame has no key t");
-    }
     frame->given = (member[POSITION] != NULL) << POSITION | (member[ROTATION] != NULL) << ROTATION;
     TRY(read_row(&frame->row, context, member[ROW]));
     TRY(entry_number(frame->time, context, member[TIME]));
-    if (member[POSITION] != NULL) {
+    if (member[POSITION] != NULL)
         TRY(read_numbers(frame->position, context, member[POSITION], (size_t)dimension, 1));
-    }
     if (member[ROTATION] != NULL) {
         TRY(dimension == 3 ? read_numbers(frame->rotation, context, member[ROTATION], 4, 1)
                            : read_numbers(frame->rotation, context, member[ROTATION], 2, 3));
@@ -284,23 +266,20 @@ static graze_status append_between(draft *out, graze_context *context, const jso
                                    const keyframe *from, const keyframe *to) {
     draft_piece *piece;
     graze_status status = draft_append_rigid(&piece, context, out);
-    if (status != GRAZE_OK) {
+    if (status != GRAZE_OK)
         return json_at(context, status, where);
-    }
     fmpq_set(piece->lo, from->time);
     fmpq_set(piece->hi, to->time);
     piece->row = to->row;
     fmpz_poly_struct q[4];
     LOCAL(fmpz, denominator);
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < 4; k++)
         fmpz_poly_init(&q[k]);
-    }
     set_lines(q, denominator, from->rotation, to->rotation, 4);
     status = quaternion_rotation(&piece->frame, context, where, q, from->time, to->time);
     json_at_last(context, status, where);
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < 4; k++)
         fmpz_poly_clear(&q[k]);
-    }
     set_lines(piece->frame.shift, denominator, from->position, to->position, out->dimension);
     fmpz_poly_set_fmpz(piece->frame.v, denominator);
     return status;
@@ -309,9 +288,8 @@ static graze_status append_between(draft *out, graze_context *context, const jso
 static graze_status read_next_frame(draft *out, graze_context *context, const json *value,
                                     keyframe *before, keyframe *frame) {
     graze_status status = read_keyframe(frame, context, value, out->dimension);
-    if (status != GRAZE_OK || value->index == 0) {
+    if (status != GRAZE_OK || value->index == 0)
         return status;
-    }
     if (frame->given != before->given) {
         return json_fail(context, GRAZE_EINPUT, value,
                          "this frame differs from the one before it; expected position and "

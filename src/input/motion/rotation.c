@@ -12,15 +12,13 @@
 #include "input/motion/affine.h"
 
 static void init4(fmpz_poly_q_t q[4]) {
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < 4; k++)
         fmpz_poly_q_init(q[k]);
-    }
 }
 
 static void clear4(fmpz_poly_q_t q[4]) {
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < 4; k++)
         fmpz_poly_q_clear(q[k]);
-    }
 }
 
 static void norm_of(calculation *c, fmpz_poly_q_t out, fmpz_poly_q_t *v, int count) {
@@ -53,17 +51,14 @@ graze_status rotation_of(affine *out, graze_context *context, const json *where,
     HELD(common_map, turned);
     turned.dimension = out->dimension;
     fmpz_poly_one(turned.v);
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < 4; k++)
         fmpz_poly_init(&cleared[k]);
-    }
     clear_denominators(&c, cleared, q);
-    if (c.status == GRAZE_OK) {
+    if (c.status == GRAZE_OK)
         c.status = quaternion_rotation(&turned, context, where, cleared, lo, hi);
-    }
     common_map_to_affine(&c, out, &turned);
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < 4; k++)
         fmpz_poly_clear(&cleared[k]);
-    }
     return c.status;
 }
 
@@ -83,9 +78,8 @@ static void complex_power(calculation *c, fmpz_poly_q_t a, fmpz_poly_q_t b, cons
     fmpz_poly_q_zero(b);
     for (ulong step = 2 * fmpz_bits(size); step-- > 0 && c->status == GRAZE_OK;) {
         int square = step % 2 == 1;
-        if (!square && !fmpz_tstbit(size, step / 2)) {
+        if (!square && !fmpz_tstbit(size, step / 2))
             continue;
-        }
         const fmpz_poly_q_struct *p = square ? a : base[0], *q = square ? b : base[1];
         quotient_mul(c, real, a, p);
         quotient_mul(c, other, b, q);
@@ -95,9 +89,8 @@ static void complex_power(calculation *c, fmpz_poly_q_t a, fmpz_poly_q_t b, cons
         quotient_add(c, b, b, other);
         fmpz_poly_q_set(a, real);
     }
-    if (fmpz_sgn(n) < 0) {
+    if (fmpz_sgn(n) < 0)
         fmpz_poly_q_neg(b, b);
-    }
     fmpz_poly_q_clear(base[1]);
     fmpz_poly_q_clear(base[0]);
 }
@@ -106,9 +99,8 @@ static void complex_power(calculation *c, fmpz_poly_q_t a, fmpz_poly_q_t b, cons
 static graze_status read_axis(fmpz_poly_q_t axis[3], fmpz_poly_q_t length, graze_context *context,
                               const json *value, const stretch *part) {
     graze_status status = entry_vector(axis, context, value, 3, part);
-    if (status != GRAZE_OK) {
+    if (status != GRAZE_OK)
         return status;
-    }
     calculation c = {context, GRAZE_OK};
     LOCAL(fmpz_poly_q, norm);
     norm_of(&c, norm, axis, 3);
@@ -129,9 +121,8 @@ static graze_status read_axis(fmpz_poly_q_t axis[3], fmpz_poly_q_t length, graze
     if (status == GRAZE_OK) {
         LOCAL(fmpq, start);
         quotient_at(start, length, start);
-        if (fmpq_sgn(start) < 0) {
+        if (fmpq_sgn(start) < 0)
             fmpz_poly_q_neg(length, length);
-        }
     }
     return status;
 }
@@ -142,9 +133,8 @@ static graze_status rotate_about(affine *out, graze_context *context, const json
                                  fmpz_poly_q_t half[2], const json *axis, const json *center,
                                  const stretch *part) {
     int d = part->dimension;
-    if (axis != NULL && d == 2) {
+    if (axis != NULL && d == 2)
         return json_fail(context, GRAZE_EINPUT, axis, "a rotation in dimension 2 has no axis");
-    }
     if (axis == NULL && d == 3) {
         return json_fail(context, GRAZE_EINPUT, value,
                          "a rotation in dimension 3 needs the key axis");
@@ -152,29 +142,24 @@ static graze_status rotate_about(affine *out, graze_context *context, const json
     fmpz_poly_q_t q[4], about[3];
     init4(q);
     LOCAL(fmpz_poly_q, length);
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3; k++)
         fmpz_poly_q_init(about[k]);
-    }
     fmpz_poly_q_one(length);
     fmpz_poly_q_one(q[3]);
     calculation c = {context, GRAZE_OK};
-    if (axis != NULL) {
+    if (axis != NULL)
         c.status = read_axis(q + 1, length, context, axis, part);
-    }
     quotient_mul(&c, q[0], half[0], length);
-    for (int k = 1; k < 4; k++) {
+    for (int k = 1; k < 4; k++)
         quotient_mul(&c, q[k], q[k], half[1]);
-    }
-    if (c.status == GRAZE_OK) {
+    if (c.status == GRAZE_OK)
         c.status = rotation_of(out, context, value, q, part->lo, part->hi);
-    }
     if (c.status == GRAZE_OK && center != NULL) {
         c.status = entry_vector(about, context, center, (size_t)d, part);
         affine_about(&c, out, about);
     }
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3; k++)
         fmpz_poly_q_clear(about[k]);
-    }
     clear4(q);
     return c.status;
 }
@@ -184,12 +169,10 @@ graze_status rotation_by_tangent(affine *out, graze_context *context, const json
     static const char *const names[] = {"tan_half", "times", "center", "axis"};
     const json *member[4];
     graze_status status = json_members(member, context, value, names, 4);
-    if (status == GRAZE_OK && member[0] == NULL) {
+    if (status == GRAZE_OK && member[0] == NULL)
         status = json_fail(context, GRAZE_EINPUT, value, "the key tan_half is missing");
-    }
-    if (status != GRAZE_OK) {
+    if (status != GRAZE_OK)
         return status;
-    }
     calculation c = {context, GRAZE_OK};
     fmpz_poly_q_t half[2];
     LOCAL(fmpz_poly_q, tangent);
@@ -198,22 +181,19 @@ graze_status rotation_by_tangent(affine *out, graze_context *context, const json
     LOCAL(fmpz, times);
     fmpz_set_ui(times, 1);
     c.status = entry_function(tangent, context, member[0], part);
-    if (c.status == GRAZE_OK && member[1] != NULL) {
+    if (c.status == GRAZE_OK && member[1] != NULL)
         c.status = entry_integer(times, context, member[1]);
-    }
     if (c.status == GRAZE_OK) {
         fmpz_poly_q_one(half[0]);
         fmpz_poly_q_one(half[1]);
         fmpz_poly_set(fmpz_poly_q_numref(half[0]), fmpz_poly_q_denref(tangent));
         fmpz_poly_set(fmpz_poly_q_numref(half[1]), fmpz_poly_q_numref(tangent));
         complex_power(&c, half[0], half[1], times);
-        if (c.status != GRAZE_OK) {
+        if (c.status != GRAZE_OK)
             json_at(context, c.status, value);
-        }
     }
-    if (c.status == GRAZE_OK) {
+    if (c.status == GRAZE_OK)
         c.status = rotate_about(out, context, value, half, member[3], member[2], part);
-    }
     fmpz_poly_q_clear(half[1]);
     fmpz_poly_q_clear(half[0]);
     return c.status;
@@ -222,9 +202,8 @@ graze_status rotation_by_tangent(affine *out, graze_context *context, const json
 static graze_status turn_members(const json *member[3], graze_context *context, const json *value) {
     static const char *const names[] = {"quarters", "center", "axis"};
     TRY(json_members(member, context, value, names, 3));
-    if (member[0] == NULL) {
+    if (member[0] == NULL)
         return json_fail(context, GRAZE_EINPUT, value, "the key quarters is missing");
-    }
     return GRAZE_OK;
 }
 
@@ -249,9 +228,8 @@ graze_status rotation_by_quarters(affine *out, graze_context *context, const jso
         fmpz_poly_q_init(half[k]);
         fmpz_poly_q_init(other[k]);
     }
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = entry_integer(quarters, context, member[0]);
-    }
     if (status == GRAZE_OK) {
         int negative = fmpz_sgn(quarters) < 0;
         fmpz_abs(quarters, quarters);
@@ -269,14 +247,12 @@ graze_status rotation_by_quarters(affine *out, graze_context *context, const jso
             fmpz_poly_q_set(half[0], other[0]);
             fmpz_poly_q_set(half[1], other[1]);
         }
-        if (negative) {
+        if (negative)
             fmpz_poly_q_neg(half[1], half[1]);
-        }
         status = c.status;
     }
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = rotate_about(out, context, value, half, member[2], member[1], part);
-    }
     for (int k = 0; k < 2; k++) {
         fmpz_poly_q_clear(half[k]);
         fmpz_poly_q_clear(other[k]);
@@ -294,12 +270,10 @@ graze_status rotation_by_quaternion(affine *out, graze_context *context, const j
     fmpz_poly_q_t q[4];
     init4(q);
     const json *item = value->first;
-    for (int k = 0; k < 4 && status == GRAZE_OK; k++, item = item->next) {
+    for (int k = 0; k < 4 && status == GRAZE_OK; k++, item = item->next)
         status = entry_function(q[k], context, item, part);
-    }
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = rotation_of(out, context, value, q, part->lo, part->hi);
-    }
     clear4(q);
     return status;
 }

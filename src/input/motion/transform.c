@@ -55,9 +55,8 @@ void cut_list_init(cut_list *cuts) {
 }
 
 void cut_list_clear(cut_list *cuts) {
-    for (size_t k = 0; k < cuts->capacity; k++) {
+    for (size_t k = 0; k < cuts->capacity; k++)
         fmpq_clear(&cuts->place[k]);
-    }
     free(cuts->place);
     cut_list_init(cuts);
 }
@@ -67,12 +66,10 @@ static graze_status add_cuts(cut_list *cuts, graze_context *context, size_t n) {
     size_t first = cuts->capacity;
     graze_status status = array_grow(context, &cuts->place, &cuts->capacity, cuts->count + n + 1,
                                      sizeof *cuts->place, "the cuts of a piece");
-    for (size_t k = first; k < cuts->capacity; k++) {
+    for (size_t k = first; k < cuts->capacity; k++)
         fmpq_init(&cuts->place[k]);
-    }
-    for (size_t k = 0; k <= n && status == GRAZE_OK; k++) {
+    for (size_t k = 0; k <= n && status == GRAZE_OK; k++)
         fmpq_set_si(&cuts->place[cuts->count++], (slong)k, n);
-    }
     return status;
 }
 
@@ -83,11 +80,9 @@ static int compare_places(const void *a, const void *b) {
 static void sort_cuts(cut_list *cuts) {
     qsort(cuts->place, cuts->count, sizeof *cuts->place, compare_places);
     size_t kept = 1;
-    for (size_t k = 1; k < cuts->count; k++) {
-        if (!fmpq_equal(&cuts->place[k], &cuts->place[kept - 1])) {
+    for (size_t k = 1; k < cuts->count; k++)
+        if (!fmpq_equal(&cuts->place[k], &cuts->place[kept - 1]))
             fmpq_swap(&cuts->place[kept++], &cuts->place[k]);
-        }
-    }
     cuts->count = kept;
 }
 
@@ -124,14 +119,12 @@ static graze_status cut_turn(cut_list *cuts, graze_context *context, const json 
 static graze_status collect_cuts(cut_list *cuts, graze_context *context, const json *transform) {
     form f;
     TRY(read_form(&f, context, transform));
-    if (f.kind == TURN) {
+    if (f.kind == TURN)
         return cut_turn(cuts, context, f.value);
-    }
     if (f.kind == COMPOSE) {
         TRY(json_array(context, f.value, 0));
-        for (const json *step = f.value->first; step != NULL; step = step->next) {
+        for (const json *step = f.value->first; step != NULL; step = step->next)
             TRY(collect_cuts(cuts, context, step));
-        }
     }
     return GRAZE_OK;
 }
@@ -178,12 +171,10 @@ static graze_status read_matrix(affine *out, graze_context *context, const json 
                            "expected a matrix of %d or %d rows, not %zu", d, d + 1, value->count);
     }
     const json *row = value->first;
-    for (int i = 0; i < d && status == GRAZE_OK; i++, row = row->next) {
+    for (int i = 0; i < d && status == GRAZE_OK; i++, row = row->next)
         status = entry_vector(out->entry + i * (d + 1), context, row, (size_t)d + 1, part);
-    }
-    if (status == GRAZE_OK && row != NULL) {
+    if (status == GRAZE_OK && row != NULL)
         status = check_last_row(context, row, part);
-    }
     return status == GRAZE_OK && part->fault == FAULT_SINGULAR
                ? check_regular(out, context, value, part)
                : status;
@@ -194,9 +185,8 @@ static graze_status read_translation(affine *out, graze_context *context, const 
     int d = part->dimension;
     TRY(json_array(context, value, (size_t)d));
     const json *item = value->first;
-    for (int i = 0; i < d; i++, item = item->next) {
+    for (int i = 0; i < d; i++, item = item->next)
         TRY(entry_finite(affine_at(out, i, d), context, item, part));
-    }
     return GRAZE_OK;
 }
 
@@ -220,15 +210,13 @@ static graze_status read_scale(affine *out, graze_context *context, const json *
 static graze_status read_center(affine *out, graze_context *context, const json *center,
                                 const stretch *part) {
     fmpz_poly_q_t about[3];
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3; k++)
         fmpz_poly_q_init(about[k]);
-    }
     calculation c = {context, GRAZE_OK};
     c.status = entry_vector(about, context, center, (size_t)part->dimension, part);
     affine_about(&c, out, about);
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3; k++)
         fmpz_poly_q_clear(about[k]);
-    }
     return c.status;
 }
 
@@ -242,9 +230,8 @@ typedef struct run {
 static void join_runs(calculation *c, run *runs, size_t *count, const json *item) {
     run *earlier = runs + *count - 2, *later = earlier + 1;
     affine_multiply(c, &earlier->map, &later->map, &earlier->map);
-    if (c->status != GRAZE_OK) {
+    if (c->status != GRAZE_OK)
         json_at(c->context, c->status, item);
-    }
     earlier->steps += later->steps;
     affine_clear(&later->map);
     --*count;
@@ -260,38 +247,30 @@ static graze_status compose_runs(affine *out, graze_context *context, const json
         affine_init(&runs[count].map, part->dimension);
         runs[count].steps = 1;
         c.status = transform_map(&runs[count++].map, context, item, part);
-        while (c.status == GRAZE_OK && count > 1 &&
-               runs[count - 2].steps == runs[count - 1].steps) {
+        while (c.status == GRAZE_OK && count > 1 && runs[count - 2].steps == runs[count - 1].steps)
             join_runs(&c, runs, &count, item);
-        }
     }
-    while (c.status == GRAZE_OK && count > 1) {
+    while (c.status == GRAZE_OK && count > 1)
         join_runs(&c, runs, &count, value->last);
-    }
-    if (c.status == GRAZE_OK && count == 1) {
+    if (c.status == GRAZE_OK && count == 1)
         affine_set(out, &runs[0].map);
-    }
-    while (count > 0) {
+    while (count > 0)
         affine_clear(&runs[--count].map);
-    }
     return c.status;
 }
 
 static graze_status read_compose(affine *out, graze_context *context, const json *value,
                                  const stretch *part) {
     graze_status status = json_array(context, value, 0);
-    if (status != GRAZE_OK) {
+    if (status != GRAZE_OK)
         return status;
-    }
     /* Lengths are powers of two, each there once but for the run that has just come. */
     size_t most = 2;
-    for (size_t n = value->count; n > 0; n /= 2) {
+    for (size_t n = value->count; n > 0; n /= 2)
         most++;
-    }
     run *runs = malloc(most * sizeof *runs);
-    if (runs == NULL) {
+    if (runs == NULL)
         return context_fail(context, GRAZE_ESYSTEM, "no memory for the steps of a transform");
-    }
     status = compose_runs(out, context, value, part, runs);
     free(runs);
     return status;
@@ -310,9 +289,8 @@ graze_status transform_map(affine *out, graze_context *context, const json *tran
                                                                  [COMPOSE] = read_compose};
     form f;
     graze_status status = read_form(&f, context, transform);
-    if (status != GRAZE_OK) {
+    if (status != GRAZE_OK)
         return status;
-    }
     affine_identity(out);
     status = read[f.kind](out, context, f.value, part);
     return status == GRAZE_OK && f.center != NULL ? read_center(out, context, f.center, part)

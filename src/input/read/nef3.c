@@ -20,12 +20,10 @@ static graze_status illegal(const nef *n, const char *kind, size_t index, const 
 
 static graze_status check_volume_marks(const nef *n) {
     size_t marked = 0;
-    for (size_t c = 0; c < n->count[NEF_VOLUME]; c++) {
+    for (size_t c = 0; c < n->count[NEF_VOLUME]; c++)
         marked += (size_t)n->volume[c].mark;
-    }
-    if (n->count[NEF_VOLUME] == 0) {
+    if (n->count[NEF_VOLUME] == 0)
         return nef_fail(n, GRAZE_EINPUT, "there are no volumes; expected at least the outer one");
-    }
     if (n->volume[0].mark) {
         return nef_fail(n, GRAZE_EILLEGAL,
                         "unbounded: the outer volume is marked; expected a bounded solid");
@@ -55,9 +53,8 @@ static graze_status check_facets(const nef *n) {
 /* Refuse a complex, of links already checked, that is unbounded, not regular closed or empty. */
 static graze_status check_solid(const nef *n) {
     graze_status status = check_volume_marks(n);
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = check_facets(n);
-    }
     for (size_t e = 0; e < n->count[NEF_HALFEDGE] && status == GRAZE_OK; e++) {
         if (n->halfedge[e].isolated) {
             status = illegal(n, "half-edge", e, "lies in no facet; expected a regular closed set");
@@ -105,11 +102,9 @@ static int cycle_sign(const nef *n, size_t f, size_t entry) {
     fmpq a[3], b[3], cross[3], term[1], sum[1];
     fmpq *const all[5] = {a, b, cross, term, sum};
     static const int sizes[5] = {3, 3, 3, 1, 1};
-    for (int i = 0; i < 5; i++) {
-        for (int k = 0; k < sizes[i]; k++) {
+    for (int i = 0; i < 5; i++)
+        for (int k = 0; k < sizes[i]; k++)
             fmpq_init(all[i] + k);
-        }
-    }
     const fmpq *origin = n->point + 3 * nef_corner(n, entry);
     for (size_t e = n->shalfedge[entry].next; e != entry; e = n->shalfedge[e].next) {
         const fmpq *next = n->point + 3 * nef_corner(n, n->shalfedge[e].next);
@@ -126,11 +121,9 @@ static int cycle_sign(const nef *n, size_t f, size_t entry) {
         fmpq_add(sum, sum, term);
     }
     int sign = fmpq_sgn(sum);
-    for (int i = 0; i < 5; i++) {
-        for (int k = 0; k < sizes[i]; k++) {
+    for (int i = 0; i < 5; i++)
+        for (int k = 0; k < sizes[i]; k++)
             fmpq_clear(all[i] + k);
-        }
-    }
     return sign;
 }
 
@@ -173,9 +166,8 @@ static graze_status add_cycle(soup *s, const nef *n, size_t entry) {
     graze_status status = soup_add_cycle(s, n->l.context, NULL, 0);
     size_t e = entry;
     do {
-        if (status == GRAZE_OK) {
+        if (status == GRAZE_OK)
             status = soup_add_index(s, n->l.context, nef_corner(n, e));
-        }
         e = n->shalfedge[e].next;
     } while (e != entry && status == GRAZE_OK);
     return status;
@@ -189,9 +181,8 @@ static graze_status add_facet(soup *s, const nef *n, size_t f) {
     TRY(find_outer(n, f, &outer));
     TRY(soup_add_facet(s, n->l.context));
     TRY(add_cycle(s, n, entry[outer]));
-    for (size_t k = 0; k < item->cycle.count; k++) {
+    for (size_t k = 0; k < item->cycle.count; k++)
         TRY(k == outer ? GRAZE_OK : add_cycle(s, n, entry[k]));
-    }
     return GRAZE_OK;
 }
 
@@ -199,14 +190,12 @@ static graze_status make_soup(soup *s, nef *n, graze_rounding rounding) {
     graze_status status = GRAZE_OK;
     for (size_t f = 0; f < n->count[NEF_HALFFACET] && status == GRAZE_OK; f++) {
         size_t twin = n->halffacet[f].twin;
-        if (f < twin) {
+        if (f < twin)
             status = add_facet(s, n, n->volume[n->halffacet[f].volume].mark ? twin : f);
-        }
     }
     for (size_t v = 0; v < n->count[NEF_VERTEX] && status == GRAZE_OK; v++) {
-        for (int k = 0; k < 3 && status == GRAZE_OK; k++) {
+        for (int k = 0; k < 3 && status == GRAZE_OK; k++)
             status = rational_round(n->point + 3 * v + k, n->l.context, rounding);
-        }
         if (status != GRAZE_OK) {
             context_item(n->l.context, status, "vertex", v, NULL);
             return context_in(n->l.context, status, n->l.path, 0);
@@ -223,15 +212,12 @@ graze_status read_nef3(soup *s, graze_context *context, const char *path, const 
     context->rounding = GRAZE_ROUND_NONE;
     graze_status status = nef_parse(&n, context, path, text, length);
     context->rounding = rounding;
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = nef_check_links(&n);
-    }
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = check_solid(&n);
-    }
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = make_soup(s, &n, rounding);
-    }
     nef_clear(&n);
     return status;
 }

@@ -13,10 +13,8 @@
 #include "input/soup/soup.h"
 
 static int is_one_of(token t, const char *const *words) {
-    while (*words != NULL &&
-           (strlen(*words) != t.length || memcmp(*words, t.text, t.length) != 0)) {
+    while (*words != NULL && (strlen(*words) != t.length || memcmp(*words, t.text, t.length) != 0))
         words++;
-    }
     return *words != NULL;
 }
 
@@ -41,13 +39,11 @@ static graze_status obj_vertex(soup *s, lines *l, fmpq *number) {
                               v);
         }
         status = rational_parse(number + count++, l->context, t.text, t.length);
-        if (status != GRAZE_OK) {
+        if (status != GRAZE_OK)
             return lines_at(l, context_item(l->context, status, "vertex", v, NULL));
-        }
     }
-    if (status != GRAZE_OK) {
+    if (status != GRAZE_OK)
         return status;
-    }
     if (count == 5 || (count == 4 && !fmpq_is_one(number + 3))) {
         return lines_fail(l, GRAZE_EINPUT,
                           count == 5 ? "vertex %zu has 5 numbers; expected 3, 4 or 6"
@@ -73,16 +69,13 @@ static long long obj_corner(token t) {
     long long v, other;
     int slash;
     token part = cut_token(&t, &slash);
-    if (!token_integer(part, &v)) {
+    if (!token_integer(part, &v))
         return 0;
-    }
-    if (!slash) {
+    if (!slash)
         return v;
-    }
     token texture = cut_token(&t, &slash);
-    if (texture.length > 0 ? !token_integer(texture, &other) : !slash) {
+    if (texture.length > 0 ? !token_integer(texture, &other) : !slash)
         return 0;
-    }
     return slash && !token_integer(t, &other) ? 0 : v;
 }
 
@@ -90,9 +83,8 @@ static graze_status obj_facet(soup *s, lines *l, size_t above) {
     size_t f = s->facet_count, size = 0;
     token t;
     graze_status status = soup_add_facet(s, l->context);
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = soup_add_cycle(s, l->context, NULL, 0);
-    }
     for (; status == GRAZE_OK && lines_token(l, &t); size++) {
         long long v = obj_corner(t);
         if (v == 0) {
@@ -109,9 +101,8 @@ static graze_status obj_facet(soup *s, lines *l, size_t above) {
         }
         status = soup_add_index(s, l->context, v > 0 ? (size_t)v - 1 : above - (size_t)-v);
     }
-    if (status != GRAZE_OK) {
+    if (status != GRAZE_OK)
         return lines_at(l, status);
-    }
     if (size < 3) {
         return lines_fail(l, GRAZE_EINPUT, "facet %zu has %zu corners; expected at least 3", f,
                           size);
@@ -136,14 +127,12 @@ static graze_status check_keyword(lines *l, token t) {
 static graze_status obj_vertices(soup *s, lines l, fmpq *number) {
     token t;
     for (int more = 1; more; more = lines_next(&l)) {
-        if (!lines_token(&l, &t)) {
+        if (!lines_token(&l, &t))
             continue;
-        }
-        if (token_is(t, "v")) {
+        if (token_is(t, "v"))
             TRY(obj_vertex(s, &l, number));
-        } else if (!token_is(t, "f")) {
+        else if (!token_is(t, "f"))
             TRY(check_keyword(&l, t));
-        }
     }
     return GRAZE_OK;
 }
@@ -152,14 +141,12 @@ static graze_status read_facets(soup *s, lines l) {
     size_t above = 0;
     token t;
     for (int more = 1; more; more = lines_next(&l)) {
-        if (!lines_token(&l, &t)) {
+        if (!lines_token(&l, &t))
             continue;
-        }
-        if (token_is(t, "v")) {
+        if (token_is(t, "v"))
             above++;
-        } else if (token_is(t, "f")) {
+        else if (token_is(t, "f"))
             TRY(obj_facet(s, &l, above));
-        }
     }
     return GRAZE_OK;
 }

@@ -27,9 +27,8 @@ static int read_letters(columns *c, const char *text, size_t length) {
                      : text[k] == 'C'                                         ? &c->colour
                      : text[k] == 'S' && k + 1 < length && text[k + 1] == 'T' ? &c->texture
                                                                               : NULL;
-        if (which == NULL || *which) {
+        if (which == NULL || *which)
             return 0;
-        }
         *which = 1;
         k += which == &c->texture ? 2 : 1;
     }
@@ -54,9 +53,8 @@ static graze_status off_head(columns *c, lines *l) {
             TOKEN_SHOWN(t));
     }
     lines after = *l;
-    if (lines_any(&after, &t) && token_is(t, "BINARY")) {
+    if (lines_any(&after, &t) && token_is(t, "BINARY"))
         return lines_fail(&after, GRAZE_EINPUT, "a binary OFF is not read; expected a text");
-    }
     return GRAZE_OK;
 }
 
@@ -66,9 +64,8 @@ static graze_status off_counts(lines *l, size_t *vertices, size_t *facets) {
     TRY(lines_cells(l, vertices, "vertices"));
     TRY(lines_cells(l, facets, "facets"));
     TRY(lines_cells(l, &edges, "edges"));
-    if (lines_token(l, &t)) {
+    if (lines_token(l, &t))
         return lines_fail(l, GRAZE_EINPUT, "'%.*s' follows the three counts", TOKEN_SHOWN(t));
-    }
     return GRAZE_OK;
 }
 
@@ -109,16 +106,13 @@ static graze_status off_vertices(soup *s, columns *c, lines *l, fmpq *point, siz
                               count);
         }
         graze_status status = lines_numbers(l, point, 3, "vertex", v);
-        if (status == GRAZE_OK) {
+        if (status == GRAZE_OK)
             status = pass_columns(c, l, v);
-        }
-        if (status != GRAZE_OK) {
+        if (status != GRAZE_OK)
             return status;
-        }
         status = soup_add_vertex(s, l->context, point);
-        if (status != GRAZE_OK) {
+        if (status != GRAZE_OK)
             return lines_at(l, status);
-        }
     }
     return GRAZE_OK;
 }
@@ -157,9 +151,8 @@ static graze_status off_facet(soup *s, lines *l, size_t f) {
                           size);
     }
     graze_status status = soup_add_facet(s, l->context);
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = soup_add_cycle(s, l->context, NULL, 0);
-    }
     for (long long k = 0; k < size && status == GRAZE_OK; k++) {
         if (!lines_token(l, &t)) {
             return lines_fail(l, GRAZE_EINPUT,
@@ -190,9 +183,8 @@ static graze_status read_all(soup *s, lines *l, fmpq *point) {
         }
         TRY(off_facet(s, l, f));
     }
-    if (lines_next(l)) {
+    if (lines_next(l))
         return lines_fail(l, GRAZE_EINPUT, "there is text after the last of %zu facets", facets);
-    }
     return GRAZE_OK;
 }
 

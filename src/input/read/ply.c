@@ -64,9 +64,8 @@ static graze_status next_token(ply *p, token *out) {
 
 static graze_status next_bytes(ply *p, ply_type type, uint64_t *out) {
     size_t width = types[type].width;
-    if (p->size - p->at < width) {
+    if (p->size - p->at < width)
         return fail(p, "the file ends within this entry; %zu are declared", p->element->count);
-    }
     *out = 0;
     for (size_t k = 0; k < width; k++) {
         size_t place = p->header.format == PLY_BIG_ENDIAN ? k : width - 1 - k;
@@ -89,15 +88,13 @@ static graze_status read_integer(ply *p, ply_type type, long long *out) {
     graze_status status;
     if (p->header.format == PLY_ASCII) {
         status = next_token(p, &t);
-        if (status == GRAZE_OK && !token_integer(t, out)) {
+        if (status == GRAZE_OK && !token_integer(t, out))
             return fail(p, "'%.*s' is not an integer", TOKEN_SHOWN(t));
-        }
         return status;
     }
     status = next_bytes(p, type, &bytes);
-    if (status != GRAZE_OK) {
+    if (status != GRAZE_OK)
         return status;
-    }
     uint64_t sign = (uint64_t)types[type].is_signed << (8 * types[type].width - 1);
     *out = bytes & sign ? (long long)bytes - 2 * (long long)sign : (long long)bytes;
     return GRAZE_OK;
@@ -106,9 +103,8 @@ static graze_status read_integer(ply *p, ply_type type, long long *out) {
 static graze_status binary_coordinate(ply *p, ply_type type, fmpq *out) {
     uint64_t bytes;
     graze_status status = next_bytes(p, type, &bytes);
-    if (status != GRAZE_OK) {
+    if (status != GRAZE_OK)
         return status;
-    }
     double value;
     if (type == PLY_FLOAT64) {
         memcpy(&value, &bytes, sizeof value);
@@ -129,9 +125,8 @@ static graze_status read_coordinate(ply *p, ply_type type, fmpq *out) {
     token t;
     if (p->header.format == PLY_ASCII && type >= PLY_FLOAT32) {
         status = next_token(p, &t);
-        if (status != GRAZE_OK) {
+        if (status != GRAZE_OK)
             return status;
-        }
         status = rational_parse(out, context, t.text, t.length);
         return status == GRAZE_OK ? status : at_entry(p, status);
     }
@@ -139,13 +134,11 @@ static graze_status read_coordinate(ply *p, ply_type type, fmpq *out) {
         status = binary_coordinate(p, type, out);
     } else {
         status = read_integer(p, type, &integer);
-        if (status == GRAZE_OK) {
+        if (status == GRAZE_OK)
             fmpq_set_si(out, (slong)integer, 1);
-        }
     }
-    if (status != GRAZE_OK) {
+    if (status != GRAZE_OK)
         return status;
-    }
     status = rational_round(out, context, context->rounding);
     return status == GRAZE_OK ? status : at_entry(p, status);
 }
@@ -154,12 +147,10 @@ static graze_status read_list(ply *p, const ply_property *property) {
     long long size, v;
     int taken = property->role == PLY_INDICES;
     graze_status status = read_integer(p, property->count_type, &size);
-    if (status == GRAZE_OK && size < 0) {
+    if (status == GRAZE_OK && size < 0)
         return fail(p, "a list has the length %lld", size);
-    }
-    if (status == GRAZE_OK && taken && size < 3) {
+    if (status == GRAZE_OK && taken && size < 3)
         return fail(p, "it has %lld vertices; expected at least 3", size);
-    }
     for (long long k = 0; k < size && status == GRAZE_OK; k++) {
         if (!taken) {
             status = pass_value(p, property->type);
@@ -185,13 +176,12 @@ static graze_status read_entry(ply *p) {
     }
     for (size_t k = 0; k < e->property_count && status == GRAZE_OK; k++) {
         const ply_property *property = p->header.property + e->first + k;
-        if (property->is_list) {
+        if (property->is_list)
             status = read_list(p, property);
-        } else if (property->role <= PLY_Z) {
+        else if (property->role <= PLY_Z)
             status = read_coordinate(p, property->type, p->point + (property->role - PLY_X));
-        } else {
+        else
             status = pass_value(p, property->type);
-        }
     }
     if (status == GRAZE_OK && e->is_vertex) {
         status = soup_add_vertex(p->s, p->l.context, p->point);
@@ -204,13 +194,11 @@ static graze_status read_ply_element(ply *p) {
     int text = p->header.format == PLY_ASCII;
     for (p->entry = 0; p->entry < p->element->count; p->entry++) {
         token t;
-        if (text && !lines_next(&p->l)) {
+        if (text && !lines_next(&p->l))
             return fail(p, "the file ends before this entry; %zu are declared", p->element->count);
-        }
         TRY(read_entry(p));
-        if (text && lines_token(&p->l, &t)) {
+        if (text && lines_token(&p->l, &t))
             return fail(p, "'%.*s' is more than its properties ask", TOKEN_SHOWN(t));
-        }
     }
     return GRAZE_OK;
 }
@@ -225,9 +213,8 @@ static graze_status read_body(ply *p) {
                                "byte %zu: %zu bytes follow the last element", p->at,
                                p->size - p->at);
     }
-    if (p->header.format == PLY_ASCII && lines_next(&p->l)) {
+    if (p->header.format == PLY_ASCII && lines_next(&p->l))
         return lines_fail(&p->l, GRAZE_EINPUT, "there is text after the last element");
-    }
     return GRAZE_OK;
 }
 
@@ -239,9 +226,8 @@ static size_t header_length(const char *text, size_t length) {
     while (at < length && !found) {
         const char *newline = memchr(text + at, '\n', length - at);
         size_t next = newline == NULL ? length : (size_t)(newline - text) + 1;
-        while (at < next && (text[at] == ' ' || text[at] == '\t')) {
+        while (at < next && (text[at] == ' ' || text[at] == '\t'))
             at++;
-        }
         found = next - at >= sizeof last - 1 && memcmp(text + at, last, sizeof last - 1) == 0;
         at = next;
     }
@@ -254,9 +240,8 @@ static graze_status begin_body(ply *p, const char *text, size_t header, size_t l
     p->at = header;
     p->data = (const unsigned char *)text;
     p->size = length;
-    if (p->header.format != PLY_ASCII) {
+    if (p->header.format != PLY_ASCII)
         return GRAZE_OK;
-    }
     TRY(lines_start(&p->l, text, length));
     if (header > 0) {
         p->l.at = text + header - (text[header - 1] == '\n');
@@ -270,22 +255,17 @@ graze_status read_ply(soup *s, graze_context *context, const char *path, const c
     ply p = {.s = s, .l = {.context = context, .path = path, .marks = ""}};
     size_t header = header_length(text, length);
     graze_status status = lines_start(&p.l, text, header);
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = ply_header_read(&p.header, &p.l);
-    }
-    if (status != GRAZE_OK) {
+    if (status != GRAZE_OK)
         return status;
-    }
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3; k++)
         fmpq_init(p.point + k);
-    }
     status = begin_body(&p, text, header, length);
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = read_body(&p);
-    }
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3; k++)
         fmpq_clear(p.point + k);
-    }
     ply_header_clear(&p.header);
     return status;
 }

@@ -70,9 +70,8 @@ static graze_status read_format(ply_header *h, lines *l) {
                           "binary_big_endian",
                           TOKEN_SHOWN(t));
     }
-    if (!token_is(version, "1.0")) {
+    if (!token_is(version, "1.0"))
         return lines_fail(l, GRAZE_EINPUT, "version '%.*s'; expected 1.0", TOKEN_SHOWN(version));
-    }
     return line_ends(l);
 }
 
@@ -96,11 +95,9 @@ static graze_status read_element(ply_header *h, lines *l) {
 
 static ply_role role_of(const ply_element *e, token name) {
     static const char *const axis[3] = {"x", "y", "z"};
-    for (int k = 0; e->is_vertex && k < 3; k++) {
-        if (token_is(name, axis[k])) {
+    for (int k = 0; e->is_vertex && k < 3; k++)
+        if (token_is(name, axis[k]))
             return (ply_role)(PLY_X + k);
-        }
-    }
     int indices = token_is(name, "vertex_indices") || token_is(name, "vertex_index");
     return e->is_face && indices ? PLY_INDICES : PLY_PASSED;
 }
@@ -114,9 +111,8 @@ static graze_status check_property(const ply_header *h, const lines *l, const pl
                               TOKEN_SHOWN(p->name));
         }
     }
-    if (p->is_list && p->count_type >= PLY_FLOAT32) {
+    if (p->is_list && p->count_type >= PLY_FLOAT32)
         return lines_fail(l, GRAZE_EINPUT, "expected an integer type for the length of a list");
-    }
     if (p->role == PLY_INDICES && (!p->is_list || p->type >= PLY_FLOAT32)) {
         return lines_fail(l, GRAZE_EINPUT, "'%.*s'; expected a list of an integer type",
                           TOKEN_SHOWN(p->name));
@@ -129,9 +125,8 @@ static graze_status check_property(const ply_header *h, const lines *l, const pl
 }
 
 static graze_status read_property(ply_header *h, lines *l) {
-    if (h->element_count == 0) {
+    if (h->element_count == 0)
         return lines_fail(l, GRAZE_EINPUT, "a property stands before the first element");
-    }
     ply_element *e = h->element + h->element_count - 1;
     ply_property *p = h->property + h->property_count;
     *p = (ply_property){.count_type = PLY_INT8};
@@ -139,24 +134,20 @@ static graze_status read_property(ply_header *h, lines *l) {
     token t;
     graze_status status = word(l, &t, "a type");
     p->is_list = status == GRAZE_OK && token_is(t, "list");
-    if (p->is_list) {
+    if (p->is_list)
         status = read_type(l, &p->count_type);
-    } else {
+    else
         *l = before;
-    }
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = read_type(l, &p->type);
-    }
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = word(l, &p->name, "the property's name");
-    }
     if (status == GRAZE_OK) {
         p->role = role_of(e, p->name);
         status = check_property(h, l, e, p);
     }
-    if (status != GRAZE_OK) {
+    if (status != GRAZE_OK)
         return status;
-    }
     h->property_count++;
     e->property_count++;
     return line_ends(l);
@@ -168,9 +159,8 @@ static graze_status check_header(const ply_header *h, const lines *l) {
     for (size_t k = 0; k < h->element_count; k++) {
         const ply_element *e = h->element + k;
         int needed = e->is_vertex ? 3 : e->is_face;
-        for (size_t p = e->first; p < e->first + e->property_count; p++) {
+        for (size_t p = e->first; p < e->first + e->property_count; p++)
             needed -= h->property[p].role != PLY_PASSED;
-        }
         if (e->property_count == 0 || needed > 0) {
             return lines_fail(l, GRAZE_EINPUT, "element '%.*s' lacks %s", TOKEN_SHOWN(e->name),
                               e->is_vertex ? "one of its properties x, y, z"
@@ -214,9 +204,8 @@ static graze_status read_entries(ply_header *h, lines *l) {
                                 "end_header",
                                 TOKEN_SHOWN(t));
         }
-        if (status != GRAZE_OK) {
+        if (status != GRAZE_OK)
             return status;
-        }
     }
 }
 
@@ -232,15 +221,12 @@ graze_status ply_header_read(ply_header *out, lines *l) {
     graze_status status = out->element == NULL || out->property == NULL
                               ? context_fail(l->context, GRAZE_ESYSTEM, "no memory for a header")
                               : line_ends(l);
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = read_format(out, l);
-    }
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = read_entries(out, l);
-    }
-    if (status != GRAZE_OK) {
+    if (status != GRAZE_OK)
         ply_header_clear(out);
-    }
     return status;
 }
 

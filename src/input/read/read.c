@@ -24,11 +24,9 @@ static const struct format {
 static const struct format *format_of(const char *path) {
     const char *name = strrchr(path, '/');
     const char *extension = strrchr(name == NULL ? path : name, '.');
-    for (size_t k = 0; extension != NULL && k < sizeof formats / sizeof *formats; k++) {
-        if (strcasecmp(extension, formats[k].extension) == 0) {
+    for (size_t k = 0; extension != NULL && k < sizeof formats / sizeof *formats; k++)
+        if (strcasecmp(extension, formats[k].extension) == 0)
             return formats + k;
-        }
-    }
     return NULL;
 }
 
@@ -45,11 +43,9 @@ static const char *advice_of(const char *path) {
         {".json", "; .json is a motion, and stands behind SOLID"},
         {".urdf", "; it names a mesh for each link, which is a solid of its own"}};
     const char *extension = strrchr(path, '.');
-    for (size_t k = 0; extension != NULL && k < sizeof known / sizeof *known; k++) {
-        if (strcasecmp(extension, known[k][0]) == 0) {
+    for (size_t k = 0; extension != NULL && k < sizeof known / sizeof *known; k++)
+        if (strcasecmp(extension, known[k][0]) == 0)
             return known[k][1];
-        }
-    }
     return "";
 }
 
@@ -65,18 +61,15 @@ graze_status soup_read_any(soup *s, graze_context *context, const char *path) {
     size_t length;
     soup_init(s, format->dimension);
     graze_status status = file_read(&text, &length, s->sha256, context, path);
-    if (status != GRAZE_OK) {
+    if (status != GRAZE_OK)
         return status;
-    }
-    if (length == 0) {
+    if (length == 0)
         status = context_fail_in(context, GRAZE_EINPUT, path, 0, "the file is empty");
-    } else {
+    else
         status = format->read(s, context, path, text, length);
-    }
     free(text);
-    if (status != GRAZE_OK) {
+    if (status != GRAZE_OK)
         soup_clear(s);
-    }
     return status;
 }
 

@@ -36,9 +36,8 @@ static size_t find_vertex(const merger *m, uint64_t hash) {
     while ((vertex = slots_next(&m->positions, hash, &at)) != SLOTS_NONE) {
         const fmpq *there = m->s->coordinates + 3 * vertex;
         if (fmpq_equal(there, m->point) && fmpq_equal(there + 1, m->point + 1) &&
-            fmpq_equal(there + 2, m->point + 2)) {
+            fmpq_equal(there + 2, m->point + 2))
             break;
-        }
     }
     return vertex;
 }
@@ -82,9 +81,8 @@ static graze_status read_binary(merger *m, const char *path, const unsigned char
                                 size_t count) {
     for (size_t f = 0; f < count; f++) {
         graze_status status = begin_facet(m);
-        for (size_t k = 0; k < 3 && status == GRAZE_OK; k++) {
+        for (size_t k = 0; k < 3 && status == GRAZE_OK; k++)
             status = binary_corner(m, data + HEADER + RECORD * f + 12 + 12 * k);
-        }
         if (status != GRAZE_OK) {
             context_item(m->context, status, "facet", f, NULL);
             context_at(m->context, status, "byte %zu", HEADER + RECORD * f);
@@ -96,9 +94,8 @@ static graze_status read_binary(merger *m, const char *path, const unsigned char
 
 static graze_status stl_expect(lines *l, const char *word, size_t f) {
     token t;
-    if (!lines_any(l, &t)) {
+    if (!lines_any(l, &t))
         return lines_fail(l, GRAZE_EINPUT, "the file ends; expected '%s' of facet %zu", word, f);
-    }
     if (!token_is(t, word)) {
         return lines_fail(l, GRAZE_EINPUT, "facet %zu: '%.*s'; expected '%s'", f, TOKEN_SHOWN(t),
                           word);
@@ -125,9 +122,8 @@ static graze_status stl_facet(merger *m, lines *l) {
     }
     for (int k = 0; k < 3 && status == GRAZE_OK; k++) {
         status = stl_expect(l, "vertex", f);
-        if (status == GRAZE_OK) {
+        if (status == GRAZE_OK)
             status = lines_numbers(l, m->point, 3, "a vertex of facet", f);
-        }
         if (status == GRAZE_OK) {
             status = add_corner(m);
             status = status == GRAZE_OK ? status : lines_at(l, status);
@@ -147,9 +143,8 @@ static graze_status read_part(merger *m, lines *l) {
             return lines_fail(l, GRAZE_EINPUT, "the file ends before 'endsolid', after %zu facets",
                               m->s->facet_count);
         }
-        if (token_is(t, "endsolid")) {
+        if (token_is(t, "endsolid"))
             break;
-        }
         if (!token_is(t, "facet")) {
             return lines_fail(l, GRAZE_EINPUT, "'%.*s'; expected 'facet' or 'endsolid'",
                               TOKEN_SHOWN(t));
@@ -166,9 +161,8 @@ static graze_status read_text(merger *m, const char *path, const char *text, siz
     TRY(lines_start(&l, text, length));
     token t;
     while (lines_any(&l, &t)) {
-        if (!token_is(t, "solid")) {
+        if (!token_is(t, "solid"))
             return lines_fail(&l, GRAZE_EINPUT, "'%.*s'; expected 'solid'", TOKEN_SHOWN(t));
-        }
         TRY(read_part(m, &l));
     }
     return GRAZE_OK;
@@ -192,9 +186,8 @@ static graze_status read_either(merger *m, const char *path, const char *text, s
         }
         return read_binary(m, path, data, count);
     }
-    if (begins_as_text(text, length)) {
+    if (begins_as_text(text, length))
         return read_text(m, path, text, length);
-    }
     if (length < HEADER) {
         return context_fail_in(m->context, GRAZE_EINPUT, path, 0,
                                "neither begins with 'solid' nor has the %d bytes of a binary "
@@ -209,13 +202,11 @@ static graze_status read_either(merger *m, const char *path, const char *text, s
 graze_status read_stl(soup *s, graze_context *context, const char *path, const char *text,
                       size_t length) {
     merger m = {.s = s, .context = context};
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3; k++)
         fmpq_init(m.point + k);
-    }
     graze_status status = read_either(&m, path, text, length);
     slots_clear(&m.positions);
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3; k++)
         fmpq_clear(m.point + k);
-    }
     return status;
 }

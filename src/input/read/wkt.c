@@ -20,9 +20,8 @@ typedef struct wkt {
 
 static graze_status expect(wkt *w, const char *mark, const char *what) {
     token t;
-    if (!lines_any(&w->l, &t)) {
+    if (!lines_any(&w->l, &t))
         return lines_fail(&w->l, GRAZE_EINPUT, "the file ends; expected '%s' %s", mark, what);
-    }
     if (!token_is(t, mark)) {
         return lines_fail(&w->l, GRAZE_EINPUT, "'%.*s'; expected '%s' %s", TOKEN_SHOWN(t), mark,
                           what);
@@ -33,9 +32,8 @@ static graze_status expect(wkt *w, const char *mark, const char *what) {
 /* Read what follows an entry of a list; *more is 1 where another entry follows. */
 static graze_status list_goes_on(wkt *w, int *more, const char *what) {
     token t;
-    if (!lines_any(&w->l, &t)) {
+    if (!lines_any(&w->l, &t))
         return lines_fail(&w->l, GRAZE_EINPUT, "the file ends within %s", what);
-    }
     *more = token_is(t, ",");
     if (!*more && !token_is(t, ")")) {
         return lines_fail(
@@ -61,9 +59,8 @@ static graze_status read_position(wkt *w) {
                               w->polygon, w->ring);
         }
         graze_status status = rational_parse(w->point + k, w->l.context, t.text, t.length);
-        if (status != GRAZE_OK) {
+        if (status != GRAZE_OK)
             return lines_at(&w->l, at_ring(w, status));
-        }
     }
     return GRAZE_OK;
 }
@@ -98,9 +95,8 @@ static graze_status turn_ring(wkt *w) {
     fmpq_clear(area);
     if (sign == 0) {
         graze_status status = validate_crossing(w->l.context, s, s->cycle_count - 1);
-        if (status == GRAZE_OK) {
+        if (status == GRAZE_OK)
             status = context_fail(w->l.context, GRAZE_EILLEGAL, "its area is zero");
-        }
         return lines_at(&w->l, at_ring(w, status));
     }
     if ((sign > 0) != (w->ring == 0)) {
@@ -134,19 +130,16 @@ static graze_status close_ring(wkt *w, size_t first, size_t count) {
 static graze_status read_ring(wkt *w) {
     size_t first = w->s->vertex_count, count = 0;
     graze_status status = expect(w, "(", "before a ring");
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = soup_add_cycle(w->s, w->l.context, NULL, 0);
-    }
     for (int more = 1; more && status == GRAZE_OK; count++) {
         status = read_position(w);
-        if (status == GRAZE_OK) {
+        if (status == GRAZE_OK)
             status = list_goes_on(w, &more, "a ring");
-        }
         if (status == GRAZE_OK && more) {
             status = soup_add_index(w->s, w->l.context, w->s->vertex_count);
-            if (status == GRAZE_OK) {
+            if (status == GRAZE_OK)
                 status = soup_add_vertex(w->s, w->l.context, w->point);
-            }
             status = status == GRAZE_OK ? status : lines_at(&w->l, status);
         }
     }
@@ -155,15 +148,13 @@ static graze_status read_ring(wkt *w) {
 
 static graze_status read_polygon(wkt *w) {
     graze_status status = expect(w, "(", "before the rings of a polygon");
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = soup_add_facet(w->s, w->l.context);
-    }
     w->ring = 0;
     for (int more = 1; more && status == GRAZE_OK; w->ring++) {
         status = read_ring(w);
-        if (status == GRAZE_OK) {
+        if (status == GRAZE_OK)
             status = list_goes_on(w, &more, "a polygon");
-        }
     }
     return status;
 }
@@ -180,9 +171,8 @@ static graze_status read_multipolygon(wkt *w) {
 /* Read the word before the first bracket; *multi is 1 for MULTIPOLYGON. */
 static graze_status read_kind(wkt *w, int *multi) {
     token t;
-    if (!lines_any(&w->l, &t)) {
+    if (!lines_any(&w->l, &t))
         return lines_fail(&w->l, GRAZE_EINPUT, "there is no text; expected POLYGON ((x y, ...))");
-    }
     *multi = token_is(t, "MULTIPOLYGON");
     if (t.length >= 4 && token_is((token){t.text, 4}, "SRID")) {
         return lines_fail(&w->l, GRAZE_EINPUT,
@@ -195,15 +185,12 @@ static graze_status read_kind(wkt *w, int *multi) {
                           TOKEN_SHOWN(t));
     }
     lines ahead = w->l;
-    if (!lines_any(&ahead, &t)) {
+    if (!lines_any(&ahead, &t))
         return lines_fail(&ahead, GRAZE_EINPUT, "the file ends before the first '('");
-    }
-    if (token_is(t, "EMPTY")) {
+    if (token_is(t, "EMPTY"))
         return lines_fail(&ahead, GRAZE_EILLEGAL, "empty interior: EMPTY is no solid");
-    }
-    if (token_is(t, "Z") || token_is(t, "M") || token_is(t, "ZM")) {
+    if (token_is(t, "Z") || token_is(t, "M") || token_is(t, "ZM"))
         return lines_fail(&ahead, GRAZE_EINPUT, "coordinates %.*s; expected x y", TOKEN_SHOWN(t));
-    }
     return GRAZE_OK;
 }
 
@@ -211,16 +198,14 @@ graze_status read_wkt(soup *s, graze_context *context, const char *path, const c
                       size_t length) {
     wkt w = {.s = s, .l = {.context = context, .path = path, .marks = "(),"}};
     graze_status status = lines_start(&w.l, text, length);
-    if (status != GRAZE_OK) {
+    if (status != GRAZE_OK)
         return status;
-    }
     fmpq_init(w.point);
     fmpq_init(w.point + 1);
     int multi = 0;
     status = read_kind(&w, &multi);
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = multi ? read_multipolygon(&w) : read_polygon(&w);
-    }
     token t;
     if (status == GRAZE_OK && lines_any(&w.l, &t)) {
         status = lines_fail(&w.l, GRAZE_EINPUT,
