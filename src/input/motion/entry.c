@@ -53,11 +53,10 @@ void stretch_set(stretch *part, const fmpq_t lo, const fmpq_t hi, const fmpq_t f
 
 static graze_status read_value(fmpz_poly_q_t out, graze_context *context, const json *value,
                                const fmpz_poly_q_struct *t, const fmpz_poly_q_struct *s) {
-    if (value->kind != JSON_NUMBER && value->kind != JSON_STRING) {
+    if (value->kind != JSON_NUMBER && value->kind != JSON_STRING)
         return json_fail(context, GRAZE_EINPUT, value, "expected %s",
                          t != NULL ? "a number or an expression in quotes"
                                    : "a number, bare or in quotes,");
-    }
     graze_status status = expression_value(out, context, value->text, value->length, t, s);
     return status == GRAZE_OK ? status : json_at(context, status, value);
 }
@@ -70,10 +69,9 @@ graze_status entry_function(fmpz_poly_q_t out, graze_context *context, const jso
 graze_status entry_finite(fmpz_poly_q_t out, graze_context *context, const json *value,
                           const stretch *part) {
     TRY(entry_function(out, context, value, part));
-    if (part->fault == FAULT_POLE) {
+    if (part->fault == FAULT_POLE)
         TRY(entry_no_root(context, value, fmpz_poly_q_denref(out), part->lo, part->hi,
                           "this entry has a pole"));
-    }
     return GRAZE_OK;
 }
 

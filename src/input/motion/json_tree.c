@@ -273,10 +273,9 @@ graze_status json_members(const json **out, graze_context *context, const json *
         out[k] = NULL;
     char known[200];
     join_names(known, sizeof known, names, count);
-    if (object->kind != JSON_OBJECT) {
+    if (object->kind != JSON_OBJECT)
         return json_fail(context, GRAZE_EINPUT, object, "expected an object with keys among %s",
                          known);
-    }
     for (const json *member = object->first; member != NULL; member = member->next) {
         size_t k = 0;
         while (k < count && (strlen(names[k]) != member->key_length ||
@@ -287,10 +286,9 @@ graze_status json_members(const json **out, graze_context *context, const json *
             return json_fail(context, GRAZE_EINPUT, member, "unknown key; expected one of %s%s",
                              known, angle ? "; `graze motion rotate` takes degrees" : "");
         }
-        if (out[k] != NULL) {
+        if (out[k] != NULL)
             return json_fail(context, GRAZE_EINPUT, member,
                              "this key is repeated; the first is in line %zu", out[k]->line);
-        }
         out[k] = member;
     }
     return GRAZE_OK;
@@ -299,9 +297,8 @@ graze_status json_members(const json **out, graze_context *context, const json *
 graze_status json_array(graze_context *context, const json *value, size_t count) {
     if (value->kind != JSON_ARRAY)
         return json_fail(context, GRAZE_EINPUT, value, "expected an array");
-    if (count > 0 && value->count != count) {
+    if (count > 0 && value->count != count)
         return json_fail(context, GRAZE_EINPUT, value, "expected an array of %zu entries, not %zu",
                          count, value->count);
-    }
     return GRAZE_OK;
 }

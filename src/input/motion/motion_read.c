@@ -15,17 +15,15 @@ static graze_status read_motion_dimension(int *out, graze_context *context, cons
                                           int outer) {
     LOCAL(fmpz, number);
     graze_status status = entry_integer(number, context, value);
-    if (status == GRAZE_OK && fmpz_cmp_si(number, 2) != 0 && fmpz_cmp_si(number, 3) != 0) {
+    if (status == GRAZE_OK && fmpz_cmp_si(number, 2) != 0 && fmpz_cmp_si(number, 3) != 0)
         status = json_fail(context, GRAZE_EINPUT, value, "the dimension is %.20s; expected 2 or 3",
                            value->text);
-    }
     if (status == GRAZE_OK) {
         *out = (int)fmpz_get_si(number);
-        if (outer != 0 && *out != outer) {
+        if (outer != 0 && *out != outer)
             status =
                 json_fail(context, GRAZE_EILLEGAL, value,
                           "this motion has dimension %d inside one of dimension %d", *out, outer);
-        }
     }
     return status;
 }
@@ -126,11 +124,10 @@ graze_status motion_read_draft(draft *out, graze_context *context, const json *v
         forms += member[k] != NULL;
         form = member[k] != NULL ? k : form;
     }
-    if (forms != 1) {
+    if (forms != 1)
         return json_fail(context, GRAZE_EINPUT, value,
                          "expected exactly one of pieces, keyframes, relative, sequence, not %d",
                          forms);
-    }
     TRY(read_motion_dimension(&own, context, member[DIMENSION], dimension));
     out->dimension = own;
     return read[form](out, context, member[form]);

@@ -22,10 +22,9 @@ static void number_text(char out[NUMBER_SIZE], const fmpq_t value) {
 
 static graze_status check_poles(draft_piece *piece, graze_context *context, const json *where) {
     int d = piece->map.dimension;
-    for (int k = 0; k < d * (d + 1); k++) {
+    for (int k = 0; k < d * (d + 1); k++)
         TRY(entry_no_root(context, where, fmpz_poly_q_denref(piece->map.entry[k]), piece->lo,
                           piece->hi, "the motion's matrix has a pole"));
-    }
     return GRAZE_OK;
 }
 
@@ -139,10 +138,9 @@ static graze_status read_row(unsigned long *out, graze_context *context, const j
         return GRAZE_OK;
     LOCAL(fmpz, row);
     TRY(entry_integer(row, context, value));
-    if (fmpz_sgn(row) <= 0 || fmpz_cmp_ui(row, most) > 0) {
+    if (fmpz_sgn(row) <= 0 || fmpz_cmp_ui(row, most) > 0)
         return json_fail(context, GRAZE_EINPUT, value,
                          "expected the line of a log, an integer from 1 to 10^15");
-    }
     *out = fmpz_get_ui(row);
     return GRAZE_OK;
 }
@@ -153,10 +151,9 @@ static graze_status read_one_piece(draft *out, graze_context *context, const jso
     unsigned long row = 0;
     size_t first = out->count;
     graze_status status = json_members(member, context, item, names, 3);
-    if (status == GRAZE_OK && (member[0] == NULL || member[1] == NULL)) {
+    if (status == GRAZE_OK && (member[0] == NULL || member[1] == NULL))
         status = json_fail(context, GRAZE_EINPUT, item, "the piece has no key %s",
                            names[member[0] != NULL]);
-    }
     if (status == GRAZE_OK)
         status = read_row(&row, context, member[2]);
     LOCAL_VEC(fmpq, lo, 2);
@@ -231,10 +228,9 @@ static graze_status read_keyframe(keyframe *frame, graze_context *context, const
     TRY(entry_number(frame->time, context, member[TIME]));
     if (member[POSITION] != NULL)
         TRY(read_numbers(frame->position, context, member[POSITION], (size_t)dimension, 1));
-    if (member[ROTATION] != NULL) {
+    if (member[ROTATION] != NULL)
         TRY(dimension == 3 ? read_numbers(frame->rotation, context, member[ROTATION], 4, 1)
                            : read_numbers(frame->rotation, context, member[ROTATION], 2, 3));
-    }
     return GRAZE_OK;
 }
 
@@ -290,11 +286,10 @@ static graze_status read_next_frame(draft *out, graze_context *context, const js
     graze_status status = read_keyframe(frame, context, value, out->dimension);
     if (status != GRAZE_OK || value->index == 0)
         return status;
-    if (frame->given != before->given) {
+    if (frame->given != before->given)
         return json_fail(context, GRAZE_EINPUT, value,
                          "this frame differs from the one before it; expected position and "
                          "rotation in all frames or in none");
-    }
     if (fmpq_cmp(before->time, frame->time) >= 0) {
         char first[NUMBER_SIZE], last[NUMBER_SIZE];
         number_text(first, before->time);
@@ -307,18 +302,15 @@ static graze_status read_next_frame(draft *out, graze_context *context, const js
 
 graze_status motion_read_keyframes(draft *out, graze_context *context, const json *keyframes) {
     graze_status status = json_array(context, keyframes, 0);
-    if (status == GRAZE_OK && keyframes->count < 2) {
+    if (status == GRAZE_OK && keyframes->count < 2)
         status = json_fail(context, GRAZE_EINPUT, keyframes,
                            "expected at least two frames, not %zu", keyframes->count);
-    }
     keyframe frame[2];
     keyframe_init(&frame[0]);
     keyframe_init(&frame[1]);
-    for (const json *item = keyframes->first; item != NULL && status == GRAZE_OK;
-         item = item->next) {
+    for (const json *item = keyframes->first; item != NULL && status == GRAZE_OK; item = item->next)
         status = read_next_frame(out, context, item, &frame[(item->index + 1) % 2],
                                  &frame[item->index % 2]);
-    }
     keyframe_clear(&frame[1]);
     keyframe_clear(&frame[0]);
     return status;

@@ -52,10 +52,9 @@ static void check(calculation *c, const fmpz_poly_t p) {
     }
     /* 3.322 > log2(10), so a number of `digits` digits always passes. */
     unsigned long bits = longest_bits(p);
-    if (bits > limits[GRAZE_LIMIT_DIGITS] * 3322 / 1000 + 1) {
+    if (bits > limits[GRAZE_LIMIT_DIGITS] * 3322 / 1000 + 1)
         c->status =
             context_limit(c->context, GRAZE_LIMIT_DIGITS, "a coefficient of a rational function");
-    }
     calculation_spend(c, work_of(p, bits));
 }
 

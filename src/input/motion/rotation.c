@@ -105,19 +105,16 @@ static graze_status read_axis(fmpz_poly_q_t axis[3], fmpz_poly_q_t length, graze
     LOCAL(fmpz_poly_q, norm);
     norm_of(&c, norm, axis, 3);
     status = c.status;
-    if (status == GRAZE_OK && !quotient_square_root(length, norm)) {
+    if (status == GRAZE_OK && !quotient_square_root(length, norm))
         status = json_fail(context, GRAZE_EILLEGAL, value,
                            "the length of the axis is not a rational function of t; choose another "
                            "axis, or use quaternion");
-    }
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = entry_no_root(context, value, fmpz_poly_q_numref(length), part->lo, part->hi,
                                "the axis has length zero (use quaternion if it is to turn there)");
-    }
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = entry_no_root(context, value, fmpz_poly_q_denref(length), part->lo, part->hi,
                                "the axis has a pole");
-    }
     if (status == GRAZE_OK) {
         LOCAL(fmpq, start);
         quotient_at(start, length, start);
@@ -135,10 +132,9 @@ static graze_status rotate_about(affine *out, graze_context *context, const json
     int d = part->dimension;
     if (axis != NULL && d == 2)
         return json_fail(context, GRAZE_EINPUT, axis, "a rotation in dimension 2 has no axis");
-    if (axis == NULL && d == 3) {
+    if (axis == NULL && d == 3)
         return json_fail(context, GRAZE_EINPUT, value,
                          "a rotation in dimension 3 needs the key axis");
-    }
     fmpz_poly_q_t q[4], about[3];
     init4(q);
     LOCAL(fmpz_poly_q, length);
@@ -262,10 +258,9 @@ graze_status rotation_by_quarters(affine *out, graze_context *context, const jso
 
 graze_status rotation_by_quaternion(affine *out, graze_context *context, const json *value,
                                     const stretch *part) {
-    if (part->dimension != 3) {
+    if (part->dimension != 3)
         return json_fail(context, GRAZE_EINPUT, value,
                          "quaternion is for dimension 3; use rotate or turn");
-    }
     graze_status status = json_array(context, value, 4);
     fmpz_poly_q_t q[4];
     init4(q);

@@ -25,28 +25,25 @@ static graze_status read_form(form *out, graze_context *context, const json *tra
     TRY(json_members(member, context, transform, names, KEYS));
     *out = (form){.kind = KINDS, .center = member[CENTER]};
     for (int kind = 0; kind < KINDS; kind++) {
-        if (member[kind] != NULL && out->value != NULL) {
+        if (member[kind] != NULL && out->value != NULL)
             return json_fail(context, GRAZE_EINPUT, transform,
                              "%s and %s exclude each other; combine them by compose",
                              names[out->kind], names[kind]);
-        }
         if (member[kind] != NULL) {
             out->kind = kind;
             out->value = member[kind];
         }
     }
-    if (out->value == NULL) {
+    if (out->value == NULL)
         return json_fail(
             context, GRAZE_EINPUT, transform,
             "no transform; expected one of matrix, translate, rotate, turn, quaternion, scale, "
             "compose");
-    }
-    if (out->center != NULL && out->kind != QUATERNION && out->kind != SCALE) {
+    if (out->center != NULL && out->kind != QUATERNION && out->kind != SCALE)
         return json_fail(context, GRAZE_EINPUT, out->center,
                          "center stands beside quaternion or scale, or inside rotate or turn, not "
                          "beside %s",
                          names[out->kind]);
-    }
     return GRAZE_OK;
 }
 
@@ -142,10 +139,9 @@ static graze_status check_last_row(graze_context *context, const json *row, cons
     const json *item = row->first;
     for (int j = 0; j <= d; j++, item = item->next) {
         TRY(entry_function(entry, context, item, part));
-        if (!(j < d ? fmpz_poly_q_is_zero(entry) : fmpz_poly_q_is_one(entry))) {
+        if (!(j < d ? fmpz_poly_q_is_zero(entry) : fmpz_poly_q_is_one(entry)))
             return json_fail(context, GRAZE_EINPUT, item,
                              "the last row of a matrix is 0 ... 0 1; expected %d here", j == d);
-        }
     }
     return GRAZE_OK;
 }
@@ -155,10 +151,9 @@ static graze_status check_regular(affine *a, graze_context *context, const json 
     calculation c = {context, GRAZE_OK};
     LOCAL(fmpz_poly_q, determinant);
     affine_determinant(&c, determinant, a);
-    if (c.status == GRAZE_OK) {
+    if (c.status == GRAZE_OK)
         c.status = entry_no_root(context, where, fmpz_poly_q_numref(determinant), part->lo,
                                  part->hi, "the determinant is zero");
-    }
     return c.status;
 }
 
@@ -166,10 +161,9 @@ static graze_status read_matrix(affine *out, graze_context *context, const json 
                                 const stretch *part) {
     int d = part->dimension;
     graze_status status = json_array(context, value, 0);
-    if (status == GRAZE_OK && value->count != (size_t)d && value->count != (size_t)d + 1) {
+    if (status == GRAZE_OK && value->count != (size_t)d && value->count != (size_t)d + 1)
         status = json_fail(context, GRAZE_EINPUT, value,
                            "expected a matrix of %d or %d rows, not %zu", d, d + 1, value->count);
-    }
     const json *row = value->first;
     for (int i = 0; i < d && status == GRAZE_OK; i++, row = row->next)
         status = entry_vector(out->entry + i * (d + 1), context, row, (size_t)d + 1, part);
@@ -199,10 +193,9 @@ static graze_status read_scale(affine *out, graze_context *context, const json *
     for (int i = 0; i < d; i++, item = each ? item->next : item) {
         fmpz_poly_q_struct *factor = affine_at(out, i, i);
         TRY(entry_finite(factor, context, item, part));
-        if (part->fault == FAULT_SINGULAR) {
+        if (part->fault == FAULT_SINGULAR)
             TRY(entry_no_root(context, item, fmpz_poly_q_numref(factor), part->lo, part->hi,
                               "the scale is zero"));
-        }
     }
     return GRAZE_OK;
 }

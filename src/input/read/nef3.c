@@ -24,10 +24,9 @@ static graze_status check_volume_marks(const nef *n) {
         marked += (size_t)n->volume[c].mark;
     if (n->count[NEF_VOLUME] == 0)
         return nef_fail(n, GRAZE_EINPUT, "there are no volumes; expected at least the outer one");
-    if (n->volume[0].mark) {
+    if (n->volume[0].mark)
         return nef_fail(n, GRAZE_EILLEGAL,
                         "unbounded: the outer volume is marked; expected a bounded solid");
-    }
     return marked > 0 ? GRAZE_OK
                       : nef_fail(n, GRAZE_EILLEGAL, "empty interior: no volume is marked");
 }
@@ -36,16 +35,14 @@ static graze_status check_facets(const nef *n) {
     for (size_t f = 0; f < n->count[NEF_HALFFACET]; f++) {
         const nef_halffacet *item = n->halffacet + f;
         int here = n->volume[item->volume].mark;
-        if (here == n->volume[n->halffacet[item->twin].volume].mark) {
+        if (here == n->volume[n->halffacet[item->twin].volume].mark)
             return illegal(n, "half-facet", f,
                            here ? "lies inside marked volumes; expected a regular closed set, "
                                   "without such a facet"
                                 : "is dangling: both its volumes are unmarked");
-        }
-        if (!item->mark) {
+        if (!item->mark)
             return illegal(n, "half-facet", f,
                            "is not marked; expected a closed set, with its boundary");
-        }
     }
     return GRAZE_OK;
 }
@@ -135,10 +132,9 @@ static graze_status find_outer(const nef *n, size_t f, size_t *outer) {
     for (size_t k = 0; k < item->cycle.count; k++) {
         size_t entry = n->list[item->cycle.first + k], e = entry;
         do {
-            if (!in_plane(n, f, nef_corner(n, e))) {
+            if (!in_plane(n, f, nef_corner(n, e)))
                 return nef_fail(n, GRAZE_EINPUT, "half-facet %zu: vertex %zu is not in its plane",
                                 f, nef_corner(n, e));
-            }
             e = n->shalfedge[e].next;
         } while (e != entry);
         if (cycle_sign(n, f, entry) > 0) {
@@ -149,11 +145,10 @@ static graze_status find_outer(const nef *n, size_t f, size_t *outer) {
     for (size_t k = 0; k < item->loop.count; k++) {
         size_t l = n->list[item->loop.first + k];
         size_t v = n->sface[n->shalfloop[l].sface].vertex;
-        if (!in_plane(n, f, v)) {
+        if (!in_plane(n, f, v))
             return nef_fail(n, GRAZE_EINPUT,
                             "half-facet %zu: vertex %zu, which touches it, is not in its plane", f,
                             v);
-        }
     }
     return found == 1 ? GRAZE_OK
                       : nef_fail(n, GRAZE_EINPUT,

@@ -33,10 +33,9 @@ static graze_status check_vertices(const nef *n) {
             if ((first == NEF_NONE) != (last == NEF_NONE) || first > last)
                 return wrong_link(n, "vertex", v, "a range ends before it begins");
             for (size_t k = first; first != NEF_NONE && k <= last; k++) {
-                if (owner(n, part, k) != v) {
+                if (owner(n, part, k) != v)
                     return wrong_link(n, "vertex", v,
                                       "a range holds what belongs to another vertex");
-                }
                 held[part]++;
             }
         }
@@ -44,13 +43,11 @@ static graze_status check_vertices(const nef *n) {
             return wrong_link(n, "vertex", v, "its shalfloop belongs to another vertex");
         loops += item->loop != NEF_NONE;
     }
-    for (int part = 0; part < 3; part++) {
-        if (held[part] != n->count[kinds[part]]) {
+    for (int part = 0; part < 3; part++)
+        if (held[part] != n->count[kinds[part]])
             return nef_fail(n, GRAZE_EINPUT,
                             "the vertices' ranges leave out half-edges, "
                             "shalfedges or sfaces");
-        }
-    }
     return 2 * loops == n->count[NEF_SHALFLOOP]
                ? GRAZE_OK
                : nef_fail(n, GRAZE_EINPUT, "the vertices leave out shalfloops");
@@ -60,14 +57,12 @@ static graze_status check_halfedges(const nef *n) {
     for (size_t e = 0; e < n->count[NEF_HALFEDGE]; e++) {
         const nef_halfedge *item = n->halfedge + e;
         const nef_halfedge *twin = n->halfedge + item->twin;
-        if (twin->twin != e || twin->source == item->source) {
+        if (twin->twin != e || twin->source == item->source)
             return wrong_link(n, "half-edge", e,
                               "its twin is not that of an edge to another vertex");
-        }
-        if (twin->mark != item->mark || twin->isolated != item->isolated) {
+        if (twin->mark != item->mark || twin->isolated != item->isolated)
             return wrong_link(n, "half-edge", e,
                               "its twin has another mark, or lies in a facet alone");
-        }
         if (item->isolated ? n->sface[item->incident].vertex != item->source
                            : n->shalfedge[item->incident].source != e)
             return wrong_link(n, "half-edge", e, "the sface or shalfedge it names is not at it");
@@ -94,10 +89,9 @@ static graze_status check_shalfedge(const nef *n, size_t e) {
         return wrong_link(n, "shalfedge", e, "next does not go on along the edge of its facet");
     const nef_halffacet *facet = n->halffacet + item->facet;
     if (all[item->twin].facet != facet->twin || facet->mark != item->mark ||
-        n->sface[all[item->twin].sface].volume != facet->volume) {
+        n->sface[all[item->twin].sface].volume != facet->volume)
         return wrong_link(n, "shalfedge", e,
                           "its facet, or the twin's, has another twin, mark or volume");
-    }
     return GRAZE_OK;
 }
 
@@ -108,10 +102,9 @@ static graze_status check_shalfloop(const nef *n, size_t l) {
         n->sface[twin->sface].vertex != n->sface[item->sface].vertex)
         return wrong_link(n, "shalfloop", l, "its twin does not answer at the same vertex");
     if (twin->facet != facet->twin || facet->mark != item->mark ||
-        n->sface[twin->sface].volume != facet->volume) {
+        n->sface[twin->sface].volume != facet->volume)
         return wrong_link(n, "shalfloop", l,
                           "its facet, or the twin's, has another twin, mark or volume");
-    }
     return GRAZE_OK;
 }
 
@@ -185,15 +178,13 @@ static graze_status check_halffacets(const nef *n, unsigned char *arc, unsigned 
         const nef_halffacet *twin = n->halffacet + item->twin;
         if (twin->twin != f || item->twin == f || twin->mark != item->mark)
             return wrong_link(n, "half-facet", f, "its twin does not answer with the same mark");
-        if (!planes_opposite(n->plane + 4 * f, n->plane + 4 * item->twin)) {
+        if (!planes_opposite(n->plane + 4 * f, n->plane + 4 * item->twin))
             return wrong_link(n, "half-facet", f,
                               "its plane is not the twin's with its sides exchanged");
-        }
         if (item->cycle.count == 0 || !tick_arcs(n, arc, item->cycle, f, 0) ||
-            !tick_loops(n, loop, item->loop, f, 0)) {
+            !tick_loops(n, loop, item->loop, f, 0))
             return wrong_link(n, "half-facet", f,
                               "its cycles are none, another facet's, or listed twice");
-        }
     }
     size_t left = first_left(arc, n->count[NEF_SHALFEDGE]);
     if (left < n->count[NEF_SHALFEDGE])

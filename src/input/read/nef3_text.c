@@ -47,10 +47,9 @@ static void nef_expect(nef *n, const char *word) {
 static long long integer(nef *n, const char *expected) {
     long long value = 0;
     token t = next(n, expected);
-    if (n->status == GRAZE_OK && !token_integer(t, &value)) {
+    if (n->status == GRAZE_OK && !token_integer(t, &value))
         n->status =
             lines_fail(&n->l, GRAZE_EINPUT, "'%.*s'; expected %s", TOKEN_SHOWN(t), expected);
-    }
     return n->status == GRAZE_OK ? value : 0;
 }
 
@@ -119,10 +118,9 @@ static void homogeneous(nef *n, fmpq *point) {
 /* The number an item begins with is its place among its kind. */
 static void begin_item(nef *n, enum nef_kind kind, size_t index) {
     long long value = integer(n, "the number of an item");
-    if (n->status == GRAZE_OK && (value < 0 || (size_t)value != index)) {
+    if (n->status == GRAZE_OK && (value < 0 || (size_t)value != index))
         n->status = lines_fail(&n->l, GRAZE_EINPUT, "item %lld; expected number %zu of the %zu %s",
                                value, index, n->count[kind], kind_name[kind]);
-    }
     nef_expect(n, "{");
 }
 
@@ -311,10 +309,9 @@ graze_status nef_parse(nef *n, graze_context *context, const char *path, const c
     for (size_t k = 0; k < sizeof last / sizeof *last; k++)
         nef_expect(n, last[k]);
     token t;
-    if (n->status == GRAZE_OK && lines_any(&n->l, &t)) {
+    if (n->status == GRAZE_OK && lines_any(&n->l, &t))
         n->status = lines_fail(&n->l, GRAZE_EINPUT, "'%.*s' follows the end of the complex",
                                TOKEN_SHOWN(t));
-    }
     return n->status;
 }
 

@@ -32,24 +32,22 @@ static graze_status obj_vertex(soup *s, lines *l, fmpq *number) {
     int count = 3;
     token t;
     while (status == GRAZE_OK && lines_token(l, &t)) {
-        if (count == 6) {
+        if (count == 6)
             return lines_fail(l, GRAZE_EINPUT,
                               "vertex %zu has more than 6 numbers; expected x y z, x y z 1 or "
                               "x y z and a colour",
                               v);
-        }
         status = rational_parse(number + count++, l->context, t.text, t.length);
         if (status != GRAZE_OK)
             return lines_at(l, context_item(l->context, status, "vertex", v, NULL));
     }
     if (status != GRAZE_OK)
         return status;
-    if (count == 5 || (count == 4 && !fmpq_is_one(number + 3))) {
+    if (count == 5 || (count == 4 && !fmpq_is_one(number + 3)))
         return lines_fail(l, GRAZE_EINPUT,
                           count == 5 ? "vertex %zu has 5 numbers; expected 3, 4 or 6"
                                      : "vertex %zu has a weight other than 1",
                           v);
-    }
     status = soup_add_vertex(s, l->context, number);
     return status == GRAZE_OK ? status : lines_at(l, status);
 }
@@ -87,40 +85,35 @@ static graze_status obj_facet(soup *s, lines *l, size_t above) {
         status = soup_add_cycle(s, l->context, NULL, 0);
     for (; status == GRAZE_OK && lines_token(l, &t); size++) {
         long long v = obj_corner(t);
-        if (v == 0) {
+        if (v == 0)
             return lines_fail(l, GRAZE_EINPUT,
                               "facet %zu: '%.*s' is not a corner; expected 1, 1/2, 1//3, 1/2/3 "
                               "or negative numbers, counted from 1",
                               f, TOKEN_SHOWN(t));
-        }
-        if (v > 0 ? (size_t)v > s->vertex_count : (size_t)-v > above) {
+        if (v > 0 ? (size_t)v > s->vertex_count : (size_t)-v > above)
             return lines_fail(l, GRAZE_EINPUT,
                               "facet %zu: there is no vertex %lld; the file has %zu, and %zu stand "
                               "above this line",
                               f, v, s->vertex_count, above);
-        }
         status = soup_add_index(s, l->context, v > 0 ? (size_t)v - 1 : above - (size_t)-v);
     }
     if (status != GRAZE_OK)
         return lines_at(l, status);
-    if (size < 3) {
+    if (size < 3)
         return lines_fail(l, GRAZE_EINPUT, "facet %zu has %zu corners; expected at least 3", f,
                           size);
-    }
     return GRAZE_OK;
 }
 
 static graze_status check_keyword(lines *l, token t) {
-    if (is_one_of(t, refused)) {
+    if (is_one_of(t, refused))
         return lines_fail(l, GRAZE_EINPUT,
                           "'%.*s': points, lines, curves and free-form surfaces bound no polygonal "
                           "solid; expected facets (f)",
                           TOKEN_SHOWN(t));
-    }
-    if (!is_one_of(t, passed_over)) {
+    if (!is_one_of(t, passed_over))
         return lines_fail(l, GRAZE_EINPUT, "'%.*s' is not a keyword of OBJ; expected v or f",
                           TOKEN_SHOWN(t));
-    }
     return GRAZE_OK;
 }
 

@@ -157,10 +157,9 @@ static graze_status read_list(ply *p, const ply_property *property) {
             continue;
         }
         status = read_integer(p, property->type, &v);
-        if (status == GRAZE_OK && (v < 0 || (size_t)v >= p->header.vertex_count)) {
+        if (status == GRAZE_OK && (v < 0 || (size_t)v >= p->header.vertex_count))
             return fail(p, "%lld is not a vertex; expected an integer from 0 below %zu", v,
                         p->header.vertex_count);
-        }
         status = status == GRAZE_OK ? soup_add_index(p->s, p->l.context, (size_t)v) : status;
     }
     return status;
@@ -208,11 +207,10 @@ static graze_status read_body(ply *p) {
         p->element = p->header.element + k;
         TRY(read_ply_element(p));
     }
-    if (p->header.format != PLY_ASCII && p->at < p->size) {
+    if (p->header.format != PLY_ASCII && p->at < p->size)
         return context_fail_in(p->l.context, GRAZE_EINPUT, p->l.path, 0,
                                "byte %zu: %zu bytes follow the last element", p->at,
                                p->size - p->at);
-    }
     if (p->header.format == PLY_ASCII && lines_next(&p->l))
         return lines_fail(&p->l, GRAZE_EINPUT, "there is text after the last element");
     return GRAZE_OK;

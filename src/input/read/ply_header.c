@@ -52,10 +52,9 @@ static graze_status read_type(lines *l, ply_type *out) {
 
 static graze_status read_format(ply_header *h, lines *l) {
     token t, version;
-    if (!lines_next(l) || !lines_token(l, &t) || !token_is(t, "format")) {
+    if (!lines_next(l) || !lines_token(l, &t) || !token_is(t, "format"))
         return lines_fail(l, GRAZE_EINPUT,
                           "expected 'format' at the beginning of the line after 'ply'");
-    }
     TRY(word(l, &t, "the format's name"));
     TRY(word(l, &version, "the version"));
     if (token_is(t, "ascii")) {
@@ -79,12 +78,10 @@ static graze_status read_element(ply_header *h, lines *l) {
     ply_element *e = h->element + h->element_count;
     *e = (ply_element){.first = h->property_count};
     TRY(word(l, &e->name, "the element's name"));
-    for (size_t k = 0; k < h->element_count; k++) {
-        if (same_word(h->element[k].name, e->name)) {
+    for (size_t k = 0; k < h->element_count; k++)
+        if (same_word(h->element[k].name, e->name))
             return lines_fail(l, GRAZE_EINPUT, "element '%.*s' is declared twice",
                               TOKEN_SHOWN(e->name));
-        }
-    }
     TRY(lines_cells(l, &e->count, "an element's entries"));
     e->is_vertex = token_is(e->name, "vertex");
     e->is_face = token_is(e->name, "face");
@@ -106,21 +103,18 @@ static graze_status check_property(const ply_header *h, const lines *l, const pl
                                    const ply_property *p) {
     for (size_t k = e->first; k < h->property_count; k++) {
         const ply_property *q = h->property + k;
-        if (same_word(q->name, p->name) || (p->role != PLY_PASSED && q->role == p->role)) {
+        if (same_word(q->name, p->name) || (p->role != PLY_PASSED && q->role == p->role))
             return lines_fail(l, GRAZE_EINPUT, "property '%.*s' is declared twice",
                               TOKEN_SHOWN(p->name));
-        }
     }
     if (p->is_list && p->count_type >= PLY_FLOAT32)
         return lines_fail(l, GRAZE_EINPUT, "expected an integer type for the length of a list");
-    if (p->role == PLY_INDICES && (!p->is_list || p->type >= PLY_FLOAT32)) {
+    if (p->role == PLY_INDICES && (!p->is_list || p->type >= PLY_FLOAT32))
         return lines_fail(l, GRAZE_EINPUT, "'%.*s'; expected a list of an integer type",
                           TOKEN_SHOWN(p->name));
-    }
-    if (p->role <= PLY_Z && p->is_list) {
+    if (p->role <= PLY_Z && p->is_list)
         return lines_fail(l, GRAZE_EINPUT, "coordinate '%.*s' is a list; expected a number",
                           TOKEN_SHOWN(p->name));
-    }
     return GRAZE_OK;
 }
 
@@ -161,34 +155,30 @@ static graze_status check_header(const ply_header *h, const lines *l) {
         int needed = e->is_vertex ? 3 : e->is_face;
         for (size_t p = e->first; p < e->first + e->property_count; p++)
             needed -= h->property[p].role != PLY_PASSED;
-        if (e->property_count == 0 || needed > 0) {
+        if (e->property_count == 0 || needed > 0)
             return lines_fail(l, GRAZE_EINPUT, "element '%.*s' lacks %s", TOKEN_SHOWN(e->name),
                               e->is_vertex ? "one of its properties x, y, z"
                               : e->is_face ? "a property vertex_indices"
                                            : "properties");
-        }
         vertex |= e->is_vertex;
         face |= e->is_face;
     }
-    if (!vertex || !face) {
+    if (!vertex || !face)
         return lines_fail(l, GRAZE_EINPUT, "the header has no element '%s'",
                           vertex ? "face" : "vertex");
-    }
     return GRAZE_OK;
 }
 
 static graze_status read_entries(ply_header *h, lines *l) {
     for (;;) {
         token t;
-        if (!lines_next(l) || !lines_token(l, &t)) {
+        if (!lines_next(l) || !lines_token(l, &t))
             return lines_fail(l, GRAZE_EINPUT,
                               "the file ends within the header; its last line is "
                               "'end_header'");
-        }
-        if (h->element_count + h->property_count == ENTRIES_MOST) {
+        if (h->element_count + h->property_count == ENTRIES_MOST)
             return lines_fail(l, GRAZE_EINPUT,
                               "the header has more than %d elements and properties", ENTRIES_MOST);
-        }
         graze_status status = GRAZE_OK;
         if (token_is(t, "end_header")) {
             status = line_ends(l);
@@ -212,10 +202,9 @@ static graze_status read_entries(ply_header *h, lines *l) {
 graze_status ply_header_read(ply_header *out, lines *l) {
     token t;
     *out = (ply_header){.format = PLY_ASCII};
-    if (!lines_token(l, &t) || !token_is(t, "ply")) {
+    if (!lines_token(l, &t) || !token_is(t, "ply"))
         return lines_fail(l, GRAZE_EINPUT, "the file begins with '%.*s'; expected 'ply'",
                           TOKEN_SHOWN(t));
-    }
     out->element = malloc(ENTRIES_MOST * sizeof *out->element);
     out->property = malloc(ENTRIES_MOST * sizeof *out->property);
     graze_status status = out->element == NULL || out->property == NULL

@@ -51,12 +51,11 @@ static const char *advice_of(const char *path) {
 
 graze_status soup_read_any(soup *s, graze_context *context, const char *path) {
     const struct format *format = format_of(path);
-    if (format == NULL) {
+    if (format == NULL)
         return context_fail_in(context, GRAZE_EINPUT, path, 0,
                                "unknown solid format; expected .off, .obj, .ply, .stl, .nef3, "
                                ".wkt, .csg or .csg.json%s",
                                advice_of(path));
-    }
     char *text;
     size_t length;
     soup_init(s, format->dimension);

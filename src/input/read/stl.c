@@ -49,10 +49,9 @@ static graze_status add_corner(merger *m) {
     if (vertex == SLOTS_NONE) {
         vertex = m->s->vertex_count;
         TRY(soup_add_vertex(m->s, m->context, m->point));
-        if (!slots_add(&m->positions, hash)) {
+        if (!slots_add(&m->positions, hash))
             return context_fail(m->context, GRAZE_ESYSTEM, "no memory to merge %zu vertices",
                                 m->s->vertex_count);
-        }
     }
     return soup_add_index(m->s, m->context, vertex);
 }
@@ -96,10 +95,9 @@ static graze_status stl_expect(lines *l, const char *word, size_t f) {
     token t;
     if (!lines_any(l, &t))
         return lines_fail(l, GRAZE_EINPUT, "the file ends; expected '%s' of facet %zu", word, f);
-    if (!token_is(t, word)) {
+    if (!token_is(t, word))
         return lines_fail(l, GRAZE_EINPUT, "facet %zu: '%.*s'; expected '%s'", f, TOKEN_SHOWN(t),
                           word);
-    }
     return GRAZE_OK;
 }
 
@@ -108,12 +106,10 @@ static graze_status stl_facet(merger *m, lines *l) {
     size_t f = m->s->facet_count;
     token ignored;
     graze_status status = stl_expect(l, "normal", f);
-    for (int k = 0; k < 3 && status == GRAZE_OK; k++) {
-        if (!lines_token(l, &ignored)) {
+    for (int k = 0; k < 3 && status == GRAZE_OK; k++)
+        if (!lines_token(l, &ignored))
             return lines_fail(l, GRAZE_EINPUT, "facet %zu: its normal has %d numbers; expected 3",
                               f, k);
-        }
-    }
     status = status == GRAZE_OK ? stl_expect(l, "outer", f) : status;
     status = status == GRAZE_OK ? stl_expect(l, "loop", f) : status;
     if (status == GRAZE_OK) {
@@ -139,16 +135,14 @@ static graze_status read_part(merger *m, lines *l) {
     while (lines_token(l, &t)) {
     }
     for (;;) {
-        if (!lines_any(l, &t)) {
+        if (!lines_any(l, &t))
             return lines_fail(l, GRAZE_EINPUT, "the file ends before 'endsolid', after %zu facets",
                               m->s->facet_count);
-        }
         if (token_is(t, "endsolid"))
             break;
-        if (!token_is(t, "facet")) {
+        if (!token_is(t, "facet"))
             return lines_fail(l, GRAZE_EINPUT, "'%.*s'; expected 'facet' or 'endsolid'",
                               TOKEN_SHOWN(t));
-        }
         TRY(stl_facet(m, l));
     }
     while (lines_token(l, &t)) {
@@ -188,12 +182,11 @@ static graze_status read_either(merger *m, const char *path, const char *text, s
     }
     if (begins_as_text(text, length))
         return read_text(m, path, text, length);
-    if (length < HEADER) {
+    if (length < HEADER)
         return context_fail_in(m->context, GRAZE_EINPUT, path, 0,
                                "neither begins with 'solid' nor has the %d bytes of a binary "
                                "STL's header",
                                HEADER);
-    }
     return context_fail_in(m->context, GRAZE_EINPUT, path, 0,
                            "has %zu bytes; expected %zu, as a binary STL of %zu facets has", length,
                            HEADER + RECORD * count, count);

@@ -39,10 +39,9 @@ graze_status lines_start(lines *l, const char *text, size_t length) {
         if (memchr(text, '\0', size) != NULL)
             return lines_fail(l, GRAZE_EINPUT, "a NUL byte; expected a text in UTF-8");
         const char *cr = memchr(text, '\r', size);
-        if (cr != NULL && cr + 1 != newline) {
+        if (cr != NULL && cr + 1 != newline)
             return lines_fail(l, GRAZE_EINPUT,
                               "a carriage return within the line; expected LF or CRLF at its end");
-        }
         l->where++;
         text += size + (newline != NULL);
     }
@@ -142,10 +141,9 @@ graze_status lines_at(const lines *l, graze_status status) {
 graze_status lines_numbers(lines *l, fmpq *out, int count, const char *what, size_t index) {
     for (int k = 0; k < count; k++) {
         token t;
-        if (!lines_token(l, &t)) {
+        if (!lines_token(l, &t))
             return lines_fail(l, GRAZE_EINPUT, "%s %zu: the line has %d of its %d numbers", what,
                               index, k, count);
-        }
         graze_status status = rational_parse(out + k, l->context, t.text, t.length);
         if (status != GRAZE_OK)
             return lines_at(l, context_item(l->context, status, what, index, NULL));
@@ -158,10 +156,9 @@ graze_status lines_cells(lines *l, size_t *out, const char *what) {
     long long value;
     if (!lines_any(l, &t))
         return lines_fail(l, GRAZE_EINPUT, "the file ends before the number of %s", what);
-    if (!token_integer(t, &value) || value < 0) {
+    if (!token_integer(t, &value) || value < 0)
         return lines_fail(l, GRAZE_EINPUT, "'%.*s' is not a number of %s; expected a plain integer",
                           TOKEN_SHOWN(t), what);
-    }
     if ((unsigned long long)value > l->context->limits[GRAZE_LIMIT_CELLS])
         return lines_at(l, context_limit(l->context, GRAZE_LIMIT_CELLS, what));
     *out = (size_t)value;

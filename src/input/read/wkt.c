@@ -22,10 +22,9 @@ static graze_status expect(wkt *w, const char *mark, const char *what) {
     token t;
     if (!lines_any(&w->l, &t))
         return lines_fail(&w->l, GRAZE_EINPUT, "the file ends; expected '%s' %s", mark, what);
-    if (!token_is(t, mark)) {
+    if (!token_is(t, mark))
         return lines_fail(&w->l, GRAZE_EINPUT, "'%.*s'; expected '%s' %s", TOKEN_SHOWN(t), mark,
                           what);
-    }
     return GRAZE_OK;
 }
 
@@ -35,12 +34,11 @@ static graze_status list_goes_on(wkt *w, int *more, const char *what) {
     if (!lines_any(&w->l, &t))
         return lines_fail(&w->l, GRAZE_EINPUT, "the file ends within %s", what);
     *more = token_is(t, ",");
-    if (!*more && !token_is(t, ")")) {
+    if (!*more && !token_is(t, ")"))
         return lines_fail(
             &w->l, GRAZE_EINPUT,
             "'%.*s' stands in %s; expected ',' or ')', and positions in the plane, x y",
             TOKEN_SHOWN(t), what);
-    }
     return GRAZE_OK;
 }
 
@@ -54,10 +52,9 @@ static graze_status at_ring(const wkt *w, graze_status status) {
 static graze_status read_position(wkt *w) {
     for (int k = 0; k < 2; k++) {
         token t;
-        if (!lines_any(&w->l, &t)) {
+        if (!lines_any(&w->l, &t))
             return lines_fail(&w->l, GRAZE_EINPUT, "the file ends within polygon %zu, ring %zu",
                               w->polygon, w->ring);
-        }
         graze_status status = rational_parse(w->point + k, w->l.context, t.text, t.length);
         if (status != GRAZE_OK)
             return lines_at(&w->l, at_ring(w, status));
@@ -111,19 +108,17 @@ static graze_status turn_ring(wkt *w) {
 
 /* Check that the last position of a ring, w->point, is its first. */
 static graze_status close_ring(wkt *w, size_t first, size_t count) {
-    if (count < 4) {
+    if (count < 4)
         return lines_fail(&w->l, GRAZE_EINPUT,
                           "polygon %zu, ring %zu has %zu positions; expected at least 4, the last "
                           "repeating the first",
                           w->polygon, w->ring, count);
-    }
     const fmpq *start = w->s->coordinates + 2 * first;
-    if (!fmpq_equal(start, w->point) || !fmpq_equal(start + 1, w->point + 1)) {
+    if (!fmpq_equal(start, w->point) || !fmpq_equal(start + 1, w->point + 1))
         return lines_fail(&w->l, GRAZE_EINPUT,
                           "polygon %zu, ring %zu is not closed; expected its first position, "
                           "exactly, as its last",
                           w->polygon, w->ring);
-    }
     return turn_ring(w);
 }
 
@@ -174,16 +169,14 @@ static graze_status read_kind(wkt *w, int *multi) {
     if (!lines_any(&w->l, &t))
         return lines_fail(&w->l, GRAZE_EINPUT, "there is no text; expected POLYGON ((x y, ...))");
     *multi = token_is(t, "MULTIPOLYGON");
-    if (t.length >= 4 && token_is((token){t.text, 4}, "SRID")) {
+    if (t.length >= 4 && token_is((token){t.text, 4}, "SRID"))
         return lines_fail(&w->l, GRAZE_EINPUT,
                           "a reference system ('%.*s'); expected none, the plane is Euclidean",
                           TOKEN_SHOWN(t));
-    }
-    if (!*multi && !token_is(t, "POLYGON")) {
+    if (!*multi && !token_is(t, "POLYGON"))
         return lines_fail(&w->l, GRAZE_EINPUT,
                           "'%.*s' is no solid of the plane; expected POLYGON or MULTIPOLYGON",
                           TOKEN_SHOWN(t));
-    }
     lines ahead = w->l;
     if (!lines_any(&ahead, &t))
         return lines_fail(&ahead, GRAZE_EINPUT, "the file ends before the first '('");
@@ -207,10 +200,9 @@ graze_status read_wkt(soup *s, graze_context *context, const char *path, const c
     if (status == GRAZE_OK)
         status = multi ? read_multipolygon(&w) : read_polygon(&w);
     token t;
-    if (status == GRAZE_OK && lines_any(&w.l, &t)) {
+    if (status == GRAZE_OK && lines_any(&w.l, &t))
         status = lines_fail(&w.l, GRAZE_EINPUT,
                             "'%.*s' follows the last ')'; expected one geometry", TOKEN_SHOWN(t));
-    }
     fmpq_clear(w.point);
     fmpq_clear(w.point + 1);
     return status;
