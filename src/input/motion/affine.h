@@ -56,6 +56,14 @@ void quotient_at(fmpq_t out, const fmpz_poly_q_t a, const fmpq_t u);
 /** out(u) = a(line(u)), where the denominator of `line` is a constant. `out` is not `a`. */
 void quotient_substitute(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a,
                          const fmpz_poly_q_t line);
+/** Four functions that are made and cleared together. */
+typedef struct quotients {
+    fmpz_poly_q_t at[4];
+} quotients;
+
+void quotients_init(quotients *q);
+void quotients_clear(quotients *q);
+
 /** 1 and one of the two roots if a is a square in Q(u), else 0. */
 int quotient_square_root(fmpz_poly_q_t out, const fmpz_poly_q_t a);
 
@@ -234,6 +242,10 @@ void cut_list_init(cut_list *cuts);
 void cut_list_clear(cut_list *cuts);
 /** @return GRAZE_ELIMIT more parts than the limit `pieces`; what transform_map returns */
 graze_status transform_cuts(cut_list *cuts, graze_context *context, const json *transform);
+
+/** Turn or scale about a center, an array of functions, instead of the origin. */
+graze_status transform_center(affine *out, graze_context *context, const json *center,
+                              const stretch *part);
 
 /**
  * The map of a transform over one stretch between two of its cuts.

@@ -95,9 +95,7 @@ static void cut_map(calculation *c, affine *out, const draft_piece *piece, const
 static graze_status relative_piece(draft *out, graze_context *context, const draft_piece *moving,
                                    const draft_piece *frame, const fmpq_t lo, const fmpq_t hi) {
     draft_piece *piece;
-    graze_status status = draft_append(&piece, context, out);
-    if (status != GRAZE_OK)
-        return status;
+    TRY(draft_append(&piece, context, out));
     calculation c = {context, GRAZE_OK};
     HELD(common_map, common);
     HELD(affine, part, out->dimension);
@@ -143,9 +141,7 @@ graze_status draft_follow(draft *out, graze_context *context, const draft *next,
     for (size_t k = 0; k < next->count && c.status == GRAZE_OK; k++) {
         const draft_piece *piece = &next->piece[k];
         draft_piece *copy;
-        c.status = draft_append(&copy, context, out);
-        if (c.status != GRAZE_OK)
-            break;
+        TRY(draft_append(&copy, context, out));
         fmpq_sub(copy->lo, piece->lo, first);
         fmpq_div(copy->lo, copy->lo, span);
         fmpq_add_si(copy->lo, copy->lo, from);

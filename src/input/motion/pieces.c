@@ -33,13 +33,10 @@ static graze_status check_determinant(draft_piece *piece, graze_context *context
     calculation c = {context, GRAZE_OK};
     LOCAL(fmpz_poly_q, determinant);
     affine_determinant(&c, determinant, &piece->map);
-    if (c.status == GRAZE_OK) {
-        c.status = entry_no_root(context, where, fmpz_poly_q_numref(determinant), piece->lo,
-                                 piece->hi, "the determinant of the motion's linear part is zero");
-    } else {
-        json_at(context, c.status, where);
-    }
-    return c.status;
+    if (c.status != GRAZE_OK)
+        return json_at(context, c.status, where);
+    return entry_no_root(context, where, fmpz_poly_q_numref(determinant), piece->lo, piece->hi,
+                         "the determinant of the motion's linear part is zero");
 }
 
 static graze_status check_joint(const draft_piece *before, const draft_piece *after,
@@ -71,8 +68,8 @@ static graze_status check_joint(const draft_piece *before, const draft_piece *af
 static graze_status blame(affine *map, graze_context *context, const json *transform, stretch *part,
                           entry_fault fault) {
     part->fault = fault;
-    graze_status status = transform_map(map, context, transform, part);
-    return status == GRAZE_OK ? GRAZE_EILLEGAL : status;
+    TRY(transform_map(map, context, transform, part));
+    return GRAZE_EILLEGAL;
 }
 
 static graze_status read_stretch(draft *out, graze_context *context, const json *transform,
@@ -150,21 +147,18 @@ static graze_status read_one_piece(draft *out, graze_context *context, const jso
     const json *member[3];
     unsigned long row = 0;
     size_t first = out->count;
-    graze_status status = json_members(member, context, item, names, 3);
-    if (status == GRAZE_OK && (member[0] == NULL || member[1] == NULL))
-        status = json_fail(context, GRAZE_EINPUT, item, "the piece has no key %s",
-                           names[member[0] != NULL]);
-    if (status == GRAZE_OK)
-        status = read_row(&row, context, member[2]);
+    TRY(json_members(member, context, item, names, 3));
+    if (member[0] == NULL || member[1] == NULL)
+        return json_fail(context, GRAZE_EINPUT, item, "the piece has no key %s",
+                         names[member[0] != NULL]);
+    TRY(read_row(&row, context, member[2]));
     LOCAL_VEC(fmpq, lo, 2);
     fmpq *hi = lo + 1;
-    if (status == GRAZE_OK)
-        status = read_interval(lo, hi, context, member[0], out);
-    if (status == GRAZE_OK)
-        status = read_transform(out, context, member[1], lo, hi);
+    TRY(read_interval(lo, hi, context, member[0], out));
+    TRY(read_transform(out, context, member[1], lo, hi));
     for (size_t k = first; k < out->count; k++)
         out->piece[k].row = row;
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status motion_read_pieces(draft *out, graze_context *context, const json *pieces) {
@@ -267,15 +261,11 @@ static graze_status append_between(draft *out, graze_context *context, const jso
     fmpq_set(piece->lo, from->time);
     fmpq_set(piece->hi, to->time);
     piece->row = to->row;
-    fmpz_poly_struct q[4];
+    LOCAL_VEC(fmpz_poly, q, 4);
     LOCAL(fmpz, denominator);
-    for (int k = 0; k < 4; k++)
-        fmpz_poly_init(&q[k]);
     set_lines(q, denominator, from->rotation, to->rotation, 4);
     status = quaternion_rotation(&piece->frame, context, where, q, from->time, to->time);
     json_at_last(context, status, where);
-    for (int k = 0; k < 4; k++)
-        fmpz_poly_clear(&q[k]);
     set_lines(piece->frame.shift, denominator, from->position, to->position, out->dimension);
     fmpz_poly_set_fmpz(piece->frame.v, denominator);
     return status;
@@ -301,17 +291,15 @@ static graze_status read_next_frame(draft *out, graze_context *context, const js
 }
 
 graze_status motion_read_keyframes(draft *out, graze_context *context, const json *keyframes) {
-    graze_status status = json_array(context, keyframes, 0);
-    if (status == GRAZE_OK && keyframes->count < 2)
-        status = json_fail(context, GRAZE_EINPUT, keyframes,
-                           "expected at least two frames, not %zu", keyframes->count);
-    keyframe frame[2];
-    keyframe_init(&frame[0]);
-    keyframe_init(&frame[1]);
-    for (const json *item = keyframes->first; item != NULL && status == GRAZE_OK; item = item->next)
-        status = read_next_frame(out, context, item, &frame[(item->index + 1) % 2],
-                                 &frame[item->index % 2]);
-    keyframe_clear(&frame[1]);
-    keyframe_clear(&frame[0]);
-    return status;
+    TRY(json_array(context, keyframes, 0));
+    if (keyframes->count < 2)
+        return json_fail(context, GRAZE_EINPUT, keyframes, "expected at least two frames, not %zu",
+                         keyframes->count);
+    HELD(keyframe, even);
+    HELD(keyframe, odd);
+    keyframe *const frame[2] = {&even, &odd};
+    for (const json *item = keyframes->first; item != NULL; item = item->next)
+        TRY(read_next_frame(out, context, item, frame[(item->index + 1) % 2],
+                            frame[item->index % 2]));
+    return GRAZE_OK;
 }

@@ -16,6 +16,16 @@ enum { OPERATION_WORK = 8 };    /* what an operation costs beside the words of i
 enum { LONG_WORDS = 64 };       /* at this number of words a common divisor doubles the work */
 enum { ROOT_REFINEMENTS = 12 }; /* narrow enough to be told in a message */
 
+void quotients_init(quotients *q) {
+    for (int k = 0; k < 4; k++)
+        fmpz_poly_q_init(q->at[k]);
+}
+
+void quotients_clear(quotients *q) {
+    for (int k = 0; k < 4; k++)
+        fmpz_poly_q_clear(q->at[k]);
+}
+
 void calculation_spend(calculation *c, unsigned long work) {
     if (c->status != GRAZE_OK)
         return;
@@ -285,12 +295,11 @@ graze_status polynomial_root(int *found, fmpq_t low, fmpq_t high, graze_context 
     HELD(dyadic_interval, unit);
     dyadic_interval_set_si(&unit, 0, 1);
     HELD(algebraic_list, roots);
-    graze_status status = algebraic_roots(&roots, context, p, &unit);
-    *found = status == GRAZE_OK && roots.count > 0;
-    if (*found) {
-        for (int k = 0; k < ROOT_REFINEMENTS; k++)
-            algebraic_refine(&roots.item[0]);
+    TRY(algebraic_roots(&roots, context, p, &unit));
+    *found = roots.count > 0;
+    for (int k = 0; k < ROOT_REFINEMENTS && *found; k++)
+        algebraic_refine(&roots.item[0]);
+    if (*found)
         algebraic_bounds(low, high, &roots.item[0]);
-    }
-    return status;
+    return GRAZE_OK;
 }

@@ -88,29 +88,24 @@ static int has_cuts(const cut_list *cuts, const fmpz_t n) {
     LOCAL(fmpq, first);
     fmpz_one(fmpq_numref(first));
     fmpz_set(fmpq_denref(first), n);
-    int found =
-        bsearch(first, cuts->place, cuts->count, sizeof *cuts->place, compare_places) != NULL;
-    return found;
+    return bsearch(first, cuts->place, cuts->count, sizeof *cuts->place, compare_places) != NULL;
 }
 
 static graze_status cut_turn(cut_list *cuts, graze_context *context, const json *turn) {
     unsigned long limit = context->limits[GRAZE_LIMIT_PIECES];
     LOCAL(fmpz, quarters);
-    graze_status status = rotation_quarters(quarters, context, turn);
+    TRY(rotation_quarters(quarters, context, turn));
     fmpz_abs(quarters, quarters);
-    if (status == GRAZE_OK && fmpz_cmp_ui(quarters, limit) > 0) {
-        context_limit(context, GRAZE_LIMIT_PIECES, "quarters");
-        status = json_at(context, GRAZE_ELIMIT, turn);
-    }
-    if (status == GRAZE_OK && !fmpz_is_zero(quarters) && !has_cuts(cuts, quarters)) {
-        status = add_cuts(cuts, context, fmpz_get_ui(quarters));
+    if (fmpz_cmp_ui(quarters, limit) > 0)
+        return json_at(context, context_limit(context, GRAZE_LIMIT_PIECES, "quarters"), turn);
+    if (!fmpz_is_zero(quarters) && !has_cuts(cuts, quarters)) {
+        TRY(add_cuts(cuts, context, fmpz_get_ui(quarters)));
         sort_cuts(cuts);
     }
-    if (status == GRAZE_OK && cuts->count - 1 > limit) {
-        context_limit(context, GRAZE_LIMIT_PIECES, "parts cut by turns");
-        status = json_at(context, GRAZE_ELIMIT, turn);
-    }
-    return status;
+    if (cuts->count - 1 > limit)
+        return json_at(context, context_limit(context, GRAZE_LIMIT_PIECES, "parts cut by turns"),
+                       turn);
+    return GRAZE_OK;
 }
 
 static graze_status collect_cuts(cut_list *cuts, graze_context *context, const json *transform) {
@@ -127,8 +122,8 @@ static graze_status collect_cuts(cut_list *cuts, graze_context *context, const j
 }
 
 graze_status transform_cuts(cut_list *cuts, graze_context *context, const json *transform) {
-    graze_status status = add_cuts(cuts, context, 1);
-    return status == GRAZE_OK ? collect_cuts(cuts, context, transform) : status;
+    TRY(add_cuts(cuts, context, 1));
+    return collect_cuts(cuts, context, transform);
 }
 
 /* The row below an affine matrix, written out, can only be 0 ... 0 1. */
@@ -151,27 +146,24 @@ static graze_status check_regular(affine *a, graze_context *context, const json 
     calculation c = {context, GRAZE_OK};
     LOCAL(fmpz_poly_q, determinant);
     affine_determinant(&c, determinant, a);
-    if (c.status == GRAZE_OK)
-        c.status = entry_no_root(context, where, fmpz_poly_q_numref(determinant), part->lo,
-                                 part->hi, "the determinant is zero");
-    return c.status;
+    TRY(c.status);
+    return entry_no_root(context, where, fmpz_poly_q_numref(determinant), part->lo, part->hi,
+                         "the determinant is zero");
 }
 
 static graze_status read_matrix(affine *out, graze_context *context, const json *value,
                                 const stretch *part) {
     int d = part->dimension;
-    graze_status status = json_array(context, value, 0);
-    if (status == GRAZE_OK && value->count != (size_t)d && value->count != (size_t)d + 1)
-        status = json_fail(context, GRAZE_EINPUT, value,
-                           "expected a matrix of %d or %d rows, not %zu", d, d + 1, value->count);
+    TRY(json_array(context, value, 0));
+    if (value->count != (size_t)d && value->count != (size_t)d + 1)
+        return json_fail(context, GRAZE_EINPUT, value,
+                         "expected a matrix of %d or %d rows, not %zu", d, d + 1, value->count);
     const json *row = value->first;
-    for (int i = 0; i < d && status == GRAZE_OK; i++, row = row->next)
-        status = entry_vector(out->entry + i * (d + 1), context, row, (size_t)d + 1, part);
-    if (status == GRAZE_OK && row != NULL)
-        status = check_last_row(context, row, part);
-    return status == GRAZE_OK && part->fault == FAULT_SINGULAR
-               ? check_regular(out, context, value, part)
-               : status;
+    for (int i = 0; i < d; i++, row = row->next)
+        TRY(entry_vector(out->entry + i * (d + 1), context, row, (size_t)d + 1, part));
+    if (row != NULL)
+        TRY(check_last_row(context, row, part));
+    return part->fault == FAULT_SINGULAR ? check_regular(out, context, value, part) : GRAZE_OK;
 }
 
 static graze_status read_translation(affine *out, graze_context *context, const json *value,
@@ -200,16 +192,12 @@ static graze_status read_scale(affine *out, graze_context *context, const json *
     return GRAZE_OK;
 }
 
-static graze_status read_center(affine *out, graze_context *context, const json *center,
-                                const stretch *part) {
-    fmpz_poly_q_t about[3];
-    for (int k = 0; k < 3; k++)
-        fmpz_poly_q_init(about[k]);
+graze_status transform_center(affine *out, graze_context *context, const json *center,
+                              const stretch *part) {
+    HELD(quotients, about);
     calculation c = {context, GRAZE_OK};
-    c.status = entry_vector(about, context, center, (size_t)part->dimension, part);
-    affine_about(&c, out, about);
-    for (int k = 0; k < 3; k++)
-        fmpz_poly_q_clear(about[k]);
+    TRY(entry_vector(about.at, context, center, (size_t)part->dimension, part));
+    affine_about(&c, out, about.at);
     return c.status;
 }
 
@@ -254,19 +242,15 @@ static graze_status compose_runs(affine *out, graze_context *context, const json
 
 static graze_status read_compose(affine *out, graze_context *context, const json *value,
                                  const stretch *part) {
-    graze_status status = json_array(context, value, 0);
-    if (status != GRAZE_OK)
-        return status;
+    TRY(json_array(context, value, 0));
     /* Lengths are powers of two, each there once but for the run that has just come. */
     size_t most = 2;
     for (size_t n = value->count; n > 0; n /= 2)
         most++;
-    run *runs = malloc(most * sizeof *runs);
+    FREED(run, runs, malloc(most * sizeof *runs));
     if (runs == NULL)
         return context_fail(context, GRAZE_ESYSTEM, "no memory for the steps of a transform");
-    status = compose_runs(out, context, value, part, runs);
-    free(runs);
-    return status;
+    return compose_runs(out, context, value, part, runs);
 }
 
 graze_status transform_map(affine *out, graze_context *context, const json *transform,
@@ -281,11 +265,8 @@ graze_status transform_map(affine *out, graze_context *context, const json *tran
                                                                  [SCALE] = read_scale,
                                                                  [COMPOSE] = read_compose};
     form f;
-    graze_status status = read_form(&f, context, transform);
-    if (status != GRAZE_OK)
-        return status;
+    TRY(read_form(&f, context, transform));
     affine_identity(out);
-    status = read[f.kind](out, context, f.value, part);
-    return status == GRAZE_OK && f.center != NULL ? read_center(out, context, f.center, part)
-                                                  : status;
+    TRY(read[f.kind](out, context, f.value, part));
+    return f.center != NULL ? transform_center(out, context, f.center, part) : GRAZE_OK;
 }

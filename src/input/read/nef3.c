@@ -49,27 +49,20 @@ static graze_status check_facets(const nef *n) {
 
 /* Refuse a complex, of links already checked, that is unbounded, not regular closed or empty. */
 static graze_status check_solid(const nef *n) {
-    graze_status status = check_volume_marks(n);
-    if (status == GRAZE_OK)
-        status = check_facets(n);
-    for (size_t e = 0; e < n->count[NEF_HALFEDGE] && status == GRAZE_OK; e++) {
-        if (n->halfedge[e].isolated) {
-            status = illegal(n, "half-edge", e, "lies in no facet; expected a regular closed set");
-        } else if (!n->halfedge[e].mark) {
-            status = illegal(n, "half-edge", e,
-                             "is not marked; expected a closed set, with its boundary");
-        }
-    }
-    for (size_t v = 0; v < n->count[NEF_VERTEX] && status == GRAZE_OK; v++) {
+    static const char open[] = "is not marked; expected a closed set, with its boundary";
+    static const char thin[] = "lies in no facet; expected a regular closed set";
+    TRY(check_volume_marks(n));
+    TRY(check_facets(n));
+    for (size_t e = 0; e < n->count[NEF_HALFEDGE]; e++)
+        if (n->halfedge[e].isolated || !n->halfedge[e].mark)
+            return illegal(n, "half-edge", e, n->halfedge[e].isolated ? thin : open);
+    for (size_t v = 0; v < n->count[NEF_VERTEX]; v++) {
         const nef_vertex *item = n->vertex + v;
-        if (item->part[0][0] == NEF_NONE && item->loop == NEF_NONE) {
-            status = illegal(n, "vertex", v, "lies in no facet; expected a regular closed set");
-        } else if (!item->mark) {
-            status =
-                illegal(n, "vertex", v, "is not marked; expected a closed set, with its boundary");
-        }
+        int alone = item->part[0][0] == NEF_NONE && item->loop == NEF_NONE;
+        if (alone || !item->mark)
+            return illegal(n, "vertex", v, alone ? thin : open);
     }
-    return status;
+    return GRAZE_OK;
 }
 
 static size_t nef_corner(const nef *n, size_t e) {
@@ -96,12 +89,8 @@ static int in_plane(const nef *n, size_t f, size_t v) {
 /* Twice a cycle's area vector, measured along the plane's normal; only its sign matters. Offsets
  * are taken from the first corner, which keeps numbers small. */
 static int cycle_sign(const nef *n, size_t f, size_t entry) {
-    fmpq a[3], b[3], cross[3], term[1], sum[1];
-    fmpq *const all[5] = {a, b, cross, term, sum};
-    static const int sizes[5] = {3, 3, 3, 1, 1};
-    for (int i = 0; i < 5; i++)
-        for (int k = 0; k < sizes[i]; k++)
-            fmpq_init(all[i] + k);
+    LOCAL_VEC(fmpq, a, 11);
+    fmpq *b = a + 3, *cross = b + 3, *term = cross + 3, *sum = term + 1;
     const fmpq *origin = n->point + 3 * nef_corner(n, entry);
     for (size_t e = n->shalfedge[entry].next; e != entry; e = n->shalfedge[e].next) {
         const fmpq *next = n->point + 3 * nef_corner(n, n->shalfedge[e].next);
@@ -117,11 +106,7 @@ static int cycle_sign(const nef *n, size_t f, size_t entry) {
         along_normal(term, n->plane + 4 * f, cross);
         fmpq_add(sum, sum, term);
     }
-    int sign = fmpq_sgn(sum);
-    for (int i = 0; i < 5; i++)
-        for (int k = 0; k < sizes[i]; k++)
-            fmpq_clear(all[i] + k);
-    return sign;
+    return fmpq_sgn(sum);
 }
 
 /* Check a facet's corners against its plane, and find its outer cycle: the one that runs
@@ -158,14 +143,13 @@ static graze_status find_outer(const nef *n, size_t f, size_t *outer) {
 }
 
 static graze_status add_cycle(soup *s, const nef *n, size_t entry) {
-    graze_status status = soup_add_cycle(s, n->l.context, NULL, 0);
     size_t e = entry;
+    TRY(soup_add_cycle(s, n->l.context, NULL, 0));
     do {
-        if (status == GRAZE_OK)
-            status = soup_add_index(s, n->l.context, nef_corner(n, e));
+        TRY(soup_add_index(s, n->l.context, nef_corner(n, e)));
         e = n->shalfedge[e].next;
-    } while (e != entry && status == GRAZE_OK);
-    return status;
+    } while (e != entry);
+    return GRAZE_OK;
 }
 
 /* The facet whose outward half-facet is f; its outer cycle comes first. */
@@ -182,22 +166,21 @@ static graze_status add_facet(soup *s, const nef *n, size_t f) {
 }
 
 static graze_status make_soup(soup *s, nef *n, graze_rounding rounding) {
-    graze_status status = GRAZE_OK;
-    for (size_t f = 0; f < n->count[NEF_HALFFACET] && status == GRAZE_OK; f++) {
+    graze_context *context = n->l.context;
+    for (size_t f = 0; f < n->count[NEF_HALFFACET]; f++) {
         size_t twin = n->halffacet[f].twin;
         if (f < twin)
-            status = add_facet(s, n, n->volume[n->halffacet[f].volume].mark ? twin : f);
+            TRY(add_facet(s, n, n->volume[n->halffacet[f].volume].mark ? twin : f));
     }
-    for (size_t v = 0; v < n->count[NEF_VERTEX] && status == GRAZE_OK; v++) {
-        for (int k = 0; k < 3 && status == GRAZE_OK; k++)
-            status = rational_round(n->point + 3 * v + k, n->l.context, rounding);
-        if (status != GRAZE_OK) {
-            context_item(n->l.context, status, "vertex", v, NULL);
-            return context_in(n->l.context, status, n->l.path, 0);
+    for (size_t v = 0; v < n->count[NEF_VERTEX]; v++) {
+        for (int k = 0; k < 3; k++) {
+            graze_status status = rational_round(n->point + 3 * v + k, context, rounding);
+            context_item(context, status, "vertex", v, NULL);
+            TRY(context_in(context, status, n->l.path, 0));
         }
-        status = soup_add_vertex(s, n->l.context, n->point + 3 * v);
+        TRY(soup_add_vertex(s, context, n->point + 3 * v));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status read_nef3(soup *s, graze_context *context, const char *path, const char *text,

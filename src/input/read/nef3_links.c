@@ -231,28 +231,22 @@ static graze_status check_volumes(const nef *n) {
 
 static graze_status check_lists(const nef *n, unsigned char *met) {
     size_t arcs = n->count[NEF_SHALFEDGE], loops = n->count[NEF_SHALFLOOP];
-    graze_status status = check_halffacets(n, met, met + arcs);
     unsigned char *again = met + arcs + loops;
-    if (status == GRAZE_OK)
-        status = check_sfaces(n, again, again + arcs, again + arcs + loops);
-    return status == GRAZE_OK ? check_volumes(n) : status;
+    TRY(check_halffacets(n, met, met + arcs));
+    TRY(check_sfaces(n, again, again + arcs, again + arcs + loops));
+    return check_volumes(n);
 }
 
 graze_status nef_check_links(const nef *n) {
-    graze_status status = check_vertices(n);
-    if (status == GRAZE_OK)
-        status = check_halfedges(n);
-    for (size_t e = 0; e < n->count[NEF_SHALFEDGE] && status == GRAZE_OK; e++)
-        status = check_shalfedge(n, e);
-    for (size_t l = 0; l < n->count[NEF_SHALFLOOP] && status == GRAZE_OK; l++)
-        status = check_shalfloop(n, l);
-    if (status != GRAZE_OK)
-        return status;
+    TRY(check_vertices(n));
+    TRY(check_halfedges(n));
+    for (size_t e = 0; e < n->count[NEF_SHALFEDGE]; e++)
+        TRY(check_shalfedge(n, e));
+    for (size_t l = 0; l < n->count[NEF_SHALFLOOP]; l++)
+        TRY(check_shalfloop(n, l));
     size_t flags = 2 * (n->count[NEF_SHALFEDGE] + n->count[NEF_SHALFLOOP]) + n->count[NEF_HALFEDGE];
-    unsigned char *met = calloc(flags + 1, 1);
+    FREED(unsigned char, met, calloc(flags + 1, 1));
     if (met == NULL)
         return nef_fail(n, GRAZE_ESYSTEM, "no memory to follow its cycles");
-    status = check_lists(n, met);
-    free(met);
-    return status;
+    return check_lists(n, met);
 }

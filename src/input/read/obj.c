@@ -28,28 +28,24 @@ static const char *const refused[] = {"l",    "p",     "vp",   "cstype", "deg", 
 /* x y z, then nothing, or the weight w = 1, or a colour of three numbers. */
 static graze_status obj_vertex(soup *s, lines *l, fmpq *number) {
     size_t v = s->vertex_count;
-    graze_status status = lines_numbers(l, number, 3, "vertex", v);
     int count = 3;
     token t;
-    while (status == GRAZE_OK && lines_token(l, &t)) {
+    TRY(lines_numbers(l, number, 3, "vertex", v));
+    while (lines_token(l, &t)) {
         if (count == 6)
             return lines_fail(l, GRAZE_EINPUT,
                               "vertex %zu has more than 6 numbers; expected x y z, x y z 1 or "
                               "x y z and a colour",
                               v);
-        status = rational_parse(number + count++, l->context, t.text, t.length);
-        if (status != GRAZE_OK)
-            return lines_at(l, context_item(l->context, status, "vertex", v, NULL));
+        graze_status status = rational_parse(number + count++, l->context, t.text, t.length);
+        TRY(lines_at(l, context_item(l->context, status, "vertex", v, NULL)));
     }
-    if (status != GRAZE_OK)
-        return status;
     if (count == 5 || (count == 4 && !fmpq_is_one(number + 3)))
         return lines_fail(l, GRAZE_EINPUT,
                           count == 5 ? "vertex %zu has 5 numbers; expected 3, 4 or 6"
                                      : "vertex %zu has a weight other than 1",
                           v);
-    status = soup_add_vertex(s, l->context, number);
-    return status == GRAZE_OK ? status : lines_at(l, status);
+    return lines_at(l, soup_add_vertex(s, l->context, number));
 }
 
 /* Cut the part before the first slash off `rest`; what follows the slash stays. */
@@ -80,10 +76,8 @@ static long long obj_corner(token t) {
 static graze_status obj_facet(soup *s, lines *l, size_t above) {
     size_t f = s->facet_count, size = 0;
     token t;
-    graze_status status = soup_add_facet(s, l->context);
-    if (status == GRAZE_OK)
-        status = soup_add_cycle(s, l->context, NULL, 0);
-    for (; status == GRAZE_OK && lines_token(l, &t); size++) {
+    TRY(lines_at(l, facet_begin(s, l->context)));
+    for (; lines_token(l, &t); size++) {
         long long v = obj_corner(t);
         if (v == 0)
             return lines_fail(l, GRAZE_EINPUT,
@@ -95,10 +89,9 @@ static graze_status obj_facet(soup *s, lines *l, size_t above) {
                               "facet %zu: there is no vertex %lld; the file has %zu, and %zu stand "
                               "above this line",
                               f, v, s->vertex_count, above);
-        status = soup_add_index(s, l->context, v > 0 ? (size_t)v - 1 : above - (size_t)-v);
+        size_t index = v > 0 ? (size_t)v - 1 : above - (size_t)-v;
+        TRY(lines_at(l, soup_add_index(s, l->context, index)));
     }
-    if (status != GRAZE_OK)
-        return lines_at(l, status);
     if (size < 3)
         return lines_fail(l, GRAZE_EINPUT, "facet %zu has %zu corners; expected at least 3", f,
                           size);

@@ -101,14 +101,9 @@ static graze_status off_vertices(soup *s, columns *c, lines *l, fmpq *point, siz
         if (!lines_next(l))
             return lines_fail(l, GRAZE_EINPUT, "the file ends after %zu of its %zu vertices", v,
                               count);
-        graze_status status = lines_numbers(l, point, 3, "vertex", v);
-        if (status == GRAZE_OK)
-            status = pass_columns(c, l, v);
-        if (status != GRAZE_OK)
-            return status;
-        status = soup_add_vertex(s, l->context, point);
-        if (status != GRAZE_OK)
-            return lines_at(l, status);
+        TRY(lines_numbers(l, point, 3, "vertex", v));
+        TRY(pass_columns(c, l, v));
+        TRY(lines_at(l, soup_add_vertex(s, l->context, point)));
     }
     return GRAZE_OK;
 }
@@ -142,10 +137,8 @@ static graze_status off_facet(soup *s, lines *l, size_t f) {
     if (size < 3)
         return lines_fail(l, GRAZE_EINPUT, "facet %zu has %lld vertices; expected at least 3", f,
                           size);
-    graze_status status = soup_add_facet(s, l->context);
-    if (status == GRAZE_OK)
-        status = soup_add_cycle(s, l->context, NULL, 0);
-    for (long long k = 0; k < size && status == GRAZE_OK; k++) {
+    TRY(lines_at(l, facet_begin(s, l->context)));
+    for (long long k = 0; k < size; k++) {
         if (!lines_token(l, &t))
             return lines_fail(l, GRAZE_EINPUT,
                               "facet %zu: the line ends after %lld of its %lld indices", f, k,
@@ -155,9 +148,9 @@ static graze_status off_facet(soup *s, lines *l, size_t f) {
                               "facet %zu: '%.*s' is not a vertex; expected an integer from 0 below "
                               "%zu",
                               f, TOKEN_SHOWN(t), s->vertex_count);
-        status = soup_add_index(s, l->context, (size_t)v);
+        TRY(lines_at(l, soup_add_index(s, l->context, (size_t)v)));
     }
-    return status == GRAZE_OK ? pass_colours(l, f) : lines_at(l, status);
+    return pass_colours(l, f);
 }
 
 static graze_status read_all(soup *s, lines *l, fmpq *point) {

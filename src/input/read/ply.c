@@ -24,7 +24,7 @@ typedef struct ply {
     size_t at, size;
     const ply_element *element; /* being read */
     size_t entry;
-    fmpq point[3];
+    fmpq *point; /* 3 */
 } ply;
 
 static const struct {
@@ -35,10 +35,12 @@ static const struct {
     [PLY_INT32] = {4, 1}, [PLY_UINT32] = {4, 0}, [PLY_FLOAT32] = {4, 1}, [PLY_FLOAT64] = {8, 1},
 };
 
-/* Put file, place, element and entry before a message. */
+/* Put file, place, element and entry before the message of a failure. */
 static graze_status at_entry(const ply *p, graze_status status) {
     graze_context *context = p->l.context;
     char element[32];
+    if (status == GRAZE_OK)
+        return status;
     snprintf(element, sizeof element, "%.*s", TOKEN_SHOWN(p->element->name));
     context_item(context, status, element, p->entry, NULL);
     if (p->header.format == PLY_ASCII)
@@ -85,16 +87,12 @@ static graze_status pass_value(ply *p, ply_type type) {
 static graze_status read_integer(ply *p, ply_type type, long long *out) {
     token t;
     uint64_t bytes;
-    graze_status status;
     if (p->header.format == PLY_ASCII) {
-        status = next_token(p, &t);
-        if (status == GRAZE_OK && !token_integer(t, out))
-            return fail(p, "'%.*s' is not an integer", TOKEN_SHOWN(t));
-        return status;
+        TRY(next_token(p, &t));
+        return token_integer(t, out) ? GRAZE_OK
+                                     : fail(p, "'%.*s' is not an integer", TOKEN_SHOWN(t));
     }
-    status = next_bytes(p, type, &bytes);
-    if (status != GRAZE_OK)
-        return status;
+    TRY(next_bytes(p, type, &bytes));
     uint64_t sign = (uint64_t)types[type].is_signed << (8 * types[type].width - 1);
     *out = bytes & sign ? (long long)bytes - 2 * (long long)sign : (long long)bytes;
     return GRAZE_OK;
@@ -102,10 +100,8 @@ static graze_status read_integer(ply *p, ply_type type, long long *out) {
 
 static graze_status binary_coordinate(ply *p, ply_type type, fmpq *out) {
     uint64_t bytes;
-    graze_status status = next_bytes(p, type, &bytes);
-    if (status != GRAZE_OK)
-        return status;
     double value;
+    TRY(next_bytes(p, type, &bytes));
     if (type == PLY_FLOAT64) {
         memcpy(&value, &bytes, sizeof value);
     } else {
@@ -114,79 +110,62 @@ static graze_status binary_coordinate(ply *p, ply_type type, fmpq *out) {
         memcpy(&narrow, &image, sizeof narrow);
         value = narrow;
     }
-    status = rational_from_double(out, p->l.context, value);
-    return status == GRAZE_OK ? status : at_entry(p, status);
+    return at_entry(p, rational_from_double(out, p->l.context, value));
 }
 
 static graze_status read_coordinate(ply *p, ply_type type, fmpq *out) {
     graze_context *context = p->l.context;
-    graze_status status;
     long long integer;
     token t;
     if (p->header.format == PLY_ASCII && type >= PLY_FLOAT32) {
-        status = next_token(p, &t);
-        if (status != GRAZE_OK)
-            return status;
-        status = rational_parse(out, context, t.text, t.length);
-        return status == GRAZE_OK ? status : at_entry(p, status);
+        TRY(next_token(p, &t));
+        return at_entry(p, rational_parse(out, context, t.text, t.length));
     }
     if (type >= PLY_FLOAT32) {
-        status = binary_coordinate(p, type, out);
+        TRY(binary_coordinate(p, type, out));
     } else {
-        status = read_integer(p, type, &integer);
-        if (status == GRAZE_OK)
-            fmpq_set_si(out, (slong)integer, 1);
+        TRY(read_integer(p, type, &integer));
+        fmpq_set_si(out, (slong)integer, 1);
     }
-    if (status != GRAZE_OK)
-        return status;
-    status = rational_round(out, context, context->rounding);
-    return status == GRAZE_OK ? status : at_entry(p, status);
+    return at_entry(p, rational_round(out, context, context->rounding));
 }
 
 static graze_status read_list(ply *p, const ply_property *property) {
     long long size, v;
     int taken = property->role == PLY_INDICES;
-    graze_status status = read_integer(p, property->count_type, &size);
-    if (status == GRAZE_OK && size < 0)
+    TRY(read_integer(p, property->count_type, &size));
+    if (size < 0)
         return fail(p, "a list has the length %lld", size);
-    if (status == GRAZE_OK && taken && size < 3)
+    if (taken && size < 3)
         return fail(p, "it has %lld vertices; expected at least 3", size);
-    for (long long k = 0; k < size && status == GRAZE_OK; k++) {
+    for (long long k = 0; k < size; k++) {
         if (!taken) {
-            status = pass_value(p, property->type);
+            TRY(pass_value(p, property->type));
             continue;
         }
-        status = read_integer(p, property->type, &v);
-        if (status == GRAZE_OK && (v < 0 || (size_t)v >= p->header.vertex_count))
+        TRY(read_integer(p, property->type, &v));
+        if (v < 0 || (size_t)v >= p->header.vertex_count)
             return fail(p, "%lld is not a vertex; expected an integer from 0 below %zu", v,
                         p->header.vertex_count);
-        status = status == GRAZE_OK ? soup_add_index(p->s, p->l.context, (size_t)v) : status;
+        TRY(soup_add_index(p->s, p->l.context, (size_t)v));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status read_entry(ply *p) {
     const ply_element *e = p->element;
-    graze_status status = GRAZE_OK;
-    if (e->is_face) {
-        status = soup_add_facet(p->s, p->l.context);
-        status = status == GRAZE_OK ? soup_add_cycle(p->s, p->l.context, NULL, 0) : status;
-        status = status == GRAZE_OK ? status : at_entry(p, status);
-    }
-    for (size_t k = 0; k < e->property_count && status == GRAZE_OK; k++) {
+    if (e->is_face)
+        TRY(at_entry(p, facet_begin(p->s, p->l.context)));
+    for (size_t k = 0; k < e->property_count; k++) {
         const ply_property *property = p->header.property + e->first + k;
         if (property->is_list)
-            status = read_list(p, property);
+            TRY(read_list(p, property));
         else if (property->role <= PLY_Z)
-            status = read_coordinate(p, property->type, p->point + (property->role - PLY_X));
+            TRY(read_coordinate(p, property->type, p->point + (property->role - PLY_X)));
         else
-            status = pass_value(p, property->type);
+            TRY(pass_value(p, property->type));
     }
-    if (status == GRAZE_OK && e->is_vertex) {
-        status = soup_add_vertex(p->s, p->l.context, p->point);
-        status = status == GRAZE_OK ? status : at_entry(p, status);
-    }
-    return status;
+    return e->is_vertex ? at_entry(p, soup_add_vertex(p->s, p->l.context, p->point)) : GRAZE_OK;
 }
 
 static graze_status read_ply_element(ply *p) {
@@ -250,20 +229,14 @@ static graze_status begin_body(ply *p, const char *text, size_t header, size_t l
 
 graze_status read_ply(soup *s, graze_context *context, const char *path, const char *text,
                       size_t length) {
-    ply p = {.s = s, .l = {.context = context, .path = path, .marks = ""}};
+    LOCAL_VEC(fmpq, point, 3);
+    ply p = {.s = s, .l = {.context = context, .path = path, .marks = ""}, .point = point};
     size_t header = header_length(text, length);
-    graze_status status = lines_start(&p.l, text, header);
-    if (status == GRAZE_OK)
-        status = ply_header_read(&p.header, &p.l);
-    if (status != GRAZE_OK)
-        return status;
-    for (int k = 0; k < 3; k++)
-        fmpq_init(p.point + k);
-    status = begin_body(&p, text, header, length);
+    TRY(lines_start(&p.l, text, header));
+    TRY(ply_header_read(&p.header, &p.l));
+    graze_status status = begin_body(&p, text, header, length);
     if (status == GRAZE_OK)
         status = read_body(&p);
-    for (int k = 0; k < 3; k++)
-        fmpq_clear(p.point + k);
     ply_header_clear(&p.header);
     return status;
 }

@@ -35,19 +35,14 @@ static graze_status line_ends(lines *l) {
 
 static graze_status read_type(lines *l, ply_type *out) {
     token t;
-    graze_status status = word(l, &t, "a type");
-    for (int k = 0; status == GRAZE_OK && k < PLY_TYPE_COUNT; k++) {
-        if (token_is(t, type_names[k][0]) || token_is(t, type_names[k][1])) {
-            *out = (ply_type)k;
+    TRY(word(l, &t, "a type"));
+    for (*out = 0; *out < PLY_TYPE_COUNT; ++*out)
+        if (token_is(t, type_names[*out][0]) || token_is(t, type_names[*out][1]))
             return GRAZE_OK;
-        }
-    }
-    return status != GRAZE_OK
-               ? status
-               : lines_fail(l, GRAZE_EINPUT,
-                            "'%.*s' is not a type of PLY; expected char, uchar, short, ushort, "
-                            "int, uint, float, double, int8 ... float64",
-                            TOKEN_SHOWN(t));
+    return lines_fail(l, GRAZE_EINPUT,
+                      "'%.*s' is not a type of PLY; expected char, uchar, short, ushort, int, "
+                      "uint, float, double, int8 ... float64",
+                      TOKEN_SHOWN(t));
 }
 
 static graze_status read_format(ply_header *h, lines *l) {
@@ -126,22 +121,16 @@ static graze_status read_property(ply_header *h, lines *l) {
     *p = (ply_property){.count_type = PLY_INT8};
     lines before = *l;
     token t;
-    graze_status status = word(l, &t, "a type");
-    p->is_list = status == GRAZE_OK && token_is(t, "list");
+    TRY(word(l, &t, "a type"));
+    p->is_list = token_is(t, "list");
     if (p->is_list)
-        status = read_type(l, &p->count_type);
+        TRY(read_type(l, &p->count_type));
     else
         *l = before;
-    if (status == GRAZE_OK)
-        status = read_type(l, &p->type);
-    if (status == GRAZE_OK)
-        status = word(l, &p->name, "the property's name");
-    if (status == GRAZE_OK) {
-        p->role = role_of(e, p->name);
-        status = check_property(h, l, e, p);
-    }
-    if (status != GRAZE_OK)
-        return status;
+    TRY(read_type(l, &p->type));
+    TRY(word(l, &p->name, "the property's name"));
+    p->role = role_of(e, p->name);
+    TRY(check_property(h, l, e, p));
     h->property_count++;
     e->property_count++;
     return line_ends(l);
@@ -179,23 +168,19 @@ static graze_status read_entries(ply_header *h, lines *l) {
         if (h->element_count + h->property_count == ENTRIES_MOST)
             return lines_fail(l, GRAZE_EINPUT,
                               "the header has more than %d elements and properties", ENTRIES_MOST);
-        graze_status status = GRAZE_OK;
         if (token_is(t, "end_header")) {
-            status = line_ends(l);
-            return status == GRAZE_OK ? check_header(h, l) : status;
+            TRY(line_ends(l));
+            return check_header(h, l);
         }
-        if (token_is(t, "element")) {
-            status = read_element(h, l);
-        } else if (token_is(t, "property")) {
-            status = read_property(h, l);
-        } else if (!token_is(t, "comment") && !token_is(t, "obj_info")) {
-            status = lines_fail(l, GRAZE_EINPUT,
-                                "'%.*s' is no header line; expected element, property, comment, "
-                                "end_header",
-                                TOKEN_SHOWN(t));
-        }
-        if (status != GRAZE_OK)
-            return status;
+        if (token_is(t, "element"))
+            TRY(read_element(h, l));
+        else if (token_is(t, "property"))
+            TRY(read_property(h, l));
+        else if (!token_is(t, "comment") && !token_is(t, "obj_info"))
+            return lines_fail(l, GRAZE_EINPUT,
+                              "'%.*s' is no header line; expected element, property, comment, "
+                              "end_header",
+                              TOKEN_SHOWN(t));
     }
 }
 

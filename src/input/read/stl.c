@@ -17,7 +17,7 @@ typedef struct merger {
     soup *s;
     graze_context *context;
     slots positions; /* of the vertices */
-    fmpq point[3];
+    fmpq *point;     /* 3 */
 } merger;
 
 static uint64_t stl_hash(const fmpq *point) {
@@ -56,11 +56,6 @@ static graze_status add_corner(merger *m) {
     return soup_add_index(m->s, m->context, vertex);
 }
 
-static graze_status begin_facet(merger *m) {
-    graze_status status = soup_add_facet(m->s, m->context);
-    return status == GRAZE_OK ? soup_add_cycle(m->s, m->context, NULL, 0) : status;
-}
-
 static uint32_t little_endian(const unsigned char *p) {
     return p[0] | (uint32_t)p[1] << 8 | (uint32_t)p[2] << 16 | (uint32_t)p[3] << 24;
 }
@@ -79,7 +74,7 @@ static graze_status binary_corner(merger *m, const unsigned char *p) {
 static graze_status read_binary(merger *m, const char *path, const unsigned char *data,
                                 size_t count) {
     for (size_t f = 0; f < count; f++) {
-        graze_status status = begin_facet(m);
+        graze_status status = facet_begin(m->s, m->context);
         for (size_t k = 0; k < 3 && status == GRAZE_OK; k++)
             status = binary_corner(m, data + HEADER + RECORD * f + 12 + 12 * k);
         if (status != GRAZE_OK) {
@@ -105,28 +100,21 @@ static graze_status stl_expect(lines *l, const char *word, size_t f) {
 static graze_status stl_facet(merger *m, lines *l) {
     size_t f = m->s->facet_count;
     token ignored;
-    graze_status status = stl_expect(l, "normal", f);
-    for (int k = 0; k < 3 && status == GRAZE_OK; k++)
+    TRY(stl_expect(l, "normal", f));
+    for (int k = 0; k < 3; k++)
         if (!lines_token(l, &ignored))
             return lines_fail(l, GRAZE_EINPUT, "facet %zu: its normal has %d numbers; expected 3",
                               f, k);
-    status = status == GRAZE_OK ? stl_expect(l, "outer", f) : status;
-    status = status == GRAZE_OK ? stl_expect(l, "loop", f) : status;
-    if (status == GRAZE_OK) {
-        status = begin_facet(m);
-        status = status == GRAZE_OK ? status : lines_at(l, status);
+    TRY(stl_expect(l, "outer", f));
+    TRY(stl_expect(l, "loop", f));
+    TRY(lines_at(l, facet_begin(m->s, m->context)));
+    for (int k = 0; k < 3; k++) {
+        TRY(stl_expect(l, "vertex", f));
+        TRY(lines_numbers(l, m->point, 3, "a vertex of facet", f));
+        TRY(lines_at(l, add_corner(m)));
     }
-    for (int k = 0; k < 3 && status == GRAZE_OK; k++) {
-        status = stl_expect(l, "vertex", f);
-        if (status == GRAZE_OK)
-            status = lines_numbers(l, m->point, 3, "a vertex of facet", f);
-        if (status == GRAZE_OK) {
-            status = add_corner(m);
-            status = status == GRAZE_OK ? status : lines_at(l, status);
-        }
-    }
-    status = status == GRAZE_OK ? stl_expect(l, "endloop", f) : status;
-    return status == GRAZE_OK ? stl_expect(l, "endfacet", f) : status;
+    TRY(stl_expect(l, "endloop", f));
+    return stl_expect(l, "endfacet", f);
 }
 
 /* One "solid ... endsolid"; both words may be followed by a name up to the line's end. */
@@ -194,12 +182,9 @@ static graze_status read_either(merger *m, const char *path, const char *text, s
 
 graze_status read_stl(soup *s, graze_context *context, const char *path, const char *text,
                       size_t length) {
-    merger m = {.s = s, .context = context};
-    for (int k = 0; k < 3; k++)
-        fmpq_init(m.point + k);
+    LOCAL_VEC(fmpq, point, 3);
+    merger m = {.s = s, .context = context, .point = point};
     graze_status status = read_either(&m, path, text, length);
     slots_clear(&m.positions);
-    for (int k = 0; k < 3; k++)
-        fmpq_clear(m.point + k);
     return status;
 }

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
+#include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "input/read/token_lines.h"
 
@@ -145,10 +146,14 @@ graze_status lines_numbers(lines *l, fmpq *out, int count, const char *what, siz
             return lines_fail(l, GRAZE_EINPUT, "%s %zu: the line has %d of its %d numbers", what,
                               index, k, count);
         graze_status status = rational_parse(out + k, l->context, t.text, t.length);
-        if (status != GRAZE_OK)
-            return lines_at(l, context_item(l->context, status, what, index, NULL));
+        TRY(lines_at(l, context_item(l->context, status, what, index, NULL)));
     }
     return GRAZE_OK;
+}
+
+graze_status facet_begin(soup *s, graze_context *context) {
+    TRY(soup_add_facet(s, context));
+    return soup_add_cycle(s, context, NULL, 0);
 }
 
 graze_status lines_cells(lines *l, size_t *out, const char *what) {

@@ -62,12 +62,15 @@ int lines_any(lines *l, token *out);
 graze_status lines_fail(const lines *l, graze_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/** Put "path:line: " before the message of a failure on its way up. */
+/** Put "path:line: " before the message of a failure on its way up; GRAZE_OK passes through. */
 graze_status lines_at(const lines *l, graze_status status);
 
 /** Read the next `count` tokens of this line as numbers. `what` and `index` name
  * their owner in messages. */
 graze_status lines_numbers(lines *l, fmpq *out, int count, const char *what, size_t index);
+
+/** Begin a facet of one cycle, whose indices follow. */
+graze_status facet_begin(soup *s, graze_context *context);
 
 /** A number of cells: a plain integer within the cells limit. `what` names them, in the plural. */
 graze_status lines_cells(lines *l, size_t *out, const char *what);

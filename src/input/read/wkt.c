@@ -15,7 +15,7 @@ typedef struct wkt {
     soup *s;
     lines l;
     size_t polygon, ring; /* being read, for messages */
-    fmpq point[2];
+    fmpq *point;          /* 2 */
 } wkt;
 
 static graze_status expect(wkt *w, const char *mark, const char *what) {
@@ -42,7 +42,7 @@ static graze_status list_goes_on(wkt *w, int *more, const char *what) {
     return GRAZE_OK;
 }
 
-/* Put polygon and ring before a message. */
+/* Put polygon and ring before the message of a failure. */
 static graze_status at_ring(const wkt *w, graze_status status) {
     char ring[32];
     snprintf(ring, sizeof ring, "ring %zu", w->ring);
@@ -55,9 +55,8 @@ static graze_status read_position(wkt *w) {
         if (!lines_any(&w->l, &t))
             return lines_fail(&w->l, GRAZE_EINPUT, "the file ends within polygon %zu, ring %zu",
                               w->polygon, w->ring);
-        graze_status status = rational_parse(w->point + k, w->l.context, t.text, t.length);
-        if (status != GRAZE_OK)
-            return lines_at(&w->l, at_ring(w, status));
+        TRY(lines_at(&w->l,
+                     at_ring(w, rational_parse(w->point + k, w->l.context, t.text, t.length))));
     }
     return GRAZE_OK;
 }
@@ -85,11 +84,9 @@ static graze_status turn_ring(wkt *w) {
     soup *s = w->s;
     uint32_t *ring = s->index + s->cycle_start[s->cycle_count - 1];
     size_t n = s->index_count - s->cycle_start[s->cycle_count - 1];
-    fmpq_t area;
-    fmpq_init(area);
+    LOCAL(fmpq, area);
     area_sum(area, s, ring, n, 0, n);
     int sign = fmpq_sgn(area);
-    fmpq_clear(area);
     if (sign == 0) {
         graze_status status = validate_crossing(w->l.context, s, s->cycle_count - 1);
         if (status == GRAZE_OK)
@@ -124,34 +121,28 @@ static graze_status close_ring(wkt *w, size_t first, size_t count) {
 
 static graze_status read_ring(wkt *w) {
     size_t first = w->s->vertex_count, count = 0;
-    graze_status status = expect(w, "(", "before a ring");
-    if (status == GRAZE_OK)
-        status = soup_add_cycle(w->s, w->l.context, NULL, 0);
-    for (int more = 1; more && status == GRAZE_OK; count++) {
-        status = read_position(w);
-        if (status == GRAZE_OK)
-            status = list_goes_on(w, &more, "a ring");
-        if (status == GRAZE_OK && more) {
-            status = soup_add_index(w->s, w->l.context, w->s->vertex_count);
-            if (status == GRAZE_OK)
-                status = soup_add_vertex(w->s, w->l.context, w->point);
-            status = status == GRAZE_OK ? status : lines_at(&w->l, status);
-        }
+    TRY(expect(w, "(", "before a ring"));
+    TRY(soup_add_cycle(w->s, w->l.context, NULL, 0));
+    for (int more = 1; more; count++) {
+        TRY(read_position(w));
+        TRY(list_goes_on(w, &more, "a ring"));
+        if (!more)
+            continue;
+        TRY(lines_at(&w->l, soup_add_index(w->s, w->l.context, w->s->vertex_count)));
+        TRY(lines_at(&w->l, soup_add_vertex(w->s, w->l.context, w->point)));
     }
-    return status == GRAZE_OK ? close_ring(w, first, count) : status;
+    return close_ring(w, first, count);
 }
 
 static graze_status read_polygon(wkt *w) {
-    graze_status status = expect(w, "(", "before the rings of a polygon");
-    if (status == GRAZE_OK)
-        status = soup_add_facet(w->s, w->l.context);
+    TRY(expect(w, "(", "before the rings of a polygon"));
+    TRY(soup_add_facet(w->s, w->l.context));
     w->ring = 0;
-    for (int more = 1; more && status == GRAZE_OK; w->ring++) {
-        status = read_ring(w);
-        if (status == GRAZE_OK)
-            status = list_goes_on(w, &more, "a polygon");
+    for (int more = 1; more; w->ring++) {
+        TRY(read_ring(w));
+        TRY(list_goes_on(w, &more, "a polygon"));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status read_multipolygon(wkt *w) {
@@ -189,21 +180,15 @@ static graze_status read_kind(wkt *w, int *multi) {
 
 graze_status read_wkt(soup *s, graze_context *context, const char *path, const char *text,
                       size_t length) {
-    wkt w = {.s = s, .l = {.context = context, .path = path, .marks = "(),"}};
-    graze_status status = lines_start(&w.l, text, length);
-    if (status != GRAZE_OK)
-        return status;
-    fmpq_init(w.point);
-    fmpq_init(w.point + 1);
-    int multi = 0;
-    status = read_kind(&w, &multi);
-    if (status == GRAZE_OK)
-        status = multi ? read_multipolygon(&w) : read_polygon(&w);
+    LOCAL_VEC(fmpq, point, 2);
+    wkt w = {.s = s, .l = {.context = context, .path = path, .marks = "(),"}, .point = point};
     token t;
-    if (status == GRAZE_OK && lines_any(&w.l, &t))
-        status = lines_fail(&w.l, GRAZE_EINPUT,
-                            "'%.*s' follows the last ')'; expected one geometry", TOKEN_SHOWN(t));
-    fmpq_clear(w.point);
-    fmpq_clear(w.point + 1);
-    return status;
+    int multi = 0;
+    TRY(lines_start(&w.l, text, length));
+    TRY(read_kind(&w, &multi));
+    TRY(multi ? read_multipolygon(&w) : read_polygon(&w));
+    if (lines_any(&w.l, &t))
+        return lines_fail(&w.l, GRAZE_EINPUT, "'%.*s' follows the last ')'; expected one geometry",
+                          TOKEN_SHOWN(t));
+    return GRAZE_OK;
 }
