@@ -227,9 +227,9 @@ static graze_status check_judged(graze_context *context, const graze_scene *scen
     return GRAZE_OK;
 }
 
-static graze_status judge_mesh(graze_judgement *made, graze_context *context,
-                               const graze_scene *scene, const graze_mesh *mesh,
-                               const graze_judge_options *o) {
+static graze_status judge_by(graze_judgement *made, graze_context *context,
+                             const graze_scene *scene, const graze_mesh *mesh,
+                             const graze_judge_options *o) {
     made->mesh = mesh;
     return suprema_find(&made->searched, context, scene, &mesh->judged, o->within,
                         o->budget ? o->budget : DEFAULT_BUDGET, o->threads ? o->threads : 1);
@@ -241,7 +241,7 @@ graze_status graze_judge(graze_judgement **out, graze_context *context, const gr
     graze_judge_options checked;
     TRY(api_options(&checked, sizeof checked, context, __func__, options));
     TRY(check_judged(context, scene, &checked));
-    CREATE(out, made, graze_judgement_destroy, judge_mesh(made, context, scene, mesh, &checked));
+    CREATE(out, made, graze_judgement_destroy, judge_by(made, context, scene, mesh, &checked));
 }
 
 void graze_judgement_destroy(graze_judgement *judgement) {

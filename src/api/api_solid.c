@@ -6,14 +6,12 @@
 #include <flint/fmpq_vec.h>
 #include <stdint.h>
 #include <string.h>
-#include <strings.h>
 #include "base/context/file.h"
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "input/csg/csg.h"
 #include "input/mend/mend.h"
 #include "input/read/read.h"
-#include "input/scad/scad.h"
 #include "input/solid/solid.h"
 #include "input/soup/soup.h"
 #include "input/validate/validate.h"
@@ -22,9 +20,10 @@
 static graze_status read_solid(graze_solid **out, graze_context *context, const char *path,
                                unsigned flags, const unsigned char *sha256) {
     soup input;
-    if (csg_is_named(path))
+    format_kind kind = format_of(path)->kind;
+    if (kind == FORMAT_CURVED)
         return solid_create_curved(out, context, path, sha256);
-    if (scad_is_named(path))
+    if (kind == FORMAT_SCAD)
         return api_scad_solid(out, context, path, sha256);
     TRY(soup_read(&input, context, path));
     if (sha256 && memcmp(sha256, input.sha256, sizeof input.sha256) != 0) {
@@ -59,19 +58,6 @@ graze_status graze_solid_from_csg(graze_solid **out, graze_context *context, con
     return solid_create_curved_text(out, context, "solid", text, length, sha256);
 }
 
-/* Read a mesh that may be mended. */
-static graze_status read_mesh(soup *input, graze_context *context, const char *path) {
-    const char *extension = strrchr(path, '.');
-    if (extension && (!strcasecmp(extension, ".wkt") || !strcasecmp(extension, ".nef3")))
-        return context_fail_in(context, GRAZE_EINPUT, path, 0,
-                               "only meshes are mended; expected .off, .obj, .ply or .stl");
-    if (csg_is_named(path) || scad_is_named(path))
-        return context_fail_in(context, GRAZE_EINPUT, path, 0,
-                               "a curved solid needs no mending; expected a mesh in .off, .obj, "
-                               ".ply or .stl");
-    return soup_read(input, context, path);
-}
-
 graze_status graze_solid_mend(char **out, char **report, graze_context *context, const char *path,
                               mpq_srcptr weld, unsigned flags) {
     EMPTY(out);
@@ -84,7 +70,7 @@ graze_status graze_solid_mend(char **out, char **report, graze_context *context,
     LOCAL(fmpq, distance);
     if (weld)
         TRY(api_rational(distance, context, weld));
-    TRY(read_mesh(&input, context, path));
+    TRY(soup_read_mesh(&input, context, path));
     HELD(text, written);
     HELD(text, done);
     graze_status status = mend_solid(&solid, &done, context, &input, flags, weld ? distance : NULL);

@@ -220,6 +220,10 @@ graze_status rotation_quarters(fmpz_t out, graze_context *context, const json *v
 graze_status rotation_by_quaternion(affine *out, graze_context *context, const json *value,
                                     const stretch *part);
 
+/** Turn or scale about a center, an array of functions, instead of the origin. */
+graze_status about_center(affine *out, graze_context *context, const json *center,
+                          const stretch *part);
+
 /**
  * The rotation of a quaternion w, x, y, z, of any length; in E^2 x and y are zero and w + iz is the
  * half angle as a complex number. Only the ratios of the four count, so poles are harmless.
@@ -242,10 +246,6 @@ void cut_list_init(cut_list *cuts);
 void cut_list_clear(cut_list *cuts);
 /** @return GRAZE_ELIMIT more parts than the limit `pieces`; what transform_map returns */
 graze_status transform_cuts(cut_list *cuts, graze_context *context, const json *transform);
-
-/** Turn or scale about a center, an array of functions, instead of the origin. */
-graze_status transform_center(affine *out, graze_context *context, const json *center,
-                              const stretch *part);
 
 /**
  * The map of a transform over one stretch between two of its cuts.

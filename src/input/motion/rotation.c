@@ -101,6 +101,15 @@ static graze_status read_axis(fmpz_poly_q_t axis[3], fmpz_poly_q_t length, graze
     return GRAZE_OK;
 }
 
+graze_status about_center(affine *out, graze_context *context, const json *center,
+                          const stretch *part) {
+    HELD(quotients, about);
+    calculation c = {context, GRAZE_OK};
+    TRY(entry_vector(about.at, context, center, (size_t)part->dimension, part));
+    affine_about(&c, out, about.at);
+    return c.status;
+}
+
 /* Rotate by twice the angle of a + ib: about `axis` in E^3, where it must be given, and about
  * `center` where it is given. */
 static graze_status rotate_about(affine *out, graze_context *context, const json *value,
@@ -124,7 +133,7 @@ static graze_status rotate_about(affine *out, graze_context *context, const json
         quotient_mul(&c, q.at[k], q.at[k], half[1]);
     TRY(c.status);
     TRY(rotation_of(out, context, value, q.at, part->lo, part->hi));
-    return center != NULL ? transform_center(out, context, center, part) : GRAZE_OK;
+    return center != NULL ? about_center(out, context, center, part) : GRAZE_OK;
 }
 
 graze_status rotation_by_tangent(affine *out, graze_context *context, const json *value,

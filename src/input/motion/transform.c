@@ -192,15 +192,6 @@ static graze_status read_scale(affine *out, graze_context *context, const json *
     return GRAZE_OK;
 }
 
-graze_status transform_center(affine *out, graze_context *context, const json *center,
-                              const stretch *part) {
-    HELD(quotients, about);
-    calculation c = {context, GRAZE_OK};
-    TRY(entry_vector(about.at, context, center, (size_t)part->dimension, part));
-    affine_about(&c, out, about.at);
-    return c.status;
-}
-
 /* The product of some steps that follow one another. */
 typedef struct run {
     size_t steps;
@@ -268,5 +259,5 @@ graze_status transform_map(affine *out, graze_context *context, const json *tran
     TRY(read_form(&f, context, transform));
     affine_identity(out);
     TRY(read[f.kind](out, context, f.value, part));
-    return f.center != NULL ? transform_center(out, context, f.center, part) : GRAZE_OK;
+    return f.center != NULL ? about_center(out, context, f.center, part) : GRAZE_OK;
 }

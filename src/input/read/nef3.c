@@ -1,10 +1,11 @@
 /* Nef polyhedra: a bounded, regular closed one becomes a soup of its vertices and facets.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * A half-facet lies on the boundary of its volume, so the half-facet of an unmarked volume looks
- * outside, and its cycles are outward oriented. A pair of half-facets is one facet, in the order of
- * the pair's first. An edge of another part that rests in a facet stays in its cycles, run through
- * both ways; a vertex that only touches a facet is left out there.
+ * The normal of a half-facet points into its volume, so the half-facet of an unmarked volume has
+ * the outward normal, and its cycles run as those of a solid do. Each pair of half-facets becomes
+ * one facet; facets come in the order of the first of each pair. An edge of another part that lies
+ * in a facet stays in the facet's cycles, run through both ways; a vertex that only touches the
+ * facet is left out.
  *
  * The text is homogeneous integers, so the rounding of the context acts on the quotients, after
  * vertices were found to lie in their planes.
@@ -47,7 +48,7 @@ static graze_status check_facets(const nef *n) {
     return GRAZE_OK;
 }
 
-/* Refuse a complex, of links already checked, that is unbounded, not regular closed or empty. */
+/* Refuse a complex that is unbounded, not regular closed or empty. Its links are checked before. */
 static graze_status check_solid(const nef *n) {
     static const char open[] = "is not marked; expected a closed set, with its boundary";
     static const char thin[] = "lies in no facet; expected a regular closed set";
@@ -86,8 +87,8 @@ static int in_plane(const nef *n, size_t f, size_t v) {
     return fmpq_is_zero(value);
 }
 
-/* Twice a cycle's area vector, measured along the plane's normal; only its sign matters. Offsets
- * are taken from the first corner, which keeps numbers small. */
+/* The sign of a cycle's area vector along the plane's normal: positive if the cycle runs
+ * counter-clockwise about it. Corners are taken from the first one, which keeps numbers small. */
 static int cycle_sign(const nef *n, size_t f, size_t entry) {
     LOCAL_VEC(fmpq, a, 11);
     fmpq *b = a + 3, *cross = b + 3, *term = cross + 3, *sum = term + 1;

@@ -22,7 +22,7 @@ static size_t owner(const nef *n, int part, size_t k) {
     return part == 0 ? n->halfedge[k].source : part == 1 ? centre(n, k) : n->sface[k].vertex;
 }
 
-/* Each vertex's ranges hold things of its own, and together they hold all things. */
+/* A vertex's ranges hold half-edges, shalfedges and sfaces of its own, and all ranges hold all. */
 static graze_status check_vertices(const nef *n) {
     static const enum nef_kind kinds[3] = {NEF_HALFEDGE, NEF_SHALFEDGE, NEF_SFACE};
     size_t held[3] = {0, 0, 0}, loops = 0;
@@ -148,7 +148,7 @@ static int tick_points(const nef *n, unsigned char *met, nef_list list, size_t s
     return 1;
 }
 
-/* The first thing not met; `count` if all are. */
+/* The first that was not met; `count` if all were. */
 static size_t first_left(const unsigned char *met, size_t count) {
     size_t k = 0;
     while (k < count && met[k])

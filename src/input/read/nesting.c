@@ -20,7 +20,7 @@ typedef struct ring {
     int ccw;
     fmpq *box; /* low x, low y, high x, high y */
     size_t depth;
-    size_t parent; /* the innermost ring around it; its own number if there is none */
+    size_t parent; /* of a hole, the innermost ring around it; else its own number */
 } ring;
 
 static const fmpq *at(const soup *s, const ring *r, size_t k) {

@@ -2,8 +2,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The text is gone through twice, first for `v`, then for `f`, so that a facet may stand before its
- * vertices. A negative index counts back from the vertices above its line. What only concerns
- * looks is passed over; curves, lines and points have no place in a boundary and are refused.
+ * vertices. A negative index counts back from the vertices above its line. Normals, textures,
+ * groups and materials are passed over; curves, lines and points have no place in a boundary and
+ * are refused.
  */
 #include <flint/fmpq_vec.h>
 #include <string.h>

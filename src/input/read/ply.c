@@ -117,8 +117,10 @@ static graze_status read_coordinate(ply *p, ply_type type, fmpq *out) {
     graze_context *context = p->l.context;
     long long integer;
     token t;
-    if (p->header.format == PLY_ASCII && type >= PLY_FLOAT32) {
+    if (p->header.format == PLY_ASCII) {
         TRY(next_token(p, &t));
+        if (type < PLY_FLOAT32 && !token_integer(t, &integer))
+            return fail(p, "'%.*s' is not an integer", TOKEN_SHOWN(t));
         return at_entry(p, rational_parse(out, context, t.text, t.length));
     }
     if (type >= PLY_FLOAT32) {
@@ -195,7 +197,7 @@ static graze_status read_body(ply *p) {
     return GRAZE_OK;
 }
 
-/* Bytes of the header with its last line, found before the rest can be taken for text. */
+/* Bytes up to the end of the line `end_header`; behind it the file may be binary. */
 static size_t header_length(const char *text, size_t length) {
     static const char last[] = "end_header";
     size_t at = 0;
@@ -211,7 +213,7 @@ static size_t header_length(const char *text, size_t length) {
     return at;
 }
 
-/* Set both ways of reading behind the header. */
+/* Stand behind the header: by its byte, and if the body is text by its line too. */
 static graze_status begin_body(ply *p, const char *text, size_t header, size_t length) {
     size_t line = p->l.line;
     p->at = header;

@@ -17,7 +17,7 @@ static void find_stops(lines *l) {
         l->stops[(unsigned char)*c] = 1;
     for (const char *c = l->marks; *c != '\0'; c++)
         l->stops[(unsigned char)*c] = 1;
-    l->stops[(unsigned char)l->comment] = 1; /* a NUL, where there is none, is in no text */
+    l->stops[(unsigned char)l->comment] = 1; /* without comments NUL, which no text has */
     l->stops['\\'] = l->continued != 0;
 }
 

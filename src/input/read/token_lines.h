@@ -8,15 +8,6 @@
 #include "input/read/read.h"
 #include "input/soup/soup.h"
 
-/* The type of the readers of solids; read.c chooses one by the file's extension.
- *
- * Each takes a whole file's bytes and fills an initialised soup of the format's dimension. What it
- * leaves in the soup on failure is the caller's to clear. A message names path and line, or path
- * and byte in a binary file. */
-
-typedef graze_status soup_reader(soup *s, graze_context *context, const char *path,
-                                 const char *text, size_t length);
-
 /* A text as lines of tokens, with line numbers for messages, for the readers of solids.
  *
  * A token is a run of bytes without blanks; a byte of `marks` is a token by itself. Tokens point
