@@ -28,17 +28,26 @@ graze_status api_misuse(graze_context *context, const char *function, const char
     return context ? context_fail(context, GRAZE_EUSE, "%s: %s", function, reason) : GRAZE_EUSE;
 }
 
-graze_status api_curved(graze_context *context, const char *function) {
-    return context_fail(
-        context, GRAZE_EINPUT,
-        "%s: the solid is curved, which is not taken here yet; expected a polyhedron", function);
+void api_empty(void *out, size_t size) {
+    if (out)
+        memset(out, 0, size);
 }
 
-graze_status api_unbounded(graze_context *context, const char *function) {
-    return context_fail(context, GRAZE_EINPUT,
-                        "%s: no box of the curved solid is proved; expected balls, cylinders with "
-                        "two ends and other bounded primitives, or their intersection with a box",
-                        function);
+graze_status api_given(graze_context *context, const char *function, const char *names,
+                       const void *const *given) {
+    char reason[120];
+    const char *last = names;
+    int missing = !*given;
+    for (const char *comma = strchr(names, ','); comma; comma = strchr(comma + 1, ',')) {
+        last = comma + 2;
+        missing |= !*++given;
+    }
+    if (!missing)
+        return GRAZE_OK;
+    int before = last > names ? (int)(last - names) - 2 : 0;
+    snprintf(reason, sizeof reason, "%.*s%s%s must not be NULL", before, names,
+             before ? " and " : "", last);
+    return api_misuse(context, function, reason);
 }
 
 /* More than `digits` digits. A limb has fewer than 20, and mpz_sizeinbase is exact or one too
@@ -67,16 +76,16 @@ graze_status api_rational(fmpq_t out, graze_context *context, const mpq_t value)
 
 graze_status api_point(fmpq *out, graze_context *context, const graze_scene *scene,
                        graze_rationals point) {
-    graze_status status = GRAZE_OK;
-    for (int k = 0; k < scene->motion->dimension && !status; k++)
-        if ((status = api_rational(out + k, context, point[k])) != GRAZE_OK)
-            status = api_coordinate(context, status, NULL, 0, (size_t)k);
-    return status;
+    for (int k = 0; k < scene->motion->dimension; k++)
+        TRY(api_coordinate(context, api_rational(out + k, context, point[k]), NULL, 0, (size_t)k));
+    return GRAZE_OK;
 }
 
 graze_status api_coordinate(graze_context *context, graze_status status, const char *item,
                             size_t index, size_t coordinate) {
     char field[40];
+    if (!status)
+        return GRAZE_OK;
     snprintf(field, sizeof field, "coordinate %zu", coordinate);
     return context_item(context, status, item, index, field);
 }
@@ -130,9 +139,7 @@ void graze_thread_finish(void) {
 
 graze_status graze_number_parse(mpq_t out, graze_context *context, const char *text,
                                 size_t length) {
-    if (!out || !context || !text)
-        return api_misuse(context, "graze_number_parse", "out, context and text must not be NULL");
-    /* made by integer arithmetic alone, which no floating-point mode disturbs */
+    GIVEN(out, context, text); /* integer arithmetic alone: no floating-point mode disturbs it */
     LOCAL(fmpq, value);
     TRY(rational_parse(value, context, text, length));
     api_rational_out(out, value);
@@ -141,35 +148,19 @@ graze_status graze_number_parse(mpq_t out, graze_context *context, const char *t
 
 static graze_status take_options(graze_options *out, graze_context *context, const char *function,
                                  const graze_options *options) {
-    graze_status status = api_options(out, sizeof *out, context, function, options);
+    TRY(api_options(out, sizeof *out, context, function, options));
     int known = (out->operation == GRAZE_SWEEP || out->operation == GRAZE_UNSWEEP) &&
                 (out->overlap == GRAZE_OVERLAP_EXTEND || out->overlap == GRAZE_OVERLAP_REJECT) &&
                 (out->folds == GRAZE_FOLDS_SEPARATE || out->folds == GRAZE_FOLDS_COMBINED);
-    return status || known ? status
-                           : api_misuse(context, function, "an option has an unknown value");
+    return known ? GRAZE_OK : api_misuse(context, function, "an option has an unknown value");
 }
 
 graze_status graze_scene_create(graze_scene **out, graze_context *context, const graze_solid *solid,
                                 const graze_motion *motion, const graze_options *options) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !solid || !motion)
-        return api_misuse(context, "graze_scene_create",
-                          "out, context, solid and motion must not be NULL");
+    PUBLIC_OUT(out, context, solid, motion);
     graze_options taken;
-    graze_status status = take_options(&taken, context, "graze_scene_create", options);
-    if (status)
-        return status;
-    IN_ENVIRONMENT();
-    graze_scene *scene = malloc(sizeof *scene);
-    if (!scene)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory");
-    status = scene_make(scene, context, solid, motion, &taken);
-    if (status)
-        free(scene);
-    else
-        *out = scene;
-    return status;
+    TRY(take_options(&taken, context, __func__, options));
+    CREATE(out, made, free, scene_make(made, context, solid, motion, &taken));
 }
 
 void graze_scene_destroy(graze_scene *scene) {
@@ -213,12 +204,8 @@ graze_hashes graze_scene_hashes(const graze_scene *scene) {
 
 graze_status graze_scene_box(mpq_t *low, mpq_t *high, graze_context *context,
                              const graze_scene *scene) {
-    if (!low || !high || !context || !scene)
-        return api_misuse(context, "graze_scene_box",
-                          "low, high, context and scene must not be NULL");
-    if (!solid_bounded(scene->solid))
-        return api_unbounded(context, "graze_scene_box");
-    IN_ENVIRONMENT();
+    PUBLIC(low, high, context, scene);
+    TRY(api_takes(context, "graze_scene_box", scene->solid));
     int d = scene->motion->dimension;
     LOCAL_VEC(fmpq, from, d);
     LOCAL_VEC(fmpq, to, d);
@@ -234,8 +221,7 @@ graze_status graze_word_verdict(graze_verdict *out, graze_context *context, cons
                                 size_t length, const graze_options *options) {
     if (out)
         memset(out, 0, sizeof *out);
-    if (!out || !context || !word)
-        return api_misuse(context, "graze_word_verdict", "out, context and word must not be NULL");
+    PUBLIC(out, context, word);
     graze_options taken;
     TRY(take_options(&taken, context, "graze_word_verdict", options));
     if (verdict_of_word(out, word, length, &taken))
@@ -267,23 +253,19 @@ graze_status graze_classify(graze_verdict *out, graze_context *context, const gr
                             graze_rationals points, size_t n, graze_columns columns) {
     IN_ENVIRONMENT();
     trace_detail detail;
-    graze_status status = begin(&detail, out, context, scene, points, n, columns);
-    if (status)
-        return status;
+    TRY(begin(&detail, out, context, scene, points, n, columns));
     size_t d = (size_t)scene->motion->dimension;
     LOCAL_VEC(fmpq, point, (slong)d);
-    for (size_t p = 0; p < n && !status; p++)
-        for (size_t k = 0; k < d && !status; k++)
-            if ((status = api_rational_check(context, points[p * d + k])) != GRAZE_OK)
-                status = api_coordinate(context, status, "point", p, k);
-    for (size_t p = 0; p < n && !status; p++) {
+    for (size_t k = 0; k < n * d; k++)
+        TRY(api_coordinate(context, api_rational_check(context, points[k]), "point", k / d, k % d));
+    for (size_t p = 0; p < n; p++) {
+        query_point asked = {.rational = point};
         for (size_t k = 0; k < d; k++)
             fmpq_set_mpq(point + k, points[p * d + k]);
-        status = classify_answer(out + p, context, scene, (query_point){.rational = point}, detail);
-        if (status)
-            status = context_item(context, status, "point", p, NULL);
+        TRY(context_item(context, classify_answer(out + p, context, scene, asked, detail), "point",
+                         p, NULL));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* GRAZE_EINPUT with a message if a coordinate is no finite number. */
@@ -302,18 +284,15 @@ graze_status graze_classify_doubles(graze_verdict *out, graze_context *context,
                                     graze_columns columns) {
     IN_ENVIRONMENT();
     trace_detail detail;
-    graze_status status = begin(&detail, out, context, scene, points, n, columns);
-    if (status)
-        return status;
+    TRY(begin(&detail, out, context, scene, points, n, columns));
     size_t d = (size_t)scene->motion->dimension;
-    for (size_t p = 0; p < n && !status; p++) {
+    for (size_t p = 0; p < n; p++) {
         const double *point = points + p * d;
-        status = check_finite(context, point, d);
+        graze_status status = check_finite(context, point, d);
         if (!status)
             status =
                 classify_answer(out + p, context, scene, (query_point){.value = point}, detail);
-        if (status)
-            status = context_item(context, status, "point", p, NULL);
+        TRY(context_item(context, status, "point", p, NULL));
     }
-    return status;
+    return GRAZE_OK;
 }

@@ -5,7 +5,9 @@
 
 #include <flint/fmpq.h>
 #include <stddef.h>
+#include <stdlib.h>
 #include "base/context/context.h"
+#include "base/context/scope.h"
 #include "base/number/text.h"
 #include "decide/lattice/lattice.h"
 #include "decide/scene/scene.h"
@@ -14,15 +16,62 @@
 #include "graze/core.h"
 #include "input/solid/solid.h"
 
-/* Declarations shared by the files of the public functions. */
+/* The head of a public function, whose context is called `context`. */
+
+/** *out becomes NULL or 0; no more than that where `out` is NULL. */
+#define EMPTY(out) api_empty(out, sizeof *(out))
+
+/** Refuse NULL among these arguments, by their names. */
+#define GIVEN(...) GIVEN_TO(__func__, __VA_ARGS__)
+
+/** GIVEN of what several public functions share; the message names the one that was called. */
+#define GIVEN_TO(function, ...)                                                                    \
+    TRY(api_given(context, function, #__VA_ARGS__, (const void *const[]){__VA_ARGS__}))
+
+/** GIVEN, and the floating-point environment to the function's end. */
+#define PUBLIC(...)                                                                                \
+    GIVEN(__VA_ARGS__);                                                                            \
+    IN_ENVIRONMENT()
+
+/** PUBLIC of a function that has one output, which is emptied first. */
+#define PUBLIC_OUT(out, ...)                                                                       \
+    EMPTY(out);                                                                                    \
+    PUBLIC(out, __VA_ARGS__)
+
+/** Refuse a wrong call by GRAZE_EUSE: the condition holds. */
+#define REFUSED(condition, reason)                                                                 \
+    TRY((condition) ? api_misuse(context, __func__, reason) : GRAZE_OK)
+
+/** The end of a public function: `made` is allocated, zeroed, and `fill` fills it; *out becomes it,
+ * or it is dropped and the status of `fill` returned. */
+#define CREATE(out, made, drop, fill)                                                              \
+    do {                                                                                           \
+        __typeof__(*(out)) made = calloc(1, sizeof *made);                                         \
+        graze_status filled =                                                                      \
+            made ? (fill) : context_fail(context, GRAZE_ESYSTEM, "out of memory");                 \
+        if (filled)                                                                                \
+            drop(made);                                                                            \
+        else                                                                                       \
+            *(out) = made;                                                                         \
+        return filled;                                                                             \
+    } while (0)
 
 /** The message of a wrong call; GRAZE_EUSE also where there is no context to hold it. */
 graze_status api_misuse(graze_context *context, const char *function, const char *reason);
 
-/** GRAZE_EINPUT: a function, or an option, that takes polyhedra alone was given a curved solid. */
-graze_status api_curved(graze_context *context, const char *function);
-/** GRAZE_EINPUT: a function that needs a box of the solid was given a curved one without. */
-graze_status api_unbounded(graze_context *context, const char *function);
+void api_empty(void *out, size_t size);
+
+/** @param names the names of the pointers `given`, with commas between them */
+graze_status api_given(graze_context *context, const char *function, const char *names,
+                       const void *const *given);
+
+/**
+ * Refuse a solid of a kind that a public function does not take.
+ * @param name the function, an argument of it, "FUNCTION: ARGUMENT", or a column of rows
+ * @return GRAZE_EINPUT a curved solid, or one without a box where that is needed; GRAZE_EILLEGAL
+ * one of another dimension
+ */
+graze_status api_takes(graze_context *context, const char *name, const graze_solid *solid);
 
 /**
  * Check a caller's rational.

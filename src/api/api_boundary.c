@@ -15,59 +15,37 @@
 /* The caller's box, if there is one, as rationals. */
 static graze_status take_box(fmpq *low, fmpq *high, graze_context *context, int dimension,
                              const graze_boundary_options *o) {
-    graze_status status = GRAZE_OK;
-    for (int k = 0; o->low && k < dimension && !status; k++) {
-        status = api_rational(low + k, context, o->low[k]);
+    for (int k = 0; o->low && k < dimension; k++) {
+        graze_status status = api_rational(low + k, context, o->low[k]);
         if (!status)
             status = api_rational(high + k, context, o->high[k]);
-        if (status)
-            status = api_coordinate(context, status, NULL, 0, (size_t)k);
+        TRY(api_coordinate(context, status, NULL, 0, (size_t)k));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status make(graze_boundary **out, graze_context *context, const graze_scene *scene,
                          const graze_boundary_options *o) {
-    graze_boundary *b = malloc(sizeof *b);
-    if (!b)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory");
     LOCAL_VEC(fmpq, low, 3);
     LOCAL_VEC(fmpq, high, 3);
-    graze_status status = take_box(low, high, context, scene->motion->dimension, o);
-    if (status) {
-        free(b);
-    } else {
-        status = boundary_make(b, context, scene, o, o->low ? low : NULL, o->low ? high : NULL);
-        if (status)
-            graze_boundary_destroy(b);
-        else
-            *out = b;
-    }
-    return status;
+    TRY(take_box(low, high, context, scene->motion->dimension, o));
+    CREATE(out, made, graze_boundary_destroy,
+           boundary_make(made, context, scene, o, o->low ? low : NULL, o->low ? high : NULL));
 }
 
 graze_status graze_boundary_create(graze_boundary **out, graze_context *context,
                                    const graze_scene *scene,
                                    const graze_boundary_options *options) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !scene || !options)
-        return api_misuse(context, "graze_boundary_create", "no argument may be NULL");
+    EMPTY(out);
+    REFUSED(!out || !context || !scene || !options, "no argument may be NULL");
     graze_boundary_options o;
     TRY(api_options(&o, sizeof o, context, "graze_boundary_create", options));
-    if (!o.low != !o.high)
-        return api_misuse(context, "graze_boundary_create",
-                          "low and high must both be given or both be NULL");
-    if (o.depth > BOUNDARY_DEPTH || o.coarse > o.depth)
-        return api_misuse(context, "graze_boundary_create",
-                          "the depth is at most 19, and the coarse level at most the depth");
-    if (o.middles && o.sharp)
-        return api_misuse(context, "graze_boundary_create",
-                          "middles and sharp must not both be given");
-    if (o.threads < 0 || o.threads > TEAM_MOST)
-        return api_misuse(context, "graze_boundary_create", "the threads are 0 to 1024");
-    if (scene->solid->curved)
-        return api_curved(context, "graze_boundary_create");
+    REFUSED(!o.low != !o.high, "low and high must both be given or both be NULL");
+    REFUSED(o.depth > BOUNDARY_DEPTH || o.coarse > o.depth,
+            "the depth is at most 19, and the coarse level at most the depth");
+    REFUSED(o.middles && o.sharp, "middles and sharp must not both be given");
+    REFUSED(o.threads < 0 || o.threads > TEAM_MOST, "the threads are 0 to 1024");
+    TRY(api_takes(context, "graze_boundary_create", scene->solid));
     IN_ENVIRONMENT();
     return make(out, context, scene, &o);
 }
@@ -79,8 +57,7 @@ void graze_boundary_destroy(graze_boundary *b) {
 }
 
 graze_boundary_summary graze_boundary_summarize(const graze_boundary *b) {
-    graze_boundary_summary out;
-    memset(&out, 0, sizeof out);
+    graze_boundary_summary out = {0};
     if (!b)
         return out;
     out.points = b->points.count;
@@ -118,8 +95,7 @@ graze_pmc graze_boundary_point(mpq_t *point, const graze_boundary *b, size_t ind
 }
 
 graze_boundary_cell graze_boundary_cell_at(const graze_boundary *b, size_t index) {
-    graze_boundary_cell out;
-    memset(&out, 0, sizeof out);
+    graze_boundary_cell out = {0};
     if (!b || index >= b->leaf_count)
         return out;
     const sample_cell *c = b->cells + b->leaves[index];

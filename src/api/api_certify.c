@@ -18,25 +18,10 @@ struct graze_certifier {
 
 graze_status graze_certifier_create(graze_certifier **out, graze_context *context,
                                     const graze_scene *scene, unsigned flags) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !scene)
-        return api_misuse(context, "graze_certifier_create",
-                          "out, context and scene must not be NULL");
-    if (flags & ~(GRAZE_SOLID_TRIANGULATE | GRAZE_CERTIFY_TIMES))
-        return api_misuse(context, "graze_certifier_create", "a flag is unknown");
-    if (scene->solid->curved)
-        return api_curved(context, "graze_certifier_create");
-    IN_ENVIRONMENT();
-    graze_certifier *made = malloc(sizeof *made);
-    if (!made)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory");
-    graze_status status = certifier_make(&made->inner, context, scene, flags);
-    if (status)
-        free(made);
-    else
-        *out = made;
-    return status;
+    PUBLIC_OUT(out, context, scene);
+    REFUSED(flags & ~(GRAZE_SOLID_TRIANGULATE | GRAZE_CERTIFY_TIMES), "a flag is unknown");
+    TRY(api_takes(context, "graze_certifier_create", scene->solid));
+    CREATE(out, made, free, certifier_make(&made->inner, context, scene, flags));
 }
 
 void graze_certifier_destroy(graze_certifier *certifier) {
@@ -48,19 +33,10 @@ void graze_certifier_destroy(graze_certifier *certifier) {
 
 graze_status graze_certificate_head(char **out, graze_context *context,
                                     const graze_certifier *certifier) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !certifier)
-        return api_misuse(context, "graze_certificate_head",
-                          "out, context and certifier must not be NULL");
-    IN_ENVIRONMENT();
-    text t;
-    text_init(&t);
-    graze_status status = certify_head(&t, context, &certifier->inner);
-    if (!status)
-        return text_finish(out, context, &t);
-    text_clear(&t);
-    return status;
+    PUBLIC_OUT(out, context, certifier);
+    HELD(text, t);
+    TRY(certify_head(&t, context, &certifier->inner));
+    return text_finish(out, context, &t);
 }
 
 /* Trace one point for its row of the certificate and, unless `table` is NULL, that of the table. */
@@ -69,12 +45,9 @@ static graze_status certify_point(text *out, text *table, graze_row_totals *tota
                                   const graze_row_texts *texts, const graze_row_options *shown) {
     graze_trace trace;
     trace_detail detail = table ? row_detail(shown) : TRACE_WORD;
-    graze_status status =
-        classify_point(&trace, context, c->scene, (query_point){.rational = point},
-                       c->with_contacts ? TRACE_CONTACTS : detail);
-    if (status)
-        return status;
-    status = certify_row(out, context, c, point, &trace);
+    TRY(classify_point(&trace, context, c->scene, (query_point){.rational = point},
+                       c->with_contacts ? TRACE_CONTACTS : detail));
+    graze_status status = certify_row(out, context, c, point, &trace);
     if (!status && out->failed)
         status = context_fail(context, GRAZE_ESYSTEM, "out of memory");
     if (!status && table)
@@ -85,11 +58,7 @@ static graze_status certify_point(text *out, text *table, graze_row_totals *tota
 
 graze_status graze_certificate_row(char **out, graze_context *context,
                                    const graze_certifier *certifier, graze_rationals point) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !certifier || !point)
-        return api_misuse(context, "graze_certificate_row",
-                          "out, context, certifier and point must not be NULL");
+    PUBLIC_OUT(out, context, certifier, point);
     size_t length, done;
     return graze_certificate_points(out, &length, NULL, NULL, &done, NULL, context, certifier,
                                     point, 1, NULL, NULL);
@@ -102,30 +71,21 @@ graze_status graze_certificate_points(char **out, size_t *length, char **table,
                                       const graze_row_texts *texts,
                                       const graze_row_options *options) {
     graze_row_options shown;
-    if (totals)
-        *totals = (graze_row_totals){0, 0};
-    if (out)
-        *out = NULL;
-    if (table)
-        *table = NULL;
-    if (length)
-        *length = 0;
-    if (table_length)
-        *table_length = 0;
-    if (done)
-        *done = 0;
-    if (!out || !length || !table != !table_length || !done || !context || !certifier ||
-        (n && !points))
-        return api_misuse(context, "graze_certificate_points",
-                          "out, length, done, context and certifier, and with n > 0 also points, "
-                          "must not be NULL; nor one alone of table and table_length");
-    graze_status status = api_rows(&shown, context, "graze_certificate_points", options);
-    if (!status && shown.columns == GRAZE_COLUMNS_PMC)
-        return api_misuse(context, "graze_certificate_points",
-                          "a certificate needs all answers; expected no columns of pmc alone");
-    if (status)
-        return status;
+    EMPTY(totals);
+    EMPTY(out);
+    EMPTY(table);
+    EMPTY(length);
+    EMPTY(table_length);
+    EMPTY(done);
+    REFUSED(!out || !length || !table != !table_length || !done || !context || !certifier ||
+                (n && !points),
+            "out, length, done, context and certifier, and with n > 0 also points, "
+            "must not be NULL; nor one alone of table and table_length");
+    TRY(api_rows(&shown, context, __func__, options));
+    REFUSED(shown.columns == GRAZE_COLUMNS_PMC,
+            "a certificate needs all answers; expected no columns of pmc alone");
     IN_ENVIRONMENT();
+    graze_status status = GRAZE_OK;
     size_t d = (size_t)certifier->inner.scene->motion->dimension, whole = 0, whole_rows = 0;
     LOCAL_VEC(fmpq, point, (slong)d);
     text certificate, rows;

@@ -15,14 +15,26 @@ static const char name[] = "graze_pair_create";
 
 static graze_status check_pair_solids(graze_context *context, const graze_solid *moving,
                                       const graze_motion *motion, const graze_solid *fixed) {
-    if (moving->curved || fixed->curved)
-        return api_curved(context, name);
+    TRY(api_takes(context, "graze_pair_create: moving", moving));
+    TRY(api_takes(context, "graze_pair_create: fixed", fixed));
     if (moving->input.dimension != motion->dimension || fixed->input.dimension != motion->dimension)
         return context_fail(context, GRAZE_EILLEGAL,
                             "the moving solid, the motion and the fixed solid have dimensions %d, "
                             "%d and %d; expected one dimension",
                             moving->input.dimension, motion->dimension, fixed->input.dimension);
     return GRAZE_OK;
+}
+
+static graze_status make_pair(graze_pair *made, graze_context *context,
+                              const graze_pair_options *options, solid_pair pair,
+                              const graze_motion *motion_of_fixed) {
+    made->options = *options;
+    made->pair = pair;
+    if (motion_of_fixed) {
+        TRY(motion_relative(&made->own, context, made->pair.motion, motion_of_fixed));
+        made->pair.motion = made->own;
+    }
+    return collide_answer(made, context);
 }
 
 static graze_status check_pair_options(graze_pair_options *out, graze_context *context,
@@ -39,31 +51,14 @@ graze_status graze_pair_create(graze_pair **out, graze_context *context, const g
                                const graze_motion *motion, const graze_solid *fixed,
                                const graze_motion *motion_of_fixed,
                                const graze_pair_options *options) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !moving || !motion || !fixed)
-        return api_misuse(context, name, "out, context, moving, motion and fixed must not be NULL");
-    IN_ENVIRONMENT();
+    PUBLIC_OUT(out, context, moving, motion, fixed);
     graze_pair_options checked;
-    graze_status status = check_pair_options(&checked, context, options);
-    if (!status)
-        status = check_pair_solids(context, moving, motion, fixed);
-    graze_pair *made = status ? NULL : calloc(1, sizeof *made);
-    if (!made)
-        return status ? status : context_fail(context, GRAZE_ESYSTEM, "out of memory");
-    made->options = checked;
-    made->pair = (solid_pair){.moving = moving, .fixed = fixed, .motion = motion};
-    if (motion_of_fixed) {
-        status = motion_relative(&made->own, context, motion, motion_of_fixed);
-        made->pair.motion = made->own;
-    }
-    if (!status)
-        status = collide_answer(made, context);
-    if (status)
-        graze_pair_destroy(made);
-    else
-        *out = made;
-    return status;
+    TRY(check_pair_options(&checked, context, options));
+    TRY(check_pair_solids(context, moving, motion, fixed));
+    CREATE(out, made, graze_pair_destroy,
+           make_pair(made, context, &checked,
+                     (solid_pair){.moving = moving, .fixed = fixed, .motion = motion},
+                     motion_of_fixed));
 }
 
 void graze_pair_destroy(graze_pair *pair) {
@@ -90,8 +85,7 @@ size_t graze_pair_contact_count(const graze_pair *pair) {
 }
 
 graze_pair_contact graze_pair_get_contact(const graze_pair *pair, size_t index) {
-    graze_pair_contact out;
-    memset(&out, 0, sizeof out);
+    graze_pair_contact out = {0};
     if (index >= graze_pair_contact_count(pair))
         return out;
     const pair_contact *c = &pair->walk.contact[index];
@@ -120,13 +114,8 @@ const char *graze_cell_pair_name(const graze_cell_pair *cells) {
 }
 
 graze_status graze_pair_json(char **out, graze_context *context, const graze_pair *pair) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !pair)
-        return api_misuse(context, "graze_pair_json", "out, context and pair must not be NULL");
-    IN_ENVIRONMENT();
-    text t;
-    text_init(&t);
+    PUBLIC_OUT(out, context, pair);
+    HELD(text, t);
     pair_json(&t, pair);
     return text_finish(out, context, &t);
 }

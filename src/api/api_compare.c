@@ -17,31 +17,15 @@ static int compare_options_known(const graze_compare_options *o) {
 
 graze_status graze_compare(graze_comparison **out, graze_context *context, const char *golden,
                            const char *candidate, const graze_compare_options *options) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !golden || !candidate)
-        return api_misuse(context, "graze_compare",
-                          "out, context, golden and candidate must not be NULL");
+    PUBLIC_OUT(out, context, golden, candidate);
     graze_compare_options taken;
-    graze_status status = api_options(&taken, sizeof taken, context, "graze_compare", options);
-    if (status)
-        return status;
-    if (!compare_options_known(&taken))
-        return api_misuse(context, "graze_compare", "an option has an unknown value");
-    if (taken.has != GRAZE_HAS_SDF && (taken.truth || taken.sdf_tolerance))
-        return api_misuse(context, "graze_compare",
-                          "truth and sdf_tolerance are of the column sdf; expected has to be "
-                          "GRAZE_HAS_SDF");
-    IN_ENVIRONMENT();
-    graze_comparison *c = calloc(1, sizeof *c);
-    if (!c)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory");
-    status = comparison_make(c, context, golden, candidate, &taken);
-    if (status)
-        graze_comparison_destroy(c);
-    else
-        *out = c;
-    return status;
+    TRY(api_options(&taken, sizeof taken, context, __func__, options));
+    REFUSED(!compare_options_known(&taken), "an option has an unknown value");
+    REFUSED(taken.has != GRAZE_HAS_SDF && (taken.truth || taken.sdf_tolerance),
+            "truth and sdf_tolerance are of the column sdf; expected has to be "
+            "GRAZE_HAS_SDF");
+    CREATE(out, made, graze_comparison_destroy,
+           comparison_make(made, context, golden, candidate, &taken));
 }
 
 void graze_comparison_destroy(graze_comparison *comparison) {
@@ -81,14 +65,8 @@ const char *graze_comparison_head(const graze_comparison *comparison) {
 graze_status graze_comparison_report(char **out, graze_context *context,
                                      const graze_comparison *comparison,
                                      graze_comparison_format format) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !comparison)
-        return api_misuse(context, "graze_comparison_report",
-                          "out, context and comparison must not be NULL");
-    if (format == GRAZE_COMPARISON_TEXT)
-        return comparison_text(out, context, comparison);
-    if (format == GRAZE_COMPARISON_JSON)
-        return comparison_json(out, context, comparison);
-    return api_misuse(context, "graze_comparison_report", "there is no such format");
+    PUBLIC_OUT(out, context, comparison);
+    REFUSED((unsigned)format > GRAZE_COMPARISON_JSON, "there is no such format");
+    return (format == GRAZE_COMPARISON_JSON ? comparison_json : comparison_text)(out, context,
+                                                                                 comparison);
 }

@@ -16,39 +16,26 @@
 static graze_status create(graze_site **out, graze_context *context, const graze_scene *scene,
                            const mpq_t time, graze_rationals point, int in_world,
                            const graze_cell *cell) {
-    int d = scene->motion->dimension;
-    LOCAL_VEC(fmpq, y, d);
+    LOCAL_VEC(fmpq, y, scene->motion->dimension);
     LOCAL(fmpq, t);
-    graze_site *made = malloc(sizeof *made);
-    graze_status status = made ? api_rational(t, context, time)
-                               : context_fail(context, GRAZE_ESYSTEM, "out of memory");
-    if (!status)
-        status = api_point(y, context, scene, point);
-    if (!status && in_world)
-        status = site_to_body(y, context, scene, t);
-    if (!status)
-        status = cell ? site_snap(made, context, scene, t, y, cell)
-                      : site_make(made, context, scene, t, y);
-    if (status)
-        free(made);
-    else
-        *out = made;
-    return status;
+    TRY(api_rational(t, context, time));
+    TRY(api_point(y, context, scene, point));
+    if (in_world)
+        TRY(site_to_body(y, context, scene, t));
+    CREATE(out, made, free,
+           cell ? site_snap(made, context, scene, t, y, cell)
+                : site_make(made, context, scene, t, y));
 }
 
 static graze_status check_and_create(graze_site **out, graze_context *context,
                                      const graze_scene *scene, const mpq_t time,
                                      graze_rationals point, const char *function, int in_world,
                                      const graze_cell *cell) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !scene || !time || !point)
-        return api_misuse(context, function,
-                          "out, context, scene, time and point must not be NULL");
+    EMPTY(out);
+    GIVEN_TO(function, out, context, scene, time, point);
     if (scene->options.operation != GRAZE_SWEEP)
         return api_misuse(context, function, "the scene is an unsweep; expected a sweep");
-    if (scene->solid->curved)
-        return api_curved(context, function);
+    TRY(api_takes(context, function, scene->solid));
     IN_ENVIRONMENT();
     return create(out, context, scene, time, point, in_world, cell);
 }
@@ -89,8 +76,7 @@ void graze_site_destroy(graze_site *site) {
 }
 
 graze_site_facts graze_site_get(const graze_site *site) {
-    graze_site_facts none;
-    memset(&none, 0, sizeof none);
+    graze_site_facts none = {0};
     return site ? site->facts : none;
 }
 
@@ -119,8 +105,7 @@ size_t graze_site_germ_count(const graze_site *site) {
 
 graze_site_germ graze_site_germ_at(mpq_t speed, mpq_t drift, mpq_t theta, const graze_site *site,
                                    size_t index) {
-    graze_site_germ out;
-    memset(&out, 0, sizeof out);
+    graze_site_germ out = {0};
     if (index >= graze_site_germ_count(site))
         return out;
     const site_germ *germ = &site->germ[index];
@@ -138,25 +123,15 @@ graze_site_germ graze_site_germ_at(mpq_t speed, mpq_t drift, mpq_t theta, const 
 
 graze_status graze_site_header(char **out, graze_context *context, const graze_scene *scene,
                                const char *notes, const char *columns) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !scene)
-        return api_misuse(context, "graze_site_header", "out, context and scene must not be NULL");
-    IN_ENVIRONMENT();
+    PUBLIC_OUT(out, context, scene);
     return report_contact_header(out, context, scene, notes, columns);
 }
 
 graze_status graze_site_row(char **out, graze_context *context, const graze_site *site,
                             graze_format format, const char *rest) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !site)
-        return api_misuse(context, "graze_site_row", "out, context and site must not be NULL");
-    if (format != GRAZE_FORMAT_CSV && format != GRAZE_FORMAT_JSONL)
-        return api_misuse(context, "graze_site_row", "the format is unknown");
-    IN_ENVIRONMENT();
-    text t;
-    text_init(&t);
+    PUBLIC_OUT(out, context, site);
+    REFUSED(format != GRAZE_FORMAT_CSV && format != GRAZE_FORMAT_JSONL, "the format is unknown");
+    HELD(text, t);
     if (format == GRAZE_FORMAT_CSV)
         report_contact_csv(&t, site, rest);
     else

@@ -8,34 +8,29 @@
 #include "input/convert/convert.h"
 #include "input/motion/motion.h"
 
-static void clear_texts(char **json, char **report) {
-    if (json)
-        *json = NULL;
-    if (report)
-        *report = NULL;
+static void conversion_init(conversion *c) {
+    text_init(&c->motion);
+    text_init(&c->report);
+}
+
+static void conversion_clear(conversion *c) {
+    text_clear(&c->motion);
+    text_clear(&c->report);
 }
 
 /* Read the motion that was made; only a legal one is handed out. */
 static graze_status finish_conversion(char **json, char **report, graze_context *context,
-                                      conversion *made, graze_status status) {
+                                      conversion *made) {
     graze_motion *motion = NULL;
-    if (!status && !made->motion.failed)
-        status = motion_from_text(&motion, context, made->motion.data, made->motion.length);
-    if (motion)
-        motion_destroy(motion);
-    if (!status)
-        status = text_finish(json, context, &made->motion);
-    else
-        text_clear(&made->motion);
-    if (!status && report)
-        status = text_finish(report, context, &made->report);
-    else
-        text_clear(&made->report);
-    if (status) {
-        free(*json);
-        *json = NULL;
-    }
-    return status;
+    if (!made->motion.failed)
+        TRY(motion_from_text(&motion, context, made->motion.data, made->motion.length));
+    graze_motion_destroy(motion);
+    TRY(text_finish(json, context, &made->motion));
+    if (!report || !text_finish(report, context, &made->report))
+        return GRAZE_OK;
+    free(*json);
+    *json = NULL;
+    return GRAZE_ESYSTEM;
 }
 
 static graze_status take_positive(fmpq_t out, graze_context *context, mpq_srcptr value, int strict,
@@ -49,7 +44,6 @@ static graze_status take_positive(fmpq_t out, graze_context *context, mpq_srcptr
 
 static graze_status take_joint(joint *out, graze_context *context, int dimension,
                                const graze_joint *given) {
-    joint_init(out);
     if (given->kind != GRAZE_JOINT_TURN && given->kind != GRAZE_JOINT_SLIDE)
         return context_fail(context, GRAZE_EUSE, "a joint is a turn or a slide");
     out->is_slide = given->kind == GRAZE_JOINT_SLIDE;
@@ -57,21 +51,32 @@ static graze_status take_joint(joint *out, graze_context *context, int dimension
     if ((components && !given->axis) || (!out->is_slide && !given->degrees))
         return context_fail(context, GRAZE_EUSE,
                             "a turn has degrees and in E^3 an axis, a slide has a way");
-    graze_status status = GRAZE_OK;
-    for (int k = 0; k < components && !status; k++)
-        status = api_rational(out->axis + k, context, given->axis[k]);
+    for (int k = 0; k < components; k++)
+        TRY(api_rational(out->axis + k, context, given->axis[k]));
     if (!components)
         fmpq_one(out->axis + 2);
-    if (out->is_slide || status)
-        return status;
-    status = api_rational(out->degrees, context, given->degrees);
-    if (!status && given->pitch && dimension == 3)
-        status = api_rational(out->advance, context, given->pitch);
-    for (int k = 0; k < dimension && given->center && !status; k++) {
-        status = api_rational(out->center + k, context, given->center[k]);
+    if (out->is_slide)
+        return GRAZE_OK;
+    TRY(api_rational(out->degrees, context, given->degrees));
+    if (given->pitch && dimension == 3)
+        TRY(api_rational(out->advance, context, given->pitch));
+    for (int k = 0; k < dimension && given->center; k++) {
+        TRY(api_rational(out->center + k, context, given->center[k]));
         out->centered |= !fmpq_is_zero(out->center + k);
     }
-    return status;
+    return GRAZE_OK;
+}
+
+static graze_status convert_chain(conversion *made, joint *joints, target *goal,
+                                  graze_context *context, const graze_joint *given, size_t count,
+                                  mpq_srcptr tolerance, mpq_srcptr radius, int uniform) {
+    TRY(take_positive(goal->tolerance, context, tolerance, 1, "tolerance"));
+    TRY(take_positive(goal->radius, context, radius, 0, "radius"));
+    for (size_t k = 0; k < count; k++)
+        TRY(take_joint(joints + k, context, goal->dimension, given + k));
+    TRY(joints_measure(joints, context, goal, count));
+    return uniform ? convert_joints(made, context, goal, joints, count)
+                   : convert_rotation(made, context, goal, joints);
 }
 
 static graze_status chain(char **json, char **report, graze_context *context, int dimension,
@@ -79,59 +84,47 @@ static graze_status chain(char **json, char **report, graze_context *context, in
                           mpq_srcptr radius, int uniform) {
     IN_ENVIRONMENT();
     target goal = {.dimension = dimension};
-    conversion made;
+    HELD(conversion, made);
     FREED(joint, joints, calloc(count, sizeof *joints));
-    size_t taken = 0;
-    graze_status status = GRAZE_OK;
+    if (!joints)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory");
     fmpq_init(goal.tolerance);
     fmpq_init(goal.radius);
-    text_init(&made.motion);
-    text_init(&made.report);
-    if (!joints)
-        status = context_fail(context, GRAZE_ESYSTEM, "out of memory");
-    if (!status)
-        status = take_positive(goal.tolerance, context, tolerance, 1, "tolerance");
-    if (!status)
-        status = take_positive(goal.radius, context, radius, 0, "radius");
-    for (; taken < count && !status; taken++)
-        status = take_joint(joints + taken, context, dimension, given + taken);
-    if (!status)
-        status = joints_measure(joints, context, &goal, count);
-    if (!status)
-        status = uniform ? convert_joints(&made, context, &goal, joints, count)
-                         : convert_rotation(&made, context, &goal, joints);
-    status = finish_conversion(json, report, context, &made, status);
-    while (taken > 0)
-        joint_clear(joints + --taken);
+    for (size_t k = 0; k < count; k++)
+        joint_init(joints + k);
+    graze_status status =
+        convert_chain(&made, joints, &goal, context, given, count, tolerance, radius, uniform);
+    for (size_t k = 0; k < count; k++)
+        joint_clear(joints + k);
     fmpq_clear(goal.radius);
     fmpq_clear(goal.tolerance);
-    return status;
+    TRY(status);
+    return finish_conversion(json, report, context, &made);
 }
 
 static int chain_usable(char **json, char **report, int dimension, const graze_joint *joints,
                         size_t count, mpq_srcptr tolerance, mpq_srcptr radius) {
-    clear_texts(json, report);
+    EMPTY(json);
+    EMPTY(report);
     return json && joints && count && tolerance && radius && (dimension == 2 || dimension == 3);
 }
 
 graze_status graze_motion_write_rotation(char **json, char **report, graze_context *context,
                                          int dimension, const graze_joint *turn,
                                          mpq_srcptr tolerance, mpq_srcptr radius) {
-    if (!chain_usable(json, report, dimension, turn, 1, tolerance, radius) || !context ||
-        turn->kind != GRAZE_JOINT_TURN)
-        return api_misuse(context, "graze_motion_write_rotation",
-                          "no argument but report may be NULL, the dimension is 2 or 3, and the "
-                          "joint a turn");
+    REFUSED(!chain_usable(json, report, dimension, turn, 1, tolerance, radius) || !context ||
+                turn->kind != GRAZE_JOINT_TURN,
+            "no argument but report may be NULL, the dimension is 2 or 3, and the "
+            "joint a turn");
     return chain(json, report, context, dimension, turn, 1, tolerance, radius, 0);
 }
 
 graze_status graze_motion_write_joints(char **json, char **report, graze_context *context,
                                        int dimension, const graze_joint *joints, size_t count,
                                        mpq_srcptr tolerance, mpq_srcptr radius) {
-    if (!chain_usable(json, report, dimension, joints, count, tolerance, radius) || !context)
-        return api_misuse(context, "graze_motion_write_joints",
-                          "no argument but report may be NULL, the dimension is 2 or 3, and there "
-                          "is a joint");
+    REFUSED(!chain_usable(json, report, dimension, joints, count, tolerance, radius) || !context,
+            "no argument but report may be NULL, the dimension is 2 or 3, and there "
+            "is a joint");
     return chain(json, report, context, dimension, joints, count, tolerance, radius, 1);
 }
 
@@ -162,12 +155,10 @@ static graze_status take_poses(pose_choice *out, graze_context *context,
 static graze_status write_poses(char **json, char **report, graze_context *context,
                                 const char *path, const graze_pose_options *o) {
     IN_ENVIRONMENT();
-    conversion made;
+    HELD(conversion, made);
     pose_choice choice;
     LOCAL(fmpq, tolerance);
     fmpq_set_si(tolerance, 1, 1000000);
-    text_init(&made.motion);
-    text_init(&made.report);
     graze_status status = take_poses(&choice, context, o);
     if (!status && o->tolerance)
         status = take_positive(tolerance, context, o->tolerance, 0, "tolerance");
@@ -176,32 +167,30 @@ static graze_status write_poses(char **json, char **report, graze_context *conte
     fmpq_clear(choice.from);
     fmpq_clear(choice.to);
     fmpq_clear(choice.scale);
-    return finish_conversion(json, report, context, &made, status);
+    TRY(status);
+    return finish_conversion(json, report, context, &made);
 }
 
 graze_status graze_motion_write_poses(char **json, char **report, graze_context *context,
                                       const char *path, mpq_srcptr tolerance, unsigned flags) {
-    clear_texts(json, report);
-    if (!json || !context || !path || !tolerance)
-        return api_misuse(context, "graze_motion_write_poses",
-                          "no argument but report may be NULL");
-    if (flags & ~(GRAZE_POSES_AFFINE | GRAZE_POSES_LONG))
-        return api_misuse(context, "graze_motion_write_poses", "an unknown flag is set");
+    EMPTY(json);
+    EMPTY(report);
+    REFUSED(!json || !context || !path || !tolerance, "no argument but report may be NULL");
+    REFUSED(flags & ~(GRAZE_POSES_AFFINE | GRAZE_POSES_LONG), "an unknown flag is set");
     graze_pose_options options = {.flags = flags, .tolerance = tolerance};
     return write_poses(json, report, context, path, &options);
 }
 
 graze_status graze_motion_write_pose_list(char **json, char **report, graze_context *context,
                                           const char *path, const graze_pose_options *options) {
-    static const char name[] = "graze_motion_write_pose_list";
-    clear_texts(json, report);
-    if (!json || !context || !path)
-        return api_misuse(context, name, "json, context and path must not be NULL");
+    EMPTY(json);
+    EMPTY(report);
+    PUBLIC(json, context, path);
     graze_pose_options taken;
-    TRY(api_options(&taken, sizeof taken, context, name, options));
-    if (taken.flags & ~(GRAZE_POSES_AFFINE | GRAZE_POSES_SHORTEST | GRAZE_POSES_NUMBERED |
-                        GRAZE_POSES_LONG | GRAZE_POSES_SLERP))
-        return api_misuse(context, name, "an unknown flag is set");
+    TRY(api_options(&taken, sizeof taken, context, __func__, options));
+    REFUSED(taken.flags & ~(GRAZE_POSES_AFFINE | GRAZE_POSES_SHORTEST | GRAZE_POSES_NUMBERED |
+                            GRAZE_POSES_LONG | GRAZE_POSES_SLERP),
+            "an unknown flag is set");
     if ((taken.flags & GRAZE_POSES_LONG &&
          taken.flags & (GRAZE_POSES_SHORTEST | GRAZE_POSES_SLERP)) ||
         (taken.flags & GRAZE_POSES_AFFINE && taken.flags & GRAZE_POSES_SLERP))
@@ -212,24 +201,20 @@ graze_status graze_motion_write_pose_list(char **json, char **report, graze_cont
         return context_fail(context, GRAZE_EUSE,
                             "angles '%s': expected kuka, fanuc, staubli, kawasaki, cnc or rpy",
                             taken.angles);
-    if (taken.ignored_count && !taken.ignored)
-        return api_misuse(context, name, "ignored must not be NULL where names are counted");
+    REFUSED(taken.ignored_count && !taken.ignored,
+            "ignored must not be NULL where names are counted");
     return write_poses(json, report, context, path, &taken);
 }
 
 graze_status graze_motion_write_dyadic(char **json, char **report, graze_context *context,
                                        const graze_motion *motion, mpq_srcptr tolerance) {
-    clear_texts(json, report);
-    if (!json || !context || !motion || !tolerance)
-        return api_misuse(context, "graze_motion_write_dyadic",
-                          "no argument but report may be NULL");
+    EMPTY(json);
+    EMPTY(report);
+    REFUSED(!json || !context || !motion || !tolerance, "no argument but report may be NULL");
     IN_ENVIRONMENT();
-    conversion made;
+    HELD(conversion, made);
     LOCAL(fmpq, allowed);
-    text_init(&made.motion);
-    text_init(&made.report);
-    graze_status status = take_positive(allowed, context, tolerance, 1, "tolerance");
-    if (!status)
-        status = convert_dyadic(&made, context, motion, allowed);
-    return finish_conversion(json, report, context, &made, status);
+    TRY(take_positive(allowed, context, tolerance, 1, "tolerance"));
+    TRY(convert_dyadic(&made, context, motion, allowed));
+    return finish_conversion(json, report, context, &made);
 }

@@ -13,23 +13,10 @@
 
 graze_status graze_curve_create(graze_curve **out, graze_context *context,
                                 const graze_envelope *envelope, const mpq_t time) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !envelope || !time)
-        return api_misuse(context, "graze_curve_create",
-                          "out, context, envelope and time must not be NULL");
-    IN_ENVIRONMENT();
+    PUBLIC_OUT(out, context, envelope, time);
     LOCAL(fmpq, t);
-    graze_curve *made = malloc(sizeof *made);
-    graze_status status = made ? api_rational(t, context, time)
-                               : context_fail(context, GRAZE_ESYSTEM, "out of memory");
-    if (!status)
-        status = contact_curve_make(made, context, envelope, t);
-    if (status)
-        free(made);
-    else
-        *out = made;
-    return status;
+    TRY(api_rational(t, context, time));
+    CREATE(out, made, free, contact_curve_make(made, context, envelope, t));
 }
 
 void graze_curve_destroy(graze_curve *curve) {
@@ -44,8 +31,7 @@ size_t graze_curve_count(const graze_curve *curve) {
 }
 
 graze_curve_part graze_curve_at(const graze_curve *curve, size_t index) {
-    graze_curve_part none;
-    memset(&none, 0, sizeof none);
+    graze_curve_part none = {0};
     return index < graze_curve_count(curve) ? curve->part[index].facts : none;
 }
 
@@ -58,26 +44,15 @@ void graze_curve_ends(mpq_t *a, mpq_t *b, const graze_curve *curve, size_t index
 
 graze_status graze_curve_header(char **out, graze_context *context, const graze_envelope *envelope,
                                 const char *notes) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !envelope)
-        return api_misuse(context, "graze_curve_header",
-                          "out, context and envelope must not be NULL");
-    IN_ENVIRONMENT();
+    PUBLIC_OUT(out, context, envelope);
     return report_curve_header(out, context, envelope->scene, notes);
 }
 
 graze_status graze_curve_row(char **out, graze_context *context, const graze_curve *curve,
                              size_t index) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !curve)
-        return api_misuse(context, "graze_curve_row", "out, context and curve must not be NULL");
-    if (index >= curve->count)
-        return api_misuse(context, "graze_curve_row", "there is no such part");
-    IN_ENVIRONMENT();
-    text t;
-    text_init(&t);
+    PUBLIC_OUT(out, context, curve);
+    REFUSED(index >= curve->count, "there is no such part");
+    HELD(text, t);
     report_curve(&t, curve, &curve->part[index]);
     return text_finish(out, context, &t);
 }
@@ -86,12 +61,7 @@ graze_status graze_envelope_site(graze_site **out, graze_context *context,
                                  const graze_envelope *envelope, unsigned long seed,
                                  unsigned long index) {
     int found = 0;
-    if (out)
-        *out = NULL;
-    if (!out || !context || !envelope)
-        return api_misuse(context, "graze_envelope_site",
-                          "out, context and envelope must not be NULL");
-    IN_ENVIRONMENT();
+    PUBLIC_OUT(out, context, envelope);
     graze_site *made = malloc(sizeof *made);
     graze_status status = made ? sample_make(made, &found, context, envelope, seed, index)
                                : context_fail(context, GRAZE_ESYSTEM, "out of memory");

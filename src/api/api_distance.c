@@ -16,11 +16,8 @@ graze_status api_enclose(graze_enclosure *out, graze_context *context, const gra
                          const fmpq *point, double tolerance) {
     graze_trace trace;
     distance found;
-    graze_status status =
-        classify_point(&trace, context, scene, (query_point){.rational = point}, TRACE_CONTACTS);
-    if (status)
-        return status;
-    status = distance_find(&found, context, scene, point, &trace, tolerance);
+    TRY(classify_point(&trace, context, scene, (query_point){.rational = point}, TRACE_CONTACTS));
+    graze_status status = distance_find(&found, context, scene, point, &trace, tolerance);
     graze_enclosure made = {found.low, found.high, 0, trace.verdict.pmc, found.wide};
     if (!status)
         status = distance_time_near(&made.time, context, &found, scene->motion);
@@ -40,8 +37,7 @@ static graze_status begin_distances(graze_enclosure *out, graze_context *context
             "context and scene, and with n > 0 also out and points, must not be NULL");
     if (!(tolerance > 0 && isfinite(tolerance)))
         return api_misuse(context, function, "tolerance must be positive and finite");
-    if (scene->solid->curved)
-        return api_curved(context, function);
+    TRY(api_takes(context, function, scene->solid));
     if (n)
         memset(out, 0, n * sizeof *out);
     return GRAZE_OK;
@@ -53,66 +49,51 @@ static graze_status enclose_points(graze_enclosure *out, graze_context *context,
                                    const double *doubles, size_t n, double tolerance) {
     IN_ENVIRONMENT();
     size_t d = (size_t)scene->motion->dimension;
-    graze_status status = GRAZE_OK;
     LOCAL_VEC(fmpq, point, (slong)d);
-    for (size_t p = 0; p < n && !status; p++) {
-        if (rationals)
-            status = api_point(point, context, scene, rationals + p * d);
+    for (size_t p = 0; p < n; p++) {
+        graze_status status =
+            rationals ? api_point(point, context, scene, rationals + p * d) : GRAZE_OK;
         for (size_t k = 0; doubles && k < d && !status; k++)
             status = rational_from_double(point + k, context, doubles[p * d + k]);
         if (!status)
             status = api_enclose(out + p, context, scene, point, tolerance);
-        if (status)
-            status = context_item(context, status, "point", p, NULL);
+        TRY(context_item(context, status, "point", p, NULL));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status graze_distances(graze_enclosure *out, graze_context *context, const graze_scene *scene,
                              graze_rationals points, size_t n, double tolerance) {
-    graze_status status =
-        begin_distances(out, context, scene, points, n, tolerance, "graze_distances");
-    return status ? status : enclose_points(out, context, scene, points, NULL, n, tolerance);
+    TRY(begin_distances(out, context, scene, points, n, tolerance, __func__));
+    return enclose_points(out, context, scene, points, NULL, n, tolerance);
 }
 
 graze_status graze_distances_doubles(graze_enclosure *out, graze_context *context,
                                      const graze_scene *scene, const double *points, size_t n,
                                      double tolerance) {
-    graze_status status =
-        begin_distances(out, context, scene, points, n, tolerance, "graze_distances_doubles");
-    return status ? status : enclose_points(out, context, scene, NULL, points, n, tolerance);
+    TRY(begin_distances(out, context, scene, points, n, tolerance, __func__));
+    return enclose_points(out, context, scene, NULL, points, n, tolerance);
 }
 
 graze_status graze_scene_diagonal(double *out, graze_context *context, const graze_scene *scene) {
-    if (!out || !context || !scene)
-        return api_misuse(context, "graze_scene_diagonal",
-                          "out, context and scene must not be NULL");
-    if (scene->solid->curved)
-        return api_curved(context, "graze_scene_diagonal");
-    IN_ENVIRONMENT();
+    PUBLIC(out, context, scene);
+    TRY(api_takes(context, "graze_scene_diagonal", scene->solid));
     return distance_diagonal(out, context, scene);
 }
 
 graze_status graze_scene_width(double *out, graze_context *context, const graze_scene *scene,
                                double fraction) {
     double unit;
-    if (!out || !context || !scene)
-        return api_misuse(context, "graze_scene_width", "out, context and scene must not be NULL");
-    if (!(fraction > 0 && isfinite(fraction)))
-        return api_misuse(context, "graze_scene_width", "fraction must be positive and finite");
-    if (scene->solid->curved)
-        return api_curved(context, "graze_scene_width");
-    IN_ENVIRONMENT();
-    graze_status status = distance_diagonal(&unit, context, scene);
-    double width = status ? 0 : fraction * unit;
-    if (!status && !isfinite(width))
-        width = 0;
-    width = width > 0 ? nextafter(width, 0) : 0;
-    if (!status && !(width > 0))
+    PUBLIC(out, context, scene);
+    REFUSED(!(fraction > 0 && isfinite(fraction)), "fraction must be positive and finite");
+    TRY(api_takes(context, "graze_scene_width", scene->solid));
+    TRY(distance_diagonal(&unit, context, scene));
+    double width = fraction * unit;
+    width = width > 0 && isfinite(width) ? nextafter(width, 0) : 0;
+    if (!(width > 0))
         return context_fail(
             context, GRAZE_ELIMIT,
             "sdf times the diagonal is beyond doubles; expected a width between 1e-307 and 1e307");
-    if (!status)
-        *out = width;
-    return status;
+    *out = width;
+    return GRAZE_OK;
 }

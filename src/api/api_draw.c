@@ -49,22 +49,18 @@ static const char *misused(const graze_draw_options *o, int d) {
 /* The caller's rationals one after the other: low, high, plane, normal, points. */
 static graze_status take_numbers(fmpq *out, graze_context *context, const graze_draw_options *o,
                                  size_t d) {
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < d && o->low && !status; k++) {
-        status = api_rational(out + k, context, o->low[k]);
-        if (!status)
-            status = api_rational(out + d + k, context, o->high[k]);
+    for (size_t k = 0; k < d && o->low; k++) {
+        TRY(api_rational(out + k, context, o->low[k]));
+        TRY(api_rational(out + d + k, context, o->high[k]));
     }
-    if (o->plane && !status)
-        status = api_rational(out + 2 * d, context, *o->plane);
-    for (size_t k = 0; k < 3 && o->normal && !status; k++)
-        status = api_rational(out + 2 * d + 1 + k, context, o->normal[k]);
-    for (size_t k = 0; k < o->point_count * d && !status; k++) {
-        status = api_rational(out + 2 * d + 4 + k, context, o->points[k]);
-        if (status)
-            status = api_coordinate(context, status, "point", k / d, k % d);
-    }
-    return status;
+    if (o->plane)
+        TRY(api_rational(out + 2 * d, context, *o->plane));
+    for (size_t k = 0; k < 3 && o->normal; k++)
+        TRY(api_rational(out + 2 * d + 1 + k, context, o->normal[k]));
+    for (size_t k = 0; k < o->point_count * d; k++)
+        TRY(api_coordinate(context, api_rational(out + 2 * d + 4 + k, context, o->points[k]),
+                           "point", k / d, k % d));
+    return GRAZE_OK;
 }
 
 /* A normal along an axis gives that axis' plane. */
@@ -92,25 +88,22 @@ unsigned graze_class_colour(graze_class class_) {
 
 graze_status graze_draw(graze_context *context, const graze_scene *scene, const char *file,
                         const graze_draw_options *options) {
-    if (!context || !scene || !file)
-        return api_misuse(context, "graze_draw", "context, scene and file must not be NULL");
+    PUBLIC(context, scene, file);
     graze_draw_options taken;
-    graze_status status = api_options(&taken, sizeof taken, context, "graze_draw", options);
-    if (status)
-        return status;
+    TRY(api_options(&taken, sizeof taken, context, __func__, options));
     const graze_draw_options *o = &taken;
     size_t d = (size_t)scene->motion->dimension, count = 2 * d + 4 + o->point_count * d;
     const char *wrong = misused(o, (int)d);
     if (wrong)
         return api_misuse(context, "graze_draw", wrong);
     int page = file_has_extension(file, "html");
-    if (scene->solid->curved && ((page && o->surface > 0) || o->by == GRAZE_DRAW_BY_DISTANCE))
-        return api_curved(context, "graze_draw");
-    if (!solid_bounded(scene->solid))
-        return api_unbounded(context, "graze_draw");
-    IN_ENVIRONMENT();
+    if (page && o->surface > 0)
+        TRY(api_takes(context, "graze_draw: surface", scene->solid));
+    if (o->by == GRAZE_DRAW_BY_DISTANCE)
+        TRY(api_takes(context, "graze_draw: by distance", scene->solid));
+    TRY(api_takes(context, "graze_draw", scene->solid));
     LOCAL_VEC(fmpq, numbers, (slong)count);
-    status = take_numbers(numbers, context, o, d);
+    TRY(take_numbers(numbers, context, o, d));
     int seen = o->view[0] != 0 || o->view[1] != 0 || o->view[2] != 0;
     draw_request request = {
         .title = o->title,
@@ -135,9 +128,7 @@ graze_status graze_draw(graze_context *context, const graze_scene *scene, const 
     };
     if (o->normal)
         take_axis(&request, numbers + 2 * d);
-    if (!status)
-        status = (page ? page_write : draw_picture)(context, scene, file, &request);
-    return status;
+    return (page ? page_write : draw_picture)(context, scene, file, &request);
 }
 
 /* Fault of the call, or NULL. */
@@ -157,21 +148,16 @@ static const char *misused_cones(const graze_scene *scene, const char *file,
 
 graze_status graze_draw_cones(graze_context *context, const graze_scene *scene, const char *file,
                               graze_rationals point, const graze_trace *trace) {
-    if (!context || !scene || !file || !point || !trace)
-        return api_misuse(context, "graze_draw_cones",
-                          "context, scene, file, point and trace must not be NULL");
+    PUBLIC(context, scene, file, point, trace);
     const char *wrong = misused_cones(scene, file, trace);
     if (wrong)
         return api_misuse(context, "graze_draw_cones", wrong);
-    if (scene->solid->curved)
-        return api_curved(context, "graze_draw_cones");
-    IN_ENVIRONMENT();
+    TRY(api_takes(context, "graze_draw_cones", scene->solid));
     LOCAL_VEC(fmpq, p, scene->motion->dimension);
+    TRY(api_point(p, context, scene, point));
     topo_finding found;
     finding_init(&found);
-    graze_status status = api_point(p, context, scene, point);
-    if (!status)
-        status = topo_decide(&found, context, scene, p, trace);
+    graze_status status = topo_decide(&found, context, scene, p, trace);
     if (!status)
         status = draw_cones(context, scene, file, p, &found);
     finding_clear(&found);

@@ -13,26 +13,10 @@
 
 graze_status graze_envelope_create(graze_envelope **out, graze_context *context,
                                    const graze_scene *scene) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !scene)
-        return api_misuse(context, "graze_envelope_create",
-                          "out, context and scene must not be NULL");
-    if (scene->options.operation != GRAZE_SWEEP)
-        return api_misuse(context, "graze_envelope_create",
-                          "the scene is an unsweep; expected a sweep");
-    if (scene->solid->curved)
-        return api_curved(context, "graze_envelope_create");
-    IN_ENVIRONMENT();
-    graze_envelope *made = malloc(sizeof *made);
-    if (!made)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory");
-    graze_status status = envelope_make(made, context, scene);
-    if (status)
-        free(made);
-    else
-        *out = made;
-    return status;
+    PUBLIC_OUT(out, context, scene);
+    REFUSED(scene->options.operation != GRAZE_SWEEP, "the scene is an unsweep; expected a sweep");
+    TRY(api_takes(context, "graze_envelope_create", scene->solid));
+    CREATE(out, made, free, envelope_make(made, context, scene));
 }
 
 void graze_envelope_destroy(graze_envelope *envelope) {
@@ -49,8 +33,7 @@ static graze_decomposable answer_of(graze_decomposable_reason reason) {
 }
 
 graze_envelope_facts graze_envelope_get(const graze_envelope *envelope) {
-    graze_envelope_facts out;
-    memset(&out, 0, sizeof out);
+    graze_envelope_facts out = {0};
     if (!envelope)
         return out;
     out.facets = envelope->cells.facet_count;
@@ -69,8 +52,7 @@ size_t graze_envelope_event_count(const graze_envelope *envelope) {
 }
 
 graze_event graze_envelope_event(const graze_envelope *envelope, size_t index) {
-    graze_event out;
-    memset(&out, 0, sizeof out);
+    graze_event out = {0};
     if (index >= graze_envelope_event_count(envelope))
         return out;
     const found_event *event = &envelope->events.item[index];
@@ -86,33 +68,17 @@ graze_event graze_envelope_event(const graze_envelope *envelope, size_t index) {
 
 graze_status graze_envelope_header(char **out, graze_context *context,
                                    const graze_envelope *envelope, const char *notes) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !envelope)
-        return api_misuse(context, "graze_envelope_header",
-                          "out, context and envelope must not be NULL");
-    IN_ENVIRONMENT();
+    PUBLIC_OUT(out, context, envelope);
     return report_events_header(out, context, envelope->scene, notes);
 }
 
 graze_status graze_envelope_row(char **out, graze_context *context, const graze_envelope *envelope,
                                 size_t index) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !envelope)
-        return api_misuse(context, "graze_envelope_row",
-                          "out, context and envelope must not be NULL");
-    if (index >= envelope->events.count)
-        return api_misuse(context, "graze_envelope_row", "there is no such event");
-    IN_ENVIRONMENT();
+    PUBLIC_OUT(out, context, envelope);
+    REFUSED(index >= envelope->events.count, "there is no such event");
     const found_event *event = &envelope->events.item[index];
-    text t;
-    text_init(&t);
-    graze_status status = time_canonicalise(envelope->events.time[event->time], context);
-    if (status) {
-        text_clear(&t);
-        return status;
-    }
+    HELD(text, t);
+    TRY(time_canonicalise(envelope->events.time[event->time], context));
     report_event(&t, envelope, event);
     return text_finish(out, context, &t);
 }

@@ -37,19 +37,17 @@ static graze_status take_value_rows(typed_table *t, const graze_scene *scene, co
     typed_kind last[COLUMNS_MOST];
     HELD(text, names);
     table_columns(&names, scene, columns, shown);
-    graze_status status =
-        names.failed
-            ? context_fail(t->context, GRAZE_ESYSTEM, "out of memory")
-            : typed_begin(t, scene->motion->dimension, (field){names.data, names.length},
-                          shown->columns == GRAZE_COLUMNS_PMC, last, columns_kinds(last, shown));
-    if (!status && grid)
+    if (names.failed)
+        return context_fail(t->context, GRAZE_ESYSTEM, "out of memory");
+    TRY(typed_begin(t, scene->motion->dimension, (field){names.data, names.length},
+                    shown->columns == GRAZE_COLUMNS_PMC, last, columns_kinds(last, shown)));
+    if (grid)
         set_grid(t, &grid->lattice);
-    if (!status)
-        status = typed_add(t, rows, length);
-    if (!status && grid && t->row_count != grid->lattice.count)
-        status = context_fail(t->context, GRAZE_EINPUT, "%zu rows; expected the %zu of the grid",
-                              t->row_count, grid->lattice.count);
-    return status;
+    TRY(typed_add(t, rows, length));
+    if (grid && t->row_count != grid->lattice.count)
+        return context_fail(t->context, GRAZE_EINPUT, "%zu rows; expected the %zu of the grid",
+                            t->row_count, grid->lattice.count);
+    return GRAZE_OK;
 }
 
 graze_status graze_report_export(char **out, size_t *length, graze_context *context,
@@ -57,36 +55,26 @@ graze_status graze_report_export(char **out, size_t *length, graze_context *cont
                                  const char *columns, const graze_grid *grid,
                                  const graze_row_options *options) {
     graze_row_options shown;
-    if (out)
-        *out = NULL;
-    if (length)
-        *length = 0;
-    if (!out || !length || !context || !scene || (rows_length && !rows))
-        return api_misuse(context, "graze_report_export",
-                          "out, length, context and scene, and with rows_length > 0 also rows, "
-                          "must not be NULL");
-    graze_status status = api_rows(&shown, context, "graze_report_export", options);
-    if (!status && shown.format < GRAZE_FORMAT_VTK)
-        return api_misuse(context, "graze_report_export",
-                          "expected GRAZE_FORMAT_VTK or GRAZE_FORMAT_NPY");
-    if (!status && grid && grid->lattice.dimension != scene->motion->dimension)
-        return api_misuse(context, "graze_report_export", "the grid has another dimension");
-    if (status)
-        return status;
+    EMPTY(out);
+    EMPTY(length);
+    REFUSED(!out || !length || !context || !scene || (rows_length && !rows),
+            "out, length, context and scene, and with rows_length > 0 also rows, "
+            "must not be NULL");
+    TRY(api_rows(&shown, context, __func__, options));
+    REFUSED(shown.format < GRAZE_FORMAT_VTK, "expected GRAZE_FORMAT_VTK or GRAZE_FORMAT_NPY");
+    REFUSED(grid && grid->lattice.dimension != scene->motion->dimension,
+            "the grid has another dimension");
     IN_ENVIRONMENT();
     typed_table typed;
-    text bytes;
-    text_init(&bytes);
+    HELD(text, bytes);
     typed_init(&typed, context);
-    status = take_value_rows(&typed, scene, rows, rows_length, columns, grid, &shown);
+    graze_status status = take_value_rows(&typed, scene, rows, rows_length, columns, grid, &shown);
     if (!status)
         status = typed_write(&typed, shown.format, (sink){put_in_text, &bytes});
     typed_clear(&typed);
+    TRY(status);
     size_t made = bytes.length;
-    if (!status)
-        status = text_finish(out, context, &bytes);
-    else
-        text_clear(&bytes);
-    *length = status ? 0 : made;
-    return status;
+    TRY(text_finish(out, context, &bytes));
+    *length = made;
+    return GRAZE_OK;
 }

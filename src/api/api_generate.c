@@ -20,34 +20,24 @@ unsigned long graze_stratum_default_weight(graze_stratum stratum) {
 graze_status graze_generator_create(graze_generator **out, graze_context *context,
                                     const graze_scene *scene, unsigned long long seed,
                                     const unsigned long *weights, unsigned flags) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !scene)
-        return api_misuse(context, "graze_generator_create",
-                          "out, context and scene must not be NULL");
-    if (flags & ~GRAZE_GENERATE_REPRESENTABLE)
-        return api_misuse(context, "graze_generator_create", "an unknown flag is set");
-    if (!solid_bounded(scene->solid))
-        return api_unbounded(context, "graze_generator_create");
-    IN_ENVIRONMENT();
+    PUBLIC_OUT(out, context, scene);
+    REFUSED(flags & ~GRAZE_GENERATE_REPRESENTABLE, "an unknown flag is set");
+    TRY(api_takes(context, "graze_generator_create", scene->solid));
     unsigned long chosen[GRAZE_STRATUM_COUNT];
     for (int k = 0; k < GRAZE_STRATUM_COUNT; k++) {
         chosen[k] = weights ? weights[k] : stratum_weight((graze_stratum)k);
-        if (chosen[k] > 1000000)
-            return api_misuse(context, "graze_generator_create", "a weight is more than 1000000");
+        REFUSED(chosen[k] > 1000000, "a weight is more than 1000000");
     }
     graze_generator *made = malloc(sizeof *made);
     if (!made)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for a generator");
     graze_status status = generator_make(made, context, scene, seed, chosen,
                                          (flags & GRAZE_GENERATE_REPRESENTABLE) != 0);
-    if (status) {
-        generator_clear(made);
-        free(made);
-        return status;
-    }
-    *out = made;
-    return GRAZE_OK;
+    if (status)
+        graze_generator_destroy(made);
+    else
+        *out = made;
+    return status;
 }
 
 void graze_generator_destroy(graze_generator *generator) {
@@ -82,8 +72,7 @@ void graze_generator_box(mpq_t *low, mpq_t *high, const graze_generator *generat
 graze_status graze_generator_point(mpq_t *point, mpq_t time, graze_sample *out,
                                    graze_context *context, const graze_generator *generator,
                                    unsigned long long row) {
-    if (!point || !time || !out || !context || !generator)
-        return api_misuse(context, "graze_generator_point", "no argument may be NULL");
+    REFUSED(!point || !time || !out || !context || !generator, "no argument may be NULL");
     IN_ENVIRONMENT();
     HELD(sample, s);
     graze_status status = generator_sample(&s, context, generator, row);

@@ -53,14 +53,8 @@ static graze_status make_grid(graze_grid **out, graze_context *context, const gr
 
 graze_status graze_grid_create(graze_grid **out, graze_context *context, const graze_scene *scene,
                                const size_t *size, graze_rationals low, graze_rationals high) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !scene || !size || !low || !high)
-        return api_misuse(context, "graze_grid_create",
-                          "out, context, scene, size, low and high must not be NULL");
-    if (!solid_bounded(scene->solid))
-        return api_unbounded(context, "graze_grid_create");
-    IN_ENVIRONMENT();
+    PUBLIC_OUT(out, context, scene, size, low, high);
+    TRY(api_takes(context, "graze_grid_create", scene->solid));
     int d = scene->motion->dimension;
     LOCAL_VEC(fmpq, box, 2 * d);
     TRY(check_sizes(context, size, d));
@@ -118,33 +112,29 @@ static graze_status ask_alone(unsigned char *pmc, graze_context *context, const 
     graze_trace trace;
     size_t place[3];
     int d = grid->lattice.dimension;
-    fmpq *point = _fmpq_vec_init(d);
+    LOCAL_VEC(fmpq, point, d);
     lattice_place(place, &grid->lattice, index);
     for (int k = 0; k < d; k++)
         lattice_coordinate(point + k, &grid->lattice, k, place[k]);
     graze_status status = classify_point(&trace, context, grid->memory->bricks.scene,
                                          (query_point){.rational = point}, TRACE_PMC);
-    if (!status) {
-        *pmc = (unsigned char)trace.verdict.pmc;
-        trace_clear(&trace);
-    }
-    _fmpq_vec_clear(point, d);
-    return status ? context_item(context, status, "point", index, NULL) : GRAZE_OK;
+    TRY(context_item(context, status, "point", index, NULL));
+    *pmc = (unsigned char)trace.verdict.pmc;
+    trace_clear(&trace);
+    return GRAZE_OK;
 }
 
 graze_status graze_grid_pmc(unsigned char *out, graze_context *context, const graze_grid *grid,
                             size_t first, size_t step, size_t count) {
-    if (!context || !grid || (count && !out))
-        return api_misuse(context, "graze_grid_pmc",
-                          "context, grid and, with count > 0, out must not be NULL");
-    if (points_there(grid, first, step, count) < count)
-        return api_misuse(context, "graze_grid_pmc", "expected points of the grid");
+    REFUSED(!context || !grid || (count && !out),
+            "context, grid and, with count > 0, out must not be NULL");
+    REFUSED(points_there(grid, first, step, count) < count, "expected points of the grid");
     IN_ENVIRONMENT();
     graze_status status = GRAZE_OK;
     size_t done = 0;
     if (count)
         memset(out, 0, count);
-    int curved = grid->memory->bricks.scene->solid->curved != NULL;
+    int curved = solid_kind_of(grid->memory->bricks.scene->solid) & SOLID_CURVED;
     while (done < count && !status) {
         size_t n = count - done;
         if (!curved)
@@ -188,25 +178,19 @@ static graze_status put_grid_values(text *out, graze_context *context, const lat
 graze_status graze_grid_rows(char **out, size_t *length, size_t *done, graze_context *context,
                              const graze_grid *grid, size_t first, size_t step, size_t count,
                              graze_format format) {
-    if (out)
-        *out = NULL;
-    if (length)
-        *length = 0;
-    if (done)
-        *done = 0;
-    if (!out || !length || !done || !context || !grid)
-        return api_misuse(context, "graze_grid_rows",
-                          "out, length, done, context and grid must not be NULL");
-    if (format == GRAZE_FORMAT_JSONL || format < GRAZE_FORMAT_CSV || format > GRAZE_FORMAT_NPY)
-        return api_misuse(context, "graze_grid_rows",
-                          "format must be GRAZE_FORMAT_CSV, GRAZE_FORMAT_VTK or GRAZE_FORMAT_NPY");
-    unsigned char *pmc = calloc(count + 1, 1); /* ends with a 0 */
+    EMPTY(out);
+    EMPTY(length);
+    EMPTY(done);
+    PUBLIC(out, length, done, context, grid);
+    REFUSED(format == GRAZE_FORMAT_JSONL || format < GRAZE_FORMAT_CSV || format > GRAZE_FORMAT_NPY,
+            "format must be GRAZE_FORMAT_CSV, GRAZE_FORMAT_VTK or GRAZE_FORMAT_NPY");
+    FREED(unsigned char, pmc, calloc(count + 1, 1)); /* ends with a 0 */
     if (!pmc)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu rows", count);
-    IN_ENVIRONMENT();
     const graze_scene *scene = grid->memory->bricks.scene;
-    graze_status status =
-        scene->solid->curved ? GRAZE_OK : filter_lay_bricks(&scene->filter, context);
+    graze_status status = solid_kind_of(scene->solid) & SOLID_CURVED
+                              ? GRAZE_OK
+                              : filter_lay_bricks(&scene->filter, context);
     if (!status)
         status = graze_grid_pmc(pmc, context, grid, first, step, count);
     size_t rows = strlen((const char *)pmc);
@@ -220,6 +204,5 @@ graze_status graze_grid_rows(char **out, size_t *length, size_t *done, graze_con
     *done = t.failed ? 0 : rows;
     *length = t.failed ? 0 : t.length;
     *out = *done ? text_take(&t) : NULL;
-    free(pmc);
     return status;
 }

@@ -19,43 +19,27 @@ enum { DEFAULT_BUDGET = 10000000 };
 /* Points that a mesh is asked about, at most. */
 static const size_t MOST_POINTS = 1000000000;
 
-/* Take the soup over, and make a mesh of it. */
-static graze_status make_mesh(graze_mesh **out, graze_context *context, soup *input,
-                              unsigned flags) {
-    graze_mesh *made = calloc(1, sizeof *made);
-    if (!made) {
-        soup_clear(input);
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory");
-    }
-    made->input = *input;
-    graze_status status = made->input.dimension == 3
-                              ? judged_mesh_make(&made->judged, context, &made->input, flags)
-                              : context_fail(context, GRAZE_EINPUT,
-                                             "polygons in the plane; expected a mesh in space");
-    if (!status)
-        judged_windings(&made->judged);
-    if (status)
-        graze_mesh_destroy(made);
-    else
-        *out = made;
-    return status;
+/* The facts of a mesh whose soup is there. */
+static graze_status mesh_of_soup(graze_mesh *m, graze_context *context, unsigned flags) {
+    if (m->input.dimension != 3)
+        return context_fail(context, GRAZE_EINPUT,
+                            "polygons in the plane; expected a mesh in space");
+    TRY(judged_mesh_make(&m->judged, context, &m->input, flags));
+    judged_windings(&m->judged);
+    return GRAZE_OK;
+}
+
+static graze_status mesh_from_file(graze_mesh *m, graze_context *context, const char *path,
+                                   unsigned flags) {
+    TRY(soup_read_any(&m->input, context, path));
+    return context_in(context, mesh_of_soup(m, context, flags), path, 0);
 }
 
 graze_status graze_mesh_read(graze_mesh **out, graze_context *context, const char *path,
                              unsigned flags) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !path)
-        return api_misuse(context, "graze_mesh_read", "out, context and path must not be NULL");
-    if (flags & ~GRAZE_SOLID_TRIANGULATE)
-        return api_misuse(context, "graze_mesh_read", "an unknown flag is set");
-    IN_ENVIRONMENT();
-    soup input;
-    graze_status status = soup_read_any(&input, context, path);
-    if (status)
-        return status;
-    status = make_mesh(out, context, &input, flags);
-    return status ? context_in(context, status, path, 0) : GRAZE_OK;
+    PUBLIC_OUT(out, context, path);
+    REFUSED(flags & ~GRAZE_SOLID_TRIANGULATE, "an unknown flag is set");
+    CREATE(out, made, graze_mesh_destroy, mesh_from_file(made, context, path, flags));
 }
 
 static graze_status take_vertices(soup *s, graze_context *context, const double *vertices,
@@ -89,24 +73,24 @@ static graze_status take_triangles(soup *s, graze_context *context, const size_t
     return GRAZE_OK;
 }
 
+static graze_status mesh_from_arrays(graze_mesh *m, graze_context *context, const double *vertices,
+                                     size_t vertex_count, const size_t *triangles,
+                                     size_t triangle_count) {
+    soup_init(&m->input, 3);
+    TRY(take_vertices(&m->input, context, vertices, vertex_count));
+    TRY(take_triangles(&m->input, context, triangles, triangle_count));
+    return mesh_of_soup(m, context, 0);
+}
+
 graze_status graze_mesh_create(graze_mesh **out, graze_context *context, const double *vertices,
                                size_t vertex_count, const size_t *triangles,
                                size_t triangle_count) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || (!vertices && vertex_count) || (!triangles && triangle_count))
-        return api_misuse(context, "graze_mesh_create",
-                          "out, context, vertices and triangles must not be NULL");
+    EMPTY(out);
+    REFUSED(!out || !context || (!vertices && vertex_count) || (!triangles && triangle_count),
+            "out, context, vertices and triangles must not be NULL");
     IN_ENVIRONMENT();
-    soup input;
-    soup_init(&input, 3);
-    graze_status status = take_vertices(&input, context, vertices, vertex_count);
-    if (!status)
-        status = take_triangles(&input, context, triangles, triangle_count);
-    if (!status)
-        return make_mesh(out, context, &input, 0);
-    soup_clear(&input);
-    return status;
+    CREATE(out, made, graze_mesh_destroy,
+           mesh_from_arrays(made, context, vertices, vertex_count, triangles, triangle_count));
 }
 
 void graze_mesh_destroy(graze_mesh *mesh) {
@@ -182,18 +166,10 @@ static graze_status enclose_vertex(void *data, graze_context *context, int membe
 graze_status graze_mesh_distances(graze_enclosure *out, graze_context *context,
                                   const graze_scene *scene, const graze_mesh *mesh,
                                   double tolerance, int threads) {
-    static const char name[] = "graze_mesh_distances";
-    if (!out || !context || !scene || !mesh)
-        return api_misuse(context, name, "out, context, scene and mesh must not be NULL");
-    if (!(tolerance > 0 && isfinite(tolerance)) || threads < 0 || threads > TEAM_MOST)
-        return api_misuse(context, name,
-                          "tolerance must be positive and finite, threads at most 1024");
-    if (scene->solid->curved)
-        return api_curved(context, name);
-    if (scene->motion->dimension != 3)
-        return context_fail(context, GRAZE_EILLEGAL,
-                            "a scene in the plane; expected one in space to judge a mesh by");
-    IN_ENVIRONMENT();
+    PUBLIC(out, context, scene, mesh);
+    REFUSED(!(tolerance > 0 && isfinite(tolerance)) || threads < 0 || threads > TEAM_MOST,
+            "tolerance must be positive and finite, threads at most 1024");
+    TRY(api_takes(context, __func__, scene->solid));
     vertex_run r = {out, scene, mesh->input.coordinates, tolerance};
     return team_run(context, threads ? threads : 1, mesh->input.vertex_count, enclose_vertex, &r);
 }
@@ -229,12 +205,9 @@ static graze_status answer_point(void *data, graze_context *context, int member,
 
 graze_status graze_mesh_answers(graze_pmc *out, graze_context *context, const graze_mesh *mesh,
                                 graze_rationals points, size_t n, int threads) {
-    static const char name[] = "graze_mesh_answers";
-    if (!context || !mesh || (n && (!out || !points)))
-        return api_misuse(context, name,
-                          "context and mesh, and with n > 0 also out and points, must not be NULL");
-    if (threads < 0 || threads > TEAM_MOST)
-        return api_misuse(context, name, "threads must be at most 1024");
+    REFUSED(!context || !mesh || (n && (!out || !points)),
+            "context and mesh, and with n > 0 also out and points, must not be NULL");
+    REFUSED(threads < 0 || threads > TEAM_MOST, "threads must be at most 1024");
     IN_ENVIRONMENT();
     TRY(check_has_inside(context, mesh));
     answer_run r = {out, &mesh->judged, points};
@@ -247,41 +220,28 @@ static graze_status check_judged(graze_context *context, const graze_scene *scen
         return api_misuse(
             context, "graze_judge",
             "options.within must be positive and finite, options.threads at most 1024");
-    if (scene->solid->curved)
-        return api_curved(context, "graze_judge");
-    if (scene->motion->dimension != 3)
-        return context_fail(context, GRAZE_EILLEGAL,
-                            "a scene in the plane; expected one in space to judge a mesh by");
+    TRY(api_takes(context, "graze_judge", scene->solid));
     if (scene->options.operation == GRAZE_UNSWEEP)
         return context_fail(context, GRAZE_EILLEGAL,
                             "an unsweep; expected a sweep to judge a mesh by");
     return GRAZE_OK;
 }
 
+static graze_status judge_by(graze_judgement *made, graze_context *context,
+                             const graze_scene *scene, const graze_mesh *mesh,
+                             const graze_judge_options *o) {
+    made->mesh = mesh;
+    return suprema_find(&made->searched, context, scene, &mesh->judged, o->within,
+                        o->budget ? o->budget : DEFAULT_BUDGET, o->threads ? o->threads : 1);
+}
+
 graze_status graze_judge(graze_judgement **out, graze_context *context, const graze_scene *scene,
                          const graze_mesh *mesh, const graze_judge_options *options) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !scene || !mesh || !options)
-        return api_misuse(context, "graze_judge",
-                          "out, context, scene, mesh and options must not be NULL");
-    IN_ENVIRONMENT();
+    PUBLIC_OUT(out, context, scene, mesh, options);
     graze_judge_options checked;
-    graze_status status = api_options(&checked, sizeof checked, context, "graze_judge", options);
-    if (!status)
-        status = check_judged(context, scene, &checked);
-    graze_judgement *made = status ? NULL : calloc(1, sizeof *made);
-    if (!made)
-        return status ? status : context_fail(context, GRAZE_ESYSTEM, "out of memory");
-    made->mesh = mesh;
-    status = suprema_find(&made->searched, context, scene, &mesh->judged, checked.within,
-                          checked.budget ? checked.budget : DEFAULT_BUDGET,
-                          checked.threads ? checked.threads : 1);
-    if (status)
-        graze_judgement_destroy(made);
-    else
-        *out = made;
-    return status;
+    TRY(api_options(&checked, sizeof checked, context, __func__, options));
+    TRY(check_judged(context, scene, &checked));
+    CREATE(out, made, graze_judgement_destroy, judge_by(made, context, scene, mesh, &checked));
 }
 
 void graze_judgement_destroy(graze_judgement *judgement) {
@@ -334,21 +294,11 @@ unsigned long graze_judgement_cost(const graze_judgement *judgement) {
 graze_status graze_judgement_report(char **out, graze_context *context,
                                     const graze_judgement *judgement,
                                     const graze_comparison *points, graze_judgement_format format) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !judgement)
-        return api_misuse(context, "graze_judgement_report",
-                          "out, context and judgement must not be NULL");
-    if ((unsigned)format > GRAZE_JUDGEMENT_JSON)
-        return api_misuse(context, "graze_judgement_report", "there is no such format");
-    IN_ENVIRONMENT();
-    text t;
-    text_init(&t);
-    graze_status status = judge_report(&t, context, judgement, points, format);
-    if (!status)
-        return text_finish(out, context, &t);
-    text_clear(&t);
-    return status;
+    PUBLIC_OUT(out, context, judgement);
+    REFUSED((unsigned)format > GRAZE_JUDGEMENT_JSON, "there is no such format");
+    HELD(text, t);
+    TRY(judge_report(&t, context, judgement, points, format));
+    return text_finish(out, context, &t);
 }
 
 static graze_status check_mesh_points(graze_context *context, const graze_scene *scene,
@@ -358,9 +308,7 @@ static graze_status check_mesh_points(graze_context *context, const graze_scene 
     if (p->count > MOST_POINTS)
         return context_fail(context, GRAZE_ELIMIT, "%zu points; expected at most %zu", p->count,
                             MOST_POINTS);
-    if (scene->motion->dimension != 3)
-        return context_fail(context, GRAZE_EILLEGAL,
-                            "a scene in the plane; expected one in space to judge a mesh by");
+    TRY(api_takes(context, "graze_compare_mesh", scene->solid));
     return check_has_inside(context, mesh);
 }
 
@@ -383,7 +331,8 @@ static graze_status compare_at(graze_comparison *c, graze_context *context,
                                      .show = p->show,
                                      .solid = p->solid,
                                      .motion = p->motion,
-                                     .scene = scene->solid->curved ? NULL : scene};
+                                     .scene =
+                                         solid_kind_of(scene->solid) & SOLID_CURVED ? NULL : scene};
     mesh_points asked = {.count = p->count};
     graze_generator *generator = NULL;
     fmpq *given = NULL;
@@ -404,23 +353,9 @@ static graze_status compare_at(graze_comparison *c, graze_context *context,
 graze_status graze_compare_mesh(graze_comparison **out, graze_context *context,
                                 const graze_scene *scene, const graze_mesh *mesh,
                                 const graze_mesh_points *points) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !scene || !mesh || !points)
-        return api_misuse(context, "graze_compare_mesh",
-                          "out, context, scene, mesh and points must not be NULL");
-    IN_ENVIRONMENT();
+    PUBLIC_OUT(out, context, scene, mesh, points);
     graze_mesh_points taken;
-    graze_status status = api_options(&taken, sizeof taken, context, "graze_compare_mesh", points);
-    if (!status)
-        status = check_mesh_points(context, scene, mesh, &taken);
-    graze_comparison *made = status ? NULL : calloc(1, sizeof *made);
-    if (!made)
-        return status ? status : context_fail(context, GRAZE_ESYSTEM, "out of memory");
-    status = compare_at(made, context, scene, mesh, &taken);
-    if (status)
-        graze_comparison_destroy(made);
-    else
-        *out = made;
-    return status;
+    TRY(api_options(&taken, sizeof taken, context, __func__, points));
+    TRY(check_mesh_points(context, scene, mesh, &taken));
+    CREATE(out, made, graze_comparison_destroy, compare_at(made, context, scene, mesh, &taken));
 }

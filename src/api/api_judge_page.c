@@ -59,11 +59,10 @@ static graze_status box_with_mesh(judge_page *p, graze_context *context, const g
 
 static graze_status mark_place(judge_page *p, graze_context *context, const double *at,
                                const char *name) {
-    graze_status status = GRAZE_OK;
-    for (size_t i = 0; i < 3 && !status; i++)
-        status = rational_from_double(p->places + 3 * p->place_count + i, context, at[i]);
+    for (size_t i = 0; i < 3; i++)
+        TRY(rational_from_double(p->places + 3 * p->place_count + i, context, at[i]));
     p->name[p->place_count++] = name;
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status take_places(judge_page *p, graze_context *context,
@@ -83,15 +82,9 @@ static graze_status take_places(judge_page *p, graze_context *context,
 graze_status graze_judgement_draw(graze_context *context, const graze_scene *scene,
                                   const graze_judgement *judgement, const char *file,
                                   const graze_enclosure *found, const char *title) {
-    static const char name[] = "graze_judgement_draw";
-    if (!context || !scene || !judgement || !file || !found)
-        return api_misuse(context, name,
-                          "context, scene, judgement, file and found must not be NULL");
-    if (!file_has_extension(file, "html"))
-        return api_misuse(context, name, "the file is no page; expected a name in .html");
-    if (title && strlen(title) > 512)
-        return api_misuse(context, name, "title must have at most 512 bytes");
-    IN_ENVIRONMENT();
+    PUBLIC(context, scene, judgement, file, found);
+    REFUSED(!file_has_extension(file, "html"), "the file is no page; expected a name in .html");
+    REFUSED(title && strlen(title) > 512, "title must have at most 512 bytes");
     judge_page p = {.box = _fmpq_vec_init(6), .places = _fmpq_vec_init(3 * MOST_PLACES)};
     graze_status status = take_mesh(&p, context, judgement->mesh, found);
     if (!status)

@@ -12,21 +12,8 @@
 
 graze_status graze_patches_create(graze_patches **out, graze_context *context,
                                   const graze_envelope *envelope) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !envelope)
-        return api_misuse(context, "graze_patches_create",
-                          "out, context and envelope must not be NULL");
-    IN_ENVIRONMENT();
-    graze_patches *made = malloc(sizeof *made);
-    if (!made)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory");
-    graze_status status = patches_make(made, context, envelope);
-    if (status)
-        free(made);
-    else
-        *out = made;
-    return status;
+    PUBLIC_OUT(out, context, envelope);
+    CREATE(out, made, free, patches_make(made, context, envelope));
 }
 
 void graze_patches_destroy(graze_patches *patches) {
@@ -41,8 +28,7 @@ size_t graze_patches_count(const graze_patches *patches) {
 }
 
 graze_patch graze_patches_at(const graze_patches *patches, size_t index) {
-    graze_patch none;
-    memset(&none, 0, sizeof none);
+    graze_patch none = {0};
     return index < graze_patches_count(patches) ? patches->item[index].facts : none;
 }
 
@@ -63,8 +49,7 @@ size_t graze_patches_joint_count(const graze_patches *patches) {
 }
 
 graze_patch_joint graze_patches_joint(const graze_patches *patches, size_t index) {
-    graze_patch_joint out;
-    memset(&out, 0, sizeof out);
+    graze_patch_joint out = {0};
     if (index >= graze_patches_joint_count(patches))
         return out;
     const patch_joint *joint = &patches->joint[index];
@@ -79,23 +64,13 @@ graze_patch_joint graze_patches_joint(const graze_patches *patches, size_t index
 
 graze_status graze_patches_header(char **out, graze_context *context,
                                   const graze_envelope *envelope, const char *notes) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !envelope)
-        return api_misuse(context, "graze_patches_header",
-                          "out, context and envelope must not be NULL");
-    IN_ENVIRONMENT();
+    PUBLIC_OUT(out, context, envelope);
     return report_patches_header(out, context, envelope->scene, notes);
 }
 
 graze_status graze_patches_joint_header(char **out, graze_context *context,
                                         const graze_envelope *envelope, const char *notes) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !envelope)
-        return api_misuse(context, "graze_patches_joint_header",
-                          "out, context and envelope must not be NULL");
-    IN_ENVIRONMENT();
+    PUBLIC_OUT(out, context, envelope);
     return report_joints_header(out, context, envelope->scene, notes);
 }
 
@@ -103,38 +78,25 @@ graze_status graze_patches_joint_header(char **out, graze_context *context,
 static graze_status finish_row(char **out, graze_context *context, const graze_patches *patches,
                                size_t index, size_t from, size_t to,
                                void (*report)(text *, const graze_patches *, size_t)) {
-    text t;
+    HELD(text, t);
     TRY(time_canonicalise(patches->moments.time[from], context));
     TRY(time_canonicalise(patches->moments.time[to], context));
-    text_init(&t);
     report(&t, patches, index);
     return text_finish(out, context, &t);
 }
 
 graze_status graze_patches_row(char **out, graze_context *context, const graze_patches *patches,
                                size_t index) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !patches)
-        return api_misuse(context, "graze_patches_row",
-                          "out, context and patches must not be NULL");
-    if (index >= patches->count)
-        return api_misuse(context, "graze_patches_row", "there is no such patch");
-    IN_ENVIRONMENT();
+    PUBLIC_OUT(out, context, patches);
+    REFUSED(index >= patches->count, "there is no such patch");
     const patch *item = &patches->item[index];
     return finish_row(out, context, patches, index, item->from, item->to, report_patch);
 }
 
 graze_status graze_patches_joint_row(char **out, graze_context *context,
                                      const graze_patches *patches, size_t index) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !patches)
-        return api_misuse(context, "graze_patches_joint_row",
-                          "out, context and patches must not be NULL");
-    if (index >= patches->joint_count)
-        return api_misuse(context, "graze_patches_joint_row", "there is no such joint");
-    IN_ENVIRONMENT();
+    PUBLIC_OUT(out, context, patches);
+    REFUSED(index >= patches->joint_count, "there is no such joint");
     const patch_joint *joint = &patches->joint[index];
     return finish_row(out, context, patches, index, joint->from, joint->to, report_joint);
 }

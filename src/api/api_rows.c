@@ -55,12 +55,12 @@ graze_status api_rows(graze_row_options *out, graze_context *context, const char
 /* Positions and distances are those of polyhedra; no part of a sweep dangles. */
 static graze_status check_scene(graze_context *context, const graze_scene *scene,
                                 const graze_row_options *shown) {
-    const char *straight = shown->topo      ? "topo"
-                           : shown->regular ? "regular"
-                           : shown->sdf > 0 ? "sdf"
-                                            : NULL;
-    if (scene->solid->curved && straight)
-        return api_curved(context, straight);
+    if (shown->topo || shown->regular || shown->sdf > 0)
+        TRY(api_takes(context,
+                      shown->topo      ? "topo"
+                      : shown->regular ? "regular"
+                                       : "sdf",
+                      scene->solid));
     if (!shown->regular || scene->options.operation == GRAZE_UNSWEEP)
         return GRAZE_OK;
     return api_misuse(context, "regular", "the scene is a sweep; expected an unsweep");
@@ -70,10 +70,8 @@ graze_status api_row(text *out, graze_row_totals *totals, graze_context *context
                      const graze_scene *scene, const fmpq *point, const graze_trace *trace,
                      const graze_row_texts *texts, const graze_row_options *shown) {
     row r;
-    graze_status status = check_scene(context, scene, shown);
-    if (status)
-        return status;
-    status = row_answer(&r, context, scene, shown, point, trace);
+    TRY(check_scene(context, scene, shown));
+    graze_status status = row_answer(&r, context, scene, shown, point, trace);
     r.texts = texts ? *texts : (graze_row_texts){NULL, NULL};
     if (status == GRAZE_OK && shown->format == GRAZE_FORMAT_CSV)
         report_csv(out, &r);
@@ -95,14 +93,9 @@ graze_status graze_report_header(char **out, graze_context *context, const graze
                                  const char *notes, const char *columns,
                                  const graze_row_options *options) {
     graze_row_options shown;
-    if (out)
-        *out = NULL;
-    if (!out || !context || !scene)
-        return api_misuse(context, "graze_report_header",
-                          "out, context and scene must not be NULL");
+    PUBLIC_OUT(out, context, scene);
     TRY(api_rows(&shown, context, "graze_report_header", options));
     TRY(check_scene(context, scene, &shown));
-    IN_ENVIRONMENT();
     return report_header(out, context, scene, notes, columns, &shown);
 }
 
@@ -110,27 +103,14 @@ graze_status graze_report_row(char **out, graze_context *context, const graze_sc
                               graze_rationals point, const graze_trace *trace,
                               const graze_row_texts *texts, const graze_row_options *options) {
     graze_row_options shown;
-    if (out)
-        *out = NULL;
-    if (!out || !context || !scene || !point || !trace)
-        return api_misuse(context, "graze_report_row",
-                          "out, context, scene, point and trace must not be NULL");
-    graze_status status = api_rows(&shown, context, "graze_report_row", options);
-    if (!status && shown.format > GRAZE_FORMAT_JSONL)
-        return api_misuse(context, "graze_report_row", "a binary row has a length of its own");
-    if (status)
-        return status;
-    IN_ENVIRONMENT();
+    PUBLIC_OUT(out, context, scene, point, trace);
+    TRY(api_rows(&shown, context, __func__, options));
+    REFUSED(shown.format > GRAZE_FORMAT_JSONL, "a binary row has a length of its own");
     LOCAL_VEC(fmpq, p, scene->motion->dimension);
-    text t;
-    text_init(&t);
-    status = api_point(p, context, scene, point);
-    if (!status)
-        status = api_row(&t, NULL, context, scene, p, trace, texts, &shown);
-    if (!status)
-        return text_finish(out, context, &t);
-    text_clear(&t);
-    return status;
+    HELD(text, t);
+    TRY(api_point(p, context, scene, point));
+    TRY(api_row(&t, NULL, context, scene, p, trace, texts, &shown));
+    return text_finish(out, context, &t);
 }
 
 /* Trace one point and add its row. */
@@ -138,11 +118,9 @@ static graze_status report_point(text *out, graze_row_totals *totals, graze_cont
                                  const graze_scene *scene, const fmpq *point,
                                  const graze_row_texts *texts, const graze_row_options *shown) {
     graze_trace trace;
-    graze_status status =
-        classify_point(&trace, context, scene, (query_point){.rational = point}, row_detail(shown));
-    if (status)
-        return status;
-    status = api_row(out, totals, context, scene, point, &trace, texts, shown);
+    TRY(classify_point(&trace, context, scene, (query_point){.rational = point},
+                       row_detail(shown)));
+    graze_status status = api_row(out, totals, context, scene, point, &trace, texts, shown);
     trace_clear(&trace);
     return status;
 }
@@ -162,24 +140,18 @@ graze_status graze_report_points(char **out, size_t *length, size_t *done, graze
                                  graze_rationals points, size_t n, const graze_row_texts *texts,
                                  const graze_row_options *options) {
     graze_row_options shown;
-    if (totals)
-        *totals = (graze_row_totals){0, 0};
-    if (out)
-        *out = NULL;
-    if (length)
-        *length = 0;
-    if (done)
-        *done = 0;
-    if (!out || !length || !done || !context || !scene || (n && !points))
-        return api_misuse(context, "graze_report_points",
-                          "out, length, done, context and scene, and with n > 0 also points, must "
-                          "not be NULL");
+    EMPTY(totals);
+    EMPTY(out);
+    EMPTY(length);
+    EMPTY(done);
+    REFUSED(!out || !length || !done || !context || !scene || (n && !points),
+            "out, length, done, context and scene, and with n > 0 also points, must "
+            "not be NULL");
     IN_ENVIRONMENT();
-    graze_status status = api_rows(&shown, context, "graze_report_points", options);
-    if (!status && shown.columns == GRAZE_COLUMNS_PMC)
-        status = filter_lay_bricks(&scene->filter, context);
-    if (status)
-        return status;
+    graze_status status = GRAZE_OK;
+    TRY(api_rows(&shown, context, __func__, options));
+    if (shown.columns == GRAZE_COLUMNS_PMC)
+        TRY(filter_lay_bricks(&scene->filter, context));
     size_t d = (size_t)scene->motion->dimension, whole = 0;
     LOCAL_VEC(fmpq, point, (slong)d);
     text t;
@@ -199,11 +171,7 @@ graze_status graze_report_points(char **out, size_t *length, size_t *done, graze
 graze_status graze_report_point(char **out, graze_context *context, const graze_scene *scene,
                                 graze_rationals point, const graze_row_texts *texts,
                                 const graze_row_options *options) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !scene || !point)
-        return api_misuse(context, "graze_report_point",
-                          "out, context, scene and point must not be NULL");
+    PUBLIC_OUT(out, context, scene, point);
     size_t length, done;
     return graze_report_points(out, &length, &done, NULL, context, scene, point, 1, texts, options);
 }
@@ -212,27 +180,16 @@ graze_status graze_report_explain(char **out, graze_context *context, const graz
                                   graze_rationals point, const graze_trace *trace,
                                   const graze_row_options *options) {
     graze_row_options shown;
-    if (out)
-        *out = NULL;
-    if (!out || !context || !scene || !point || !trace)
-        return api_misuse(context, "graze_report_explain",
-                          "out, context, scene, point and trace must not be NULL");
-    graze_status status = api_rows(&shown, context, "graze_report_explain", options);
-    if (!status)
-        status = check_scene(context, scene, &shown);
-    if (status)
-        return status;
-    IN_ENVIRONMENT();
+    PUBLIC_OUT(out, context, scene, point, trace);
+    TRY(api_rows(&shown, context, __func__, options));
+    TRY(check_scene(context, scene, &shown));
     LOCAL_VEC(fmpq, p, scene->motion->dimension);
-    status = api_point(p, context, scene, point);
+    TRY(api_point(p, context, scene, point));
+    TRY(trace_canonicalise(trace, context));
+    row r;
+    graze_status status = row_answer(&r, context, scene, &shown, p, trace);
     if (!status)
-        status = trace_canonicalise(trace, context);
-    if (!status) {
-        row r;
-        status = row_answer(&r, context, scene, &shown, p, trace);
-        if (!status)
-            status = report_explain(out, context, &r);
-        row_clear(&r);
-    }
+        status = report_explain(out, context, &r);
+    row_clear(&r);
     return status;
 }

@@ -16,7 +16,12 @@ typedef struct scad_work {
     text made, report;
 } scad_work;
 
-static void work_clear(scad_work *w) {
+static void scad_work_init(scad_work *w) {
+    text_init(&w->made);
+    text_init(&w->report);
+}
+
+static void scad_work_clear(scad_work *w) {
     text_clear(&w->made);
     text_clear(&w->report);
 }
@@ -24,38 +29,31 @@ static void work_clear(scad_work *w) {
 /* Write a file's solid, and read it: its numbers are rounded by then. */
 static graze_status read_made(graze_solid **out, scad_work *w, graze_context *context,
                               const char *path, const scad_choice *choice) {
-    char *bytes = NULL;
+    FREED(char, bytes, NULL);
     size_t length;
     graze_rounding rounding = context->rounding;
-    text_init(&w->made);
-    text_init(&w->report);
-    graze_status status = file_read(&bytes, &length, w->sha256, context, path);
-    if (!status)
-        status = scad_write(&w->made, &w->report, context, path, bytes, length, choice);
-    free(bytes);
-    if (!status && (w->made.failed || w->report.failed))
-        status = context_fail(context, GRAZE_ESYSTEM, "out of memory for a solid");
+    TRY(file_read(&bytes, &length, w->sha256, context, path));
+    TRY(scad_write(&w->made, &w->report, context, path, bytes, length, choice));
+    if (w->made.failed || w->report.failed)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a solid");
     context->rounding = GRAZE_ROUND_NONE;
-    if (!status)
-        status =
-            solid_create_curved_text(out, context, path, w->made.data, w->made.length, w->sha256);
+    graze_status status =
+        solid_create_curved_text(out, context, path, w->made.data, w->made.length, w->sha256);
     context->rounding = rounding;
     return status;
 }
 
 graze_status api_scad_solid(graze_solid **out, graze_context *context, const char *path,
                             const unsigned char *sha256) {
-    scad_work w;
+    HELD(scad_work, w);
     scad_choice as_it_stands = {.smooth = 0};
     *out = NULL;
-    graze_status status = read_made(out, &w, context, path, &as_it_stands);
-    if (!status && sha256 && memcmp(sha256, w.sha256, sizeof w.sha256) != 0) {
-        graze_solid_destroy(*out);
-        *out = NULL;
-        status = solid_is_another(context, path);
-    }
-    work_clear(&w);
-    return status;
+    TRY(read_made(out, &w, context, path, &as_it_stands));
+    if (!sha256 || memcmp(sha256, w.sha256, sizeof w.sha256) == 0)
+        return GRAZE_OK;
+    graze_solid_destroy(*out);
+    *out = NULL;
+    return solid_is_another(context, path);
 }
 
 /* Take what the options say. */
@@ -73,35 +71,22 @@ static graze_status take_choice(scad_choice *out, fmpq_t tolerance, graze_contex
 
 graze_status graze_scad_text(char **out, char **report, graze_context *context, const char *path,
                              const graze_scad_options *options) {
-    static const char name[] = "graze_scad_text";
     graze_scad_options o;
     graze_solid *solid = NULL;
     scad_choice choice;
-    scad_work w;
-    if (out)
-        *out = NULL;
-    if (report)
-        *report = NULL;
-    if (!out || !context || !path)
-        return api_misuse(context, name, "out, context and path must not be NULL");
-    graze_status status = api_options(&o, sizeof o, context, name, options);
-    if (status)
-        return status;
-    IN_ENVIRONMENT();
+    HELD(scad_work, w);
+    EMPTY(out);
+    EMPTY(report);
+    PUBLIC(out, context, path);
+    TRY(api_options(&o, sizeof o, context, __func__, options));
     LOCAL(fmpq, tolerance);
-    status = take_choice(&choice, tolerance, context, &o);
-    if (!status) {
-        status = read_made(&solid, &w, context, path, &choice);
-        if (!status)
-            status = text_finish(out, context, &w.made);
-        if (!status && report)
-            status = text_finish(report, context, &w.report);
-        work_clear(&w);
-    }
-    if (status) {
-        graze_free(*out);
-        *out = NULL;
-    }
+    TRY(take_choice(&choice, tolerance, context, &o));
+    TRY(read_made(&solid, &w, context, path, &choice));
     graze_solid_destroy(solid);
-    return status;
+    TRY(text_finish(out, context, &w.made));
+    if (!report || !text_finish(report, context, &w.report))
+        return GRAZE_OK;
+    graze_free(*out);
+    *out = NULL;
+    return GRAZE_ESYSTEM;
 }

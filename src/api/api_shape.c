@@ -75,11 +75,11 @@ static graze_status take_sides(fmpq *size, graze_context *context, const graze_s
 static graze_status make_box(text *made, graze_context *context, const graze_shape *given,
                              const fmpq *at) {
     LOCAL_VEC(fmpq, size, 3);
-    graze_status status = take_sides(size, context, given);
-    for (int k = 0; k < 2 && !status; k++)
+    TRY(take_sides(size, context, given));
+    for (int k = 0; k < 2; k++)
         tool_write_box(made + k, size, at);
     text_put(made + 2, "exact: 8 vertices, 6 facets\n");
-    return status;
+    return GRAZE_OK;
 }
 
 /* Check what every shape needs, and begin three texts and the place, which are the caller's. */
@@ -97,27 +97,19 @@ static graze_status begin_shape(fmpq *at, text *made, graze_context *context, co
     return GRAZE_OK;
 }
 
-static void clear_shapes(char **const to[3]) {
-    for (int k = 0; k < 3; k++)
-        if (to[k])
-            *to[k] = NULL;
-}
-
 graze_status graze_solid_write_shape(char **inside, char **outside, char **report,
                                      graze_context *context, const graze_shape *shape,
                                      mpq_srcptr tolerance) {
-    static const char name[] = "graze_solid_write_shape";
     char **const to[3] = {inside, outside, report};
-    clear_shapes(to);
-    if (!context || !shape)
-        return api_misuse(context, name, "context and shape must not be NULL");
+    EMPTY(inside);
+    EMPTY(outside);
+    EMPTY(report);
+    PUBLIC(context, shape);
     int box = shape->kind == GRAZE_SHAPE_BOX;
-    if (!box && !tolerance)
-        return api_misuse(context, name, "a shape that is no box needs a tolerance");
-    IN_ENVIRONMENT();
+    REFUSED(!box && !tolerance, "a shape that is no box needs a tolerance");
     LOCAL_VEC(fmpq, at, 3);
     text made[3];
-    graze_status status = begin_shape(at, made, context, name, shape);
+    graze_status status = begin_shape(at, made, context, __func__, shape);
     if (!status)
         status = box ? make_box(made, context, shape, at)
                      : make_round(made, context, shape, at, tolerance);
@@ -130,28 +122,25 @@ static graze_status write_body(text *made, text *report, graze_context *context,
     LOCAL_VEC(fmpq, size, 3);
     HELD(tool, s);
     int box = given->kind == GRAZE_SHAPE_BOX;
-    graze_status status = box ? take_sides(size, context, given) : take_tool(&s, context, given);
-    if (!status && box)
+    TRY(box ? take_sides(size, context, given) : take_tool(&s, context, given));
+    if (box)
         tool_csg_write_box(made, size);
-    else if (!status)
+    else
         tool_csg_write(made, &s);
     text_put(report, fmpq_equal(s.low + 1, s.high + 1)
                          ? "exact\n"
                          : "exact but for the taper, which is less by at most 1e-9 degrees\n");
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status graze_solid_write_exact_shape(char **out, char **report, graze_context *context,
                                            const graze_shape *shape) {
-    static const char name[] = "graze_solid_write_exact_shape";
     char **const to[3] = {out, NULL, report};
-    clear_shapes(to);
-    if (!out || !context || !shape)
-        return api_misuse(context, name, "out, context and shape must not be NULL");
-    IN_ENVIRONMENT();
+    EMPTY(report);
+    PUBLIC_OUT(out, context, shape);
     LOCAL_VEC(fmpq, at, 3);
     text made[3];
-    graze_status status = begin_shape(at, made, context, name, shape);
+    graze_status status = begin_shape(at, made, context, __func__, shape);
     int still = fmpq_is_zero(at) && fmpq_is_zero(at + 1) && fmpq_is_zero(at + 2);
     const fmpq *moved = still ? NULL : at;
     tool_csg_begin(made, moved);

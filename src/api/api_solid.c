@@ -6,14 +6,12 @@
 #include <flint/fmpq_vec.h>
 #include <stdint.h>
 #include <string.h>
-#include <strings.h>
 #include "base/context/file.h"
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "input/csg/csg.h"
 #include "input/mend/mend.h"
 #include "input/read/read.h"
-#include "input/scad/scad.h"
 #include "input/solid/solid.h"
 #include "input/soup/soup.h"
 #include "input/validate/validate.h"
@@ -21,98 +19,61 @@
 /* `sha256` is that of a file validated before, or NULL. */
 static graze_status read_solid(graze_solid **out, graze_context *context, const char *path,
                                unsigned flags, const unsigned char *sha256) {
-    IN_ENVIRONMENT();
     soup input;
-    if (csg_is_named(path))
+    format_kind kind = format_of(path)->kind;
+    if (kind == FORMAT_CURVED)
         return solid_create_curved(out, context, path, sha256);
-    if (scad_is_named(path))
+    if (kind == FORMAT_SCAD)
         return api_scad_solid(out, context, path, sha256);
-    graze_status status = soup_read(&input, context, path);
-    if (status)
-        return status;
+    TRY(soup_read(&input, context, path));
     if (sha256 && memcmp(sha256, input.sha256, sizeof input.sha256) != 0) {
         soup_clear(&input);
         return solid_is_another(context, path);
     }
-    status = solid_create(out, context, &input, sha256 ? flags | VALIDATE_TRUST_CONTACTS : flags);
-    return status ? context_in(context, status, path, 0) : GRAZE_OK;
+    return context_in(
+        context,
+        solid_create(out, context, &input, sha256 ? flags | VALIDATE_TRUST_CONTACTS : flags), path,
+        0);
 }
 
 graze_status graze_solid_read(graze_solid **out, graze_context *context, const char *path,
                               unsigned flags) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !path)
-        return api_misuse(context, "graze_solid_read", "out, context and path must not be NULL");
-    if (flags & ~GRAZE_SOLID_TRIANGULATE)
-        return api_misuse(context, "graze_solid_read", "an unknown flag is set");
+    PUBLIC_OUT(out, context, path);
+    REFUSED(flags & ~GRAZE_SOLID_TRIANGULATE, "an unknown flag is set");
     return read_solid(out, context, path, flags, NULL);
 }
 
 graze_status graze_solid_read_trusted(graze_solid **out, graze_context *context, const char *path,
                                       const unsigned char *sha256, unsigned flags) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !path || !sha256)
-        return api_misuse(context, "graze_solid_read_trusted",
-                          "out, context, path and sha256 must not be NULL");
-    if (flags & ~GRAZE_SOLID_TRIANGULATE)
-        return api_misuse(context, "graze_solid_read_trusted", "an unknown flag is set");
+    PUBLIC_OUT(out, context, path, sha256);
+    REFUSED(flags & ~GRAZE_SOLID_TRIANGULATE, "an unknown flag is set");
     return read_solid(out, context, path, flags, sha256);
 }
 
 graze_status graze_solid_from_csg(graze_solid **out, graze_context *context, const char *text,
                                   size_t length) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !text)
-        return api_misuse(context, "graze_solid_from_csg",
-                          "out, context and text must not be NULL");
-    IN_ENVIRONMENT();
+    PUBLIC_OUT(out, context, text);
     unsigned char sha256[32];
     file_sha256(sha256, text, length);
     return solid_create_curved_text(out, context, "solid", text, length, sha256);
 }
 
-/* Read a mesh that may be mended. */
-static graze_status read_mesh(soup *input, graze_context *context, const char *path) {
-    const char *extension = strrchr(path, '.');
-    if (extension && (!strcasecmp(extension, ".wkt") || !strcasecmp(extension, ".nef3")))
-        return context_fail_in(context, GRAZE_EINPUT, path, 0,
-                               "only meshes are mended; expected .off, .obj, .ply or .stl");
-    if (csg_is_named(path) || scad_is_named(path))
-        return context_fail_in(context, GRAZE_EINPUT, path, 0,
-                               "a curved solid needs no mending; expected a mesh in .off, .obj, "
-                               ".ply or .stl");
-    return soup_read(input, context, path);
-}
-
 graze_status graze_solid_mend(char **out, char **report, graze_context *context, const char *path,
                               mpq_srcptr weld, unsigned flags) {
-    if (out)
-        *out = NULL;
-    if (report)
-        *report = NULL;
-    if (!out || !context || !path)
-        return api_misuse(context, "graze_solid_mend", "out, context and path must not be NULL");
-    if (flags & ~GRAZE_SOLID_TRIANGULATE)
-        return api_misuse(context, "graze_solid_mend", "an unknown flag is set");
-    if (weld && mpq_sgn(weld) <= 0)
-        return api_misuse(context, "graze_solid_mend", "weld must be positive");
-    IN_ENVIRONMENT();
+    EMPTY(out);
+    EMPTY(report);
+    PUBLIC(out, context, path);
+    REFUSED(flags & ~GRAZE_SOLID_TRIANGULATE, "an unknown flag is set");
+    REFUSED(weld && mpq_sgn(weld) <= 0, "weld must be positive");
     graze_solid *solid = NULL;
     soup input;
-    text written;
     LOCAL(fmpq, distance);
-    graze_status status = weld ? api_rational(distance, context, weld) : GRAZE_OK;
-    if (!status)
-        status = read_mesh(&input, context, path);
-    if (status) {
-        return status;
-    }
-    text_init(&written);
+    if (weld)
+        TRY(api_rational(distance, context, weld));
+    TRY(soup_read_mesh(&input, context, path));
+    HELD(text, written);
     HELD(text, done);
-    status = mend_solid(&solid, &done, context, &input, flags, weld ? distance : NULL);
+    graze_status status = mend_solid(&solid, &done, context, &input, flags, weld ? distance : NULL);
     if (!status) {
         solid_write(&written, solid);
         status = text_finish(out, context, &written);
@@ -182,18 +143,16 @@ static graze_status check_arrays(arrays *a, graze_context *context, unsigned fla
 static graze_status add_vertices(soup *s, graze_context *context, const arrays *a) {
     size_t d = (size_t)a->dimension;
     LOCAL_VEC(fmpq, point, (slong)d);
-    graze_status status = GRAZE_OK;
-    for (size_t v = 0; v < a->vertex_count && !status; v++) {
-        for (size_t k = 0; k < d && !status; k++) {
-            status = a->doubles ? rational_from_double(point + k, context, a->doubles[v * d + k])
-                                : api_rational(point + k, context, a->rationals[v * d + k]);
-            if (status)
-                status = api_coordinate(context, status, "vertex", v, k);
+    for (size_t v = 0; v < a->vertex_count; v++) {
+        for (size_t k = 0; k < d; k++) {
+            graze_status status =
+                a->doubles ? rational_from_double(point + k, context, a->doubles[v * d + k])
+                           : api_rational(point + k, context, a->rationals[v * d + k]);
+            TRY(api_coordinate(context, status, "vertex", v, k));
         }
-        if (!status)
-            status = soup_add_vertex(s, context, point);
+        TRY(soup_add_vertex(s, context, point));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status add_facets(soup *s, graze_context *context, const arrays *a) {
@@ -210,13 +169,10 @@ static graze_status add_facets(soup *s, graze_context *context, const arrays *a)
 
 static graze_status make_solid(graze_solid **out, graze_context *context, arrays *a,
                                unsigned flags) {
-    IN_ENVIRONMENT();
-    graze_status status = check_arrays(a, context, flags);
-    if (status)
-        return status;
+    TRY(check_arrays(a, context, flags));
     soup input;
     soup_init(&input, a->dimension);
-    status = add_vertices(&input, context, a);
+    graze_status status = add_vertices(&input, context, a);
     if (!status)
         status = add_facets(&input, context, a);
     if (!status)
@@ -229,10 +185,7 @@ graze_status graze_solid_from_arrays(graze_solid **out, graze_context *context, 
                                      graze_rationals coordinates, size_t vertex_count,
                                      const size_t *facet_sizes, size_t facet_count,
                                      const size_t *indices, unsigned flags) {
-    if (out)
-        *out = NULL;
-    if (!out || !context)
-        return api_misuse(context, "graze_solid_from_arrays", "out and context must not be NULL");
+    PUBLIC_OUT(out, context);
     arrays a = {dimension, coordinates, NULL, vertex_count, facet_sizes, facet_count, indices, 0};
     return make_solid(out, context, &a, flags);
 }
@@ -241,10 +194,7 @@ graze_status graze_solid_from_doubles(graze_solid **out, graze_context *context,
                                       const double *coordinates, size_t vertex_count,
                                       const size_t *facet_sizes, size_t facet_count,
                                       const size_t *indices, unsigned flags) {
-    if (out)
-        *out = NULL;
-    if (!out || !context)
-        return api_misuse(context, "graze_solid_from_doubles", "out and context must not be NULL");
+    PUBLIC_OUT(out, context);
     arrays a = {dimension, NULL, coordinates, vertex_count, facet_sizes, facet_count, indices, 0};
     return make_solid(out, context, &a, flags);
 }
@@ -289,12 +239,8 @@ const char *graze_solid_note(const graze_solid *solid) {
 
 graze_status graze_solid_box(mpq_t *low, mpq_t *high, graze_context *context,
                              const graze_solid *solid) {
-    if (!low || !high || !context || !solid)
-        return api_misuse(context, "graze_solid_box",
-                          "low, high, context and solid must not be NULL");
-    if (!solid_bounded(solid))
-        return api_unbounded(context, "graze_solid_box");
-    IN_ENVIRONMENT();
+    PUBLIC(low, high, context, solid);
+    TRY(api_takes(context, "graze_solid_box", solid));
     int d = solid->input.dimension;
     LOCAL_VEC(fmpq, from, d);
     LOCAL_VEC(fmpq, to, d);
@@ -307,15 +253,9 @@ graze_status graze_solid_box(mpq_t *low, mpq_t *high, graze_context *context,
 }
 
 graze_status graze_solid_text(char **out, graze_context *context, const graze_solid *solid) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !solid)
-        return api_misuse(context, "graze_solid_text", "out, context and solid must not be NULL");
-    if (solid->curved)
-        return api_curved(context, "graze_solid_text");
-    IN_ENVIRONMENT();
-    text t;
-    text_init(&t);
+    PUBLIC_OUT(out, context, solid);
+    TRY(api_takes(context, "graze_solid_text", solid));
+    HELD(text, t);
     solid_write(&t, solid);
     return text_finish(out, context, &t);
 }

@@ -22,30 +22,17 @@ typedef graze_status (*decider)(topo_finding *, graze_context *, const graze_sce
 static graze_status decide(graze_topology **out, graze_context *context, const char *function,
                            decider question, const graze_scene *scene, graze_rationals point,
                            const graze_trace *trace) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !scene || !point || !trace)
-        return api_misuse(context, function,
-                          "out, context, scene, point and trace must not be NULL");
+    EMPTY(out);
+    GIVEN_TO(function, out, context, scene, point, trace);
     if (question == topo_regular && scene->options.operation == GRAZE_SWEEP)
         return api_misuse(context, function, "the scene is a sweep; expected an unsweep");
-    if (scene->solid->curved)
-        return api_curved(context, function);
+    TRY(api_takes(context, function, scene->solid));
     IN_ENVIRONMENT();
-    graze_topology *made = malloc(sizeof *made);
-    if (!made)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory");
-    made->dimension = scene->motion->dimension;
-    finding_init(&made->inner);
     LOCAL_VEC(fmpq, p, scene->motion->dimension);
-    graze_status status = api_point(p, context, scene, point);
-    if (!status)
-        status = question(&made->inner, context, scene, p, trace);
-    if (status)
-        graze_topology_destroy(made);
-    else
-        *out = made;
-    return status;
+    TRY(api_point(p, context, scene, point));
+    CREATE(out, made, graze_topology_destroy,
+           (made->dimension = scene->motion->dimension, finding_init(&made->inner),
+            question(&made->inner, context, scene, p, trace)));
 }
 
 graze_status graze_trace_topo(graze_topology **out, graze_context *context,

@@ -14,24 +14,11 @@
 
 graze_status graze_trace_create(graze_trace **out, graze_context *context, const graze_scene *scene,
                                 graze_rationals point) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !scene || !point)
-        return api_misuse(context, "graze_trace_create",
-                          "out, context, scene and point must not be NULL");
-    IN_ENVIRONMENT();
+    PUBLIC_OUT(out, context, scene, point);
     LOCAL_VEC(fmpq, p, scene->motion->dimension);
-    graze_trace *trace = malloc(sizeof *trace);
-    graze_status status = trace ? api_point(p, context, scene, point)
-                                : context_fail(context, GRAZE_ESYSTEM, "out of memory");
-    if (!status)
-        status =
-            classify_point(trace, context, scene, (query_point){.rational = p}, TRACE_CONTACTS);
-    if (status)
-        free(trace);
-    else
-        *out = trace;
-    return status;
+    TRY(api_point(p, context, scene, point));
+    CREATE(out, made, free,
+           classify_point(made, context, scene, (query_point){.rational = p}, TRACE_CONTACTS));
 }
 
 void graze_trace_destroy(graze_trace *trace) {
@@ -46,8 +33,7 @@ const char *graze_trace_word(const graze_trace *trace) {
 }
 
 graze_verdict graze_trace_verdict(const graze_trace *trace) {
-    graze_verdict none;
-    memset(&none, 0, sizeof none);
+    graze_verdict none = {0};
     return trace ? trace->verdict : none;
 }
 
@@ -77,8 +63,7 @@ const char *graze_trace_reason(const graze_trace *trace) {
 }
 
 graze_contact graze_trace_contact(const graze_trace *trace, size_t index) {
-    graze_contact out;
-    memset(&out, 0, sizeof out);
+    graze_contact out = {0};
     if (index >= graze_trace_contact_count(trace))
         return out;
     const contact *c = &trace->contact[index];
@@ -125,13 +110,8 @@ void graze_time_interval(mpq_t low, mpq_t high, const graze_time *time) {
 
 graze_status graze_time_decimal(char **out, graze_context *context, const graze_time *time,
                                 int digits) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !time)
-        return api_misuse(context, "graze_time_decimal", "out, context and time must not be NULL");
-    if (digits < 1 || digits > 1000)
-        return api_misuse(context, "graze_time_decimal", "digits must be from 1 to 1000");
-    IN_ENVIRONMENT();
+    PUBLIC_OUT(out, context, time);
+    REFUSED(digits < 1 || digits > 1000, "digits must be from 1 to 1000");
     *out = decimal_of_time(NULL, time, digits);
     return *out ? GRAZE_OK : context_fail(context, GRAZE_ESYSTEM, "out of memory");
 }
@@ -142,23 +122,14 @@ unsigned long graze_time_row(const graze_time *time) {
 
 graze_status graze_number_decimal(char **out, graze_context *context, const mpq_t value,
                                   int digits) {
-    if (out)
-        *out = NULL;
-    if (!out || !context || !value)
-        return api_misuse(context, "graze_number_decimal",
-                          "out, context and value must not be NULL");
-    if (digits < 0 || digits > 1000)
-        return api_misuse(context, "graze_number_decimal", "digits must be from 0 to 1000");
-    IN_ENVIRONMENT();
+    PUBLIC_OUT(out, context, value);
+    REFUSED(digits < 0 || digits > 1000, "digits must be from 0 to 1000");
     int finite = 1;
-    fmpq_t number;
-    fmpq_init(number);
-    graze_status status = api_rational(number, context, value);
-    if (!status)
-        *out = digits ? decimal_of_rational(NULL, number, digits) : decimal_finite(&finite, number);
-    fmpq_clear(number);
-    if (status || *out)
-        return status;
+    LOCAL(fmpq, number);
+    TRY(api_rational(number, context, value));
+    *out = digits ? decimal_of_rational(NULL, number, digits) : decimal_finite(&finite, number);
+    if (*out)
+        return GRAZE_OK;
     return finite ? context_fail(context, GRAZE_ESYSTEM, "out of memory")
                   : context_fail(context, GRAZE_EINPUT, "the number has no finite decimal");
 }

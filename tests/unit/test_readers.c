@@ -239,6 +239,22 @@ static void test_ply_passes_over(void **state) {
     soup_clear(&s);
 }
 
+/* A token of an integer type is its number, past the type's range and past 10^18 too. */
+static void test_ply_integers(void **state) {
+    (void)state;
+    soup s;
+    text_size = 0;
+    put("ply\nformat ascii 1.0\nelement vertex 3\nproperty int x\nproperty uchar y\n"
+        "property short z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+        "3000000000000000000000 0 -2000000000000000000\n1 256 +5\n0 1 0\n3 0 1 2\n");
+    must_read(&s, ".ply", text);
+    assert_coordinate(&s, 0, 0, "3000000000000000000000");
+    assert_coordinate(&s, 0, 2, "-2000000000000000000");
+    assert_coordinate(&s, 1, 1, "256");
+    assert_coordinate(&s, 1, 2, "5");
+    soup_clear(&s);
+}
+
 /* 0.1 2^27 = 13421772.8, so 0.1f is 13421773/2^27; 0.1 2^55 = 3602879701896396.8, so the double
  * nearest to 0.1 is 3602879701896397/2^55. */
 static const char tenth32[] = "13421773/134217728",
@@ -450,6 +466,7 @@ int main(void) {
         cmocka_unit_test(test_cube_in_texts),
         cmocka_unit_test(test_cube_in_binary_ply),
         cmocka_unit_test(test_ply_passes_over),
+        cmocka_unit_test(test_ply_integers),
         cmocka_unit_test(test_tokens_are_exact),
         cmocka_unit_test(test_binary_values),
         cmocka_unit_test(test_stl_merges_equal_positions),

@@ -182,6 +182,8 @@ graze_status context_fail_in(graze_context *context, graze_status status, const 
 graze_status context_in(graze_context *context, graze_status status, const char *file,
                         size_t line) {
     char where[CONTEXT_MESSAGE_SIZE];
+    if (status == GRAZE_OK)
+        return status;
     int used = snprintf(where, sizeof where, "%s", file);
     if (line != 0 && used >= 0 && (size_t)used < sizeof where)
         snprintf(where + used, sizeof where - (size_t)used, ":%zu", line);
@@ -194,6 +196,8 @@ graze_status context_in(graze_context *context, graze_status status, const char 
 graze_status context_item(graze_context *context, graze_status status, const char *item,
                           size_t index, const char *field) {
     char where[CONTEXT_MESSAGE_SIZE];
+    if (status == GRAZE_OK)
+        return status;
     int used = item != NULL ? snprintf(where, sizeof where, "%s %zu", item, index) : 0;
     if (field != NULL) {
         snprintf(where + used, sizeof where - (size_t)used, "%s%s", used > 0 ? ", " : "", field);

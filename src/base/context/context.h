@@ -49,11 +49,11 @@ graze_status context_fail_in(graze_context *context, graze_status status, const 
     __attribute__((format(printf, 5, 6)));
 
 /** Put "file:line: " or, without a line (0), "file: " before the message of a failure on its way
- * up, and record the place; returns `status`. */
+ * up, and record the place; returns `status`. GRAZE_OK passes through. */
 graze_status context_in(graze_context *context, graze_status status, const char *file, size_t line);
 
 /** Put "item index, field: " before the message, without `item` or `field` (NULL) the rest of it,
- * and record the place; returns `status`. */
+ * and record the place; returns `status`. GRAZE_OK passes through. */
 graze_status context_item(graze_context *context, graze_status status, const char *item,
                           size_t index, const char *field);
 

@@ -156,15 +156,13 @@ static graze_status find_point(int *out, finder *f, const csg_box *both) {
 graze_status common_point_ends(graze_ends *out, graze_context *context, const csg *solid,
                                const fmpq_mat_t map, const fmpq_mat_t inverse) {
     finder f = {.context = context, .solid = solid, .map = map, .inverse = inverse};
-    graze_status status = GRAZE_OK;
     int found = 0;
     HELD(csg_box, both);
     HELD(csg_box, before);
-    if (!common_box(&before, &solid->box, inverse) || !common_box(&both, &solid->box, map)) {
-        *out = GRAZE_ENDS_APART;
-    } else {
-        status = find_point(&found, &f, &both);
-        *out = found ? GRAZE_ENDS_MEET : GRAZE_ENDS_UNDECIDED;
-    }
-    return status;
+    *out = GRAZE_ENDS_APART;
+    if (!common_box(&before, &solid->box, inverse) || !common_box(&both, &solid->box, map))
+        return GRAZE_OK;
+    TRY(find_point(&found, &f, &both));
+    *out = found ? GRAZE_ENDS_MEET : GRAZE_ENDS_UNDECIDED;
+    return GRAZE_OK;
 }

@@ -47,13 +47,12 @@ static void image(fmpz *out, const fmpq_mat_t map, const fmpq *point, int d) {
 static graze_status component_inside(int *out, graze_context *context, const graze_solid *solid,
                                      const fmpq_mat_t map) {
     int d = solid->input.dimension;
-    char *seen = calloc(solid->cut.component_count + 1, 1);
+    FREED(char, seen, calloc(solid->cut.component_count + 1, 1));
     if (!seen)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory");
     LOCAL_VEC(fmpz, x, d + 1);
-    graze_status status = GRAZE_OK;
     *out = 0;
-    for (size_t s = 0; s < solid->cut.count && !*out && !status; s++) {
+    for (size_t s = 0; s < solid->cut.count && !*out; s++) {
         const simplex *piece = &solid->cut.item[s];
         if (seen[piece->component])
             continue;
@@ -61,14 +60,12 @@ static graze_status component_inside(int *out, graze_context *context, const gra
         image(x, map, solid->input.coordinates + (size_t)piece->vertex[0] * d, d);
         graze_state state = solid_locate(solid, x);
         if (state == GRAZE_STATE_ABSENT)
-            status = context_fail(context, GRAZE_EINTERNAL,
-                                  "the crossings of a ray with the solid do not add up");
+            return context_fail(context, GRAZE_EINTERNAL,
+                                "the crossings of a ray with the solid do not add up");
         *out = state == GRAZE_STATE_I;
-        if (!status)
-            status = context_poll(context);
+        TRY(context_poll(context));
     }
-    free(seen);
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status meet_under(int *out, graze_context *context, const graze_solid *solid,
@@ -104,16 +101,15 @@ graze_status scene_ends(graze_ends *out, graze_context *context, const graze_sol
     homogeneous_matrix(map, &first->inverse, zero);
     homogeneous_matrix(other, &last->forward, one);
     fmpq_mat_mul(map, map, other);
-    graze_status status = GRAZE_OK;
     int meet = 0;
+    *out = GRAZE_ENDS_APART;
     if (!fmpq_mat_inv(other, map))
-        status = context_fail(context, GRAZE_EINTERNAL, "the motion's end maps are singular");
-    if (!status && !solid->curved)
-        status = polyhedron_meets(&meet, context, solid, map, other);
+        return context_fail(context, GRAZE_EINTERNAL, "the motion's end maps are singular");
+    if (solid->curved)
+        return common_point_ends(out, context, solid->curved, map, other);
+    TRY(polyhedron_meets(&meet, context, solid, map, other));
     *out = meet ? GRAZE_ENDS_MEET : GRAZE_ENDS_APART;
-    if (!status && solid->curved)
-        status = common_point_ends(out, context, solid->curved, map, other);
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status make_memo(scene_memo **out, graze_context *context) {
@@ -147,9 +143,7 @@ graze_status scene_make(graze_scene *out, graze_context *context, const graze_so
             context, GRAZE_EILLEGAL,
             "the solid has dimension %d and the motion dimension %d; expected equal dimensions",
             solid->input.dimension, motion->dimension);
-    graze_status status = scene_ends(&out->ends, context, solid, motion);
-    if (status)
-        return status;
+    TRY(scene_ends(&out->ends, context, solid, motion));
     if (out->ends != GRAZE_ENDS_APART && out->options.overlap == GRAZE_OVERLAP_REJECT &&
         out->options.operation == GRAZE_SWEEP)
         return context_fail(context, GRAZE_EILLEGAL,
@@ -158,9 +152,8 @@ graze_status scene_make(graze_scene *out, graze_context *context, const graze_so
                                   "classifies all nine cases"
                                 : "it is not decided whether S^0 and S^1 meet, which overlap "
                                   "`reject` excludes; `extend` classifies all nine cases");
-    status = scene_hash(out->sha256, context, solid, motion);
-    if (!status)
-        status = make_memo(&out->memo, context);
+    TRY(scene_hash(out->sha256, context, solid, motion));
+    graze_status status = make_memo(&out->memo, context);
     if (!status)
         status = make_memo(&out->arc_maps, context);
     if (!status && solid->curved)

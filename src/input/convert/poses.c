@@ -30,11 +30,10 @@ static graze_status find_rotations(text *report, graze_context *context, pose_li
                                    const fmpq_t tolerance) {
     static const double unturned[4] = {1, 0, 0, 0};
     double before[4] = {1, 0, 0, 0}, matrix[9], q[4];
-    graze_status status = GRAZE_OK;
     LOCAL_VEC(fmpq, worst, 2);
     fmpq *deviation = worst + 1;
     LOCAL(mpq, entry);
-    for (size_t i = 0; i < list->count && !status; i++) {
+    for (size_t i = 0; i < list->count; i++) {
         pose *p = list->item + i;
         for (int k = 0; k < 9; k++) {
             fmpq_get_mpq(entry, p->matrix + 4 * (k / 3) + k % 3);
@@ -45,18 +44,17 @@ static graze_status find_rotations(text *report, graze_context *context, pose_li
         for (int k = 0; k < 4; k++)
             finite &= isfinite(q[k]) != 0;
         memcpy(before, finite ? q : unturned, sizeof before);
-        for (int k = 0; k < 4 && !status; k++)
-            status = rational_from_double(p->quaternion + k, context, before[k]);
+        for (int k = 0; k < 4; k++)
+            TRY(rational_from_double(p->quaternion + k, context, before[k]));
         pose_deviation(deviation, p);
         if (fmpq_cmp(deviation, worst) > 0)
             fmpq_set(worst, deviation);
-        if (!status && fmpq_cmp(deviation, tolerance) > 0)
-            status = refuse_pose(context, list, p, deviation);
+        if (fmpq_cmp(deviation, tolerance) > 0)
+            return refuse_pose(context, list, p, deviation);
     }
-    if (!status)
-        put_rational_fact(
-            report, "rotations: nearest to the matrices, whose entries they change by", worst);
-    return status;
+    put_rational_fact(report, "rotations: nearest to the matrices, whose entries they change by",
+                      worst);
+    return GRAZE_OK;
 }
 
 static void put_keyframe(json_writer *w, const pose *p, const pose_list *list) {
@@ -90,20 +88,19 @@ static void put_between(json_writer *w, const pose_list *list, const slerp_cours
 static graze_status put_keyframes(conversion *out, graze_context *context, const pose_list *list,
                                   const fmpq *tolerance) {
     slerp_course s = {.tolerance = tolerance};
-    graze_status status = GRAZE_OK;
     json_writer w = motion_begin(&out->motion, 3, "keyframes", 1);
-    for (size_t i = 0; i < list->count && !status; i++) {
+    for (size_t i = 0; i < list->count; i++) {
         const pose *p = list->item + i;
         if (list->form != POSES_OF_POSITIONS)
-            status = slerp_look(&s, context, list, i);
-        if (!status && i)
+            TRY(slerp_look(&s, context, list, i));
+        if (i)
             put_between(&w, list, &s, p - 1, p, s.halvings);
         put_keyframe(&w, p, list);
     }
     motion_end(&w);
     if (list->form != POSES_OF_POSITIONS)
         slerp_report(&out->report, &s, list->unit);
-    return status;
+    return GRAZE_OK;
 }
 
 static void put_matrices(text *t, const pose_list *list) {
@@ -200,21 +197,17 @@ static graze_status find_quaternions(conversion *out, graze_context *context, po
 
 graze_status convert_poses(conversion *out, graze_context *context, const char *path,
                            const pose_choice *choice, unsigned ways, const fmpq_t tolerance) {
-    pose_list list;
+    ZEROED(pose_list, list);
     int affine = (ways & GRAZE_POSES_AFFINE) != 0;
-    graze_status status = poses_read(&list, &out->report, context, path, choice);
-    if (!status && affine && list.form != POSES_OF_MATRICES)
-        status = context_fail_in(context, GRAZE_EINPUT, path, 0,
-                                 "the poses are no matrices; expected matrices for an affine "
-                                 "motion");
-    if (!status)
-        report_poses(&out->report, &list, ways, choice, context->rounding);
-    if (!status && !affine)
-        status = find_quaternions(out, context, &list, choice, ways, tolerance);
-    if (!status && affine)
+    TRY(poses_read(&list, &out->report, context, path, choice));
+    if (affine && list.form != POSES_OF_MATRICES)
+        return context_fail_in(context, GRAZE_EINPUT, path, 0,
+                               "the poses are no matrices; expected matrices for an affine motion");
+    report_poses(&out->report, &list, ways, choice, context->rounding);
+    if (affine) {
         put_matrices(&out->motion, &list);
-    else if (!status)
-        status = put_keyframes(out, context, &list, ways & GRAZE_POSES_SLERP ? tolerance : NULL);
-    poses_clear(&list);
-    return status;
+        return GRAZE_OK;
+    }
+    TRY(find_quaternions(out, context, &list, choice, ways, tolerance));
+    return put_keyframes(out, context, &list, ways & GRAZE_POSES_SLERP ? tolerance : NULL);
 }

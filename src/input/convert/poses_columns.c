@@ -18,7 +18,7 @@ typedef struct naming {
     const fields *first;
     const pose_naming *given;
     pose_columns *out;
-    text passed; /* names of columns that are passed over unasked */
+    text *passed; /* names of columns that are passed over unasked */
 } naming;
 
 static graze_status misses(const naming *n, const char *what) {
@@ -133,8 +133,8 @@ static void put_file_name(text *t, field name) {
 }
 
 static void pass_over(naming *n, field name) {
-    text_put(&n->passed, n->passed.length ? ", " : "");
-    put_file_name(&n->passed, name);
+    text_put(n->passed, n->passed->length ? ", " : "");
+    put_file_name(n->passed, name);
 }
 
 /* Refuse a stamp that is the only time of the file: the caller is to say in which unit it is. */
@@ -154,14 +154,12 @@ static graze_status refuse_name(const naming *n, field name) {
                                FIELD_SHOWN(name));
     HELD(text, meant);
     pose_name_meant(&meant, name);
-    graze_status status =
-        context_fail_in(n->context, GRAZE_EINPUT, n->source, n->line,
-                        "the column '%.*s' is unknown; expected t (time, timestamp), x,y,z "
-                        "(tx, pos_x, position.x, ...), qw,qx,qy,qz (orientation.w, ...), i,j,k, "
-                        "or m00 to m33, in any order; other columns are named as one of these "
-                        "(`--columns`), or as ignored (`--ignore`)%s",
-                        FIELD_SHOWN(name), meant.data ? meant.data : "");
-    return status;
+    return context_fail_in(
+        n->context, GRAZE_EINPUT, n->source, n->line,
+        "the column '%.*s' is unknown; expected t (time, timestamp), x,y,z (tx, pos_x, position.x, "
+        "...), qw,qx,qy,qz (orientation.w, ...), i,j,k, or m00 to m33, in any order; other columns "
+        "are named as one of these (`--columns`), or as ignored (`--ignore`)%s",
+        FIELD_SHOWN(name), meant.data ? meant.data : "");
 }
 
 /* Seconds and nanoseconds are one time: where the caller names one, no other column adds to it. */
@@ -212,31 +210,27 @@ static graze_status take_names(naming *n) {
 static graze_status check_names(const naming *n) {
     int positions = 0, quaternions = 0, matrices = 0, bottom = 0, axes = 0, angles = 0;
     const angle_order *order = n->given->order;
-    graze_status status = whole(n, POSE_POSITION, 3, &positions);
-    if (!status)
-        status = whole(n, POSE_QUATERNION, 4, &quaternions);
-    if (!status)
-        status = whole(n, POSE_MATRIX, 12, &matrices);
-    if (!status)
-        status = whole(n, POSE_BOTTOM, 4, &bottom);
-    if (!status)
-        status = whole(n, POSE_AXIS, 3, &axes);
+    TRY(whole(n, POSE_POSITION, 3, &positions));
+    TRY(whole(n, POSE_QUATERNION, 4, &quaternions));
+    TRY(whole(n, POSE_MATRIX, 12, &matrices));
+    TRY(whole(n, POSE_BOTTOM, 4, &bottom));
+    TRY(whole(n, POSE_AXIS, 3, &axes));
     for (int k = 0; k < 3; k++)
         angles |= n->out->place[POSE_ANGLE + k] >= 0;
-    if (!status && angles && !order->may_miss)
-        status = whole(n, POSE_ANGLE, 3, &angles);
-    if (!status && !positions && !quaternions && !matrices && !axes && !angles)
-        status = misses(n, order ? order->name[0] : "x");
-    if (!status && quaternions + matrices + axes + angles + (matrices && positions) > 1)
-        status = context_fail_in(n->context, GRAZE_EINPUT, n->source, n->line,
-                                 "matrices, quaternions, axes and angles are mixed; expected one "
-                                 "of them");
+    if (angles && !order->may_miss)
+        TRY(whole(n, POSE_ANGLE, 3, &angles));
+    if (!positions && !quaternions && !matrices && !axes && !angles)
+        return misses(n, order ? order->name[0] : "x");
+    if (quaternions + matrices + axes + angles + (matrices && positions) > 1)
+        return context_fail_in(n->context, GRAZE_EINPUT, n->source, n->line,
+                               "matrices, quaternions, axes and angles are mixed; expected one of "
+                               "them");
     n->out->form = quaternions ? POSES_OF_QUATERNIONS
                    : matrices  ? POSES_OF_MATRICES
                    : axes      ? POSES_OF_AXES
                    : angles    ? POSES_OF_ANGLES
                                : POSES_OF_POSITIONS;
-    return status;
+    return GRAZE_OK;
 }
 
 static int begins_number(field f) {
@@ -288,26 +282,24 @@ static void report_names(text *report, const naming *n) {
         text_put(report, "'");
     }
     text_put(report, told ? "\n" : "");
-    if (n->passed.length)
-        text_format(report, "passed over: %s\n", n->passed.data);
+    if (n->passed->length)
+        text_format(report, "passed over: %s\n", n->passed->data);
 }
 
 graze_status pose_columns_fix(pose_columns *out, int *header, text *report, graze_context *context,
                               const char *source, unsigned long line, const fields *first,
                               char separator, const pose_naming *given) {
-    naming n = {context, source, line, first, given, out, {0}};
+    naming n = {context, source, line, first, given, out, NULL};
     for (int k = 0; k < POSE_COLUMNS; k++)
         out->place[k] = -1;
     out->count = first->count;
     *header = !begins_number(field_trimmed(first->item[0]));
     if (!*header)
         return fix_by_number(&n, separator);
-    text_init(&n.passed);
-    graze_status status = take_names(&n);
-    if (!status)
-        status = check_names(&n);
-    if (!status)
-        report_names(report, &n);
-    text_clear(&n.passed);
-    return status;
+    HELD(text, passed);
+    n.passed = &passed;
+    TRY(take_names(&n));
+    TRY(check_names(&n));
+    report_names(report, &n);
+    return GRAZE_OK;
 }

@@ -112,13 +112,13 @@ typedef struct pose_list {
  * Read a file in one of the forms above, its fields between commas, semicolons or
  * blanks. Without times they are 0, 1, 2, ... Nanoseconds are added to times, and not rounded.
  * `#` lines and blank lines are skipped.
- * @param[out] out    cleared by poses_clear, also after a failure
+ * @param[out] out    cleared by pose_list_clear, also after a failure
  * @param[out] report lines on the columns
  * @return GRAZE_ESYSTEM, GRAZE_EINPUT with file, line and column, GRAZE_ELIMIT
  */
 graze_status poses_read(pose_list *out, text *report, graze_context *context, const char *path,
                         const pose_choice *choice);
-void poses_clear(pose_list *list);
+void pose_list_clear(pose_list *list);
 
 /** Initialise the numbers of a pose, and free them. */
 void pose_init(pose *p);

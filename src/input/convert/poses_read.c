@@ -22,7 +22,7 @@ typedef struct reading {
     fields cut;     /* of that line */
     char separator; /* of fields; '\0' before the first line */
     pose_columns columns;
-    fmpq_t before; /* the time of the row before */
+    fmpq *before; /* the time of the row before */
     unsigned long line_before, in_time;
     int passing; /* the last pose read is kept only if none follows */
 } reading;
@@ -111,39 +111,36 @@ static graze_status read_pose_value(const reading *r, pose *p, int column) {
         r->context->rounding = GRAZE_ROUND_NONE;
     graze_status status = rational_parse(value, r->context, one.start, one.length);
     r->context->rounding = rounding;
+    context_item(r->context, status, NULL, 0, name);
+    TRY(context_in(r->context, status, r->list->source, r->line));
     fmpq *to = target_of(p, column);
-    if (status) {
-        context_item(r->context, status, NULL, 0, name);
-        status = context_in(r->context, status, r->list->source, r->line);
-    } else if (to)
+    if (column == POSE_NANOSECONDS)
+        return add_nanoseconds(r, p, value);
+    if (column == POSE_ROW)
+        return take_pose_row(r, p, value);
+    if (to)
         fmpq_set(to, value);
-    else if (column == POSE_NANOSECONDS)
-        status = add_nanoseconds(r, p, value);
-    else if (column == POSE_ROW)
-        status = take_pose_row(r, p, value);
     else if (column == POSE_AXIS - 1 ? !fmpq_is_one(value) : !fmpq_is_zero(value))
-        status = context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
-                                 "%s: expected 0, 0, 0, 1 as the last row of a matrix, whose "
-                                 "numbers stand row by row",
-                                 name);
-    return status;
+        return context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
+                               "%s: expected 0, 0, 0, 1 as the last row of a matrix, whose numbers "
+                               "stand row by row",
+                               name);
+    return GRAZE_OK;
 }
 
 static graze_status read_values(reading *r, pose *p) {
-    graze_status status = GRAZE_OK;
-    for (int k = 0; k < POSE_COLUMNS && !status; k++)
+    for (int k = 0; k < POSE_COLUMNS; k++)
         if (r->columns.place[k] >= 0)
-            status = read_pose_value(r, p, k);
-    if (!status && r->line_before && fmpq_cmp(r->before, p->time) >= 0)
-        status = context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
-                                 "the time is not after that of line %lu; expected "
-                                 "increasing times",
-                                 r->line_before);
+            TRY(read_pose_value(r, p, k));
+    if (r->line_before && fmpq_cmp(r->before, p->time) >= 0)
+        return context_fail_in(r->context, GRAZE_EINPUT, r->list->source, r->line,
+                               "the time is not after that of line %lu; expected increasing times",
+                               r->line_before);
     for (int k = 3; k < 12; k += 4)
         fmpq_mul(p->matrix + k, p->matrix + k, r->choice->scale);
     fmpq_set(r->before, p->time);
     r->line_before = r->line;
-    return status;
+    return GRAZE_OK;
 }
 
 /* Keep or drop the pose read last; one that is only passed goes when the next one comes. */
@@ -174,10 +171,8 @@ static graze_status read_pose(reading *r) {
     pose *p = append_pose(r);
     if (!p)
         return context_fail(r->context, GRAZE_ESYSTEM, "out of memory");
-    graze_status status = read_values(r, p);
     r->list->rows++;
-    if (status)
-        return status;
+    TRY(read_values(r, p));
     choose(r);
     return r->list->count > most ? context_limit(r->context, GRAZE_LIMIT_PIECES, "a list of poses")
                                  : GRAZE_OK;
@@ -188,31 +183,28 @@ static graze_status read_line(reading *r, field line) {
     int first = !r->separator, header = 0;
     if (first)
         r->separator = field_separator(line);
-    graze_status status =
-        fields_read(&r->cut, r->context, r->list->source, r->line, line, r->separator);
-    if (!status && first)
-        status = pose_columns_fix(&r->columns, &header, r->report, r->context, r->list->source,
-                                  r->line, &r->cut, r->separator, &r->choice->naming);
+    TRY(fields_read(&r->cut, r->context, r->list->source, r->line, line, r->separator));
+    if (first)
+        TRY(pose_columns_fix(&r->columns, &header, r->report, r->context, r->list->source, r->line,
+                             &r->cut, r->separator, &r->choice->naming));
     r->list->form = r->columns.form;
     r->list->unit = r->columns.place[POSE_ROW] >= 0 ? "row" : r->choice->numbered ? "pose" : "line";
-    return status || header ? status : read_pose(r);
+    return header ? GRAZE_OK : read_pose(r);
 }
 
 static graze_status read_lines(reading *r, stream *in) {
     for (;;) {
         field line;
-        graze_status status = stream_next(in, &line);
-        if (status || !line.start)
-            return status;
+        TRY(stream_next(in, &line));
+        if (!line.start)
+            return GRAZE_OK;
         r->line = in->line;
         while (line.length && line.start[line.length - 1] == '\r')
             line.length--; /* of CR CR LF */
         line = field_trimmed(line);
         if (!line.length || *line.start == '#')
             continue;
-        status = read_line(r, line);
-        if (status)
-            return status;
+        TRY(read_line(r, line));
     }
 }
 
@@ -233,22 +225,18 @@ graze_status poses_read(pose_list *out, text *report, graze_context *context, co
                         const pose_choice *choice) {
     memset(out, 0, sizeof *out);
     out->source = path;
-    char *text = NULL;
+    FREED(char, text, NULL);
     size_t length = choice->length;
     unsigned char sha256[32];
-    reading r = {.context = context, .list = out, .report = report, .choice = choice};
-    graze_status status =
-        choice->text ? GRAZE_OK : file_read(&text, &length, sha256, context, path);
-    if (status)
-        return status;
-    fmpq_init(r.before);
-    status = read_pose_text(&r, choice->text ? choice->text : text, length);
-    fmpq_clear(r.before);
-    free(text);
-    return status;
+    LOCAL(fmpq, before);
+    reading r = {
+        .context = context, .list = out, .report = report, .choice = choice, .before = before};
+    if (!choice->text)
+        TRY(file_read(&text, &length, sha256, context, path));
+    return read_pose_text(&r, choice->text ? choice->text : text, length);
 }
 
-void poses_clear(pose_list *list) {
+void pose_list_clear(pose_list *list) {
     while (list->count)
         drop_pose(list);
     free(list->item);

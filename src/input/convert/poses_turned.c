@@ -86,29 +86,25 @@ static graze_status axis_rotation(mpfr_t error, graze_context *context, const po
         fmpq_swap(a + k, p->quaternion + k);
     _fmpq_vec_dot(square, a, a, 3);
     _fmpq_vec_dot(across, a, a, 2);
-    graze_status status = GRAZE_OK;
     if (fmpq_is_zero(square))
-        status = refuse_axis(context, list, p, "zero; expected a direction");
-    else if (fmpq_is_zero(across) && fmpq_sgn(a + 2) < 0)
-        status = refuse_axis(context, list, p,
-                             "opposite to (0, 0, 1), to which no rotation is the least; expected "
-                             "another direction");
-    else
-        status = length_near(w, context, square);
-    if (!status && fmpq_sgn(a + 2) >= 0)
+        return refuse_axis(context, list, p, "zero; expected a direction");
+    if (fmpq_is_zero(across) && fmpq_sgn(a + 2) < 0)
+        return refuse_axis(context, list, p,
+                           "opposite to (0, 0, 1), to which no rotation is the least; expected "
+                           "another direction");
+    TRY(length_near(w, context, square));
+    if (fmpq_sgn(a + 2) >= 0) {
         fmpq_add(w, w, a + 2);
-    else if (!status) {
+    } else {
         fmpq_sub(w, w, a + 2);
         fmpq_div(w, across, w);
     }
-    if (!status) {
-        axis_error(error, w, a, square);
-        fmpq_set(p->quaternion, w);
-        fmpq_neg(p->quaternion + 1, a + 1);
-        fmpq_set(p->quaternion + 2, a);
-        fmpq_zero(p->quaternion + 3);
-    }
-    return status;
+    axis_error(error, w, a, square);
+    fmpq_set(p->quaternion, w);
+    fmpq_neg(p->quaternion + 1, a + 1);
+    fmpq_set(p->quaternion + 2, a);
+    fmpq_zero(p->quaternion + 3);
+    return GRAZE_OK;
 }
 
 slong bits_within(const fmpq_t tolerance) {
@@ -143,27 +139,24 @@ static void report_turned(text *t, const pose_list *list, const angle_order *ord
 
 graze_status poses_turn(text *report, graze_context *context, pose_list *list,
                         const angle_order *order, const fmpq_t tolerance) {
-    graze_status status = GRAZE_OK;
     slong bits = bits_within(tolerance);
-    mpfr_t error, worst;
-    mpfr_inits2(ANGLE_BITS, error, worst, (mpfr_ptr)0);
+    LOCAL_MPFR(error, ANGLE_BITS);
+    LOCAL_MPFR(worst, ANGLE_BITS);
     mpfr_set_zero(worst, 1);
-    for (size_t i = 0; i < list->count && !status; i++) {
+    for (size_t i = 0; i < list->count; i++) {
         pose *p = list->item + i;
         if (list->form == POSES_OF_AXES)
-            status = axis_rotation(error, context, list, p);
+            TRY(axis_rotation(error, context, list, p));
         else
             angles_rotation(p->quaternion, error, order, p->quaternion, bits);
-        if (!status && bound_exceeds(error, tolerance))
-            status = refuse_error(context, list, p, error);
-        if (!status && i && pose_along(p) < 0)
+        if (bound_exceeds(error, tolerance))
+            return refuse_error(context, list, p, error);
+        if (i && pose_along(p) < 0)
             pose_negate(p);
         mpfr_max(worst, worst, error, MPFR_RNDU);
-        if (!status && i % 256 == 0)
-            status = context_poll(context);
+        if (i % 256 == 0)
+            TRY(context_poll(context));
     }
-    if (!status)
-        report_turned(report, list, order, worst);
-    mpfr_clears(error, worst, (mpfr_ptr)0);
-    return status;
+    report_turned(report, list, order, worst);
+    return GRAZE_OK;
 }

@@ -121,9 +121,7 @@ static void report_turn(text *t, const target *goal, const joint *j, const half_
 static graze_status by_chain(conversion *out, graze_context *context, const target *goal,
                              const joint *turn) {
     slong bits;
-    graze_status status = joint_bits(&bits, context, turn, goal, 1);
-    if (status)
-        return status;
+    TRY(joint_bits(&bits, context, turn, goal, 1));
     LOCAL(fmpq, f);
     HELD(half_angle, end);
     LOCAL_MPFR(error, ANGLE_BITS);
@@ -131,10 +129,10 @@ static graze_status by_chain(conversion *out, graze_context *context, const targ
     half_angle_dyadic(&end, f, turn->square, bits);
     half_angle_error(error, &end, f, turn->square);
     json_writer w = motion_begin(&out->motion, 3, "pieces", 1);
-    status = chain_pieces(&w, context, goal, turn, &bits, 1, quarters_above(context, turn));
+    TRY(chain_pieces(&w, context, goal, turn, &bits, 1, quarters_above(context, turn)));
     motion_end(&w);
     report_turn(&out->report, goal, turn, &end, error);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status convert_rotation(conversion *out, graze_context *context, const target *goal,
@@ -143,10 +141,8 @@ graze_status convert_rotation(conversion *out, graze_context *context, const tar
     unsigned long quarters = quarters_above(context, turn);
     if (!quarters)
         return context_limit(context, GRAZE_LIMIT_PIECES, "a turn");
-    graze_status status = joint_bits(&bits, context, turn, goal, 1);
+    TRY(joint_bits(&bits, context, turn, goal, 1));
     int rational = !fmpq_is_zero(turn->length);
-    if (status)
-        return status;
     if (!rational && quarters > 1)
         return by_chain(out, context, goal, turn);
     LOCAL_VEC(fmpq, rest, 2);

@@ -43,16 +43,16 @@ unsigned long quarters_above(const graze_context *context, const joint *j) {
  * pieces: the larger error at the ends of a piece, and the sway between them. */
 static graze_status turn_error(mpfr_t out, graze_context *context, const joint *j, slong bits,
                                unsigned long pieces, unsigned long count) {
-    mpfr_t ends, end, sway;
+    LOCAL_MPFR(ends, ANGLE_BITS);
+    LOCAL_MPFR(end, ANGLE_BITS);
+    LOCAL_MPFR(sway, ANGLE_BITS);
     HELD(half_angle, from);
     HELD(half_angle, to);
     LOCAL(fmpq, f);
-    mpfr_inits2(ANGLE_BITS, ends, end, sway, (mpfr_ptr)0);
     mpfr_set_zero(ends, 1);
     mpfr_set_zero(out, 1);
-    graze_status status = GRAZE_OK;
-    for (unsigned long k = 0; k <= count && !status; k++) {
-        status = context_work(context, PIECE_WORK);
+    for (unsigned long k = 0; k <= count; k++) {
+        TRY(context_work(context, PIECE_WORK));
         turn_fraction(f, j, k, pieces);
         half_angle_dyadic(&to, f, j->square, bits);
         half_angle_error(end, &to, f, j->square);
@@ -65,8 +65,7 @@ static graze_status turn_error(mpfr_t out, graze_context *context, const joint *
         fmpq_swap(from.c, to.c);
     }
     mpfr_add(out, out, ends, MPFR_RNDU);
-    mpfr_clears(ends, end, sway, (mpfr_ptr)0);
-    return status;
+    return GRAZE_OK;
 }
 
 /* The advance as a multiple of the axis: exact where the length is rational, else dyadic. */
@@ -75,13 +74,12 @@ static void advance_factor(fmpq_t out, const joint *j, slong bits) {
         fmpq_div(out, j->advance, j->length);
         return;
     }
-    mpfr_t value, length;
-    mpfr_inits2(ANGLE_BITS, value, length, (mpfr_ptr)0);
+    LOCAL_MPFR(value, ANGLE_BITS);
+    LOCAL_MPFR(length, ANGLE_BITS);
     root_above(length, j->square);
     rational_to_mpfr(value, j->advance, MPFR_RNDN);
     mpfr_div(value, value, length, MPFR_RNDN);
     round_to_grid(out, value, bits + mpfr_get_exp(length));
-    mpfr_clears(value, length, (mpfr_ptr)0);
 }
 
 /* An upper bound of |factor L - advance|: as |x^2 - a^2| / (x + a) for numbers of one sign. */
@@ -198,15 +196,14 @@ static graze_status check_work(graze_context *context, const target *goal, const
     json_writer w = motion_begin(&first, goal->dimension, "pieces", 1);
     put_chain_piece(&w, goal, joints, bits, count, 0, pieces);
     motion_end(&w);
-    graze_status status = first.failed
-                              ? context_fail(context, GRAZE_ESYSTEM, "out of memory")
-                              : motion_from_text(&motion, context, first.data, first.length);
-    if (motion)
-        motion_destroy(motion);
-    if (!status && context->work > context->limits[GRAZE_LIMIT_WORK] / pieces)
+    if (first.failed)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory");
+    TRY(motion_from_text(&motion, context, first.data, first.length));
+    motion_destroy(motion);
+    if (context->work > context->limits[GRAZE_LIMIT_WORK] / pieces)
         return context_limit(context, GRAZE_LIMIT_WORK,
                              "the functions of a motion, all pieces together");
-    return status;
+    return GRAZE_OK;
 }
 
 /* The sum of all joints' errors of displacement, upwards, in the first `few` of the pieces; each
@@ -214,19 +211,18 @@ static graze_status check_work(graze_context *context, const target *goal, const
 static graze_status total_error(mpfr_t out, mpfr_t *angles, graze_context *context,
                                 const joint *joints, const slong *bits, size_t count,
                                 unsigned long pieces, unsigned long few) {
-    graze_status status = GRAZE_OK;
     LOCAL_MPFR(part, ANGLE_BITS);
     mpfr_set_zero(out, 1);
-    for (size_t i = 0; i < count && !status; i++) {
+    for (size_t i = 0; i < count; i++) {
         if (joints[i].is_slide)
             continue;
-        status = turn_error(angles[i], context, joints + i, bits[i], pieces, few);
+        TRY(turn_error(angles[i], context, joints + i, bits[i], pieces, few));
         mpfr_mul(part, angles[i], joints[i].reach, MPFR_RNDU);
         mpfr_add(out, out, part, MPFR_RNDU);
         advance_error(part, joints + i, bits[i]);
         mpfr_add(out, out, part, MPFR_RNDU);
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Double the pieces until the error is small enough. The bound of the first piece alone, which is
@@ -245,17 +241,14 @@ static graze_status refine_pieces(unsigned long *pieces, mpfr_t error, mpfr_t *a
         if (*pieces > context->limits[GRAZE_LIMIT_PIECES])
             return context_limit(context, GRAZE_LIMIT_PIECES,
                                  "a motion as near to the uniform one as the tolerance asks");
-        graze_status status = context_poll(context);
-        if (!status)
-            status = total_error(error, angles, context, joints, bits, count, *pieces, 1);
-        if (!status && bound_exceeds(error, goal->tolerance))
+        TRY(context_poll(context));
+        TRY(total_error(error, angles, context, joints, bits, count, *pieces, 1));
+        if (bound_exceeds(error, goal->tolerance))
             continue;
-        if (!status)
-            status = check_work(context, goal, joints, bits, count, *pieces);
-        if (!status)
-            status = total_error(error, angles, context, joints, bits, count, *pieces, *pieces);
-        if (status || !bound_exceeds(error, goal->tolerance))
-            return status;
+        TRY(check_work(context, goal, joints, bits, count, *pieces));
+        TRY(total_error(error, angles, context, joints, bits, count, *pieces, *pieces));
+        if (!bound_exceeds(error, goal->tolerance))
+            return GRAZE_OK;
     }
 }
 

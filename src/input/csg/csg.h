@@ -90,9 +90,6 @@ void csg_upper_root(fmpq_t out, const fmpq_t value);
 
 /* Curved solids of `.csg.json` files (src/program/cli/formats.md, Curved solids). */
 
-/** 1 if a file of this name has a curved solid. */
-int csg_is_named(const char *path);
-
 /**
  * Read a file.
  * @param[out] out    on success cleared by csg_clear

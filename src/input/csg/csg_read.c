@@ -6,7 +6,6 @@
 #include <flint/fmpq_mat.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include "base/context/file.h"
 #include "base/context/scope.h"
 #include "input/csg/csg_reader.h"
@@ -26,12 +25,6 @@ static csg_primitive_reader *const readers[KEYS - FIRST_PRIMITIVE] = {
     csg_read_polynomial, csg_read_polynomial, csg_read_polygon, csg_read_polyhedron};
 
 enum { DIGITS_A_LIMB = 20 }; /* more than a limb has */
-
-int csg_is_named(const char *path) {
-    static const char extension[] = ".csg.json";
-    size_t length = strlen(path), wanted = sizeof extension - 1;
-    return length > wanted && strcasecmp(path + length - wanted, extension) == 0;
-}
 
 static graze_status read_node(size_t *node, csg_reader *r, const json *value);
 

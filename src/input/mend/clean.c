@@ -42,19 +42,15 @@ static void merge_vertices(mesh *m, const uint32_t *order, uint32_t *first) {
 
 graze_status clean_vertices(mesh *m) {
     size_t n = m->input->vertex_count;
-    uint32_t *order = malloc((n + 1) * sizeof *order), *first = malloc((n + 1) * sizeof *first);
-    if (order && first) {
-        for (uint32_t v = 0; v < n; v++)
-            order[v] = v;
-        qsort_r(order, n, sizeof *order, order_of_points, m);
-        merge_vertices(m, order, first);
-    }
-    graze_status status = order && first ? context_poll(m->context)
-                                         : context_fail(m->context, GRAZE_ESYSTEM,
-                                                        "out of memory for %zu vertices", n);
-    free(order);
-    free(first);
-    return status;
+    FREED(uint32_t, order, malloc((n + 1) * sizeof *order));
+    FREED(uint32_t, first, malloc((n + 1) * sizeof *first));
+    if (!order || !first)
+        return context_fail(m->context, GRAZE_ESYSTEM, "out of memory for %zu vertices", n);
+    for (uint32_t v = 0; v < n; v++)
+        order[v] = v;
+    qsort_r(order, n, sizeof *order, order_of_points, m);
+    merge_vertices(m, order, first);
+    return context_poll(m->context);
 }
 
 /* Has the last facet corners that are not all on one line? */

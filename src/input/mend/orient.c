@@ -172,9 +172,7 @@ static void apply_turns(orienter *o) {
 }
 
 static graze_status orient_shells(orienter *o) {
-    graze_status status = find_shells(o);
-    if (status)
-        return status;
+    TRY(find_shells(o));
     number_shells(o);
     if (o->shell_count > SHELLS_MOST)
         return context_fail(o->m->context, GRAZE_EILLEGAL,
@@ -184,6 +182,7 @@ static graze_status orient_shells(orienter *o) {
     o->solid = calloc(o->shell_count + 1, sizeof *o->solid);
     if (!o->solid)
         return context_fail(o->m->context, GRAZE_ESYSTEM, "out of memory for shells");
+    graze_status status = GRAZE_OK;
     for (size_t k = 0; k < o->shell_count && !status; k++)
         status = make_shell(o, k);
     if (!status)

@@ -36,11 +36,10 @@ static int order_along_x(const void *a, const void *b, void *data) {
 
 static graze_status find_ends(splitter *s) {
     size_t n = 0;
-    graze_status status = mesh_sides(&s->side, &s->side_count, s->m);
-    s->end = status ? NULL : malloc((2 * s->side_count + 1) * sizeof *s->end);
+    TRY(mesh_sides(&s->side, &s->side_count, s->m));
+    s->end = malloc((2 * s->side_count + 1) * sizeof *s->end);
     if (!s->end)
-        return status ? status
-                      : context_fail(s->m->context, GRAZE_ESYSTEM, "out of memory for edges");
+        return context_fail(s->m->context, GRAZE_ESYSTEM, "out of memory for edges");
     for (size_t first = 0, end; first < s->side_count; first = end) {
         end = mesh_edge_end(s->side, s->side_count, first);
         if ((end - first) % 2) {
@@ -109,14 +108,14 @@ static graze_status look_into_edge(splitter *s, size_t first, size_t end) {
     const mesh_side *edge = &s->side[first];
     int ascends = fmpq_cmp(mesh_point(m, edge->low), mesh_point(m, edge->high)) <= 0;
     uint32_t from = ascends ? edge->low : edge->high, to = ascends ? edge->high : edge->low;
-    graze_status status = context_poll(m->context);
-    for (size_t k = first_end_from(s, from); k < s->end_count && !status; k++) {
+    TRY(context_poll(m->context));
+    for (size_t k = first_end_from(s, from); k < s->end_count; k++) {
         if (fmpq_cmp(mesh_point(m, s->end[k]), mesh_point(m, to)) > 0)
             break;
         if (is_inside_edge(m, edge, s->end[k]))
-            status = add_insertions(s, first, end, s->end[k]);
+            TRY(add_insertions(s, first, end, s->end[k]));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Is u nearer than v to the corner that a side begins at? All three lie on the side. */

@@ -7,16 +7,14 @@
 
 void affine_init(affine *a, int dimension) {
     a->dimension = dimension;
-    for (int k = 0; k < AFFINE_ENTRIES; k++) {
+    for (int k = 0; k < AFFINE_ENTRIES; k++)
         fmpz_poly_q_init(a->entry[k]);
-    }
     affine_identity(a);
 }
 
 void affine_clear(affine *a) {
-    for (int k = 0; k < AFFINE_ENTRIES; k++) {
+    for (int k = 0; k < AFFINE_ENTRIES; k++)
         fmpz_poly_q_clear(a->entry[k]);
-    }
 }
 
 fmpz_poly_q_struct *affine_at(affine *a, int i, int j) {
@@ -28,35 +26,28 @@ const fmpz_poly_q_struct *affine_get(const affine *a, int i, int j) {
 }
 
 void affine_identity(affine *a) {
-    for (int i = 0; i < a->dimension; i++) {
-        for (int j = 0; j <= a->dimension; j++) {
+    for (int i = 0; i < a->dimension; i++)
+        for (int j = 0; j <= a->dimension; j++)
             fmpz_poly_q_set_si(affine_at(a, i, j), i == j);
-        }
-    }
 }
 
 void affine_set(affine *a, const affine *b) {
     a->dimension = b->dimension;
-    for (int k = 0; k < AFFINE_ENTRIES; k++) {
+    for (int k = 0; k < AFFINE_ENTRIES; k++)
         fmpz_poly_q_set(a->entry[k], b->entry[k]);
-    }
 }
 
 int affine_equal(const affine *a, const affine *b) {
-    for (int k = 0; k < a->dimension * (a->dimension + 1); k++) {
-        if (!fmpz_poly_q_equal(a->entry[k], b->entry[k])) {
+    for (int k = 0; k < a->dimension * (a->dimension + 1); k++)
+        if (!fmpz_poly_q_equal(a->entry[k], b->entry[k]))
             return 0;
-        }
-    }
     return a->dimension == b->dimension;
 }
 
 static int is_polynomial(const affine *a) {
-    for (int k = 0; k < a->dimension * (a->dimension + 1); k++) {
-        if (fmpz_poly_degree(fmpz_poly_q_denref(a->entry[k])) > 0) {
+    for (int k = 0; k < a->dimension * (a->dimension + 1); k++)
+        if (fmpz_poly_degree(fmpz_poly_q_denref(a->entry[k])) > 0)
             return 0;
-        }
-    }
     return 1;
 }
 
@@ -100,22 +91,18 @@ static void multiply_polynomials(calculation *c, affine *out, const affine *a, c
     LOCAL(fmpz, row);
     for (int j = 0; j <= d; j++) {
         fmpz_init_set_ui(column[j], 1);
-        for (int k = 0; k < d; k++) {
+        for (int k = 0; k < d; k++)
             fmpz_lcm(column[j], column[j], constant_denominator(affine_get(b, k, j)));
-        }
     }
     for (int i = 0; i < d; i++) {
         fmpz_one(row);
-        for (int k = 0; k <= d; k++) {
+        for (int k = 0; k <= d; k++)
             fmpz_lcm(row, row, constant_denominator(affine_get(a, i, k)));
-        }
-        for (int j = 0; j <= d && c->status == GRAZE_OK; j++) {
+        for (int j = 0; j <= d && c->status == GRAZE_OK; j++)
             multiply_line(c, affine_at(out, i, j), a, i, row, b, j, column[j]);
-        }
     }
-    for (int j = 0; j <= d; j++) {
+    for (int j = 0; j <= d; j++)
         fmpz_clear(column[j]);
-    }
 }
 
 static void multiply_quotients(calculation *c, affine *out, const affine *a, const affine *b) {
@@ -129,9 +116,8 @@ static void multiply_quotients(calculation *c, affine *out, const affine *a, con
                 quotient_mul(c, product, affine_get(a, i, k), affine_get(b, k, j));
                 quotient_add(c, sum, sum, product);
             }
-            if (j == d) {
+            if (j == d)
                 quotient_add(c, sum, sum, affine_get(a, i, d));
-            }
         }
     }
 }
@@ -161,9 +147,8 @@ void affine_substitute(calculation *c, affine *out, const affine *a, const fmpq_
     LOCAL(fmpz_poly_q, line);
     quotient_set_line(line, low, high);
     out->dimension = a->dimension;
-    for (int k = 0; k < a->dimension * (a->dimension + 1); k++) {
+    for (int k = 0; k < a->dimension * (a->dimension + 1); k++)
         quotient_substitute(c, out->entry[k], a->entry[k], line);
-    }
 }
 
 void affine_at_time(affine *out, const affine *a, const fmpq_t u) {

@@ -56,6 +56,14 @@ void quotient_at(fmpq_t out, const fmpz_poly_q_t a, const fmpq_t u);
 /** out(u) = a(line(u)), where the denominator of `line` is a constant. `out` is not `a`. */
 void quotient_substitute(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a,
                          const fmpz_poly_q_t line);
+/** Four functions that are made and cleared together. */
+typedef struct quotients {
+    fmpz_poly_q_t at[4];
+} quotients;
+
+void quotients_init(quotients *q);
+void quotients_clear(quotients *q);
+
 /** 1 and one of the two roots if a is a square in Q(u), else 0. */
 int quotient_square_root(fmpz_poly_q_t out, const fmpz_poly_q_t a);
 
@@ -211,6 +219,10 @@ graze_status rotation_quarters(fmpz_t out, graze_context *context, const json *v
 /** [w, x, y, z]; not about a center yet. */
 graze_status rotation_by_quaternion(affine *out, graze_context *context, const json *value,
                                     const stretch *part);
+
+/** Turn or scale about a center, an array of functions, instead of the origin. */
+graze_status about_center(affine *out, graze_context *context, const json *center,
+                          const stretch *part);
 
 /**
  * The rotation of a quaternion w, x, y, z, of any length; in E^2 x and y are zero and w + iz is the

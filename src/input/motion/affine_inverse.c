@@ -18,9 +18,8 @@ static void minor(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t p, cons
 static void cofactor(calculation *c, fmpz_poly_q_t out, const affine *a, int i, int j) {
     if (a->dimension == 2) {
         fmpz_poly_q_set(out, affine_get(a, 1 - i, 1 - j));
-        if (i != j) {
+        if (i != j)
             fmpz_poly_q_neg(out, out);
-        }
         return;
     }
     int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
@@ -42,9 +41,8 @@ void affine_determinant(calculation *c, fmpz_poly_q_t out, const affine *a) {
 static void invert_linear(calculation *c, affine *out, const affine *a, int orthogonal) {
     int d = a->dimension;
     LOCAL(fmpz_poly_q, determinant);
-    if (!orthogonal) {
+    if (!orthogonal)
         affine_determinant(c, determinant, a);
-    }
     for (int k = 0; k < d * d; k++) {
         fmpz_poly_q_struct *entry = affine_at(out, k / d, k % d);
         if (orthogonal) {
@@ -86,7 +84,6 @@ static void shift_back(calculation *c, affine *out, const affine *a, int i) {
 void affine_inverse(calculation *c, affine *out, const affine *a, int orthogonal) {
     out->dimension = a->dimension;
     invert_linear(c, out, a, orthogonal);
-    for (int i = 0; i < a->dimension && c->status == GRAZE_OK; i++) {
+    for (int i = 0; i < a->dimension && c->status == GRAZE_OK; i++)
         shift_back(c, out, a, i);
-    }
 }

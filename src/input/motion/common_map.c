@@ -7,23 +7,19 @@
 #include "input/motion/affine.h"
 
 void common_map_init(common_map *m) {
-    for (int k = 0; k < 9; k++) {
+    for (int k = 0; k < 9; k++)
         fmpz_poly_init(&m->linear[k]);
-    }
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3; k++)
         fmpz_poly_init(&m->shift[k]);
-    }
     fmpz_poly_init(m->w);
     fmpz_poly_init(m->v);
 }
 
 void common_map_clear(common_map *m) {
-    for (int k = 0; k < 9; k++) {
+    for (int k = 0; k < 9; k++)
         fmpz_poly_clear(&m->linear[k]);
-    }
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3; k++)
         fmpz_poly_clear(&m->shift[k]);
-    }
     fmpz_poly_clear(m->w);
     fmpz_poly_clear(m->v);
 }
@@ -41,9 +37,8 @@ static void widen_by_entry(calculation *c, fmpz_poly_t common, const affine *a, 
 }
 
 static void make_positive(fmpz_poly_t p) {
-    if (fmpz_sgn(fmpz_poly_get_coeff_ptr(p, 0)) < 0) {
+    if (fmpz_sgn(fmpz_poly_get_coeff_ptr(p, 0)) < 0)
         fmpz_poly_neg(p, p);
-    }
 }
 
 void common_map_from_affine(calculation *c, common_map *out, const affine *a) {
@@ -51,17 +46,15 @@ void common_map_from_affine(calculation *c, common_map *out, const affine *a) {
     fmpz_poly_one(out->w);
     fmpz_poly_one(out->v);
     for (int i = 0; i < d; i++) {
-        for (int j = 0; j < d; j++) {
+        for (int j = 0; j < d; j++)
             widen_by_entry(c, out->w, a, i, j);
-        }
         widen_by_entry(c, out->v, a, i, d);
     }
     make_positive(out->w);
     make_positive(out->v);
     for (int i = 0; i < d && c->status == GRAZE_OK; i++) {
-        for (int j = 0; j < d; j++) {
+        for (int j = 0; j < d; j++)
             quotient_over(&out->linear[i * d + j], affine_get(a, i, j), out->w);
-        }
         quotient_over(&out->shift[i], affine_get(a, i, d), out->v);
     }
 }
@@ -95,9 +88,8 @@ int common_map_is_orthogonal(calculation *c, const common_map *m) {
     LOCAL(fmpz_poly, square);
     LOCAL(fmpz_poly, sum);
     LOCAL(fmpz_poly, term);
-    if (holds) {
+    if (holds)
         fmpz_poly_sqr(square, m->w);
-    }
     for (int i = 0; i < d && holds; i++) {
         for (int j = 0; j <= i && holds; j++) {
             columns_product(sum, term, m, i, j);

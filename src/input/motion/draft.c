@@ -15,11 +15,10 @@ void draft_init(draft *d, int dimension) {
 }
 
 static void clear_map(draft_piece *piece) {
-    if (piece->rigid) {
+    if (piece->rigid)
         common_map_clear(&piece->frame);
-    } else {
+    else
         affine_clear(&piece->map);
-    }
 }
 
 void draft_clear(draft *d) {
@@ -33,9 +32,8 @@ void draft_clear(draft *d) {
 }
 
 static graze_status append_piece(draft_piece **out, graze_context *context, draft *d, int rigid) {
-    if (d->count >= context->limits[GRAZE_LIMIT_PIECES]) {
+    if (d->count >= context->limits[GRAZE_LIMIT_PIECES])
         return context_limit(context, GRAZE_LIMIT_PIECES, "pieces of a motion");
-    }
     TRY(context_poll(context));
     TRY(array_grow(context, &d->piece, &d->capacity, d->count + 1, sizeof *d->piece,
                    "the pieces of a motion"));
@@ -87,21 +85,17 @@ static void cut_map(calculation *c, affine *out, const draft_piece *piece, const
     fmpq_div(low, low, span);
     fmpq_sub(high, hi, piece->lo);
     fmpq_div(high, high, span);
-    if (fmpq_is_zero(low) && fmpq_is_one(high)) {
+    if (fmpq_is_zero(low) && fmpq_is_one(high))
         affine_set(out, &piece->map);
-    } else {
+    else
         affine_substitute(c, out, &piece->map, low, high);
-    }
 }
 
 /* frame^-1 moving over [lo, hi], which lies in both pieces. */
 static graze_status relative_piece(draft *out, graze_context *context, const draft_piece *moving,
                                    const draft_piece *frame, const fmpq_t lo, const fmpq_t hi) {
     draft_piece *piece;
-    graze_status status = draft_append(&piece, context, out);
-    if (status != GRAZE_OK) {
-        return status;
-    }
+    TRY(draft_append(&piece, context, out));
     calculation c = {context, GRAZE_OK};
     HELD(common_map, common);
     HELD(affine, part, out->dimension);
@@ -147,10 +141,7 @@ graze_status draft_follow(draft *out, graze_context *context, const draft *next,
     for (size_t k = 0; k < next->count && c.status == GRAZE_OK; k++) {
         const draft_piece *piece = &next->piece[k];
         draft_piece *copy;
-        c.status = draft_append(&copy, context, out);
-        if (c.status != GRAZE_OK) {
-            break;
-        }
+        TRY(draft_append(&copy, context, out));
         fmpq_sub(copy->lo, piece->lo, first);
         fmpq_div(copy->lo, copy->lo, span);
         fmpq_add_si(copy->lo, copy->lo, from);
@@ -178,11 +169,10 @@ static void finish_map(calculation *c, motion_piece *out, const affine *map) {
     HELD(common_map, common);
     common_map_from_affine(c, &common, map);
     common_map_forward(c, &out->forward, &common);
-    if (common_map_is_orthogonal(c, &common)) {
+    if (common_map_is_orthogonal(c, &common))
         common_map_backward(c, &out->inverse, &common);
-    } else if (c->status == GRAZE_OK) {
+    else if (c->status == GRAZE_OK)
         invert_quotients(c, &out->inverse, map);
-    }
 }
 
 static graze_status finish_piece(motion_piece *out, graze_context *context,
@@ -219,9 +209,8 @@ graze_status draft_finish(graze_motion **out, graze_context *context, const draf
         point_map_init(&next->forward, d->dimension);
         point_map_init(&next->inverse, d->dimension);
         status = context_poll(context);
-        if (status == GRAZE_OK) {
+        if (status == GRAZE_OK)
             status = finish_piece(next, context, &d->piece[motion->piece_count]);
-        }
         motion->has_rows |= next->row > 0;
         motion->piece_count++;
     }

@@ -53,11 +53,10 @@ void stretch_set(stretch *part, const fmpq_t lo, const fmpq_t hi, const fmpq_t f
 
 static graze_status read_value(fmpz_poly_q_t out, graze_context *context, const json *value,
                                const fmpz_poly_q_struct *t, const fmpz_poly_q_struct *s) {
-    if (value->kind != JSON_NUMBER && value->kind != JSON_STRING) {
+    if (value->kind != JSON_NUMBER && value->kind != JSON_STRING)
         return json_fail(context, GRAZE_EINPUT, value, "expected %s",
                          t != NULL ? "a number or an expression in quotes"
                                    : "a number, bare or in quotes,");
-    }
     graze_status status = expression_value(out, context, value->text, value->length, t, s);
     return status == GRAZE_OK ? status : json_at(context, status, value);
 }
@@ -70,10 +69,9 @@ graze_status entry_function(fmpz_poly_q_t out, graze_context *context, const jso
 graze_status entry_finite(fmpz_poly_q_t out, graze_context *context, const json *value,
                           const stretch *part) {
     TRY(entry_function(out, context, value, part));
-    if (part->fault == FAULT_POLE) {
+    if (part->fault == FAULT_POLE)
         TRY(entry_no_root(context, value, fmpz_poly_q_denref(out), part->lo, part->hi,
                           "this entry has a pole"));
-    }
     return GRAZE_OK;
 }
 
@@ -81,9 +79,8 @@ graze_status entry_vector(fmpz_poly_q_t *out, graze_context *context, const json
                           size_t count, const stretch *part) {
     TRY(json_array(context, value, count));
     const json *item = value->first;
-    for (size_t k = 0; k < count; k++, item = item->next) {
+    for (size_t k = 0; k < count; k++, item = item->next)
         TRY(entry_finite(out[k], context, item, part));
-    }
     return GRAZE_OK;
 }
 
@@ -98,9 +95,8 @@ graze_status entry_number(fmpq_t out, graze_context *context, const json *value)
 graze_status entry_integer(fmpz_t out, graze_context *context, const json *value) {
     LOCAL(fmpq, number);
     TRY(entry_number(number, context, value));
-    if (!fmpz_is_one(fmpq_denref(number))) {
+    if (!fmpz_is_one(fmpq_denref(number)))
         return json_fail(context, GRAZE_EINPUT, value, "'%.60s' is not an integer", value->text);
-    }
     fmpz_set(out, fmpq_numref(number));
     return GRAZE_OK;
 }
@@ -113,22 +109,19 @@ static void time_text(char out[TIME_SIZE], const fmpq_t lo, const fmpq_t hi, con
     fmpq_add(time, time, lo);
     char *text = rational_text(time);
     int whole = snprintf(out, TIME_SIZE, "%s", text != NULL ? text : "?") < TIME_SIZE;
-    if (!whole) {
+    if (!whole)
         snprintf(out + TIME_SIZE - 4, 4, "...");
-    }
     free(text);
 }
 
 graze_status entry_no_root(graze_context *context, const json *where, const fmpz_poly_t p,
                            const fmpq_t lo, const fmpq_t hi, const char *what) {
-    if (fmpz_poly_is_zero(p)) {
+    if (fmpz_poly_is_zero(p))
         return json_fail(context, GRAZE_EILLEGAL, where, "%s at every t", what);
-    }
     calculation c = {context, GRAZE_OK};
     calculation_spend(&c, (unsigned long)fmpz_poly_length(p) * polynomial_work(p));
-    if (c.status != GRAZE_OK) {
+    if (c.status != GRAZE_OK)
         return json_at(context, c.status, where);
-    }
     LOCAL_VEC(fmpq, low, 2);
     fmpq *high = low + 1;
     int found;

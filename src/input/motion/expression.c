@@ -48,9 +48,8 @@ static int is_digit(char c) {
  * takes it either. */
 static char peek(parser *p) {
     while (p->place < p->length && (p->text[p->place] == ' ' || p->text[p->place] == '\t' ||
-                                    p->text[p->place] == '\n' || p->text[p->place] == '\r')) {
+                                    p->text[p->place] == '\n' || p->text[p->place] == '\r'))
         p->place++;
-    }
     return p->place < p->length ? p->text[p->place] : '\0';
 }
 
@@ -59,23 +58,20 @@ static char byte_at(const parser *p, size_t place) {
 }
 
 static size_t digits_end(const parser *p, size_t place) {
-    while (is_digit(byte_at(p, place))) {
+    while (is_digit(byte_at(p, place)))
         place++;
-    }
     return place;
 }
 
 static size_t number_end(const parser *p, size_t place) {
     place = digits_end(p, place);
-    if (byte_at(p, place) == '.') {
+    if (byte_at(p, place) == '.')
         place = digits_end(p, place + 1);
-    }
     if (byte_at(p, place) == 'e' || byte_at(p, place) == 'E') {
         char sign = byte_at(p, place + 1);
         size_t digits = place + 1 + (sign == '+' || sign == '-');
-        if (is_digit(byte_at(p, digits))) {
+        if (is_digit(byte_at(p, digits)))
             place = digits_end(p, digits);
-        }
     }
     return place;
 }
@@ -112,9 +108,8 @@ static void parse_bracket(parser *p, fmpz_poly_q_t out) {
     }
     parse_sum(p, out);
     p->depth--;
-    if (has_failed(p)) {
+    if (has_failed(p))
         return;
-    }
     if (peek(p) != ')') {
         fail_at(p, opened, "this bracket is not closed where its contents end; expected )");
         return;
@@ -127,9 +122,8 @@ static int transcendental_length(const parser *p) {
     static const char *const names[] = {"sin", "cos", "tan", "sqrt", "exp", "log", "pi", "atan"};
     for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
         size_t n = strlen(names[k]);
-        if (n <= p->length - p->place && memcmp(p->text + p->place, names[k], n) == 0) {
+        if (n <= p->length - p->place && memcmp(p->text + p->place, names[k], n) == 0)
             return (int)n;
-        }
     }
     return 0;
 }
@@ -165,31 +159,27 @@ static void read_exponent(parser *p, fmpz_t n) {
     LOCAL(fmpq, value);
     calculation *c = &p->calculation;
     c->status = rational_parse(value, c->context, p->text + p->place, end - p->place);
-    if (has_failed(p)) {
+    if (has_failed(p))
         tell_place(p, start);
-    }
     fmpz_set(n, fmpq_numref(value));
-    if (sign == '-') {
+    if (sign == '-')
         fmpz_neg(n, n);
-    }
     p->place = end;
 }
 
 static void parse_power(parser *p, fmpz_poly_q_t out) {
     parse_primary(p, out);
-    if (has_failed(p) || peek(p) != '^') {
+    if (has_failed(p) || peek(p) != '^')
         return;
-    }
     size_t operator= p->place++;
     LOCAL(fmpz, n);
     read_exponent(p, n);
     if (!has_failed(p)) {
         quotient_power(&p->calculation, out, out, n);
-        if (has_failed(p)) {
+        if (has_failed(p))
             tell_place(p, operator);
-        } else if (peek(p) == '^') {
+        else if (peek(p) == '^')
             fail_at(p, p->place, "a^b^c has no meaning here; expected (a^b)^c");
-        }
     }
 }
 
@@ -200,9 +190,8 @@ static void parse_signed(parser *p, fmpz_poly_q_t out) {
         p->place++;
     }
     parse_power(p, out);
-    if (negative && !has_failed(p)) {
+    if (negative && !has_failed(p))
         fmpz_poly_q_neg(out, out);
-    }
 }
 
 /* The two levels of left-associative operators differ in their operators and operands alone. */
@@ -214,16 +203,14 @@ static void parse_chain(
     LOCAL(fmpz_poly_q, right);
     while (!has_failed(p)) {
         char c = peek(p);
-        if (c == '\0' || (c != operators[0] && c != operators[1])) {
+        if (c == '\0' || (c != operators[0] && c != operators[1]))
             break;
-        }
         size_t operator= p->place++;
         operand(p, right);
         if (!has_failed(p)) {
             (c == operators[0] ? first : second)(&p->calculation, out, out, right);
-            if (has_failed(p)) {
+            if (has_failed(p))
                 tell_place(p, operator);
-            }
         }
     }
 }
@@ -241,9 +228,8 @@ graze_status expression_value(fmpz_poly_q_t out, graze_context *context, const c
                               const fmpz_poly_q_struct *s) {
     parser p = {.calculation = {context, GRAZE_OK}, .text = text, .length = length, .t = t, .s = s};
     calculation_spend(&p.calculation, length / CHARACTERS_A_UNIT);
-    if (has_failed(&p)) {
+    if (has_failed(&p))
         return p.calculation.status;
-    }
     if (rational_is_token(text, length)) {
         read_literal(&p, out, length);
         return p.calculation.status;
@@ -251,9 +237,8 @@ graze_status expression_value(fmpz_poly_q_t out, graze_context *context, const c
     parse_sum(&p, out);
     if (!has_failed(&p)) {
         peek(&p);
-        if (p.place < length) {
+        if (p.place < length)
             fail_at(&p, p.place, "expected an operator or the end here");
-        }
     }
     return p.calculation.status;
 }

@@ -32,9 +32,8 @@ typedef struct builder {
 
 static void count_lines(builder *b) {
     size_t reached = yajl_get_bytes_consumed(b->handle);
-    for (; b->counted < reached; b->counted++) {
+    for (; b->counted < reached; b->counted++)
         b->line += b->text[b->counted] == '\n';
-    }
 }
 
 static int out_of_memory(builder *b) {
@@ -45,9 +44,8 @@ static int out_of_memory(builder *b) {
 
 /* Copy bytes and a NUL to a place; the place behind them. */
 static char *keep_bytes(char *out, const char *bytes, size_t length) {
-    if (length > 0) {
+    if (length > 0)
         memcpy(out, bytes, length);
-    }
     out[length] = '\0';
     return out + length + 1;
 }
@@ -85,11 +83,10 @@ static json *append_value(builder *b, json_kind kind, const char *bytes, size_t 
         return value;
     }
     value->index = b->open->count++;
-    if (b->open->last == NULL) {
+    if (b->open->last == NULL)
         b->open->first = value;
-    } else {
+    else
         b->open->last->next = value;
-    }
     b->open->last = value;
     return value;
 }
@@ -113,9 +110,8 @@ static int on_string(void *data, const unsigned char *bytes, size_t length) {
 
 static int on_key(void *data, const unsigned char *bytes, size_t length) {
     builder *b = data;
-    if (!array_reserve(&b->key, &b->key_room, length + 1, 1)) {
+    if (!array_reserve(&b->key, &b->key_room, length + 1, 1))
         return out_of_memory(b);
-    }
     keep_bytes(b->key, (const char *)bytes, length);
     b->key_length = length;
     b->keyed = 1;
@@ -124,9 +120,8 @@ static int on_key(void *data, const unsigned char *bytes, size_t length) {
 
 static int on_start(builder *b, json_kind kind) {
     json *value = append_value(b, kind, NULL, 0);
-    if (value == NULL) {
+    if (value == NULL)
         return 0;
-    }
     b->open = value;
     b->depth++;
     if (b->depth > b->context->limits[GRAZE_LIMIT_DEPTH]) {
@@ -183,12 +178,10 @@ static void parse(builder *b, const char *text, size_t length) {
     }
     b->handle = yajl_alloc(&callbacks, &b->memory.functions, b);
     yajl_status parsed = yajl_parse(b->handle, (const unsigned char *)text, length);
-    if (parsed == yajl_status_ok) {
+    if (parsed == yajl_status_ok)
         parsed = yajl_complete_parse(b->handle);
-    }
-    if (parsed == yajl_status_error) {
+    if (parsed == yajl_status_error)
         syntax_error(b, length);
-    }
 }
 
 graze_status json_parse(json_document *out, graze_context *context, const char *source,
@@ -199,12 +192,10 @@ graze_status json_parse(json_document *out, graze_context *context, const char *
         length -= 3;
     }
     size_t blanks = 0;
-    while (blanks < length && strchr(" \t\r\n", text[blanks]) != NULL && text[blanks] != '\0') {
+    while (blanks < length && strchr(" \t\r\n", text[blanks]) != NULL && text[blanks] != '\0')
         blanks++;
-    }
-    if (blanks == length) {
+    if (blanks == length)
         return context_fail_in(context, GRAZE_EINPUT, source, 0, "empty; expected a JSON object");
-    }
     builder b = {.document = out, .context = context, .source = source, .text = text, .line = 1};
     parse(&b, text, length);
     json_memory_clear(&b.memory);
@@ -272,49 +263,42 @@ graze_status json_at_last(graze_context *context, graze_status status, const jso
 static void join_names(char *out, size_t size, const char *const *names, size_t count) {
     size_t used = 0;
     out[0] = '\0';
-    for (size_t k = 0; k < count && used < size; k++) {
+    for (size_t k = 0; k < count && used < size; k++)
         used += (size_t)snprintf(out + used, size - used, "%s%s", k > 0 ? ", " : "", names[k]);
-    }
 }
 
 graze_status json_members(const json **out, graze_context *context, const json *object,
                           const char *const *names, size_t count) {
-    for (size_t k = 0; k < count; k++) {
+    for (size_t k = 0; k < count; k++)
         out[k] = NULL;
-    }
     char known[200];
     join_names(known, sizeof known, names, count);
-    if (object->kind != JSON_OBJECT) {
+    if (object->kind != JSON_OBJECT)
         return json_fail(context, GRAZE_EINPUT, object, "expected an object with keys among %s",
                          known);
-    }
     for (const json *member = object->first; member != NULL; member = member->next) {
         size_t k = 0;
         while (k < count && (strlen(names[k]) != member->key_length ||
-                             memcmp(names[k], member->key, member->key_length) != 0)) {
+                             memcmp(names[k], member->key, member->key_length) != 0))
             k++;
-        }
         if (k == count) {
             int angle = !strncmp(member->key, "deg", 3) || !strncmp(member->key, "angle", 5);
             return json_fail(context, GRAZE_EINPUT, member, "unknown key; expected one of %s%s",
                              known, angle ? "; `graze motion rotate` takes degrees" : "");
         }
-        if (out[k] != NULL) {
+        if (out[k] != NULL)
             return json_fail(context, GRAZE_EINPUT, member,
                              "this key is repeated; the first is in line %zu", out[k]->line);
-        }
         out[k] = member;
     }
     return GRAZE_OK;
 }
 
 graze_status json_array(graze_context *context, const json *value, size_t count) {
-    if (value->kind != JSON_ARRAY) {
+    if (value->kind != JSON_ARRAY)
         return json_fail(context, GRAZE_EINPUT, value, "expected an array");
-    }
-    if (count > 0 && value->count != count) {
+    if (count > 0 && value->count != count)
         return json_fail(context, GRAZE_EINPUT, value, "expected an array of %zu entries, not %zu",
                          count, value->count);
-    }
     return GRAZE_OK;
 }

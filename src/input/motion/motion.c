@@ -10,16 +10,14 @@
 void point_map_init(point_map *map, int dimension) {
     map->dimension = dimension;
     fmpz_poly_init(map->weight);
-    for (int k = 0; k < POINT_MAP_ENTRIES; k++) {
+    for (int k = 0; k < POINT_MAP_ENTRIES; k++)
         fmpz_poly_init(&map->entry[k]);
-    }
 }
 
 void point_map_clear(point_map *map) {
     fmpz_poly_clear(map->weight);
-    for (int k = 0; k < POINT_MAP_ENTRIES; k++) {
+    for (int k = 0; k < POINT_MAP_ENTRIES; k++)
         fmpz_poly_clear(&map->entry[k]);
-    }
 }
 
 int affine_orientation(const fmpq *map, int d) {

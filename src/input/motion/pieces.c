@@ -22,10 +22,9 @@ static void number_text(char out[NUMBER_SIZE], const fmpq_t value) {
 
 static graze_status check_poles(draft_piece *piece, graze_context *context, const json *where) {
     int d = piece->map.dimension;
-    for (int k = 0; k < d * (d + 1); k++) {
+    for (int k = 0; k < d * (d + 1); k++)
         TRY(entry_no_root(context, where, fmpz_poly_q_denref(piece->map.entry[k]), piece->lo,
                           piece->hi, "the motion's matrix has a pole"));
-    }
     return GRAZE_OK;
 }
 
@@ -34,13 +33,10 @@ static graze_status check_determinant(draft_piece *piece, graze_context *context
     calculation c = {context, GRAZE_OK};
     LOCAL(fmpz_poly_q, determinant);
     affine_determinant(&c, determinant, &piece->map);
-    if (c.status == GRAZE_OK) {
-        c.status = entry_no_root(context, where, fmpz_poly_q_numref(determinant), piece->lo,
-                                 piece->hi, "the determinant of the motion's linear part is zero");
-    } else {
-        json_at(context, c.status, where);
-    }
-    return c.status;
+    if (c.status != GRAZE_OK)
+        return json_at(context, c.status, where);
+    return entry_no_root(context, where, fmpz_poly_q_numref(determinant), piece->lo, piece->hi,
+                         "the determinant of the motion's linear part is zero");
 }
 
 static graze_status check_joint(const draft_piece *before, const draft_piece *after,
@@ -72,31 +68,27 @@ static graze_status check_joint(const draft_piece *before, const draft_piece *af
 static graze_status blame(affine *map, graze_context *context, const json *transform, stretch *part,
                           entry_fault fault) {
     part->fault = fault;
-    graze_status status = transform_map(map, context, transform, part);
-    return status == GRAZE_OK ? GRAZE_EILLEGAL : status;
+    TRY(transform_map(map, context, transform, part));
+    return GRAZE_EILLEGAL;
 }
 
 static graze_status read_stretch(draft *out, graze_context *context, const json *transform,
                                  stretch *part) {
     draft_piece *piece;
     graze_status status = draft_append(&piece, context, out);
-    if (status != GRAZE_OK) {
+    if (status != GRAZE_OK)
         return json_at(context, status, transform);
-    }
     fmpq_set(piece->lo, part->lo);
     fmpq_set(piece->hi, part->hi);
     status = transform_map(&piece->map, context, transform, part);
-    if (status != GRAZE_OK) {
+    if (status != GRAZE_OK)
         return json_at_last(context, status, transform);
-    }
     status = check_poles(piece, context, transform);
-    if (status == GRAZE_EILLEGAL) {
+    if (status == GRAZE_EILLEGAL)
         return blame(&piece->map, context, transform, part, FAULT_POLE);
-    }
     status = check_determinant(piece, context, transform);
-    if (status == GRAZE_EILLEGAL) {
+    if (status == GRAZE_EILLEGAL)
         return blame(&piece->map, context, transform, part, FAULT_SINGULAR);
-    }
     return status == GRAZE_OK && out->count > 1 ? check_joint(piece - 1, piece, context, transform)
                                                 : status;
 }
@@ -139,15 +131,13 @@ static graze_status read_interval(fmpq_t lo, fmpq_t hi, graze_context *context, 
 static graze_status read_row(unsigned long *out, graze_context *context, const json *value) {
     static const unsigned long most = 1000000000000000;
     *out = 0;
-    if (value == NULL) {
+    if (value == NULL)
         return GRAZE_OK;
-    }
     LOCAL(fmpz, row);
     TRY(entry_integer(row, context, value));
-    if (fmpz_sgn(row) <= 0 || fmpz_cmp_ui(row, most) > 0) {
+    if (fmpz_sgn(row) <= 0 || fmpz_cmp_ui(row, most) > 0)
         return json_fail(context, GRAZE_EINPUT, value,
                          "expected the line of a log, an integer from 1 to 10^15");
-    }
     *out = fmpz_get_ui(row);
     return GRAZE_OK;
 }
@@ -157,36 +147,26 @@ static graze_status read_one_piece(draft *out, graze_context *context, const jso
     const json *member[3];
     unsigned long row = 0;
     size_t first = out->count;
-    graze_status status = json_members(member, context, item, names, 3);
-    if (status == GRAZE_OK && (member[0] == NULL || member[1] == NULL)) {
-        status = json_fail(context, GRAZE_EINPUT, item, "the piece has no key %s",
-                           names[member[0] != NULL]);
-    }
-    if (status == GRAZE_OK) {
-        status = read_row(&row, context, member[2]);
-    }
+    TRY(json_members(member, context, item, names, 3));
+    if (member[0] == NULL || member[1] == NULL)
+        return json_fail(context, GRAZE_EINPUT, item, "the piece has no key %s",
+                         names[member[0] != NULL]);
+    TRY(read_row(&row, context, member[2]));
     LOCAL_VEC(fmpq, lo, 2);
     fmpq *hi = lo + 1;
-    if (status == GRAZE_OK) {
-        status = read_interval(lo, hi, context, member[0], out);
-    }
-    if (status == GRAZE_OK) {
-        status = read_transform(out, context, member[1], lo, hi);
-    }
-    for (size_t k = first; k < out->count; k++) {
+    TRY(read_interval(lo, hi, context, member[0], out));
+    TRY(read_transform(out, context, member[1], lo, hi));
+    for (size_t k = first; k < out->count; k++)
         out->piece[k].row = row;
-    }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status motion_read_pieces(draft *out, graze_context *context, const json *pieces) {
     TRY(json_array(context, pieces, 0));
-    if (pieces->count == 0) {
+    if (pieces->count == 0)
         return json_fail(context, GRAZE_EINPUT, pieces, "expected at least one piece");
-    }
-    for (const json *item = pieces->first; item != NULL; item = item->next) {
+    for (const json *item = pieces->first; item != NULL; item = item->next)
         TRY(read_one_piece(out, context, item));
-    }
     return GRAZE_OK;
 }
 
@@ -205,23 +185,19 @@ typedef struct keyframe {
 
 static void keyframe_init(keyframe *frame) {
     fmpq_init(frame->time);
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3; k++)
         fmpq_init(frame->position[k]);
-    }
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < 4; k++)
         fmpq_init(frame->rotation[k]);
-    }
     fmpq_one(frame->rotation[0]);
 }
 
 static void keyframe_clear(keyframe *frame) {
     fmpq_clear(frame->time);
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 3; k++)
         fmpq_clear(frame->position[k]);
-    }
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < 4; k++)
         fmpq_clear(frame->rotation[k]);
-    }
 }
 
 /* Every `step`th of the numbers from an array of `count`. */
@@ -229,9 +205,8 @@ static graze_status read_numbers(fmpq_t *out, graze_context *context, const json
                                  size_t count, size_t step) {
     TRY(json_array(context, value, count));
     const json *item = value->first;
-    for (size_t k = 0; k < count; k++, item = item->next) {
+    for (size_t k = 0; k < count; k++, item = item->next)
         TRY(entry_number(out[k * step], context, item));
-    }
     return GRAZE_OK;
 }
 
@@ -240,19 +215,16 @@ static graze_status read_keyframe(keyframe *frame, graze_context *context, const
     const char *const names[] = {"t", "position", dimension == 3 ? "quaternion" : "complex", "row"};
     const json *member[FRAME_KEYS];
     TRY(json_members(member, context, value, names, FRAME_KEYS));
-    if (member[TIME] == NULL) {
+    if (member[TIME] == NULL)
         return json_fail(context, GRAZE_EINPUT, value, "the frame has no key t");
-    }
     frame->given = (member[POSITION] != NULL) << POSITION | (member[ROTATION] != NULL) << ROTATION;
     TRY(read_row(&frame->row, context, member[ROW]));
     TRY(entry_number(frame->time, context, member[TIME]));
-    if (member[POSITION] != NULL) {
+    if (member[POSITION] != NULL)
         TRY(read_numbers(frame->position, context, member[POSITION], (size_t)dimension, 1));
-    }
-    if (member[ROTATION] != NULL) {
+    if (member[ROTATION] != NULL)
         TRY(dimension == 3 ? read_numbers(frame->rotation, context, member[ROTATION], 4, 1)
                            : read_numbers(frame->rotation, context, member[ROTATION], 2, 3));
-    }
     return GRAZE_OK;
 }
 
@@ -284,23 +256,16 @@ static graze_status append_between(draft *out, graze_context *context, const jso
                                    const keyframe *from, const keyframe *to) {
     draft_piece *piece;
     graze_status status = draft_append_rigid(&piece, context, out);
-    if (status != GRAZE_OK) {
+    if (status != GRAZE_OK)
         return json_at(context, status, where);
-    }
     fmpq_set(piece->lo, from->time);
     fmpq_set(piece->hi, to->time);
     piece->row = to->row;
-    fmpz_poly_struct q[4];
+    LOCAL_VEC(fmpz_poly, q, 4);
     LOCAL(fmpz, denominator);
-    for (int k = 0; k < 4; k++) {
-        fmpz_poly_init(&q[k]);
-    }
     set_lines(q, denominator, from->rotation, to->rotation, 4);
     status = quaternion_rotation(&piece->frame, context, where, q, from->time, to->time);
     json_at_last(context, status, where);
-    for (int k = 0; k < 4; k++) {
-        fmpz_poly_clear(&q[k]);
-    }
     set_lines(piece->frame.shift, denominator, from->position, to->position, out->dimension);
     fmpz_poly_set_fmpz(piece->frame.v, denominator);
     return status;
@@ -309,14 +274,12 @@ static graze_status append_between(draft *out, graze_context *context, const jso
 static graze_status read_next_frame(draft *out, graze_context *context, const json *value,
                                     keyframe *before, keyframe *frame) {
     graze_status status = read_keyframe(frame, context, value, out->dimension);
-    if (status != GRAZE_OK || value->index == 0) {
+    if (status != GRAZE_OK || value->index == 0)
         return status;
-    }
-    if (frame->given != before->given) {
+    if (frame->given != before->given)
         return json_fail(context, GRAZE_EINPUT, value,
                          "this frame differs from the one before it; expected position and "
                          "rotation in all frames or in none");
-    }
     if (fmpq_cmp(before->time, frame->time) >= 0) {
         char first[NUMBER_SIZE], last[NUMBER_SIZE];
         number_text(first, before->time);
@@ -328,20 +291,15 @@ static graze_status read_next_frame(draft *out, graze_context *context, const js
 }
 
 graze_status motion_read_keyframes(draft *out, graze_context *context, const json *keyframes) {
-    graze_status status = json_array(context, keyframes, 0);
-    if (status == GRAZE_OK && keyframes->count < 2) {
-        status = json_fail(context, GRAZE_EINPUT, keyframes,
-                           "expected at least two frames, not %zu", keyframes->count);
-    }
-    keyframe frame[2];
-    keyframe_init(&frame[0]);
-    keyframe_init(&frame[1]);
-    for (const json *item = keyframes->first; item != NULL && status == GRAZE_OK;
-         item = item->next) {
-        status = read_next_frame(out, context, item, &frame[(item->index + 1) % 2],
-                                 &frame[item->index % 2]);
-    }
-    keyframe_clear(&frame[1]);
-    keyframe_clear(&frame[0]);
-    return status;
+    TRY(json_array(context, keyframes, 0));
+    if (keyframes->count < 2)
+        return json_fail(context, GRAZE_EINPUT, keyframes, "expected at least two frames, not %zu",
+                         keyframes->count);
+    HELD(keyframe, even);
+    HELD(keyframe, odd);
+    keyframe *const frame[2] = {&even, &odd};
+    for (const json *item = keyframes->first; item != NULL; item = item->next)
+        TRY(read_next_frame(out, context, item, frame[(item->index + 1) % 2],
+                            frame[item->index % 2]));
+    return GRAZE_OK;
 }

@@ -10,14 +10,12 @@
 static graze_status divide_numbers(graze_context *context, const json *where, fmpz_poly_struct q[4],
                                    const fmpq_t lo, const fmpq_t hi) {
     LOCAL(fmpz_poly, common);
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < 4; k++)
         polynomial_narrow(common, &q[k]);
-    }
     TRY(entry_no_root(context, where, common, lo, hi,
                       "the quaternion (complex number) of the rotation is zero"));
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < 4; k++)
         polynomial_divide(&q[k], &q[k], common);
-    }
     return GRAZE_OK;
 }
 
@@ -36,9 +34,8 @@ static void set_diagonal(common_map *out, fmpz_poly_struct q[4]) {
         fmpz_poly_scalar_mul_2exp(entry, entry, 1);
         fmpz_poly_sub(entry, out->w, entry);
     }
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < 4; k++)
         fmpz_poly_clear(&square[k]);
-    }
 }
 
 /* The entries (i, j) and (j, i), i + 1 = j, of N: 2 (q_i q_j - w q_k) and 2 (q_i q_j + w q_k). */
@@ -69,33 +66,27 @@ static ulong halvings(const fmpz_poly_t p, ulong most) {
 static void divide_fours(common_map *out) {
     ulong twos = halvings(out->w, 2);
     int entries = out->dimension * out->dimension;
-    for (int k = 0; k < entries; k++) {
+    for (int k = 0; k < entries; k++)
         twos = halvings(&out->linear[k], twos);
-    }
-    if (twos == 0) {
+    if (twos == 0)
         return;
-    }
     fmpz_poly_scalar_tdiv_2exp(out->w, out->w, twos);
-    for (int k = 0; k < entries; k++) {
+    for (int k = 0; k < entries; k++)
         fmpz_poly_scalar_tdiv_2exp(&out->linear[k], &out->linear[k], twos);
-    }
 }
 
 graze_status quaternion_rotation(common_map *out, graze_context *context, const json *where,
                                  fmpz_poly_struct q[4], const fmpq_t lo, const fmpq_t hi) {
     calculation c = {context, GRAZE_OK};
     c.status = divide_numbers(context, where, q, lo, hi);
-    if (c.status != GRAZE_OK) {
+    if (c.status != GRAZE_OK)
         return c.status;
-    }
     set_diagonal(out, q);
-    for (int i = 0; i < (out->dimension == 3 ? 3 : 1); i++) {
+    for (int i = 0; i < (out->dimension == 3 ? 3 : 1); i++)
         set_pair(out, q, i);
-    }
     divide_fours(out);
     polynomial_check(&c, out->w);
-    for (int k = 0; k < out->dimension * out->dimension; k++) {
+    for (int k = 0; k < out->dimension * out->dimension; k++)
         polynomial_check(&c, &out->linear[k]);
-    }
     return c.status;
 }

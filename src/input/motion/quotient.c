@@ -16,10 +16,19 @@ enum { OPERATION_WORK = 8 };    /* what an operation costs beside the words of i
 enum { LONG_WORDS = 64 };       /* at this number of words a common divisor doubles the work */
 enum { ROOT_REFINEMENTS = 12 }; /* narrow enough to be told in a message */
 
+void quotients_init(quotients *q) {
+    for (int k = 0; k < 4; k++)
+        fmpz_poly_q_init(q->at[k]);
+}
+
+void quotients_clear(quotients *q) {
+    for (int k = 0; k < 4; k++)
+        fmpz_poly_q_clear(q->at[k]);
+}
+
 void calculation_spend(calculation *c, unsigned long work) {
-    if (c->status != GRAZE_OK) {
+    if (c->status != GRAZE_OK)
         return;
-    }
     unsigned long limit = c->context->limits[GRAZE_LIMIT_WORK];
     if (c->context->work > limit || work > limit - c->context->work) {
         c->status = context_limit(c->context, GRAZE_LIMIT_WORK,
@@ -44,9 +53,8 @@ unsigned long polynomial_work(const fmpz_poly_t p) {
 
 static void check(calculation *c, const fmpz_poly_t p) {
     const unsigned long *limits = c->context->limits;
-    if (c->status != GRAZE_OK) {
+    if (c->status != GRAZE_OK)
         return;
-    }
     if (fmpz_poly_degree(p) > (slong)limits[GRAZE_LIMIT_DEGREE]) {
         c->status =
             context_limit(c->context, GRAZE_LIMIT_DEGREE, "the degree of a rational function");
@@ -54,10 +62,9 @@ static void check(calculation *c, const fmpz_poly_t p) {
     }
     /* 3.322 > log2(10), so a number of `digits` digits always passes. */
     unsigned long bits = longest_bits(p);
-    if (bits > limits[GRAZE_LIMIT_DIGITS] * 3322 / 1000 + 1) {
+    if (bits > limits[GRAZE_LIMIT_DIGITS] * 3322 / 1000 + 1)
         c->status =
             context_limit(c->context, GRAZE_LIMIT_DIGITS, "a coefficient of a rational function");
-    }
     calculation_spend(c, work_of(p, bits));
 }
 
@@ -94,9 +101,8 @@ void quotient_mul(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, cons
 }
 
 void quotient_div(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, const fmpz_poly_q_t b) {
-    if (c->status != GRAZE_OK) {
+    if (c->status != GRAZE_OK)
         return;
-    }
     if (fmpz_poly_q_is_zero(b)) {
         c->status = context_fail(c->context, GRAZE_EINPUT, "division by the zero function");
         return;
@@ -129,9 +135,8 @@ static int is_plain_multiple(const fmpz_poly_t p, const fmpz_poly_t q) {
     slong n = fmpz_poly_degree(p);
     const fmpz *lead = fmpz_poly_lead(q);
     int number = fmpz_poly_degree(q) == 0;
-    if ((!number && fmpz_poly_degree(q) != n) || !fmpz_divisible(fmpz_poly_lead(p), lead)) {
+    if ((!number && fmpz_poly_degree(q) != n) || !fmpz_divisible(fmpz_poly_lead(p), lead))
         return 0;
-    }
     LOCAL_VEC(fmpz, factor, 2);
     fmpz *value = factor + 1;
     fmpz_divexact(factor, fmpz_poly_lead(p), lead);
@@ -150,9 +155,8 @@ static int is_plain_multiple(const fmpz_poly_t p, const fmpz_poly_t q) {
 /* Denominators of one motion are often multiples of one polynomial by numbers, or numbers: then no
  * divisor of polynomials is sought. */
 void polynomial_widen(fmpz_poly_t common, const fmpz_poly_t other) {
-    if (is_plain_multiple(common, other)) {
+    if (is_plain_multiple(common, other))
         return;
-    }
     if (is_plain_multiple(other, common)) {
         fmpz_poly_set(common, other);
         return;
@@ -174,9 +178,8 @@ void polynomial_widen(fmpz_poly_t common, const fmpz_poly_t other) {
 }
 
 void polynomial_narrow(fmpz_poly_t g, const fmpz_poly_t p) {
-    if (fmpz_poly_is_zero(p)) {
+    if (fmpz_poly_is_zero(p))
         return;
-    }
     if (fmpz_poly_is_zero(g)) {
         fmpz_poly_set(g, p);
         return;
@@ -187,9 +190,8 @@ void polynomial_narrow(fmpz_poly_t g, const fmpz_poly_t p) {
     }
     LOCAL(fmpz, content);
     fmpz_poly_content(content, g);
-    for (slong k = fmpz_poly_length(p); k-- > 0 && !fmpz_is_one(content);) {
+    for (slong k = fmpz_poly_length(p); k-- > 0 && !fmpz_is_one(content);)
         fmpz_gcd(content, content, p->coeffs + k);
-    }
     fmpz_poly_set_fmpz(g, content);
 }
 
@@ -224,13 +226,11 @@ void quotient_power(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, co
     fmpz_poly_q_one(out);
     for (ulong bit = fmpz_bits(size); bit-- > 0 && c->status == GRAZE_OK;) {
         quotient_mul(c, out, out, out);
-        if (fmpz_tstbit(size, bit)) {
+        if (fmpz_tstbit(size, bit))
             quotient_mul(c, out, out, base);
-        }
     }
-    if (fmpz_sgn(n) < 0) {
+    if (fmpz_sgn(n) < 0)
         quotient_div(c, out, one, out);
-    }
 }
 
 void quotient_set_rational(fmpz_poly_q_t out, const fmpq_t value) {
@@ -290,19 +290,16 @@ int quotient_square_root(fmpz_poly_q_t out, const fmpz_poly_q_t a) {
 graze_status polynomial_root(int *found, fmpq_t low, fmpq_t high, graze_context *context,
                              const fmpz_poly_t p) {
     *found = 0;
-    if (fmpz_poly_degree(p) <= 0) {
+    if (fmpz_poly_degree(p) <= 0)
         return GRAZE_OK;
-    }
     HELD(dyadic_interval, unit);
     dyadic_interval_set_si(&unit, 0, 1);
     HELD(algebraic_list, roots);
-    graze_status status = algebraic_roots(&roots, context, p, &unit);
-    *found = status == GRAZE_OK && roots.count > 0;
-    if (*found) {
-        for (int k = 0; k < ROOT_REFINEMENTS; k++) {
-            algebraic_refine(&roots.item[0]);
-        }
+    TRY(algebraic_roots(&roots, context, p, &unit));
+    *found = roots.count > 0;
+    for (int k = 0; k < ROOT_REFINEMENTS && *found; k++)
+        algebraic_refine(&roots.item[0]);
+    if (*found)
         algebraic_bounds(low, high, &roots.item[0]);
-    }
-    return status;
+    return GRAZE_OK;
 }

@@ -25,28 +25,25 @@ static graze_status read_form(form *out, graze_context *context, const json *tra
     TRY(json_members(member, context, transform, names, KEYS));
     *out = (form){.kind = KINDS, .center = member[CENTER]};
     for (int kind = 0; kind < KINDS; kind++) {
-        if (member[kind] != NULL && out->value != NULL) {
+        if (member[kind] != NULL && out->value != NULL)
             return json_fail(context, GRAZE_EINPUT, transform,
                              "%s and %s exclude each other; combine them by compose",
                              names[out->kind], names[kind]);
-        }
         if (member[kind] != NULL) {
             out->kind = kind;
             out->value = member[kind];
         }
     }
-    if (out->value == NULL) {
+    if (out->value == NULL)
         return json_fail(
             context, GRAZE_EINPUT, transform,
             "no transform; expected one of matrix, translate, rotate, turn, quaternion, scale, "
             "compose");
-    }
-    if (out->center != NULL && out->kind != QUATERNION && out->kind != SCALE) {
+    if (out->center != NULL && out->kind != QUATERNION && out->kind != SCALE)
         return json_fail(context, GRAZE_EINPUT, out->center,
                          "center stands beside quaternion or scale, or inside rotate or turn, not "
                          "beside %s",
                          names[out->kind]);
-    }
     return GRAZE_OK;
 }
 
@@ -55,9 +52,8 @@ void cut_list_init(cut_list *cuts) {
 }
 
 void cut_list_clear(cut_list *cuts) {
-    for (size_t k = 0; k < cuts->capacity; k++) {
+    for (size_t k = 0; k < cuts->capacity; k++)
         fmpq_clear(&cuts->place[k]);
-    }
     free(cuts->place);
     cut_list_init(cuts);
 }
@@ -67,12 +63,10 @@ static graze_status add_cuts(cut_list *cuts, graze_context *context, size_t n) {
     size_t first = cuts->capacity;
     graze_status status = array_grow(context, &cuts->place, &cuts->capacity, cuts->count + n + 1,
                                      sizeof *cuts->place, "the cuts of a piece");
-    for (size_t k = first; k < cuts->capacity; k++) {
+    for (size_t k = first; k < cuts->capacity; k++)
         fmpq_init(&cuts->place[k]);
-    }
-    for (size_t k = 0; k <= n && status == GRAZE_OK; k++) {
+    for (size_t k = 0; k <= n && status == GRAZE_OK; k++)
         fmpq_set_si(&cuts->place[cuts->count++], (slong)k, n);
-    }
     return status;
 }
 
@@ -83,11 +77,9 @@ static int compare_places(const void *a, const void *b) {
 static void sort_cuts(cut_list *cuts) {
     qsort(cuts->place, cuts->count, sizeof *cuts->place, compare_places);
     size_t kept = 1;
-    for (size_t k = 1; k < cuts->count; k++) {
-        if (!fmpq_equal(&cuts->place[k], &cuts->place[kept - 1])) {
+    for (size_t k = 1; k < cuts->count; k++)
+        if (!fmpq_equal(&cuts->place[k], &cuts->place[kept - 1]))
             fmpq_swap(&cuts->place[kept++], &cuts->place[k]);
-        }
-    }
     cuts->count = kept;
 }
 
@@ -96,49 +88,42 @@ static int has_cuts(const cut_list *cuts, const fmpz_t n) {
     LOCAL(fmpq, first);
     fmpz_one(fmpq_numref(first));
     fmpz_set(fmpq_denref(first), n);
-    int found =
-        bsearch(first, cuts->place, cuts->count, sizeof *cuts->place, compare_places) != NULL;
-    return found;
+    return bsearch(first, cuts->place, cuts->count, sizeof *cuts->place, compare_places) != NULL;
 }
 
 static graze_status cut_turn(cut_list *cuts, graze_context *context, const json *turn) {
     unsigned long limit = context->limits[GRAZE_LIMIT_PIECES];
     LOCAL(fmpz, quarters);
-    graze_status status = rotation_quarters(quarters, context, turn);
+    TRY(rotation_quarters(quarters, context, turn));
     fmpz_abs(quarters, quarters);
-    if (status == GRAZE_OK && fmpz_cmp_ui(quarters, limit) > 0) {
-        context_limit(context, GRAZE_LIMIT_PIECES, "quarters");
-        status = json_at(context, GRAZE_ELIMIT, turn);
-    }
-    if (status == GRAZE_OK && !fmpz_is_zero(quarters) && !has_cuts(cuts, quarters)) {
-        status = add_cuts(cuts, context, fmpz_get_ui(quarters));
+    if (fmpz_cmp_ui(quarters, limit) > 0)
+        return json_at(context, context_limit(context, GRAZE_LIMIT_PIECES, "quarters"), turn);
+    if (!fmpz_is_zero(quarters) && !has_cuts(cuts, quarters)) {
+        TRY(add_cuts(cuts, context, fmpz_get_ui(quarters)));
         sort_cuts(cuts);
     }
-    if (status == GRAZE_OK && cuts->count - 1 > limit) {
-        context_limit(context, GRAZE_LIMIT_PIECES, "parts cut by turns");
-        status = json_at(context, GRAZE_ELIMIT, turn);
-    }
-    return status;
+    if (cuts->count - 1 > limit)
+        return json_at(context, context_limit(context, GRAZE_LIMIT_PIECES, "parts cut by turns"),
+                       turn);
+    return GRAZE_OK;
 }
 
 static graze_status collect_cuts(cut_list *cuts, graze_context *context, const json *transform) {
     form f;
     TRY(read_form(&f, context, transform));
-    if (f.kind == TURN) {
+    if (f.kind == TURN)
         return cut_turn(cuts, context, f.value);
-    }
     if (f.kind == COMPOSE) {
         TRY(json_array(context, f.value, 0));
-        for (const json *step = f.value->first; step != NULL; step = step->next) {
+        for (const json *step = f.value->first; step != NULL; step = step->next)
             TRY(collect_cuts(cuts, context, step));
-        }
     }
     return GRAZE_OK;
 }
 
 graze_status transform_cuts(cut_list *cuts, graze_context *context, const json *transform) {
-    graze_status status = add_cuts(cuts, context, 1);
-    return status == GRAZE_OK ? collect_cuts(cuts, context, transform) : status;
+    TRY(add_cuts(cuts, context, 1));
+    return collect_cuts(cuts, context, transform);
 }
 
 /* The row below an affine matrix, written out, can only be 0 ... 0 1. */
@@ -149,10 +134,9 @@ static graze_status check_last_row(graze_context *context, const json *row, cons
     const json *item = row->first;
     for (int j = 0; j <= d; j++, item = item->next) {
         TRY(entry_function(entry, context, item, part));
-        if (!(j < d ? fmpz_poly_q_is_zero(entry) : fmpz_poly_q_is_one(entry))) {
+        if (!(j < d ? fmpz_poly_q_is_zero(entry) : fmpz_poly_q_is_one(entry)))
             return json_fail(context, GRAZE_EINPUT, item,
                              "the last row of a matrix is 0 ... 0 1; expected %d here", j == d);
-        }
     }
     return GRAZE_OK;
 }
@@ -162,31 +146,24 @@ static graze_status check_regular(affine *a, graze_context *context, const json 
     calculation c = {context, GRAZE_OK};
     LOCAL(fmpz_poly_q, determinant);
     affine_determinant(&c, determinant, a);
-    if (c.status == GRAZE_OK) {
-        c.status = entry_no_root(context, where, fmpz_poly_q_numref(determinant), part->lo,
-                                 part->hi, "the determinant is zero");
-    }
-    return c.status;
+    TRY(c.status);
+    return entry_no_root(context, where, fmpz_poly_q_numref(determinant), part->lo, part->hi,
+                         "the determinant is zero");
 }
 
 static graze_status read_matrix(affine *out, graze_context *context, const json *value,
                                 const stretch *part) {
     int d = part->dimension;
-    graze_status status = json_array(context, value, 0);
-    if (status == GRAZE_OK && value->count != (size_t)d && value->count != (size_t)d + 1) {
-        status = json_fail(context, GRAZE_EINPUT, value,
-                           "expected a matrix of %d or %d rows, not %zu", d, d + 1, value->count);
-    }
+    TRY(json_array(context, value, 0));
+    if (value->count != (size_t)d && value->count != (size_t)d + 1)
+        return json_fail(context, GRAZE_EINPUT, value,
+                         "expected a matrix of %d or %d rows, not %zu", d, d + 1, value->count);
     const json *row = value->first;
-    for (int i = 0; i < d && status == GRAZE_OK; i++, row = row->next) {
-        status = entry_vector(out->entry + i * (d + 1), context, row, (size_t)d + 1, part);
-    }
-    if (status == GRAZE_OK && row != NULL) {
-        status = check_last_row(context, row, part);
-    }
-    return status == GRAZE_OK && part->fault == FAULT_SINGULAR
-               ? check_regular(out, context, value, part)
-               : status;
+    for (int i = 0; i < d; i++, row = row->next)
+        TRY(entry_vector(out->entry + i * (d + 1), context, row, (size_t)d + 1, part));
+    if (row != NULL)
+        TRY(check_last_row(context, row, part));
+    return part->fault == FAULT_SINGULAR ? check_regular(out, context, value, part) : GRAZE_OK;
 }
 
 static graze_status read_translation(affine *out, graze_context *context, const json *value,
@@ -194,9 +171,8 @@ static graze_status read_translation(affine *out, graze_context *context, const 
     int d = part->dimension;
     TRY(json_array(context, value, (size_t)d));
     const json *item = value->first;
-    for (int i = 0; i < d; i++, item = item->next) {
+    for (int i = 0; i < d; i++, item = item->next)
         TRY(entry_finite(affine_at(out, i, d), context, item, part));
-    }
     return GRAZE_OK;
 }
 
@@ -209,27 +185,11 @@ static graze_status read_scale(affine *out, graze_context *context, const json *
     for (int i = 0; i < d; i++, item = each ? item->next : item) {
         fmpz_poly_q_struct *factor = affine_at(out, i, i);
         TRY(entry_finite(factor, context, item, part));
-        if (part->fault == FAULT_SINGULAR) {
+        if (part->fault == FAULT_SINGULAR)
             TRY(entry_no_root(context, item, fmpz_poly_q_numref(factor), part->lo, part->hi,
                               "the scale is zero"));
-        }
     }
     return GRAZE_OK;
-}
-
-static graze_status read_center(affine *out, graze_context *context, const json *center,
-                                const stretch *part) {
-    fmpz_poly_q_t about[3];
-    for (int k = 0; k < 3; k++) {
-        fmpz_poly_q_init(about[k]);
-    }
-    calculation c = {context, GRAZE_OK};
-    c.status = entry_vector(about, context, center, (size_t)part->dimension, part);
-    affine_about(&c, out, about);
-    for (int k = 0; k < 3; k++) {
-        fmpz_poly_q_clear(about[k]);
-    }
-    return c.status;
 }
 
 /* The product of some steps that follow one another. */
@@ -242,9 +202,8 @@ typedef struct run {
 static void join_runs(calculation *c, run *runs, size_t *count, const json *item) {
     run *earlier = runs + *count - 2, *later = earlier + 1;
     affine_multiply(c, &earlier->map, &later->map, &earlier->map);
-    if (c->status != GRAZE_OK) {
+    if (c->status != GRAZE_OK)
         json_at(c->context, c->status, item);
-    }
     earlier->steps += later->steps;
     affine_clear(&later->map);
     --*count;
@@ -260,41 +219,29 @@ static graze_status compose_runs(affine *out, graze_context *context, const json
         affine_init(&runs[count].map, part->dimension);
         runs[count].steps = 1;
         c.status = transform_map(&runs[count++].map, context, item, part);
-        while (c.status == GRAZE_OK && count > 1 &&
-               runs[count - 2].steps == runs[count - 1].steps) {
+        while (c.status == GRAZE_OK && count > 1 && runs[count - 2].steps == runs[count - 1].steps)
             join_runs(&c, runs, &count, item);
-        }
     }
-    while (c.status == GRAZE_OK && count > 1) {
+    while (c.status == GRAZE_OK && count > 1)
         join_runs(&c, runs, &count, value->last);
-    }
-    if (c.status == GRAZE_OK && count == 1) {
+    if (c.status == GRAZE_OK && count == 1)
         affine_set(out, &runs[0].map);
-    }
-    while (count > 0) {
+    while (count > 0)
         affine_clear(&runs[--count].map);
-    }
     return c.status;
 }
 
 static graze_status read_compose(affine *out, graze_context *context, const json *value,
                                  const stretch *part) {
-    graze_status status = json_array(context, value, 0);
-    if (status != GRAZE_OK) {
-        return status;
-    }
+    TRY(json_array(context, value, 0));
     /* Lengths are powers of two, each there once but for the run that has just come. */
     size_t most = 2;
-    for (size_t n = value->count; n > 0; n /= 2) {
+    for (size_t n = value->count; n > 0; n /= 2)
         most++;
-    }
-    run *runs = malloc(most * sizeof *runs);
-    if (runs == NULL) {
+    FREED(run, runs, malloc(most * sizeof *runs));
+    if (runs == NULL)
         return context_fail(context, GRAZE_ESYSTEM, "no memory for the steps of a transform");
-    }
-    status = compose_runs(out, context, value, part, runs);
-    free(runs);
-    return status;
+    return compose_runs(out, context, value, part, runs);
 }
 
 graze_status transform_map(affine *out, graze_context *context, const json *transform,
@@ -309,12 +256,8 @@ graze_status transform_map(affine *out, graze_context *context, const json *tran
                                                                  [SCALE] = read_scale,
                                                                  [COMPOSE] = read_compose};
     form f;
-    graze_status status = read_form(&f, context, transform);
-    if (status != GRAZE_OK) {
-        return status;
-    }
+    TRY(read_form(&f, context, transform));
     affine_identity(out);
-    status = read[f.kind](out, context, f.value, part);
-    return status == GRAZE_OK && f.center != NULL ? read_center(out, context, f.center, part)
-                                                  : status;
+    TRY(read[f.kind](out, context, f.value, part));
+    return f.center != NULL ? about_center(out, context, f.center, part) : GRAZE_OK;
 }

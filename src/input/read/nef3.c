@@ -1,10 +1,11 @@
 /* Nef polyhedra: a bounded, regular closed one becomes a soup of its vertices and facets.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * A half-facet lies on the boundary of its volume, so the half-facet of an unmarked volume looks
- * outside, and its cycles are outward oriented. A pair of half-facets is one facet, in the order of
- * the pair's first. An edge of another part that rests in a facet stays in its cycles, run through
- * both ways; a vertex that only touches a facet is left out there.
+ * The normal of a half-facet points into its volume, so the half-facet of an unmarked volume has
+ * the outward normal, and its cycles run as those of a solid do. Each pair of half-facets becomes
+ * one facet; facets come in the order of the first of each pair. An edge of another part that lies
+ * in a facet stays in the facet's cycles, run through both ways; a vertex that only touches the
+ * facet is left out.
  *
  * The text is homogeneous integers, so the rounding of the context acts on the quotients, after
  * vertices were found to lie in their planes.
@@ -20,16 +21,13 @@ static graze_status illegal(const nef *n, const char *kind, size_t index, const 
 
 static graze_status check_volume_marks(const nef *n) {
     size_t marked = 0;
-    for (size_t c = 0; c < n->count[NEF_VOLUME]; c++) {
+    for (size_t c = 0; c < n->count[NEF_VOLUME]; c++)
         marked += (size_t)n->volume[c].mark;
-    }
-    if (n->count[NEF_VOLUME] == 0) {
+    if (n->count[NEF_VOLUME] == 0)
         return nef_fail(n, GRAZE_EINPUT, "there are no volumes; expected at least the outer one");
-    }
-    if (n->volume[0].mark) {
+    if (n->volume[0].mark)
         return nef_fail(n, GRAZE_EILLEGAL,
                         "unbounded: the outer volume is marked; expected a bounded solid");
-    }
     return marked > 0 ? GRAZE_OK
                       : nef_fail(n, GRAZE_EILLEGAL, "empty interior: no volume is marked");
 }
@@ -38,44 +36,34 @@ static graze_status check_facets(const nef *n) {
     for (size_t f = 0; f < n->count[NEF_HALFFACET]; f++) {
         const nef_halffacet *item = n->halffacet + f;
         int here = n->volume[item->volume].mark;
-        if (here == n->volume[n->halffacet[item->twin].volume].mark) {
+        if (here == n->volume[n->halffacet[item->twin].volume].mark)
             return illegal(n, "half-facet", f,
                            here ? "lies inside marked volumes; expected a regular closed set, "
                                   "without such a facet"
                                 : "is dangling: both its volumes are unmarked");
-        }
-        if (!item->mark) {
+        if (!item->mark)
             return illegal(n, "half-facet", f,
                            "is not marked; expected a closed set, with its boundary");
-        }
     }
     return GRAZE_OK;
 }
 
-/* Refuse a complex, of links already checked, that is unbounded, not regular closed or empty. */
+/* Refuse a complex that is unbounded, not regular closed or empty. Its links are checked before. */
 static graze_status check_solid(const nef *n) {
-    graze_status status = check_volume_marks(n);
-    if (status == GRAZE_OK) {
-        status = check_facets(n);
-    }
-    for (size_t e = 0; e < n->count[NEF_HALFEDGE] && status == GRAZE_OK; e++) {
-        if (n->halfedge[e].isolated) {
-            status = illegal(n, "half-edge", e, "lies in no facet; expected a regular closed set");
-        } else if (!n->halfedge[e].mark) {
-            status = illegal(n, "half-edge", e,
-                             "is not marked; expected a closed set, with its boundary");
-        }
-    }
-    for (size_t v = 0; v < n->count[NEF_VERTEX] && status == GRAZE_OK; v++) {
+    static const char open[] = "is not marked; expected a closed set, with its boundary";
+    static const char thin[] = "lies in no facet; expected a regular closed set";
+    TRY(check_volume_marks(n));
+    TRY(check_facets(n));
+    for (size_t e = 0; e < n->count[NEF_HALFEDGE]; e++)
+        if (n->halfedge[e].isolated || !n->halfedge[e].mark)
+            return illegal(n, "half-edge", e, n->halfedge[e].isolated ? thin : open);
+    for (size_t v = 0; v < n->count[NEF_VERTEX]; v++) {
         const nef_vertex *item = n->vertex + v;
-        if (item->part[0][0] == NEF_NONE && item->loop == NEF_NONE) {
-            status = illegal(n, "vertex", v, "lies in no facet; expected a regular closed set");
-        } else if (!item->mark) {
-            status =
-                illegal(n, "vertex", v, "is not marked; expected a closed set, with its boundary");
-        }
+        int alone = item->part[0][0] == NEF_NONE && item->loop == NEF_NONE;
+        if (alone || !item->mark)
+            return illegal(n, "vertex", v, alone ? thin : open);
     }
-    return status;
+    return GRAZE_OK;
 }
 
 static size_t nef_corner(const nef *n, size_t e) {
@@ -99,17 +87,11 @@ static int in_plane(const nef *n, size_t f, size_t v) {
     return fmpq_is_zero(value);
 }
 
-/* Twice a cycle's area vector, measured along the plane's normal; only its sign matters. Offsets
- * are taken from the first corner, which keeps numbers small. */
+/* The sign of a cycle's area vector along the plane's normal: positive if the cycle runs
+ * counter-clockwise about it. Corners are taken from the first one, which keeps numbers small. */
 static int cycle_sign(const nef *n, size_t f, size_t entry) {
-    fmpq a[3], b[3], cross[3], term[1], sum[1];
-    fmpq *const all[5] = {a, b, cross, term, sum};
-    static const int sizes[5] = {3, 3, 3, 1, 1};
-    for (int i = 0; i < 5; i++) {
-        for (int k = 0; k < sizes[i]; k++) {
-            fmpq_init(all[i] + k);
-        }
-    }
+    LOCAL_VEC(fmpq, a, 11);
+    fmpq *b = a + 3, *cross = b + 3, *term = cross + 3, *sum = term + 1;
     const fmpq *origin = n->point + 3 * nef_corner(n, entry);
     for (size_t e = n->shalfedge[entry].next; e != entry; e = n->shalfedge[e].next) {
         const fmpq *next = n->point + 3 * nef_corner(n, n->shalfedge[e].next);
@@ -125,13 +107,7 @@ static int cycle_sign(const nef *n, size_t f, size_t entry) {
         along_normal(term, n->plane + 4 * f, cross);
         fmpq_add(sum, sum, term);
     }
-    int sign = fmpq_sgn(sum);
-    for (int i = 0; i < 5; i++) {
-        for (int k = 0; k < sizes[i]; k++) {
-            fmpq_clear(all[i] + k);
-        }
-    }
-    return sign;
+    return fmpq_sgn(sum);
 }
 
 /* Check a facet's corners against its plane, and find its outer cycle: the one that runs
@@ -142,10 +118,9 @@ static graze_status find_outer(const nef *n, size_t f, size_t *outer) {
     for (size_t k = 0; k < item->cycle.count; k++) {
         size_t entry = n->list[item->cycle.first + k], e = entry;
         do {
-            if (!in_plane(n, f, nef_corner(n, e))) {
+            if (!in_plane(n, f, nef_corner(n, e)))
                 return nef_fail(n, GRAZE_EINPUT, "half-facet %zu: vertex %zu is not in its plane",
                                 f, nef_corner(n, e));
-            }
             e = n->shalfedge[e].next;
         } while (e != entry);
         if (cycle_sign(n, f, entry) > 0) {
@@ -156,11 +131,10 @@ static graze_status find_outer(const nef *n, size_t f, size_t *outer) {
     for (size_t k = 0; k < item->loop.count; k++) {
         size_t l = n->list[item->loop.first + k];
         size_t v = n->sface[n->shalfloop[l].sface].vertex;
-        if (!in_plane(n, f, v)) {
+        if (!in_plane(n, f, v))
             return nef_fail(n, GRAZE_EINPUT,
                             "half-facet %zu: vertex %zu, which touches it, is not in its plane", f,
                             v);
-        }
     }
     return found == 1 ? GRAZE_OK
                       : nef_fail(n, GRAZE_EINPUT,
@@ -170,15 +144,13 @@ static graze_status find_outer(const nef *n, size_t f, size_t *outer) {
 }
 
 static graze_status add_cycle(soup *s, const nef *n, size_t entry) {
-    graze_status status = soup_add_cycle(s, n->l.context, NULL, 0);
     size_t e = entry;
+    TRY(soup_add_cycle(s, n->l.context, NULL, 0));
     do {
-        if (status == GRAZE_OK) {
-            status = soup_add_index(s, n->l.context, nef_corner(n, e));
-        }
+        TRY(soup_add_index(s, n->l.context, nef_corner(n, e)));
         e = n->shalfedge[e].next;
-    } while (e != entry && status == GRAZE_OK);
-    return status;
+    } while (e != entry);
+    return GRAZE_OK;
 }
 
 /* The facet whose outward half-facet is f; its outer cycle comes first. */
@@ -189,31 +161,27 @@ static graze_status add_facet(soup *s, const nef *n, size_t f) {
     TRY(find_outer(n, f, &outer));
     TRY(soup_add_facet(s, n->l.context));
     TRY(add_cycle(s, n, entry[outer]));
-    for (size_t k = 0; k < item->cycle.count; k++) {
+    for (size_t k = 0; k < item->cycle.count; k++)
         TRY(k == outer ? GRAZE_OK : add_cycle(s, n, entry[k]));
-    }
     return GRAZE_OK;
 }
 
 static graze_status make_soup(soup *s, nef *n, graze_rounding rounding) {
-    graze_status status = GRAZE_OK;
-    for (size_t f = 0; f < n->count[NEF_HALFFACET] && status == GRAZE_OK; f++) {
+    graze_context *context = n->l.context;
+    for (size_t f = 0; f < n->count[NEF_HALFFACET]; f++) {
         size_t twin = n->halffacet[f].twin;
-        if (f < twin) {
-            status = add_facet(s, n, n->volume[n->halffacet[f].volume].mark ? twin : f);
-        }
+        if (f < twin)
+            TRY(add_facet(s, n, n->volume[n->halffacet[f].volume].mark ? twin : f));
     }
-    for (size_t v = 0; v < n->count[NEF_VERTEX] && status == GRAZE_OK; v++) {
-        for (int k = 0; k < 3 && status == GRAZE_OK; k++) {
-            status = rational_round(n->point + 3 * v + k, n->l.context, rounding);
+    for (size_t v = 0; v < n->count[NEF_VERTEX]; v++) {
+        for (int k = 0; k < 3; k++) {
+            graze_status status = rational_round(n->point + 3 * v + k, context, rounding);
+            context_item(context, status, "vertex", v, NULL);
+            TRY(context_in(context, status, n->l.path, 0));
         }
-        if (status != GRAZE_OK) {
-            context_item(n->l.context, status, "vertex", v, NULL);
-            return context_in(n->l.context, status, n->l.path, 0);
-        }
-        status = soup_add_vertex(s, n->l.context, n->point + 3 * v);
+        TRY(soup_add_vertex(s, context, n->point + 3 * v));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status read_nef3(soup *s, graze_context *context, const char *path, const char *text,
@@ -223,15 +191,12 @@ graze_status read_nef3(soup *s, graze_context *context, const char *path, const 
     context->rounding = GRAZE_ROUND_NONE;
     graze_status status = nef_parse(&n, context, path, text, length);
     context->rounding = rounding;
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = nef_check_links(&n);
-    }
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = check_solid(&n);
-    }
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = make_soup(s, &n, rounding);
-    }
     nef_clear(&n);
     return status;
 }

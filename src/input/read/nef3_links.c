@@ -22,7 +22,7 @@ static size_t owner(const nef *n, int part, size_t k) {
     return part == 0 ? n->halfedge[k].source : part == 1 ? centre(n, k) : n->sface[k].vertex;
 }
 
-/* Each vertex's ranges hold things of its own, and together they hold all things. */
+/* A vertex's ranges hold half-edges, shalfedges and sfaces of its own, and all ranges hold all. */
 static graze_status check_vertices(const nef *n) {
     static const enum nef_kind kinds[3] = {NEF_HALFEDGE, NEF_SHALFEDGE, NEF_SFACE};
     size_t held[3] = {0, 0, 0}, loops = 0;
@@ -30,29 +30,24 @@ static graze_status check_vertices(const nef *n) {
         const nef_vertex *item = n->vertex + v;
         for (int part = 0; part < 3; part++) {
             size_t first = item->part[part][0], last = item->part[part][1];
-            if ((first == NEF_NONE) != (last == NEF_NONE) || first > last) {
+            if ((first == NEF_NONE) != (last == NEF_NONE) || first > last)
                 return wrong_link(n, "vertex", v, "a range ends before it begins");
-            }
             for (size_t k = first; first != NEF_NONE && k <= last; k++) {
-                if (owner(n, part, k) != v) {
+                if (owner(n, part, k) != v)
                     return wrong_link(n, "vertex", v,
                                       "a range holds what belongs to another vertex");
-                }
                 held[part]++;
             }
         }
-        if (item->loop != NEF_NONE && n->sface[n->shalfloop[item->loop].sface].vertex != v) {
+        if (item->loop != NEF_NONE && n->sface[n->shalfloop[item->loop].sface].vertex != v)
             return wrong_link(n, "vertex", v, "its shalfloop belongs to another vertex");
-        }
         loops += item->loop != NEF_NONE;
     }
-    for (int part = 0; part < 3; part++) {
-        if (held[part] != n->count[kinds[part]]) {
+    for (int part = 0; part < 3; part++)
+        if (held[part] != n->count[kinds[part]])
             return nef_fail(n, GRAZE_EINPUT,
                             "the vertices' ranges leave out half-edges, "
                             "shalfedges or sfaces");
-        }
-    }
     return 2 * loops == n->count[NEF_SHALFLOOP]
                ? GRAZE_OK
                : nef_fail(n, GRAZE_EINPUT, "the vertices leave out shalfloops");
@@ -62,18 +57,15 @@ static graze_status check_halfedges(const nef *n) {
     for (size_t e = 0; e < n->count[NEF_HALFEDGE]; e++) {
         const nef_halfedge *item = n->halfedge + e;
         const nef_halfedge *twin = n->halfedge + item->twin;
-        if (twin->twin != e || twin->source == item->source) {
+        if (twin->twin != e || twin->source == item->source)
             return wrong_link(n, "half-edge", e,
                               "its twin is not that of an edge to another vertex");
-        }
-        if (twin->mark != item->mark || twin->isolated != item->isolated) {
+        if (twin->mark != item->mark || twin->isolated != item->isolated)
             return wrong_link(n, "half-edge", e,
                               "its twin has another mark, or lies in a facet alone");
-        }
         if (item->isolated ? n->sface[item->incident].vertex != item->source
-                           : n->shalfedge[item->incident].source != e) {
+                           : n->shalfedge[item->incident].source != e)
             return wrong_link(n, "half-edge", e, "the sface or shalfedge it names is not at it");
-        }
     }
     return GRAZE_OK;
 }
@@ -81,33 +73,25 @@ static graze_status check_halfedges(const nef *n) {
 static graze_status check_shalfedge(const nef *n, size_t e) {
     const nef_shalfedge *all = n->shalfedge, *item = all + e;
     const nef_halfedge *source = n->halfedge + item->source;
-    if (all[item->twin].twin != e || item->twin == e) {
+    if (all[item->twin].twin != e || item->twin == e)
         return wrong_link(n, "shalfedge", e, "its twin does not answer");
-    }
-    if (all[item->snext].sprev != e || all[item->sprev].snext != e) {
+    if (all[item->snext].sprev != e || all[item->sprev].snext != e)
         return wrong_link(n, "shalfedge", e, "sprev and snext do not answer one another");
-    }
-    if (all[item->next].prev != e || all[item->prev].next != e) {
+    if (all[item->next].prev != e || all[item->prev].next != e)
         return wrong_link(n, "shalfedge", e, "prev and next do not answer one another");
-    }
     if (source->isolated || centre(n, item->twin) != source->source ||
-        n->sface[item->sface].vertex != source->source) {
+        n->sface[item->sface].vertex != source->source)
         return wrong_link(n, "shalfedge", e, "its ends and its sface are not at one vertex");
-    }
-    if (all[item->snext].source != all[item->twin].source ||
-        all[item->snext].sface != item->sface) {
+    if (all[item->snext].source != all[item->twin].source || all[item->snext].sface != item->sface)
         return wrong_link(n, "shalfedge", e, "snext does not go on around its sface");
-    }
     if (all[item->next].source != n->halfedge[all[item->twin].source].twin ||
-        all[item->next].facet != item->facet) {
+        all[item->next].facet != item->facet)
         return wrong_link(n, "shalfedge", e, "next does not go on along the edge of its facet");
-    }
     const nef_halffacet *facet = n->halffacet + item->facet;
     if (all[item->twin].facet != facet->twin || facet->mark != item->mark ||
-        n->sface[all[item->twin].sface].volume != facet->volume) {
+        n->sface[all[item->twin].sface].volume != facet->volume)
         return wrong_link(n, "shalfedge", e,
                           "its facet, or the twin's, has another twin, mark or volume");
-    }
     return GRAZE_OK;
 }
 
@@ -115,23 +99,20 @@ static graze_status check_shalfloop(const nef *n, size_t l) {
     const nef_shalfloop *item = n->shalfloop + l, *twin = n->shalfloop + item->twin;
     const nef_halffacet *facet = n->halffacet + item->facet;
     if (twin->twin != l || item->twin == l ||
-        n->sface[twin->sface].vertex != n->sface[item->sface].vertex) {
+        n->sface[twin->sface].vertex != n->sface[item->sface].vertex)
         return wrong_link(n, "shalfloop", l, "its twin does not answer at the same vertex");
-    }
     if (twin->facet != facet->twin || facet->mark != item->mark ||
-        n->sface[twin->sface].volume != facet->volume) {
+        n->sface[twin->sface].volume != facet->volume)
         return wrong_link(n, "shalfloop", l,
                           "its facet, or the twin's, has another twin, mark or volume");
-    }
     return GRAZE_OK;
 }
 
 /* Tick off the orbit of shalfedge e; 0 if it was met before. */
 static int tick_orbit(const nef *n, unsigned char *met, size_t e, int on_sphere) {
     int fresh = !met[e];
-    for (size_t k = e; !met[k]; k = on_sphere ? n->shalfedge[k].snext : n->shalfedge[k].next) {
+    for (size_t k = e; !met[k]; k = on_sphere ? n->shalfedge[k].snext : n->shalfedge[k].next)
         met[k] = 1;
-    }
     return fresh;
 }
 
@@ -140,9 +121,8 @@ static int tick_loops(const nef *n, unsigned char *met, nef_list list, size_t ho
     for (size_t k = 0; k < list.count; k++) {
         size_t l = n->list[list.first + k];
         size_t named = on_sphere ? n->shalfloop[l].sface : n->shalfloop[l].facet;
-        if (met[l] || named != home) {
+        if (met[l] || named != home)
             return 0;
-        }
         met[l] = 1;
     }
     return 1;
@@ -152,9 +132,8 @@ static int tick_arcs(const nef *n, unsigned char *met, nef_list list, size_t hom
     for (size_t k = 0; k < list.count; k++) {
         size_t e = n->list[list.first + k];
         size_t named = on_sphere ? n->shalfedge[e].sface : n->shalfedge[e].facet;
-        if (named != home || !tick_orbit(n, met, e, on_sphere)) {
+        if (named != home || !tick_orbit(n, met, e, on_sphere))
             return 0;
-        }
     }
     return 1;
 }
@@ -162,20 +141,18 @@ static int tick_arcs(const nef *n, unsigned char *met, nef_list list, size_t hom
 static int tick_points(const nef *n, unsigned char *met, nef_list list, size_t sface) {
     for (size_t k = 0; k < list.count; k++) {
         size_t e = n->list[list.first + k];
-        if (met[e] || !n->halfedge[e].isolated || n->halfedge[e].incident != sface) {
+        if (met[e] || !n->halfedge[e].isolated || n->halfedge[e].incident != sface)
             return 0;
-        }
         met[e] = 1;
     }
     return 1;
 }
 
-/* The first thing not met; `count` if all are. */
+/* The first that was not met; `count` if all were. */
 static size_t first_left(const unsigned char *met, size_t count) {
     size_t k = 0;
-    while (k < count && met[k]) {
+    while (k < count && met[k])
         k++;
-    }
     return k;
 }
 
@@ -199,23 +176,19 @@ static graze_status check_halffacets(const nef *n, unsigned char *arc, unsigned 
     for (size_t f = 0; f < n->count[NEF_HALFFACET]; f++) {
         const nef_halffacet *item = n->halffacet + f;
         const nef_halffacet *twin = n->halffacet + item->twin;
-        if (twin->twin != f || item->twin == f || twin->mark != item->mark) {
+        if (twin->twin != f || item->twin == f || twin->mark != item->mark)
             return wrong_link(n, "half-facet", f, "its twin does not answer with the same mark");
-        }
-        if (!planes_opposite(n->plane + 4 * f, n->plane + 4 * item->twin)) {
+        if (!planes_opposite(n->plane + 4 * f, n->plane + 4 * item->twin))
             return wrong_link(n, "half-facet", f,
                               "its plane is not the twin's with its sides exchanged");
-        }
         if (item->cycle.count == 0 || !tick_arcs(n, arc, item->cycle, f, 0) ||
-            !tick_loops(n, loop, item->loop, f, 0)) {
+            !tick_loops(n, loop, item->loop, f, 0))
             return wrong_link(n, "half-facet", f,
                               "its cycles are none, another facet's, or listed twice");
-        }
     }
     size_t left = first_left(arc, n->count[NEF_SHALFEDGE]);
-    if (left < n->count[NEF_SHALFEDGE]) {
+    if (left < n->count[NEF_SHALFEDGE])
         return wrong_link(n, "shalfedge", left, "no half-facet lists its cycle");
-    }
     left = first_left(loop, n->count[NEF_SHALFLOOP]);
     return left == n->count[NEF_SHALFLOOP]
                ? GRAZE_OK
@@ -226,75 +199,54 @@ static graze_status check_sfaces(const nef *n, unsigned char *arc, unsigned char
                                  unsigned char *point) {
     for (size_t f = 0; f < n->count[NEF_SFACE]; f++) {
         const nef_sface *item = n->sface + f;
-        if (item->mark != n->volume[item->volume].mark) {
+        if (item->mark != n->volume[item->volume].mark)
             return wrong_link(n, "sface", f, "its mark is not its volume's");
-        }
         if (!tick_arcs(n, arc, item->arc, f, 1) || !tick_loops(n, loop, item->loop, f, 1) ||
-            !tick_points(n, point, item->point, f)) {
+            !tick_points(n, point, item->point, f))
             return wrong_link(n, "sface", f, "its boundary is another sface's, or listed twice");
-        }
     }
     size_t left = first_left(arc, n->count[NEF_SHALFEDGE]);
-    if (left < n->count[NEF_SHALFEDGE]) {
+    if (left < n->count[NEF_SHALFEDGE])
         return wrong_link(n, "shalfedge", left, "no sface lists its cycle");
-    }
     left = first_left(loop, n->count[NEF_SHALFLOOP]);
-    if (left < n->count[NEF_SHALFLOOP]) {
+    if (left < n->count[NEF_SHALFLOOP])
         return wrong_link(n, "shalfloop", left, "no sface lists it");
-    }
-    for (size_t e = 0; e < n->count[NEF_HALFEDGE]; e++) {
-        if (n->halfedge[e].isolated && !point[e]) {
+    for (size_t e = 0; e < n->count[NEF_HALFEDGE]; e++)
+        if (n->halfedge[e].isolated && !point[e])
             return wrong_link(n, "half-edge", e, "it is isolated, and no sface lists it");
-        }
-    }
     return GRAZE_OK;
 }
 
 static graze_status check_volumes(const nef *n) {
     for (size_t c = 0; c < n->count[NEF_VOLUME]; c++) {
         nef_list shell = n->volume[c].shell;
-        for (size_t k = 0; k < shell.count; k++) {
-            if (n->sface[n->list[shell.first + k]].volume != c) {
+        for (size_t k = 0; k < shell.count; k++)
+            if (n->sface[n->list[shell.first + k]].volume != c)
                 return wrong_link(n, "volume", c, "it lists a shell of another volume");
-            }
-        }
-        if (c > 0 && shell.count == 0) {
+        if (c > 0 && shell.count == 0)
             return wrong_link(n, "volume", c, "it has no shell");
-        }
     }
     return GRAZE_OK;
 }
 
 static graze_status check_lists(const nef *n, unsigned char *met) {
     size_t arcs = n->count[NEF_SHALFEDGE], loops = n->count[NEF_SHALFLOOP];
-    graze_status status = check_halffacets(n, met, met + arcs);
     unsigned char *again = met + arcs + loops;
-    if (status == GRAZE_OK) {
-        status = check_sfaces(n, again, again + arcs, again + arcs + loops);
-    }
-    return status == GRAZE_OK ? check_volumes(n) : status;
+    TRY(check_halffacets(n, met, met + arcs));
+    TRY(check_sfaces(n, again, again + arcs, again + arcs + loops));
+    return check_volumes(n);
 }
 
 graze_status nef_check_links(const nef *n) {
-    graze_status status = check_vertices(n);
-    if (status == GRAZE_OK) {
-        status = check_halfedges(n);
-    }
-    for (size_t e = 0; e < n->count[NEF_SHALFEDGE] && status == GRAZE_OK; e++) {
-        status = check_shalfedge(n, e);
-    }
-    for (size_t l = 0; l < n->count[NEF_SHALFLOOP] && status == GRAZE_OK; l++) {
-        status = check_shalfloop(n, l);
-    }
-    if (status != GRAZE_OK) {
-        return status;
-    }
+    TRY(check_vertices(n));
+    TRY(check_halfedges(n));
+    for (size_t e = 0; e < n->count[NEF_SHALFEDGE]; e++)
+        TRY(check_shalfedge(n, e));
+    for (size_t l = 0; l < n->count[NEF_SHALFLOOP]; l++)
+        TRY(check_shalfloop(n, l));
     size_t flags = 2 * (n->count[NEF_SHALFEDGE] + n->count[NEF_SHALFLOOP]) + n->count[NEF_HALFEDGE];
-    unsigned char *met = calloc(flags + 1, 1);
-    if (met == NULL) {
+    FREED(unsigned char, met, calloc(flags + 1, 1));
+    if (met == NULL)
         return nef_fail(n, GRAZE_ESYSTEM, "no memory to follow its cycles");
-    }
-    status = check_lists(n, met);
-    free(met);
-    return status;
+    return check_lists(n, met);
 }

@@ -40,28 +40,24 @@ static token next(nef *n, const char *expected) {
 
 static void nef_expect(nef *n, const char *word) {
     token t = next(n, word);
-    if (n->status == GRAZE_OK &&
-        (t.length != strlen(word) || memcmp(t.text, word, t.length) != 0)) {
+    if (n->status == GRAZE_OK && (t.length != strlen(word) || memcmp(t.text, word, t.length) != 0))
         n->status = lines_fail(&n->l, GRAZE_EINPUT, "'%.*s'; expected '%s'", TOKEN_SHOWN(t), word);
-    }
 }
 
 static long long integer(nef *n, const char *expected) {
     long long value = 0;
     token t = next(n, expected);
-    if (n->status == GRAZE_OK && !token_integer(t, &value)) {
+    if (n->status == GRAZE_OK && !token_integer(t, &value))
         n->status =
             lines_fail(&n->l, GRAZE_EINPUT, "'%.*s'; expected %s", TOKEN_SHOWN(t), expected);
-    }
     return n->status == GRAZE_OK ? value : 0;
 }
 
 /* An index of a kind; with `optional` also -2, which means none. */
 static size_t reference(nef *n, enum nef_kind kind, int optional) {
     long long value = integer(n, "an index");
-    if (n->status != GRAZE_OK || (optional && value == -2)) {
+    if (n->status != GRAZE_OK || (optional && value == -2))
         return n->status == GRAZE_OK ? NEF_NONE : 0;
-    }
     if (value < 0 || (size_t)value >= n->count[kind]) {
         n->status = lines_fail(&n->l, GRAZE_EINPUT, "%lld is not an index of the %zu %s", value,
                                n->count[kind], kind_name[kind]);
@@ -72,9 +68,8 @@ static size_t reference(nef *n, enum nef_kind kind, int optional) {
 
 static int flag(nef *n, const char *expected) {
     long long value = integer(n, expected);
-    if (n->status == GRAZE_OK && value != 0 && value != 1) {
+    if (n->status == GRAZE_OK && value != 0 && value != 1)
         n->status = lines_fail(&n->l, GRAZE_EINPUT, "%s is %lld; expected 0 or 1", expected, value);
-    }
     return (int)value;
 }
 
@@ -84,10 +79,8 @@ static nef_list indices(nef *n, enum nef_kind kind) {
     for (;;) {
         lines ahead = n->l;
         token t;
-        if (n->status != GRAZE_OK || !lines_any(&ahead, &t) || token_is(t, ",") ||
-            token_is(t, "}")) {
+        if (n->status != GRAZE_OK || !lines_any(&ahead, &t) || token_is(t, ",") || token_is(t, "}"))
             return list;
-        }
         n->list[n->list_count++] = reference(n, kind, 0);
         list.count++;
     }
@@ -98,9 +91,8 @@ static void integers(nef *n, fmpz *out) {
     LOCAL(fmpq, value);
     for (int k = 0; k < 4; k++) {
         token t = next(n, "an integer");
-        if (n->status != GRAZE_OK) {
+        if (n->status != GRAZE_OK)
             break;
-        }
         n->status = rational_parse(value, n->l.context, t.text, t.length);
         if (n->status != GRAZE_OK) {
             n->status = lines_at(&n->l, n->status);
@@ -117,21 +109,18 @@ static void integers(nef *n, fmpz *out) {
 static void homogeneous(nef *n, fmpq *point) {
     LOCAL_VEC(fmpz, h, 4);
     integers(n, h);
-    if (n->status == GRAZE_OK && fmpz_is_zero(h + 3)) {
+    if (n->status == GRAZE_OK && fmpz_is_zero(h + 3))
         n->status = lines_fail(&n->l, GRAZE_EINPUT, "the last homogeneous coordinate is 0");
-    }
-    for (int k = 0; k < 3 && n->status == GRAZE_OK; k++) {
+    for (int k = 0; k < 3 && n->status == GRAZE_OK; k++)
         fmpq_set_fmpz_frac(point + k, h + k, h + 3);
-    }
 }
 
 /* The number an item begins with is its place among its kind. */
 static void begin_item(nef *n, enum nef_kind kind, size_t index) {
     long long value = integer(n, "the number of an item");
-    if (n->status == GRAZE_OK && (value < 0 || (size_t)value != index)) {
+    if (n->status == GRAZE_OK && (value < 0 || (size_t)value != index))
         n->status = lines_fail(&n->l, GRAZE_EINPUT, "item %lld; expected number %zu of the %zu %s",
                                value, index, n->count[kind], kind_name[kind]);
-    }
     nef_expect(n, "{");
 }
 
@@ -238,9 +227,8 @@ static void read_items(nef *n, enum nef_kind kind, void (*read)(nef *, size_t)) 
     for (size_t k = 0; k < n->count[kind] && n->status == GRAZE_OK; k++) {
         begin_item(n, kind, k);
         read(n, k);
-        if (n->status == GRAZE_OK && (k & 0xfff) == 0xfff) {
+        if (n->status == GRAZE_OK && (k & 0xfff) == 0xfff)
             n->status = context_poll(n->l.context);
-        }
     }
 }
 
@@ -249,9 +237,8 @@ static void nef_counts(nef *n, size_t length) {
     for (int k = 0; k < NEF_KIND_COUNT && n->status == GRAZE_OK; k++) {
         nef_expect(n, kind_name[k]);
         long long value = integer(n, "a count");
-        if (n->status != GRAZE_OK) {
+        if (n->status != GRAZE_OK)
             return;
-        }
         int paired =
             k == NEF_HALFEDGE || k == NEF_HALFFACET || k == NEF_SHALFEDGE || k == NEF_SHALFLOOP;
         if (value < 0 || (paired && value % 2 != 0)) {
@@ -272,9 +259,8 @@ static void nef_counts(nef *n, size_t length) {
 
 static void *zeroed(nef *n, size_t count, size_t size) {
     void *memory = n->status == GRAZE_OK ? calloc(count + 1, size) : NULL;
-    if (n->status == GRAZE_OK && memory == NULL) {
+    if (n->status == GRAZE_OK && memory == NULL)
         n->status = nef_fail(n, GRAZE_ESYSTEM, "out of memory for a Nef polyhedron");
-    }
     return memory;
 }
 
@@ -291,9 +277,8 @@ static void allocate(nef *n, size_t length) {
     n->point = zeroed(n, 3 * c[NEF_VERTEX], sizeof *n->point);
     n->plane = zeroed(n, 4 * c[NEF_HALFFACET], sizeof *n->plane);
     n->list = zeroed(n, length / 2 + 1, sizeof *n->list); /* an index and a blank are two bytes */
-    for (size_t k = 0; n->point != NULL && k < 3 * c[NEF_VERTEX]; k++) {
+    for (size_t k = 0; n->point != NULL && k < 3 * c[NEF_VERTEX]; k++)
         fmpq_init(n->point + k);
-    }
 }
 
 graze_status nef_parse(nef *n, graze_context *context, const char *path, const char *text,
@@ -321,24 +306,20 @@ graze_status nef_parse(nef *n, graze_context *context, const char *path, const c
     read_items(n, NEF_SHALFLOOP, read_shalfloop);
     read_items(n, NEF_SFACE, read_sface);
     static const char *const last[] = {"/*", "end", "Selective", "Nef", "complex", "*/"};
-    for (size_t k = 0; k < sizeof last / sizeof *last; k++) {
+    for (size_t k = 0; k < sizeof last / sizeof *last; k++)
         nef_expect(n, last[k]);
-    }
     token t;
-    if (n->status == GRAZE_OK && lines_any(&n->l, &t)) {
+    if (n->status == GRAZE_OK && lines_any(&n->l, &t))
         n->status = lines_fail(&n->l, GRAZE_EINPUT, "'%.*s' follows the end of the complex",
                                TOKEN_SHOWN(t));
-    }
     return n->status;
 }
 
 void nef_clear(nef *n) {
-    for (size_t k = 0; n->point != NULL && k < 3 * n->count[NEF_VERTEX]; k++) {
+    for (size_t k = 0; n->point != NULL && k < 3 * n->count[NEF_VERTEX]; k++)
         fmpq_clear(n->point + k);
-    }
-    for (size_t k = 0; n->plane != NULL && k < 4 * n->count[NEF_HALFFACET]; k++) {
+    for (size_t k = 0; n->plane != NULL && k < 4 * n->count[NEF_HALFFACET]; k++)
         fmpz_clear(n->plane + k);
-    }
     free(n->vertex);
     free(n->halfedge);
     free(n->halffacet);

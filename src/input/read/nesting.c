@@ -20,7 +20,7 @@ typedef struct ring {
     int ccw;
     fmpq *box; /* low x, low y, high x, high y */
     size_t depth;
-    size_t parent; /* the innermost ring around it; its own number if there is none */
+    size_t parent; /* of a hole, the innermost ring around it; else its own number */
 } ring;
 
 static const fmpq *at(const soup *s, const ring *r, size_t k) {
@@ -157,24 +157,19 @@ static graze_status refuse_flat(soup *s, graze_context *context, const ring *r, 
 
 graze_status nesting_add_rings(soup *s, graze_context *context, const size_t *size,
                                size_t ring_count, const size_t *index) {
-    ring *rings = calloc(ring_count + 1, sizeof *rings);
+    FREED(ring, rings, calloc(ring_count + 1, sizeof *rings));
     if (!rings)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory");
     LOCAL_VEC(fmpq, boxes, (slong)(4 * ring_count));
-    graze_status status = GRAZE_OK;
-    for (size_t r = 0; r < ring_count && !status; r++) {
+    for (size_t r = 0; r < ring_count; r++) {
         rings[r] = (ring){index, size[r], 0, boxes + 4 * r, 0, r};
         index += size[r];
         bound(s, &rings[r]);
         int sign = ring_orientation(s, &rings[r]);
         rings[r].ccw = sign >= 0;
         if (sign == 0)
-            status = refuse_flat(s, context, &rings[r], r);
+            return refuse_flat(s, context, &rings[r], r);
     }
-    if (!status)
-        status = find_depths(rings, ring_count, context, s);
-    if (!status)
-        status = add_polygons(s, context, rings, ring_count);
-    free(rings);
-    return status;
+    TRY(find_depths(rings, ring_count, context, s));
+    return add_polygons(s, context, rings, ring_count);
 }

@@ -2,8 +2,9 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The text is gone through twice, first for `v`, then for `f`, so that a facet may stand before its
- * vertices. A negative index counts back from the vertices above its line. What only concerns
- * looks is passed over; curves, lines and points have no place in a boundary and are refused.
+ * vertices. A negative index counts back from the vertices above its line. Normals, textures,
+ * groups and materials are passed over; curves, lines and points have no place in a boundary and
+ * are refused.
  */
 #include <flint/fmpq_vec.h>
 #include <string.h>
@@ -13,10 +14,8 @@
 #include "input/soup/soup.h"
 
 static int is_one_of(token t, const char *const *words) {
-    while (*words != NULL &&
-           (strlen(*words) != t.length || memcmp(*words, t.text, t.length) != 0)) {
+    while (*words != NULL && (strlen(*words) != t.length || memcmp(*words, t.text, t.length) != 0))
         words++;
-    }
     return *words != NULL;
 }
 
@@ -30,32 +29,24 @@ static const char *const refused[] = {"l",    "p",     "vp",   "cstype", "deg", 
 /* x y z, then nothing, or the weight w = 1, or a colour of three numbers. */
 static graze_status obj_vertex(soup *s, lines *l, fmpq *number) {
     size_t v = s->vertex_count;
-    graze_status status = lines_numbers(l, number, 3, "vertex", v);
     int count = 3;
     token t;
-    while (status == GRAZE_OK && lines_token(l, &t)) {
-        if (count == 6) {
+    TRY(lines_numbers(l, number, 3, "vertex", v));
+    while (lines_token(l, &t)) {
+        if (count == 6)
             return lines_fail(l, GRAZE_EINPUT,
                               "vertex %zu has more than 6 numbers; expected x y z, x y z 1 or "
                               "x y z and a colour",
                               v);
-        }
-        status = rational_parse(number + count++, l->context, t.text, t.length);
-        if (status != GRAZE_OK) {
-            return lines_at(l, context_item(l->context, status, "vertex", v, NULL));
-        }
+        graze_status status = rational_parse(number + count++, l->context, t.text, t.length);
+        TRY(lines_at(l, context_item(l->context, status, "vertex", v, NULL)));
     }
-    if (status != GRAZE_OK) {
-        return status;
-    }
-    if (count == 5 || (count == 4 && !fmpq_is_one(number + 3))) {
+    if (count == 5 || (count == 4 && !fmpq_is_one(number + 3)))
         return lines_fail(l, GRAZE_EINPUT,
                           count == 5 ? "vertex %zu has 5 numbers; expected 3, 4 or 6"
                                      : "vertex %zu has a weight other than 1",
                           v);
-    }
-    status = soup_add_vertex(s, l->context, number);
-    return status == GRAZE_OK ? status : lines_at(l, status);
+    return lines_at(l, soup_add_vertex(s, l->context, number));
 }
 
 /* Cut the part before the first slash off `rest`; what follows the slash stays. */
@@ -73,77 +64,62 @@ static long long obj_corner(token t) {
     long long v, other;
     int slash;
     token part = cut_token(&t, &slash);
-    if (!token_integer(part, &v)) {
+    if (!token_integer(part, &v))
         return 0;
-    }
-    if (!slash) {
+    if (!slash)
         return v;
-    }
     token texture = cut_token(&t, &slash);
-    if (texture.length > 0 ? !token_integer(texture, &other) : !slash) {
+    if (texture.length > 0 ? !token_integer(texture, &other) : !slash)
         return 0;
-    }
     return slash && !token_integer(t, &other) ? 0 : v;
 }
 
 static graze_status obj_facet(soup *s, lines *l, size_t above) {
     size_t f = s->facet_count, size = 0;
     token t;
-    graze_status status = soup_add_facet(s, l->context);
-    if (status == GRAZE_OK) {
-        status = soup_add_cycle(s, l->context, NULL, 0);
-    }
-    for (; status == GRAZE_OK && lines_token(l, &t); size++) {
+    TRY(lines_at(l, facet_begin(s, l->context)));
+    for (; lines_token(l, &t); size++) {
         long long v = obj_corner(t);
-        if (v == 0) {
+        if (v == 0)
             return lines_fail(l, GRAZE_EINPUT,
                               "facet %zu: '%.*s' is not a corner; expected 1, 1/2, 1//3, 1/2/3 "
                               "or negative numbers, counted from 1",
                               f, TOKEN_SHOWN(t));
-        }
-        if (v > 0 ? (size_t)v > s->vertex_count : (size_t)-v > above) {
+        if (v > 0 ? (size_t)v > s->vertex_count : (size_t)-v > above)
             return lines_fail(l, GRAZE_EINPUT,
                               "facet %zu: there is no vertex %lld; the file has %zu, and %zu stand "
                               "above this line",
                               f, v, s->vertex_count, above);
-        }
-        status = soup_add_index(s, l->context, v > 0 ? (size_t)v - 1 : above - (size_t)-v);
+        size_t index = v > 0 ? (size_t)v - 1 : above - (size_t)-v;
+        TRY(lines_at(l, soup_add_index(s, l->context, index)));
     }
-    if (status != GRAZE_OK) {
-        return lines_at(l, status);
-    }
-    if (size < 3) {
+    if (size < 3)
         return lines_fail(l, GRAZE_EINPUT, "facet %zu has %zu corners; expected at least 3", f,
                           size);
-    }
     return GRAZE_OK;
 }
 
 static graze_status check_keyword(lines *l, token t) {
-    if (is_one_of(t, refused)) {
+    if (is_one_of(t, refused))
         return lines_fail(l, GRAZE_EINPUT,
                           "'%.*s': points, lines, curves and free-form surfaces bound no polygonal "
                           "solid; expected facets (f)",
                           TOKEN_SHOWN(t));
-    }
-    if (!is_one_of(t, passed_over)) {
+    if (!is_one_of(t, passed_over))
         return lines_fail(l, GRAZE_EINPUT, "'%.*s' is not a keyword of OBJ; expected v or f",
                           TOKEN_SHOWN(t));
-    }
     return GRAZE_OK;
 }
 
 static graze_status obj_vertices(soup *s, lines l, fmpq *number) {
     token t;
     for (int more = 1; more; more = lines_next(&l)) {
-        if (!lines_token(&l, &t)) {
+        if (!lines_token(&l, &t))
             continue;
-        }
-        if (token_is(t, "v")) {
+        if (token_is(t, "v"))
             TRY(obj_vertex(s, &l, number));
-        } else if (!token_is(t, "f")) {
+        else if (!token_is(t, "f"))
             TRY(check_keyword(&l, t));
-        }
     }
     return GRAZE_OK;
 }
@@ -152,14 +128,12 @@ static graze_status read_facets(soup *s, lines l) {
     size_t above = 0;
     token t;
     for (int more = 1; more; more = lines_next(&l)) {
-        if (!lines_token(&l, &t)) {
+        if (!lines_token(&l, &t))
             continue;
-        }
-        if (token_is(t, "v")) {
+        if (token_is(t, "v"))
             above++;
-        } else if (token_is(t, "f")) {
+        else if (token_is(t, "f"))
             TRY(obj_facet(s, &l, above));
-        }
     }
     return GRAZE_OK;
 }

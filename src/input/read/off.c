@@ -27,9 +27,8 @@ static int read_letters(columns *c, const char *text, size_t length) {
                      : text[k] == 'C'                                         ? &c->colour
                      : text[k] == 'S' && k + 1 < length && text[k + 1] == 'T' ? &c->texture
                                                                               : NULL;
-        if (which == NULL || *which) {
+        if (which == NULL || *which)
             return 0;
-        }
         *which = 1;
         k += which == &c->texture ? 2 : 1;
     }
@@ -54,9 +53,8 @@ static graze_status off_head(columns *c, lines *l) {
             TOKEN_SHOWN(t));
     }
     lines after = *l;
-    if (lines_any(&after, &t) && token_is(t, "BINARY")) {
+    if (lines_any(&after, &t) && token_is(t, "BINARY"))
         return lines_fail(&after, GRAZE_EINPUT, "a binary OFF is not read; expected a text");
-    }
     return GRAZE_OK;
 }
 
@@ -66,9 +64,8 @@ static graze_status off_counts(lines *l, size_t *vertices, size_t *facets) {
     TRY(lines_cells(l, vertices, "vertices"));
     TRY(lines_cells(l, facets, "facets"));
     TRY(lines_cells(l, &edges, "edges"));
-    if (lines_token(l, &t)) {
+    if (lines_token(l, &t))
         return lines_fail(l, GRAZE_EINPUT, "'%.*s' follows the three counts", TOKEN_SHOWN(t));
-    }
     return GRAZE_OK;
 }
 
@@ -79,46 +76,34 @@ static graze_status pass_columns(columns *c, lines *l, size_t v) {
     size_t most = least + (c->colour ? 1u : 0u), count = 0;
     token t;
     for (; lines_token(l, &t); count++) {
-        if (most == 0) {
+        if (most == 0)
             return lines_fail(l, GRAZE_EINPUT, "vertex %zu: '%.*s' follows its 3 numbers", v,
                               TOKEN_SHOWN(t));
-        }
-        if (!rational_is_token(t.text, t.length)) {
+        if (!rational_is_token(t.text, t.length))
             return lines_fail(l, GRAZE_EINPUT,
                               "vertex %zu: '%.*s' follows its coordinates; expected numbers", v,
                               TOKEN_SHOWN(t));
-        }
     }
     int first = c->further == 0;
-    if (first ? count < least || count > most : count != c->further) {
+    if (first ? count < least || count > most : count != c->further)
         return lines_fail(l, GRAZE_EINPUT,
                           "vertex %zu: %zu numbers follow its coordinates; expected %zu%s", v,
                           count, first ? least : c->further,
                           !first      ? ", as at vertex 0"
                           : c->colour ? ", or one more if colours have an alpha"
                                       : "");
-    }
     c->further = count;
     return GRAZE_OK;
 }
 
 static graze_status off_vertices(soup *s, columns *c, lines *l, fmpq *point, size_t count) {
     for (size_t v = 0; v < count; v++) {
-        if (!lines_next(l)) {
+        if (!lines_next(l))
             return lines_fail(l, GRAZE_EINPUT, "the file ends after %zu of its %zu vertices", v,
                               count);
-        }
-        graze_status status = lines_numbers(l, point, 3, "vertex", v);
-        if (status == GRAZE_OK) {
-            status = pass_columns(c, l, v);
-        }
-        if (status != GRAZE_OK) {
-            return status;
-        }
-        status = soup_add_vertex(s, l->context, point);
-        if (status != GRAZE_OK) {
-            return lines_at(l, status);
-        }
+        TRY(lines_numbers(l, point, 3, "vertex", v));
+        TRY(pass_columns(c, l, v));
+        TRY(lines_at(l, soup_add_vertex(s, l->context, point)));
     }
     return GRAZE_OK;
 }
@@ -128,19 +113,17 @@ static graze_status pass_colours(lines *l, size_t f) {
     token t;
     size_t count = 0;
     while (lines_token(l, &t)) {
-        if (!rational_is_token(t.text, t.length)) {
+        if (!rational_is_token(t.text, t.length))
             return lines_fail(
                 l, GRAZE_EINPUT,
                 "facet %zu: '%.*s' follows its indices; expected the numbers of a colour", f,
                 TOKEN_SHOWN(t));
-        }
         count++;
     }
-    if (count == 2 || count > 4) {
+    if (count == 2 || count > 4)
         return lines_fail(
             l, GRAZE_EINPUT,
             "facet %zu: %zu values follow its indices; expected 1, 3 or 4 of a colour", f, count);
-    }
     return GRAZE_OK;
 }
 
@@ -148,33 +131,26 @@ static graze_status off_facet(soup *s, lines *l, size_t f) {
     token t;
     long long size, v;
     lines_token(l, &t);
-    if (!token_integer(t, &size)) {
+    if (!token_integer(t, &size))
         return lines_fail(l, GRAZE_EINPUT, "facet %zu: '%.*s' is not its number of vertices", f,
                           TOKEN_SHOWN(t));
-    }
-    if (size < 3) {
+    if (size < 3)
         return lines_fail(l, GRAZE_EINPUT, "facet %zu has %lld vertices; expected at least 3", f,
                           size);
-    }
-    graze_status status = soup_add_facet(s, l->context);
-    if (status == GRAZE_OK) {
-        status = soup_add_cycle(s, l->context, NULL, 0);
-    }
-    for (long long k = 0; k < size && status == GRAZE_OK; k++) {
-        if (!lines_token(l, &t)) {
+    TRY(lines_at(l, facet_begin(s, l->context)));
+    for (long long k = 0; k < size; k++) {
+        if (!lines_token(l, &t))
             return lines_fail(l, GRAZE_EINPUT,
                               "facet %zu: the line ends after %lld of its %lld indices", f, k,
                               size);
-        }
-        if (!token_integer(t, &v) || v < 0 || (size_t)v >= s->vertex_count) {
+        if (!token_integer(t, &v) || v < 0 || (size_t)v >= s->vertex_count)
             return lines_fail(l, GRAZE_EINPUT,
                               "facet %zu: '%.*s' is not a vertex; expected an integer from 0 below "
                               "%zu",
                               f, TOKEN_SHOWN(t), s->vertex_count);
-        }
-        status = soup_add_index(s, l->context, (size_t)v);
+        TRY(lines_at(l, soup_add_index(s, l->context, (size_t)v)));
     }
-    return status == GRAZE_OK ? pass_colours(l, f) : lines_at(l, status);
+    return pass_colours(l, f);
 }
 
 static graze_status read_all(soup *s, lines *l, fmpq *point) {
@@ -184,15 +160,13 @@ static graze_status read_all(soup *s, lines *l, fmpq *point) {
     TRY(off_counts(l, &vertices, &facets));
     TRY(off_vertices(s, &c, l, point, vertices));
     for (size_t f = 0; f < facets; f++) {
-        if (!lines_next(l)) {
+        if (!lines_next(l))
             return lines_fail(l, GRAZE_EINPUT, "the file ends after %zu of its %zu facets", f,
                               facets);
-        }
         TRY(off_facet(s, l, f));
     }
-    if (lines_next(l)) {
+    if (lines_next(l))
         return lines_fail(l, GRAZE_EINPUT, "there is text after the last of %zu facets", facets);
-    }
     return GRAZE_OK;
 }
 

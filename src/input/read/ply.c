@@ -24,7 +24,7 @@ typedef struct ply {
     size_t at, size;
     const ply_element *element; /* being read */
     size_t entry;
-    fmpq point[3];
+    fmpq *point; /* 3 */
 } ply;
 
 static const struct {
@@ -35,10 +35,12 @@ static const struct {
     [PLY_INT32] = {4, 1}, [PLY_UINT32] = {4, 0}, [PLY_FLOAT32] = {4, 1}, [PLY_FLOAT64] = {8, 1},
 };
 
-/* Put file, place, element and entry before a message. */
+/* Put file, place, element and entry before the message of a failure. */
 static graze_status at_entry(const ply *p, graze_status status) {
     graze_context *context = p->l.context;
     char element[32];
+    if (status == GRAZE_OK)
+        return status;
     snprintf(element, sizeof element, "%.*s", TOKEN_SHOWN(p->element->name));
     context_item(context, status, element, p->entry, NULL);
     if (p->header.format == PLY_ASCII)
@@ -64,9 +66,8 @@ static graze_status next_token(ply *p, token *out) {
 
 static graze_status next_bytes(ply *p, ply_type type, uint64_t *out) {
     size_t width = types[type].width;
-    if (p->size - p->at < width) {
+    if (p->size - p->at < width)
         return fail(p, "the file ends within this entry; %zu are declared", p->element->count);
-    }
     *out = 0;
     for (size_t k = 0; k < width; k++) {
         size_t place = p->header.format == PLY_BIG_ENDIAN ? k : width - 1 - k;
@@ -86,18 +87,12 @@ static graze_status pass_value(ply *p, ply_type type) {
 static graze_status read_integer(ply *p, ply_type type, long long *out) {
     token t;
     uint64_t bytes;
-    graze_status status;
     if (p->header.format == PLY_ASCII) {
-        status = next_token(p, &t);
-        if (status == GRAZE_OK && !token_integer(t, out)) {
-            return fail(p, "'%.*s' is not an integer", TOKEN_SHOWN(t));
-        }
-        return status;
+        TRY(next_token(p, &t));
+        return token_integer(t, out) ? GRAZE_OK
+                                     : fail(p, "'%.*s' is not an integer", TOKEN_SHOWN(t));
     }
-    status = next_bytes(p, type, &bytes);
-    if (status != GRAZE_OK) {
-        return status;
-    }
+    TRY(next_bytes(p, type, &bytes));
     uint64_t sign = (uint64_t)types[type].is_signed << (8 * types[type].width - 1);
     *out = bytes & sign ? (long long)bytes - 2 * (long long)sign : (long long)bytes;
     return GRAZE_OK;
@@ -105,11 +100,8 @@ static graze_status read_integer(ply *p, ply_type type, long long *out) {
 
 static graze_status binary_coordinate(ply *p, ply_type type, fmpq *out) {
     uint64_t bytes;
-    graze_status status = next_bytes(p, type, &bytes);
-    if (status != GRAZE_OK) {
-        return status;
-    }
     double value;
+    TRY(next_bytes(p, type, &bytes));
     if (type == PLY_FLOAT64) {
         memcpy(&value, &bytes, sizeof value);
     } else {
@@ -118,99 +110,75 @@ static graze_status binary_coordinate(ply *p, ply_type type, fmpq *out) {
         memcpy(&narrow, &image, sizeof narrow);
         value = narrow;
     }
-    status = rational_from_double(out, p->l.context, value);
-    return status == GRAZE_OK ? status : at_entry(p, status);
+    return at_entry(p, rational_from_double(out, p->l.context, value));
 }
 
 static graze_status read_coordinate(ply *p, ply_type type, fmpq *out) {
     graze_context *context = p->l.context;
-    graze_status status;
     long long integer;
     token t;
-    if (p->header.format == PLY_ASCII && type >= PLY_FLOAT32) {
-        status = next_token(p, &t);
-        if (status != GRAZE_OK) {
-            return status;
-        }
-        status = rational_parse(out, context, t.text, t.length);
-        return status == GRAZE_OK ? status : at_entry(p, status);
+    if (p->header.format == PLY_ASCII) {
+        TRY(next_token(p, &t));
+        if (type < PLY_FLOAT32 && !token_integer(t, &integer))
+            return fail(p, "'%.*s' is not an integer", TOKEN_SHOWN(t));
+        return at_entry(p, rational_parse(out, context, t.text, t.length));
     }
     if (type >= PLY_FLOAT32) {
-        status = binary_coordinate(p, type, out);
+        TRY(binary_coordinate(p, type, out));
     } else {
-        status = read_integer(p, type, &integer);
-        if (status == GRAZE_OK) {
-            fmpq_set_si(out, (slong)integer, 1);
-        }
+        TRY(read_integer(p, type, &integer));
+        fmpq_set_si(out, (slong)integer, 1);
     }
-    if (status != GRAZE_OK) {
-        return status;
-    }
-    status = rational_round(out, context, context->rounding);
-    return status == GRAZE_OK ? status : at_entry(p, status);
+    return at_entry(p, rational_round(out, context, context->rounding));
 }
 
 static graze_status read_list(ply *p, const ply_property *property) {
     long long size, v;
     int taken = property->role == PLY_INDICES;
-    graze_status status = read_integer(p, property->count_type, &size);
-    if (status == GRAZE_OK && size < 0) {
+    TRY(read_integer(p, property->count_type, &size));
+    if (size < 0)
         return fail(p, "a list has the length %lld", size);
-    }
-    if (status == GRAZE_OK && taken && size < 3) {
+    if (taken && size < 3)
         return fail(p, "it has %lld vertices; expected at least 3", size);
-    }
-    for (long long k = 0; k < size && status == GRAZE_OK; k++) {
+    for (long long k = 0; k < size; k++) {
         if (!taken) {
-            status = pass_value(p, property->type);
+            TRY(pass_value(p, property->type));
             continue;
         }
-        status = read_integer(p, property->type, &v);
-        if (status == GRAZE_OK && (v < 0 || (size_t)v >= p->header.vertex_count)) {
+        TRY(read_integer(p, property->type, &v));
+        if (v < 0 || (size_t)v >= p->header.vertex_count)
             return fail(p, "%lld is not a vertex; expected an integer from 0 below %zu", v,
                         p->header.vertex_count);
-        }
-        status = status == GRAZE_OK ? soup_add_index(p->s, p->l.context, (size_t)v) : status;
+        TRY(soup_add_index(p->s, p->l.context, (size_t)v));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status read_entry(ply *p) {
     const ply_element *e = p->element;
-    graze_status status = GRAZE_OK;
-    if (e->is_face) {
-        status = soup_add_facet(p->s, p->l.context);
-        status = status == GRAZE_OK ? soup_add_cycle(p->s, p->l.context, NULL, 0) : status;
-        status = status == GRAZE_OK ? status : at_entry(p, status);
-    }
-    for (size_t k = 0; k < e->property_count && status == GRAZE_OK; k++) {
+    if (e->is_face)
+        TRY(at_entry(p, facet_begin(p->s, p->l.context)));
+    for (size_t k = 0; k < e->property_count; k++) {
         const ply_property *property = p->header.property + e->first + k;
-        if (property->is_list) {
-            status = read_list(p, property);
-        } else if (property->role <= PLY_Z) {
-            status = read_coordinate(p, property->type, p->point + (property->role - PLY_X));
-        } else {
-            status = pass_value(p, property->type);
-        }
+        if (property->is_list)
+            TRY(read_list(p, property));
+        else if (property->role <= PLY_Z)
+            TRY(read_coordinate(p, property->type, p->point + (property->role - PLY_X)));
+        else
+            TRY(pass_value(p, property->type));
     }
-    if (status == GRAZE_OK && e->is_vertex) {
-        status = soup_add_vertex(p->s, p->l.context, p->point);
-        status = status == GRAZE_OK ? status : at_entry(p, status);
-    }
-    return status;
+    return e->is_vertex ? at_entry(p, soup_add_vertex(p->s, p->l.context, p->point)) : GRAZE_OK;
 }
 
 static graze_status read_ply_element(ply *p) {
     int text = p->header.format == PLY_ASCII;
     for (p->entry = 0; p->entry < p->element->count; p->entry++) {
         token t;
-        if (text && !lines_next(&p->l)) {
+        if (text && !lines_next(&p->l))
             return fail(p, "the file ends before this entry; %zu are declared", p->element->count);
-        }
         TRY(read_entry(p));
-        if (text && lines_token(&p->l, &t)) {
+        if (text && lines_token(&p->l, &t))
             return fail(p, "'%.*s' is more than its properties ask", TOKEN_SHOWN(t));
-        }
     }
     return GRAZE_OK;
 }
@@ -220,18 +188,16 @@ static graze_status read_body(ply *p) {
         p->element = p->header.element + k;
         TRY(read_ply_element(p));
     }
-    if (p->header.format != PLY_ASCII && p->at < p->size) {
+    if (p->header.format != PLY_ASCII && p->at < p->size)
         return context_fail_in(p->l.context, GRAZE_EINPUT, p->l.path, 0,
                                "byte %zu: %zu bytes follow the last element", p->at,
                                p->size - p->at);
-    }
-    if (p->header.format == PLY_ASCII && lines_next(&p->l)) {
+    if (p->header.format == PLY_ASCII && lines_next(&p->l))
         return lines_fail(&p->l, GRAZE_EINPUT, "there is text after the last element");
-    }
     return GRAZE_OK;
 }
 
-/* Bytes of the header with its last line, found before the rest can be taken for text. */
+/* Bytes up to the end of the line `end_header`; behind it the file may be binary. */
 static size_t header_length(const char *text, size_t length) {
     static const char last[] = "end_header";
     size_t at = 0;
@@ -239,24 +205,22 @@ static size_t header_length(const char *text, size_t length) {
     while (at < length && !found) {
         const char *newline = memchr(text + at, '\n', length - at);
         size_t next = newline == NULL ? length : (size_t)(newline - text) + 1;
-        while (at < next && (text[at] == ' ' || text[at] == '\t')) {
+        while (at < next && (text[at] == ' ' || text[at] == '\t'))
             at++;
-        }
         found = next - at >= sizeof last - 1 && memcmp(text + at, last, sizeof last - 1) == 0;
         at = next;
     }
     return at;
 }
 
-/* Set both ways of reading behind the header. */
+/* Stand behind the header: by its byte, and if the body is text by its line too. */
 static graze_status begin_body(ply *p, const char *text, size_t header, size_t length) {
     size_t line = p->l.line;
     p->at = header;
     p->data = (const unsigned char *)text;
     p->size = length;
-    if (p->header.format != PLY_ASCII) {
+    if (p->header.format != PLY_ASCII)
         return GRAZE_OK;
-    }
     TRY(lines_start(&p->l, text, length));
     if (header > 0) {
         p->l.at = text + header - (text[header - 1] == '\n');
@@ -267,25 +231,14 @@ static graze_status begin_body(ply *p, const char *text, size_t header, size_t l
 
 graze_status read_ply(soup *s, graze_context *context, const char *path, const char *text,
                       size_t length) {
-    ply p = {.s = s, .l = {.context = context, .path = path, .marks = ""}};
+    LOCAL_VEC(fmpq, point, 3);
+    ply p = {.s = s, .l = {.context = context, .path = path, .marks = ""}, .point = point};
     size_t header = header_length(text, length);
-    graze_status status = lines_start(&p.l, text, header);
-    if (status == GRAZE_OK) {
-        status = ply_header_read(&p.header, &p.l);
-    }
-    if (status != GRAZE_OK) {
-        return status;
-    }
-    for (int k = 0; k < 3; k++) {
-        fmpq_init(p.point + k);
-    }
-    status = begin_body(&p, text, header, length);
-    if (status == GRAZE_OK) {
+    TRY(lines_start(&p.l, text, header));
+    TRY(ply_header_read(&p.header, &p.l));
+    graze_status status = begin_body(&p, text, header, length);
+    if (status == GRAZE_OK)
         status = read_body(&p);
-    }
-    for (int k = 0; k < 3; k++) {
-        fmpq_clear(p.point + k);
-    }
     ply_header_clear(&p.header);
     return status;
 }

@@ -35,27 +35,21 @@ static graze_status line_ends(lines *l) {
 
 static graze_status read_type(lines *l, ply_type *out) {
     token t;
-    graze_status status = word(l, &t, "a type");
-    for (int k = 0; status == GRAZE_OK && k < PLY_TYPE_COUNT; k++) {
-        if (token_is(t, type_names[k][0]) || token_is(t, type_names[k][1])) {
-            *out = (ply_type)k;
+    TRY(word(l, &t, "a type"));
+    for (*out = 0; *out < PLY_TYPE_COUNT; ++*out)
+        if (token_is(t, type_names[*out][0]) || token_is(t, type_names[*out][1]))
             return GRAZE_OK;
-        }
-    }
-    return status != GRAZE_OK
-               ? status
-               : lines_fail(l, GRAZE_EINPUT,
-                            "'%.*s' is not a type of PLY; expected char, uchar, short, ushort, "
-                            "int, uint, float, double, int8 ... float64",
-                            TOKEN_SHOWN(t));
+    return lines_fail(l, GRAZE_EINPUT,
+                      "'%.*s' is not a type of PLY; expected char, uchar, short, ushort, int, "
+                      "uint, float, double, int8 ... float64",
+                      TOKEN_SHOWN(t));
 }
 
 static graze_status read_format(ply_header *h, lines *l) {
     token t, version;
-    if (!lines_next(l) || !lines_token(l, &t) || !token_is(t, "format")) {
+    if (!lines_next(l) || !lines_token(l, &t) || !token_is(t, "format"))
         return lines_fail(l, GRAZE_EINPUT,
                           "expected 'format' at the beginning of the line after 'ply'");
-    }
     TRY(word(l, &t, "the format's name"));
     TRY(word(l, &version, "the version"));
     if (token_is(t, "ascii")) {
@@ -70,9 +64,8 @@ static graze_status read_format(ply_header *h, lines *l) {
                           "binary_big_endian",
                           TOKEN_SHOWN(t));
     }
-    if (!token_is(version, "1.0")) {
+    if (!token_is(version, "1.0"))
         return lines_fail(l, GRAZE_EINPUT, "version '%.*s'; expected 1.0", TOKEN_SHOWN(version));
-    }
     return line_ends(l);
 }
 
@@ -80,12 +73,10 @@ static graze_status read_element(ply_header *h, lines *l) {
     ply_element *e = h->element + h->element_count;
     *e = (ply_element){.first = h->property_count};
     TRY(word(l, &e->name, "the element's name"));
-    for (size_t k = 0; k < h->element_count; k++) {
-        if (same_word(h->element[k].name, e->name)) {
+    for (size_t k = 0; k < h->element_count; k++)
+        if (same_word(h->element[k].name, e->name))
             return lines_fail(l, GRAZE_EINPUT, "element '%.*s' is declared twice",
                               TOKEN_SHOWN(e->name));
-        }
-    }
     TRY(lines_cells(l, &e->count, "an element's entries"));
     e->is_vertex = token_is(e->name, "vertex");
     e->is_face = token_is(e->name, "face");
@@ -96,11 +87,9 @@ static graze_status read_element(ply_header *h, lines *l) {
 
 static ply_role role_of(const ply_element *e, token name) {
     static const char *const axis[3] = {"x", "y", "z"};
-    for (int k = 0; e->is_vertex && k < 3; k++) {
-        if (token_is(name, axis[k])) {
+    for (int k = 0; e->is_vertex && k < 3; k++)
+        if (token_is(name, axis[k]))
             return (ply_role)(PLY_X + k);
-        }
-    }
     int indices = token_is(name, "vertex_indices") || token_is(name, "vertex_index");
     return e->is_face && indices ? PLY_INDICES : PLY_PASSED;
 }
@@ -109,54 +98,39 @@ static graze_status check_property(const ply_header *h, const lines *l, const pl
                                    const ply_property *p) {
     for (size_t k = e->first; k < h->property_count; k++) {
         const ply_property *q = h->property + k;
-        if (same_word(q->name, p->name) || (p->role != PLY_PASSED && q->role == p->role)) {
+        if (same_word(q->name, p->name) || (p->role != PLY_PASSED && q->role == p->role))
             return lines_fail(l, GRAZE_EINPUT, "property '%.*s' is declared twice",
                               TOKEN_SHOWN(p->name));
-        }
     }
-    if (p->is_list && p->count_type >= PLY_FLOAT32) {
+    if (p->is_list && p->count_type >= PLY_FLOAT32)
         return lines_fail(l, GRAZE_EINPUT, "expected an integer type for the length of a list");
-    }
-    if (p->role == PLY_INDICES && (!p->is_list || p->type >= PLY_FLOAT32)) {
+    if (p->role == PLY_INDICES && (!p->is_list || p->type >= PLY_FLOAT32))
         return lines_fail(l, GRAZE_EINPUT, "'%.*s'; expected a list of an integer type",
                           TOKEN_SHOWN(p->name));
-    }
-    if (p->role <= PLY_Z && p->is_list) {
+    if (p->role <= PLY_Z && p->is_list)
         return lines_fail(l, GRAZE_EINPUT, "coordinate '%.*s' is a list; expected a number",
                           TOKEN_SHOWN(p->name));
-    }
     return GRAZE_OK;
 }
 
 static graze_status read_property(ply_header *h, lines *l) {
-    if (h->element_count == 0) {
+    if (h->element_count == 0)
         return lines_fail(l, GRAZE_EINPUT, "a property stands before the first element");
-    }
     ply_element *e = h->element + h->element_count - 1;
     ply_property *p = h->property + h->property_count;
     *p = (ply_property){.count_type = PLY_INT8};
     lines before = *l;
     token t;
-    graze_status status = word(l, &t, "a type");
-    p->is_list = status == GRAZE_OK && token_is(t, "list");
-    if (p->is_list) {
-        status = read_type(l, &p->count_type);
-    } else {
+    TRY(word(l, &t, "a type"));
+    p->is_list = token_is(t, "list");
+    if (p->is_list)
+        TRY(read_type(l, &p->count_type));
+    else
         *l = before;
-    }
-    if (status == GRAZE_OK) {
-        status = read_type(l, &p->type);
-    }
-    if (status == GRAZE_OK) {
-        status = word(l, &p->name, "the property's name");
-    }
-    if (status == GRAZE_OK) {
-        p->role = role_of(e, p->name);
-        status = check_property(h, l, e, p);
-    }
-    if (status != GRAZE_OK) {
-        return status;
-    }
+    TRY(read_type(l, &p->type));
+    TRY(word(l, &p->name, "the property's name"));
+    p->role = role_of(e, p->name);
+    TRY(check_property(h, l, e, p));
     h->property_count++;
     e->property_count++;
     return line_ends(l);
@@ -168,79 +142,65 @@ static graze_status check_header(const ply_header *h, const lines *l) {
     for (size_t k = 0; k < h->element_count; k++) {
         const ply_element *e = h->element + k;
         int needed = e->is_vertex ? 3 : e->is_face;
-        for (size_t p = e->first; p < e->first + e->property_count; p++) {
+        for (size_t p = e->first; p < e->first + e->property_count; p++)
             needed -= h->property[p].role != PLY_PASSED;
-        }
-        if (e->property_count == 0 || needed > 0) {
+        if (e->property_count == 0 || needed > 0)
             return lines_fail(l, GRAZE_EINPUT, "element '%.*s' lacks %s", TOKEN_SHOWN(e->name),
                               e->is_vertex ? "one of its properties x, y, z"
                               : e->is_face ? "a property vertex_indices"
                                            : "properties");
-        }
         vertex |= e->is_vertex;
         face |= e->is_face;
     }
-    if (!vertex || !face) {
+    if (!vertex || !face)
         return lines_fail(l, GRAZE_EINPUT, "the header has no element '%s'",
                           vertex ? "face" : "vertex");
-    }
     return GRAZE_OK;
 }
 
 static graze_status read_entries(ply_header *h, lines *l) {
     for (;;) {
         token t;
-        if (!lines_next(l) || !lines_token(l, &t)) {
+        if (!lines_next(l) || !lines_token(l, &t))
             return lines_fail(l, GRAZE_EINPUT,
                               "the file ends within the header; its last line is "
                               "'end_header'");
-        }
-        if (h->element_count + h->property_count == ENTRIES_MOST) {
+        if (h->element_count + h->property_count == ENTRIES_MOST)
             return lines_fail(l, GRAZE_EINPUT,
                               "the header has more than %d elements and properties", ENTRIES_MOST);
-        }
-        graze_status status = GRAZE_OK;
         if (token_is(t, "end_header")) {
-            status = line_ends(l);
-            return status == GRAZE_OK ? check_header(h, l) : status;
+            TRY(line_ends(l));
+            return check_header(h, l);
         }
-        if (token_is(t, "element")) {
-            status = read_element(h, l);
-        } else if (token_is(t, "property")) {
-            status = read_property(h, l);
-        } else if (!token_is(t, "comment") && !token_is(t, "obj_info")) {
-            status = lines_fail(l, GRAZE_EINPUT,
-                                "'%.*s' is no header line; expected element, property, comment, "
-                                "end_header",
-                                TOKEN_SHOWN(t));
-        }
-        if (status != GRAZE_OK) {
-            return status;
-        }
+        if (token_is(t, "element"))
+            TRY(read_element(h, l));
+        else if (token_is(t, "property"))
+            TRY(read_property(h, l));
+        else if (!token_is(t, "comment") && !token_is(t, "obj_info"))
+            return lines_fail(l, GRAZE_EINPUT,
+                              "'%.*s' is no header line; expected element, property, comment, "
+                              "end_header",
+                              TOKEN_SHOWN(t));
     }
 }
 
 graze_status ply_header_read(ply_header *out, lines *l) {
     token t;
     *out = (ply_header){.format = PLY_ASCII};
-    if (!lines_token(l, &t) || !token_is(t, "ply")) {
+    if (!lines_token(l, &t) || !token_is(t, "ply"))
         return lines_fail(l, GRAZE_EINPUT, "the file begins with '%.*s'; expected 'ply'",
                           TOKEN_SHOWN(t));
-    }
     out->element = malloc(ENTRIES_MOST * sizeof *out->element);
     out->property = malloc(ENTRIES_MOST * sizeof *out->property);
     graze_status status = out->element == NULL || out->property == NULL
                               ? context_fail(l->context, GRAZE_ESYSTEM, "no memory for a header")
                               : line_ends(l);
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = read_format(out, l);
-    }
-    if (status == GRAZE_OK) {
+    if (status == GRAZE_OK)
         status = read_entries(out, l);
-    }
-    if (status != GRAZE_OK) {
+    if (status != GRAZE_OK)
         ply_header_clear(out);
-    }
     return status;
 }
 

@@ -1,4 +1,4 @@
-/* The choice of a reader by a file's extension.
+/* Formats of solids, and the choice of a reader by a file's name.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "input/read/read.h"
@@ -12,71 +12,67 @@
 #include "input/read/token_lines.h"
 #include "input/soup/soup.h"
 
-static const struct format {
-    const char *extension;
-    int dimension;
-    soup_reader *read;
-} formats[] = {
-    {".off", 3, read_off}, {".obj", 3, read_obj},   {".ply", 3, read_ply},
-    {".stl", 3, read_stl}, {".nef3", 3, read_nef3}, {".wkt", 2, read_wkt},
-};
+static const char not_mended[] = "only meshes are mended; expected",
+                  no_mesh[] = "a curved solid is no mesh; expected a mesh in",
+                  cad[] = "; FreeCAD and gmsh write .stl of it",
+                  scene[] = "; Blender and assimp write .ply of it";
 
-static const struct format *format_of(const char *path) {
-    const char *name = strrchr(path, '/');
-    const char *extension = strrchr(name == NULL ? path : name, '.');
-    for (size_t k = 0; extension != NULL && k < sizeof formats / sizeof *formats; k++) {
-        if (strcasecmp(extension, formats[k].extension) == 0) {
-            return formats + k;
-        }
-    }
-    return NULL;
+static const solid_format formats[] = {
+    {".off", FORMAT_SOUP, 3, read_off, NULL},
+    {".obj", FORMAT_SOUP, 3, read_obj, NULL},
+    {".ply", FORMAT_SOUP, 3, read_ply, NULL},
+    {".stl", FORMAT_SOUP, 3, read_stl, NULL},
+    {".nef3", FORMAT_SOUP, 3, read_nef3, not_mended},
+    {".wkt", FORMAT_SOUP, 2, read_wkt, not_mended},
+    {".csg", FORMAT_SCAD, 0, NULL, no_mesh},
+    {".csg.json", FORMAT_CURVED, 0, NULL, no_mesh},
+    {".step", FORMAT_NONE, 0, NULL, cad},
+    {".stp", FORMAT_NONE, 0, NULL, cad},
+    {".iges", FORMAT_NONE, 0, NULL, cad},
+    {".glb", FORMAT_NONE, 0, NULL, scene},
+    {".gltf", FORMAT_NONE, 0, NULL, scene},
+    {".3mf", FORMAT_NONE, 0, NULL, "; PrusaSlicer and trimesh write .stl of it"},
+    {".scad", FORMAT_NONE, 0, NULL, "; OpenSCAD writes .csg of it: openscad -o NAME.csg NAME.scad"},
+    {".json", FORMAT_NONE, 0, NULL, "; .json is a motion, and stands behind SOLID"},
+    {".urdf", FORMAT_NONE, 0, NULL, "; it names a mesh for each link, which is a solid of its own"},
+    {"", FORMAT_NONE, 0, NULL, ""}};
+
+const solid_format *format_of(const char *path) {
+    const solid_format *format = formats;
+    size_t length = strlen(path), tail = strlen(format->ending);
+    while (length < tail || strcasecmp(path + length - tail, format->ending) != 0)
+        tail = strlen((++format)->ending);
+    return format;
 }
 
-/* Programs that write what is read of what is not. */
-static const char *advice_of(const char *path) {
-    static const char *const known[][2] = {
-        {".step", "; FreeCAD and gmsh write .stl of it"},
-        {".stp", "; FreeCAD and gmsh write .stl of it"},
-        {".iges", "; FreeCAD and gmsh write .stl of it"},
-        {".glb", "; Blender and assimp write .ply of it"},
-        {".gltf", "; Blender and assimp write .ply of it"},
-        {".3mf", "; PrusaSlicer and trimesh write .stl of it"},
-        {".scad", "; OpenSCAD writes .csg of it: openscad -o NAME.csg NAME.scad"},
-        {".json", "; .json is a motion, and stands behind SOLID"},
-        {".urdf", "; it names a mesh for each link, which is a solid of its own"}};
-    const char *extension = strrchr(path, '.');
-    for (size_t k = 0; extension != NULL && k < sizeof known / sizeof *known; k++) {
-        if (strcasecmp(extension, known[k][0]) == 0) {
-            return known[k][1];
-        }
-    }
-    return "";
+static graze_status refuse_mesh(const solid_format *format, graze_context *context,
+                                const char *path) {
+    return context_fail_in(context, GRAZE_EINPUT, path, 0, "%s .off, .obj, .ply or .stl",
+                           format->advice);
 }
 
 graze_status soup_read_any(soup *s, graze_context *context, const char *path) {
-    const struct format *format = format_of(path);
-    if (format == NULL) {
+    const solid_format *format = format_of(path);
+    if (format->kind == FORMAT_NONE)
         return context_fail_in(context, GRAZE_EINPUT, path, 0,
                                "unknown solid format; expected .off, .obj, .ply, .stl, .nef3, "
                                ".wkt, .csg or .csg.json%s",
-                               advice_of(path));
-    }
+                               format->advice);
+    if (!format->read)
+        return refuse_mesh(format, context, path);
     char *text;
     size_t length;
     soup_init(s, format->dimension);
     graze_status status = file_read(&text, &length, s->sha256, context, path);
-    if (status != GRAZE_OK) {
+    if (status != GRAZE_OK)
         return status;
-    }
-    if (length == 0) {
+    if (length == 0)
         status = context_fail_in(context, GRAZE_EINPUT, path, 0, "the file is empty");
-    } else {
+    else
         status = format->read(s, context, path, text, length);
-    }
     free(text);
-    if (status != GRAZE_OK) {
+    if (status != GRAZE_OK)
         soup_clear(s);
-    }
     return status;
 }
 
@@ -88,4 +84,10 @@ graze_status soup_read(soup *s, graze_context *context, const char *path) {
                                "empty interior: there are no facets; expected a closed boundary");
     }
     return GRAZE_OK;
+}
+
+graze_status soup_read_mesh(soup *s, graze_context *context, const char *path) {
+    const solid_format *format = format_of(path);
+    return format->kind == FORMAT_NONE || !format->advice ? soup_read(s, context, path)
+                                                          : refuse_mesh(format, context, path);
 }

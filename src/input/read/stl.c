@@ -17,7 +17,7 @@ typedef struct merger {
     soup *s;
     graze_context *context;
     slots positions; /* of the vertices */
-    fmpq point[3];
+    fmpq *point;     /* 3 */
 } merger;
 
 static uint64_t stl_hash(const fmpq *point) {
@@ -36,9 +36,8 @@ static size_t find_vertex(const merger *m, uint64_t hash) {
     while ((vertex = slots_next(&m->positions, hash, &at)) != SLOTS_NONE) {
         const fmpq *there = m->s->coordinates + 3 * vertex;
         if (fmpq_equal(there, m->point) && fmpq_equal(there + 1, m->point + 1) &&
-            fmpq_equal(there + 2, m->point + 2)) {
+            fmpq_equal(there + 2, m->point + 2))
             break;
-        }
     }
     return vertex;
 }
@@ -50,17 +49,11 @@ static graze_status add_corner(merger *m) {
     if (vertex == SLOTS_NONE) {
         vertex = m->s->vertex_count;
         TRY(soup_add_vertex(m->s, m->context, m->point));
-        if (!slots_add(&m->positions, hash)) {
+        if (!slots_add(&m->positions, hash))
             return context_fail(m->context, GRAZE_ESYSTEM, "no memory to merge %zu vertices",
                                 m->s->vertex_count);
-        }
     }
     return soup_add_index(m->s, m->context, vertex);
-}
-
-static graze_status begin_facet(merger *m) {
-    graze_status status = soup_add_facet(m->s, m->context);
-    return status == GRAZE_OK ? soup_add_cycle(m->s, m->context, NULL, 0) : status;
 }
 
 static uint32_t little_endian(const unsigned char *p) {
@@ -81,10 +74,9 @@ static graze_status binary_corner(merger *m, const unsigned char *p) {
 static graze_status read_binary(merger *m, const char *path, const unsigned char *data,
                                 size_t count) {
     for (size_t f = 0; f < count; f++) {
-        graze_status status = begin_facet(m);
-        for (size_t k = 0; k < 3 && status == GRAZE_OK; k++) {
+        graze_status status = facet_begin(m->s, m->context);
+        for (size_t k = 0; k < 3 && status == GRAZE_OK; k++)
             status = binary_corner(m, data + HEADER + RECORD * f + 12 + 12 * k);
-        }
         if (status != GRAZE_OK) {
             context_item(m->context, status, "facet", f, NULL);
             context_at(m->context, status, "byte %zu", HEADER + RECORD * f);
@@ -96,13 +88,11 @@ static graze_status read_binary(merger *m, const char *path, const unsigned char
 
 static graze_status stl_expect(lines *l, const char *word, size_t f) {
     token t;
-    if (!lines_any(l, &t)) {
+    if (!lines_any(l, &t))
         return lines_fail(l, GRAZE_EINPUT, "the file ends; expected '%s' of facet %zu", word, f);
-    }
-    if (!token_is(t, word)) {
+    if (!token_is(t, word))
         return lines_fail(l, GRAZE_EINPUT, "facet %zu: '%.*s'; expected '%s'", f, TOKEN_SHOWN(t),
                           word);
-    }
     return GRAZE_OK;
 }
 
@@ -110,31 +100,21 @@ static graze_status stl_expect(lines *l, const char *word, size_t f) {
 static graze_status stl_facet(merger *m, lines *l) {
     size_t f = m->s->facet_count;
     token ignored;
-    graze_status status = stl_expect(l, "normal", f);
-    for (int k = 0; k < 3 && status == GRAZE_OK; k++) {
-        if (!lines_token(l, &ignored)) {
+    TRY(stl_expect(l, "normal", f));
+    for (int k = 0; k < 3; k++)
+        if (!lines_token(l, &ignored))
             return lines_fail(l, GRAZE_EINPUT, "facet %zu: its normal has %d numbers; expected 3",
                               f, k);
-        }
+    TRY(stl_expect(l, "outer", f));
+    TRY(stl_expect(l, "loop", f));
+    TRY(lines_at(l, facet_begin(m->s, m->context)));
+    for (int k = 0; k < 3; k++) {
+        TRY(stl_expect(l, "vertex", f));
+        TRY(lines_numbers(l, m->point, 3, "a vertex of facet", f));
+        TRY(lines_at(l, add_corner(m)));
     }
-    status = status == GRAZE_OK ? stl_expect(l, "outer", f) : status;
-    status = status == GRAZE_OK ? stl_expect(l, "loop", f) : status;
-    if (status == GRAZE_OK) {
-        status = begin_facet(m);
-        status = status == GRAZE_OK ? status : lines_at(l, status);
-    }
-    for (int k = 0; k < 3 && status == GRAZE_OK; k++) {
-        status = stl_expect(l, "vertex", f);
-        if (status == GRAZE_OK) {
-            status = lines_numbers(l, m->point, 3, "a vertex of facet", f);
-        }
-        if (status == GRAZE_OK) {
-            status = add_corner(m);
-            status = status == GRAZE_OK ? status : lines_at(l, status);
-        }
-    }
-    status = status == GRAZE_OK ? stl_expect(l, "endloop", f) : status;
-    return status == GRAZE_OK ? stl_expect(l, "endfacet", f) : status;
+    TRY(stl_expect(l, "endloop", f));
+    return stl_expect(l, "endfacet", f);
 }
 
 /* One "solid ... endsolid"; both words may be followed by a name up to the line's end. */
@@ -143,17 +123,14 @@ static graze_status read_part(merger *m, lines *l) {
     while (lines_token(l, &t)) {
     }
     for (;;) {
-        if (!lines_any(l, &t)) {
+        if (!lines_any(l, &t))
             return lines_fail(l, GRAZE_EINPUT, "the file ends before 'endsolid', after %zu facets",
                               m->s->facet_count);
-        }
-        if (token_is(t, "endsolid")) {
+        if (token_is(t, "endsolid"))
             break;
-        }
-        if (!token_is(t, "facet")) {
+        if (!token_is(t, "facet"))
             return lines_fail(l, GRAZE_EINPUT, "'%.*s'; expected 'facet' or 'endsolid'",
                               TOKEN_SHOWN(t));
-        }
         TRY(stl_facet(m, l));
     }
     while (lines_token(l, &t)) {
@@ -166,9 +143,8 @@ static graze_status read_text(merger *m, const char *path, const char *text, siz
     TRY(lines_start(&l, text, length));
     token t;
     while (lines_any(&l, &t)) {
-        if (!token_is(t, "solid")) {
+        if (!token_is(t, "solid"))
             return lines_fail(&l, GRAZE_EINPUT, "'%.*s'; expected 'solid'", TOKEN_SHOWN(t));
-        }
         TRY(read_part(m, &l));
     }
     return GRAZE_OK;
@@ -192,15 +168,13 @@ static graze_status read_either(merger *m, const char *path, const char *text, s
         }
         return read_binary(m, path, data, count);
     }
-    if (begins_as_text(text, length)) {
+    if (begins_as_text(text, length))
         return read_text(m, path, text, length);
-    }
-    if (length < HEADER) {
+    if (length < HEADER)
         return context_fail_in(m->context, GRAZE_EINPUT, path, 0,
                                "neither begins with 'solid' nor has the %d bytes of a binary "
                                "STL's header",
                                HEADER);
-    }
     return context_fail_in(m->context, GRAZE_EINPUT, path, 0,
                            "has %zu bytes; expected %zu, as a binary STL of %zu facets has", length,
                            HEADER + RECORD * count, count);
@@ -208,14 +182,9 @@ static graze_status read_either(merger *m, const char *path, const char *text, s
 
 graze_status read_stl(soup *s, graze_context *context, const char *path, const char *text,
                       size_t length) {
-    merger m = {.s = s, .context = context};
-    for (int k = 0; k < 3; k++) {
-        fmpq_init(m.point + k);
-    }
+    LOCAL_VEC(fmpq, point, 3);
+    merger m = {.s = s, .context = context, .point = point};
     graze_status status = read_either(&m, path, text, length);
     slots_clear(&m.positions);
-    for (int k = 0; k < 3; k++) {
-        fmpq_clear(m.point + k);
-    }
     return status;
 }

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
+#include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "input/read/token_lines.h"
 
@@ -12,13 +13,11 @@ enum { DETAIL_SIZE = 1024 };
 
 static void find_stops(lines *l) {
     memset(l->stops, 0, sizeof l->stops);
-    for (const char *c = "\n \t\r\v\f"; *c != '\0'; c++) {
+    for (const char *c = "\n \t\r\v\f"; *c != '\0'; c++)
         l->stops[(unsigned char)*c] = 1;
-    }
-    for (const char *c = l->marks; *c != '\0'; c++) {
+    for (const char *c = l->marks; *c != '\0'; c++)
         l->stops[(unsigned char)*c] = 1;
-    }
-    l->stops[(unsigned char)l->comment] = 1; /* a NUL, where there is none, is in no text */
+    l->stops[(unsigned char)l->comment] = 1; /* without comments NUL, which no text has */
     l->stops['\\'] = l->continued != 0;
 }
 
@@ -36,17 +35,14 @@ graze_status lines_start(lines *l, const char *text, size_t length) {
     while (text < l->end) {
         const char *newline = memchr(text, '\n', (size_t)(l->end - text));
         size_t size = (size_t)((newline == NULL ? l->end : newline) - text);
-        if (size > l->context->limits[GRAZE_LIMIT_LINE]) {
+        if (size > l->context->limits[GRAZE_LIMIT_LINE])
             return lines_at(l, context_limit(l->context, GRAZE_LIMIT_LINE, "bytes of a line"));
-        }
-        if (memchr(text, '\0', size) != NULL) {
+        if (memchr(text, '\0', size) != NULL)
             return lines_fail(l, GRAZE_EINPUT, "a NUL byte; expected a text in UTF-8");
-        }
         const char *cr = memchr(text, '\r', size);
-        if (cr != NULL && cr + 1 != newline) {
+        if (cr != NULL && cr + 1 != newline)
             return lines_fail(l, GRAZE_EINPUT,
                               "a carriage return within the line; expected LF or CRLF at its end");
-        }
         l->where++;
         text += size + (newline != NULL);
     }
@@ -56,9 +52,8 @@ graze_status lines_start(lines *l, const char *text, size_t length) {
 
 /* The bytes of a line's end at p that a backslash joins to the next line; 0 if there are none. */
 static size_t joined(const lines *l, const char *p) {
-    if (!l->continued || *p != '\\') {
+    if (!l->continued || *p != '\\')
         return 0;
-    }
     size_t n = 1 + (size_t)(p + 1 < l->end && p[1] == '\r');
     return p + n < l->end && p[n] == '\n' ? n + 1 : 0;
 }
@@ -92,17 +87,15 @@ static void skip_blanks(lines *l) {
 int lines_token(lines *l, token *out) {
     skip_blanks(l);
     *out = (token){l->at, 0};
-    if (l->at == l->end || *l->at == '\n') {
+    if (l->at == l->end || *l->at == '\n')
         return 0;
-    }
     l->where = l->line;
     if (is_mark(l, *l->at)) {
         l->at++;
     } else {
         const char *p = l->at;
-        while (p < l->end && (!l->stops[(unsigned char)*p] || (*p == '\\' && joined(l, p) == 0))) {
+        while (p < l->end && (!l->stops[(unsigned char)*p] || (*p == '\\' && joined(l, p) == 0)))
             p++;
-        }
         l->at = p;
     }
     out->length = (size_t)(l->at - out->text);
@@ -118,17 +111,15 @@ int lines_next(lines *l) {
         l->line++;
         skip_blanks(l);
     }
-    if (l->at < l->end) {
+    if (l->at < l->end)
         l->where = l->line;
-    }
     return l->at < l->end;
 }
 
 int lines_any(lines *l, token *out) {
     while (!lines_token(l, out)) {
-        if (l->at == l->end) {
+        if (l->at == l->end)
             return 0;
-        }
         l->at++;
         l->line++;
     }
@@ -151,31 +142,30 @@ graze_status lines_at(const lines *l, graze_status status) {
 graze_status lines_numbers(lines *l, fmpq *out, int count, const char *what, size_t index) {
     for (int k = 0; k < count; k++) {
         token t;
-        if (!lines_token(l, &t)) {
+        if (!lines_token(l, &t))
             return lines_fail(l, GRAZE_EINPUT, "%s %zu: the line has %d of its %d numbers", what,
                               index, k, count);
-        }
         graze_status status = rational_parse(out + k, l->context, t.text, t.length);
-        if (status != GRAZE_OK) {
-            return lines_at(l, context_item(l->context, status, what, index, NULL));
-        }
+        TRY(lines_at(l, context_item(l->context, status, what, index, NULL)));
     }
     return GRAZE_OK;
+}
+
+graze_status facet_begin(soup *s, graze_context *context) {
+    TRY(soup_add_facet(s, context));
+    return soup_add_cycle(s, context, NULL, 0);
 }
 
 graze_status lines_cells(lines *l, size_t *out, const char *what) {
     token t;
     long long value;
-    if (!lines_any(l, &t)) {
+    if (!lines_any(l, &t))
         return lines_fail(l, GRAZE_EINPUT, "the file ends before the number of %s", what);
-    }
-    if (!token_integer(t, &value) || value < 0) {
+    if (!token_integer(t, &value) || value < 0)
         return lines_fail(l, GRAZE_EINPUT, "'%.*s' is not a number of %s; expected a plain integer",
                           TOKEN_SHOWN(t), what);
-    }
-    if ((unsigned long long)value > l->context->limits[GRAZE_LIMIT_CELLS]) {
+    if ((unsigned long long)value > l->context->limits[GRAZE_LIMIT_CELLS])
         return lines_at(l, context_limit(l->context, GRAZE_LIMIT_CELLS, what));
-    }
     *out = (size_t)value;
     return GRAZE_OK;
 }
@@ -189,13 +179,11 @@ int token_integer(token t, long long *out) {
     size_t k = t.length > 0 && (t.text[0] == '-' || t.text[0] == '+');
     int negative = k == 1 && t.text[0] == '-';
     long long value = 0;
-    if (k == t.length) {
+    if (k == t.length)
         return 0;
-    }
     for (; k < t.length; k++) {
-        if (t.text[k] < '0' || t.text[k] > '9') {
+        if (t.text[k] < '0' || t.text[k] > '9')
             return 0;
-        }
         value = value >= most / 10 ? most : 10 * value + (t.text[k] - '0');
     }
     *out = negative ? -value : value;

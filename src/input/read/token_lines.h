@@ -8,15 +8,6 @@
 #include "input/read/read.h"
 #include "input/soup/soup.h"
 
-/* The type of the readers of solids; read.c chooses one by the file's extension.
- *
- * Each takes a whole file's bytes and fills an initialised soup of the format's dimension. What it
- * leaves in the soup on failure is the caller's to clear. A message names path and line, or path
- * and byte in a binary file. */
-
-typedef graze_status soup_reader(soup *s, graze_context *context, const char *path,
-                                 const char *text, size_t length);
-
 /* A text as lines of tokens, with line numbers for messages, for the readers of solids.
  *
  * A token is a run of bytes without blanks; a byte of `marks` is a token by itself. Tokens point
@@ -62,12 +53,15 @@ int lines_any(lines *l, token *out);
 graze_status lines_fail(const lines *l, graze_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/** Put "path:line: " before the message of a failure on its way up. */
+/** Put "path:line: " before the message of a failure on its way up; GRAZE_OK passes through. */
 graze_status lines_at(const lines *l, graze_status status);
 
 /** Read the next `count` tokens of this line as numbers. `what` and `index` name
  * their owner in messages. */
 graze_status lines_numbers(lines *l, fmpq *out, int count, const char *what, size_t index);
+
+/** Begin a facet of one cycle, whose indices follow. */
+graze_status facet_begin(soup *s, graze_context *context);
 
 /** A number of cells: a plain integer within the cells limit. `what` names them, in the plural. */
 graze_status lines_cells(lines *l, size_t *out, const char *what);

@@ -15,9 +15,6 @@ typedef struct scad_choice {
 
 /* A `.csg.json` file of OpenSCAD's `.csg` file. */
 
-/** Whether a file of this name is one of OpenSCAD's. */
-int scad_is_named(const char *path);
-
 /**
  * Write the solid of a text. Each node stands in the line in which the text has it, so messages on
  * what is written name lines of the text.

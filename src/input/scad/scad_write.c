@@ -9,18 +9,12 @@
 
 #include <flint/fmpq_vec.h>
 #include <string.h>
-#include <strings.h>
 #include "base/context/scope.h"
 #include "base/number/decimal.h"
 #include "input/scad/arguments.h"
 #include "input/scad/writer.h"
 
 static graze_status write_node(scad_writer *w, size_t node);
-
-int scad_is_named(const char *path) {
-    size_t length = strlen(path);
-    return length > 4 && strcasecmp(path + length - 4, ".csg") == 0;
-}
 
 /* The child of an operation after another one, or the first after 0, that is not empty. */
 static size_t operand_after(const scad *file, size_t node, size_t child) {

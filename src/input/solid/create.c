@@ -39,6 +39,20 @@ static unsigned long next_number(void) {
     return atomic_fetch_add(&made, 1) + 1;
 }
 
+/* All that follows from the soup. */
+static graze_status fill_solid(graze_solid *solid, graze_context *context, unsigned flags) {
+    TRY(validate_soup(&solid->cut, context, &solid->input, flags));
+    TRY(skin_bounds(&solid->low, &solid->high, context, &solid->input));
+    skin bare = solid_skin(solid);
+    TRY(skin_tree(&solid->boxes, context, &bare));
+    TRY(corners_make(&solid->corners, context, &solid->input, &solid->cut, solid->low,
+                     solid->high));
+    TRY(make_slabs(solid, context));
+    TRY(solid_check_sides(solid, context));
+    make_note(solid);
+    return GRAZE_OK;
+}
+
 graze_status solid_create(graze_solid **out, graze_context *context, soup *input, unsigned flags) {
     *out = NULL;
     graze_solid *solid = calloc(1, sizeof *solid);
@@ -48,24 +62,10 @@ graze_status solid_create(graze_solid **out, graze_context *context, soup *input
     }
     solid->number = next_number();
     solid->input = *input;
-    graze_status status = validate_soup(&solid->cut, context, &solid->input, flags);
+    graze_status status = fill_solid(solid, context, flags);
     if (status == GRAZE_OK)
-        status = skin_bounds(&solid->low, &solid->high, context, &solid->input);
-    skin bare = solid_skin(solid);
-    if (status == GRAZE_OK)
-        status = skin_tree(&solid->boxes, context, &bare);
-    if (status == GRAZE_OK)
-        status = corners_make(&solid->corners, context, &solid->input, &solid->cut, solid->low,
-                              solid->high);
-    if (status == GRAZE_OK)
-        status = make_slabs(solid, context);
-    if (status == GRAZE_OK)
-        status = solid_check_sides(solid, context);
-    if (status == GRAZE_OK) {
-        make_note(solid);
         *out = solid;
-    }
-    if (status != GRAZE_OK)
+    else
         graze_solid_destroy(solid);
     return status;
 }

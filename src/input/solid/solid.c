@@ -5,6 +5,13 @@
 
 #include "input/validate/validate.h"
 
+solid_kind solid_kind_of(const graze_solid *solid) {
+    int space = solid->input.dimension == 3;
+    if (solid->curved)
+        return space ? SOLID_CURVED_SPACE : SOLID_CURVED_PLANE;
+    return space ? SOLID_POLYHEDRON : SOLID_POLYGON;
+}
+
 int solid_bounded(const graze_solid *solid) {
     return !solid->curved || solid->curved->box.dimension > 0;
 }

@@ -147,6 +147,18 @@ static inline skin solid_skin(const graze_solid *solid) {
     return (skin){&solid->input, &solid->cut, solid->low, solid->high, &solid->boxes};
 }
 
+/** Kinds of solids, a bit each, and two groups of them. */
+typedef enum solid_kind {
+    SOLID_POLYGON = 1,
+    SOLID_POLYHEDRON = 2,
+    SOLID_CURVED_PLANE = 4,
+    SOLID_CURVED_SPACE = 8,
+    SOLID_STRAIGHT = SOLID_POLYGON | SOLID_POLYHEDRON,
+    SOLID_CURVED = SOLID_CURVED_PLANE | SOLID_CURVED_SPACE
+} solid_kind;
+
+solid_kind solid_kind_of(const graze_solid *solid);
+
 /** Whether a box that holds the solid is known: 1 unless it is curved. */
 int solid_bounded(const graze_solid *solid);
 /** That box: the least one, of a curved solid one that holds it. */

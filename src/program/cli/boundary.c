@@ -184,7 +184,7 @@ static int run_boundary(void *options, const operands *given) {
     o->scene.motion = given->item[1];
     status = loaded_read(&l, &o->scene, EXIT_INPUT, NULL);
     if (!status)
-        status = load_straight(l.solid, o->scene.solid, "boundary");
+        status = load_takes(l.solid, o->scene.solid, "boundary", TAKES_STRAIGHT);
     if (!status)
         status = sample_boundary(&l, o, box);
     loaded_clear(&l);

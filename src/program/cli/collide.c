@@ -72,7 +72,7 @@ static const option_entry collide_table[] = {
 
 static int read_side(graze_solid **out, const collide_scene *s, const char *path, unsigned flags) {
     int code = complain_of(graze_solid_read(out, s->context, path, flags), s->context);
-    return code ? code : load_straight(*out, path, "collide");
+    return code ? code : load_takes(*out, path, "collide", TAKES_STRAIGHT);
 }
 
 static int read_pair(collide_scene *s, const collide_given *o, char **file) {

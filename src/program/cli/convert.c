@@ -67,7 +67,7 @@ static int convert_solid_file(const convert_options *o, graze_context *context) 
     graze_solid *solid = NULL;
     char *text = NULL;
     graze_status made = graze_solid_read(&solid, context, path, o->solid_flags);
-    int refused = made ? EXIT_DONE : load_straight(solid, path, "convert");
+    int refused = made ? EXIT_DONE : load_takes(solid, path, "convert", TAKES_STRAIGHT);
     if (!made && !refused)
         made = graze_solid_text(&text, context, solid);
     int space = graze_solid_dimension(solid) == 3;

@@ -139,7 +139,7 @@ static int draw_scene(const loaded *l, const draw_given *o, const operands *give
     marks_give(&what, m);
     const char *part = straight_part(o);
     if (!status && part)
-        status = load_straight(l->solid, o->scene.solid, part);
+        status = load_takes(l->solid, o->scene.solid, part, TAKES_STRAIGHT);
     if (status)
         return status;
     graze_status drawn = graze_draw(l->context, l->scene, o->output, &what);

@@ -83,7 +83,7 @@ int envelope_run(const envelope_options *o) {
         return status;
     status = loaded_read(&l, &o->scene, EXIT_INPUT, NULL);
     if (!status)
-        status = load_straight(l.solid, o->scene.solid, "envelope");
+        status = load_takes(l.solid, o->scene.solid, "envelope", TAKES_STRAIGHT);
     if (!status)
         status = complain_of(graze_envelope_create(&envelope, l.context, l.scene), l.context);
     if (!status)

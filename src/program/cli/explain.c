@@ -102,7 +102,7 @@ static int run_explain(void *options, const operands *given) {
     mpq_inits(point[0], point[1], point[2], NULL);
     int status = loaded_read(&l, o, EXIT_INPUT, NULL);
     if (!status && all->picture)
-        status = load_straight(l.solid, o->solid, "--svg");
+        status = load_takes(l.solid, o->solid, "--svg", TAKES_POLYGONS);
     if (!status)
         status = read_coordinates(point, &l, given);
     if (!status)

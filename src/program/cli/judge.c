@@ -242,7 +242,7 @@ static int run_judge(void *options, const operands *given) {
     o->scene.rows.sdf = o->scene.sdf_relative = 0; /* no row has a distance */
     int code = loaded_read(&l, &o->scene, EXIT_INPUT, NULL);
     if (!code)
-        code = load_straight(l.solid, given->item[0], "judge");
+        code = load_takes(l.solid, given->item[0], "judge", TAKES_POLYHEDRA);
     l.rows.sdf = within;
     if (!code && relative)
         code = complain_of(graze_scene_width(&l.rows.sdf, l.context, l.scene, within), l.context);

@@ -114,9 +114,11 @@ typedef struct loaded {
  *                 or NULL
  */
 int loaded_read(loaded *out, const scene_options *o, int illegal, const unsigned char *trusted);
-/** Refuse a curved solid, which `what`, a command or an option, does not take: EXIT_INPUT, with a
+/** Kinds of solids that a command or an option takes. */
+enum { TAKES_POLYGONS = 1, TAKES_POLYHEDRA = 2, TAKES_STRAIGHT = 3 };
+/** Refuse a solid of a kind that `what`, a command or an option, does not take: EXIT_INPUT, with a
  * message. */
-int load_straight(const graze_solid *solid, const char *path, const char *what);
+int load_takes(const graze_solid *solid, const char *path, const char *what, unsigned kinds);
 /** The line of a table's head that says whether facets were cut. Static. */
 const char *load_note(const scene_options *o);
 void loaded_clear(loaded *l);

@@ -25,11 +25,15 @@ int context_make(graze_context **out, const context_options *o) {
     return status ? complain(EXIT_USAGE, "%s", graze_context_message(*out)) : EXIT_DONE;
 }
 
-int load_straight(const graze_solid *solid, const char *path, const char *what) {
-    if (graze_solid_primitive_count(solid) == 0)
+int load_takes(const graze_solid *solid, const char *path, const char *what, unsigned kinds) {
+    static const char *const is[] = {"polygon", "polyhedron", "curved solid in the plane",
+                                     "curved solid in space"};
+    static const char *const words[] = {"polygons", "polyhedra", "polygons and polyhedra"};
+    int space = graze_solid_dimension(solid) == 3, curved = graze_solid_primitive_count(solid) > 0;
+    if (!curved && kinds & (space ? TAKES_POLYHEDRA : TAKES_POLYGONS))
         return EXIT_DONE;
-    return complain(EXIT_INPUT, "%s: the solid is curved; %s takes polyhedra and polygons", path,
-                    what);
+    return complain(EXIT_INPUT, "%s: the solid is a %s; %s takes %s", path, is[2 * curved + space],
+                    what, words[kinds - 1]);
 }
 
 /* Positions and distances are those of polyhedra and polygons; no part of a sweep dangles. */
@@ -41,7 +45,7 @@ static int check_rows(const graze_solid *solid, const scene_options *o) {
     if (o->rows.regular && o->scene.operation == GRAZE_SWEEP)
         return complain(EXIT_USAGE, "--regular is asked of an unsweep; expected --operation "
                                     "unsweep beside it");
-    return straight ? load_straight(solid, o->solid, straight) : EXIT_DONE;
+    return straight ? load_takes(solid, o->solid, straight, TAKES_STRAIGHT) : EXIT_DONE;
 }
 
 /* Say why a scene was not read, and name graze mend where it makes a legal solid: it is tried. */

@@ -137,7 +137,7 @@ static int load_scene(run_state *s, const classify_options *o) {
     int certified = o->no_table || o->certificate;
     int status = receipt_load(&s->l, o->receipt, &o->scene);
     if (!status && o->sites.wanted)
-        status = load_straight(s->l.solid, o->scene.solid, "contact");
+        status = load_takes(s->l.solid, o->scene.solid, "contact", TAKES_STRAIGHT);
     results_init(&s->out, o, &s->l);
     return !status && certified ? certified_load(&s->l, o, 1) : status;
 }
