@@ -48,7 +48,7 @@ WING = {room: wing for wing, floor in FLOORS for room in floor}
 COMMANDS = {"io", "points", "run", "cli", "mpi"}
 # Small tools that the commands use beside the public header and table/.
 TOOLS = {"src/base/context/array.h", "src/base/context/scope.h", "src/base/context/slots.h", "src/base/context/spelling.h",
-         "src/base/number/text.h"}
+         "src/base/number/text.h", "src/base/number/json.h"}
 # Rooms that the commands include headers of, beside their own.
 SHARED = {"table", "delimited"}
 # Rooms that are built only where their library is installed.

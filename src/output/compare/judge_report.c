@@ -2,7 +2,6 @@
 #include "output/compare/compare.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include "base/number/rounding.h"
 #include "output/report/report.h"
@@ -158,14 +157,9 @@ static void put_markdown(text *t, const graze_judgement *j) {
     }
 }
 
-static void json_bool(json_writer *w, const char *key, int value) {
-    json_number(w, key, value ? "true" : "false");
-}
-
-static void json_double(json_writer *w, const char *key, double value) {
-    char digits[BOUND_ROOM];
-    snprintf(digits, sizeof digits, "%.17g", value);
-    json_number(w, key, digits);
+static void json_bounds(json_writer *w, const bounds *b) {
+    json_number(w, "low", b->low);
+    json_number(w, "high", b->high);
 }
 
 static void json_place(json_writer *w, const char *key, const double *at) {
@@ -184,8 +178,7 @@ static void json_greatest(json_writer *w, const graze_judgement *j, graze_judged
     }
     set_bounds(&b, s->low, s->high);
     json_open(w, keys[which], '{');
-    json_number(w, "low", b.low);
-    json_number(w, "high", b.high);
+    json_bounds(w, &b);
     if (s->low > 0) {
         json_place(w, "at", s->at);
         json_double(w, "t", s->time);
@@ -228,8 +221,7 @@ static void json_mesh(json_writer *w, const graze_judgement *j) {
         json_count(w, NULL, m->open.kept[k].to);
         json_close(w, ']');
     }
-    json_close(w, ']');
-    json_close(w, '}');
+    json_ends(w, "]}");
 }
 
 static void json_volume(json_writer *w, const graze_judgement *j) {
@@ -242,8 +234,7 @@ static void json_volume(json_writer *w, const graze_judgement *j) {
         }
         enclosed_volume(&b, j, k);
         json_open(w, volume_keys[k], '{');
-        json_number(w, "low", b.low);
-        json_number(w, "high", b.high);
+        json_bounds(w, &b);
         json_close(w, '}');
     }
     if (j->mesh->judged.rule == GRAZE_MESH_WINDING)
@@ -269,8 +260,7 @@ static void put_json(text *t, const graze_judgement *j, const char *confusion) {
     json_number(&w, "within", within);
     json_bool(&w, "reached", is_reached(j));
     json_count(&w, "cells", j->searched.space.decided + j->searched.asked);
-    json_close(&w, '}');
-    json_close(&w, '}');
+    json_ends(&w, "}}");
     text_put(t, "\n");
 }
 
