@@ -19,6 +19,16 @@ column grouping_column(grouping g) {
     return by[g];
 }
 
+const char *grouping_name(grouping g) {
+    return g == BY_SDF ? "sdf" : column_name(by[g]);
+}
+
+const char *grouping_title(grouping g) {
+    return g == BY_DISTANCE ? "k (distance 2^-k)"
+           : g == BY_SDF    ? "sdf (the power of ten below its size)"
+                            : grouping_name(g);
+}
+
 static graze_status check_golden(const table *t) {
     static const char *const pmc = "pmc";
     char meant[TABLE_MEANT] = "";
@@ -59,18 +69,17 @@ static graze_status choose_columns(graze_comparison *c, const table *golden,
                                "has no column sdf; expected a signed distance in a column of that "
                                "name%s",
                                meant);
-    for (int k = 0; k < JUDGED_SDF; k++) {
-        column which = judged_column(k);
-        if (!judged_of(k, 0))
+    for (const column *j = judged_columns; *j != COLUMN_COUNT; j++) {
+        if (!judged_of(*j, 0) || *j == COLUMN_SDF)
             continue;
-        int answered = candidate->where[which] >= 0;
+        int answered = candidate->where[*j] >= 0;
         int open = c->options.question == GRAZE_QUESTION_OPEN && !c->options.motion_error;
-        c->judged[k] = k == JUDGED_PMC ? answered || sdf : answered && open && !sdf;
-        if (c->judged[k] && golden->where[which] < 0)
+        c->judged[*j] = *j == COLUMN_PMC ? answered || sdf : answered && open && !sdf;
+        if (c->judged[*j] && golden->where[*j] < 0)
             return context_fail_in(golden->in.context, GRAZE_EINPUT, golden->in.name, 0,
                                    "has no column %s; expected one to judge that of %s by",
-                                   column_name(which), candidate->in.name);
-        any |= c->judged[k];
+                                   column_name(*j), candidate->in.name);
+        any |= c->judged[*j];
     }
     if (!any)
         return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,

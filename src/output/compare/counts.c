@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "decide/filter/filter.h"
 #include "output/compare/counts.h"
 
@@ -39,7 +40,7 @@ char comparison_count(graze_comparison *c, const judgement *j, int answered) {
     c->wrong += what == 'w';
     c->undecided += what == 'u';
     c->agree += what == 'a';
-    for (int k = 0; answered && k < JUDGED_COUNT; k++)
+    for (int k = 0; answered && k < COLUMN_COUNT; k++)
         c->column_wrong[k] += (unsigned long)j->wrong[k];
     for (int k = 0; answered && k < CONVENTIONS; k++)
         c->wrong_as[k] += (unsigned long)j->wrong_as[k];
@@ -134,25 +135,19 @@ graze_status comparison_keep(disagreement **out, graze_comparison *c, graze_cont
 /* Measure a wrong row, and put the enclosure behind its golden answers. */
 static graze_status measure_row(disagreement *d, graze_comparison *c, graze_context *context) {
     depth_bounds found;
-    text all;
-    graze_status status =
-        depth_measure(&found, &c->depth, context, c->options.scene, d->point, d->pmc);
-    if (status)
-        return status;
+    HELD(text, all);
+    TRY(depth_measure(&found, &c->depth, context, c->options.scene, d->point, d->pmc));
     d->depth = found.size;
-    text_init(&all);
     text_format(&all, "%s sdf_low=%s sdf_high=%s", d->golden, found.low, found.high);
     free(d->golden);
-    d->golden = NULL;
-    return text_finish(&d->golden, context, &all);
+    d->golden = text_take(&all);
+    return d->golden ? GRAZE_OK : comparison_no_memory(context);
 }
 
 graze_status comparison_finish(graze_comparison *c, graze_context *context) {
-    graze_status status = GRAZE_OK;
     c->by_depth = !c->contacts && (c->enclosed || c->options.scene);
     int measured = c->by_depth && !c->enclosed;
-    if (measured)
-        status = depth_scale(&c->depth, context, c->options.scene);
+    graze_status status = measured ? depth_scale(&c->depth, context, c->options.scene) : GRAZE_OK;
     for (size_t k = 0; k < c->shown && measured && !status; k++)
         if (c->disagreements[k].pmc >= 0)
             status = measure_row(&c->disagreements[k], c, context);
@@ -163,6 +158,10 @@ graze_status comparison_finish(graze_comparison *c, graze_context *context) {
     }
     prune(c);
     return status;
+}
+
+int comparison_has_no_on(const graze_comparison *c) {
+    return c->judged[COLUMN_PMC] && c->golden_on && !c->answered_on;
 }
 
 void comparison_clear(graze_comparison *c) {

@@ -24,8 +24,7 @@ int ceiling_compare(ceiling a, ceiling b);
 ceiling ceiling_short(ceiling c);
 
 /** As 1.5e-05, without zeros at the end of the digits; zero is 0. */
-enum { CEILING_ROOM = 48 };
-void ceiling_text(char out[CEILING_ROOM], ceiling c);
+void ceiling_put(text *out, ceiling c);
 
 /** The k with 10^k <= x < 10^(k + 1), of a positive number. */
 long decade_of(const fmpq_t x);
@@ -110,7 +109,7 @@ void tally_clear(tally *t);
 
 /** Is a judged answer one of tables of contact points (if `contacts`), or of graze classify (else)?
  */
-int judged_of(int judged, int contacts);
+int judged_of(column c, int contacts);
 
 /** Answers, and indices of them. */
 extern const char *const pmc_words[3];
@@ -156,7 +155,7 @@ int comparison_begin(graze_comparison *c, const graze_context *context, const ch
 
 /** The judgement of a row. */
 typedef struct judgement {
-    int wrong[JUDGED_COUNT];
+    int wrong[COLUMN_COUNT];
     int any_wrong;
     int wrong_as[CONVENTIONS]; /* any_wrong under each convention for `on` */
     int undecided; /* the golden answer is `on`, and the closed sweep may hold the point inside; or
@@ -208,7 +207,7 @@ graze_status sites_choose(graze_comparison *c, const table *golden, const table 
 
 /**
  * Judge a pair of rows; without a row of the candidate (NULL) the golden one is only read.
- * @param[out] wrong JUDGED_COUNT numbers, 1 where the candidate's answer is another or none
+ * @param[out] wrong by column, 1 where the candidate's answer is another or none
  * @return GRAZE_EINPUT a field is no answer; GRAZE_ELIMIT
  */
 graze_status sites_judge(int *wrong, const graze_comparison *c, const table *golden,

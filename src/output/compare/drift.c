@@ -58,23 +58,21 @@ static int same_fields(const drift *d, const table_row *right, const table_row *
 }
 
 graze_status drift_add(drift *d, const table_row *right, const table_row *given) {
-    graze_status status = GRAZE_OK;
     int differs = 0;
     if (same_fields(d, right, given))
         return GRAZE_OK;
     LOCAL_VEC(fmpq, a, 2);
     fmpq *b = a + 1;
-    for (size_t k = 0; k < d->axes.count && !status; k++) {
-        status = read_drifting(a, d->golden, right, d->axes.at[k]);
-        if (!status)
-            status = read_drifting(b, d->candidate, given, d->axes.at[k]);
+    for (size_t k = 0; k < d->axes.count; k++) {
+        TRY(read_drifting(a, d->golden, right, d->axes.at[k]));
+        TRY(read_drifting(b, d->candidate, given, d->axes.at[k]));
         fmpq_sub(b, a, b);
         differs |= !fmpq_is_zero(b);
         take_coordinate(d, k, a, b);
     }
     d->any = 1;
     d->rows += differs != 0;
-    return status;
+    return GRAZE_OK;
 }
 
 /* The larger of two numbers' sizes. */

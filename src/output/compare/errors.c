@@ -1,13 +1,79 @@
-/* Counts errors by their leading digits.
+/* Rounds numbers up to decimal digits, exactly, and counts errors by their leading digits.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "output/compare/compare.h"
 
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "output/compare/counts.h"
 
-enum { LEAST = 10, MOST = 99, BINS = MOST - LEAST + 1, UNIT = 10000 };
+/* The least and the first too large number of six digits; what two digits count in it. */
+enum { KEPT = 100000, NEXT = 1000000, SHORT = 10000 };
+
+/* x 10^power */
+static void scale_by_ten(fmpq_t out, const fmpq_t x, long power) {
+    LOCAL(fmpz, ten);
+    fmpz_set_ui(ten, 10);
+    fmpz_pow_ui(ten, ten, (ulong)(power < 0 ? -power : power));
+    if (power < 0)
+        fmpq_div_fmpz(out, x, ten);
+    else
+        fmpq_mul_fmpz(out, x, ten);
+}
+
+long decade_of(const fmpq_t x) {
+    LOCAL(fmpq, scaled);
+    /* Digits may be counted one too many, so this is not below k. */
+    long k =
+        (long)fmpz_sizeinbase(fmpq_numref(x), 10) - (long)fmpz_sizeinbase(fmpq_denref(x), 10) + 1;
+    scale_by_ten(scaled, x, -k);
+    while (fmpz_cmp(fmpq_numref(scaled), fmpq_denref(scaled)) < 0)
+        scale_by_ten(scaled, x, -(--k));
+    return k;
+}
+
+ceiling ceiling_of(const fmpq_t x) {
+    ceiling out = {0, 0};
+    if (fmpq_is_zero(x))
+        return out;
+    LOCAL(fmpq, scaled);
+    LOCAL(fmpz, digits);
+    out.exponent = decade_of(x);
+    scale_by_ten(scaled, x, 5 - out.exponent);
+    fmpz_cdiv_q(digits, fmpq_numref(scaled), fmpq_denref(scaled));
+    out.digits = fmpz_get_ui(digits);
+    if (out.digits == NEXT)
+        out = (ceiling){KEPT, out.exponent + 1};
+    return out;
+}
+
+int ceiling_compare(ceiling a, ceiling b) {
+    if (!a.digits || !b.digits || a.exponent == b.exponent)
+        return (a.digits > b.digits) - (a.digits < b.digits);
+    return a.exponent < b.exponent ? -1 : 1;
+}
+
+ceiling ceiling_short(ceiling c) {
+    c.digits = (c.digits + SHORT - 1) / SHORT * SHORT;
+    if (c.digits == NEXT)
+        c = (ceiling){KEPT, c.exponent + 1};
+    return c;
+}
+
+void ceiling_put(text *out, ceiling c) {
+    unsigned long first = c.digits / KEPT, rest = c.digits % KEPT;
+    int places = 5;
+    for (; rest && rest % 10 == 0; rest /= 10)
+        places--;
+    text_count(out, first);
+    if (rest)
+        text_format(out, ".%0*lu", places, rest);
+    if (first)
+        text_format(out, "e%+03ld", c.exponent);
+}
+
+enum { LEAST = 10, MOST = 99, BINS = MOST - LEAST + 1 };
 
 static int add_to_bin(errors *e, ceiling size) {
     ceiling c = ceiling_short(size);
@@ -16,11 +82,11 @@ static int add_to_bin(errors *e, ceiling size) {
         return 1;
     }
     if (c.exponent < FIRST_DECADE)
-        c = (ceiling){(unsigned long)LEAST * UNIT, FIRST_DECADE};
+        c = (ceiling){(unsigned long)LEAST * SHORT, FIRST_DECADE};
     unsigned long **bin = &e->bin[c.exponent - FIRST_DECADE];
     if (!*bin && !(*bin = calloc(BINS, sizeof **bin)))
         return 0;
-    (*bin)[c.digits / UNIT - LEAST]++;
+    (*bin)[c.digits / SHORT - LEAST]++;
     return 1;
 }
 
@@ -43,7 +109,7 @@ ceiling errors_quantile(const errors *e, unsigned long per_mille) {
         for (int k = 0; e->bin[d] && k < BINS; k++) {
             counted += e->bin[d][k];
             if (counted >= wanted)
-                return (ceiling){(unsigned long)(k + LEAST) * UNIT, d + FIRST_DECADE};
+                return (ceiling){(unsigned long)(k + LEAST) * SHORT, d + FIRST_DECADE};
         }
     return counted < wanted ? e->largest : (ceiling){0, 0};
 }

@@ -11,8 +11,10 @@
 
 /* The answers of a row, and the judgement of the candidate's. */
 
-/** Names of the judged answers, and of their values in the matrices. */
-const char *judged_name(int judged);
+/** The answers that are judged, ended by COLUMN_COUNT; tables of points and of contact points have
+ * the word in common. */
+extern const column judged_columns[];
+/** Names of values in the matrices. */
 extern const char *const class_words[5];
 
 /** Answers as indices into pmc_words and class_words; -1 where there is none. */
@@ -21,9 +23,6 @@ typedef struct answer {
     unsigned long i, t;
     field word;
 } answer;
-
-/** The column with this index among those judged. */
-column judged_column(int judged);
 
 /** GRAZE_EINPUT: a field is no answer; `right` says what is expected. */
 graze_status judged_no_answer(const table *t, const table_row *row, column c, const char *right);
@@ -49,6 +48,20 @@ judgement judge(const graze_comparison *c, const int *judged, const table *golde
                 const valuation *value);
 
 /* Rows in reports: how they were matched, shares, conventions for `on`, and how deep errors are. */
+
+/** Quantiles of errors, the last one of values alone. */
+typedef struct quantile {
+    const char *name;
+    unsigned long per_mille;
+} quantile;
+enum { QUANTILES = 4, DEPTH_QUANTILES = 3 };
+extern const quantile quantiles[QUANTILES];
+/** Further cells of a row of Markdown: the first quantiles, and the largest error. */
+void put_quantiles(text *out, const errors *e, int count);
+/** A ceiling as a string of JSON. */
+void put_ceiling(json_writer *w, const char *name, ceiling c);
+/** The first quantiles as an object of JSON, and the largest error. */
+void put_json_quantiles(json_writer *w, const errors *e, int count);
 
 /** A share with two digits, rounded to nearest, from whole numbers: it does not depend on the
  * locale. */

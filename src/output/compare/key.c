@@ -90,17 +90,12 @@ graze_status key_check(const row_key *key, const table *t, const table_row *row)
 /* A number in lowest terms after rounding; a root as it is written. */
 static graze_status put_key_number(text *out, fmpq_t value, const table *t, const table_row *row,
                                    column which) {
-    graze_context *context = t->in.context;
     field f = table_field(t, row, which);
     if (which == COLUMN_TIME && moment_is_root(f)) {
         text_bytes(out, f.start, f.length);
         return GRAZE_OK;
     }
-    graze_status status = rational_parse(value, context, f.start, f.length);
-    if (status) {
-        context_item(context, status, NULL, 0, column_name(which));
-        return context_in(context, status, t->in.name, row->line);
-    }
+    TRY(table_rational(value, t, row, which));
     text_rational(out, value);
     return GRAZE_OK;
 }
@@ -125,25 +120,22 @@ static void put_id(text *out, const table *t, const table_row *row) {
 
 /* All numbers of the key, parted by blanks, or the id. */
 static graze_status put_key(text *out, const row_key *key, const table *t, const table_row *row) {
-    graze_status status = GRAZE_OK;
     LOCAL(fmpq, value);
     if (key->by_id)
         put_id(out, t, row);
-    for (size_t k = 0; !status && k < key->count && !key->by_id; k++) {
-        status = put_key_number(out, value, t, row, key->at[k]);
+    for (size_t k = 0; k < key->count && !key->by_id; k++) {
+        TRY(put_key_number(out, value, t, row, key->at[k]));
         text_put(out, " ");
     }
-    return !status && out->failed ? context_fail(t->in.context, GRAZE_ESYSTEM, "out of memory")
-                                  : status;
+    return out->failed ? table_no_memory(t) : GRAZE_OK;
 }
 
 graze_status key_make(table_row *row, const row_key *key, const table *t) {
     if (row->keyed)
         return GRAZE_OK;
     HELD(text, bytes);
-    graze_status status = put_key(&bytes, key, t, row);
-    if (!status)
-        row->key = digest_of(bytes.data, bytes.length);
-    row->keyed = !status;
-    return status;
+    TRY(put_key(&bytes, key, t, row));
+    row->key = digest_of(bytes.data, bytes.length);
+    row->keyed = 1;
+    return GRAZE_OK;
 }

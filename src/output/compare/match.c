@@ -45,17 +45,16 @@ static void drop(row_window *w) {
 
 /* Read rows until the window has `count` of them or the table ends. */
 static graze_status fill(match *m, row_window *w, size_t count) {
-    graze_status status = GRAZE_OK;
-    while (!status && w->count < count && !w->ended) {
+    while (w->count < count && !w->ended) {
         table_row *row = row_at(w, w->count);
         int more;
-        status = table_next(w->table, row, &more);
+        TRY(table_next(w->table, row, &more));
         w->ended = !more;
-        if (!status && more)
-            status = key_check(&m->key, w->table, row);
-        w->count += !status && more;
+        if (more)
+            TRY(key_check(&m->key, w->table, row));
+        w->count += (size_t)more;
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Fill both windows and make all keys. */

@@ -77,7 +77,7 @@ static judgement judge_row(const graze_comparison *c, const mesh_row *row) {
     if (apart)
         j.wrong_as[GRAZE_ON_AS_ANY] = 0;
     if (apart && c->options.on_as == GRAZE_ON_AS_ANY) {
-        j.wrong[JUDGED_PMC] = j.any_wrong = 0;
+        j.wrong[COLUMN_PMC] = j.any_wrong = 0;
         j.undecided = 1;
     }
     return j;
@@ -91,10 +91,12 @@ static void put_mesh_point(text *out, const fmpq *point, const char *between) {
     }
 }
 
-static void put_row_answer(text *out, const mesh_run *r, const mesh_row *row, int golden) {
-    text_format(out, "pmc=%s", pmc_words[golden ? golden_of(row) : (int)row->place]);
+/* The answer with a text before its pmc, and one before its winding number if it has one. */
+static void put_row_answer(text *out, const mesh_run *r, const mesh_row *row, int golden,
+                           const char *pmc, const char *winding) {
+    text_format(out, "%s%s", pmc, pmc_words[golden ? golden_of(row) : (int)row->place]);
     if (!golden && r->mesh->rule == GRAZE_MESH_WINDING)
-        text_format(out, " winding=%ld", row->winding);
+        text_format(out, "%s%ld", winding, row->winding);
 }
 
 /* A row as a table would have it, under the columns that describe names. */
@@ -105,9 +107,7 @@ static void put_mesh_row(text *out, const mesh_run *r, size_t index, const fmpq 
     put_mesh_point(out, point, ",");
     if (golden && r->points->generator)
         text_format(out, ",%s", stratum_name(row->stratum));
-    text_format(out, ",%s", pmc_words[golden ? golden_of(row) : (int)row->place]);
-    if (!golden && r->mesh->rule == GRAZE_MESH_WINDING)
-        text_format(out, ",%ld", row->winding);
+    put_row_answer(out, r, row, golden, ",", ",");
 }
 
 static graze_status keep_row(graze_comparison *c, const mesh_run *r, size_t index,
@@ -124,8 +124,8 @@ static graze_status keep_row(graze_comparison *c, const mesh_run *r, size_t inde
     for (int k = 0; k < 5; k++)
         text_init(&t[k]);
     put_mesh_point(&t[0], point, " ");
-    put_row_answer(&t[1], r, &r->row[index], 1);
-    put_row_answer(&t[2], r, &r->row[index], 0);
+    put_row_answer(&t[1], r, &r->row[index], 1, "pmc=", "");
+    put_row_answer(&t[2], r, &r->row[index], 0, "pmc=", " winding=");
     put_mesh_row(&t[3], r, index, point, 1);
     put_mesh_row(&t[4], r, index, point, 0);
     for (int k = 0; k < 5; k++)
@@ -181,7 +181,7 @@ static graze_status describe(graze_comparison *c, const mesh_run *r,
     c->options.transient = 1;
     c->rounding = GRAZE_ROUND_NONE;
     c->of_mesh = 1;
-    c->judged[JUDGED_PMC] = 1;
+    c->judged[COLUMN_PMC] = 1;
     c->grouped[BY_STRATUM] = r->points->generator != NULL;
     text_init(&golden);
     text_init(&candidate);

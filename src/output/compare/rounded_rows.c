@@ -58,9 +58,10 @@ static graze_status answers_of(uint64_t *out, const table *t, const table_row *r
         text_bytes(&answers, f.start, f.length);
         text_put(&answers, "\n");
     }
-    int failed = answers.failed;
-    *out = failed ? 0 : digest_of(answers.data, answers.length).high;
-    return failed ? context_fail(t->in.context, GRAZE_ESYSTEM, "out of memory") : GRAZE_OK;
+    if (answers.failed)
+        return table_no_memory(t);
+    *out = digest_of(answers.data, answers.length).high;
+    return GRAZE_OK;
 }
 
 /* Contact points that were moved to one place at one time may have other answers (`cell`, `shift`),
@@ -81,12 +82,12 @@ static graze_status exact_of(uint64_t *out, const table *t, table_row *row, cons
 
 static graze_status keep(share *s, const table *t, const table_row *row, uint64_t exact,
                          const column *columns, size_t count) {
-    uint64_t answers;
-    graze_status status = answers_of(&answers, t, row, columns, count);
-    if (status || row->key.high % s->passes != s->pass)
-        return status;
+    uint64_t answers = 0;
+    TRY(answers_of(&answers, t, row, columns, count));
+    if (row->key.high % s->passes != s->pass)
+        return GRAZE_OK;
     if (2 * (s->count + 1) > s->capacity && !grow_roundings(s))
-        return context_fail(t->in.context, GRAZE_ESYSTEM, "out of memory");
+        return table_no_memory(t);
     entry *e = rounding_place(s, row->key);
     if (e->line && e->answers != answers && (!exact || e->exact != exact))
         return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, row->line,
@@ -101,23 +102,20 @@ static graze_status keep(share *s, const table *t, const table_row *row, uint64_
 /* One pass; it stops early, without fault, when its share of the keys is too large. */
 static graze_status pass(share *s, graze_context *context, const char *path, const row_key *key,
                          const column *columns, size_t count) {
-    table t;
-    table_row row = {0};
-    int more = 1;
-    graze_status status = table_open(&t, context, path);
-    while (!status && more && s->count < MOST_ENTRIES) {
-        status = table_next(&t, &row, &more);
+    ZEROED(table, t);
+    ZEROED(table_row, row);
+    TRY(table_open(&t, context, path));
+    while (s->count < MOST_ENTRIES) {
         uint64_t exact = 0;
-        if (!status && more)
-            status = exact_of(&exact, &t, &row, key);
-        if (!status && more)
-            status = key_make(&row, key, &t);
-        if (!status && more)
-            status = keep(s, &t, &row, exact, columns, count);
+        int more;
+        TRY(table_next(&t, &row, &more));
+        if (!more)
+            break;
+        TRY(exact_of(&exact, &t, &row, key));
+        TRY(key_make(&row, key, &t));
+        TRY(keep(s, &t, &row, exact, columns, count));
     }
-    table_row_clear(&row);
-    table_close(&t);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status match_rounding(graze_context *context, const table *golden, const char *path,

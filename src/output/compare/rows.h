@@ -74,16 +74,19 @@ typedef struct table_row {
 const char *column_name(column c);
 const char *note_name(note n);
 
-/** Open a table and read up to its columns. table_close in either case. `path` is borrowed.
+/** Open a table and read up to its columns. table_clear in either case. `path` is borrowed.
  * @return GRAZE_EINPUT no column line, or a name in it twice; also those of stream_next */
 graze_status table_open(table *out, graze_context *context, const char *path);
-void table_close(table *t);
+void table_clear(table *t);
 
 /** Read the next row. *more is 0 at the end of the table.
  * @return GRAZE_EINPUT another number of fields, a quote not closed, a wrong `# complete N`, rows
  * after it; also those of stream_next */
 graze_status table_next(table *t, table_row *row, int *more);
 void table_row_clear(table_row *row);
+
+/** GRAZE_ESYSTEM. */
+graze_status table_no_memory(const table *t);
 
 /** GRAZE_EINPUT: the column line names a column twice. */
 graze_status table_named_twice(const table *t, column c);
@@ -100,6 +103,8 @@ char *table_row_text(const table_row *row);
 /** A field of a row; empty where the table has no such column. */
 field table_field(const table *t, const table_row *row, column c);
 
+/** A number in a column, after the rounding of the context. GRAZE_EINPUT, GRAZE_ELIMIT. */
+graze_status table_rational(fmpq_t out, const table *t, const table_row *row, column c);
 /** A number as it is written, whatever rounding the context asks for. Those of rational_parse. */
 graze_status table_number(fmpq_t out, graze_context *context, field f);
 

@@ -48,7 +48,7 @@ graze_status values_choose(graze_comparison *c, const table *golden) {
                                "bounds; expected the table of a sweep for values outside");
     c->valued = has && sdf;
     c->enclosed = has && (sdf || o->motion_error || golden->notes[NOTE_SDF]);
-    c->judged[JUDGED_SDF] = c->valued && o->sdf_tolerance;
+    c->judged[COLUMN_SDF] = c->valued && o->sdf_tolerance;
     TRY(read_amount(c->depth.size, context, "diagonal", golden->notes[NOTE_DIAGONAL], 0));
     TRY(read_amount(c->tolerance, context, "sdf_tolerance", o->sdf_tolerance, 0));
     return read_amount(c->eta, context, "motion_error", o->motion_error, 1);
