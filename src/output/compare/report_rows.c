@@ -1,5 +1,6 @@
-/* Reports on rows and contact points, as Markdown and as JSON. SPDX-License-Identifier:
- * GPL-3.0-or-later */
+/* Reports on rows and contact points, as Markdown and as JSON.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
 #include "output/compare/compare.h"
 
 #include "output/compare/counts.h"

@@ -107,8 +107,8 @@ typedef struct extent {
 graze_status range_check(graze_context *context, const double *low, const double *high, int count);
 
 typedef struct section {
-    fmpq normal[3], place; /* normal . x = place */
-    fmpq origin[3], way[2][3];
+    fmpq *normal, *place; /* normal . x = place; this and the following are parts of one vector */
+    fmpq *origin, *way[2];
     projection look;             /* to u and v */
     double unit[3], unit_height; /* normal and place, the normal of length 1 */
 } section;
@@ -134,6 +134,12 @@ typedef enum tone {
 /** The tone of a verdict. */
 tone tone_of(const graze_verdict *v);
 
+/** The distance of two marks on a scale: mantissa 1, 2 or 5 times 10^exponent. */
+typedef struct tick_step {
+    int mantissa, exponent;
+    double size;
+} tick_step;
+
 /** Cell (i, j) has its centre at low + (i + 1/2, j + 1/2) side. */
 typedef struct cells {
     int axis[2]; /* the coordinates along which i and j run */
@@ -146,10 +152,9 @@ typedef struct cells {
     size_t parts;    /* number of parts of a split cell along each side, odd; 1: none is split */
     uint32_t *split; /* by cell: 0, or the number, from 1, of its block of parts */
     size_t split_count;
-    unsigned char *part;           /* tones of the parts, block by block, row by row */
-    double *distance;              /* of the cells' centres; NULL: not asked */
-    double step;                   /* distance between levels: step_digit 10^step_exponent, */
-    int step_digit, step_exponent; /* with the digit 1, 2, 5 or 10 */
+    unsigned char *part; /* tones of the parts, block by block, row by row */
+    double *distance;    /* of the cells' centres; NULL: not asked */
+    tick_step step;      /* distance between levels */
 } cells;
 void cells_clear(cells *c);
 

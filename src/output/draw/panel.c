@@ -12,16 +12,19 @@
 enum { TITLE_SIZE = 13, NUMBER_SIZE = 11 };
 
 projection projection_of_axes(int horizontal, int vertical) {
-    projection p;
-    memset(&p, 0, sizeof p);
+    projection p = {0};
     p.row[0][horizontal] = 1;
     p.row[1][vertical] = 1;
     return p;
 }
 
-static void cross_product(double out[3], const double a[3], const double b[3]) {
+void cross_product(double out[3], const double a[3], const double b[3]) {
     for (int k = 0; k < 3; k++)
         out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+}
+
+double dot_product(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /* Scaled by a power of two first, which rounds nothing: squares of small numbers vanish. */
@@ -29,7 +32,7 @@ static void normalise(double v[3]) {
     int exponent = ilogb(fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2]))));
     for (int k = 0; k < 3; k++)
         v[k] = scalbn(v[k], -exponent);
-    double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    double length = sqrt(dot_product(v, v));
     for (int k = 0; k < 3; k++)
         v[k] /= length;
 }
@@ -50,7 +53,7 @@ projection projection_from(const double from[3]) {
 }
 
 double projection_at(const projection *p, int k, const double point[3]) {
-    return p->row[k][0] * point[0] + p->row[k][1] * point[1] + p->row[k][2] * point[2];
+    return dot_product(p->row[k], point);
 }
 
 extent extent_empty(void) {
@@ -142,14 +145,7 @@ void panel_frame(canvas *c, const panel *p) {
     canvas_text(c, p->x, p->y - 9, &heading, p->title);
 }
 
-/* A tick's distance: mantissa 1, 2 or 5 times 10^exponent. */
-typedef struct tick_step {
-    int mantissa, exponent;
-    double size;
-} tick_step;
-
-/* The smallest such step that is at least `least`. */
-static tick_step step_for(double least) {
+tick_step step_for(double least) {
     static const int mantissas[] = {1, 2, 5, 10};
     int exponent = (int)floor(log10(least)), k = 0;
     double power = pow(10, exponent);

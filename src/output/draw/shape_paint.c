@@ -27,18 +27,12 @@ static int nearer_later(const void *a, const void *b) {
     return f->simplex < g->simplex ? -1 : f->simplex > g->simplex;
 }
 
-static void toward_onlooker(double out[3], const projection *look) {
-    const double *a = look->row[0], *b = look->row[1];
-    for (int k = 0; k < 3; k++)
-        out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-}
-
 /* Look at a face; 0 if it is turned away. The light comes from the onlooker's left shoulder. */
 static int see(face *out, const shape *s, size_t simplex, const projection *look) {
     double toward[3], side[2][3], normal[3], length = 0, facing = 0, lit = 0;
     const uint32_t *vertex = s->solid->cut.item[simplex].vertex;
     const double *at[3];
-    toward_onlooker(toward, look);
+    cross_product(toward, look->row[0], look->row[1]);
     for (int k = 0; k < 3; k++)
         at[k] = s->at + 3 * (size_t)vertex[k];
     out->depth = 0;
@@ -47,9 +41,8 @@ static int see(face *out, const shape *s, size_t simplex, const projection *look
         side[1][k] = at[2][k] - at[0][k];
         out->depth += toward[k] * (at[0][k] + at[1][k] + at[2][k]);
     }
+    cross_product(normal, side[0], side[1]);
     for (int k = 0; k < 3; k++) {
-        int l = (k + 1) % 3, m = (k + 2) % 3;
-        normal[k] = side[0][l] * side[1][m] - side[0][m] * side[1][l];
         normal[k] = s->reflected ? -normal[k] : normal[k];
         length += normal[k] * normal[k];
         facing += normal[k] * toward[k];

@@ -186,7 +186,7 @@ static graze_status draw_standing(canvas *c, graze_context *context, const pictu
     if (!picture_is_plane(p))
         return shapes_paint(c, context, &p->standing, &how, 1, &p->trajectories);
     drawn_path rings = {NULL, 0, 0, 0};
-    shape_rings(&rings, &p->standing, &p->trajectories);
+    shape_outline(&rings, &p->standing, &p->trajectories, NULL, 0);
     canvas_path(c, &rings, &body, NULL);
     return GRAZE_OK;
 }
@@ -197,10 +197,10 @@ graze_status view_trajectories(canvas *c, graze_context *context, const picture 
     HELD(labels, names, at, !picture_is_plane(p));
     canvas_begin(c, "trajectories", NULL);
     canvas_clip(c, at->x, at->y, at->width, at->height);
-    graze_status status = draw_standing(c, context, p);
-    for (size_t k = 0; k < n && !status; k++) {
+    TRY(draw_standing(c, context, p));
+    for (size_t k = 0; k < n; k++) {
         draw_trail(c, at, &p->trails[k], &names);
-        status = context_poll(context);
+        TRY(context_poll(context));
     }
     canvas_unclip(c);
     for (size_t k = 0; k < n; k++)
@@ -216,12 +216,12 @@ graze_status view_trajectories(canvas *c, graze_context *context, const picture 
         panel_triad(c, at);
         panel_scale_bar(c, at);
     }
-    for (size_t k = 0; k < n && !status; k++) {
+    for (size_t k = 0; k < n; k++) {
         name_trail(c, at, &p->trails[k], p->request->names[k], &names);
-        status = context_poll(context);
+        TRY(context_poll(context));
     }
     labels_tell(&names, c);
     c->failed |= names.failed;
     canvas_end(c);
-    return status;
+    return GRAZE_OK;
 }

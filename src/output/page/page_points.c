@@ -5,7 +5,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "decide/filter/filter.h"
@@ -34,10 +33,8 @@ static void put_page_time(text *out, const graze_time *time, int exact) {
         text_rational(out, time->low);
         return;
     }
-    char *decimal = decimal_of_time(NULL, time, decimal_digits(time->motion));
-    out->failed |= !decimal;
-    text_format(out, "%s~", decimal ? decimal : "");
-    free(decimal);
+    text_owned(out, decimal_of_time(NULL, time, decimal_digits(time->motion)));
+    text_put(out, "~");
     if (exact)
         text_coefficients(out, time->poly);
     text_put(out, "~");

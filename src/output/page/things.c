@@ -24,7 +24,8 @@ static void put_simplices(json_writer *w, const graze_solid *solid) {
     encode_end(&e);
 }
 
-static graze_status put_shown_edges(json_writer *w, graze_context *context, const graze_solid *solid) {
+static graze_status put_shown_edges(json_writer *w, graze_context *context,
+                                    const graze_solid *solid) {
     encoder e;
     edge_list edges;
     graze_status status = edges_make(&edges, context, solid);
