@@ -116,7 +116,7 @@ graze_status comparison_choose(graze_comparison *c, const table *golden, const t
         TRY(check_golden(golden));
     TRY(check_notes(golden, candidate));
     TRY((c->contacts ? sites_choose : choose_columns)(c, golden, candidate));
-    TRY((c->contacts ? key_of_contacts : key_of_points)(&c->key, golden, candidate));
+    TRY(key_choose(&c->key, golden, candidate, c->contacts));
     return note_options(c, golden->in.context, golden);
 }
 

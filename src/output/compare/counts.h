@@ -20,9 +20,6 @@ ceiling ceiling_of(const fmpq_t x);
 /** Negative, 0 or positive as a is less than, equal to or greater than b. */
 int ceiling_compare(ceiling a, ceiling b);
 
-/** The bound rounded up to two digits. */
-ceiling ceiling_short(ceiling c);
-
 /** As 1.5e-05, without zeros at the end of the digits; zero is 0. */
 void ceiling_put(text *out, ceiling c);
 
@@ -190,9 +187,6 @@ graze_status comparison_no_memory(graze_context *context);
 int moment_is_root(field f);
 /** Is it a number token or a root? */
 int moment_is_token(field f);
-
-/** Is it the same time? Numbers go by their value after rounding. GRAZE_EINPUT, GRAZE_ELIMIT. */
-graze_status moment_same(int *same, graze_context *context, field a, field b);
 
 /* Tables of contact points: which they are, and the judgement of their rows. */
 

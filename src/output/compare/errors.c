@@ -54,7 +54,8 @@ int ceiling_compare(ceiling a, ceiling b) {
     return a.exponent < b.exponent ? -1 : 1;
 }
 
-ceiling ceiling_short(ceiling c) {
+/* The bound rounded up to two digits. */
+static ceiling ceiling_short(ceiling c) {
     c.digits = (c.digits + SHORT - 1) / SHORT * SHORT;
     if (c.digits == NEXT)
         c = (ceiling){KEPT, c.exponent + 1};

@@ -49,13 +49,12 @@ judgement judge(const graze_comparison *c, const int *judged, const table *golde
 
 /* Rows in reports: how they were matched, shares, conventions for `on`, and how deep errors are. */
 
-/** Quantiles of errors, the last one of values alone. */
-typedef struct quantile {
+/** Quantiles of errors, by name the share of errors in percent; the last one of values alone. */
+enum { QUANTILES = 4, DEPTH_QUANTILES = 3 };
+extern const struct quantile {
     const char *name;
     unsigned long per_mille;
-} quantile;
-enum { QUANTILES = 4, DEPTH_QUANTILES = 3 };
-extern const quantile quantiles[QUANTILES];
+} quantiles[QUANTILES];
 /** Further cells of a row of Markdown: the first quantiles, and the largest error. */
 void put_quantiles(text *out, const errors *e, int count);
 /** A ceiling as a string of JSON. */

@@ -12,28 +12,18 @@
 #include "output/compare/counts.h"
 #include "output/compare/rows.h"
 
-static const row_key the_id = {1, 1, {COLUMN_ID}};
-
 /* Longer ids are texts, whatever they look like. */
 enum { LONGEST_NUMBER = 40 };
-
-static int both_have_id(const table *golden, const table *candidate) {
-    return golden->where[COLUMN_ID] >= 0 && candidate->where[COLUMN_ID] >= 0;
-}
 
 void key_of_axes(row_key *out, const table *golden, const table *candidate) {
     size_t count = candidate->dimension >= golden->dimension ? (size_t)golden->dimension : 0;
     *out = (row_key){0, count, {COLUMN_X, COLUMN_Y, COLUMN_Z}};
 }
 
-graze_status key_of_points(row_key *out, const table *golden, const table *candidate) {
-    int dimension = golden->dimension;
+/* Coordinates as far as both tables have them. */
+static graze_status key_of_points(row_key *out, const table *golden, const table *candidate) {
     key_of_axes(out, golden, candidate);
-    if (both_have_id(golden, candidate)) {
-        *out = the_id;
-        return GRAZE_OK;
-    }
-    if (candidate->dimension > dimension)
+    if (candidate->dimension > golden->dimension)
         return context_fail_in(golden->in.context, GRAZE_EINPUT, candidate->in.name, 0,
                                "a column z; expected x and y, as the golden table has dimension 2");
     return GRAZE_OK;
@@ -47,10 +37,7 @@ static int has_contact(const table *t, column first, size_t dimension) {
     return has;
 }
 
-graze_status key_of_contacts(row_key *out, const table *golden, const table *candidate) {
-    *out = the_id;
-    if (both_have_id(golden, candidate))
-        return GRAZE_OK;
+static graze_status key_of_contacts(row_key *out, const table *golden, const table *candidate) {
     size_t dimension = golden->where[COLUMN_BZ] >= 0 || golden->where[COLUMN_Z] >= 0 ? 3 : 2;
     const char *told = golden->notes[NOTE_DIMENSION];
     if (told && strcmp(told, "2") == 0)
@@ -71,6 +58,13 @@ graze_status key_of_contacts(row_key *out, const table *golden, const table *can
                            dimension == 2 ? "time, bx, by or time, x, y"
                                           : "time, bx, by, bz or time, x, y, z",
                            golden->in.name);
+}
+
+graze_status key_choose(row_key *out, const table *golden, const table *candidate, int contacts) {
+    *out = (row_key){1, 1, {COLUMN_ID}};
+    if (golden->where[COLUMN_ID] >= 0 && candidate->where[COLUMN_ID] >= 0)
+        return GRAZE_OK;
+    return (contacts ? key_of_contacts : key_of_points)(out, golden, candidate);
 }
 
 graze_status key_check(const row_key *key, const table *t, const table_row *row) {

@@ -30,8 +30,7 @@ void match_clear(match *m) {
         table_row_clear(&m->candidate.rows[k]);
     }
     row_index_clear(&m->index);
-    if (m->context)
-        drift_clear(&m->drift);
+    drift_clear(&m->drift);
 }
 
 static table_row *row_at(row_window *w, size_t k) {

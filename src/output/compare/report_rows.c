@@ -7,7 +7,7 @@
 #include "output/compare/judgement.h"
 #include "output/compare/rows.h"
 
-const quantile quantiles[QUANTILES] = {{"50", 500}, {"90", 900}, {"99", 990}, {"99.9", 999}};
+const struct quantile quantiles[QUANTILES] = {{"50", 500}, {"90", 900}, {"99", 990}, {"99.9", 999}};
 
 static const char *const conventions[CONVENTIONS] = {"on", "any", "in", "out"};
 

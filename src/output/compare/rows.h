@@ -48,11 +48,11 @@ typedef struct table {
 /** Differences of coordinates over the rows counted so far. Tables are borrowed. */
 typedef struct drift {
     const table *golden, *candidate;
-    row_key axes;             /* coordinates that both tables have */
-    unsigned long rows;       /* pairs of rows whose points differ */
-    fmpq_t farthest;          /* the greatest difference of a coordinate */
-    fmpq_t least[3], most[3]; /* bounds of golden coordinates, over pairs written differently */
-    int any;                  /* 1: there are such pairs */
+    row_key axes;       /* coordinates that both tables have */
+    unsigned long rows; /* pairs of rows whose points differ */
+    fmpq *farthest;     /* the greatest difference of a coordinate; in one vector with */
+    fmpq *least, *most; /* the bounds of golden coordinates, over pairs written differently */
+    int any;            /* 1: there are such pairs */
 } drift;
 
 /** The first 128 bits of a SHA-256, to find equal points and answers. */
@@ -117,15 +117,13 @@ int digest_equal(digest a, digest b);
  * The key of a row is its id, the value of one that is a number, or its point in lowest terms
  * after rounding; of a contact point its time and its point. */
 
-/** Choose the key of points: `id` if both tables have it, else x, y (and z), else no columns.
- * @return GRAZE_EINPUT a column z for points of the plane */
-graze_status key_of_points(row_key *out, const table *golden, const table *candidate);
+/** Choose the key: `id` if both tables have it; else x, y (and z), else no columns; of contact
+ * points time and bx, by (and bz), else time and x, y (and z).
+ * @return GRAZE_EINPUT a column z for points of the plane, no such columns of contact points */
+graze_status key_choose(row_key *out, const table *golden, const table *candidate, int contacts);
 
 /** Coordinates x, y (and z) of points that both tables have; none if one of them lacks any. */
 void key_of_axes(row_key *out, const table *golden, const table *candidate);
-
-/** The key of contact points: `id`, else time and bx, by (and bz), else time and x, y (and z). */
-graze_status key_of_contacts(row_key *out, const table *golden, const table *candidate);
 
 /** Check that the columns of a row's key are numbers, a time perhaps `root(...)`. GRAZE_EINPUT. */
 graze_status key_check(const row_key *key, const table *t, const table_row *row);

@@ -163,24 +163,6 @@ static graze_status check_answer(const table *t, const table_row *row, column c)
     return judged_no_answer(t, row, c, expected);
 }
 
-graze_status sites_judge(int *wrong, const graze_comparison *c, const table *golden,
-                         const table_row *row, const table *candidate, const table_row *given) {
-    memset(wrong, 0, COLUMN_COUNT * sizeof *wrong);
-    for (const column *j = judged_columns; *j != COLUMN_COUNT; j++) {
-        int same = 1;
-        if (!c->judged[*j])
-            continue;
-        TRY(check_answer(golden, row, *j));
-        if (given) {
-            TRY(check_answer(candidate, given, *j));
-            TRY(moment_same(&same, golden->in.context, table_field(golden, row, *j),
-                            table_field(candidate, given, *j)));
-        }
-        wrong[*j] = !same;
-    }
-    return GRAZE_OK;
-}
-
 /* The bytes before the first separator, or all; `rest` has what is behind it, or starts at NULL. */
 static field root_part(field *rest, char separator) {
     const char *end = memchr(rest->start, separator, rest->length);
@@ -221,7 +203,8 @@ int moment_is_token(field f) {
     return rational_is_token(f.start, f.length) || moment_is_root(f);
 }
 
-graze_status moment_same(int *same, graze_context *context, field a, field b) {
+/* Is it the same time? Numbers go by their value after rounding. GRAZE_EINPUT, GRAZE_ELIMIT. */
+static graze_status moment_same(int *same, graze_context *context, field a, field b) {
     *same = field_equal(a, b);
     if (*same || !rational_is_token(a.start, a.length) || !rational_is_token(b.start, b.length))
         return GRAZE_OK;
@@ -230,5 +213,23 @@ graze_status moment_same(int *same, graze_context *context, field a, field b) {
     TRY(rational_parse(x, context, a.start, a.length));
     TRY(rational_parse(y, context, b.start, b.length));
     *same = fmpq_equal(x, y);
+    return GRAZE_OK;
+}
+
+graze_status sites_judge(int *wrong, const graze_comparison *c, const table *golden,
+                         const table_row *row, const table *candidate, const table_row *given) {
+    memset(wrong, 0, COLUMN_COUNT * sizeof *wrong);
+    for (const column *j = judged_columns; *j != COLUMN_COUNT; j++) {
+        int same = 1;
+        if (!c->judged[*j])
+            continue;
+        TRY(check_answer(golden, row, *j));
+        if (given) {
+            TRY(check_answer(candidate, given, *j));
+            TRY(moment_same(&same, golden->in.context, table_field(golden, row, *j),
+                            table_field(candidate, given, *j)));
+        }
+        wrong[*j] = !same;
+    }
     return GRAZE_OK;
 }

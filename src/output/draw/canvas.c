@@ -85,23 +85,11 @@ void canvas_end(canvas *c) {
         c->kind->end(c);
 }
 
-void canvas_clip(canvas *c, double x, double y, double width, double height) {
-    c->kind->clip(c, x, y, width, height);
-}
-
-void canvas_unclip(canvas *c) {
-    c->kind->unclip(c);
-}
-
 void canvas_path(canvas *c, drawn_path *p, const style *s, const char *name) {
     c->failed |= p->failed;
     if (p->count)
         c->kind->path(c, p, s, name);
     drawn_path_clear(p);
-}
-
-void canvas_circle(canvas *c, double x, double y, double radius, const style *s) {
-    c->kind->circle(c, x, y, radius, s);
 }
 
 size_t canvas_character(const char *at) {

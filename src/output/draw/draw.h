@@ -67,6 +67,7 @@ typedef int canvas_put(void *to, const char *bytes, size_t length);
 typedef struct canvas_kind {
     void (*begin)(canvas *c, const char *name, const char *attributes);
     void (*end)(canvas *c);
+    /* Draw only inside a rectangle until unclip. */
     void (*clip)(canvas *c, double x, double y, double width, double height);
     void (*unclip)(canvas *c);
     void (*path)(canvas *c, const drawn_path *p, const style *s, const char *name);

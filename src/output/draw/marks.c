@@ -50,7 +50,7 @@ unsigned mark_colour(size_t k) {
 
 void mark_point(canvas *c, double x, double y, double radius, tone t) {
     const style disk = {.fill = PAINT(tone_colour(t)), .stroke = PAINT(INK), .width = 1.4};
-    canvas_circle(c, x, y, radius, &disk);
+    c->kind->circle(c, x, y, radius, &disk);
 }
 
 /* A circle on a face, a square on an edge, a triangle on a vertex; 1 is the size of a contact's. */
@@ -60,7 +60,7 @@ static void put_sign(canvas *c, double x, double y, double size, graze_cell_kind
                                             {{0, -5.4}, {5, 3.4}, {-5, 3.4}}};
     drawn_path sign = {NULL, 0, 0, 0};
     if (cell == GRAZE_CELL_FACE) {
-        canvas_circle(c, x, y, 4 * size, s);
+        c->kind->circle(c, x, y, 4 * size, s);
         return;
     }
     for (int k = 0; k < (cell == GRAZE_CELL_EDGE ? 4 : 3); k++) {

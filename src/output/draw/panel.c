@@ -91,7 +91,9 @@ panel panel_fit(const projection *look, const extent *window, double longest) {
     return p;
 }
 
-void panel_map_plane(double *x, double *y, const panel *p, double horizontal, double vertical) {
+/* The pixel of a point of the plane. */
+static void panel_map_plane(double *x, double *y, const panel *p, double horizontal,
+                            double vertical) {
     *x = p->x + (horizontal - p->window.low[0]) * p->scale;
     *y = p->y + p->height - (vertical - p->window.low[1]) * p->scale;
 }

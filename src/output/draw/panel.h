@@ -47,8 +47,6 @@ tick_step step_for(double least);
 panel panel_fit(const projection *look, const extent *window, double longest);
 /** The pixel of a point of three coordinates. */
 void panel_map(double *x, double *y, const panel *p, const double point[3]);
-/** The pixel of a point of the plane. */
-void panel_map_plane(double *x, double *y, const panel *p, double horizontal, double vertical);
 
 /** The part of the segment between two pixels that lies in the frame, as shares of it; 0 if there
  * is none. */

@@ -196,13 +196,13 @@ graze_status view_trajectories(canvas *c, graze_context *context, const picture 
     size_t n = p->request->point_count;
     HELD(labels, names, at, !picture_is_plane(p));
     canvas_begin(c, "trajectories", NULL);
-    canvas_clip(c, at->x, at->y, at->width, at->height);
+    c->kind->clip(c, at->x, at->y, at->width, at->height);
     TRY(draw_standing(c, context, p));
     for (size_t k = 0; k < n; k++) {
         draw_trail(c, at, &p->trails[k], &names);
         TRY(context_poll(context));
     }
-    canvas_unclip(c);
+    c->kind->unclip(c);
     for (size_t k = 0; k < n; k++)
         draw_start(c, at, &p->trails[k], &names);
     for (size_t k = 0; k < n; k++)

@@ -218,7 +218,7 @@ graze_status view_classes(canvas *c, graze_context *context, const picture *p) {
     const panel *at = &p->classes;
     size_t last = p->request->times - 1;
     canvas_begin(c, "classes", NULL);
-    canvas_clip(c, at->x, at->y, at->width, at->height);
+    c->kind->clip(c, at->x, at->y, at->width, at->height);
     TRY(draw_cells(c, context, p));
     if (p->request->by_distance)
         TRY(draw_levels(c, context, p));
@@ -227,7 +227,7 @@ graze_status view_classes(canvas *c, graze_context *context, const picture *p) {
         draw_outline(c, p, k, &outline_between);
     draw_outline(c, p, last, &outline_end);
     draw_outline(c, p, 0, &outline_start);
-    canvas_unclip(c);
+    c->kind->unclip(c);
     panel_frame(c, at);
     panel_ticks(c, at, axes[p->cells.axis[0]], axes[p->cells.axis[1]]);
     TRY(draw_points(c, context, p, at, 1));
@@ -289,11 +289,11 @@ graze_status view_positions(canvas *c, graze_context *context, const picture *p)
     how[0] = (finish){0xf0e442, .15, 1};
     how[last < MOST ? last : MOST - 1] = (finish){0xcc79a7, .15, 1};
     canvas_begin(c, "positions", NULL);
-    canvas_clip(c, at->x, at->y, at->width, at->height);
+    c->kind->clip(c, at->x, at->y, at->width, at->height);
     TRY(shapes_paint(c, context, p->moved, how, times, at));
     drawn_path plane = plane_path(p);
     canvas_path(c, &plane, &outline_plane, NULL);
-    canvas_unclip(c);
+    c->kind->unclip(c);
     panel_frame(c, at);
     panel_triad(c, at);
     panel_scale_bar(c, at);

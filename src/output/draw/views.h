@@ -24,12 +24,8 @@ graze_status canvas_finish(canvas *c, graze_context *context, const char *file, 
 /** A part of the picture with a name and perhaps attributes, `key="value"` in SVG's form. */
 void canvas_begin(canvas *c, const char *name, const char *attributes);
 void canvas_end(canvas *c);
-/** Draw only inside a rectangle until canvas_unclip. */
-void canvas_clip(canvas *c, double x, double y, double width, double height);
-void canvas_unclip(canvas *c);
 /** Draw a path, even-odd, and clear it. `name` is the class of the element, or NULL. */
 void canvas_path(canvas *c, drawn_path *p, const style *s, const char *name);
-void canvas_circle(canvas *c, double x, double y, double radius, const style *s);
 /** A line of UTF-8 on its baseline. Control characters and bytes that are no character become
  * question marks. */
 void canvas_text(canvas *c, double x, double y, const lettering *l, const char *string);
