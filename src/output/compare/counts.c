@@ -14,14 +14,6 @@ graze_status comparison_no_memory(graze_context *context) {
     return context_fail(context, GRAZE_ESYSTEM, "out of memory");
 }
 
-static int copy_names(graze_comparison *c, const char *golden, const char *candidate) {
-    c->golden = strdup(golden);
-    c->candidate = strdup(candidate);
-    c->solid = strdup(c->options.solid ? c->options.solid : "SOLID");
-    c->motion = strdup(c->options.motion ? c->options.motion : "MOTION");
-    return c->golden && c->candidate && c->solid && c->motion;
-}
-
 int comparison_begin(graze_comparison *c, const graze_context *context, const char *golden,
                      const char *candidate, const graze_compare_options *options) {
     if (options)
@@ -30,7 +22,11 @@ int comparison_begin(graze_comparison *c, const graze_context *context, const ch
     fmpq_init(c->tolerance);
     fmpq_init(c->eta);
     fmpq_init(c->depth.size);
-    return copy_names(c, golden, candidate);
+    c->golden = strdup(golden);
+    c->candidate = strdup(candidate);
+    c->solid = strdup(c->options.solid ? c->options.solid : "SOLID");
+    c->motion = strdup(c->options.motion ? c->options.motion : "MOTION");
+    return c->golden && c->candidate && c->solid && c->motion;
 }
 
 char comparison_count(graze_comparison *c, const judgement *j, int answered) {
@@ -72,7 +68,7 @@ static int is_crowded(const disagreement *all, size_t count, const disagreement 
     return same >= MOST_OF_STRATUM;
 }
 
-/* Leave the disagreements to show. Those left out would be, whichever come after. */
+/* Keep the disagreements to show. One that is dropped would be dropped after further rows too. */
 static void prune(graze_comparison *c) {
     disagreement *all = c->disagreements;
     size_t left = 0;

@@ -161,7 +161,7 @@ typedef struct judgement {
 } judgement;
 
 /** Count a golden row. `answered`: the candidate has it.
- * @return what became of it, as tally_add takes it */
+ * @return its status, as tally_add takes it */
 char comparison_count(graze_comparison *c, const judgement *j, int answered);
 
 /** Room for one more disagreement, zeroed but for `pmc`, which is that of a wrong row, else -1;

@@ -37,8 +37,7 @@ static void count_parts(depths *d, const fmpq_t least) {
     }
 }
 
-/* Count a row by the bounds of its distance, which are no numbers of their own any more; *out is
- * the larger size. */
+/* Count a row by the bounds of its distance, which become their sizes; *out is the larger one. */
 static graze_status count_depth(ceiling *out, depths *d, graze_context *context, int pmc,
                                 fmpq_t low, fmpq_t high) {
     int apart = fmpq_sgn(low) * fmpq_sgn(high) > 0;
@@ -82,21 +81,12 @@ static graze_status enclose_deep(distance *out, graze_context *context, const gr
     return status;
 }
 
-static graze_status count_bounds(depth_bounds *out, depths *d, graze_context *context, int pmc,
-                                 const distance *found) {
-    LOCAL_VEC(fmpq, low, 2);
-    fmpq *high = low + 1;
-    TRY(rational_from_double(low, context, found->low));
-    TRY(rational_from_double(high, context, found->high));
-    report_bound(out->low, found->low, 0);
-    report_bound(out->high, found->high, 1);
-    return count_depth(&out->size, d, context, pmc, low, high);
-}
-
 graze_status depth_measure(depth_bounds *out, depths *d, graze_context *context,
                            const graze_scene *scene, const char *point, int pmc) {
     slong dimension = scene->motion->dimension;
     LOCAL_VEC(fmpq, at, dimension);
+    LOCAL_VEC(fmpq, low, 2);
+    fmpq *high = low + 1;
     distance found;
     for (slong k = 0; k < dimension; k++) {
         size_t length = strcspn(point, " ");
@@ -104,5 +94,9 @@ graze_status depth_measure(depth_bounds *out, depths *d, graze_context *context,
         point += length + (point[length] == ' ');
     }
     TRY(enclose_deep(&found, context, scene, at, DEPTH_WIDTH * fmpq_get_d(d->size)));
-    return count_bounds(out, d, context, pmc, &found);
+    TRY(rational_from_double(low, context, found.low));
+    TRY(rational_from_double(high, context, found.high));
+    report_bound(out->low, found.low, 0);
+    report_bound(out->high, found.high, 1);
+    return count_depth(&out->size, d, context, pmc, low, high);
 }

@@ -97,17 +97,14 @@ static int nearest_rounding(match *m) {
     return 0;
 }
 
-/* No pair ahead: the golden rows of the window are missing. Past the golden table's end the
- * candidate's rows are extra. */
-static void skip_window(match *m) {
-    m->skip_golden = m->golden.count;
-    m->skip_candidate = m->golden.ended ? m->candidate.count : 0;
-}
-
+/* Without a pair ahead the golden rows of the window are missing, and past the golden table's end
+ * the candidate's rows are extra. */
 static graze_status resynchronise(match *m) {
     TRY(look_ahead(m));
-    if (!nearest_rounding(m))
-        skip_window(m);
+    if (!nearest_rounding(m)) {
+        m->skip_golden = m->golden.count;
+        m->skip_candidate = m->golden.ended ? m->candidate.count : 0;
+    }
     return GRAZE_OK;
 }
 

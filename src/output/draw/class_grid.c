@@ -20,7 +20,7 @@ tone tone_of(const graze_verdict *v) {
     return v->class_ == GRAZE_CLASS_NONE ? (tone)(TONE_IN - 1 + (int)v->pmc) : (tone)v->class_;
 }
 
-/* Cells along one axis; the box grows to both sides by what the last cell exceeds it. */
+/* Cells along one axis; the box grows to both sides by half of what they exceed it. */
 static graze_status lay_axis(cells *c, graze_context *context, int k, const fmpq *low,
                              const fmpq *high) {
     LOCAL(fmpq, length);
@@ -87,8 +87,9 @@ void cells_clear(cells *c) {
 }
 
 void cells_place(fmpq *out, const cells *c, size_t parts, size_t i, size_t j) {
-    fmpq *at = c->section ? _fmpq_vec_init(2) : out;
+    LOCAL_VEC(fmpq, uv, 2);
     LOCAL(fmpq, share);
+    fmpq *at = c->section ? uv : out;
     for (int k = 0; k < c->dimension; k++)
         fmpq_set(at + k, c->low + k);
     for (int k = 0; k < 2; k++) {
@@ -96,10 +97,8 @@ void cells_place(fmpq *out, const cells *c, size_t parts, size_t i, size_t j) {
         fmpq_mul(share, share, c->side);
         fmpq_add(at + c->axis[k], at + c->axis[k], share);
     }
-    if (!c->section)
-        return;
-    section_point(out, c->section, at);
-    _fmpq_vec_clear(at, 2);
+    if (c->section)
+        section_point(out, c->section, uv);
 }
 
 graze_status cells_ask(tone *out, const cells *c, graze_context *context, const graze_scene *scene,

@@ -9,8 +9,8 @@
 #include "output/draw/panel.h"
 #include "output/draw/views.h"
 
-/* The grid with a ring of cells that are like their neighbours, from (1, 1) on, and beyond it
- * cells of which none is in the region. */
+/* The grid within two rings of cells: the inner one, from (1, 1) on, repeats the neighbours, the
+ * outer one is outside the region. */
 typedef struct marching {
     graze_context *context;
     const graze_scene *scene; /* NULL: the region of distances below `level` */

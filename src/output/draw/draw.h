@@ -59,7 +59,7 @@ typedef struct canvas canvas;
 /** Bytes of the UTF-8 character at `at`, or 0 if there is none that XML takes. */
 size_t canvas_character(const char *at);
 
-/* ---------------------------------------------------------------------------- the two kinds */
+/* Functions of a kind of canvas; those of groups may be NULL. */
 
 /** Takes bytes; 0 without memory. */
 typedef int canvas_put(void *to, const char *bytes, size_t length);
@@ -108,7 +108,7 @@ typedef struct extent {
 graze_status range_check(graze_context *context, const double *low, const double *high, int count);
 
 typedef struct section {
-    fmpq *normal, *place; /* normal . x = place; this and the following are parts of one vector */
+    fmpq *normal, *place; /* normal . x = place; one vector holds all of this and the next line */
     fmpq *origin, *way[2];
     projection look;             /* to u and v */
     double unit[3], unit_height; /* normal and place, the normal of length 1 */

@@ -90,7 +90,8 @@ static void draw_arrow(canvas *c, const panel *at, const trail *from, labels *na
     }
 }
 
-/* A contact as it is marked: the ends of a slide, if they are apart from its middle, and that. */
+/* A mark of a contact. A slide has three: its ends, shown where they are apart from its middle, and
+ * the middle. */
 typedef struct seen_mark {
     int shown;
     double x, y;

@@ -13,17 +13,6 @@
 #include "output/draw/draw.h"
 #include "questions/boundary/boundary.h"
 
-/* The triangles of the boundary; in E^2 its sides. */
-static void put_simplices(json_writer *w, const graze_solid *solid) {
-    encoder e;
-    int d = solid->input.dimension;
-    encode_begin(&e, w, d == 2 ? "edges" : "triangles");
-    for (size_t k = 0; k < solid->cut.count; k++)
-        for (int i = 0; i < d; i++)
-            encode_count(&e, solid->cut.item[k].vertex[i]);
-    encode_end(&e);
-}
-
 static graze_status put_shown_edges(json_writer *w, graze_context *context,
                                     const graze_solid *solid) {
     encoder e;
@@ -41,14 +30,19 @@ static graze_status put_shown_edges(json_writer *w, graze_context *context,
 
 graze_status page_solid(json_writer *w, graze_context *context, const graze_solid *solid) {
     const soup *s = &solid->input;
+    int d = s->dimension;
     encoder e;
     json_open(w, "solid", '{');
     encode_begin(&e, w, "vertices");
-    for (size_t k = 0; k < s->vertex_count * (size_t)s->dimension; k++)
+    for (size_t k = 0; k < s->vertex_count * (size_t)d; k++)
         encode_double(&e, solid->low[k]);
     encode_end(&e);
-    put_simplices(w, solid);
-    TRY(s->dimension == 3 ? put_shown_edges(w, context, solid) : GRAZE_OK);
+    encode_begin(&e, w, d == 2 ? "edges" : "triangles");
+    for (size_t k = 0; k < solid->cut.count; k++)
+        for (int i = 0; i < d; i++)
+            encode_count(&e, solid->cut.item[k].vertex[i]);
+    encode_end(&e);
+    TRY(d == 3 ? put_shown_edges(w, context, solid) : GRAZE_OK);
     json_close(w, '}');
     return GRAZE_OK;
 }
