@@ -70,14 +70,10 @@ void put_share(text *out, unsigned long part, unsigned long whole);
  * matched by order alone, it says how far their points are apart. */
 void put_matched(text *out, const graze_comparison *c);
 
-/** The share of wrong rows and their number by column; where rows are missing there is no share. */
+/** The share of wrong rows and their number by column, where rows are missing no share; the points
+ * on a judged mesh; and the wrong rows under every convention for `on`, if the candidate never
+ * answers it. */
 void put_wrong_rows(text *out, const graze_comparison *c);
-
-/** Write a line on the points that lie on a judged mesh; none if tables are compared. */
-void put_apart(text *out, const graze_comparison *c);
-
-/** A line on the wrong rows under every convention for `on`, if the candidate never answers it. */
-void put_conventions(text *out, const graze_comparison *c);
 
 /** Write a table of |s| of the wrong rows by the golden answer; nothing if no distance was taken.
  */

@@ -55,6 +55,27 @@ void put_matched(text *out, const graze_comparison *c) {
     text_put(out, "\n");
 }
 
+/* A line on the points that lie on a judged mesh; none if tables are compared. */
+static void put_apart(text *out, const graze_comparison *c) {
+    if (c->of_mesh)
+        text_format(
+            out, "on the mesh: %lu points whose golden answer is `in` or `out`, undecided here\n",
+            c->apart);
+}
+
+/* A line on the wrong rows under every convention for `on`, if the candidate never answers it. */
+static void put_conventions(text *out, const graze_comparison *c) {
+    if (!comparison_has_no_on(c))
+        return;
+    text_format(out,
+                "conventions: %lu golden rows are `on`, which the candidate never answers; rows "
+                "wrong with",
+                c->golden_on);
+    for (int k = 0; k < CONVENTIONS; k++)
+        text_format(out, "%s `--on-as %s`: %lu", k ? "," : "", conventions[k], c->wrong_as[k]);
+    text_put(out, "\n");
+}
+
 void put_wrong_rows(text *out, const graze_comparison *c) {
     if (c->missing) {
         text_format(out, "missing: %lu of %lu rows; of the others wrong: %lu", c->missing, c->rows,
@@ -68,25 +89,8 @@ void put_wrong_rows(text *out, const graze_comparison *c) {
         if (c->judged[*j])
             text_format(out, "; %s %lu", column_name(*j), c->column_wrong[*j]);
     text_put(out, "\n");
-}
-
-void put_apart(text *out, const graze_comparison *c) {
-    if (c->of_mesh)
-        text_format(
-            out, "on the mesh: %lu points whose golden answer is `in` or `out`, undecided here\n",
-            c->apart);
-}
-
-void put_conventions(text *out, const graze_comparison *c) {
-    if (!comparison_has_no_on(c))
-        return;
-    text_format(out,
-                "conventions: %lu golden rows are `on`, which the candidate never answers; rows "
-                "wrong with",
-                c->golden_on);
-    for (int k = 0; k < CONVENTIONS; k++)
-        text_format(out, "%s `--on-as %s`: %lu", k ? "," : "", conventions[k], c->wrong_as[k]);
-    text_put(out, "\n");
+    put_apart(out, c);
+    put_conventions(out, c);
 }
 
 static unsigned long depths_taken(const graze_comparison *c) {

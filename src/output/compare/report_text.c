@@ -82,8 +82,6 @@ static void put_summary(text *out, const graze_comparison *c) {
     text_format(out, "| %lu | %lu | %lu | %lu | %lu | %lu |\n\n", c->rows, c->agree, c->wrong,
                 c->missing, c->undecided, c->extra);
     put_wrong_rows(out, c);
-    put_apart(out, c);
-    put_conventions(out, c);
     if (comparison_hint(c))
         text_format(out, "hint: %s\n", comparison_hint(c));
     if (c->options.question == GRAZE_QUESTION_CLOSED)

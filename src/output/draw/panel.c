@@ -138,15 +138,6 @@ double panel_span(const panel *p) {
     return fmax(p->width, canvas_text_width(p->title, TITLE_SIZE + 1)); /* bold is wider */
 }
 
-void panel_frame(canvas *c, const panel *p) {
-    const lettering heading = {.size = TITLE_SIZE, .bold = 1};
-    const style line = {.stroke = PAINT(0x888888), .width = 1};
-    drawn_path frame = {NULL, 0, 0, 0};
-    drawn_path_box(&frame, p->x - .5, p->y - .5, p->x + p->width + .5, p->y + p->height + .5);
-    canvas_path(c, &frame, &line, NULL);
-    canvas_text(c, p->x, p->y - 9, &heading, p->title);
-}
-
 tick_step step_for(double least) {
     static const int mantissas[] = {1, 2, 5, 10};
     int exponent = (int)floor(log10(least)), k = 0;
@@ -244,14 +235,14 @@ static void draw_tick(canvas *c, const panel *p, int axis, long index, const tic
     canvas_text(c, axis ? x - 7 : x, axis ? y + 4 : y + 16, axis ? &beside : &below, number);
 }
 
-void panel_ticks(canvas *c, const panel *p, char horizontal, char vertical) {
+static void draw_ticks(canvas *c, const panel *p, const char *axes) {
     const lettering name = {.size = 12, .bold = 1, .anchor = ANCHOR_END};
     for (int axis = 0; axis < 2; axis++) {
         tick_row t = ticks_along(p, axis);
         for (long k = t.first; k <= t.last; k++)
             draw_tick(c, p, axis, k, &t.step);
     }
-    const char names[2][2] = {{horizontal, 0}, {vertical, 0}};
+    const char names[2][2] = {{axes[0], 0}, {axes[1], 0}};
     canvas_text(c, p->x + p->width, p->y + p->height + 16, &name, names[0]);
     canvas_text(c, p->x - 7, p->y + 9, &name, names[1]);
 }
@@ -269,7 +260,7 @@ void draw_arrow_head(canvas *c, double x, double y, double dx, double dy, double
     canvas_path(c, &head, &solid, NULL);
 }
 
-void panel_triad(canvas *c, const panel *p) {
+static void draw_triad(canvas *c, const panel *p) {
     static const char names[3][2] = {"x", "y", "z"};
     const style line = {.stroke = PAINT(INK), .width = 1};
     const lettering letter = {.size = 11, .anchor = ANCHOR_MIDDLE, .halo = 1};
@@ -286,7 +277,7 @@ void panel_triad(canvas *c, const panel *p) {
     }
 }
 
-void panel_scale_bar(canvas *c, const panel *p) {
+static void draw_scale_bar(canvas *c, const panel *p) {
     const style line = {.stroke = PAINT(INK), .width = 2};
     const lettering number = {.size = 11, .anchor = ANCHOR_MIDDLE, .halo = 1};
     tick_step step = step_for(p->width / 8 / p->scale);
@@ -301,6 +292,21 @@ void panel_scale_bar(canvas *c, const panel *p) {
         drawn_path_line(&bar, right - k * length, y - 4, right - k * length, y + 4);
     canvas_path(c, &bar, &line, "scale");
     canvas_text(c, right - length / 2, y - 7, &number, text);
+}
+
+void panel_frame(canvas *c, const panel *p, const char *axes) {
+    const lettering heading = {.size = TITLE_SIZE, .bold = 1};
+    const style line = {.stroke = PAINT(0x888888), .width = 1};
+    drawn_path frame = {NULL, 0, 0, 0};
+    drawn_path_box(&frame, p->x - .5, p->y - .5, p->x + p->width + .5, p->y + p->height + .5);
+    canvas_path(c, &frame, &line, NULL);
+    canvas_text(c, p->x, p->y - 9, &heading, p->title);
+    if (axes) {
+        draw_ticks(c, p, axes);
+    } else {
+        draw_triad(c, p);
+        draw_scale_bar(c, p);
+    }
 }
 
 static const double LEAST_SIZE = 1e-300, MOST_COORDINATE = 1e300, FARTHEST = 0x1p42;

@@ -59,18 +59,15 @@ int panel_shows(const panel *p, const drawn_path *line);
 /** Room above and below the frame; that on its left is `left`. */
 enum { PANEL_ABOVE = 26, PANEL_BELOW = 24 };
 
-/** Give a panel its title, and room on the left: if `numbered`, for the numbers of panel_ticks. */
+/** Give a panel its title, and room on the left: if `numbered`, for the numbers of panel_frame. */
 void panel_name(panel *p, const char *title, int numbered);
 /** The width of the frame or of its title, whichever is more. */
 double panel_span(const panel *p);
-/** The frame and the title over it. */
-void panel_frame(canvas *c, const panel *p);
-/** Numbers along the left and the lower side, and the names of the two axes. */
-void panel_ticks(canvas *c, const panel *p, char horizontal, char vertical);
-/** A bar of a round length with its number, in the lower right corner. */
-void panel_scale_bar(canvas *c, const panel *p);
-/** Small arrows that show how the axes x, y, z lie. */
-void panel_triad(canvas *c, const panel *p);
+/** The frame and the title over it; numbers along the left and the lower side, and the names of the
+ * two axes. In space (`axes` NULL) a bar of a round length with its number, in the lower right
+ * corner, and small arrows that show how the axes x, y, z lie.
+ * @param axes two letters */
+void panel_frame(canvas *c, const panel *p, const char *axes);
 
 /** Draw an arrow's head with its tip at a pixel. (dx, dy) is where it points, not zero. */
 void draw_arrow_head(canvas *c, double x, double y, double dx, double dy, double size);

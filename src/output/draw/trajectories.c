@@ -210,13 +210,7 @@ graze_status view_trajectories(canvas *c, graze_context *context, const picture 
         draw_contacts(c, at, &p->trails[k], &names);
     for (size_t k = 0; k < n; k++)
         draw_arrow(c, at, &p->trails[k], &names);
-    panel_frame(c, at);
-    if (picture_is_plane(p)) {
-        panel_ticks(c, at, 'x', 'y');
-    } else {
-        panel_triad(c, at);
-        panel_scale_bar(c, at);
-    }
+    panel_frame(c, at, picture_is_plane(p) ? "xy" : NULL);
     for (size_t k = 0; k < n; k++) {
         name_trail(c, at, &p->trails[k], p->request->names[k], &names);
         TRY(context_poll(context));

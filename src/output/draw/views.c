@@ -228,8 +228,7 @@ graze_status view_classes(canvas *c, graze_context *context, const picture *p) {
     draw_outline(c, p, last, &outline_end);
     draw_outline(c, p, 0, &outline_start);
     c->kind->unclip(c);
-    panel_frame(c, at);
-    panel_ticks(c, at, axes[p->cells.axis[0]], axes[p->cells.axis[1]]);
+    panel_frame(c, at, (const char[]){axes[p->cells.axis[0]], axes[p->cells.axis[1]]});
     TRY(draw_points(c, context, p, at, 1));
     canvas_end(c);
     return GRAZE_OK;
@@ -294,9 +293,7 @@ graze_status view_positions(canvas *c, graze_context *context, const picture *p)
     drawn_path plane = plane_path(p);
     canvas_path(c, &plane, &outline_plane, NULL);
     c->kind->unclip(c);
-    panel_frame(c, at);
-    panel_triad(c, at);
-    panel_scale_bar(c, at);
+    panel_frame(c, at, NULL);
     TRY(draw_points(c, context, p, at, 0));
     canvas_end(c);
     return GRAZE_OK;
