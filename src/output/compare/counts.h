@@ -55,27 +55,10 @@ void errors_clear(errors *e);
 enum { MOST_MEASURED = 1000 };
 extern const char *const depth_parts[DEPTH_PARTS];
 
-void depth_clear(depths *d);
-
 /** Take the enclosure that a golden row has; *out is the larger size of its bounds. GRAZE_EINPUT,
  * GRAZE_ELIMIT, GRAZE_ESYSTEM. */
 graze_status depth_take(ceiling *out, depths *d, const table *golden, const table_row *row,
                         int pmc);
-
-/** Bounds of a signed distance, as decimals, and the larger of their sizes. */
-typedef struct depth_bounds {
-    char low[BOUND_ROOM], high[BOUND_ROOM];
-    ceiling size;
-} depth_bounds;
-
-/** Take the size from the scene. GRAZE_ELIMIT, GRAZE_ECANCELED. */
-graze_status depth_scale(depths *d, graze_context *context, const graze_scene *scene);
-
-/** Enclose the signed distance of a wrong row's point to 1e-13 of the size, and count it.
- * @param point coordinates with blanks between
- * @return as graze_distances */
-graze_status depth_measure(depth_bounds *out, depths *d, graze_context *context,
-                           const graze_scene *scene, const char *point, int pmc);
 
 /* How far apart the points of two rows are that an id or the order of rows has matched. */
 
@@ -91,7 +74,7 @@ int drift_is_small(const drift *d);
 
 /* Rows counted by group. */
 
-/** Groups past this number are counted as one. */
+/** Groups past this number are counted as one: a column of different names costs no memory. */
 enum { MOST_GROUPS = 1000 };
 
 /** Count a row under its group. `status` is 'a' (agree), 'w' (wrong), 'u' (undecided) or 'm'

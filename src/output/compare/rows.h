@@ -117,11 +117,6 @@ int digest_equal(digest a, digest b);
  * The key of a row is its id, the value of one that is a number, or its point in lowest terms
  * after rounding; of a contact point its time and its point. */
 
-/** Choose the key: `id` if both tables have it; else x, y (and z), else no columns; of contact
- * points time and bx, by (and bz), else time and x, y (and z).
- * @return GRAZE_EINPUT a column z for points of the plane, no such columns of contact points */
-graze_status key_choose(row_key *out, const table *golden, const table *candidate, int contacts);
-
 /** Coordinates x, y (and z) of points that both tables have; none if one of them lacks any. */
 void key_of_axes(row_key *out, const table *golden, const table *candidate);
 
