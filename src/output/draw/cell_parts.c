@@ -100,8 +100,8 @@ static int is_drawn(const cells *c, size_t parts, size_t i, size_t j, tone t) {
 }
 
 /* Add the rectangle of `length` neighbours of a row from (i, j) on. */
-static void put_run(drawn_path *out, const cells *c, const panel *p, size_t parts, size_t i,
-                    size_t j, size_t length) {
+static void put_cells_run(drawn_path *out, const cells *c, const panel *p, size_t parts, size_t i,
+                          size_t j, size_t length) {
     double cell_x = p->width / (double)(c->count[0] * parts);
     double cell_y = p->height / (double)(c->count[1] * parts);
     double x = p->x + (double)i * cell_x, y = p->y + p->height - (double)(j + 1) * cell_y;
@@ -119,7 +119,7 @@ void cells_path(drawn_path *out, const cells *c, const panel *p, size_t parts, t
             for (from = i; i < across && is_drawn(c, parts, i, j, t);)
                 i++;
             if (i > from)
-                put_run(out, c, p, parts, from, j, i - from);
+                put_cells_run(out, c, p, parts, from, j, i - from);
             else
                 i++;
         }
