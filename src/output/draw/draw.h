@@ -288,8 +288,8 @@ typedef struct edge_list {
         *face; /* by simplex: the least number of a simplex in its face of coplanar simplices */
 } edge_list;
 
-/** Choose the edges of a solid of E^3. Cleared by edges_clear, also on failure. */
+/** Choose the edges of a solid of E^3. Cleared by edge_list_clear, also on failure. */
 graze_status edges_make(edge_list *out, graze_context *context, const graze_solid *solid);
-void edges_clear(edge_list *e);
+void edge_list_clear(edge_list *e);
 
 #endif

@@ -156,19 +156,15 @@ static size_t list_faces(face *out, const shape *shapes, size_t s, const panel *
 graze_status shapes_paint(canvas *c, graze_context *context, const shape *shapes,
                           const finish *finishes, size_t count, const panel *p) {
     size_t n = 0, per_shape = shapes[0].solid->cut.count;
-    edge_list edges;
-    graze_status status = edges_make(&edges, context, shapes[0].solid);
+    ZEROED(edge_list, edges);
+    TRY(edges_make(&edges, context, shapes[0].solid));
     FREED(face, faces, calloc(per_shape, count * sizeof *faces));
     FREED(double, sums, calloc(per_shape, 2 * sizeof *sums));
-    if (!status && (!faces || !sums))
-        status = context_fail(context, GRAZE_ESYSTEM, "out of memory for the faces of a picture");
-    for (size_t s = 0; s < count && !status; s++)
+    if (!faces || !sums)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the faces of a picture");
+    for (size_t s = 0; s < count; s++)
         n += list_faces(faces + n, shapes, s, p, &edges, sums);
-    if (!status) {
-        brush b = {c, p, &edges, {0, 0, NULL}};
-        qsort(faces, n, sizeof *faces, nearer_later);
-        status = paint_faces(&b, context, shapes, finishes, faces, n);
-    }
-    edges_clear(&edges);
-    return status;
+    brush b = {c, p, &edges, {0, 0, NULL}};
+    qsort(faces, n, sizeof *faces, nearer_later);
+    return paint_faces(&b, context, shapes, finishes, faces, n);
 }

@@ -116,7 +116,7 @@ graze_status edges_make(edge_list *out, graze_context *context, const graze_soli
     return GRAZE_OK;
 }
 
-void edges_clear(edge_list *e) {
+void edge_list_clear(edge_list *e) {
     free(e->item);
     free(e->sides);
     free(e->face);

@@ -16,16 +16,15 @@
 static graze_status put_shown_edges(json_writer *w, graze_context *context,
                                     const graze_solid *solid) {
     encoder e;
-    edge_list edges;
-    graze_status status = edges_make(&edges, context, solid);
+    ZEROED(edge_list, edges);
+    TRY(edges_make(&edges, context, solid));
     encode_begin(&e, w, "edges");
-    for (size_t k = 0; k < edges.count && !status; k++) {
+    for (size_t k = 0; k < edges.count; k++) {
         encode_count(&e, edges.item[k].from);
         encode_count(&e, edges.item[k].to);
     }
     encode_end(&e);
-    edges_clear(&edges);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status page_solid(json_writer *w, graze_context *context, const graze_solid *solid) {
@@ -210,14 +209,10 @@ graze_status page_cells(json_writer *w, graze_context *context, const graze_scen
                         const draw_request *request) {
     draw_request by_class = *request;
     by_class.by_distance = 0;
-    cells c = {.low = NULL};
-    section oblique = {.unit_height = 0};
-    graze_status status = request_cells(&c, &oblique, context, scene, &by_class);
-    if (!status)
-        status = parts_classify(&c, context, scene);
-    if (!status)
-        put_cells_of(w, &c, request);
-    cells_clear(&c);
-    section_clear(&oblique);
-    return status;
+    ZEROED(section, oblique); /* cleared after the cells, which borrow it */
+    ZEROED(cells, c);
+    TRY(request_cells(&c, &oblique, context, scene, &by_class));
+    TRY(parts_classify(&c, context, scene));
+    put_cells_of(w, &c, request);
+    return GRAZE_OK;
 }
