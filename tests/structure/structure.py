@@ -49,7 +49,7 @@ WING = {room: wing for wing, floor in FLOORS for room in floor}
 COMMANDS = {"io", "points", "run", "cli", "mpi"}
 # Small tools that the commands use beside the public header and table/, and the table of columns, which is not of a face alone.
 TOOLS = {"src/base/context/array.h", "src/base/context/scope.h", "src/base/context/slots.h", "src/base/context/spelling.h",
-         "src/base/number/text.h", "src/output/report/columns.h"}
+         "src/base/number/text.h", "src/base/number/json.h", "src/output/report/columns.h"}
 # Rooms that the commands include headers of, beside their own.
 SHARED = {"table", "delimited"}
 # Rooms that are built only where their library is installed.

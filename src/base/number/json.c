@@ -1,6 +1,7 @@
 /* Writes JSON. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/number/json.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -97,6 +98,18 @@ void json_count(json_writer *w, const char *key, unsigned long value) {
 
 void json_number(json_writer *w, const char *key, const char *digits) {
     text_put(json_begin(w, key), digits);
+}
+
+void json_double(json_writer *w, const char *key, double value) {
+    text *out = json_begin(w, key);
+    if (isfinite(value))
+        text_format(out, "%.17g", value);
+    else
+        text_put(out, "null");
+}
+
+void json_bool(json_writer *w, const char *key, int value) {
+    json_number(w, key, value ? "true" : "false");
 }
 
 void json_form(text *out, const char *form, ...) {

@@ -36,6 +36,9 @@ void json_text(json_writer *w, const char *key, const char *value);
 void json_count(json_writer *w, const char *key, unsigned long value);
 /** A number as its digits stand. */
 void json_number(json_writer *w, const char *key, const char *digits);
+/** A double with 17 digits; null unless it is finite. */
+void json_double(json_writer *w, const char *key, double value);
+void json_bool(json_writer *w, const char *key, int value);
 /** An exact number, as a string. */
 void json_rational(json_writer *w, const char *key, const fmpq_t value);
 /** Append JSON as it stands, but for each @, the next rational, and %, the next one as a string. */

@@ -20,11 +20,11 @@ typedef struct run {
 } run;
 
 static graze_status check_rounding(graze_comparison *c, run *r, const char *path) {
-    column columns[JUDGED_COUNT];
+    column columns[COLUMN_COUNT];
     size_t count = 0;
-    for (int k = 0; k < JUDGED_SDF; k++)
-        if (c->judged[k])
-            columns[count++] = judged_column(k);
+    for (const column *j = judged_columns; *j != COLUMN_COUNT; j++)
+        if (c->judged[*j] && *j != COLUMN_SDF)
+            columns[count++] = *j;
     if (c->rounding == GRAZE_ROUND_NONE || c->key.by_id)
         return GRAZE_OK;
     return match_rounding(r->context, &r->golden, path, &c->key, columns, count);
@@ -70,9 +70,9 @@ static void put_answers(text *out, const graze_comparison *c, const table *t, co
             put_shown_answer(out, t, row, (column)col);
     if (c->contacts)
         put_shown_answer(out, t, row, COLUMN_TIME);
-    for (int k = 0; k < JUDGED_COUNT && c->contacts; k++)
-        if (c->judged[k])
-            put_shown_answer(out, t, row, judged_column(k));
+    for (const column *j = judged_columns; *j != COLUMN_COUNT && c->contacts; j++)
+        if (c->judged[*j])
+            put_shown_answer(out, t, row, *j);
 }
 
 /* A row's point (which = 0) or answers (1 golden, 2 candidate), malloc'ed. */
@@ -136,12 +136,12 @@ static graze_status count_row(graze_comparison *c, const run *r, const table_row
                               const table_row *candidate, const judgement *j,
                               const valuation *value, int right) {
     char what = comparison_count(c, j, candidate != NULL);
-    graze_status status = count_groups(c, r, golden, what, value);
     ceiling depth = {0, 0};
-    if (!status && what == 'w' && c->enclosed)
-        status = depth_take(&depth, &c->depth, &r->golden, golden, right);
-    return status || what == 'a' || what == 'u'
-               ? status
+    TRY(count_groups(c, r, golden, what, value));
+    if (what == 'w' && c->enclosed)
+        TRY(depth_take(&depth, &c->depth, &r->golden, golden, right));
+    return what == 'a' || what == 'u'
+               ? GRAZE_OK
                : show(c, r, golden, candidate, what == 'w' ? right : -1, depth);
 }
 
@@ -149,10 +149,10 @@ static graze_status count_contacts(graze_comparison *c, run *r, const table_row 
                                    const table_row *candidate) {
     judgement j = {{0}, 0, {0}, 0, 0};
     valuation none = {.certain = 1};
-    graze_status status = sites_judge(j.wrong, c, &r->golden, golden, &r->candidate, candidate);
-    for (int k = 0; k < JUDGED_COUNT; k++)
+    TRY(sites_judge(j.wrong, c, &r->golden, golden, &r->candidate, candidate));
+    for (int k = 0; k < COLUMN_COUNT; k++)
         j.any_wrong |= j.wrong[k];
-    return status ? status : count_row(c, r, golden, candidate, &j, &none, PMC_ON);
+    return count_row(c, r, golden, candidate, &j, &none, PMC_ON);
 }
 
 /* Count a golden row of a curved solid in which no answer that the candidate gives is decided. The
@@ -160,16 +160,12 @@ static graze_status count_contacts(graze_comparison *c, run *r, const table_row 
 static graze_status count_open(graze_comparison *c, run *r, const table_row *golden,
                                const table_row *candidate) {
     static const char *const none = "undecided";
-    const int known[JUDGED_COUNT] = {[JUDGED_PMC] = c->judged[JUDGED_PMC]};
+    const int known[COLUMN_COUNT] = {[COLUMN_PMC] = c->judged[COLUMN_PMC]};
     answer given = {-1, -1, 0, 0, {"", 0}};
     judgement j = {.undecided = 1};
     valuation value = {.certain = 1};
-    graze_status status = GRAZE_OK;
     if (candidate && !field_is(table_field(&r->candidate, candidate, COLUMN_PMC), none))
-        status =
-            answer_read(&given, &r->candidate, candidate, known, c->options.has == GRAZE_HAS_SDF);
-    if (status)
-        return status;
+        TRY(answer_read(&given, &r->candidate, candidate, known, c->options.has == GRAZE_HAS_SDF));
     if (given.pmc >= 0)
         c->undecided_answers[given.pmc]++;
     c->open++;
@@ -180,9 +176,9 @@ static graze_status count_open(graze_comparison *c, run *r, const table_row *gol
 static graze_status count_pair(graze_comparison *c, run *r, const table_row *golden,
                                const table_row *candidate, const int *judged) {
     answer right, given = {-1, -1, 0, 0, {"", 0}};
-    int known[JUDGED_COUNT];
+    int known[COLUMN_COUNT];
     memcpy(known, judged, sizeof known);
-    known[JUDGED_PMC] = 1;
+    known[COLUMN_PMC] = 1;
     TRY(answer_read(&right, &r->golden, golden, known, 0));
     if (candidate)
         TRY(answer_read(&given, &r->candidate, candidate, judged, c->options.has == GRAZE_HAS_SDF));
@@ -196,9 +192,9 @@ static graze_status count_pair(graze_comparison *c, run *r, const table_row *gol
     c->undecided_by_motion += !value.certain;
     if (j.undecided && candidate)
         c->undecided_answers[given.pmc]++;
-    else if (judged[JUDGED_PMC])
+    else if (judged[COLUMN_PMC])
         c->confusion.pmc[j.truth][candidate ? given.pmc : 3]++;
-    if (judged[JUDGED_CLASS])
+    if (judged[COLUMN_CLASS])
         c->confusion.class_[right.class_][candidate ? given.class_ : 5]++;
     return count_row(c, r, golden, candidate, &j, &value, right.pmc);
 }
@@ -208,13 +204,13 @@ static graze_status count_answers(graze_comparison *c, run *r, const table_row *
                                   const table_row *candidate) {
     static const char *const none = "undecided";
     field word = table_field(&r->golden, golden, COLUMN_WORD);
-    int judged[JUDGED_COUNT], pmc = field_is(table_field(&r->golden, golden, COLUMN_PMC), none);
+    int judged[COLUMN_COUNT], pmc = field_is(table_field(&r->golden, golden, COLUMN_PMC), none);
     memcpy(judged, c->judged, sizeof judged);
     if (pmc || field_is(table_field(&r->golden, golden, COLUMN_CLASS), none) ||
         memchr(word.start, '?', word.length))
-        judged[JUDGED_CLASS] = judged[JUDGED_I] = judged[JUDGED_T] = judged[JUDGED_WORD] = 0;
+        judged[COLUMN_CLASS] = judged[COLUMN_I] = judged[COLUMN_T] = judged[COLUMN_WORD] = 0;
     int fewer = memcmp(judged, c->judged, sizeof judged) != 0;
-    if (pmc || (fewer && !judged[JUDGED_PMC]))
+    if (pmc || (fewer && !judged[COLUMN_PMC]))
         return count_open(c, r, golden, candidate);
     c->of_pmc += (unsigned long)fewer;
     return count_pair(c, r, golden, candidate, judged);
@@ -223,26 +219,17 @@ static graze_status count_answers(graze_comparison *c, run *r, const table_row *
 static graze_status count_all(graze_comparison *c, run *r) {
     for (unsigned long n = 0;; n++) {
         const table_row *golden, *candidate;
-        graze_status status = match_next(&r->match, &golden, &candidate);
-        if (!status && n % 1024 == 0)
-            status = context_poll(r->context);
-        if (status || (!golden && !candidate))
-            return status;
+        TRY(match_next(&r->match, &golden, &candidate));
+        TRY(n % 1024 ? GRAZE_OK : context_poll(r->context));
+        if (!golden && !candidate)
+            return GRAZE_OK;
         if (golden) {
-            status = (c->contacts ? count_contacts : count_answers)(c, r, golden, candidate);
+            TRY((c->contacts ? count_contacts : count_answers)(c, r, golden, candidate));
         } else {
             c->extra++;
-            status = show(c, r, NULL, candidate, -1, (ceiling){0, 0});
+            TRY(show(c, r, NULL, candidate, -1, (ceiling){0, 0}));
         }
-        if (status)
-            return status;
     }
-}
-
-/* Say how far points are apart that order alone has matched. */
-static void note_drift(graze_comparison *c, const drift *d) {
-    c->drifted = d->rows;
-    c->drift = ceiling_of(d->farthest);
 }
 
 /* Check a run through both tables, and find the way that may match more rows. */
@@ -252,7 +239,8 @@ static graze_status finish_comparison(graze_comparison *c, const run *r, match_w
                                "ends after %lu rows without `# complete`; expected a whole table",
                                r->golden.rows);
     *better = match_better(&r->match);
-    note_drift(c, &r->match.drift);
+    c->drifted = r->match.drift.rows;
+    c->drift = ceiling_of(r->match.drift.farthest);
     return *better == c->way ? match_finish(&r->match) : GRAZE_OK;
 }
 
@@ -274,8 +262,8 @@ static graze_status compare_by(graze_comparison *out, graze_context *context, co
     for (int g = 0; g < GROUPING_COUNT; g++)
         tally_sort(&out->tallies[g]);
     match_clear(&r->match);
-    table_close(&r->golden);
-    table_close(&r->candidate);
+    table_clear(&r->golden);
+    table_clear(&r->candidate);
     free(r);
     return status;
 }

@@ -185,30 +185,6 @@ typedef struct tally {
 
 /* Options and counts of a comparison. */
 
-/** Answers that are judged, in the order of their columns; those of points and those of contact
- * points have the word in common. */
-enum {
-    JUDGED_PMC,
-    JUDGED_CLASS,
-    JUDGED_I,
-    JUDGED_T,
-    JUDGED_CELL,
-    JUDGED_ROLE,
-    JUDGED_THETA,
-    JUDGED_CONTACT_ORDER,
-    JUDGED_ORIENTATION,
-    JUDGED_LEFT,
-    JUDGED_RIGHT,
-    JUDGED_TRIMMED,
-    JUDGED_STATUS,
-    JUDGED_NEAR,
-    JUDGED_NEAR_IN,
-    JUDGED_WORD,
-    JUDGED_SHIFT,
-    JUDGED_SDF,
-    JUDGED_COUNT
-};
-
 /** Groupings of errors. */
 typedef enum grouping {
     BY_STRATUM,
@@ -254,15 +230,15 @@ struct graze_comparison {
     match_way way;                             /* and how */
     unsigned long drifted;     /* rows matched by order alone whose points differ, */
     ceiling drift;             /* and the largest difference of a coordinate */
-    int judged[JUDGED_COUNT];  /* 1: the candidate answers this */
-    int lacking[JUDGED_COUNT]; /* of contact points: 1 only the candidate, 2 only the golden table
+    int judged[COLUMN_COUNT];  /* 1: the candidate answers this */
+    int lacking[COLUMN_COUNT]; /* of contact points: 1 only the candidate, 2 only the golden table
                               lacks the column */
     int valued;                /* values are compared with the golden enclosures */
     int enclosed;              /* golden enclosures are read */
     fmpq_t tolerance, eta;     /* the tolerance of values, the motion error */
     char *explain_options;     /* of `graze explain`, with a blank before each */
     unsigned long rows, agree, wrong, undecided, missing, extra;
-    unsigned long column_wrong[JUDGED_COUNT];
+    unsigned long column_wrong[COLUMN_COUNT];
     unsigned long wrong_as[CONVENTIONS];  /* rows that each convention would call wrong */
     unsigned long golden_on, answered_on; /* answered rows whose golden, given answer is `on` */
     unsigned long undecided_answers[3];   /* undecided rows by the candidate's answer */

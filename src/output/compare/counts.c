@@ -1,24 +1,121 @@
-/* Counts, disagreements kept and depths of a comparison.
+/* Counts, disagreements kept and depths of a comparison: wrong rows are measured.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "output/compare/compare.h"
 
+#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
+#include "base/number/rational.h"
+#include "base/number/rounding.h"
 #include "decide/filter/filter.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "decide/verdict/verdict.h"
 #include "output/compare/counts.h"
+#include "output/compare/rows.h"
+#include "output/report/report.h"
+#include "questions/distance/distance.h"
+
+/* The width of an enclosure, in diagonals. */
+static const double DEPTH_WIDTH = 1e-13;
+
+const char *const depth_parts[DEPTH_PARTS] = {"1e-12", "1e-9", "1e-6", "1e-3"};
+
+static void depth_clear(depths *d) {
+    for (int k = 0; k < 3; k++)
+        errors_clear(&d->by[k]);
+    fmpq_clear(d->size);
+    free(d->unmeasured);
+}
+
+/* Count a row whose distance is at least `least` by the parts of the size that this is beyond. */
+static void count_parts(depths *d, const fmpq_t least) {
+    LOCAL(fmpq, scaled);
+    fmpq_set(scaled, least);
+    for (int k = DEPTH_PARTS - 1; k >= 0; k--) {
+        fmpq_mul_ui(scaled, scaled, 1000);
+        d->deeper[k] += fmpq_cmp(scaled, d->size) > 0;
+    }
+}
+
+/* Count a row by the bounds of its distance, which become their sizes; *out is the larger one. */
+static graze_status count_depth(ceiling *out, depths *d, graze_context *context, int pmc,
+                                fmpq_t low, fmpq_t high) {
+    int apart = fmpq_sgn(low) * fmpq_sgn(high) > 0;
+    fmpq_abs(low, low);
+    fmpq_abs(high, high);
+    int falls = fmpq_cmp(low, high) > 0;
+    *out = ceiling_of(falls ? low : high);
+    if (apart && !fmpq_is_zero(d->size))
+        count_parts(d, falls ? high : low);
+    return errors_add(&d->by[pmc], (value_error){*out, out->digits > 0, 0})
+               ? GRAZE_OK
+               : context_fail(context, GRAZE_ESYSTEM, "out of memory");
+}
+
+graze_status depth_take(ceiling *out, depths *d, const table *golden, const table_row *row,
+                        int pmc) {
+    graze_context *context = golden->in.context;
+    LOCAL_VEC(fmpq, low, 2);
+    fmpq *high = low + 1;
+    d->wrong++;
+    TRY(table_number(low, context, table_field(golden, row, COLUMN_SDF_LOW)));
+    TRY(table_number(high, context, table_field(golden, row, COLUMN_SDF_HIGH)));
+    return count_depth(out, d, context, pmc, low, high);
+}
+
+/* Take the size from the scene. GRAZE_ELIMIT, GRAZE_ECANCELED. */
+static graze_status depth_scale(depths *d, graze_context *context, const graze_scene *scene) {
+    double diagonal;
+    TRY(distance_diagonal(&diagonal, context, scene));
+    return rational_from_double(d->size, context, diagonal);
+}
+
+static graze_status enclose_deep(distance *out, graze_context *context, const graze_scene *scene,
+                                 const fmpq *point, double width) {
+    graze_trace trace;
+    graze_status status =
+        classify_point(&trace, context, scene, (query_point){.rational = point}, TRACE_CONTACTS);
+    if (status)
+        return status;
+    status = distance_find(out, context, scene, point, &trace, width);
+    trace_clear(&trace);
+    return status;
+}
+
+/* Bounds of a signed distance, as decimals, and the larger of their sizes. */
+typedef struct depth_bounds {
+    char low[BOUND_ROOM], high[BOUND_ROOM];
+    ceiling size;
+} depth_bounds;
+
+/* Enclose the signed distance of a wrong row's point, whose coordinates have blanks between them,
+ * to 1e-13 of the size, and count it. */
+static graze_status depth_measure(depth_bounds *out, depths *d, graze_context *context,
+                                  const graze_scene *scene, const char *point, int pmc) {
+    slong dimension = scene->motion->dimension;
+    LOCAL_VEC(fmpq, at, dimension);
+    LOCAL_VEC(fmpq, low, 2);
+    fmpq *high = low + 1;
+    distance found;
+    for (slong k = 0; k < dimension; k++) {
+        size_t length = strcspn(point, " ");
+        TRY(rational_parse(at + k, context, point, length));
+        point += length + (point[length] == ' ');
+    }
+    TRY(enclose_deep(&found, context, scene, at, DEPTH_WIDTH * fmpq_get_d(d->size)));
+    TRY(rational_from_double(low, context, found.low));
+    TRY(rational_from_double(high, context, found.high));
+    report_bound(out->low, found.low, 0);
+    report_bound(out->high, found.high, 1);
+    return count_depth(&out->size, d, context, pmc, low, high);
+}
 
 graze_status comparison_no_memory(graze_context *context) {
     return context_fail(context, GRAZE_ESYSTEM, "out of memory");
-}
-
-static int copy_names(graze_comparison *c, const char *golden, const char *candidate) {
-    c->golden = strdup(golden);
-    c->candidate = strdup(candidate);
-    c->solid = strdup(c->options.solid ? c->options.solid : "SOLID");
-    c->motion = strdup(c->options.motion ? c->options.motion : "MOTION");
-    return c->golden && c->candidate && c->solid && c->motion;
 }
 
 int comparison_begin(graze_comparison *c, const graze_context *context, const char *golden,
@@ -29,7 +126,11 @@ int comparison_begin(graze_comparison *c, const graze_context *context, const ch
     fmpq_init(c->tolerance);
     fmpq_init(c->eta);
     fmpq_init(c->depth.size);
-    return copy_names(c, golden, candidate);
+    c->golden = strdup(golden);
+    c->candidate = strdup(candidate);
+    c->solid = strdup(c->options.solid ? c->options.solid : "SOLID");
+    c->motion = strdup(c->options.motion ? c->options.motion : "MOTION");
+    return c->golden && c->candidate && c->solid && c->motion;
 }
 
 char comparison_count(graze_comparison *c, const judgement *j, int answered) {
@@ -39,7 +140,7 @@ char comparison_count(graze_comparison *c, const judgement *j, int answered) {
     c->wrong += what == 'w';
     c->undecided += what == 'u';
     c->agree += what == 'a';
-    for (int k = 0; answered && k < JUDGED_COUNT; k++)
+    for (int k = 0; answered && k < COLUMN_COUNT; k++)
         c->column_wrong[k] += (unsigned long)j->wrong[k];
     for (int k = 0; answered && k < CONVENTIONS; k++)
         c->wrong_as[k] += (unsigned long)j->wrong_as[k];
@@ -71,7 +172,7 @@ static int is_crowded(const disagreement *all, size_t count, const disagreement 
     return same >= MOST_OF_STRATUM;
 }
 
-/* Leave the disagreements to show. Those left out would be, whichever come after. */
+/* Keep the disagreements to show. One that is dropped would be dropped after further rows too. */
 static void prune(graze_comparison *c) {
     disagreement *all = c->disagreements;
     size_t left = 0;
@@ -134,25 +235,19 @@ graze_status comparison_keep(disagreement **out, graze_comparison *c, graze_cont
 /* Measure a wrong row, and put the enclosure behind its golden answers. */
 static graze_status measure_row(disagreement *d, graze_comparison *c, graze_context *context) {
     depth_bounds found;
-    text all;
-    graze_status status =
-        depth_measure(&found, &c->depth, context, c->options.scene, d->point, d->pmc);
-    if (status)
-        return status;
+    HELD(text, all);
+    TRY(depth_measure(&found, &c->depth, context, c->options.scene, d->point, d->pmc));
     d->depth = found.size;
-    text_init(&all);
     text_format(&all, "%s sdf_low=%s sdf_high=%s", d->golden, found.low, found.high);
     free(d->golden);
-    d->golden = NULL;
-    return text_finish(&d->golden, context, &all);
+    d->golden = text_take(&all);
+    return d->golden ? GRAZE_OK : comparison_no_memory(context);
 }
 
 graze_status comparison_finish(graze_comparison *c, graze_context *context) {
-    graze_status status = GRAZE_OK;
     c->by_depth = !c->contacts && (c->enclosed || c->options.scene);
     int measured = c->by_depth && !c->enclosed;
-    if (measured)
-        status = depth_scale(&c->depth, context, c->options.scene);
+    graze_status status = measured ? depth_scale(&c->depth, context, c->options.scene) : GRAZE_OK;
     for (size_t k = 0; k < c->shown && measured && !status; k++)
         if (c->disagreements[k].pmc >= 0)
             status = measure_row(&c->disagreements[k], c, context);
@@ -163,6 +258,10 @@ graze_status comparison_finish(graze_comparison *c, graze_context *context) {
     }
     prune(c);
     return status;
+}
+
+int comparison_has_no_on(const graze_comparison *c) {
+    return c->judged[COLUMN_PMC] && c->golden_on && !c->answered_on;
 }
 
 void comparison_clear(graze_comparison *c) {

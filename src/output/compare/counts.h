@@ -20,12 +20,8 @@ ceiling ceiling_of(const fmpq_t x);
 /** Negative, 0 or positive as a is less than, equal to or greater than b. */
 int ceiling_compare(ceiling a, ceiling b);
 
-/** The bound rounded up to two digits. */
-ceiling ceiling_short(ceiling c);
-
 /** As 1.5e-05, without zeros at the end of the digits; zero is 0. */
-enum { CEILING_ROOM = 48 };
-void ceiling_text(char out[CEILING_ROOM], ceiling c);
+void ceiling_put(text *out, ceiling c);
 
 /** The k with 10^k <= x < 10^(k + 1), of a positive number. */
 long decade_of(const fmpq_t x);
@@ -59,27 +55,10 @@ void errors_clear(errors *e);
 enum { MOST_MEASURED = 1000 };
 extern const char *const depth_parts[DEPTH_PARTS];
 
-void depth_clear(depths *d);
-
 /** Take the enclosure that a golden row has; *out is the larger size of its bounds. GRAZE_EINPUT,
  * GRAZE_ELIMIT, GRAZE_ESYSTEM. */
 graze_status depth_take(ceiling *out, depths *d, const table *golden, const table_row *row,
                         int pmc);
-
-/** Bounds of a signed distance, as decimals, and the larger of their sizes. */
-typedef struct depth_bounds {
-    char low[BOUND_ROOM], high[BOUND_ROOM];
-    ceiling size;
-} depth_bounds;
-
-/** Take the size from the scene. GRAZE_ELIMIT, GRAZE_ECANCELED. */
-graze_status depth_scale(depths *d, graze_context *context, const graze_scene *scene);
-
-/** Enclose the signed distance of a wrong row's point to 1e-13 of the size, and count it.
- * @param point coordinates with blanks between
- * @return as graze_distances */
-graze_status depth_measure(depth_bounds *out, depths *d, graze_context *context,
-                           const graze_scene *scene, const char *point, int pmc);
 
 /* How far apart the points of two rows are that an id or the order of rows has matched. */
 
@@ -95,7 +74,7 @@ int drift_is_small(const drift *d);
 
 /* Rows counted by group. */
 
-/** Groups past this number are counted as one. */
+/** Groups past this number are counted as one: a column of different names costs no memory. */
 enum { MOST_GROUPS = 1000 };
 
 /** Count a row under its group. `status` is 'a' (agree), 'w' (wrong), 'u' (undecided) or 'm'
@@ -110,7 +89,7 @@ void tally_clear(tally *t);
 
 /** Is a judged answer one of tables of contact points (if `contacts`), or of graze classify (else)?
  */
-int judged_of(int judged, int contacts);
+int judged_of(column c, int contacts);
 
 /** Answers, and indices of them. */
 extern const char *const pmc_words[3];
@@ -156,7 +135,7 @@ int comparison_begin(graze_comparison *c, const graze_context *context, const ch
 
 /** The judgement of a row. */
 typedef struct judgement {
-    int wrong[JUDGED_COUNT];
+    int wrong[COLUMN_COUNT];
     int any_wrong;
     int wrong_as[CONVENTIONS]; /* any_wrong under each convention for `on` */
     int undecided; /* the golden answer is `on`, and the closed sweep may hold the point inside; or
@@ -165,7 +144,7 @@ typedef struct judgement {
 } judgement;
 
 /** Count a golden row. `answered`: the candidate has it.
- * @return what became of it, as tally_add takes it */
+ * @return its status, as tally_add takes it */
 char comparison_count(graze_comparison *c, const judgement *j, int answered);
 
 /** Room for one more disagreement, zeroed but for `pmc`, which is that of a wrong row, else -1;
@@ -192,9 +171,6 @@ int moment_is_root(field f);
 /** Is it a number token or a root? */
 int moment_is_token(field f);
 
-/** Is it the same time? Numbers go by their value after rounding. GRAZE_EINPUT, GRAZE_ELIMIT. */
-graze_status moment_same(int *same, graze_context *context, field a, field b);
-
 /* Tables of contact points: which they are, and the judgement of their rows. */
 
 /** Find out whether both tables have contact points.
@@ -208,7 +184,7 @@ graze_status sites_choose(graze_comparison *c, const table *golden, const table 
 
 /**
  * Judge a pair of rows; without a row of the candidate (NULL) the golden one is only read.
- * @param[out] wrong JUDGED_COUNT numbers, 1 where the candidate's answer is another or none
+ * @param[out] wrong by column, 1 where the candidate's answer is another or none
  * @return GRAZE_EINPUT a field is no answer; GRAZE_ELIMIT
  */
 graze_status sites_judge(int *wrong, const graze_comparison *c, const table *golden,

@@ -17,19 +17,14 @@ enum { BOX_BITS = 10, SIZE_BITS = 20 };
 void drift_init(drift *d, const table *golden, const table *candidate) {
     *d = (drift){.golden = golden, .candidate = candidate};
     key_of_axes(&d->axes, golden, candidate);
-    fmpq_init(d->farthest);
-    for (int k = 0; k < 3; k++) {
-        fmpq_init(d->least[k]);
-        fmpq_init(d->most[k]);
-    }
+    d->farthest = _fmpq_vec_init(7);
+    d->least = d->farthest + 1;
+    d->most = d->farthest + 4;
 }
 
 void drift_clear(drift *d) {
-    fmpq_clear(d->farthest);
-    for (int k = 0; k < 3; k++) {
-        fmpq_clear(d->least[k]);
-        fmpq_clear(d->most[k]);
-    }
+    if (d->farthest)
+        _fmpq_vec_clear(d->farthest, 7);
 }
 
 static graze_status read_drifting(fmpq_t out, const table *t, const table_row *row, column which) {
@@ -40,10 +35,10 @@ static graze_status read_drifting(fmpq_t out, const table *t, const table_row *r
 
 /* Take a golden coordinate and its difference from the candidate's. */
 static void take_coordinate(drift *d, size_t axis, const fmpq_t right, fmpq_t difference) {
-    if (!d->any || fmpq_cmp(right, d->least[axis]) < 0)
-        fmpq_set(d->least[axis], right);
-    if (!d->any || fmpq_cmp(right, d->most[axis]) > 0)
-        fmpq_set(d->most[axis], right);
+    if (!d->any || fmpq_cmp(right, d->least + axis) < 0)
+        fmpq_set(d->least + axis, right);
+    if (!d->any || fmpq_cmp(right, d->most + axis) > 0)
+        fmpq_set(d->most + axis, right);
     fmpq_abs(difference, difference);
     if (fmpq_cmp(difference, d->farthest) > 0)
         fmpq_set(d->farthest, difference);
@@ -58,23 +53,21 @@ static int same_fields(const drift *d, const table_row *right, const table_row *
 }
 
 graze_status drift_add(drift *d, const table_row *right, const table_row *given) {
-    graze_status status = GRAZE_OK;
     int differs = 0;
     if (same_fields(d, right, given))
         return GRAZE_OK;
     LOCAL_VEC(fmpq, a, 2);
     fmpq *b = a + 1;
-    for (size_t k = 0; k < d->axes.count && !status; k++) {
-        status = read_drifting(a, d->golden, right, d->axes.at[k]);
-        if (!status)
-            status = read_drifting(b, d->candidate, given, d->axes.at[k]);
+    for (size_t k = 0; k < d->axes.count; k++) {
+        TRY(read_drifting(a, d->golden, right, d->axes.at[k]));
+        TRY(read_drifting(b, d->candidate, given, d->axes.at[k]));
         fmpq_sub(b, a, b);
         differs |= !fmpq_is_zero(b);
         take_coordinate(d, k, a, b);
     }
     d->any = 1;
     d->rows += differs != 0;
-    return status;
+    return GRAZE_OK;
 }
 
 /* The larger of two numbers' sizes. */
@@ -90,10 +83,10 @@ int drift_is_small(const drift *d) {
     int small = 0;
     LOCAL(fmpq, bound);
     for (int k = 0; k < 3 && !small; k++) {
-        fmpq_sub(bound, d->most[k], d->least[k]);
+        fmpq_sub(bound, d->most + k, d->least + k);
         fmpq_div_2exp(bound, bound, BOX_BITS);
         small = fmpq_cmp(d->farthest, bound) <= 0;
-        larger_size(bound, d->most[k], d->least[k]);
+        larger_size(bound, d->most + k, d->least + k);
         fmpq_div_2exp(bound, bound, SIZE_BITS);
         small |= fmpq_cmp(d->farthest, bound) <= 0;
     }

@@ -2,18 +2,26 @@
 #include "output/compare/compare.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "output/report/report.h"
 #include "questions/judge/judge.h"
 
-static const char *const titles[GRAZE_JUDGED_COUNT] = {"mesh outside the sweep, from the sweep",
-                                                       "mesh inside the sweep, from the outside",
-                                                       "boundary of the sweep, from the mesh"};
+/* Names of a figure in JSON and in texts. */
+typedef struct figure {
+    const char *key, *title;
+} figure;
 
-static const char *const keys[GRAZE_JUDGED_COUNT] = {"mesh_to_sweep_outside",
-                                                     "mesh_to_sweep_inside", "sweep_to_mesh"};
+static const figure distances[GRAZE_JUDGED_COUNT] = {
+    {"mesh_to_sweep_outside", "mesh outside the sweep, from the sweep"},
+    {"mesh_to_sweep_inside", "mesh inside the sweep, from the outside"},
+    {"sweep_to_mesh", "boundary of the sweep, from the mesh"}};
+
+static const figure volumes[VOLUME_COUNT] = {
+    {"sweep", "volume of the sweep"},
+    {"missing", "missing volume, in the sweep and not in the mesh"},
+    {"excess", "excess volume, in the mesh and not in the sweep"}};
 
 typedef struct bounds {
     char low[BOUND_ROOM], high[BOUND_ROOM];
@@ -30,12 +38,6 @@ static void bounds_of_rationals(bounds *out, const fmpq_t low, const fmpq_t high
     rational_bounds(&unused, &most, high);
     set_bounds(out, least, most);
 }
-
-static const char *const volume_keys[VOLUME_COUNT] = {"sweep", "missing", "excess"};
-
-static const char *const volume_titles[VOLUME_COUNT] = {
-    "volume of the sweep", "missing volume, in the sweep and not in the mesh",
-    "excess volume, in the mesh and not in the sweep"};
 
 static void enclosed_volume(bounds *out, const graze_judgement *j, int which) {
     bounds_of_rationals(out, j->searched.volume + 2 * which, j->searched.volume + 2 * which + 1);
@@ -118,7 +120,7 @@ static void put_volumes(text *t, const graze_judgement *j, const char *bullet) {
     bounds b;
     for (int k = 0; k < (j->searched.has_difference ? VOLUME_COUNT : 1); k++) {
         enclosed_volume(&b, j, k);
-        text_format(t, "%s%s: [%s, %s]\n", bullet, volume_titles[k], b.low, b.high);
+        text_format(t, "%s%s: [%s, %s]\n", bullet, volumes[k].title, b.low, b.high);
     }
     if (j->mesh->judged.rule != GRAZE_MESH_WINDING)
         return;
@@ -134,14 +136,20 @@ static void put_reached(text *t, const graze_judgement *j, const char *bullet) {
                 j->searched.space.decided + j->searched.asked);
 }
 
+/* Each greatest distance between three texts. */
+static void put_distances(text *t, const graze_judgement *j, const char *before,
+                          const char *between, const char *behind) {
+    for (int k = 0; k < GRAZE_JUDGED_COUNT; k++) {
+        text_format(t, "%s%s%s", before, distances[k].title, between);
+        put_greatest(t, j, (graze_judged)k);
+        text_put(t, behind);
+    }
+}
+
 static void put_text(text *t, const graze_judgement *j) {
     put_mesh(t, j, "");
     text_put(t, "greatest distances:\n");
-    for (int k = 0; k < GRAZE_JUDGED_COUNT; k++) {
-        text_format(t, "  %s: ", titles[k]);
-        put_greatest(t, j, (graze_judged)k);
-        text_put(t, "\n");
-    }
+    put_distances(t, j, "  ", ": ", "\n");
     put_volumes(t, j, "");
     put_reached(t, j, "");
 }
@@ -151,21 +159,12 @@ static void put_markdown(text *t, const graze_judgement *j) {
     put_volumes(t, j, "- ");
     put_reached(t, j, "- ");
     text_put(t, "\n| greatest distance of the | enclosure |\n|---|---|\n");
-    for (int k = 0; k < GRAZE_JUDGED_COUNT; k++) {
-        text_format(t, "| %s | ", titles[k]);
-        put_greatest(t, j, (graze_judged)k);
-        text_put(t, " |\n");
-    }
+    put_distances(t, j, "| ", " | ", " |\n");
 }
 
-static void json_bool(json_writer *w, const char *key, int value) {
-    json_number(w, key, value ? "true" : "false");
-}
-
-static void json_double(json_writer *w, const char *key, double value) {
-    char digits[BOUND_ROOM];
-    snprintf(digits, sizeof digits, "%.17g", value);
-    json_number(w, key, digits);
+static void json_bounds(json_writer *w, const bounds *b) {
+    json_number(w, "low", b->low);
+    json_number(w, "high", b->high);
 }
 
 static void json_place(json_writer *w, const char *key, const double *at) {
@@ -179,13 +178,12 @@ static void json_greatest(json_writer *w, const graze_judgement *j, graze_judged
     const supremum *s = &j->searched.found[which];
     bounds b;
     if (isinf(s->low)) {
-        json_text(w, keys[which], NULL);
+        json_text(w, distances[which].key, NULL);
         return;
     }
     set_bounds(&b, s->low, s->high);
-    json_open(w, keys[which], '{');
-    json_number(w, "low", b.low);
-    json_number(w, "high", b.high);
+    json_open(w, distances[which].key, '{');
+    json_bounds(w, &b);
     if (s->low > 0) {
         json_place(w, "at", s->at);
         json_double(w, "t", s->time);
@@ -228,8 +226,7 @@ static void json_mesh(json_writer *w, const graze_judgement *j) {
         json_count(w, NULL, m->open.kept[k].to);
         json_close(w, ']');
     }
-    json_close(w, ']');
-    json_close(w, '}');
+    json_ends(w, "]}");
 }
 
 static void json_volume(json_writer *w, const graze_judgement *j) {
@@ -237,13 +234,12 @@ static void json_volume(json_writer *w, const graze_judgement *j) {
     json_open(w, "volume", '{');
     for (int k = 0; k < VOLUME_COUNT; k++) {
         if (k != IN_SWEEP && !j->searched.has_difference) {
-            json_text(w, volume_keys[k], NULL);
+            json_text(w, volumes[k].key, NULL);
             continue;
         }
         enclosed_volume(&b, j, k);
-        json_open(w, volume_keys[k], '{');
-        json_number(w, "low", b.low);
-        json_number(w, "high", b.high);
+        json_open(w, volumes[k].key, '{');
+        json_bounds(w, &b);
         json_close(w, '}');
     }
     if (j->mesh->judged.rule == GRAZE_MESH_WINDING)
@@ -269,28 +265,23 @@ static void put_json(text *t, const graze_judgement *j, const char *confusion) {
     json_number(&w, "within", within);
     json_bool(&w, "reached", is_reached(j));
     json_count(&w, "cells", j->searched.space.decided + j->searched.asked);
-    json_close(&w, '}');
-    json_close(&w, '}');
+    json_ends(&w, "}}");
     text_put(t, "\n");
 }
 
 graze_status judge_report(text *out, graze_context *context, const graze_judgement *judgement,
                           const graze_comparison *points, graze_judgement_format format) {
     int json = format == GRAZE_JUDGEMENT_JSON;
-    char *confusion = NULL;
-    graze_status status = !points ? GRAZE_OK
-                          : json  ? comparison_json(&confusion, context, points)
-                                  : comparison_text(&confusion, context, points);
+    char *found = NULL;
+    if (points)
+        TRY((json ? comparison_json : comparison_text)(&found, context, points));
+    FREED(char, confusion, found);
     if (json) {
         put_json(out, judgement, confusion);
-    } else {
-        if (format == GRAZE_JUDGEMENT_MARKDOWN)
-            put_markdown(out, judgement);
-        else
-            put_text(out, judgement);
-        if (confusion)
-            text_format(out, "\n%s", confusion);
+        return GRAZE_OK;
     }
-    free(confusion);
-    return status;
+    (format == GRAZE_JUDGEMENT_MARKDOWN ? put_markdown : put_text)(out, judgement);
+    if (confusion)
+        text_format(out, "\n%s", confusion);
+    return GRAZE_OK;
 }

@@ -12,21 +12,18 @@
 #include "output/compare/judgement.h"
 #include "output/compare/rows.h"
 
+const char *const pmc_words[3] = {"in", "on", "out"};
 const char *const class_words[5] = {"regular", "fold", "fold_boundary", "boundary", "exterior"};
 
-static const column judged_columns[JUDGED_COUNT] = {
+const column judged_columns[] = {
     COLUMN_PMC,         COLUMN_CLASS, COLUMN_I,       COLUMN_T,
     COLUMN_CELL,        COLUMN_ROLE,  COLUMN_THETA,   COLUMN_CONTACT_ORDER,
     COLUMN_ORIENTATION, COLUMN_LEFT,  COLUMN_RIGHT,   COLUMN_TRIMMED,
     COLUMN_STATUS,      COLUMN_NEAR,  COLUMN_NEAR_IN, COLUMN_WORD,
-    COLUMN_SHIFT,       COLUMN_SDF};
+    COLUMN_SHIFT,       COLUMN_SDF,   COLUMN_COUNT};
 
-column judged_column(int judged) {
-    return judged_columns[judged];
-}
-
-const char *judged_name(int judged) {
-    return column_name(judged_columns[judged]);
+int judged_of(column c, int contacts) {
+    return c == COLUMN_WORD || (c == COLUMN_CELL || c >= COLUMN_ROLE) == contacts;
 }
 
 graze_status judged_no_answer(const table *t, const table_row *row, column c, const char *right) {
@@ -103,23 +100,23 @@ graze_status answer_read(answer *out, const table *t, const table_row *row, cons
     *out = (answer){-1, -1, 0, 0, {"", 0}};
     if (sdf)
         return read_distance(&out->pmc, t, row);
-    if (judged[JUDGED_PMC]) {
+    if (judged[COLUMN_PMC]) {
         out->pmc = index_of(table_field(t, row, COLUMN_PMC), pmc_words, 3);
         if (out->pmc < 0)
             return judged_no_answer(t, row, COLUMN_PMC, "in, on or out");
     }
-    if (judged[JUDGED_CLASS]) {
+    if (judged[COLUMN_CLASS]) {
         out->class_ = index_of(table_field(t, row, COLUMN_CLASS), class_words, 5);
         if (out->class_ < 0)
             return judged_no_answer(t, row, COLUMN_CLASS,
                                     "regular, fold, fold_boundary, boundary or exterior");
     }
-    if (judged[JUDGED_I] && !read_whole(&out->i, t, table_field(t, row, COLUMN_I)))
+    if (judged[COLUMN_I] && !read_whole(&out->i, t, table_field(t, row, COLUMN_I)))
         return judged_no_answer(t, row, COLUMN_I, "a whole number");
-    if (judged[JUDGED_T] && !read_whole(&out->t, t, table_field(t, row, COLUMN_T)))
+    if (judged[COLUMN_T] && !read_whole(&out->t, t, table_field(t, row, COLUMN_T)))
         return judged_no_answer(t, row, COLUMN_T, "a whole number");
     out->word = table_field(t, row, COLUMN_WORD);
-    return judged[JUDGED_WORD] ? judged_word(t, row) : GRAZE_OK;
+    return judged[COLUMN_WORD] ? judged_word(t, row) : GRAZE_OK;
 }
 
 /* An `on` point is certainly on the boundary of the closed sweep if its one contact is an instant
@@ -176,8 +173,8 @@ static int pmc_wrong(graze_on_as on_as, int truth, int given) {
 void judge_pmc(judgement *j, graze_on_as on_as, int given) {
     for (int k = 0; k < CONVENTIONS; k++)
         j->wrong_as[k] |= pmc_wrong((graze_on_as)k, j->truth, given);
-    j->wrong[JUDGED_PMC] = pmc_wrong(on_as, j->truth, given);
-    j->any_wrong |= j->wrong[JUDGED_PMC];
+    j->wrong[COLUMN_PMC] = pmc_wrong(on_as, j->truth, given);
+    j->any_wrong |= j->wrong[COLUMN_PMC];
 }
 
 judgement judge(const graze_comparison *c, const int *judged, const table *golden,
@@ -186,13 +183,13 @@ judgement judge(const graze_comparison *c, const int *judged, const table *golde
     judgement j = {{0}, 0, {0}, 0, 0};
     j.truth = truth_of(&j.undecided, c, golden, row, right->pmc);
     j.undecided |= !value->certain;
-    int pmc = judged[JUDGED_PMC] && !j.undecided;
-    j.wrong[JUDGED_CLASS] = judged[JUDGED_CLASS] && right->class_ != given->class_;
-    j.wrong[JUDGED_I] = judged[JUDGED_I] && right->i != given->i;
-    j.wrong[JUDGED_T] = judged[JUDGED_T] && right->t != given->t;
-    j.wrong[JUDGED_WORD] = judged[JUDGED_WORD] && !field_equal(right->word, given->word);
-    j.wrong[JUDGED_SDF] = judged[JUDGED_SDF] && value->judged && value->error.beyond;
-    for (int k = 0; k < JUDGED_COUNT; k++)
+    int pmc = judged[COLUMN_PMC] && !j.undecided;
+    j.wrong[COLUMN_CLASS] = judged[COLUMN_CLASS] && right->class_ != given->class_;
+    j.wrong[COLUMN_I] = judged[COLUMN_I] && right->i != given->i;
+    j.wrong[COLUMN_T] = judged[COLUMN_T] && right->t != given->t;
+    j.wrong[COLUMN_WORD] = judged[COLUMN_WORD] && !field_equal(right->word, given->word);
+    j.wrong[COLUMN_SDF] = judged[COLUMN_SDF] && value->judged && value->error.beyond;
+    for (int k = 0; k < COLUMN_COUNT; k++)
         j.any_wrong |= j.wrong[k];
     for (int k = 0; k < CONVENTIONS; k++)
         j.wrong_as[k] = j.any_wrong;

@@ -11,8 +11,10 @@
 
 /* The answers of a row, and the judgement of the candidate's. */
 
-/** Names of the judged answers, and of their values in the matrices. */
-const char *judged_name(int judged);
+/** The answers that are judged, ended by COLUMN_COUNT; tables of points and of contact points have
+ * the word in common. */
+extern const column judged_columns[];
+/** Names of values in the matrices. */
 extern const char *const class_words[5];
 
 /** Answers as indices into pmc_words and class_words; -1 where there is none. */
@@ -21,9 +23,6 @@ typedef struct answer {
     unsigned long i, t;
     field word;
 } answer;
-
-/** The column with this index among those judged. */
-column judged_column(int judged);
 
 /** GRAZE_EINPUT: a field is no answer; `right` says what is expected. */
 graze_status judged_no_answer(const table *t, const table_row *row, column c, const char *right);
@@ -50,6 +49,19 @@ judgement judge(const graze_comparison *c, const int *judged, const table *golde
 
 /* Rows in reports: how they were matched, shares, conventions for `on`, and how deep errors are. */
 
+/** Quantiles of errors, by name the share of errors in percent; the last one of values alone. */
+enum { QUANTILES = 4, DEPTH_QUANTILES = 3 };
+extern const struct quantile {
+    const char *name;
+    unsigned long per_mille;
+} quantiles[QUANTILES];
+/** Further cells of a row of Markdown: the first quantiles, and the largest error. */
+void put_quantiles(text *out, const errors *e, int count);
+/** A ceiling as a string of JSON. */
+void put_ceiling(json_writer *w, const char *name, ceiling c);
+/** The first quantiles as an object of JSON, and the largest error. */
+void put_json_quantiles(json_writer *w, const errors *e, int count);
+
 /** A share with two digits, rounded to nearest, from whole numbers: it does not depend on the
  * locale. */
 void put_share(text *out, unsigned long part, unsigned long whole);
@@ -58,14 +70,10 @@ void put_share(text *out, unsigned long part, unsigned long whole);
  * matched by order alone, it says how far their points are apart. */
 void put_matched(text *out, const graze_comparison *c);
 
-/** The share of wrong rows and their number by column; where rows are missing there is no share. */
+/** The share of wrong rows and their number by column, where rows are missing no share; the points
+ * on a judged mesh; and the wrong rows under every convention for `on`, if the candidate never
+ * answers it. */
 void put_wrong_rows(text *out, const graze_comparison *c);
-
-/** Write a line on the points that lie on a judged mesh; none if tables are compared. */
-void put_apart(text *out, const graze_comparison *c);
-
-/** A line on the wrong rows under every convention for `on`, if the candidate never answers it. */
-void put_conventions(text *out, const graze_comparison *c);
 
 /** Write a table of |s| of the wrong rows by the golden answer; nothing if no distance was taken.
  */

@@ -30,8 +30,7 @@ void match_clear(match *m) {
         table_row_clear(&m->candidate.rows[k]);
     }
     row_index_clear(&m->index);
-    if (m->context)
-        drift_clear(&m->drift);
+    drift_clear(&m->drift);
 }
 
 static table_row *row_at(row_window *w, size_t k) {
@@ -45,17 +44,16 @@ static void drop(row_window *w) {
 
 /* Read rows until the window has `count` of them or the table ends. */
 static graze_status fill(match *m, row_window *w, size_t count) {
-    graze_status status = GRAZE_OK;
-    while (!status && w->count < count && !w->ended) {
+    while (w->count < count && !w->ended) {
         table_row *row = row_at(w, w->count);
         int more;
-        status = table_next(w->table, row, &more);
+        TRY(table_next(w->table, row, &more));
         w->ended = !more;
-        if (!status && more)
-            status = key_check(&m->key, w->table, row);
-        w->count += !status && more;
+        if (more)
+            TRY(key_check(&m->key, w->table, row));
+        w->count += (size_t)more;
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Fill both windows and make all keys. */
@@ -99,17 +97,14 @@ static int nearest_rounding(match *m) {
     return 0;
 }
 
-/* No pair ahead: the golden rows of the window are missing. Past the golden table's end the
- * candidate's rows are extra. */
-static void skip_window(match *m) {
-    m->skip_golden = m->golden.count;
-    m->skip_candidate = m->golden.ended ? m->candidate.count : 0;
-}
-
+/* Without a pair ahead the golden rows of the window are missing, and past the golden table's end
+ * the candidate's rows are extra. */
 static graze_status resynchronise(match *m) {
     TRY(look_ahead(m));
-    if (!nearest_rounding(m))
-        skip_window(m);
+    if (!nearest_rounding(m)) {
+        m->skip_golden = m->golden.count;
+        m->skip_candidate = m->golden.ended ? m->candidate.count : 0;
+    }
     return GRAZE_OK;
 }
 

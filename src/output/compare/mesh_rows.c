@@ -33,15 +33,11 @@ typedef struct mesh_run {
     mesh_row *row;
 } mesh_run;
 
-/* The point of a row; *s is cleared by sample_clear in either case. */
+/* The point of a row; it may be the sample's. */
 static graze_status point_of(const fmpq **point, sample *s, graze_context *context,
                              const mesh_points *points, size_t row) {
-    graze_status status = GRAZE_OK;
-    sample_init(s);
-    if (points->generator)
-        status = generator_sample(s, context, points->generator, row);
     *point = points->generator ? s->point : points->point + 3 * row;
-    return status;
+    return points->generator ? generator_sample(s, context, points->generator, row) : GRAZE_OK;
 }
 
 static graze_status ask_both(void *data, graze_context *context, int member, size_t index) {
@@ -49,19 +45,14 @@ static graze_status ask_both(void *data, graze_context *context, int member, siz
     mesh_row *row = &r->row[index];
     const fmpq *point;
     graze_verdict verdict = {0};
-    sample s;
+    HELD(sample, s);
     (void)member;
-    graze_status status = point_of(&point, &s, context, r->points, index);
-    if (!status)
-        status = classify_answer(&verdict, context, r->scene, (query_point){.rational = point},
-                                 TRACE_PMC);
-    if (!status) {
-        row->golden = verdict.pmc;
-        row->stratum = s.made.stratum;
-        row->place = judged_place(&row->winding, r->mesh, point);
-    }
-    sample_clear(&s);
-    return status;
+    TRY(point_of(&point, &s, context, r->points, index));
+    TRY(classify_answer(&verdict, context, r->scene, (query_point){.rational = point}, TRACE_PMC));
+    row->golden = verdict.pmc;
+    row->stratum = s.made.stratum;
+    row->place = judged_place(&row->winding, r->mesh, point);
+    return GRAZE_OK;
 }
 
 /* An answer that is decided, as an index into pmc_words; places of meshes are such indices. */
@@ -77,7 +68,7 @@ static judgement judge_row(const graze_comparison *c, const mesh_row *row) {
     if (apart)
         j.wrong_as[GRAZE_ON_AS_ANY] = 0;
     if (apart && c->options.on_as == GRAZE_ON_AS_ANY) {
-        j.wrong[JUDGED_PMC] = j.any_wrong = 0;
+        j.wrong[COLUMN_PMC] = j.any_wrong = 0;
         j.undecided = 1;
     }
     return j;
@@ -91,10 +82,12 @@ static void put_mesh_point(text *out, const fmpq *point, const char *between) {
     }
 }
 
-static void put_row_answer(text *out, const mesh_run *r, const mesh_row *row, int golden) {
-    text_format(out, "pmc=%s", pmc_words[golden ? golden_of(row) : (int)row->place]);
+/* The answer with a text before its pmc, and one before its winding number if it has one. */
+static void put_row_answer(text *out, const mesh_run *r, const mesh_row *row, int golden,
+                           const char *pmc, const char *winding) {
+    text_format(out, "%s%s", pmc, pmc_words[golden ? golden_of(row) : (int)row->place]);
     if (!golden && r->mesh->rule == GRAZE_MESH_WINDING)
-        text_format(out, " winding=%ld", row->winding);
+        text_format(out, "%s%ld", winding, row->winding);
 }
 
 /* A row as a table would have it, under the columns that describe names. */
@@ -105,14 +98,14 @@ static void put_mesh_row(text *out, const mesh_run *r, size_t index, const fmpq 
     put_mesh_point(out, point, ",");
     if (golden && r->points->generator)
         text_format(out, ",%s", stratum_name(row->stratum));
-    text_format(out, ",%s", pmc_words[golden ? golden_of(row) : (int)row->place]);
-    if (!golden && r->mesh->rule == GRAZE_MESH_WINDING)
-        text_format(out, ",%ld", row->winding);
+    put_row_answer(out, r, row, golden, ",", ",");
 }
 
-static graze_status keep_row(graze_comparison *c, const mesh_run *r, size_t index,
-                             const fmpq *point) {
+static graze_status keep_row(graze_comparison *c, const mesh_run *r, size_t index) {
     disagreement *d;
+    const fmpq *point;
+    HELD(sample, s);
+    TRY(point_of(&point, &s, r->context, r->points, index));
     graze_status status = comparison_keep(&d, c, r->context, golden_of(&r->row[index]));
     if (!d)
         return status;
@@ -124,23 +117,13 @@ static graze_status keep_row(graze_comparison *c, const mesh_run *r, size_t inde
     for (int k = 0; k < 5; k++)
         text_init(&t[k]);
     put_mesh_point(&t[0], point, " ");
-    put_row_answer(&t[1], r, &r->row[index], 1);
-    put_row_answer(&t[2], r, &r->row[index], 0);
+    put_row_answer(&t[1], r, &r->row[index], 1, "pmc=", "");
+    put_row_answer(&t[2], r, &r->row[index], 0, "pmc=", " winding=");
     put_mesh_row(&t[3], r, index, point, 1);
     put_mesh_row(&t[4], r, index, point, 0);
     for (int k = 0; k < 5; k++)
         if (!(*to[k] = text_take(&t[k])))
             status = comparison_no_memory(r->context);
-    return status;
-}
-
-static graze_status take_wrong(graze_comparison *c, const mesh_run *r, size_t index) {
-    const fmpq *point;
-    sample s;
-    graze_status status = point_of(&point, &s, r->context, r->points, index);
-    if (!status)
-        status = keep_row(c, r, index, point);
-    sample_clear(&s);
     return status;
 }
 
@@ -159,13 +142,12 @@ static graze_status count_mesh_row(graze_comparison *c, const mesh_run *r, size_
     }
     c->answered_on += given == PMC_ON;
     char what = comparison_count(c, &j, 1);
-    graze_status status = GRAZE_OK;
     if (r->points->generator) {
         const char *name = stratum_name(row->stratum);
-        status =
-            tally_add(&c->tallies[BY_STRATUM], r->context, (field){name, strlen(name)}, what, NULL);
+        TRY(tally_add(&c->tallies[BY_STRATUM], r->context, (field){name, strlen(name)}, what,
+                      NULL));
     }
-    return !status && what == 'w' ? take_wrong(c, r, index) : status;
+    return what == 'w' ? keep_row(c, r, index) : GRAZE_OK;
 }
 
 /* Describe both sides for the report. */
@@ -173,7 +155,8 @@ static graze_status describe(graze_comparison *c, const mesh_run *r,
                              const graze_compare_options *options) {
     const char *strata = r->points->generator ? ",stratum" : "";
     const char *winding = r->mesh->rule == GRAZE_MESH_WINDING ? ",winding" : "";
-    text golden, candidate;
+    HELD(text, golden);
+    HELD(text, candidate);
     if (!comparison_begin(c, r->context, "", "", options))
         return comparison_no_memory(r->context);
     c->options.question = GRAZE_QUESTION_OPEN;
@@ -181,10 +164,8 @@ static graze_status describe(graze_comparison *c, const mesh_run *r,
     c->options.transient = 1;
     c->rounding = GRAZE_ROUND_NONE;
     c->of_mesh = 1;
-    c->judged[JUDGED_PMC] = 1;
+    c->judged[COLUMN_PMC] = 1;
     c->grouped[BY_STRATUM] = r->points->generator != NULL;
-    text_init(&golden);
-    text_init(&candidate);
     text_format(&golden, "id,x,y,z%s,pmc", strata);
     text_format(&candidate, "id,x,y,z,pmc%s", winding);
     c->golden_columns = text_take(&golden);

@@ -34,9 +34,9 @@ static void put_json_summary(json_writer *w, const graze_comparison *c) {
     json_count(w, "golden-rows-of-pmc-alone", c->of_pmc);
     json_count(w, "extra", c->extra);
     json_open(w, "wrong-by-column", '{');
-    for (int k = 0; k < JUDGED_COUNT; k++)
-        if (c->judged[k])
-            json_count(w, judged_name(k), c->column_wrong[k]);
+    for (const column *j = judged_columns; *j != COLUMN_COUNT; j++)
+        if (c->judged[*j])
+            json_count(w, column_name(*j), c->column_wrong[*j]);
     json_close(w, '}');
     json_open(w, "undecided-answers", '{');
     for (int k = 0; k < 3; k++)
@@ -113,9 +113,9 @@ graze_status comparison_json(char **out, graze_context *context, const graze_com
     json_writer writer = {.out = &bytes, .pretty = 1}, *w = &writer;
     json_open(w, NULL, '{');
     put_json_summary(w, c);
-    if (c->judged[JUDGED_PMC])
+    if (c->judged[COLUMN_PMC])
         put_json_matrix(w, "pmc", pmc_words, 3, &c->confusion.pmc[0][0]);
-    if (c->judged[JUDGED_CLASS])
+    if (c->judged[COLUMN_CLASS])
         put_json_matrix(w, "class", class_words, 5, &c->confusion.class_[0][0]);
     put_tallies(w, c);
     put_json_values(w, c);

@@ -1,17 +1,38 @@
-/* Reports on rows, as Markdown and as JSON. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Reports on rows and contact points, as Markdown and as JSON.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
 #include "output/compare/compare.h"
 
 #include "output/compare/counts.h"
 #include "output/compare/judgement.h"
+#include "output/compare/rows.h"
 
-static const struct quantile {
-    const char *name;
-    unsigned long per_mille;
-} quantiles[] = {{"50", 500}, {"90", 900}, {"99", 990}};
-
-enum { QUANTILES = sizeof quantiles / sizeof *quantiles };
+const struct quantile quantiles[QUANTILES] = {{"50", 500}, {"90", 900}, {"99", 990}, {"99.9", 999}};
 
 static const char *const conventions[CONVENTIONS] = {"on", "any", "in", "out"};
+
+void put_quantiles(text *out, const errors *e, int count) {
+    for (int k = 0; k <= count; k++) {
+        text_put(out, " ");
+        ceiling_put(out, k < count ? errors_quantile(e, quantiles[k].per_mille) : e->largest);
+        text_put(out, " |");
+    }
+}
+
+void put_ceiling(json_writer *w, const char *name, ceiling c) {
+    text *out = json_begin(w, name);
+    text_put(out, "\"");
+    ceiling_put(out, c);
+    text_put(out, "\"");
+}
+
+void put_json_quantiles(json_writer *w, const errors *e, int count) {
+    json_open(w, "quantiles", '{');
+    for (int k = 0; k < count; k++)
+        put_ceiling(w, quantiles[k].name, errors_quantile(e, quantiles[k].per_mille));
+    json_close(w, '}');
+    put_ceiling(w, "largest", e->largest);
+}
 
 void put_share(text *out, unsigned long part, unsigned long whole) {
     unsigned long long hundredths = whole ? (20000ull * part + whole) / (2ull * whole) : 0;
@@ -23,14 +44,35 @@ static const char *matched_by(const graze_comparison *c) {
 }
 
 void put_matched(text *out, const graze_comparison *c) {
-    char largest[CEILING_ROOM];
     if (c->contacts)
         return;
     text_format(out, "rows matched by: %s", matched_by(c));
-    ceiling_text(largest, c->drift);
-    if (c->drifted)
-        text_format(out, "; %lu rows have coordinates other than the golden ones, by at most %s",
-                    c->drifted, largest);
+    if (c->drifted) {
+        text_format(out, "; %lu rows have coordinates other than the golden ones, by at most ",
+                    c->drifted);
+        ceiling_put(out, c->drift);
+    }
+    text_put(out, "\n");
+}
+
+/* A line on the points that lie on a judged mesh; none if tables are compared. */
+static void put_apart(text *out, const graze_comparison *c) {
+    if (c->of_mesh)
+        text_format(
+            out, "on the mesh: %lu points whose golden answer is `in` or `out`, undecided here\n",
+            c->apart);
+}
+
+/* A line on the wrong rows under every convention for `on`, if the candidate never answers it. */
+static void put_conventions(text *out, const graze_comparison *c) {
+    if (!comparison_has_no_on(c))
+        return;
+    text_format(out,
+                "conventions: %lu golden rows are `on`, which the candidate never answers; rows "
+                "wrong with",
+                c->golden_on);
+    for (int k = 0; k < CONVENTIONS; k++)
+        text_format(out, "%s `--on-as %s`: %lu", k ? "," : "", conventions[k], c->wrong_as[k]);
     text_put(out, "\n");
 }
 
@@ -43,29 +85,12 @@ void put_wrong_rows(text *out, const graze_comparison *c) {
         put_share(out, c->wrong, c->rows);
         text_put(out, " of the rows");
     }
-    for (int k = 0; k < JUDGED_COUNT; k++)
-        if (c->judged[k])
-            text_format(out, "; %s %lu", judged_name(k), c->column_wrong[k]);
+    for (const column *j = judged_columns; *j != COLUMN_COUNT; j++)
+        if (c->judged[*j])
+            text_format(out, "; %s %lu", column_name(*j), c->column_wrong[*j]);
     text_put(out, "\n");
-}
-
-void put_apart(text *out, const graze_comparison *c) {
-    if (c->of_mesh)
-        text_format(
-            out, "on the mesh: %lu points whose golden answer is `in` or `out`, undecided here\n",
-            c->apart);
-}
-
-void put_conventions(text *out, const graze_comparison *c) {
-    if (!comparison_has_no_on(c))
-        return;
-    text_format(out,
-                "conventions: %lu golden rows are `on`, which the candidate never answers; rows "
-                "wrong with",
-                c->golden_on);
-    for (int k = 0; k < CONVENTIONS; k++)
-        text_format(out, "%s `--on-as %s`: %lu", k ? "," : "", conventions[k], c->wrong_as[k]);
-    text_put(out, "\n");
+    put_apart(out, c);
+    put_conventions(out, c);
 }
 
 static unsigned long depths_taken(const graze_comparison *c) {
@@ -75,21 +100,21 @@ static unsigned long depths_taken(const graze_comparison *c) {
 
 /* Wrong rows that are deeper than parts of the size. */
 static void put_parts(text *out, const depths *d) {
-    char size[CEILING_ROOM];
-    ceiling_text(size, ceiling_of(d->size));
-    if (fmpq_is_zero(d->size))
+    if (fmpq_is_zero(d->size)) {
         text_put(
             out,
             "\nNot counted by parts of the size, as the golden table has no line `# diagonal`\n");
-    else
-        text_format(out,
-                    "\nDeeper than 1e-12, 1e-9, 1e-6, 1e-3 of the size, %s (the diagonal of the "
-                    "box at the start), are for certain %lu, %lu, %lu, %lu rows\n",
-                    size, d->deeper[0], d->deeper[1], d->deeper[2], d->deeper[3]);
+        return;
+    }
+    text_put(out, "\nDeeper than 1e-12, 1e-9, 1e-6, 1e-3 of the size, ");
+    ceiling_put(out, ceiling_of(d->size));
+    text_format(out,
+                " (the diagonal of the box at the start), are for certain %lu, %lu, %lu, %lu "
+                "rows\n",
+                d->deeper[0], d->deeper[1], d->deeper[2], d->deeper[3]);
 }
 
 void put_depths(text *out, const graze_comparison *c) {
-    char number[CEILING_ROOM];
     if (c->depth.unmeasured)
         text_format(out, "\nDepth of the wrong rows: not measured, %s\n", c->depth.unmeasured);
     if (!depths_taken(c) || c->depth.unmeasured)
@@ -99,64 +124,52 @@ void put_depths(text *out, const graze_comparison *c) {
         "\nDepth of the wrong rows: upper bounds of |s|, s the signed distance to the exact "
         "set, of %lu of %lu of them, by the golden answer:\n\n| golden pmc | rows |",
         depths_taken(c), c->depth.wrong);
-    for (int k = 0; k < QUANTILES; k++)
+    for (int k = 0; k < DEPTH_QUANTILES; k++)
         text_format(out, " %s %% |", quantiles[k].name);
     text_put(out, " largest |\n|---|");
-    for (int k = 0; k < QUANTILES + 2; k++)
+    for (int k = 0; k < DEPTH_QUANTILES + 2; k++)
         text_put(out, "--:|");
     for (int pmc = 0; pmc < 3; pmc++) {
         const errors *e = &c->depth.by[pmc];
         if (!e->rows)
             continue;
         text_format(out, "\n| %s | %lu |", pmc_words[pmc], e->rows);
-        for (int k = 0; k <= QUANTILES; k++) {
-            ceiling_text(number,
-                         k < QUANTILES ? errors_quantile(e, quantiles[k].per_mille) : e->largest);
-            text_format(out, " %s |", number);
-        }
+        put_quantiles(out, e, DEPTH_QUANTILES);
     }
     text_put(out, "\n");
     put_parts(out, &c->depth);
 }
 
 static void put_json_depths(json_writer *w, const graze_comparison *c) {
-    char number[CEILING_ROOM];
+    int sized = !fmpq_is_zero(c->depth.size);
     json_open(w, "depth-of-wrong-rows", '{');
     json_count(w, "wrong", c->depth.wrong);
     json_count(w, "measured", depths_taken(c));
-    ceiling_text(number, ceiling_of(c->depth.size));
-    json_text(w, "size", fmpq_is_zero(c->depth.size) ? NULL : number);
+    if (sized)
+        put_ceiling(w, "size", ceiling_of(c->depth.size));
+    else
+        json_text(w, "size", NULL);
     json_open(w, "deeper-than", '{');
-    for (int k = 0; k < DEPTH_PARTS && !fmpq_is_zero(c->depth.size); k++)
+    for (int k = 0; k < DEPTH_PARTS && sized; k++)
         json_count(w, depth_parts[k], c->depth.deeper[k]);
     json_close(w, '}');
     for (int pmc = 0; pmc < 3; pmc++) {
-        const errors *e = &c->depth.by[pmc];
         json_open(w, pmc_words[pmc], '{');
-        json_count(w, "rows", e->rows);
-        json_open(w, "quantiles", '{');
-        for (int k = 0; k < QUANTILES; k++) {
-            ceiling_text(number, errors_quantile(e, quantiles[k].per_mille));
-            json_text(w, quantiles[k].name, number);
-        }
-        json_close(w, '}');
-        ceiling_text(number, e->largest);
-        json_text(w, "largest", number);
+        json_count(w, "rows", c->depth.by[pmc].rows);
+        put_json_quantiles(w, &c->depth.by[pmc], DEPTH_QUANTILES);
         json_close(w, '}');
     }
     json_close(w, '}');
 }
 
 void put_json_rows(json_writer *w, const graze_comparison *c) {
-    char largest[CEILING_ROOM];
     if (!c->contacts)
         json_text(w, "matched-by", matched_by(c));
     if (c->of_mesh)
         json_count(w, "on-the-mesh", c->apart);
     if (!c->contacts && (c->way == MATCH_ORDER || c->key.by_id)) {
-        ceiling_text(largest, c->drift);
         json_count(w, "rows-with-other-coordinates", c->drifted);
-        json_text(w, "largest-difference", largest);
+        put_ceiling(w, "largest-difference", c->drift);
     }
     if (depths_taken(c))
         put_json_depths(w, c);
@@ -166,4 +179,55 @@ void put_json_rows(json_writer *w, const graze_comparison *c) {
     for (int k = 0; k < CONVENTIONS; k++)
         json_count(w, conventions[k], c->wrong_as[k]);
     json_close(w, '}');
+}
+
+static void put_lacking(text *out, const graze_comparison *c, int whose, const char *name) {
+    int any = 0;
+    for (const column *j = judged_columns; *j != COLUMN_COUNT; j++) {
+        if (c->lacking[*j] != whose)
+            continue;
+        if (!any)
+            text_format(out, "not judged, since the %s has no such column:", name);
+        text_format(out, " %s", column_name(*j));
+        any = 1;
+    }
+    text_put(out, any ? "\n" : "");
+}
+
+void put_sites(text *out, const graze_comparison *c) {
+    text_put(out, "contact points, matched by (");
+    for (size_t k = 0; k < c->key.count; k++)
+        text_format(out, "%s%s", k ? ", " : "", column_name(c->key.at[k]));
+    text_format(out, "); rounding: %s\n", graze_rounding_name(c->rounding));
+    put_lacking(out, c, 1, "candidate");
+    put_lacking(out, c, 2, "golden table");
+}
+
+void put_sites_by_column(text *out, const graze_comparison *c) {
+    if (!c->contacts)
+        return;
+    text_put(out, "\n| column | agree | wrong |\n|---|--:|--:|\n");
+    for (const column *j = judged_columns; *j != COLUMN_COUNT; j++)
+        if (c->judged[*j])
+            text_format(out, "| %s | %lu | %lu |\n", column_name(*j),
+                        c->rows - c->missing - c->column_wrong[*j], c->column_wrong[*j]);
+}
+
+static void put_json_names(json_writer *w, const char *name, const graze_comparison *c, int whose) {
+    json_open(w, name, '[');
+    for (const column *j = judged_columns; *j != COLUMN_COUNT; j++)
+        if (c->lacking[*j] == whose)
+            json_text(w, NULL, column_name(*j));
+    json_close(w, ']');
+}
+
+void put_json_sites(json_writer *w, const graze_comparison *c) {
+    if (!c->contacts)
+        return;
+    json_open(w, "matched-by", '[');
+    for (size_t k = 0; k < c->key.count; k++)
+        json_text(w, NULL, column_name(c->key.at[k]));
+    json_close(w, ']');
+    put_json_names(w, "not-in-candidate", c, 1);
+    put_json_names(w, "not-in-golden", c, 2);
 }

@@ -72,9 +72,9 @@ static void put_summary(text *out, const graze_comparison *c) {
                     on_as[c->options.on_as], graze_rounding_name(c->rounding));
     put_matched(out, c);
     text_put(out, "judged:");
-    for (int k = 0; k < JUDGED_COUNT; k++)
-        if (c->judged[k])
-            text_format(out, " %s", judged_name(k));
+    for (const column *j = judged_columns; *j != COLUMN_COUNT; j++)
+        if (c->judged[*j])
+            text_format(out, " %s", column_name(*j));
     text_format(out, "%s\n\n",
                 c->options.has == GRAZE_HAS_SDF ? " (from the sign of sdf, negative inside)" : "");
     text_format(
@@ -82,8 +82,6 @@ static void put_summary(text *out, const graze_comparison *c) {
     text_format(out, "| %lu | %lu | %lu | %lu | %lu | %lu |\n\n", c->rows, c->agree, c->wrong,
                 c->missing, c->undecided, c->extra);
     put_wrong_rows(out, c);
-    put_apart(out, c);
-    put_conventions(out, c);
     if (comparison_hint(c))
         text_format(out, "hint: %s\n", comparison_hint(c));
     if (c->options.question == GRAZE_QUESTION_CLOSED)
@@ -196,9 +194,9 @@ graze_status comparison_text(char **out, graze_context *context, const graze_com
     text bytes;
     text_init(&bytes);
     put_summary(&bytes, c);
-    if (c->judged[JUDGED_PMC])
+    if (c->judged[COLUMN_PMC])
         put_matrix(&bytes, "pmc", pmc_words, 3, &c->confusion.pmc[0][0]);
-    if (c->judged[JUDGED_CLASS])
+    if (c->judged[COLUMN_CLASS])
         put_matrix(&bytes, "class", class_words, 5, &c->confusion.class_[0][0]);
     for (int g = 0; g < GROUPING_COUNT; g++)
         put_tally(&bytes, (grouping)g, &c->tallies[g]);

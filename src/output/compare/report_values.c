@@ -6,13 +6,6 @@
 #include "output/compare/counts.h"
 #include "output/compare/judgement.h"
 
-static const struct quantile {
-    const char *name;
-    unsigned long per_mille;
-} quantiles[] = {{"50", 500}, {"90", 900}, {"99", 990}, {"99.9", 999}};
-
-enum { QUANTILES = sizeof quantiles / sizeof *quantiles };
-
 /* Groupings whose groups have errors of values in the report. */
 static const grouping shown_by[] = {BY_STRATUM, BY_DISTANCE, BY_SDF};
 
@@ -38,7 +31,6 @@ static void put_errors_head(text *out, const char *name) {
 
 static void put_errors_line(text *out, const graze_comparison *c, const char *name,
                             const errors *e) {
-    char number[CEILING_ROOM];
     text_put(out, "| ");
     text_markdown(out, *name ? name : "-");
     text_format(out, " | %lu | %lu | %lu | %lu | ", e->rows, values_within(e), e->over, e->under);
@@ -46,14 +38,10 @@ static void put_errors_line(text *out, const graze_comparison *c, const char *na
         text_format(out, "%lu |", e->beyond);
     else
         text_put(out, "- |");
-    for (int k = 0; k < QUANTILES; k++) {
-        ceiling_text(number, errors_quantile(e, quantiles[k].per_mille));
-        text_format(out, " %s |", number);
-    }
-    ceiling_text(number, e->largest);
-    text_format(out, " %s |", number);
-    ceiling_text(number, e->largest_over);
-    text_format(out, " %s |\n", number);
+    put_quantiles(out, e, QUANTILES);
+    text_put(out, " ");
+    ceiling_put(out, e->largest_over);
+    text_put(out, " |\n");
 }
 
 void put_values(text *out, const graze_comparison *c) {
@@ -91,12 +79,6 @@ void put_values_by(text *out, const graze_comparison *c) {
     }
 }
 
-static void put_ceiling(json_writer *w, const char *name, ceiling c) {
-    char number[CEILING_ROOM];
-    ceiling_text(number, c);
-    json_text(w, name, number);
-}
-
 /* The members of an object of errors. */
 static void put_json_errors(json_writer *w, const graze_comparison *c, const errors *e) {
     json_count(w, "values", e->rows);
@@ -105,11 +87,7 @@ static void put_json_errors(json_writer *w, const graze_comparison *c, const err
     json_count(w, "under", e->under);
     if (c->options.sdf_tolerance)
         json_count(w, "beyond", e->beyond);
-    json_open(w, "quantiles", '{');
-    for (int k = 0; k < QUANTILES; k++)
-        put_ceiling(w, quantiles[k].name, errors_quantile(e, quantiles[k].per_mille));
-    json_close(w, '}');
-    put_ceiling(w, "largest", e->largest);
+    put_json_quantiles(w, e, QUANTILES);
     put_ceiling(w, "largest-over", e->largest_over);
 }
 

@@ -7,46 +7,40 @@
 #include "output/compare/compare.h"
 
 #include <stdlib.h>
-#include <string.h>
+#include "base/context/array.h"
 #include "base/context/context.h"
 #include "base/context/scope.h"
+#include "base/context/slots.h"
 #include "base/number/text.h"
 #include "input/delimited/delimited.h"
 #include "output/compare/rows.h"
 
 enum { MOST_ENTRIES = 1 << 21 };
 
-/* A free place has line 0. */
 typedef struct entry {
     digest key;
     uint64_t answers, exact, line; /* exact: the key before rounding, of contact points */
 } entry;
 
 typedef struct share {
-    entry *entries; /* an open hash table, at most half full */
-    size_t count, capacity;
+    slots slots; /* of the entries' keys */
+    entry *entries;
+    size_t capacity;
     unsigned long pass, passes; /* keys with high % passes = pass are kept */
 } share;
 
-static entry *rounding_place(const share *s, digest key) {
-    size_t at = key.low & (s->capacity - 1);
-    while (s->entries[at].line && !digest_equal(s->entries[at].key, key))
-        at = (at + 1) & (s->capacity - 1);
-    return &s->entries[at];
-}
-
-static int grow_roundings(share *s) {
-    share larger = *s;
-    larger.capacity = s->capacity ? 2 * s->capacity : 1024;
-    larger.entries = calloc(larger.capacity, sizeof *larger.entries);
-    if (!larger.entries)
-        return 0;
-    for (size_t k = 0; k < s->capacity; k++)
-        if (s->entries[k].line)
-            *rounding_place(&larger, s->entries[k].key) = s->entries[k];
-    free(s->entries);
-    *s = larger;
-    return 1;
+/* The entry of a key, which is new with line 0; NULL without memory. */
+static entry *rounding_place(share *s, digest key) {
+    size_t at = 0, n;
+    while ((n = slots_next(&s->slots, key.low, &at)) != SLOTS_NONE)
+        if (digest_equal(s->entries[n].key, key))
+            return &s->entries[n];
+    n = s->slots.count;
+    if (!array_reserve(&s->entries, &s->capacity, n + 1, sizeof *s->entries) ||
+        !slots_add(&s->slots, key.low))
+        return NULL;
+    s->entries[n] = (entry){.line = 0};
+    return &s->entries[n];
 }
 
 /* The digest of a row's answers, each ended by a byte that no field holds. */
@@ -58,9 +52,10 @@ static graze_status answers_of(uint64_t *out, const table *t, const table_row *r
         text_bytes(&answers, f.start, f.length);
         text_put(&answers, "\n");
     }
-    int failed = answers.failed;
-    *out = failed ? 0 : digest_of(answers.data, answers.length).high;
-    return failed ? context_fail(t->in.context, GRAZE_ESYSTEM, "out of memory") : GRAZE_OK;
+    if (answers.failed)
+        return table_no_memory(t);
+    *out = digest_of(answers.data, answers.length).high;
+    return GRAZE_OK;
 }
 
 /* Contact points that were moved to one place at one time may have other answers (`cell`, `shift`),
@@ -81,19 +76,18 @@ static graze_status exact_of(uint64_t *out, const table *t, table_row *row, cons
 
 static graze_status keep(share *s, const table *t, const table_row *row, uint64_t exact,
                          const column *columns, size_t count) {
-    uint64_t answers;
-    graze_status status = answers_of(&answers, t, row, columns, count);
-    if (status || row->key.high % s->passes != s->pass)
-        return status;
-    if (2 * (s->count + 1) > s->capacity && !grow_roundings(s))
-        return context_fail(t->in.context, GRAZE_ESYSTEM, "out of memory");
+    uint64_t answers = 0;
+    TRY(answers_of(&answers, t, row, columns, count));
+    if (row->key.high % s->passes != s->pass)
+        return GRAZE_OK;
     entry *e = rounding_place(s, row->key);
+    if (!e)
+        return table_no_memory(t);
     if (e->line && e->answers != answers && (!exact || e->exact != exact))
         return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, row->line,
                                "rounding makes this row equal to that of line %lu, whose "
                                "answer is another; expected points that stay apart",
                                (unsigned long)e->line);
-    s->count += !e->line;
     *e = (entry){row->key, answers, exact, row->line};
     return GRAZE_OK;
 }
@@ -101,23 +95,20 @@ static graze_status keep(share *s, const table *t, const table_row *row, uint64_
 /* One pass; it stops early, without fault, when its share of the keys is too large. */
 static graze_status pass(share *s, graze_context *context, const char *path, const row_key *key,
                          const column *columns, size_t count) {
-    table t;
-    table_row row = {0};
-    int more = 1;
-    graze_status status = table_open(&t, context, path);
-    while (!status && more && s->count < MOST_ENTRIES) {
-        status = table_next(&t, &row, &more);
+    ZEROED(table, t);
+    ZEROED(table_row, row);
+    TRY(table_open(&t, context, path));
+    while (s->slots.count < MOST_ENTRIES) {
         uint64_t exact = 0;
-        if (!status && more)
-            status = exact_of(&exact, &t, &row, key);
-        if (!status && more)
-            status = key_make(&row, key, &t);
-        if (!status && more)
-            status = keep(s, &t, &row, exact, columns, count);
+        int more;
+        TRY(table_next(&t, &row, &more));
+        if (!more)
+            break;
+        TRY(exact_of(&exact, &t, &row, key));
+        TRY(key_make(&row, key, &t));
+        TRY(keep(s, &t, &row, exact, columns, count));
     }
-    table_row_clear(&row);
-    table_close(&t);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status match_rounding(graze_context *context, const table *golden, const char *path,
@@ -126,19 +117,14 @@ graze_status match_rounding(graze_context *context, const table *golden, const c
         return context_fail_in(context, GRAZE_EINPUT, golden->in.name, 0,
                                "is read more than once, to check its points after rounding; "
                                "expected a regular file");
-    share s = {NULL, 0, 0, 0, 1};
+    share s = {.passes = 1};
     graze_status status = GRAZE_OK;
     while (!status && s.pass < s.passes) {
-        s.count = 0;
-        if (s.capacity)
-            memset(s.entries, 0, s.capacity * sizeof *s.entries);
         status = pass(&s, context, path, key, columns, count);
-        if (s.count < MOST_ENTRIES) {
-            s.pass++;
-        } else {
-            s.passes *= 2;
-            s.pass = 0;
-        }
+        int whole = s.slots.count < MOST_ENTRIES;
+        s.pass = whole ? s.pass + 1 : 0;
+        s.passes *= whole ? 1 : 2;
+        slots_clear(&s.slots);
     }
     free(s.entries);
     return status;

@@ -34,23 +34,20 @@ static graze_status keep_indexed(row_index *x, const table_row *row) {
 }
 
 graze_status row_index_read(row_index *out, table *t, const row_key *key) {
-    graze_status status = GRAZE_OK;
-    int more = 1;
+    int more;
     out->table = t;
-    while (!status && more) {
-        status = out->count % 1024 ? GRAZE_OK : context_poll(t->in.context);
-        if (!status)
-            status = table_next(t, &out->at, &more);
-        if (!status && more)
-            status = key_check(key, t, &out->at);
-        if (!status && more)
-            status = key_make(&out->at, key, t);
-        if (!status && more)
-            status = keep_indexed(out, &out->at);
+    for (;;) {
+        TRY(out->count % 1024 ? GRAZE_OK : context_poll(t->in.context));
+        TRY(table_next(t, &out->at, &more));
+        if (!more)
+            break;
+        TRY(key_check(key, t, &out->at));
+        TRY(key_make(&out->at, key, t));
+        TRY(keep_indexed(out, &out->at));
     }
     if (out->count)
         qsort(out->rows, out->count, sizeof *out->rows, by_key);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Hand out a row that is kept. */

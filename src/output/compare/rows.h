@@ -48,11 +48,11 @@ typedef struct table {
 /** Differences of coordinates over the rows counted so far. Tables are borrowed. */
 typedef struct drift {
     const table *golden, *candidate;
-    row_key axes;             /* coordinates that both tables have */
-    unsigned long rows;       /* pairs of rows whose points differ */
-    fmpq_t farthest;          /* the greatest difference of a coordinate */
-    fmpq_t least[3], most[3]; /* bounds of golden coordinates, over pairs written differently */
-    int any;                  /* 1: there are such pairs */
+    row_key axes;       /* coordinates that both tables have */
+    unsigned long rows; /* pairs of rows whose points differ */
+    fmpq *farthest;     /* the greatest difference of a coordinate; in one vector with */
+    fmpq *least, *most; /* the bounds of golden coordinates, over pairs written differently */
+    int any;            /* 1: there are such pairs */
 } drift;
 
 /** The first 128 bits of a SHA-256, to find equal points and answers. */
@@ -74,16 +74,19 @@ typedef struct table_row {
 const char *column_name(column c);
 const char *note_name(note n);
 
-/** Open a table and read up to its columns. table_close in either case. `path` is borrowed.
+/** Open a table and read up to its columns. table_clear in either case. `path` is borrowed.
  * @return GRAZE_EINPUT no column line, or a name in it twice; also those of stream_next */
 graze_status table_open(table *out, graze_context *context, const char *path);
-void table_close(table *t);
+void table_clear(table *t);
 
 /** Read the next row. *more is 0 at the end of the table.
  * @return GRAZE_EINPUT another number of fields, a quote not closed, a wrong `# complete N`, rows
  * after it; also those of stream_next */
 graze_status table_next(table *t, table_row *row, int *more);
 void table_row_clear(table_row *row);
+
+/** GRAZE_ESYSTEM. */
+graze_status table_no_memory(const table *t);
 
 /** GRAZE_EINPUT: the column line names a column twice. */
 graze_status table_named_twice(const table *t, column c);
@@ -100,6 +103,8 @@ char *table_row_text(const table_row *row);
 /** A field of a row; empty where the table has no such column. */
 field table_field(const table *t, const table_row *row, column c);
 
+/** A number in a column, after the rounding of the context. GRAZE_EINPUT, GRAZE_ELIMIT. */
+graze_status table_rational(fmpq_t out, const table *t, const table_row *row, column c);
 /** A number as it is written, whatever rounding the context asks for. Those of rational_parse. */
 graze_status table_number(fmpq_t out, graze_context *context, field f);
 
@@ -112,15 +117,8 @@ int digest_equal(digest a, digest b);
  * The key of a row is its id, the value of one that is a number, or its point in lowest terms
  * after rounding; of a contact point its time and its point. */
 
-/** Choose the key of points: `id` if both tables have it, else x, y (and z), else no columns.
- * @return GRAZE_EINPUT a column z for points of the plane */
-graze_status key_of_points(row_key *out, const table *golden, const table *candidate);
-
 /** Coordinates x, y (and z) of points that both tables have; none if one of them lacks any. */
 void key_of_axes(row_key *out, const table *golden, const table *candidate);
-
-/** The key of contact points: `id`, else time and bx, by (and bz), else time and x, y (and z). */
-graze_status key_of_contacts(row_key *out, const table *golden, const table *candidate);
 
 /** Check that the columns of a row's key are numbers, a time perhaps `root(...)`. GRAZE_EINPUT. */
 graze_status key_check(const row_key *key, const table *t, const table_row *row);

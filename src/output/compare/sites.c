@@ -1,4 +1,4 @@
-/* Recognises tables of contact points, reads their answers and compares them.
+/* Recognises tables of contact points, reads their answers and times, and compares them.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * An answer may be empty where graze contact leaves it so; an empty answer equals an empty one
@@ -6,6 +6,7 @@
  */
 #include "output/compare/compare.h"
 
+#include <flint/fmpq_vec.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
@@ -30,10 +31,6 @@ static table_kind table_kind_of(const table *t) {
     return points ? KIND_POINTS : t->where[COLUMN_TIME] >= 0 ? KIND_CONTACTS : KIND_ANY;
 }
 
-static graze_status named_once(const table *t) {
-    return t->doubled < 0 ? GRAZE_OK : table_named_twice(t, (column)t->doubled);
-}
-
 graze_status sites_known(int *contacts, const table *golden, const table *candidate) {
     table_kind right = table_kind_of(golden), given = table_kind_of(candidate);
     *contacts = right == KIND_CONTACTS;
@@ -43,8 +40,8 @@ graze_status sites_known(int *contacts, const table *golden, const table *candid
                                *contacts ? "answers of graze classify" : "contact points",
                                golden->in.name,
                                *contacts ? "contact points" : "answers of graze classify");
-    graze_status status = *contacts ? named_once(golden) : GRAZE_OK;
-    return *contacts && !status ? named_once(candidate) : status;
+    const table *twice = golden->doubled >= 0 ? golden : candidate->doubled >= 0 ? candidate : NULL;
+    return *contacts && twice ? table_named_twice(twice, (column)twice->doubled) : GRAZE_OK;
 }
 
 static graze_status sites_options(const graze_compare_options *o, const table *golden) {
@@ -63,17 +60,16 @@ static graze_status sites_options(const graze_compare_options *o, const table *g
 
 graze_status sites_choose(graze_comparison *c, const table *golden, const table *candidate) {
     int any = 0;
-    const char *names[JUDGED_COUNT];
+    const char *names[COLUMN_COUNT] = {NULL};
     size_t count = 0;
     char meant[TABLE_MEANT];
-    for (int k = 0; k < JUDGED_COUNT; k++) {
-        if (!judged_of(k, 1))
+    for (const column *j = judged_columns; *j != COLUMN_COUNT; j++) {
+        if (!judged_of(*j, 1))
             continue;
-        names[count++] = judged_name(k);
-        int right = golden->where[judged_column(k)] >= 0;
-        int given = candidate->where[judged_column(k)] >= 0;
-        any |= c->judged[k] = right && given;
-        c->lacking[k] = right && !given ? 1 : given && !right ? 2 : 0;
+        names[count++] = column_name(*j);
+        int right = golden->where[*j] >= 0, given = candidate->where[*j] >= 0;
+        any |= c->judged[*j] = right && given;
+        c->lacking[*j] = right && !given ? 1 : given && !right ? 2 : 0;
     }
     table_meant(meant, candidate, names, count);
     if (!any)
@@ -145,14 +141,8 @@ static const char *site_answer_fault(field f, column c) {
 /* A number may be one in form alone, or beyond a limit. */
 static graze_status check_number(const table *t, const table_row *row, column c) {
     field f = table_field(t, row, c);
-    graze_context *context = t->in.context;
     LOCAL(fmpq, value);
-    graze_status status = rational_is_token(f.start, f.length)
-                              ? rational_parse(value, context, f.start, f.length)
-                              : GRAZE_OK;
-    if (status)
-        context_item(context, status, NULL, 0, column_name(c));
-    return status ? context_in(context, status, t->in.name, row->line) : GRAZE_OK;
+    return rational_is_token(f.start, f.length) ? table_rational(value, t, row, c) : GRAZE_OK;
 }
 
 static graze_status check_answer(const table *t, const table_row *row, column c) {
@@ -173,21 +163,73 @@ static graze_status check_answer(const table *t, const table_row *row, column c)
     return judged_no_answer(t, row, c, expected);
 }
 
+/* The bytes before the first separator, or all; `rest` has what is behind it, or starts at NULL. */
+static field root_part(field *rest, char separator) {
+    const char *end = memchr(rest->start, separator, rest->length);
+    field part = *rest;
+    if (end)
+        part.length = (size_t)(end - rest->start);
+    *rest = end ? (field){end + 1, rest->length - part.length - 1} : (field){NULL, 0};
+    return part;
+}
+
+static int is_whole(field f) {
+    return rational_is_token(f.start, f.length) && !memchr(f.start, '.', f.length) &&
+           !memchr(f.start, '/', f.length) && !memchr(f.start, 'e', f.length) &&
+           !memchr(f.start, 'E', f.length);
+}
+
+int moment_is_root(field f) {
+    field rest, part[3];
+    size_t count = 0;
+    if (!field_behind(&rest, f, "root(") || !rest.length || rest.start[rest.length - 1] != ')')
+        return 0;
+    rest.length--;
+    for (int k = 0; k < 3; k++) {
+        if (!rest.start)
+            return 0;
+        part[k] = root_part(&rest, ';');
+    }
+    if (rest.start || !rational_is_token(part[1].start, part[1].length) ||
+        !rational_is_token(part[2].start, part[2].length))
+        return 0;
+    for (rest = part[0]; rest.start; count++)
+        if (!is_whole(root_part(&rest, ' ')))
+            return 0;
+    return count >= 3;
+}
+
+int moment_is_token(field f) {
+    return rational_is_token(f.start, f.length) || moment_is_root(f);
+}
+
+/* Is it the same time? Numbers go by their value after rounding. GRAZE_EINPUT, GRAZE_ELIMIT. */
+static graze_status moment_same(int *same, graze_context *context, field a, field b) {
+    *same = field_equal(a, b);
+    if (*same || !rational_is_token(a.start, a.length) || !rational_is_token(b.start, b.length))
+        return GRAZE_OK;
+    LOCAL_VEC(fmpq, x, 2);
+    fmpq *y = x + 1;
+    TRY(rational_parse(x, context, a.start, a.length));
+    TRY(rational_parse(y, context, b.start, b.length));
+    *same = fmpq_equal(x, y);
+    return GRAZE_OK;
+}
+
 graze_status sites_judge(int *wrong, const graze_comparison *c, const table *golden,
                          const table_row *row, const table *candidate, const table_row *given) {
-    memset(wrong, 0, JUDGED_COUNT * sizeof *wrong);
-    for (int k = 0; k < JUDGED_COUNT; k++) {
-        column which = judged_column(k);
+    memset(wrong, 0, COLUMN_COUNT * sizeof *wrong);
+    for (const column *j = judged_columns; *j != COLUMN_COUNT; j++) {
         int same = 1;
-        if (!c->judged[k])
+        if (!c->judged[*j])
             continue;
-        TRY(check_answer(golden, row, which));
-        if (given)
-            TRY(check_answer(candidate, given, which));
-        if (given)
-            TRY(moment_same(&same, golden->in.context, table_field(golden, row, which),
-                            table_field(candidate, given, which)));
-        wrong[k] = !same;
+        TRY(check_answer(golden, row, *j));
+        if (given) {
+            TRY(check_answer(candidate, given, *j));
+            TRY(moment_same(&same, golden->in.context, table_field(golden, row, *j),
+                            table_field(candidate, given, *j)));
+        }
+        wrong[*j] = !same;
     }
     return GRAZE_OK;
 }

@@ -8,6 +8,7 @@
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/file.h"
+#include "base/context/scope.h"
 #include "base/context/spelling.h"
 #include "base/number/rational.h"
 #include "input/delimited/delimited.h"
@@ -36,6 +37,16 @@ field table_field(const table *t, const table_row *row, column c) {
     return t->where[c] < 0 ? (field){"", 0} : field_content(row->cut.item[t->where[c]]);
 }
 
+graze_status table_rational(fmpq_t out, const table *t, const table_row *row, column c) {
+    graze_context *context = t->in.context;
+    field f = table_field(t, row, c);
+    graze_status status = rational_parse(out, context, f.start, f.length);
+    if (!status)
+        return GRAZE_OK;
+    context_item(context, status, NULL, 0, column_name(c));
+    return context_in(context, status, t->in.name, row->line);
+}
+
 graze_status table_number(fmpq_t out, graze_context *context, field f) {
     graze_rounding asked = context->rounding;
     context->rounding = GRAZE_ROUND_NONE;
@@ -57,7 +68,7 @@ int digest_equal(digest a, digest b) {
     return a.high == b.high && a.low == b.low;
 }
 
-static graze_status table_no_memory(const table *t) {
+graze_status table_no_memory(const table *t) {
     return context_fail(t->in.context, GRAZE_ESYSTEM, "out of memory");
 }
 
@@ -104,20 +115,18 @@ static graze_status split(table *t, table_row *row, field line) {
 /* The next line that is neither blank nor a `#` line, as a row. */
 static graze_status next_table_line(table *t, table_row *row, int *more) {
     field line;
-    graze_status status = GRAZE_OK;
     *more = 0;
-    while (!status) {
-        status = stream_next(&t->in, &line);
-        if (status || !line.start)
-            return status;
+    for (;;) {
+        TRY(stream_next(&t->in, &line));
+        if (!line.start)
+            return GRAZE_OK;
         if (line.length && *line.start == '#') {
-            status = read_note(t, line);
+            TRY(read_note(t, line));
         } else if (field_trimmed(line).length) {
             *more = 1;
             return split(t, row, line);
         }
     }
-    return status;
 }
 
 /* In a table of pmc alone, or without enclosures, a column of such a name is one of the points. */
@@ -176,27 +185,23 @@ static graze_status fix_columns(table *t, const table_row *row) {
 }
 
 graze_status table_open(table *out, graze_context *context, const char *path) {
-    table_row row = {0};
-    int more = 0;
+    ZEROED(table_row, row);
+    int more;
     memset(out, 0, sizeof *out);
     for (int c = 0; c < COLUMN_COUNT; c++)
         out->where[c] = -1;
     out->doubled = -1;
-    graze_status status = stream_open(&out->in, context, path);
-    if (!status)
-        status = next_table_line(out, &row, &more);
-    if (!status && !more)
-        status = context_fail_in(context, GRAZE_EINPUT, out->in.name, 0,
-                                 "no column line; expected a line of names such as x,y,z,pmc");
-    if (!status)
-        status = fix_columns(out, &row);
-    if (!status && !(out->names = table_row_text(&row)))
-        status = table_no_memory(out);
-    table_row_clear(&row);
-    return status;
+    TRY(stream_open(&out->in, context, path));
+    TRY(next_table_line(out, &row, &more));
+    if (!more)
+        return context_fail_in(context, GRAZE_EINPUT, out->in.name, 0,
+                               "no column line; expected a line of names such as x,y,z,pmc");
+    TRY(fix_columns(out, &row));
+    out->names = table_row_text(&row);
+    return out->names ? GRAZE_OK : table_no_memory(out);
 }
 
-void table_close(table *t) {
+void table_clear(table *t) {
     stream_close(&t->in);
     free(t->names);
     for (int n = 0; n < NOTE_COUNT; n++)
@@ -204,9 +209,9 @@ void table_close(table *t) {
 }
 
 graze_status table_next(table *t, table_row *row, int *more) {
-    graze_status status = next_table_line(t, row, more);
-    if (status || !*more)
-        return status;
+    TRY(next_table_line(t, row, more));
+    if (!*more)
+        return GRAZE_OK;
     if (t->complete)
         return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, t->in.line,
                                "a row after `# complete`; expected that line last");

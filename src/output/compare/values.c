@@ -48,29 +48,16 @@ graze_status values_choose(graze_comparison *c, const table *golden) {
                                "bounds; expected the table of a sweep for values outside");
     c->valued = has && sdf;
     c->enclosed = has && (sdf || o->motion_error || golden->notes[NOTE_SDF]);
-    c->judged[JUDGED_SDF] = c->valued && o->sdf_tolerance;
+    c->judged[COLUMN_SDF] = c->valued && o->sdf_tolerance;
     TRY(read_amount(c->depth.size, context, "diagonal", golden->notes[NOTE_DIAGONAL], 0));
     TRY(read_amount(c->tolerance, context, "sdf_tolerance", o->sdf_tolerance, 0));
     return read_amount(c->eta, context, "motion_error", o->motion_error, 1);
 }
 
-typedef struct sdf_enclosure {
-    fmpq_t low, high;
-} sdf_enclosure;
-
-static void sdf_enclosure_init(sdf_enclosure *e) {
-    fmpq_init(e->low);
-    fmpq_init(e->high);
-}
-
-static void sdf_enclosure_clear(sdf_enclosure *e) {
-    fmpq_clear(e->low);
-    fmpq_clear(e->high);
-}
-
-static int has_sign(const sdf_enclosure *e, int pmc) {
-    int low = fmpq_sgn(e->low), high = fmpq_sgn(e->high);
-    if (fmpq_cmp(e->low, e->high) > 0)
+/* An enclosure is two rationals, the lower bound first. Does it have the sign of an answer? */
+static int has_sign(const fmpq *e, int pmc) {
+    int low = fmpq_sgn(e), high = fmpq_sgn(e + 1);
+    if (fmpq_cmp(e, e + 1) > 0)
         return 0;
     return pmc == PMC_IN    ? low < 0 && high <= 0
            : pmc == PMC_OUT ? low >= 0 && high > 0
@@ -85,10 +72,9 @@ static graze_status read_bound(fmpq_t out, const table *t, const table_row *row,
     return status ? context_in(t->in.context, status, t->in.name, row->line) : status;
 }
 
-static graze_status read_enclosure(sdf_enclosure *out, const table *t, const table_row *row,
-                                   int pmc) {
-    TRY(read_bound(out->low, t, row, COLUMN_SDF_LOW));
-    TRY(read_bound(out->high, t, row, COLUMN_SDF_HIGH));
+static graze_status read_enclosure(fmpq *out, const table *t, const table_row *row, int pmc) {
+    TRY(read_bound(out, t, row, COLUMN_SDF_LOW));
+    TRY(read_bound(out + 1, t, row, COLUMN_SDF_HIGH));
     if (!has_sign(out, pmc))
         return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, row->line,
                                "sdf_low and sdf_high do not go with `%s`; expected an enclosure "
@@ -97,53 +83,53 @@ static graze_status read_enclosure(sdf_enclosure *out, const table *t, const tab
     return GRAZE_OK;
 }
 
-static void name_decade(char out[24], const sdf_enclosure *e, int pmc) {
+static void name_decade(char out[24], const fmpq *e, int pmc) {
     if (pmc == PMC_ON) {
         strcpy(out, "0");
         return;
     }
     LOCAL(fmpq, size);
-    fmpq_abs(size, pmc == PMC_IN ? e->low : e->high);
+    fmpq_abs(size, pmc == PMC_IN ? e : e + 1);
     snprintf(out, 24, "%s1e%+03ld", pmc == PMC_IN ? "-" : "", decade_of(size));
 }
 
 /* The error of a value against an enclosure. */
-static value_error error_of(const fmpq_t value, const sdf_enclosure *e, const fmpq_t tolerance) {
+static value_error error_of(const fmpq_t value, const fmpq *e, const fmpq_t tolerance) {
     value_error out = {{0, 0}, 0, 0};
     LOCAL(fmpq, by);
-    out.side = fmpq_cmp(value, e->high) > 0 ? 1 : fmpq_cmp(value, e->low) < 0 ? -1 : 0;
+    out.side = fmpq_cmp(value, e + 1) > 0 ? 1 : fmpq_cmp(value, e) < 0 ? -1 : 0;
     if (out.side > 0)
-        fmpq_sub(by, value, e->high);
+        fmpq_sub(by, value, e + 1);
     if (out.side < 0)
-        fmpq_sub(by, e->low, value);
+        fmpq_sub(by, e, value);
     out.beyond = fmpq_cmp(by, tolerance) > 0;
     out.size = ceiling_of(by);
     return out;
 }
 
 /* Widen an enclosure by the motion error; does what is left have one sign? */
-static int widen_enclosure(sdf_enclosure *e, const fmpq_t eta, int pmc) {
-    fmpq_sub(e->low, e->low, eta);
-    fmpq_add(e->high, e->high, eta);
+static int widen_enclosure(fmpq *e, const fmpq_t eta, int pmc) {
+    fmpq_sub(e, e, eta);
+    fmpq_add(e + 1, e + 1, eta);
     return fmpq_is_zero(eta) ? 1
-           : pmc == PMC_OUT  ? fmpq_sgn(e->low) > 0
-           : pmc == PMC_IN   ? fmpq_sgn(e->high) < 0
+           : pmc == PMC_OUT  ? fmpq_sgn(e) > 0
+           : pmc == PMC_IN   ? fmpq_sgn(e + 1) < 0
                              : 0;
 }
 
 graze_status valuation_read(valuation *out, const graze_comparison *c, const table *golden,
                             const table_row *row, const table *candidate, const table_row *given,
                             int pmc) {
-    HELD(sdf_enclosure, e);
+    LOCAL_VEC(fmpq, e, 2);
     LOCAL(fmpq, value);
     *out = (valuation){.certain = 1};
-    TRY(read_enclosure(&e, golden, row, pmc));
-    name_decade(out->decade, &e, pmc);
-    out->certain = widen_enclosure(&e, c->eta, pmc);
+    TRY(read_enclosure(e, golden, row, pmc));
+    name_decade(out->decade, e, pmc);
+    out->certain = widen_enclosure(e, c->eta, pmc);
     out->judged = c->valued && given && (c->options.truth == GRAZE_TRUTH_PSEUDO || pmc == PMC_OUT);
     if (out->judged) {
         TRY(read_bound(value, candidate, given, COLUMN_SDF));
-        out->error = error_of(value, &e, c->tolerance);
+        out->error = error_of(value, e, c->tolerance);
     }
     return GRAZE_OK;
 }

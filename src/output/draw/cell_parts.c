@@ -1,4 +1,4 @@
-/* Split cells: which ones, their tones, runs of parts.
+/* Split cells: which ones, their tones; runs of cells and of parts.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "output/draw/draw.h"
@@ -10,6 +10,7 @@
 #include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
 #include "output/draw/panel.h"
+#include "output/draw/views.h"
 
 /* Bands of the distance belong to answers. */
 static tone tone_side(unsigned char t) {
@@ -92,24 +93,33 @@ static unsigned char tone_at(const cells *c, size_t i, size_t j) {
     return c->part[((c->split[cell] - 1) * n + j % n) * n + i % n];
 }
 
-/* A part of the tone whose cell has another one. */
-static int differs(const cells *c, size_t i, size_t j, tone t) {
-    size_t n = c->parts;
-    return c->tone[j / n * c->count[0] + i / n] != t && tone_at(c, i, j) == t;
+/* Is it a cell of the tone (parts: 1), or a part of the tone whose cell has another one? */
+static int is_drawn(const cells *c, size_t parts, size_t i, size_t j, tone t) {
+    int own = c->tone[j / parts * c->count[0] + i / parts] == t;
+    return parts == 1 ? own : !own && tone_at(c, i, j) == t;
 }
 
-void parts_path(drawn_path *out, const cells *c, const panel *p, tone t) {
-    size_t n = c->parts;
-    for (size_t j = 0; j < c->count[1] * n && c->split_count; j++)
-        for (size_t i = 0, from; i < c->count[0] * n;) {
-            if (!c->split[j / n * c->count[0] + i / n]) {
-                i += n;
+/* Add the rectangle of `length` neighbours of a row from (i, j) on. */
+static void put_cells_run(drawn_path *out, const cells *c, const panel *p, size_t parts, size_t i,
+                          size_t j, size_t length) {
+    double cell_x = p->width / (double)(c->count[0] * parts);
+    double cell_y = p->height / (double)(c->count[1] * parts);
+    double x = p->x + (double)i * cell_x, y = p->y + p->height - (double)(j + 1) * cell_y;
+    drawn_path_box(out, x, y, x + (double)length * cell_x, y + cell_y);
+}
+
+void cells_path(drawn_path *out, const cells *c, const panel *p, size_t parts, tone t) {
+    size_t across = c->count[0] * parts;
+    for (size_t j = 0; j < c->count[1] * parts; j++)
+        for (size_t i = 0, from; i < across;) {
+            if (parts > 1 && !c->split[j / parts * c->count[0] + i / parts]) {
+                i += parts;
                 continue;
             }
-            for (from = i; i < c->count[0] * n && differs(c, i, j, t);)
+            for (from = i; i < across && is_drawn(c, parts, i, j, t);)
                 i++;
             if (i > from)
-                cells_rectangle(out, c, p, n, from, j, i - from);
+                put_cells_run(out, c, p, parts, from, j, i - from);
             else
                 i++;
         }

@@ -20,7 +20,7 @@ tone tone_of(const graze_verdict *v) {
     return v->class_ == GRAZE_CLASS_NONE ? (tone)(TONE_IN - 1 + (int)v->pmc) : (tone)v->class_;
 }
 
-/* Cells along one axis; the box grows to both sides by what the last cell exceeds it. */
+/* Cells along one axis; the box grows to both sides by half of what they exceed it. */
 static graze_status lay_axis(cells *c, graze_context *context, int k, const fmpq *low,
                              const fmpq *high) {
     LOCAL(fmpq, length);
@@ -32,8 +32,7 @@ static graze_status lay_axis(cells *c, graze_context *context, int k, const fmpq
     unsigned long most = context->limits[GRAZE_LIMIT_GRID];
     if (fmpz_cmp_ui(count, most) > 0)
         return context_limit(context, GRAZE_LIMIT_GRID, "the cells of a picture");
-    else
-        c->count[k] = fmpz_get_ui(count);
+    c->count[k] = fmpz_get_ui(count);
     /* low - (count side - length) / 2 */
     fmpq_mul_fmpz(ratio, c->side, count);
     fmpq_sub(ratio, length, ratio);
@@ -88,8 +87,9 @@ void cells_clear(cells *c) {
 }
 
 void cells_place(fmpq *out, const cells *c, size_t parts, size_t i, size_t j) {
-    fmpq *at = c->section ? _fmpq_vec_init(2) : out;
+    LOCAL_VEC(fmpq, uv, 2);
     LOCAL(fmpq, share);
+    fmpq *at = c->section ? uv : out;
     for (int k = 0; k < c->dimension; k++)
         fmpq_set(at + k, c->low + k);
     for (int k = 0; k < 2; k++) {
@@ -97,10 +97,8 @@ void cells_place(fmpq *out, const cells *c, size_t parts, size_t i, size_t j) {
         fmpq_mul(share, share, c->side);
         fmpq_add(at + c->axis[k], at + c->axis[k], share);
     }
-    if (!c->section)
-        return;
-    section_point(out, c->section, at);
-    _fmpq_vec_clear(at, 2);
+    if (c->section)
+        section_point(out, c->section, uv);
 }
 
 graze_status cells_ask(tone *out, const cells *c, graze_context *context, const graze_scene *scene,
@@ -115,16 +113,15 @@ graze_status cells_ask(tone *out, const cells *c, graze_context *context, const 
 }
 
 graze_status cells_classify(cells *c, graze_context *context, const graze_scene *scene) {
-    graze_status status = GRAZE_OK;
-    for (size_t j = 0; j < c->count[1] && !status; j++) {
-        status = context_poll(context);
-        for (size_t i = 0; i < c->count[0] && !status; i++) {
+    for (size_t j = 0; j < c->count[1]; j++) {
+        TRY(context_poll(context));
+        for (size_t i = 0; i < c->count[0]; i++) {
             tone found;
-            status = cells_ask(&found, c, context, scene, 2, 2 * i + 1, 2 * j + 1);
+            TRY(cells_ask(&found, c, context, scene, 2, 2 * i + 1, 2 * j + 1));
             c->tone[j * c->count[0] + i] = (unsigned char)found;
         }
     }
-    return status;
+    return GRAZE_OK;
 }
 
 void cells_plane(text *out, const cells *c, int axis) {
@@ -138,13 +135,13 @@ void cells_plane(text *out, const cells *c, int axis) {
     text_format(out, "%c = ", "xyz"[axis]);
     text_rational(out, c->low + axis);
     int is_long = out->length - start > LONG + 4;
+    if (!is_long && fmpz_is_one(fmpq_denref(c->low + axis)))
+        return;
     char *near = decimal_of_rational(&exact, c->low + axis, is_long ? DIGITS : SHORT_DIGITS);
     if (is_long)
         out->length = start + 1;
-    if (is_long || !fmpz_is_one(fmpq_denref(c->low + axis)))
-        text_format(out, exact ? " = %s" : " ≈ %s", near ? near : "");
-    out->failed |= !near;
-    free(near);
+    text_put(out, exact ? " = " : " ≈ ");
+    text_owned(out, near);
 }
 
 extent cells_extent(const cells *c) {
@@ -168,28 +165,6 @@ void cells_corner(double out[3], const cells *c, double horizontal, double verti
     }
 }
 
-void cells_rectangle(drawn_path *out, const cells *c, const panel *p, size_t parts, size_t i,
-                     size_t j, size_t length) {
-    double cell_x = p->width / (double)(c->count[0] * parts);
-    double cell_y = p->height / (double)(c->count[1] * parts);
-    double x = p->x + (double)i * cell_x, y = p->y + p->height - (double)(j + 1) * cell_y;
-    drawn_path_box(out, x, y, x + (double)length * cell_x, y + cell_y);
-}
-
-void cells_path(drawn_path *out, const cells *c, const panel *p, tone t) {
-    for (size_t j = 0; j < c->count[1]; j++) {
-        const unsigned char *row = c->tone + j * c->count[0];
-        for (size_t i = 0, from; i < c->count[0];) {
-            for (from = i; i < c->count[0] && row[i] == t;)
-                i++;
-            if (i > from)
-                cells_rectangle(out, c, p, 1, from, j, i - from);
-            else
-                i++;
-        }
-    }
-}
-
 const char *cells_axes(const cells *c) {
     return c->section ? "uv" : "xyz";
 }
@@ -204,7 +179,7 @@ void cells_attributes(text *out, const cells *c, const panel *p) {
     }
     text_put(out, "\"");
     if (c->section)
-        section_attributes(out, c->section);
+        section_describe(out, c->section, 1);
     text_put(out, " data-side=\"");
     text_rational(out, c->side);
     text_format(out, "\" data-frame=\"%ld %ld %ld %ld\"", (long)p->x, (long)p->y, (long)p->width,

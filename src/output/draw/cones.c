@@ -38,6 +38,11 @@ typedef struct cones_maker {
     double width; /* of a ring */
 } cones_maker;
 
+static void cones_maker_clear(cones_maker *m) {
+    free(m->ring);
+    germ_list_clear(&m->germs);
+}
+
 static graze_status add_cone_ring(cones_maker *m, size_t contact, sector_question asked) {
     TRY(array_grow(m->context, &m->ring, &m->capacity, m->count + 1, sizeof *m->ring,
                    "the rings of a picture"));
@@ -248,19 +253,15 @@ static graze_status draw_rings(cones_maker *m, const char *file, const fmpq *poi
 
 graze_status draw_cones(graze_context *context, const graze_scene *scene, const char *file,
                         const fmpq *point, const topo_finding *topo) {
-    cones_maker m = {.context = context, .scene = scene, .topo = topo};
+    ZEROED(cones_maker, m);
     const plane_list *planes = NULL;
+    m.context = context;
+    m.scene = scene;
+    m.topo = topo;
     germ_list_init(&m.germs);
-    graze_status status = canvas_check(context, file);
-    if (!status)
-        status = topo_planes(&planes, context, scene);
-    if (!status)
-        status = germs_find(&m.germs, context, scene, planes, point);
-    if (!status)
-        status = list_rings(&m);
-    if (!status)
-        status = draw_rings(&m, file, point);
-    free(m.ring);
-    germ_list_clear(&m.germs);
-    return status;
+    TRY(canvas_check(context, file));
+    TRY(topo_planes(&planes, context, scene));
+    TRY(germs_find(&m.germs, context, scene, planes, point));
+    TRY(list_rings(&m));
+    return draw_rings(&m, file, point);
 }

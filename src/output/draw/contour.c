@@ -5,12 +5,13 @@
 
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "decide/scene/scene.h"
 #include "output/draw/panel.h"
 #include "output/draw/views.h"
 
-/* The grid with a ring of cells that are like their neighbours, from (1, 1) on, and beyond it
- * cells of which none is in the region. */
+/* The grid within two rings of cells: the inner one, from (1, 1) on, repeats the neighbours, the
+ * outer one is outside the region. */
 typedef struct marching {
     graze_context *context;
     const graze_scene *scene; /* NULL: the region of distances below `level` */
@@ -99,7 +100,7 @@ static size_t march_square(chain_segment *out, marching *m, size_t i, size_t j) 
 graze_status contour_path(drawn_path *out, graze_context *context, const graze_scene *scene,
                           const cells *c, const panel *p, tone least, double level) {
     marching m = {context, scene, c, p, least, level, 2, GRAZE_OK};
-    chain_segment *segments = NULL;
+    FREED(chain_segment, segments, NULL);
     size_t room = 0, count = 0, across = c->count[0] + 3, squares = across * (c->count[1] + 3);
     while ((double)m.parts * (double)c->count[0] < CONTOUR_FINENESS * p->width)
         m.parts *= 2;
@@ -111,6 +112,5 @@ graze_status contour_path(drawn_path *out, graze_context *context, const graze_s
     }
     if (!out->failed && !m.status)
         chain_path(out, segments, count, 0);
-    free(segments);
     return m.status;
 }

@@ -63,7 +63,6 @@ static graze_status make_trails(picture *p, graze_context *context) {
 
 /* Collect the signs that the legend explains. */
 static graze_status make_legend(picture *p, graze_context *context) {
-    int made = 1;
     size_t count = p->cells.count[0] * p->cells.count[1];
     legend *l = &p->legend;
     for (size_t k = 0; k < count; k++) {
@@ -73,14 +72,12 @@ static graze_status make_legend(picture *p, graze_context *context) {
     count = p->cells.split_count * p->cells.parts * p->cells.parts;
     for (size_t k = 0; k < count; k++)
         l->tones[p->cells.part[k]] = 1;
-    l->by_distance = p->request->by_distance;
-    for (int t = TONE_INNER; l->by_distance && t < TONE_COUNT; t++)
-        made &= band_text(l->band[t - TONE_INNER], &p->cells, (tone)t);
+    l->cells = p->request->by_distance ? &p->cells : NULL;
     views_seen(p);
     if (p->has_trajectories)
         trajectories_seen(p);
-    return made && !p->failed ? GRAZE_OK
-                              : context_fail(context, GRAZE_ESYSTEM, "out of memory for a picture");
+    return p->failed ? context_fail(context, GRAZE_ESYSTEM, "out of memory for a picture")
+                     : GRAZE_OK;
 }
 
 /* Places of the parts: panels in rows from the left, the legend on the right of them all. */
@@ -140,7 +137,7 @@ static void put_remark(text *out, const picture *p) {
                       ? ", each on the exact side and by the distance of its centre"
                       : ", each in the exact class of its centre");
     if (c->section)
-        section_describe(out, c->section);
+        section_describe(out, c->section, 0);
     if (p->undecided)
         text_format(out, " · undecided and blank: %zu", p->undecided);
     if (outside)

@@ -59,7 +59,7 @@ typedef struct canvas canvas;
 /** Bytes of the UTF-8 character at `at`, or 0 if there is none that XML takes. */
 size_t canvas_character(const char *at);
 
-/* ---------------------------------------------------------------------------- the two kinds */
+/* Functions of a kind of canvas; those of groups may be NULL. */
 
 /** Takes bytes; 0 without memory. */
 typedef int canvas_put(void *to, const char *bytes, size_t length);
@@ -67,6 +67,7 @@ typedef int canvas_put(void *to, const char *bytes, size_t length);
 typedef struct canvas_kind {
     void (*begin)(canvas *c, const char *name, const char *attributes);
     void (*end)(canvas *c);
+    /* Draw only inside a rectangle until unclip. */
     void (*clip)(canvas *c, double x, double y, double width, double height);
     void (*unclip)(canvas *c);
     void (*path)(canvas *c, const drawn_path *p, const style *s, const char *name);
@@ -107,8 +108,8 @@ typedef struct extent {
 graze_status range_check(graze_context *context, const double *low, const double *high, int count);
 
 typedef struct section {
-    fmpq normal[3], place; /* normal . x = place */
-    fmpq origin[3], way[2][3];
+    fmpq *normal, *place; /* normal . x = place; one vector holds all of this and the next line */
+    fmpq *origin, *way[2];
     projection look;             /* to u and v */
     double unit[3], unit_height; /* normal and place, the normal of length 1 */
 } section;
@@ -134,6 +135,12 @@ typedef enum tone {
 /** The tone of a verdict. */
 tone tone_of(const graze_verdict *v);
 
+/** The distance of two marks on a scale: mantissa 1, 2 or 5 times 10^exponent. */
+typedef struct tick_step {
+    int mantissa, exponent;
+    double size;
+} tick_step;
+
 /** Cell (i, j) has its centre at low + (i + 1/2, j + 1/2) side. */
 typedef struct cells {
     int axis[2]; /* the coordinates along which i and j run */
@@ -146,10 +153,9 @@ typedef struct cells {
     size_t parts;    /* number of parts of a split cell along each side, odd; 1: none is split */
     uint32_t *split; /* by cell: 0, or the number, from 1, of its block of parts */
     size_t split_count;
-    unsigned char *part;           /* tones of the parts, block by block, row by row */
-    double *distance;              /* of the cells' centres; NULL: not asked */
-    double step;                   /* distance between levels: step_digit 10^step_exponent, */
-    int step_digit, step_exponent; /* with the digit 1, 2, 5 or 10 */
+    unsigned char *part; /* tones of the parts, block by block, row by row */
+    double *distance;    /* of the cells' centres; NULL: not asked */
+    tick_step step;      /* distance between levels */
 } cells;
 void cells_clear(cells *c);
 
@@ -282,8 +288,8 @@ typedef struct edge_list {
         *face; /* by simplex: the least number of a simplex in its face of coplanar simplices */
 } edge_list;
 
-/** Choose the edges of a solid of E^3. Cleared by edges_clear, also on failure. */
+/** Choose the edges of a solid of E^3. Cleared by edge_list_clear, also on failure. */
 graze_status edges_make(edge_list *out, graze_context *context, const graze_solid *solid);
-void edges_clear(edge_list *e);
+void edge_list_clear(edge_list *e);
 
 #endif

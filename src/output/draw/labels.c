@@ -154,7 +154,7 @@ static leader leader_to(double x, double y, const obstacle *o) {
                     fmin(fmax(y, o->y), o->y + o->height) - y};
 }
 
-/* Whether the line to a name's box runs over another name. */
+/* Does the line to a name's box run over another name? */
 static int crosses_name(const labels *l, const leader *line) {
     enum { PARTS = 24 };
     for (int j = 0; j <= PARTS; j++) {
@@ -170,7 +170,7 @@ static int crosses_name(const labels *l, const leader *line) {
     return 0;
 }
 
-/* It begins outside the sign; where little of it is left, it is needless. */
+/* The line begins outside the sign, and is left out where it would be short. */
 static void draw_leader(labels *l, canvas *c, const leader *line, double sign) {
     const style thin = {.stroke = PAINT(0x555555), .width = .7};
     const double beside = sign > 0 ? sign + 1 : 0, least = 6;

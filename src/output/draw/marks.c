@@ -3,6 +3,7 @@
  */
 #include "output/draw/draw.h"
 
+#include "base/context/scope.h"
 #include "input/solid/solid.h"
 #include "output/draw/views.h"
 
@@ -49,7 +50,7 @@ unsigned mark_colour(size_t k) {
 
 void mark_point(canvas *c, double x, double y, double radius, tone t) {
     const style disk = {.fill = PAINT(tone_colour(t)), .stroke = PAINT(INK), .width = 1.4};
-    canvas_circle(c, x, y, radius, &disk);
+    c->kind->circle(c, x, y, radius, &disk);
 }
 
 /* A circle on a face, a square on an edge, a triangle on a vertex; 1 is the size of a contact's. */
@@ -59,7 +60,7 @@ static void put_sign(canvas *c, double x, double y, double size, graze_cell_kind
                                             {{0, -5.4}, {5, 3.4}, {-5, 3.4}}};
     drawn_path sign = {NULL, 0, 0, 0};
     if (cell == GRAZE_CELL_FACE) {
-        canvas_circle(c, x, y, 4 * size, s);
+        c->kind->circle(c, x, y, 4 * size, s);
         return;
     }
     for (int k = 0; k < (cell == GRAZE_CELL_EDGE ? 4 : 3); k++) {
@@ -143,17 +144,25 @@ static void put_contacts(writer *w, const legend *l) {
     }
 }
 
+static void put_band(writer *w, const legend *l, tone t) {
+    HELD(text, band);
+    if (!l->tones[t])
+        return;
+    band_put(&band, l->cells, t);
+    put_swatch(w, t, band.failed ? "" : band.data);
+    if (w->canvas)
+        w->canvas->failed |= band.failed;
+}
+
 /* The scale of distances, from the deepest band inside to the farthest outside. */
 static void put_scale(writer *w, const legend *l) {
     put_heading(w, "Signed distance");
     for (int t = TONE_OUTER - 1; t >= TONE_INNER; t--)
-        if (l->tones[t])
-            put_swatch(w, (tone)t, l->band[t - TONE_INNER]);
+        put_band(w, l, (tone)t);
     if (l->tones[TONE_ON])
         put_swatch(w, TONE_ON, "0");
     for (int t = TONE_OUTER; t < TONE_COUNT; t++)
-        if (l->tones[t])
-            put_swatch(w, (tone)t, l->band[t - TONE_INNER]);
+        put_band(w, l, (tone)t);
     put_legend_line(w, &line_border, "border of the set");
     put_legend_line(w, &line_level, "level");
 }
@@ -161,11 +170,11 @@ static void put_scale(writer *w, const legend *l) {
 /* Classes, and for an unsweep answers. */
 static void put_classes(writer *w, const legend *l) {
     int unsweep = l->tones[TONE_IN] || l->tones[TONE_ON] || l->tones[TONE_OUT], some = 0;
-    int last = l->by_distance ? TONE_EXTERIOR : TONE_OUT;
+    int last = l->cells ? TONE_EXTERIOR : TONE_OUT;
     for (int t = TONE_REGULAR; t <= last; t++)
         some |= l->tones[t];
     if (some)
-        put_heading(w, l->by_distance ? "Class of points" : unsweep ? "Unsweep" : "Class");
+        put_heading(w, l->cells ? "Class of points" : unsweep ? "Unsweep" : "Class");
     for (int t = TONE_REGULAR; t <= last; t++)
         if (l->tones[t])
             put_swatch(w, (tone)t, tone_name((tone)t));
@@ -192,7 +201,7 @@ static void put_legend(writer *w, const legend *l) {
                                         {"inside S", &trail_inside},
                                         {"sliding on S", &trail_sliding},
                                         {NULL, NULL}};
-    if (l->by_distance)
+    if (l->cells)
         put_scale(w, l);
     put_classes(w, l);
     put_lines(w, "Positions of S", l->positions, positions);

@@ -12,16 +12,19 @@
 enum { TITLE_SIZE = 13, NUMBER_SIZE = 11 };
 
 projection projection_of_axes(int horizontal, int vertical) {
-    projection p;
-    memset(&p, 0, sizeof p);
+    projection p = {0};
     p.row[0][horizontal] = 1;
     p.row[1][vertical] = 1;
     return p;
 }
 
-static void cross_product(double out[3], const double a[3], const double b[3]) {
+void cross_product(double out[3], const double a[3], const double b[3]) {
     for (int k = 0; k < 3; k++)
         out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+}
+
+double dot_product(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /* Scaled by a power of two first, which rounds nothing: squares of small numbers vanish. */
@@ -29,7 +32,7 @@ static void normalise(double v[3]) {
     int exponent = ilogb(fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2]))));
     for (int k = 0; k < 3; k++)
         v[k] = scalbn(v[k], -exponent);
-    double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    double length = sqrt(dot_product(v, v));
     for (int k = 0; k < 3; k++)
         v[k] /= length;
 }
@@ -50,7 +53,7 @@ projection projection_from(const double from[3]) {
 }
 
 double projection_at(const projection *p, int k, const double point[3]) {
-    return p->row[k][0] * point[0] + p->row[k][1] * point[1] + p->row[k][2] * point[2];
+    return dot_product(p->row[k], point);
 }
 
 extent extent_empty(void) {
@@ -88,7 +91,9 @@ panel panel_fit(const projection *look, const extent *window, double longest) {
     return p;
 }
 
-void panel_map_plane(double *x, double *y, const panel *p, double horizontal, double vertical) {
+/* The pixel of a point of the plane. */
+static void panel_map_plane(double *x, double *y, const panel *p, double horizontal,
+                            double vertical) {
     *x = p->x + (horizontal - p->window.low[0]) * p->scale;
     *y = p->y + p->height - (vertical - p->window.low[1]) * p->scale;
 }
@@ -133,23 +138,7 @@ double panel_span(const panel *p) {
     return fmax(p->width, canvas_text_width(p->title, TITLE_SIZE + 1)); /* bold is wider */
 }
 
-void panel_frame(canvas *c, const panel *p) {
-    const lettering heading = {.size = TITLE_SIZE, .bold = 1};
-    const style line = {.stroke = PAINT(0x888888), .width = 1};
-    drawn_path frame = {NULL, 0, 0, 0};
-    drawn_path_box(&frame, p->x - .5, p->y - .5, p->x + p->width + .5, p->y + p->height + .5);
-    canvas_path(c, &frame, &line, NULL);
-    canvas_text(c, p->x, p->y - 9, &heading, p->title);
-}
-
-/* A tick's distance: mantissa 1, 2 or 5 times 10^exponent. */
-typedef struct tick_step {
-    int mantissa, exponent;
-    double size;
-} tick_step;
-
-/* The smallest such step that is at least `least`. */
-static tick_step step_for(double least) {
+tick_step step_for(double least) {
     static const int mantissas[] = {1, 2, 5, 10};
     int exponent = (int)floor(log10(least)), k = 0;
     double power = pow(10, exponent);
@@ -246,14 +235,14 @@ static void draw_tick(canvas *c, const panel *p, int axis, long index, const tic
     canvas_text(c, axis ? x - 7 : x, axis ? y + 4 : y + 16, axis ? &beside : &below, number);
 }
 
-void panel_ticks(canvas *c, const panel *p, char horizontal, char vertical) {
+static void draw_ticks(canvas *c, const panel *p, const char *axes) {
     const lettering name = {.size = 12, .bold = 1, .anchor = ANCHOR_END};
     for (int axis = 0; axis < 2; axis++) {
         tick_row t = ticks_along(p, axis);
         for (long k = t.first; k <= t.last; k++)
             draw_tick(c, p, axis, k, &t.step);
     }
-    const char names[2][2] = {{horizontal, 0}, {vertical, 0}};
+    const char names[2][2] = {{axes[0], 0}, {axes[1], 0}};
     canvas_text(c, p->x + p->width, p->y + p->height + 16, &name, names[0]);
     canvas_text(c, p->x - 7, p->y + 9, &name, names[1]);
 }
@@ -271,7 +260,7 @@ void draw_arrow_head(canvas *c, double x, double y, double dx, double dy, double
     canvas_path(c, &head, &solid, NULL);
 }
 
-void panel_triad(canvas *c, const panel *p) {
+static void draw_triad(canvas *c, const panel *p) {
     static const char names[3][2] = {"x", "y", "z"};
     const style line = {.stroke = PAINT(INK), .width = 1};
     const lettering letter = {.size = 11, .anchor = ANCHOR_MIDDLE, .halo = 1};
@@ -288,7 +277,7 @@ void panel_triad(canvas *c, const panel *p) {
     }
 }
 
-void panel_scale_bar(canvas *c, const panel *p) {
+static void draw_scale_bar(canvas *c, const panel *p) {
     const style line = {.stroke = PAINT(INK), .width = 2};
     const lettering number = {.size = 11, .anchor = ANCHOR_MIDDLE, .halo = 1};
     tick_step step = step_for(p->width / 8 / p->scale);
@@ -303,6 +292,21 @@ void panel_scale_bar(canvas *c, const panel *p) {
         drawn_path_line(&bar, right - k * length, y - 4, right - k * length, y + 4);
     canvas_path(c, &bar, &line, "scale");
     canvas_text(c, right - length / 2, y - 7, &number, text);
+}
+
+void panel_frame(canvas *c, const panel *p, const char *axes) {
+    const lettering heading = {.size = TITLE_SIZE, .bold = 1};
+    const style line = {.stroke = PAINT(0x888888), .width = 1};
+    drawn_path frame = {NULL, 0, 0, 0};
+    drawn_path_box(&frame, p->x - .5, p->y - .5, p->x + p->width + .5, p->y + p->height + .5);
+    canvas_path(c, &frame, &line, NULL);
+    canvas_text(c, p->x, p->y - 9, &heading, p->title);
+    if (axes) {
+        draw_ticks(c, p, axes);
+    } else {
+        draw_triad(c, p);
+        draw_scale_bar(c, p);
+    }
 }
 
 static const double LEAST_SIZE = 1e-300, MOST_COORDINATE = 1e300, FARTHEST = 0x1p42;

@@ -20,6 +20,8 @@ projection projection_of_axes(int horizontal, int vertical);
 /** The view from a direction, z (or y, where the direction is along z) upwards.
  * @param from not zero */
 projection projection_from(const double from[3]);
+void cross_product(double out[3], const double a[3], const double b[3]);
+double dot_product(const double a[3], const double b[3]);
 /** Coordinate k of a point's image. */
 double projection_at(const projection *p, int k, const double point[3]);
 
@@ -37,13 +39,14 @@ typedef struct panel {
     char title[96];             /* over the frame */
 } panel;
 
+/** The smallest step that is at least `least`. */
+tick_step step_for(double least);
+
 /** The largest panel of a window whose frame is no wider and no higher than `longest` and at least
  * a quarter of it either way; it stands at the canvas's origin. */
 panel panel_fit(const projection *look, const extent *window, double longest);
 /** The pixel of a point of three coordinates. */
 void panel_map(double *x, double *y, const panel *p, const double point[3]);
-/** The pixel of a point of the plane. */
-void panel_map_plane(double *x, double *y, const panel *p, double horizontal, double vertical);
 
 /** The part of the segment between two pixels that lies in the frame, as shares of it; 0 if there
  * is none. */
@@ -56,18 +59,15 @@ int panel_shows(const panel *p, const drawn_path *line);
 /** Room above and below the frame; that on its left is `left`. */
 enum { PANEL_ABOVE = 26, PANEL_BELOW = 24 };
 
-/** Give a panel its title, and room on the left: if `numbered`, for the numbers of panel_ticks. */
+/** Give a panel its title, and room on the left: if `numbered`, for the numbers of panel_frame. */
 void panel_name(panel *p, const char *title, int numbered);
 /** The width of the frame or of its title, whichever is more. */
 double panel_span(const panel *p);
-/** The frame and the title over it. */
-void panel_frame(canvas *c, const panel *p);
-/** Numbers along the left and the lower side, and the names of the two axes. */
-void panel_ticks(canvas *c, const panel *p, char horizontal, char vertical);
-/** A bar of a round length with its number, in the lower right corner. */
-void panel_scale_bar(canvas *c, const panel *p);
-/** Small arrows that show how the axes x, y, z lie. */
-void panel_triad(canvas *c, const panel *p);
+/** The frame and the title over it; numbers along the left and the lower side, and the names of the
+ * two axes. In space (`axes` NULL) a bar of a round length with its number, in the lower right
+ * corner, and small arrows that show how the axes x, y, z lie.
+ * @param axes two letters */
+void panel_frame(canvas *c, const panel *p, const char *axes);
 
 /** Draw an arrow's head with its tip at a pixel. (dx, dy) is where it points, not zero. */
 void draw_arrow_head(canvas *c, double x, double y, double dx, double dy, double size);
@@ -97,9 +97,8 @@ int section_extent(fmpq *low, fmpq *high, const section *s, const fmpq *box_low,
 
 /** Its equation, as x + 2*y - 1/2*z = 3. */
 void section_equation(text *out, const section *s);
-/** Origin and ways in rounded decimals, and in exact numbers as attributes of SVG. */
-void section_describe(text *out, const section *s);
-void section_attributes(text *out, const section *s);
+/** Origin and ways in rounded decimals, or, if `exact`, in exact numbers as attributes of SVG. */
+void section_describe(text *out, const section *s, int exact);
 
 /* A grid of square cells in the plane or in a plane of space, each classified at its centre.
  *
@@ -137,23 +136,12 @@ graze_status cells_ask(tone *out, const cells *c, graze_context *context, const 
 graze_status cells_classify(cells *c, graze_context *context, const graze_scene *scene);
 /** Letters of the coordinates along which `axis` counts. */
 const char *cells_axes(const cells *c);
-/** Add the cells of a tone as rectangles, one for each run of them along a row. */
-void cells_path(drawn_path *out, const cells *c, const panel *p, tone t);
-/** Add the rectangle of `length` neighbouring cells of a row from (i, j) on, of the grid in which
- * each cell is divided into `parts` along each side. */
-void cells_rectangle(drawn_path *out, const cells *c, const panel *p, size_t parts, size_t i,
-                     size_t j, size_t length);
+/** Add the cells of a tone as rectangles, one for each run of them along a row; or, with `parts`
+ * parts along each side of a split cell, the parts that have the tone in cells of another tone. */
+void cells_path(drawn_path *out, const cells *c, const panel *p, size_t parts, tone t);
 
 /** Their layout as attributes of SVG: exact numbers, from which the centres follow. */
 void cells_attributes(text *out, const cells *c, const panel *p);
-
-/* Cells at borders, split into parts, so that a border has no stairs.
- *
- * A cell is split where one of its eight neighbours has another tone; each part is classified
- * exactly at its own centre. The middle part has the cell's centre. */
-
-/** Add the parts that have a tone in cells of another tone, as rectangles, one for each run. */
-void parts_path(drawn_path *out, const cells *c, const panel *p, tone t);
 
 /* Lines in which the boundary of a solid meets a plane, chained from triangle to triangle. */
 
@@ -166,9 +154,6 @@ typedef struct chain_segment {
 /** Add segments as lines that go from one to the next, closed where they return to the first.
  * @param apart the least distance in pixels of two nodes of a line */
 void chain_path(drawn_path *out, const chain_segment *segments, size_t count, double apart);
-
-/** Add a line to a point, unless the point is nearer than `apart` to the node before it. */
-void chain_to(drawn_path *out, double x, double y, double apart);
 
 /* A curved solid in doubles: whether a place is in it, and which way its boundary looks.
  *

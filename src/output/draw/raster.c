@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include "base/context/scope.h"
 #include "output/draw/panel.h"
 #include "output/draw/views.h"
 
@@ -118,7 +119,7 @@ void raster_draw(canvas *c, const raster *r, const panel *p) {
     size_t n = find_runs(NULL, r, bits);
     while (n > MOST_RUNS && bits > 2)
         n = find_runs(NULL, r, --bits);
-    pixel_run *runs = calloc(n + 1, sizeof *runs);
+    FREED(pixel_run, runs, calloc(n + 1, sizeof *runs));
     c->failed |= !runs;
     if (!runs)
         return;
@@ -134,5 +135,4 @@ void raster_draw(canvas *c, const raster *r, const panel *p) {
         }
         canvas_path(c, &some, &line, NULL);
     }
-    free(runs);
 }

@@ -1,19 +1,25 @@
-/* The plane and the box of a request, and its cells in them.
+/* The plane and the box of a request, its cells in them, and their distances.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "output/draw/draw.h"
 
 #include <flint/fmpq_vec.h>
+#include <math.h>
+#include <stdlib.h>
 #include "base/context/scope.h"
+#include "base/number/decimal.h"
 #include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "decide/verdict/verdict.h"
 #include "output/draw/panel.h"
 #include "output/draw/views.h"
+#include "questions/distance/distance.h"
 
 /* The scene's box with a margin of 1/16 of its longest side. */
 static graze_status roomy_box(fmpq *low, fmpq *high, graze_context *context,
                               const graze_scene *scene) {
     int d = scene->motion->dimension;
-    graze_status status = scene_box(low, high, context, scene);
+    TRY(scene_box(low, high, context, scene));
     LOCAL_VEC(fmpq, margin, 2);
     fmpq *side = margin + 1;
     for (int k = 0; k < d; k++) {
@@ -26,7 +32,7 @@ static graze_status roomy_box(fmpq *low, fmpq *high, graze_context *context,
         fmpq_sub(low + k, low + k, margin);
         fmpq_add(high + k, high + k, margin);
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* The cells of an oblique plane: u and v are their axes. */
@@ -46,15 +52,13 @@ static graze_status lay_out_section(cells *out, section *oblique, graze_context 
     if (request->plane)
         fmpq_set(place, request->plane);
     section_make(oblique, request->normal, place);
-    graze_status status = GRAZE_OK;
     if (!section_extent(least, most, oblique, low, high))
-        status = context_fail(context, GRAZE_EUSE, "the plane does not pass through the box");
+        return context_fail(context, GRAZE_EUSE, "the plane does not pass through the box");
     fmpq_zero(place);
-    if (!status)
-        status = cells_layout(out, context, 2, axis, least, most, place, request->grid,
-                              request->by_distance);
+    TRY(cells_layout(out, context, 2, axis, least, most, place, request->grid,
+                     request->by_distance));
     out->section = oblique;
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status lay_out_cells(cells *out, graze_context *context, const draw_request *request,
@@ -69,9 +73,74 @@ static graze_status lay_out_cells(cells *out, graze_context *context, const draw
         if (request->plane)
             fmpq_set(place, request->plane);
     }
+    return cells_layout(out, context, d, axis, low, high, place, request->grid,
+                        request->by_distance);
+}
+
+/* Cells' sides in one width of an enclosure. */
+enum { FINENESS = 64 };
+
+/* The answer of a point as a tone, and the middle of its distance's enclosure. */
+static graze_status measure_point(unsigned char *side, double *middle, graze_context *context,
+                                  const graze_scene *scene, const fmpq *point, double width) {
+    graze_trace trace;
+    distance found;
     graze_status status =
-        cells_layout(out, context, d, axis, low, high, place, request->grid, request->by_distance);
+        classify_point(&trace, context, scene, (query_point){.rational = point}, TRACE_CONTACTS);
+    if (status)
+        return status;
+    status = distance_find(&found, context, scene, point, &trace, width);
+    *side = (unsigned char)(TONE_IN - 1 + (int)trace.verdict.pmc);
+    trace_clear(&trace);
+    *middle = found.low + (found.high - found.low) / 2;
     return status;
+}
+
+static tone band_of(const cells *c, tone side, double value) {
+    int k = (int)fmin(fabs(value) / c->step.size, BANDS - 1);
+    return side == TONE_IN    ? (tone)(TONE_INNER + k)
+           : side == TONE_OUT ? (tone)(TONE_OUTER + k)
+                              : side;
+}
+
+/* Find answers and distances of all centres, choose the step of the levels, so that the bands reach
+ * to the farthest cell, and set the tones. */
+static graze_status cells_measure(cells *c, graze_context *context, const graze_scene *scene) {
+    size_t count = c->count[0] * c->count[1];
+    double width = fmpq_get_d(c->side) / FINENESS, most = 0;
+    c->distance = calloc(count, sizeof *c->distance);
+    if (!c->distance)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the cells of a picture");
+    LOCAL_VEC(fmpq, point, 3);
+    for (size_t k = 0; k < count; k++) {
+        cells_place(point, c, 2, 2 * (k % c->count[0]) + 1, 2 * (k / c->count[0]) + 1);
+        TRY(measure_point(&c->tone[k], &c->distance[k], context, scene, point, width));
+        TRY(context_poll(context));
+        most = fmax(most, fabs(c->distance[k]));
+    }
+    c->step = step_for(most > 0 ? most / BANDS : 1);
+    for (size_t k = 0; k < count; k++)
+        c->tone[k] = (unsigned char)band_of(c, (tone)c->tone[k], c->distance[k]);
+    return GRAZE_OK;
+}
+
+/* The multiple k of the step as a decimal. */
+static void put_level(text *out, const cells *c, int k) {
+    int exact;
+    LOCAL(fmpq, value);
+    LOCAL(fmpz, ten);
+    fmpz_set_ui(ten, 10);
+    fmpz_pow_ui(ten, ten, (ulong)abs(c->step.exponent));
+    fmpq_set_si(value, k * c->step.mantissa, 1);
+    (c->step.exponent < 0 ? fmpq_div_fmpz : fmpq_mul_fmpz)(value, value, ten);
+    text_owned(out, decimal_of_rational(&exact, value, 10));
+}
+
+void band_put(text *out, const cells *c, tone t) {
+    int k = t >= TONE_OUTER ? (int)(t - TONE_OUTER) : -1 - (int)(t - TONE_INNER);
+    put_level(out, c, k);
+    text_put(out, " to ");
+    put_level(out, c, k + 1);
 }
 
 graze_status request_cells(cells *out, section *oblique, graze_context *context,

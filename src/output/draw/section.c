@@ -5,7 +5,6 @@
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/decimal.h"
 #include "base/number/vector.h"
@@ -55,24 +54,16 @@ static void find_ways(section *s) {
     for (int i = 0; i < 2; i++)
         for (int k = 0; k < 3; k++)
             s->look.row[i][k] = fmpq_get_d(s->way[i] + k);
-    for (int k = 0; k < 3; k++) {
-        int i = (k + 1) % 3, j = (k + 2) % 3;
-        s->unit[k] = s->look.row[0][i] * s->look.row[1][j] - s->look.row[0][j] * s->look.row[1][i];
-    }
+    cross_product(s->unit, s->look.row[0], s->look.row[1]);
 }
 
 void section_make(section *out, const fmpq *normal, const fmpq_t place) {
     LOCAL(fmpq, square);
-    *out = (section){.unit_height = 0};
-    fmpq_init(&out->place);
-    fmpq_set(&out->place, place);
-    for (int k = 0; k < 3; k++) {
-        fmpq_init(out->normal + k);
-        fmpq_init(out->origin + k);
-        fmpq_init(out->way[0] + k);
-        fmpq_init(out->way[1] + k);
+    fmpq *all = _fmpq_vec_init(13);
+    *out = (section){all, all + 12, all + 3, {all + 6, all + 9}, {{{0}}}, {0}, 0};
+    fmpq_set(out->place, place);
+    for (int k = 0; k < 3; k++)
         fmpq_set(out->normal + k, normal + k);
-    }
     _fmpq_vec_dot(square, normal, normal, 3);
     fmpq_div(square, place, square);
     for (int k = 0; k < 3; k++)
@@ -83,13 +74,9 @@ void section_make(section *out, const fmpq *normal, const fmpq_t place) {
 }
 
 void section_clear(section *s) {
-    for (int k = 0; k < 3; k++) {
-        fmpq_clear(s->normal + k);
-        fmpq_clear(s->origin + k);
-        fmpq_clear(s->way[0] + k);
-        fmpq_clear(s->way[1] + k);
-    }
-    fmpq_clear(&s->place);
+    if (s->normal)
+        _fmpq_vec_clear(s->normal, 13);
+    s->normal = NULL;
 }
 
 void section_point(fmpq *out, const section *s, const fmpq *uv) {
@@ -103,7 +90,7 @@ void section_point(fmpq *out, const section *s, const fmpq *uv) {
 /* normal . x - place */
 static void height_of(fmpq_t out, const section *s, const fmpq *point) {
     _fmpq_vec_dot(out, s->normal, point, 3);
-    fmpq_sub(out, out, &s->place);
+    fmpq_sub(out, out, s->place);
 }
 
 int section_holds(const section *s, const fmpq *point) {
@@ -213,41 +200,29 @@ void section_equation(text *out, const section *s) {
         first = 0;
     }
     text_put(out, " = ");
-    text_rational(out, &s->place);
+    text_rational(out, s->place);
 }
 
 /* Three numbers: decimals of four digits, or exact. */
 static void describe_vector(text *out, const fmpq *v, int exact) {
+    int unused;
     for (int k = 0; k < 3; k++) {
         text_put(out, k ? exact ? " " : ", " : "");
-        if (exact) {
+        if (exact)
             text_rational(out, v + k);
-            continue;
-        }
-        int unused;
-        char *decimal = decimal_of_rational(&unused, v + k, 4);
-        text_put(out, decimal ? decimal : "");
-        out->failed |= !decimal;
-        free(decimal);
+        else
+            text_owned(out, decimal_of_rational(&unused, v + k, 4));
     }
 }
 
-void section_describe(text *out, const section *s) {
-    text_put(out, " · u from (");
-    describe_vector(out, s->origin, 0);
-    text_put(out, ") along (");
-    describe_vector(out, s->way[0], 0);
-    text_put(out, "), v along (");
-    describe_vector(out, s->way[1], 0);
-    text_put(out, ")");
-}
-
-void section_attributes(text *out, const section *s) {
-    text_put(out, " data-origin=\"");
-    describe_vector(out, s->origin, 1);
-    text_put(out, "\" data-u=\"");
-    describe_vector(out, s->way[0], 1);
-    text_put(out, "\" data-v=\"");
-    describe_vector(out, s->way[1], 1);
-    text_put(out, "\"");
+void section_describe(text *out, const section *s, int exact) {
+    static const char *const between[2][4] = {
+        {" · u from (", ") along (", "), v along (", ")"},
+        {" data-origin=\"", "\" data-u=\"", "\" data-v=\"", "\""}};
+    const fmpq *const vectors[3] = {s->origin, s->way[0], s->way[1]};
+    for (int k = 0; k < 3; k++) {
+        text_put(out, between[exact][k]);
+        describe_vector(out, vectors[k], exact);
+    }
+    text_put(out, between[exact][3]);
 }

@@ -1,9 +1,11 @@
-/* Vertices at a time, outlines and slices.
+/* Vertices at a time; outlines and slices, whose segments with equal keys at their ends are
+ * neighbours.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "output/draw/draw.h"
 
 #include <flint/fmpq_vec.h>
+#include <math.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "input/motion/motion.h"
@@ -41,8 +43,9 @@ graze_status shape_standing(shape *out, graze_context *context, const graze_soli
 static double determinant(const double *m, int d) {
     if (d == 2)
         return m[0] * m[4] - m[1] * m[3];
-    return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[1] * (m[4] * m[10] - m[6] * m[8]) +
-           m[2] * (m[4] * m[9] - m[5] * m[8]);
+    double normal[3];
+    cross_product(normal, m + 4, m + 8);
+    return dot_product(m, normal);
 }
 
 graze_status shape_moved(shape *out, graze_context *context, const graze_solid *solid,
@@ -78,34 +81,102 @@ void shape_extent(extent *out, const shape *s, const projection *look) {
                    projection_at(look, 1, s->at + 3 * v));
 }
 
+/* End `end` of a segment. */
+typedef struct chain_end {
+    uint64_t key;
+    size_t segment;
+    int end;
+} chain_end;
+
+static int order_ends(const void *a, const void *b) {
+    const chain_end *e = a, *f = b;
+    if (e->key != f->key)
+        return e->key < f->key ? -1 : 1;
+    if (e->segment != f->segment)
+        return e->segment < f->segment ? -1 : 1;
+    return e->end - f->end;
+}
+
+/* 2 * segment + end of the end that meets an end, or NONE. */
+static const size_t NONE = SIZE_MAX;
+
+static void link_ends(size_t *next, chain_end *ends, size_t count) {
+    for (size_t k = 0; k < count; k++)
+        next[k] = NONE;
+    qsort(ends, count, sizeof *ends, order_ends);
+    for (size_t k = 0; k + 1 < count; k++) {
+        if (ends[k].key != ends[k + 1].key)
+            continue;
+        size_t a = 2 * ends[k].segment + (size_t)ends[k].end;
+        size_t b = 2 * ends[k + 1].segment + (size_t)ends[k + 1].end;
+        next[a] = b;
+        next[b] = a;
+        k++;
+    }
+}
+
+/* Add a line to a point, unless the point is nearer than `apart` to the node before it. */
+static void chain_to(drawn_path *out, double x, double y, double apart) {
+    const path_node *last = out->count ? &out->node[out->count - 1] : NULL;
+    if (out->failed || !last || last->verb == 'z' || apart == 0 ||
+        hypot(x - last->x, y - last->y) >= apart)
+        drawn_path_to(out, 'L', x, y);
+}
+
+/* The end at which a line begins that runs through a segment: one without a neighbour, or, of a
+ * ring, the segment's own first end. */
+static size_t first_end(const size_t *next, size_t segment) {
+    size_t at = 2 * segment;
+    while (next[at] != NONE && next[at] / 2 != segment)
+        at = next[at] ^ 1;
+    return next[at] == NONE ? at : 2 * segment;
+}
+
+static void put_chain(drawn_path *out, const chain_segment *segments, const size_t *next,
+                      char *taken, size_t from, double apart) {
+    size_t at = from;
+    drawn_path_to(out, 'M', segments[at / 2].x[at % 2], segments[at / 2].y[at % 2]);
+    for (;;) {
+        const chain_segment *s = &segments[at / 2];
+        size_t far = at ^ 1;
+        taken[at / 2] = 1;
+        if (next[far] == from) {
+            drawn_path_to(out, 'z', 0, 0);
+            return;
+        }
+        int last = next[far] == NONE || taken[next[far] / 2];
+        chain_to(out, s->x[far % 2], s->y[far % 2], last ? 0 : apart);
+        if (last)
+            return;
+        at = next[far];
+    }
+}
+
+void chain_path(drawn_path *out, const chain_segment *segments, size_t count, double apart) {
+    FREED(chain_end, ends, calloc(2 * count + 1, sizeof *ends));
+    FREED(size_t, next, calloc(2 * count + 1, sizeof *next));
+    FREED(char, taken, calloc(count + 1, 1));
+    out->failed |= !ends || !next || !taken;
+    if (!out->failed) {
+        for (size_t k = 0; k < 2 * count; k++)
+            ends[k] = (chain_end){segments[k / 2].key[k % 2], k / 2, (int)(k % 2)};
+        link_ends(next, ends, 2 * count);
+        for (size_t k = 0; k < count; k++)
+            if (!taken[k])
+                put_chain(out, segments, next, taken, first_end(next, k), apart);
+    }
+}
+
 /* The least distance in pixels between nodes of a line, in a mesh of `count` simplices. */
 static double nodes_apart(size_t count) {
     enum { DENSE = 2000 };
     return count < DENSE ? 0 : .4;
 }
 
-void shape_rings(drawn_path *out, const shape *s, const panel *p) {
-    const simplices *cut = &s->solid->cut;
-    FREED(chain_segment, segments, calloc(cut->count + 1, sizeof *segments));
-    out->failed |= !segments;
-    for (size_t f = 0; f < cut->count && segments; f++)
-        for (int k = 0; k < 2; k++) {
-            segments[f].key[k] = cut->item[f].vertex[k];
-            panel_map(&segments[f].x[k], &segments[f].y[k], p,
-                      s->at + 3 * (size_t)cut->item[f].vertex[k]);
-        }
-    if (segments)
-        chain_path(out, segments, cut->count, nodes_apart(cut->count));
-}
-
-static double height_over(const double normal[3], const double *a) {
-    return normal[0] * a[0] + normal[1] * a[1] + normal[2] * a[2];
-}
-
 /* The point in which the line through two vertices meets the plane, one being above it. */
 static void meet_plane(double out[3], const double *a, const double *b, const double normal[3],
                        double place) {
-    double from = height_over(normal, a), share = (place - from) / (height_over(normal, b) - from);
+    double from = dot_product(normal, a), share = (place - from) / (dot_product(normal, b) - from);
     for (int k = 0; k < 3; k++)
         out[k] = a[k] + share * (b[k] - a[k]);
 }
@@ -118,7 +189,7 @@ static int slice_triangle(chain_segment *out, const shape *s, const simplex *f, 
         uint64_t from = f->vertex[k], to = f->vertex[(k + 1) % 3];
         const double *a = s->at + 3 * from, *b = s->at + 3 * to;
         double end[3];
-        if ((height_over(normal, a) >= place) == (height_over(normal, b) >= place))
+        if ((dot_product(normal, a) >= place) == (dot_product(normal, b) >= place))
             continue;
         /* Alike from both sides of the edge. */
         meet_plane(end, from < to ? a : b, from < to ? b : a, normal, place);
@@ -128,14 +199,25 @@ static int slice_triangle(chain_segment *out, const shape *s, const simplex *f, 
     return ends == 2;
 }
 
-void shape_slice(drawn_path *out, const shape *s, const panel *p, const double normal[3],
-                 double place) {
+/* A side of the boundary in E^2. */
+static void map_side(chain_segment *out, const shape *s, const simplex *f, const panel *p) {
+    for (int k = 0; k < 2; k++) {
+        out->key[k] = f->vertex[k];
+        panel_map(&out->x[k], &out->y[k], p, s->at + 3 * (size_t)f->vertex[k]);
+    }
+}
+
+void shape_outline(drawn_path *out, const shape *s, const panel *p, const double *normal,
+                   double place) {
     const simplices *cut = &s->solid->cut;
     FREED(chain_segment, segments, calloc(cut->count + 1, sizeof *segments));
     size_t n = 0;
     out->failed |= !segments;
     for (size_t f = 0; f < cut->count && segments; f++)
-        n += (size_t)slice_triangle(&segments[n], s, &cut->item[f], p, normal, place);
+        if (normal)
+            n += (size_t)slice_triangle(&segments[n], s, &cut->item[f], p, normal, place);
+        else
+            map_side(&segments[n++], s, &cut->item[f], p);
     if (segments)
         chain_path(out, segments, n, nodes_apart(cut->count));
 }

@@ -27,18 +27,12 @@ static int nearer_later(const void *a, const void *b) {
     return f->simplex < g->simplex ? -1 : f->simplex > g->simplex;
 }
 
-static void toward_onlooker(double out[3], const projection *look) {
-    const double *a = look->row[0], *b = look->row[1];
-    for (int k = 0; k < 3; k++)
-        out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-}
-
 /* Look at a face; 0 if it is turned away. The light comes from the onlooker's left shoulder. */
 static int see(face *out, const shape *s, size_t simplex, const projection *look) {
     double toward[3], side[2][3], normal[3], length = 0, facing = 0, lit = 0;
     const uint32_t *vertex = s->solid->cut.item[simplex].vertex;
     const double *at[3];
-    toward_onlooker(toward, look);
+    cross_product(toward, look->row[0], look->row[1]);
     for (int k = 0; k < 3; k++)
         at[k] = s->at + 3 * (size_t)vertex[k];
     out->depth = 0;
@@ -47,9 +41,8 @@ static int see(face *out, const shape *s, size_t simplex, const projection *look
         side[1][k] = at[2][k] - at[0][k];
         out->depth += toward[k] * (at[0][k] + at[1][k] + at[2][k]);
     }
+    cross_product(normal, side[0], side[1]);
     for (int k = 0; k < 3; k++) {
-        int l = (k + 1) % 3, m = (k + 2) % 3;
-        normal[k] = side[0][l] * side[1][m] - side[0][m] * side[1][l];
         normal[k] = s->reflected ? -normal[k] : normal[k];
         length += normal[k] * normal[k];
         facing += normal[k] * toward[k];
@@ -163,19 +156,15 @@ static size_t list_faces(face *out, const shape *shapes, size_t s, const panel *
 graze_status shapes_paint(canvas *c, graze_context *context, const shape *shapes,
                           const finish *finishes, size_t count, const panel *p) {
     size_t n = 0, per_shape = shapes[0].solid->cut.count;
-    edge_list edges;
-    graze_status status = edges_make(&edges, context, shapes[0].solid);
+    ZEROED(edge_list, edges);
+    TRY(edges_make(&edges, context, shapes[0].solid));
     FREED(face, faces, calloc(per_shape, count * sizeof *faces));
     FREED(double, sums, calloc(per_shape, 2 * sizeof *sums));
-    if (!status && (!faces || !sums))
-        status = context_fail(context, GRAZE_ESYSTEM, "out of memory for the faces of a picture");
-    for (size_t s = 0; s < count && !status; s++)
+    if (!faces || !sums)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the faces of a picture");
+    for (size_t s = 0; s < count; s++)
         n += list_faces(faces + n, shapes, s, p, &edges, sums);
-    if (!status) {
-        brush b = {c, p, &edges, {0, 0, NULL}};
-        qsort(faces, n, sizeof *faces, nearer_later);
-        status = paint_faces(&b, context, shapes, finishes, faces, n);
-    }
-    edges_clear(&edges);
-    return status;
+    brush b = {c, p, &edges, {0, 0, NULL}};
+    qsort(faces, n, sizeof *faces, nearer_later);
+    return paint_faces(&b, context, shapes, finishes, faces, n);
 }

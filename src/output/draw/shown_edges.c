@@ -10,6 +10,7 @@
 #include <string.h>
 #include "input/solid/solid.h"
 #include "input/validate/validate.h"
+#include "output/draw/panel.h"
 
 /* A mesh with DENSE triangles or more is dense: its edges are shown where the surface bends by more
  * than 30 degrees. Other meshes show all edges at which the surface bends. */
@@ -35,14 +36,15 @@ static void unit_normal(double out[3], const graze_solid *solid, uint32_t simple
     const uint32_t *vertex = solid->cut.item[simplex].vertex;
     const double *a = solid->low + 3 * (size_t)vertex[0], *b = solid->low + 3 * (size_t)vertex[1];
     const double *c = solid->low + 3 * (size_t)vertex[2];
-    double length = 0;
+    double side[2][3];
     for (int k = 0; k < 3; k++) {
-        int i = (k + 1) % 3, j = (k + 2) % 3;
-        out[k] = (b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i]);
-        length += out[k] * out[k];
+        side[0][k] = b[k] - a[k];
+        side[1][k] = c[k] - a[k];
     }
+    cross_product(out, side[0], side[1]);
+    double length = sqrt(dot_product(out, out));
     for (int k = 0; k < 3; k++)
-        out[k] /= sqrt(length);
+        out[k] /= length;
 }
 
 /* The cosine of the angle at which the two sides of an edge bend; -1 where it has other than two.
@@ -53,7 +55,7 @@ static double bend(const graze_solid *solid, const shown_edge *e, size_t count) 
         return -1;
     unit_normal(a, solid, e[0].simplex);
     unit_normal(b, solid, e[1].simplex);
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    return dot_product(a, b);
 }
 
 static uint32_t least_of_face(uint32_t *face, uint32_t simplex) {
@@ -114,7 +116,7 @@ graze_status edges_make(edge_list *out, graze_context *context, const graze_soli
     return GRAZE_OK;
 }
 
-void edges_clear(edge_list *e) {
+void edge_list_clear(edge_list *e) {
     free(e->item);
     free(e->sides);
     free(e->face);

@@ -7,6 +7,7 @@
 #include "output/draw/draw.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include "output/draw/views.h"
@@ -37,9 +38,16 @@ static void put_hundredths(text *t, long value) {
         text_format(t, size % 10 ? ".%02lu" : ".%lu", size % 10 ? size % 100 : size % 100 / 10);
 }
 
-static void put_pixels(text *t, const char *before, double value) {
-    text_put(t, before);
-    put_hundredths(t, hundredths(value));
+/* Append a text as it stands, but for each @ the next number of pixels. */
+static void put_pixels(text *t, const char *form, ...) {
+    va_list values;
+    va_start(values, form);
+    for (; *form; form++)
+        if (*form == '@')
+            put_hundredths(t, hundredths(va_arg(values, double)));
+        else
+            text_bytes(t, form, 1);
+    va_end(values);
 }
 
 static void put_escaped(text *t, const char *string) {
@@ -58,17 +66,12 @@ static void put_style(text *t, const style *s) {
         text_put(t, " fill=\"none\"");
     if (s->stroke) {
         text_format(t, " stroke=\"#%06x\"", s->stroke & 0xffffff);
-        put_pixels(t, " stroke-width=\"", s->width);
-        text_put(t, "\" stroke-linejoin=\"round\"");
+        put_pixels(t, " stroke-width=\"@\" stroke-linejoin=\"round\"", s->width);
     }
-    if (s->stroke && s->dash > 0) {
-        put_pixels(t, " stroke-dasharray=\"", s->dash);
-        text_put(t, "\"");
-    }
-    if (s->faintness > 0) {
-        put_pixels(t, " opacity=\"", 1 - s->faintness);
-        text_put(t, "\"");
-    }
+    if (s->stroke && s->dash > 0)
+        put_pixels(t, " stroke-dasharray=\"@\"", s->dash);
+    if (s->faintness > 0)
+        put_pixels(t, " opacity=\"@\"", 1 - s->faintness);
     if (s->crisp)
         text_put(t, " shape-rendering=\"crispEdges\"");
 }
@@ -86,12 +89,9 @@ static void svg_end(canvas *c) {
 static void svg_clip(canvas *c, double x, double y, double width, double height) {
     text *t = out_of(c);
     unsigned number = ++((svg_canvas *)c)->clips;
-    text_format(t, "<clipPath id=\"clip%u\"><rect", number);
-    put_pixels(t, " x=\"", x);
-    put_pixels(t, "\" y=\"", y);
-    put_pixels(t, "\" width=\"", width);
-    put_pixels(t, "\" height=\"", height);
-    text_format(t, "\"/></clipPath>\n<g clip-path=\"url(#clip%u)\">\n", number);
+    text_format(t, "<clipPath id=\"clip%u\">", number);
+    put_pixels(t, "<rect x=\"@\" y=\"@\" width=\"@\" height=\"@\"/>", x, y, width, height);
+    text_format(t, "</clipPath>\n<g clip-path=\"url(#clip%u)\">\n", number);
 }
 
 /* Lines along an axis are H and V: the cells of a grid are most of a picture's bytes. */
@@ -104,18 +104,12 @@ static void put_nodes(text *t, const drawn_path *p) {
             continue;
         }
         long to_x = hundredths(n->x), to_y = hundredths(n->y);
-        if (n->verb == 'L' && to_y == y) {
-            text_put(t, "H");
-            put_hundredths(t, to_x);
-        } else if (n->verb == 'L' && to_x == x) {
-            text_put(t, "V");
-            put_hundredths(t, to_y);
-        } else {
-            text_put(t, n->verb == 'M' ? "M" : "L");
-            put_hundredths(t, to_x);
-            text_put(t, " ");
-            put_hundredths(t, to_y);
-        }
+        if (n->verb == 'L' && to_y == y)
+            put_pixels(t, "H@", n->x);
+        else if (n->verb == 'L' && to_x == x)
+            put_pixels(t, "V@", n->y);
+        else
+            put_pixels(t, n->verb == 'M' ? "M@ @" : "L@ @", n->x, n->y);
         x = to_x;
         y = to_y;
     }
@@ -136,10 +130,7 @@ static void svg_path(canvas *c, const drawn_path *p, const style *s, const char 
 
 static void svg_circle(canvas *c, double x, double y, double radius, const style *s) {
     text *t = out_of(c);
-    put_pixels(t, "<circle cx=\"", x);
-    put_pixels(t, "\" cy=\"", y);
-    put_pixels(t, "\" r=\"", radius);
-    text_put(t, "\"");
+    put_pixels(t, "<circle cx=\"@\" cy=\"@\" r=\"@\"", x, y, radius);
     put_style(t, s);
     text_put(t, "/>\n");
 }
@@ -147,10 +138,8 @@ static void svg_circle(canvas *c, double x, double y, double radius, const style
 static void svg_text(canvas *c, double x, double y, const lettering *l, const char *string) {
     static const char *const anchors[] = {"start", "middle", "end"};
     text *t = out_of(c);
-    put_pixels(t, "<text x=\"", x);
-    put_pixels(t, "\" y=\"", y);
-    put_pixels(t, "\" font-size=\"", l->size);
-    text_format(t, "\" text-anchor=\"%s\"", anchors[l->anchor]);
+    put_pixels(t, "<text x=\"@\" y=\"@\" font-size=\"@\"", x, y, l->size);
+    text_format(t, " text-anchor=\"%s\"", anchors[l->anchor]);
     text_put(t, l->bold ? " font-weight=\"bold\"" : "");
     if (l->halo)
         text_put(t, " stroke=\"#ffffff\" stroke-width=\"3\" stroke-linejoin=\"round\" "
@@ -180,14 +169,12 @@ graze_status canvas_create_svg(canvas **out, graze_context *context, double widt
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for a picture");
     c->base = (canvas){&svg_kind, width, height, 0};
     text *t = &c->out;
-    put_pixels(t, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"", width);
-    put_pixels(t, "\" height=\"", height);
-    put_pixels(t, "\" viewBox=\"0 0 ", width);
-    put_pixels(t, " ", height);
-    text_format(t, "\" font-family=\"DejaVu Sans, Verdana, sans-serif\" fill=\"#%06x\">\n", INK);
-    put_pixels(t, "<rect width=\"", width);
-    put_pixels(t, "\" height=\"", height);
-    text_put(t, "\" fill=\"#ffffff\"/>\n");
+    put_pixels(t,
+               "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"@\" height=\"@\" "
+               "viewBox=\"0 0 @ @\"",
+               width, height, width, height);
+    text_format(t, " font-family=\"DejaVu Sans, Verdana, sans-serif\" fill=\"#%06x\">\n", INK);
+    put_pixels(t, "<rect width=\"@\" height=\"@\" fill=\"#ffffff\"/>\n", width, height);
     *out = &c->base;
     return GRAZE_OK;
 }

@@ -90,7 +90,8 @@ static void draw_arrow(canvas *c, const panel *at, const trail *from, labels *na
     }
 }
 
-/* A contact as it is marked: the ends of a slide, if they are apart from its middle, and that. */
+/* A mark of a contact. A slide has three: its ends, shown where they are apart from its middle, and
+ * the middle. */
 typedef struct seen_mark {
     int shown;
     double x, y;
@@ -186,7 +187,7 @@ static graze_status draw_standing(canvas *c, graze_context *context, const pictu
     if (!picture_is_plane(p))
         return shapes_paint(c, context, &p->standing, &how, 1, &p->trajectories);
     drawn_path rings = {NULL, 0, 0, 0};
-    shape_rings(&rings, &p->standing, &p->trajectories);
+    shape_outline(&rings, &p->standing, &p->trajectories, NULL, 0);
     canvas_path(c, &rings, &body, NULL);
     return GRAZE_OK;
 }
@@ -196,32 +197,26 @@ graze_status view_trajectories(canvas *c, graze_context *context, const picture 
     size_t n = p->request->point_count;
     HELD(labels, names, at, !picture_is_plane(p));
     canvas_begin(c, "trajectories", NULL);
-    canvas_clip(c, at->x, at->y, at->width, at->height);
-    graze_status status = draw_standing(c, context, p);
-    for (size_t k = 0; k < n && !status; k++) {
+    c->kind->clip(c, at->x, at->y, at->width, at->height);
+    TRY(draw_standing(c, context, p));
+    for (size_t k = 0; k < n; k++) {
         draw_trail(c, at, &p->trails[k], &names);
-        status = context_poll(context);
+        TRY(context_poll(context));
     }
-    canvas_unclip(c);
+    c->kind->unclip(c);
     for (size_t k = 0; k < n; k++)
         draw_start(c, at, &p->trails[k], &names);
     for (size_t k = 0; k < n; k++)
         draw_contacts(c, at, &p->trails[k], &names);
     for (size_t k = 0; k < n; k++)
         draw_arrow(c, at, &p->trails[k], &names);
-    panel_frame(c, at);
-    if (picture_is_plane(p)) {
-        panel_ticks(c, at, 'x', 'y');
-    } else {
-        panel_triad(c, at);
-        panel_scale_bar(c, at);
-    }
-    for (size_t k = 0; k < n && !status; k++) {
+    panel_frame(c, at, picture_is_plane(p) ? "xy" : NULL);
+    for (size_t k = 0; k < n; k++) {
         name_trail(c, at, &p->trails[k], p->request->names[k], &names);
-        status = context_poll(context);
+        TRY(context_poll(context));
     }
     labels_tell(&names, c);
     c->failed |= names.failed;
     canvas_end(c);
-    return status;
+    return GRAZE_OK;
 }

@@ -96,17 +96,13 @@ graze_status views_fit(picture *p, graze_context *context) {
     projection look =
         picture_is_plane(p) ? projection_of_axes(0, 1) : projection_from(p->request->view);
     fit_classes(p);
-    graze_status status = range_check(context, p->classes.window.low, p->classes.window.high, 2);
-    if (status)
-        return status;
+    TRY(range_check(context, p->classes.window.low, p->classes.window.high, 2));
     name_classes(p);
     p->has_positions = !picture_is_plane(p);
     if (p->has_positions)
-        status = fit_positions(p, context, &look);
+        TRY(fit_positions(p, context, &look));
     p->has_trajectories = p->request->point_count > 0;
-    if (!status && p->has_trajectories)
-        status = fit_trajectories(p, context, &look);
-    return status;
+    return p->has_trajectories ? fit_trajectories(p, context, &look) : GRAZE_OK;
 }
 
 size_t views_outside(const picture *p) {
@@ -124,65 +120,59 @@ size_t views_outside(const picture *p) {
 
 /* In E^3 by class, the region of each class and those after it, which are drawn over it. */
 static graze_status draw_cells(canvas *c, graze_context *context, const picture *p) {
-    graze_status status = GRAZE_OK;
     HELD(text, layout);
     cells_attributes(&layout, &p->cells, &p->classes);
     c->failed |= layout.failed;
     canvas_begin(c, "cells", layout.failed ? NULL : layout.data);
     int regions = !p->cells.split;
-    for (int k = 0; k < 2 * TONE_COUNT && !status; k++) {
+    for (int k = 0; k < 2 * TONE_COUNT; k++) {
         tone t = (tone)(k % TONE_COUNT);
-        const style area = {.fill = PAINT(tone_colour(t)), .crisp = k < TONE_COUNT && !regions};
+        int split = k >= TONE_COUNT;
+        const style area = {.fill = PAINT(tone_colour(t)), .crisp = !split && !regions};
         int filled = t != TONE_NONE && t != TONE_EXTERIOR && t != TONE_OUT;
-        drawn_path runs = {NULL, 0, 0, 0};
+        ZEROED(drawn_path, runs);
         if (k == TONE_COUNT) {
             canvas_end(c);
             canvas_begin(c, "parts", NULL);
         }
-        if (regions && k < TONE_COUNT && filled && p->legend.tones[t])
-            status = contour_path(&runs, context, p->scene, &p->cells, &p->classes, t, 0);
-        else if (!regions && t != TONE_NONE && k >= TONE_COUNT)
-            parts_path(&runs, &p->cells, &p->classes, t);
-        else if (!regions && filled)
-            cells_path(&runs, &p->cells, &p->classes, t);
+        if (regions && !split && filled && p->legend.tones[t])
+            TRY(contour_path(&runs, context, p->scene, &p->cells, &p->classes, t, 0));
+        if (!regions && (split ? p->cells.parts > 1 && t != TONE_NONE : filled))
+            cells_path(&runs, &p->cells, &p->classes, split ? p->cells.parts : 1, t);
         canvas_path(c, &runs, &area, tone_name(t));
     }
     canvas_end(c);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Level lines of the distance, and over them the border of the set. */
 static graze_status draw_levels(canvas *c, graze_context *context, const picture *p) {
     canvas_begin(c, "levels", NULL);
-    graze_status status = GRAZE_OK;
-    for (int k = 1 - BANDS; k < BANDS && !status; k++) {
-        drawn_path line = {NULL, 0, 0, 0};
+    for (int k = 1 - BANDS; k < BANDS; k++) {
+        ZEROED(drawn_path, line);
         if (k)
-            status = contour_path(&line, context, NULL, &p->cells, &p->classes, TONE_NONE,
-                                  k * p->cells.step);
+            TRY(contour_path(&line, context, NULL, &p->cells, &p->classes, TONE_NONE,
+                             k * p->cells.step.size));
         canvas_path(c, &line, &line_level, "level");
     }
-    drawn_path border = {NULL, 0, 0, 0};
-    if (!status)
-        status = contour_path(&border, context, p->scene, &p->cells, &p->classes, TONE_REGULAR, 0);
+    ZEROED(drawn_path, border);
+    TRY(contour_path(&border, context, p->scene, &p->cells, &p->classes, TONE_REGULAR, 0));
     canvas_path(c, &border, &line_border, "border");
     canvas_end(c);
-    return status;
+    return GRAZE_OK;
 }
 
 /* The outline of S at time k, in the plane of the cells. */
 static drawn_path outline_path(const picture *p, size_t k) {
     drawn_path line = {NULL, 0, 0, 0};
     const section *oblique = p->cells.section;
-    double normal[3] = {0, 0, 0};
     int axis = p->request->plane_axis;
-    normal[axis] = 1;
-    if (picture_is_plane(p))
-        shape_rings(&line, &p->moved[k], &p->classes);
-    else if (oblique)
-        shape_slice(&line, &p->moved[k], &p->classes, oblique->unit, oblique->unit_height);
-    else
-        shape_slice(&line, &p->moved[k], &p->classes, normal, fmpq_get_d(p->cells.low + axis));
+    const double unit[3] = {axis == 0, axis == 1, axis == 2};
+    const double *normal = picture_is_plane(p) ? NULL : oblique ? oblique->unit : unit;
+    shape_outline(&line, &p->moved[k], &p->classes, normal,
+                  oblique  ? oblique->unit_height
+                  : normal ? fmpq_get_d(p->cells.low + axis)
+                           : 0);
     return line;
 }
 
@@ -203,10 +193,9 @@ static int is_in_plane(const picture *p, size_t point) {
 /* The points of a panel that shows them where they are, and their names. */
 static graze_status draw_points(canvas *c, graze_context *context, const picture *p,
                                 const panel *at, int plane_only) {
-    graze_status status = GRAZE_OK;
     HELD(labels, names, at, !plane_only);
     for (int pass = 0; pass < 2; pass++)
-        for (size_t k = 0; k < p->request->point_count && !status; k++) {
+        for (size_t k = 0; k < p->request->point_count; k++) {
             double x, y;
             panel_map(&x, &y, at, p->points + 3 * k);
             if ((plane_only && !is_in_plane(p, k)) || !panel_holds(at, x, y))
@@ -214,14 +203,14 @@ static graze_status draw_points(canvas *c, graze_context *context, const picture
             if (pass) {
                 labelled_point here = {x, y, MARK_RADIUS, REACH_FAR};
                 names.left_out += !labels_place(&names, c, here, p->request->names[k]);
-                status = context_poll(context);
+                TRY(context_poll(context));
             } else {
                 mark_point(c, x, y, MARK_RADIUS, p->trails[k].tone);
                 labels_avoid(&names, x, y, MARK_RADIUS);
             }
         }
     labels_tell(&names, c);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status view_classes(canvas *c, graze_context *context, const picture *p) {
@@ -229,22 +218,20 @@ graze_status view_classes(canvas *c, graze_context *context, const picture *p) {
     const panel *at = &p->classes;
     size_t last = p->request->times - 1;
     canvas_begin(c, "classes", NULL);
-    canvas_clip(c, at->x, at->y, at->width, at->height);
-    graze_status status = draw_cells(c, context, p);
-    if (!status && p->request->by_distance)
-        status = draw_levels(c, context, p);
+    c->kind->clip(c, at->x, at->y, at->width, at->height);
+    TRY(draw_cells(c, context, p));
+    if (p->request->by_distance)
+        TRY(draw_levels(c, context, p));
     /* Not over distances, where outlines between would be taken for level lines. */
     for (size_t k = 1; k < last && !p->request->by_distance; k++)
         draw_outline(c, p, k, &outline_between);
     draw_outline(c, p, last, &outline_end);
     draw_outline(c, p, 0, &outline_start);
-    canvas_unclip(c);
-    panel_frame(c, at);
-    panel_ticks(c, at, axes[p->cells.axis[0]], axes[p->cells.axis[1]]);
-    if (!status)
-        status = draw_points(c, context, p, at, 1);
+    c->kind->unclip(c);
+    panel_frame(c, at, (const char[]){axes[p->cells.axis[0]], axes[p->cells.axis[1]]});
+    TRY(draw_points(c, context, p, at, 1));
     canvas_end(c);
-    return status;
+    return GRAZE_OK;
 }
 
 /* The rectangle of the cells, as it lies in space. */
@@ -259,11 +246,6 @@ static drawn_path plane_path(const picture *p) {
         drawn_path_to(&frame, k ? 'L' : 'M', x, y);
     }
     return frame;
-}
-
-static void draw_plane(canvas *c, const picture *p) {
-    drawn_path frame = plane_path(p);
-    canvas_path(c, &frame, &outline_plane, NULL);
 }
 
 /* 1 if a line is to be seen in a panel; clears it. */
@@ -300,22 +282,19 @@ graze_status view_positions(canvas *c, graze_context *context, const picture *p)
     enum { MOST = 64 };
     const panel *at = &p->positions;
     finish how[MOST];
-    graze_status status = GRAZE_OK;
     size_t times = p->request->times, last = times - 1;
     for (size_t k = 0; k < times && k < MOST; k++)
         how[k] = (finish){0xdddddd, .7, 0};
     how[0] = (finish){0xf0e442, .15, 1};
     how[last < MOST ? last : MOST - 1] = (finish){0xcc79a7, .15, 1};
     canvas_begin(c, "positions", NULL);
-    canvas_clip(c, at->x, at->y, at->width, at->height);
-    status = shapes_paint(c, context, p->moved, how, times, at);
-    draw_plane(c, p);
-    canvas_unclip(c);
-    panel_frame(c, at);
-    panel_triad(c, at);
-    panel_scale_bar(c, at);
-    if (!status)
-        status = draw_points(c, context, p, at, 0);
+    c->kind->clip(c, at->x, at->y, at->width, at->height);
+    TRY(shapes_paint(c, context, p->moved, how, times, at));
+    drawn_path plane = plane_path(p);
+    canvas_path(c, &plane, &outline_plane, NULL);
+    c->kind->unclip(c);
+    panel_frame(c, at, NULL);
+    TRY(draw_points(c, context, p, at, 0));
     canvas_end(c);
-    return status;
+    return GRAZE_OK;
 }

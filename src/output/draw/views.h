@@ -10,10 +10,7 @@
 #include "output/draw/draw.h"
 #include "output/draw/panel.h"
 
-/* A surface to draw on, in pixels from the upper left corner; made of paths, circles and texts.
- *
- * There are an SVG text, a PNG image and a page of PDF. Drawing never fails half-way: a failure is
- * kept and returned by canvas_finish. */
+/* Paths, and drawing on a canvas (draw.h). */
 
 void drawn_path_clear(drawn_path *p);
 void drawn_path_to(drawn_path *p, char verb, double x, double y);
@@ -27,12 +24,8 @@ graze_status canvas_finish(canvas *c, graze_context *context, const char *file, 
 /** A part of the picture with a name and perhaps attributes, `key="value"` in SVG's form. */
 void canvas_begin(canvas *c, const char *name, const char *attributes);
 void canvas_end(canvas *c);
-/** Draw only inside a rectangle until canvas_unclip. */
-void canvas_clip(canvas *c, double x, double y, double width, double height);
-void canvas_unclip(canvas *c);
 /** Draw a path, even-odd, and clear it. `name` is the class of the element, or NULL. */
 void canvas_path(canvas *c, drawn_path *p, const style *s, const char *name);
-void canvas_circle(canvas *c, double x, double y, double radius, const style *s);
 /** A line of UTF-8 on its baseline. Control characters and bytes that are no character become
  * question marks. */
 void canvas_text(canvas *c, double x, double y, const lettering *l, const char *string);
@@ -108,15 +101,8 @@ void labels_tell(const labels *l, canvas *c);
  *
  * The side of a cell's centre is exact. Its distance is within 1/64 of the cell's side. */
 
-/** Find answers and distances of all centres, choose the step of the levels, and set the tones. */
-graze_status cells_measure(cells *c, graze_context *context, const graze_scene *scene);
-
-/** The multiple k of the step as a decimal; 0 without memory. */
-enum { LEVEL_ROOM = 24 };
-int level_text(char out[LEVEL_ROOM], const cells *c, int k);
-/** The distances of a band, such as `-2 to -1`; 0 without memory. */
-enum { BAND_ROOM = 64 };
-int band_text(char out[BAND_ROOM], const cells *c, tone t);
+/** The distances of a band, such as `-2 to -1`. */
+void band_put(text *out, const cells *c, tone t);
 
 /* The colours and signs of a picture, and the legend that explains those that were used.
  *
@@ -142,11 +128,10 @@ extern const style outline_plane;
 /** A trajectory outside, inside and on the boundary of S. */
 extern const style trail_outside, trail_inside, trail_sliding;
 
-/** Things that a picture shows, for its legend: flags, but for `band`. */
+/** Things that a picture shows, for its legend: flags, but for `cells`. */
 typedef struct legend {
     int tones[TONE_COUNT];
-    int by_distance;
-    char band[TONE_COUNT - TONE_INNER][64]; /* distances of bands */
+    const cells *cells; /* coloured by distance; NULL: by class */
     int positions[4];   /* at the start, between, at the end; the plane of the cells */
     int spans[3];       /* of trajectories, outside S, inside, sliding on it */
     int contacts[3][4]; /* by kind and cell, of kind 0 ends of slides */
@@ -166,9 +151,7 @@ graze_status canvas_check(graze_context *context, const char *file);
 graze_status canvas_create(canvas **out, graze_context *context, const char *file, double width,
                            double height);
 
-/* PNG and PDF canvases, made by a shared object of the same version that is loaded at need. */
-
-/** The shared object, which stands beside libgraze.so. */
+/** The shared object of PNG and PDF canvases, which stands beside libgraze.so. */
 #define PNG_LIBRARY "libgraze-png-" GRAZE_VERSION ".so"
 
 /* Triangles and lines as pixels, for meshes so dense that their paths would be a large file. */
@@ -213,19 +196,14 @@ void shape_clear(shape *s);
 /** The extent of the shape's image. */
 void shape_extent(extent *out, const shape *s, const projection *look);
 
-/** Add the boundary in E^2, ring by ring. */
-void shape_rings(drawn_path *out, const shape *s, const panel *p);
-/** Add the lines in which the boundary meets the plane normal . x = place (E^3). */
-void shape_slice(drawn_path *out, const shape *s, const panel *p, const double normal[3],
-                 double place);
-
-/* Shapes of space as the onlooker sees them. */
+/** Add the boundary in E^2 (normal NULL), ring by ring; in E^3 the lines in which it meets the
+ * plane normal . x = place. */
+void shape_outline(drawn_path *out, const shape *s, const panel *p, const double *normal,
+                   double place);
 
 /** Paint the faces of shapes in E^3 that are turned towards the onlooker, the far ones first. */
 graze_status shapes_paint(canvas *c, graze_context *context, const shape *shapes,
                           const finish *finishes, size_t count, const panel *p);
-
-/* Canvases that are SVG texts. */
 
 /** A new canvas of a size in pixels; GRAZE_ESYSTEM without memory. */
 graze_status canvas_create_svg(canvas **out, graze_context *context, double width, double height);

@@ -3,11 +3,11 @@
  */
 #include "output/page/page.h"
 
-#include <math.h>
 #include <string.h>
 #include "output/draw/draw.h"
 
-void encode_string(text *out, const char *string) {
+void encode_string(json_writer *w, const char *key, const char *string) {
+    text *out = json_begin(w, key);
     text_put(out, "\"");
     while (*string) {
         size_t n = canvas_character(string);
@@ -20,13 +20,6 @@ void encode_string(text *out, const char *string) {
         string += n ? n : 1;
     }
     text_put(out, "\"");
-}
-
-void encode_number(text *out, double value) {
-    if (isfinite(value))
-        text_format(out, "%.17g", value);
-    else
-        text_put(out, "null");
 }
 
 static void put_triple(encoder *e) {
@@ -42,10 +35,9 @@ static void put_triple(encoder *e) {
     memset(e->rest, 0, sizeof e->rest);
 }
 
-void encode_begin(encoder *e, text *out, const char *before) {
-    *e = (encoder){.out = out};
-    text_put(out, before);
-    text_put(out, "\"");
+void encode_begin(encoder *e, json_writer *w, const char *key) {
+    *e = (encoder){.out = json_begin(w, key)};
+    text_put(e->out, "\"");
 }
 
 void encode_byte(encoder *e, unsigned char byte) {
@@ -61,10 +53,13 @@ void encode_double(encoder *e, double value) {
         encode_byte(e, (unsigned char)(bits >> 8 * k));
 }
 
-void encode_float(encoder *e, float value) {
-    uint32_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    encode_count(e, bits);
+void encode_place(encoder *e, const fmpq *place, const double *centre, int d) {
+    for (int k = 0; k < d; k++) {
+        float value = (float)(fmpq_get_d(place + k) - centre[k]);
+        uint32_t bits;
+        memcpy(&bits, &value, sizeof bits);
+        encode_count(e, bits);
+    }
 }
 
 void encode_count(encoder *e, uint32_t value) {

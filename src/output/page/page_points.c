@@ -5,8 +5,8 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "decide/filter/filter.h"
 #include "decide/scene/scene.h"
 #include "decide/trace/trace.h"
@@ -33,10 +33,8 @@ static void put_page_time(text *out, const graze_time *time, int exact) {
         text_rational(out, time->low);
         return;
     }
-    char *decimal = decimal_of_time(NULL, time, decimal_digits(time->motion));
-    out->failed |= !decimal;
-    text_format(out, "%s~", decimal ? decimal : "");
-    free(decimal);
+    text_owned(out, decimal_of_time(NULL, time, decimal_digits(time->motion)));
+    text_put(out, "~");
     if (exact)
         text_coefficients(out, time->poly);
     text_put(out, "~");
@@ -84,17 +82,19 @@ static void put_contacts_of(text *out, const graze_trace *trace, int exact) {
     }
 }
 
-/* The parts of the object, made beside one another. */
+/* The lists of the object, made beside one another. */
 typedef struct page_lists {
-    text lines, places, tones;
+    json_writer lines;
     encoder place, tone;
     size_t exact; /* points told exactly so far */
 } page_lists;
 
 /* A point's line: coordinates, word, definition, case, i and t, contacts. */
-static void put_page_line(text *out, const fmpq *point, int d, const graze_trace *trace,
+static void put_page_line(json_writer *w, const fmpq *point, int d, const graze_trace *trace,
                           int exact) {
     const graze_verdict *v = &trace->verdict;
+    json_line(w, 0);
+    text *out = json_begin(w, NULL);
     text_put(out, "\"");
     for (int i = 0; i < d; i++) {
         text_put(out, i ? " " : "");
@@ -120,10 +120,8 @@ static graze_status put_page_point(page_lists *l, graze_context *context, const 
     int exact = asked && l->exact < EXACT_MOST;
     if (!status) {
         l->exact += (size_t)exact;
-        text_put(&l->lines, k ? ",\n" : "\n");
         put_page_line(&l->lines, point, d, &trace, exact);
-        for (int i = 0; i < d; i++)
-            encode_float(&l->place, (float)(fmpq_get_d(point + i) - centre[i]));
+        encode_place(&l->place, point, centre, d);
         encode_byte(&l->tone, (unsigned char)tone_of(&trace.verdict));
         status = context_poll(context);
     }
@@ -143,58 +141,59 @@ static int are_numbers(const char *const *names, size_t count) {
 }
 
 /* Texts of points as an array of JSON, 0 for one that is missing; 0 alone where there are none. */
-static void put_page_texts(text *out, const char *key, const char *const *texts, size_t count) {
-    text_format(out, ",\n\"%s\":%s", key, texts ? "[" : "0");
-    for (size_t k = 0; k < count && texts; k++) {
-        text_put(out, k ? "," : "");
-        if (texts[k])
-            encode_string(out, texts[k]);
-        else
-            text_put(out, "0");
+static void put_page_texts(json_writer *w, const char *key, const char *const *texts,
+                           size_t count) {
+    json_line(w, 0);
+    if (!texts) {
+        json_count(w, key, 0);
+        return;
     }
-    text_put(out, texts ? "]" : "");
+    json_open(w, key, '[');
+    for (size_t k = 0; k < count; k++)
+        if (texts[k])
+            encode_string(w, NULL, texts[k]);
+        else
+            json_count(w, NULL, 0);
+    json_close(w, ']');
 }
 
 /* Put the answers, most of them missing, by the numbers of their points. */
-static void put_page_answers(text *out, const char *const *answers, size_t count) {
-    const char *before = "";
-    text_put(out, ",\n\"answers\":{");
-    for (size_t k = 0; k < count && answers; k++)
-        if (answers[k]) {
-            text_format(out, "%s\"%zu\":", before, k);
-            encode_string(out, answers[k]);
-            before = ",";
-        }
-    text_put(out, "}");
+static void put_page_answers(json_writer *w, const char *const *answers, size_t count) {
+    char number[24];
+    json_line(w, 0);
+    json_open(w, "answers", '{');
+    for (size_t k = 0; k < count && answers; k++) {
+        snprintf(number, sizeof number, "%zu", k);
+        if (answers[k])
+            encode_string(w, number, answers[k]);
+    }
+    json_close(w, '}');
 }
 
-graze_status page_rows(text *out, graze_context *context, const graze_scene *scene,
+graze_status page_rows(json_writer *w, graze_context *context, const graze_scene *scene,
                        const draw_request *request, const double *centre) {
     size_t count = request->point_count;
-    graze_status status = GRAZE_OK;
-    page_lists l = {.exact = 0};
-    text *part[3] = {&l.places, &l.tones, &l.lines};
-    static const char *const name[3] = {"{\"places\":", ",\n\"tones\":", ",\n\"lines\":"};
-    for (int k = 0; k < 3; k++)
-        text_init(part[k]);
-    encode_begin(&l.place, &l.places, "");
-    encode_begin(&l.tone, &l.tones, "");
-    text_put(&l.lines, "[");
-    for (size_t k = 0; k < count && !status; k++)
-        status = put_page_point(&l, context, scene, request, k, centre);
+    HELD(text, places);
+    HELD(text, tones);
+    HELD(text, lines);
+    page_lists l = {.lines = {.out = &lines}};
+    encode_begin(&l.place, &(json_writer){.out = &places}, NULL);
+    encode_begin(&l.tone, &(json_writer){.out = &tones}, NULL);
+    json_open(&l.lines, NULL, '[');
+    for (size_t k = 0; k < count; k++)
+        TRY(put_page_point(&l, context, scene, request, k, centre));
     encode_end(&l.place);
     encode_end(&l.tone);
-    text_put(&l.lines, "]");
-    for (int k = 0; k < 3; k++) {
-        text_put(out, name[k]);
-        out->failed |= part[k]->failed;
-        if (!part[k]->failed)
-            text_put(out, part[k]->data);
-        text_clear(part[k]);
-    }
-    put_page_texts(out, "names", are_numbers(request->names, count) ? NULL : request->names, count);
-    put_page_texts(out, "strata", request->strata, count);
-    put_page_answers(out, request->answers, count);
-    text_put(out, "}");
-    return status;
+    json_close(&l.lines, ']');
+    json_open(w, "points", '{');
+    text_owned(json_begin(w, "places"), text_take(&places));
+    json_line(w, 0);
+    text_owned(json_begin(w, "tones"), text_take(&tones));
+    json_line(w, 0);
+    text_owned(json_begin(w, "lines"), text_take(&lines));
+    put_page_texts(w, "names", are_numbers(request->names, count) ? NULL : request->names, count);
+    put_page_texts(w, "strata", request->strata, count);
+    put_page_answers(w, request->answers, count);
+    json_close(w, '}');
+    return GRAZE_OK;
 }

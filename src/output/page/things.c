@@ -1,4 +1,4 @@
-/* Solid, motion and surface as JSON (src/output/page/README.md).
+/* Solid, motion, surface, mesh and cells as JSON (src/output/page/README.md).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "output/page/page.h"
@@ -13,56 +13,53 @@
 #include "output/draw/draw.h"
 #include "questions/boundary/boundary.h"
 
-/* The triangles of the boundary; in E^2 its sides. */
-static void put_simplices(text *out, const graze_solid *solid) {
+static graze_status put_shown_edges(json_writer *w, graze_context *context,
+                                    const graze_solid *solid) {
     encoder e;
-    int d = solid->input.dimension;
-    encode_begin(&e, out, d == 2 ? ",\"edges\":" : ",\"triangles\":");
+    ZEROED(edge_list, edges);
+    TRY(edges_make(&edges, context, solid));
+    encode_begin(&e, w, "edges");
+    for (size_t k = 0; k < edges.count; k++) {
+        encode_count(&e, edges.item[k].from);
+        encode_count(&e, edges.item[k].to);
+    }
+    encode_end(&e);
+    return GRAZE_OK;
+}
+
+graze_status page_solid(json_writer *w, graze_context *context, const graze_solid *solid) {
+    const soup *s = &solid->input;
+    int d = s->dimension;
+    encoder e;
+    json_open(w, "solid", '{');
+    encode_begin(&e, w, "vertices");
+    for (size_t k = 0; k < s->vertex_count * (size_t)d; k++)
+        encode_double(&e, solid->low[k]);
+    encode_end(&e);
+    encode_begin(&e, w, d == 2 ? "edges" : "triangles");
     for (size_t k = 0; k < solid->cut.count; k++)
         for (int i = 0; i < d; i++)
             encode_count(&e, solid->cut.item[k].vertex[i]);
     encode_end(&e);
-}
-
-graze_status page_solid(text *out, graze_context *context, const graze_solid *solid) {
-    const soup *s = &solid->input;
-    size_t d = (size_t)s->dimension;
-    encoder e;
-    graze_status status = GRAZE_OK;
-    encode_begin(&e, out, "{\"vertices\":");
-    for (size_t k = 0; k < s->vertex_count * d; k++)
-        encode_double(&e, solid->low[k]);
-    encode_end(&e);
-    put_simplices(out, solid);
-    if (d == 3) {
-        edge_list edges;
-        status = edges_make(&edges, context, solid);
-        encode_begin(&e, out, ",\"edges\":");
-        for (size_t k = 0; k < edges.count && !status; k++) {
-            encode_count(&e, edges.item[k].from);
-            encode_count(&e, edges.item[k].to);
-        }
-        encode_end(&e);
-        edges_clear(&edges);
-    }
-    text_put(out, "}");
-    return status;
+    TRY(d == 3 ? put_shown_edges(w, context, solid) : GRAZE_OK);
+    json_close(w, '}');
+    return GRAZE_OK;
 }
 
 /* A polynomial's coefficients over 2^exponent, the lowest first. */
-static void put_coefficients(text *out, const fmpz_poly_struct *p, slong exponent) {
-    text_put(out, "[");
+static void put_coefficients(json_writer *w, const char *key, const fmpz_poly_struct *p,
+                             slong exponent) {
+    json_open(w, key, '[');
     for (slong k = 0; k < p->length; k++) {
         slong own;
         double value = fmpz_get_d_2exp(&own, p->coeffs + k);
-        text_put(out, k ? "," : "");
-        encode_number(out, own - exponent < -1100 ? 0 : ldexp(value, (int)(own - exponent)));
+        json_double(w, NULL, own - exponent < -1100 ? 0 : ldexp(value, (int)(own - exponent)));
     }
-    text_put(out, "]");
+    json_close(w, ']');
 }
 
 /* All entries and the weight over one power of two, so that doubles hold them. */
-static void put_map(text *out, const point_map *map) {
+static void put_map(json_writer *w, const char *key, const point_map *map) {
     int entries = map->dimension * (map->dimension + 1);
     slong most = 0;
     for (int k = 0; k <= entries; k++) {
@@ -72,59 +69,56 @@ static void put_map(text *out, const point_map *map) {
             most = bits > most ? bits : most;
         }
     }
-    text_put(out, "{\"entries\":[");
-    for (int k = 0; k < entries; k++) {
-        text_put(out, k ? "," : "");
-        put_coefficients(out, &map->entry[k], most);
-    }
-    text_put(out, "],\"weight\":");
-    put_coefficients(out, map->weight, most);
-    text_put(out, "}");
+    json_open(w, key, '{');
+    json_open(w, "entries", '[');
+    for (int k = 0; k < entries; k++)
+        put_coefficients(w, NULL, &map->entry[k], most);
+    json_close(w, ']');
+    put_coefficients(w, "weight", map->weight, most);
+    json_close(w, '}');
 }
 
-void page_motion(text *out, const graze_motion *motion, graze_operation operation) {
-    text_put(out, "[");
+void page_motion(json_writer *w, const graze_motion *motion, graze_operation operation) {
+    json_open(w, "motion", '[');
     for (size_t k = 0; k < motion->piece_count; k++) {
         const motion_piece *piece = &motion->piece[k];
-        text_put(out, k ? ",\n{\"t\":[\"" : "\n{\"t\":[\"");
-        text_rational(out, piece->lo);
-        text_put(out, "\",\"");
-        text_rational(out, piece->hi);
-        text_put(out, "\"],\"place\":");
-        put_map(out, motion_placing(piece, operation));
-        text_put(out, ",\"trace\":");
-        put_map(out, motion_tracing(piece, operation));
-        text_put(out, "}");
+        json_line(w, 0);
+        json_open(w, NULL, '{');
+        json_form(json_begin(w, "t"), "[%,%]", piece->lo, piece->hi);
+        put_map(w, "place", motion_placing(piece, operation));
+        put_map(w, "trace", motion_tracing(piece, operation));
+        json_close(w, '}');
     }
-    text_put(out, "]");
+    json_close(w, ']');
 }
 
-static void put_surface(text *out, const struct graze_boundary *b, const double *centre) {
+static void put_surface(json_writer *w, const struct graze_boundary *b, const double *centre) {
     encoder e;
     int d = b->dimension;
     LOCAL_VEC(fmpq, point, d);
-    text_format(out, "{\"level\":%u,\"closed\":%s,\"complete\":%s", b->reached,
-                b->closed ? "true" : "false", b->complete ? "true" : "false");
-    encode_begin(&e, out, ",\"vertices\":");
+    json_open(w, "surface", '{');
+    json_count(w, "level", b->reached);
+    json_bool(w, "closed", b->closed);
+    json_bool(w, "complete", b->complete);
+    encode_begin(&e, w, "vertices");
     for (size_t v = 0; v < bisect_count(b); v++) {
         bisect_vertex(point, b, v);
-        for (int k = 0; k < d; k++)
-            encode_float(&e, (float)(fmpq_get_d(point + k) - centre[k]));
+        encode_place(&e, point, centre, d);
     }
     encode_end(&e);
-    encode_begin(&e, out, ",\"faces\":");
+    encode_begin(&e, w, "faces");
     for (size_t k = 0; k < b->face_count * (size_t)d; k++)
         encode_count(&e, (uint32_t)b->corners[k]);
     encode_end(&e);
-    text_put(out, "}");
+    json_close(w, '}');
 }
 
-graze_status page_surface(text *out, graze_context *context, const graze_scene *scene,
+graze_status page_surface(json_writer *w, graze_context *context, const graze_scene *scene,
                           const draw_request *request, const double *centre) {
     enum { CONTACTS = 300, BUDGET = 1000000 };
     unsigned coarse = scene->motion->dimension == 2 ? 5 : 4;
     if (!request->surface || scene->solid->curved) {
-        text_put(out, "null");
+        json_text(w, "surface", NULL);
         return GRAZE_OK;
     }
     const graze_boundary_options options = {.coarse = coarse < request->surface ? coarse
@@ -137,29 +131,88 @@ graze_status page_surface(text *out, graze_context *context, const graze_scene *
     struct graze_boundary b;
     graze_status status = boundary_make(&b, context, scene, &options, request->low, request->high);
     if (!status)
-        put_surface(out, &b, centre);
+        put_surface(w, &b, centre);
     boundary_clear(&b);
     return status;
 }
 
-void page_mesh(text *out, const draw_request *request, const double *centre) {
+void page_mesh(json_writer *w, const draw_request *request, const double *centre) {
     const draw_mesh *m = request->mesh;
     encoder e;
     if (!m) {
-        text_put(out, "null");
+        json_text(w, "mesh", NULL);
         return;
     }
-    encode_begin(&e, out, "{\"vertices\":");
-    for (size_t k = 0; k < 3 * m->vertex_count; k++)
-        encode_float(&e, (float)(fmpq_get_d(m->vertices + k) - centre[k % 3]));
+    json_open(w, "mesh", '{');
+    encode_begin(&e, w, "vertices");
+    for (size_t k = 0; k < m->vertex_count; k++)
+        encode_place(&e, m->vertices + 3 * k, centre, 3);
     encode_end(&e);
-    encode_begin(&e, out, ",\"faces\":");
+    encode_begin(&e, w, "faces");
     for (size_t k = 0; k < 3 * m->triangle_count; k++)
         encode_count(&e, m->corners[k]);
     encode_end(&e);
-    encode_begin(&e, out, ",\"distances\":");
+    encode_begin(&e, w, "distances");
     for (size_t k = 0; k < m->vertex_count; k++)
         encode_double(&e, m->distance[k]);
     encode_end(&e);
-    text_put(out, "}");
+    json_close(w, '}');
+}
+
+/* Three corners: the lower left one, and its neighbours to the right and above. */
+static void put_corners(json_writer *w, const cells *c) {
+    const extent e = cells_extent(c);
+    json_open(w, "corners", '[');
+    for (int k = 0; k < 3; k++) {
+        double at[3];
+        cells_corner(at, c, k == 1 ? e.high[0] : e.low[0], k == 2 ? e.high[1] : e.low[1]);
+        for (int i = 0; i < 3; i++)
+            json_double(w, NULL, at[i]);
+    }
+    json_close(w, ']');
+}
+
+static void put_bytes(json_writer *w, const char *key, const unsigned char *bytes, size_t count) {
+    encoder e;
+    encode_begin(&e, w, key);
+    for (size_t k = 0; k < count; k++)
+        encode_byte(&e, bytes[k]);
+    encode_end(&e);
+}
+
+/* Cells as bytes, and the parts of those that are split. */
+static void put_cells_of(json_writer *w, const cells *c, const draw_request *request) {
+    encoder e;
+    size_t count = c->count[0] * c->count[1];
+    json_open(w, "cells", '{');
+    put_corners(w, c);
+    text *plane = json_begin(w, "plane");
+    text_put(plane, "\"");
+    if (c->section || c->dimension == 3)
+        cells_plane(plane, c, request->plane_axis);
+    text_put(plane, "\"");
+    text_format(json_begin(w, "count"), "[%zu,%zu]", c->count[0], c->count[1]);
+    json_count(w, "parts", c->parts);
+    put_bytes(w, "tones", c->tone, count);
+    json_line(w, 0);
+    encode_begin(&e, w, "split");
+    for (size_t k = 0; k < count; k++)
+        if (c->split[k])
+            encode_count(&e, (uint32_t)k);
+    encode_end(&e);
+    json_line(w, 0);
+    put_bytes(w, "part", c->part, c->split_count * c->parts * c->parts);
+    json_close(w, '}');
+}
+
+graze_status page_cells(json_writer *w, graze_context *context, const graze_scene *scene,
+                        const draw_request *request) {
+    draw_request by_class = *request;
+    by_class.by_distance = 0;
+    ZEROED(section, oblique); /* cleared after the cells, which borrow it */
+    ZEROED(cells, c);
+    TRY(request_cells(&c, &oblique, context, scene, &by_class));
+    TRY(parts_classify(&c, context, scene));
+    put_cells_of(w, &c, request);
+    return GRAZE_OK;
 }

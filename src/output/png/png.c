@@ -1,7 +1,7 @@
 /* A canvas that is a PNG image, two of its pixels to one of the canvas, or a page of PDF.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * A shared object of its own, which output/draw/picture_kind.c loads when a picture asks for it:
+ * A shared object of its own, which output/draw/canvas.c loads when a picture asks for it:
  * cairo brings a window system's libraries along, which nothing else of Graze needs.
  */
 #include <cairo/cairo-pdf.h>

@@ -4,6 +4,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "program/cli/values.h"
 #include "program/io/io.h"
 
@@ -31,22 +32,17 @@ static void take_answers(const char **answers, size_t count, const graze_compari
 
 static int draw_compared(const char *file, const loaded *l, const char *golden,
                          const graze_comparison *c) {
-    marks m = {.dimension = graze_scene_dimension(l->scene)};
-    int status = marks_read(&m, golden, l->context);
-    const char **answers = NULL;
-    if (!status && !(answers = calloc(m.count + 1, sizeof *answers)))
-        status = complain(EXIT_IO, "out of memory");
-    if (!status) {
-        graze_draw_options what = {.title = golden, .size = sizeof what};
-        take_answers(answers, m.count, c);
-        marks_give(&what, &m);
-        what.answers = answers;
-        graze_status drawn = graze_draw(l->context, l->scene, file, &what);
-        status = complain_of_use(drawn, l->context);
-    }
-    free(answers);
-    marks_clear(&m);
-    return status;
+    ZEROED(marks, m);
+    m.dimension = graze_scene_dimension(l->scene);
+    TRY(marks_read(&m, golden, l->context));
+    FREED(const char *, answers, calloc(m.count + 1, sizeof *answers));
+    if (!answers)
+        return complain(EXIT_IO, "out of memory");
+    graze_draw_options what = {.title = golden, .size = sizeof what};
+    take_answers(answers, m.count, c);
+    marks_give(&what, &m);
+    what.answers = answers;
+    return complain_of_use(graze_draw(l->context, l->scene, file, &what), l->context);
 }
 
 int compare_page(const char *file, const char *golden, const char *candidate,

@@ -132,14 +132,11 @@ static int write_mesh_answers(const loaded *l, const judge_given *o, const graze
             o->answers);
     FREED(graze_pmc, found, calloc(given->count + 1, sizeof *found));
     graze_rationals points = (graze_rationals)given->value;
-    int code = found ? complain_of(graze_mesh_answers(found, l->context, mesh, points, given->count,
-                                                      o->jobs),
-                                   l->context)
-                     : complain(EXIT_IO, "out of memory for %zu points", given->count);
-    if (!code)
-        code =
-            answer_table_write(o->answers, rule == GRAZE_MESH_PARITY, points, found, given->count);
-    return code;
+    if (!found)
+        return complain(EXIT_IO, "out of memory for %zu points", given->count);
+    TRY(complain_of(graze_mesh_answers(found, l->context, mesh, points, given->count, o->jobs),
+                    l->context));
+    return answer_table_write(o->answers, rule == GRAZE_MESH_PARITY, points, found, given->count);
 }
 
 /* Compare the mesh's answers at points with the exact ones; nothing where it is not closed. */
@@ -168,17 +165,16 @@ static int write_vertices(const loaded *l, const judge_given *o, const graze_mes
     size_t count = graze_mesh_get_facts(mesh).vertices;
     FREED(graze_enclosure, found, calloc(count + 1, sizeof *found));
     double width = o->page ? l->rows.sdf / PAGE_SHARE : l->rows.sdf;
-    int code =
-        found ? complain_of(graze_mesh_distances(found, l->context, l->scene, mesh, width, o->jobs),
-                            l->context)
-              : complain(EXIT_IO, "out of memory for %zu vertices", count);
-    if (!code && o->vertices)
-        code = vertex_table_write(o->vertices, l->context, mesh, found);
-    if (!code && o->page)
-        code =
-            complain_of(graze_judgement_draw(l->context, l->scene, judgement, o->page, found, NULL),
-                        l->context);
-    return code;
+    if (!found)
+        return complain(EXIT_IO, "out of memory for %zu vertices", count);
+    TRY(complain_of(graze_mesh_distances(found, l->context, l->scene, mesh, width, o->jobs),
+                    l->context));
+    if (o->vertices)
+        TRY(vertex_table_write(o->vertices, l->context, mesh, found));
+    return o->page ? complain_of(graze_judgement_draw(l->context, l->scene, judgement, o->page,
+                                                      found, NULL),
+                                 l->context)
+                   : EXIT_DONE;
 }
 
 /* Does the mesh face inward, or overlap itself? */
@@ -221,7 +217,7 @@ static int judge_mesh(const loaded *l, const judge_given *o, const char *path) {
 
 static int run_judge(void *options, const operands *given) {
     judge_given *o = options;
-    loaded l;
+    ZEROED(loaded, l);
     if (given->count != 3)
         return complain(EXIT_USAGE,
                         "judge takes SOLID, MOTION and MESH, %d operands given; see graze judge "
@@ -240,16 +236,12 @@ static int run_judge(void *options, const operands *given) {
     double within = o->scene.rows.sdf > 0 ? o->scene.rows.sdf : 1e-2;
     int relative = o->scene.sdf_relative || !(o->scene.rows.sdf > 0);
     o->scene.rows.sdf = o->scene.sdf_relative = 0; /* no row has a distance */
-    int code = loaded_read(&l, &o->scene, EXIT_INPUT, NULL);
-    if (!code)
-        code = load_takes(l.solid, given->item[0], "judge", TAKES_POLYHEDRA);
+    TRY(loaded_read(&l, &o->scene, EXIT_INPUT, NULL));
+    TRY(load_takes(l.solid, given->item[0], "judge", TAKES_POLYHEDRA));
     l.rows.sdf = within;
-    if (!code && relative)
-        code = complain_of(graze_scene_width(&l.rows.sdf, l.context, l.scene, within), l.context);
-    if (!code)
-        code = judge_mesh(&l, o, given->item[2]);
-    loaded_clear(&l);
-    return code;
+    if (relative)
+        TRY(complain_of(graze_scene_width(&l.rows.sdf, l.context, l.scene, within), l.context));
+    return judge_mesh(&l, o, given->item[2]);
 }
 
 const command command_judge = {.name = "judge",

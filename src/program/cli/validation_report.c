@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
-#include "base/number/text.h"
+#include "base/number/json.h"
 #include "program/cli/values.h"
 #include "program/io/io.h"
 #include "program/points/points.h"
@@ -42,31 +42,19 @@ static void put_validation_verdict(char *out, size_t size, const graze_compariso
                  n->wrong, n->rows, n->extra, other);
 }
 
-/* The text between the quotes of a JSON string. */
-static void put_json_quoted(text *out, const char *string) {
-    for (; *string; string++) {
-        unsigned char c = (unsigned char)*string;
-        char plain[] = {c < 0x20 || c > 126 ? '?' : *string, '\0'};
-        text_put(out, c == '"' ? "\\\"" : c == '\\' ? "\\\\" : plain);
-    }
+/* A member on a line of its own. Bytes that are no printable ASCII become question marks. */
+static void put_json_text(json_writer *w, const char *name, const char *value) {
+    HELD(text, plain);
+    for (; *value; value++)
+        text_bytes(&plain, *value < 0x20 || *value > 126 ? "?" : value, 1);
+    json_line(w, 0);
+    json_text(w, name, plain.length ? plain.data : "");
+    w->out->failed |= plain.failed;
 }
 
-static void put_json_text(text *out, const char *name, const char *value) {
-    text_format(out, "\"%s\": \"", name);
-    put_json_quoted(out, value);
-    text_put(out, "\",\n");
-}
-
-/* Name the strata without points, if there are any. */
-static void put_lost(text *out, const lost_strata *lost, graze_comparison_format format) {
-    char *said = lost_strata_text(lost, format == GRAZE_COMPARISON_JSON ? "; " : "\npoints: ");
-    if (!said)
-        out->failed = 1;
-    else if (*said && format == GRAZE_COMPARISON_JSON)
-        put_json_text(out, "points", said);
-    else if (*said && format == GRAZE_COMPARISON_TEXT)
-        text_format(out, "points: %s\n", said);
-    free(said);
+static void put_json_count(json_writer *w, const char *name, unsigned long value) {
+    json_line(w, 0);
+    json_count(w, name, value);
 }
 
 /* The options that make the same points again. */
@@ -80,59 +68,69 @@ static char *made_with(const validate_options *o) {
     return text_take(&t);
 }
 
-/* How the points were made. */
-static void put_made_with(text *out, const validate_options *o, graze_comparison_format format) {
-    char *made = o->points ? NULL : made_with(o);
-    out->failed |= !o->points && !made;
-    if (made && format == GRAZE_COMPARISON_JSON)
-        put_json_text(out, "made-with", made);
-    else if (made)
-        text_format(out, "made with: %s\n%s", made,
-                    o->generate.representable || o->generate.coordinates.form == COORDINATES_DECIMAL
-                        ? ""
-                        : "points: with ratios such as 1/3, which readers of floats misread; "
-                          "--representable binary64 has decimals\n");
-    free(made);
+/* The figures of a report; whole numbers keep the locale's decimal comma out. */
+typedef struct validation_figures {
+    char verdict[256];
+    char *made,
+        *lost; /* how the points were made, NULL if they were given; strata without points */
+    unsigned long milliseconds, rate;
+} validation_figures;
+
+static void put_json_report(text *out, const validation_figures *f, const validate_options *o,
+                            const char *body) {
+    json_writer writer = {.out = out, .spaced = 1}, *w = &writer;
+    json_open(w, NULL, '{');
+    put_json_text(w, "command", o->candidate);
+    put_json_text(w, "solid", o->classify.scene.solid);
+    put_json_text(w, "motion", o->classify.scene.motion);
+    put_json_text(w, "verdict", f->verdict);
+    if (f->made)
+        put_json_text(w, "made-with", f->made);
+    if (*f->lost)
+        put_json_text(w, "points", f->lost);
+    put_json_count(w, "milliseconds", f->milliseconds);
+    put_json_count(w, "rows-per-second", f->rate);
+    json_line(w, 0);
+    json_number(w, "comparison", body);
+    json_close(w, '}');
+    text_put(out, "\n");
 }
 
-static void put_validated(text *out, const validate_options *o, const char *verdict) {
+static void put_text_report(text *out, const validation_figures *f, const validate_options *o,
+                            const char *body) {
     text_put(out, "# Validation\n\ncommand: ");
     text_code(out, o->candidate);
     text_put(out, "\nsolid: ");
     text_markdown(out, o->classify.scene.solid);
     text_put(out, "\nmotion: ");
     text_markdown(out, o->classify.scene.motion);
-    text_format(out, "\nverdict: %s\n", verdict);
+    text_format(out, "\nverdict: %s\n", f->verdict);
+    if (f->made)
+        text_format(out, "made with: %s\n%s", f->made,
+                    o->generate.representable || o->generate.coordinates.form == COORDINATES_DECIMAL
+                        ? ""
+                        : "points: with ratios such as 1/3, which readers of floats misread; "
+                          "--representable binary64 has decimals\n");
+    if (*f->lost)
+        text_format(out, "points: %s\n", f->lost);
+    text_format(out, "time: %lu.%03lu s, %lu rows a second\n\n", f->milliseconds / 1000,
+                f->milliseconds % 1000, f->rate);
+    text_put(out, body);
 }
 
-/* Whole numbers keep the locale's decimal comma out. */
 static void put_validation(text *out, const validation *v, const validate_options *o,
-                           const char *body, graze_comparison_format format) {
+                           const char *body, int json) {
     graze_comparison_counts n = graze_comparison_count(v->comparison);
-    unsigned long milliseconds = (unsigned long)(1000 * v->seconds + 0.5);
-    unsigned long rate = milliseconds ? (unsigned long)((double)n.rows / v->seconds + 0.5) : 0;
-    char verdict[256];
-    put_validation_verdict(verdict, sizeof verdict, &n, o->compare.on_as);
-    if (format == GRAZE_COMPARISON_JSON) {
-        text_put(out, "{\n");
-        put_json_text(out, "command", o->candidate);
-        put_json_text(out, "solid", o->classify.scene.solid);
-        put_json_text(out, "motion", o->classify.scene.motion);
-        put_json_text(out, "verdict", verdict);
-        put_made_with(out, o, format);
-        put_lost(out, &v->made.lost, format);
-        text_format(out, "\"milliseconds\": %lu,\n\"rows-per-second\": %lu,\n", milliseconds, rate);
-        text_put(out, "\"comparison\": ");
-        text_put(out, body);
-        text_put(out, "}\n");
-        return;
-    }
-    put_validated(out, o, verdict);
-    put_made_with(out, o, format);
-    put_lost(out, &v->made.lost, format);
-    text_format(out, "time: %lu.%03lu s, %lu rows a second\n\n", milliseconds / 1000,
-                milliseconds % 1000, rate);
-    text_put(out, body);
+    validation_figures f = {.milliseconds = (unsigned long)(1000 * v->seconds + 0.5)};
+    f.rate = f.milliseconds ? (unsigned long)((double)n.rows / v->seconds + 0.5) : 0;
+    put_validation_verdict(f.verdict, sizeof f.verdict, &n, o->compare.on_as);
+    f.made = o->points ? NULL : made_with(o);
+    f.lost = lost_strata_text(&v->made.lost, json ? "; " : "\npoints: ");
+    out->failed |= !f.lost || (!o->points && !f.made);
+    if (!out->failed)
+        (json ? put_json_report : put_text_report)(out, &f, o, body);
+    free(f.made);
+    free(f.lost);
 }
 
 /* One report to a file NAME + suffix, or to standard output; it is made whole before the file is
@@ -144,7 +142,7 @@ static int write_validation(const validation *v, const validate_options *o, cons
     int status =
         complain_of(graze_comparison_report(&body, v->context, v->comparison, format), v->context);
     if (!status)
-        put_validation(&report, v, o, body, format);
+        put_validation(&report, v, o, body, format == GRAZE_COMPARISON_JSON);
     if (!status && (report.failed || (o->output && !path)))
         status = complain(EXIT_IO, "out of memory");
     if (!status)
