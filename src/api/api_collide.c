@@ -119,14 +119,24 @@ const char *graze_cell_pair_name(const graze_cell_pair *cells) {
     return cells ? cell_pair_name(cells) : "";
 }
 
-graze_status graze_pair_json(char **out, graze_context *context, const graze_pair *pair) {
+/* Give a pair as a text that `write` makes, for the public function `caller`. */
+static graze_status pair_written(char **out, graze_context *context, const graze_pair *pair,
+                                 const char *caller, void (*write)(text *, const graze_pair *)) {
     if (out)
         *out = NULL;
     if (!out || !context || !pair)
-        return api_misuse(context, "graze_pair_json", "out, context and pair must not be NULL");
+        return api_misuse(context, caller, "out, context and pair must not be NULL");
     IN_ENVIRONMENT();
     text t;
     text_init(&t);
-    pair_json(&t, pair);
+    write(&t, pair);
     return text_finish(out, context, &t);
+}
+
+graze_status graze_pair_text(char **out, graze_context *context, const graze_pair *pair) {
+    return pair_written(out, context, pair, "graze_pair_text", pair_text);
+}
+
+graze_status graze_pair_json(char **out, graze_context *context, const graze_pair *pair) {
+    return pair_written(out, context, pair, "graze_pair_json", pair_json);
 }

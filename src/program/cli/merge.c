@@ -8,9 +8,9 @@
 #include "program/cli/cli.h"
 
 #include <limits.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "program/cli/values.h"
 #include "program/io/io.h"
 #include "program/points/points.h"
@@ -72,11 +72,9 @@ static int open_parts(merger *m, const operands *given) {
     if (!m->parts)
         return complain(EXIT_IO, "out of memory");
     for (int k = 0; k < given->count; k++) {
-        int status = part_open(&m->parts[m->count++], m->context, given->item[k]);
-        if (!status && k > 0)
-            status = compare_heads(&m->parts[0], &m->parts[k]);
-        if (status)
-            return status;
+        TRY(part_open(&m->parts[m->count++], m->context, given->item[k]));
+        if (k > 0)
+            TRY(compare_heads(&m->parts[0], &m->parts[k]));
     }
     return EXIT_DONE;
 }
@@ -120,39 +118,31 @@ static int copy_rows(merger *m, const merge_options *o) {
 
 /* The last lines. */
 static void put_counts(merger *m) {
-    char text[96];
     const char *mark = result_mark(m->parts[0].kind);
     unsigned long undecided = 0;
     for (size_t k = 0; k < m->count; k++)
         undecided += m->parts[k].undecided;
-    snprintf(text, sizeof text, "%s" UNDECIDED_LINE "%lu\n", mark, undecided);
     if (m->parts[0].topo)
-        output_put(&m->out, text);
-    snprintf(text, sizeof text, "%s" COMPLETE_LINE "%lu\n", mark, m->parts[0].rows_of_all);
-    output_put(&m->out, text);
+        output_format(&m->out, "%s" UNDECIDED_LINE "%lu\n", mark, undecided);
+    output_format(&m->out, "%s" COMPLETE_LINE "%lu\n", mark, m->parts[0].rows_of_all);
 }
 
 static int merge_parts(merger *m, const merge_options *o, const operands *given) {
-    int status = graze_context_create(&m->context) ? complain(EXIT_IO, "out of memory") : EXIT_DONE;
-    if (!status)
-        status = open_parts(m, given);
-    if (!status)
-        status = check_parts(m);
-    if (!status)
-        status = output_open(&m->out, o->output);
-    m->opened = !status;
-    if (status)
-        return status;
+    if (graze_context_create(&m->context))
+        return complain(EXIT_IO, "out of memory");
+    TRY(open_parts(m, given));
+    TRY(check_parts(m));
+    TRY(output_open(&m->out, o->output));
+    m->opened = 1;
     output_put(&m->out, m->parts[0].head.data);
-    status = copy_rows(m, o);
-    if (!status)
-        put_counts(m);
-    return status;
+    TRY(copy_rows(m, o));
+    put_counts(m);
+    return EXIT_DONE;
 }
 
 static const option_entry merge_table[] = {OUTPUT(merge_options, output, value_output),
                                            FLAG("quiet", merge_options, quiet, value_quiet),
-                                           {NULL, OPTION_FLAG, NULL, 0}};
+                                           OPTIONS_END};
 
 static int run_merge(void *options, const operands *given) {
     if (given->count < 1)
@@ -175,9 +165,4 @@ static int run_merge(void *options, const operands *given) {
     return status;
 }
 
-const command command_merge = {.name = "merge",
-                               .options = merge_table,
-                               .size = sizeof(merge_options),
-                               .reads = INT_MAX,
-                               .help = merge_help,
-                               .run = run_merge};
+COMMAND(merge, merge_options, .reads = INT_MAX);

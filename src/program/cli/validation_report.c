@@ -20,7 +20,7 @@ unsigned long validated_count(const validate_options *o) {
 }
 
 unsigned long long validated_seed(const validate_options *o) {
-    return o->seed.given ? o->seed.seed : 1;
+    return o->generate.seed.given ? o->generate.seed.seed : 1;
 }
 
 /* Rows without an answer are no evidence for or against a candidate: no verdict then. */
@@ -59,40 +59,37 @@ static void put_json_text(text *out, const char *name, const char *value) {
 
 /* Name the strata without points, if there are any. */
 static void put_lost(text *out, const lost_strata *lost, graze_comparison_format format) {
-    char *said = lost_strata_text(lost, format == GRAZE_COMPARISON_JSON ? "; " : "\npoints: ");
-    if (!said)
-        out->failed = 1;
-    else if (*said && format == GRAZE_COMPARISON_JSON)
+    FREED(char, said,
+          lost_strata_text(lost, format == GRAZE_COMPARISON_JSON ? "; " : "\npoints: "));
+    out->failed |= !said;
+    if (!said || !*said)
+        return;
+    if (format == GRAZE_COMPARISON_JSON)
         put_json_text(out, "points", said);
-    else if (*said && format == GRAZE_COMPARISON_TEXT)
+    else
         text_format(out, "points: %s\n", said);
-    free(said);
 }
 
-/* The options that make the same points again. */
-static char *made_with(const validate_options *o) {
-    text t;
-    text_init(&t);
-    text_format(&t, "-n %lu --seed %llu", validated_count(o), validated_seed(o));
-    if (o->generate.strata)
-        text_format(&t, " --strata %s", o->generate.strata);
-    text_put(&t, o->generate.representable ? " --representable binary64" : "");
-    return text_take(&t);
-}
-
-/* How the points were made. */
+/* The options that make the same points again, and what is in them. */
 static void put_made_with(text *out, const validate_options *o, graze_comparison_format format) {
-    char *made = o->points ? NULL : made_with(o);
-    out->failed |= !o->points && !made;
-    if (made && format == GRAZE_COMPARISON_JSON)
-        put_json_text(out, "made-with", made);
-    else if (made)
-        text_format(out, "made with: %s\n%s", made,
+    HELD(text, made);
+    if (o->points)
+        return;
+    text_format(&made, "-n %lu --seed %llu", validated_count(o), validated_seed(o));
+    if (o->generate.strata)
+        text_format(&made, " --strata %s", o->generate.strata);
+    text_put(&made, o->generate.representable ? " --representable binary64" : "");
+    out->failed |= made.failed;
+    if (made.failed)
+        return;
+    if (format == GRAZE_COMPARISON_JSON)
+        put_json_text(out, "made-with", made.data);
+    else
+        text_format(out, "made with: %s\n%s", made.data,
                     o->generate.representable || o->generate.coordinates.form == COORDINATES_DECIMAL
                         ? ""
                         : "points: with ratios such as 1/3, which readers of floats misread; "
                           "--representable binary64 has decimals\n");
-    free(made);
 }
 
 static void put_validated(text *out, const validate_options *o, const char *verdict) {
@@ -139,26 +136,23 @@ static void put_validation(text *out, const validation *v, const validate_option
  * opened. */
 static int write_validation(const validation *v, const validate_options *o, const char *suffix,
                             graze_comparison_format format) {
-    char *body = NULL, *path = o->output ? joined_texts(o->output, suffix) : NULL;
+    FREED(char, body, NULL);
+    FREED(char, path, o->output ? joined_texts(o->output, suffix) : NULL);
     HELD(text, report);
-    int status =
-        complain_of(graze_comparison_report(&body, v->context, v->comparison, format), v->context);
-    if (!status)
-        put_validation(&report, v, o, body, format);
-    if (!status && (report.failed || (o->output && !path)))
-        status = complain(EXIT_IO, "out of memory");
-    if (!status)
-        status = output_text(path, report.data);
-    graze_free(body);
-    free(path);
-    return status;
+    TRY(complain_of(graze_comparison_report(&body, v->context, v->comparison, format), v->context));
+    put_validation(&report, v, o, body, format);
+    if (o->output && !path)
+        return complain(EXIT_IO, "out of memory");
+    return output_made(path, &report);
 }
 
 int validation_report(const validation *v, const validate_options *o) {
     graze_comparison_counts n = graze_comparison_count(v->comparison);
-    int status = o->output ? write_validation(v, o, ".md", GRAZE_COMPARISON_TEXT)
-                           : write_validation(v, o, "", o->format);
-    if (!status && o->output)
-        status = write_validation(v, o, ".json", GRAZE_COMPARISON_JSON);
-    return status ? status : n.wrong + n.missing + n.extra ? EXIT_NO : EXIT_DONE;
+    if (o->output) {
+        TRY(write_validation(v, o, ".md", GRAZE_COMPARISON_TEXT));
+        TRY(write_validation(v, o, ".json", GRAZE_COMPARISON_JSON));
+    } else {
+        TRY(write_validation(v, o, "", o->format));
+    }
+    return n.wrong + n.missing + n.extra ? EXIT_NO : EXIT_DONE;
 }
