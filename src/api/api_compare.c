@@ -90,5 +90,6 @@ graze_status graze_comparison_report(char **out, graze_context *context,
         return comparison_text(out, context, comparison);
     if (format == GRAZE_COMPARISON_JSON)
         return comparison_json(out, context, comparison);
-    return api_misuse(context, "graze_comparison_report", "there is no such format");
+    return api_misuse(context, "graze_comparison_report",
+                      "there is no such format; expected text or JSON");
 }

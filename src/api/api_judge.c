@@ -340,7 +340,8 @@ graze_status graze_judgement_report(char **out, graze_context *context,
         return api_misuse(context, "graze_judgement_report",
                           "out, context and judgement must not be NULL");
     if ((unsigned)format > GRAZE_JUDGEMENT_JSON)
-        return api_misuse(context, "graze_judgement_report", "there is no such format");
+        return api_misuse(context, "graze_judgement_report",
+                          "there is no such format; expected text, Markdown or JSON");
     IN_ENVIRONMENT();
     text t;
     text_init(&t);

@@ -77,7 +77,7 @@ static void span_points(mpq_t *normal, mpq_t *points) {
     }
 }
 
-static int is_zero_vector(const mpq_t *vector) {
+static int is_no_direction(const mpq_t *vector) {
     return !mpq_sgn(vector[0]) && !mpq_sgn(vector[1]) && !mpq_sgn(vector[2]);
 }
 
@@ -106,7 +106,7 @@ static int read_plane(graze_draw_options *out, mpq_t *n, graze_context *context,
         mpq_set(*place, given[3]);
     else
         put_through(n, given);
-    if (is_zero_vector(normal))
+    if (is_no_direction(normal))
         return complain(EXIT_USAGE, "--plane %s: expected %s", text,
                         count == 9 ? "three points that are not on one line"
                                    : "a normal that is not zero");
@@ -129,7 +129,7 @@ static int read_frame(graze_draw_options *out, mpq_t *n, const draw_given *o, in
     TRY(numbers_given(n + VIEW, context, "--view", o->view, 3));
     for (int k = 0; k < 3; k++)
         out->view[k] = mpq_get_d(n[VIEW + k]);
-    if (o->view && is_zero_vector(n + VIEW))
+    if (o->view && is_no_direction(n + VIEW))
         return complain(EXIT_USAGE, "--view %s: expected a direction that is not zero", o->view);
     return EXIT_DONE;
 }
