@@ -36,28 +36,22 @@ typedef struct collide_given {
     context_options context;
     unsigned solid_flags;
     graze_pair_options pair;
-    int overlap_alone, json;
+    int overlap_alone;
+    graze_comparison_format format; /* as in graze compare */
     const char *motion_of_fixed;
 } collide_given;
 
-static int value_ask(void *to, const char *name, const char *value) {
-    static const char *const words[] = {"any", "overlap"};
-    return value_choice(to, name, value, words, 2);
-}
+static option_read value_ask;
+VALUE_OF_WORDS(value_ask, int, "any", "overlap")
 
-static int value_json(void *to, const char *name, const char *value) {
-    static const char *const words[] = {"text", "json"};
-    return value_choice(to, name, value, words, 2);
-}
-
-static const option_entry collide_table[] = {
-    FLAG("first", collide_given, pair.first, value_flag),
-    OPTION("ask", collide_given, overlap_alone, value_ask),
-    FLAG("inside", collide_given, pair.question, value_flag),
-    FILE_READ("motion-of-fixed", collide_given, motion_of_fixed),
-    OPTION("format", collide_given, json, value_json),
-    SOLID_OPTIONS(collide_given, solid_flags, context),
-    OPTIONS_END};
+    static const option_entry collide_table[] = {
+        FLAG("first", collide_given, pair.first, value_flag),
+        OPTION("ask", collide_given, overlap_alone, value_ask),
+        FLAG("inside", collide_given, pair.question, value_flag),
+        FILE_READ("motion-of-fixed", collide_given, motion_of_fixed),
+        OPTION("format", collide_given, format, value_report),
+        SOLID_OPTIONS(collide_given, solid_flags, context),
+        OPTIONS_END};
 
 static int read_side(graze_solid **out, graze_context *context, const char *path, unsigned flags) {
     TRY(complain_of(graze_solid_read(out, context, path, flags), context));
@@ -95,7 +89,7 @@ static int run_collide(void *given_options, const operands *given) {
     TRY(complain_of(
         graze_pair_create(&pair, context, moving, motion, fixed, motion_of_fixed, &options),
         context));
-    TRY(print_pair(context, pair, o->json));
+    TRY(print_pair(context, pair, o->format == GRAZE_COMPARISON_JSON));
     graze_pair_verdict least = o->overlap_alone ? GRAZE_PAIR_OVERLAP : GRAZE_PAIR_TOUCH;
     return graze_pair_get_verdict(pair) >= least ? EXIT_NO : EXIT_DONE;
 }

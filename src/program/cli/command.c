@@ -141,7 +141,7 @@ static int is_for_output(const option_entry *entry) {
 }
 
 int command_guard(const command *c, const void *options, const operands *given) {
-    guard g = {NULL, 0, 0, 0};
+    ZEROED(guard, g);
     int prints = !given->output, product = 0, yields = 0;
     for (int k = 0; k < given->count && k < c->reads; k++)
         guard_add(&g, k < c->reads - c->inputs ? GUARD_READ : GUARD_INPUT, NULL, given->item[k],
@@ -163,11 +163,10 @@ int command_guard(const command *c, const void *options, const operands *given) 
         guard_add(&g, GUARD_WRITTEN, "output", given->output, "");
     if (prints && (product || !yields)) /* a report goes to standard error where it has to yield */
         guard_add(&g, GUARD_WRITTEN, NULL, NULL, "");
-    int status = guard_check(&g);
-    if (!status && (yields || given->output))
+    TRY(guard_check(&g));
+    if (yields || given->output)
         output_unnamed(given->output);
-    guard_clear(&g);
-    return status;
+    return EXIT_DONE;
 }
 
 static int check_count(const command *c, const operands *given) {

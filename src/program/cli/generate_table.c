@@ -18,9 +18,9 @@ typedef struct maker {
     mpq_t point[3], time, low[3], high[3]; /* low, high: of the box */
     distinct points;
     unsigned long undecided; /* points left out */
-    output out;
-    int opened;
 } maker;
+
+static output out;
 
 /* Digits of a coordinate of the box that goes to a candidate. */
 enum { BOX_DIGITS = 17 };
@@ -65,12 +65,12 @@ static int read_strata(unsigned long *weights, const generate_options *o) {
 
 static void put_points_box(maker *m) {
     int d = graze_scene_dimension(m->l.scene);
-    output_put(&m->out, "# box");
+    output_put(&out, "# box");
     for (int i = 0; i < 2 * d; i++) {
-        output_put(&m->out, i == 0 ? " " : ",");
-        output_number(&m->out, i < d ? m->low[i] : m->high[i - d]);
+        output_put(&out, i == 0 ? " " : ",");
+        output_number(&out, i < d ? m->low[i] : m->high[i - d]);
     }
-    output_put(&m->out, "\n");
+    output_put(&out, "\n");
 }
 
 /* The box for those who read no ratios. */
@@ -99,20 +99,20 @@ static void put_missing_decades(maker *m) {
     char name[24];
     for (size_t k = 0; graze_generator_missing_decade(&decade, &outward, m->generator, k); k++) {
         put_decade_name(name, sizeof name, outward, decade);
-        output_format(&m->out, "# decade %s cannot be made\n", name);
+        output_format(&out, "# decade %s cannot be made\n", name);
     }
 }
 
 static void put_points_notes(maker *m, const generate_options *o) {
     char form[COORDINATES_NOTE];
-    output_format(&m->out, "# graze %s\n# contract 1\n# seed %llu\n# representable %s\n",
+    output_format(&out, "# graze %s\n# contract 1\n# seed %llu\n# representable %s\n",
                   GRAZE_VERSION, o->seed.seed, o->representable ? "binary64" : "no");
     coordinates_note(form, &o->coordinates);
-    output_put(&m->out, form);
+    output_put(&out, form);
     for (int k = 0; k < GRAZE_STRATUM_COUNT; k++) {
         unsigned long weight = graze_generator_weight(m->generator, (graze_stratum)k);
         if (m->weights[k])
-            output_format(&m->out, weight ? "# stratum %s %lu\n" : "# stratum %s cannot be made\n",
+            output_format(&out, weight ? "# stratum %s %lu\n" : "# stratum %s cannot be made\n",
                           graze_stratum_name((graze_stratum)k), weight);
     }
     put_missing_decades(m);
@@ -122,17 +122,17 @@ static void put_points_notes(maker *m, const generate_options *o) {
 static void put_points_head(maker *m, const generate_options *o) {
     if (!o->plain)
         put_points_notes(m, o);
-    output_put(&m->out, graze_scene_dimension(m->l.scene) == 2 ? "x,y," : "x,y,z,");
-    output_put(&m->out, "id,stratum,order,cell,time,k,side");
-    output_put(&m->out, m->weights[GRAZE_STRATUM_LEVEL] ? ",decade\n" : "\n");
+    output_put(&out, graze_scene_dimension(m->l.scene) == 2 ? "x,y," : "x,y,z,");
+    output_put(&out, "id,stratum,order,cell,time,k,side");
+    output_put(&out, m->weights[GRAZE_STRATUM_LEVEL] ? ",decade\n" : "\n");
 }
 
-static void put_sample_cell(output *out, const graze_cell *cell) {
+static void put_sample_cell(const graze_cell *cell) {
     static const char *const names[] = {"", "face", "edge", "vertex", "primitive"};
     if (cell->kind == GRAZE_CELL_EDGE)
-        output_format(out, "edge %zu-%zu,", cell->a, cell->b);
+        output_format(&out, "edge %zu-%zu,", cell->a, cell->b);
     else
-        output_format(out, "%s %zu,", names[cell->kind], cell->a);
+        output_format(&out, "%s %zu,", names[cell->kind], cell->a);
 }
 
 /* The last column, in tables that may have the stratum. */
@@ -140,7 +140,7 @@ static void put_decade(maker *m, const graze_sample *made) {
     char name[24] = "";
     if (made->stratum == GRAZE_STRATUM_LEVEL)
         put_decade_name(name, sizeof name, made->outward, made->decade);
-    output_format(&m->out, "%s%s\n", m->weights[GRAZE_STRATUM_LEVEL] ? "," : "", name);
+    output_format(&out, "%s%s\n", m->weights[GRAZE_STRATUM_LEVEL] ? "," : "", name);
 }
 
 /* The coordinates of the point, with a comma behind them, unless such a row stands already. */
@@ -157,8 +157,8 @@ static int put_sample_point(int *is_new, maker *m, const coordinate_options *for
     if (m->points.failed)
         return complain(EXIT_IO, "out of memory");
     if (*is_new) {
-        output_bytes(&m->out, point.data, point.length);
-        output_put(&m->out, ",");
+        output_bytes(&out, point.data, point.length);
+        output_put(&out, ",");
     }
     return EXIT_DONE;
 }
@@ -166,23 +166,23 @@ static int put_sample_point(int *is_new, maker *m, const coordinate_options *for
 /* Put the columns of a row that say how its point was made. */
 static void put_making(maker *m, const graze_sample *made, unsigned long row) {
     int rounded = made->stratum == GRAZE_STRATUM_ROUNDED;
-    output_format(&m->out, "%lu,%s%s%s", row + 1, graze_stratum_name(made->stratum),
+    output_format(&out, "%lu,%s%s%s", row + 1, graze_stratum_name(made->stratum),
                   rounded ? "-" : "", rounded ? graze_stratum_name(made->origin) : "");
     if (made->order == 0) {
-        output_put(&m->out, ",,,,,");
+        output_put(&out, ",,,,,");
         put_decade(m, made);
         return;
     }
-    output_format(&m->out, made->order == GRAZE_ORDER_SLIDE ? ",slide," : ",%d,", made->order);
-    put_sample_cell(&m->out, &made->cell);
-    output_number(&m->out, m->time);
+    output_format(&out, made->order == GRAZE_ORDER_SLIDE ? ",slide," : ",%d,", made->order);
+    put_sample_cell(&made->cell);
+    output_number(&out, m->time);
     static const char *const answers[] = {"", "in", "on", "out"};
     const char *side = rounded ? answers[made->pmc] : made->outward ? "out" : "in";
     int sided = rounded || made->stratum == GRAZE_STRATUM_LEVEL;
     if (made->k)
-        output_format(&m->out, ",%d,%s", made->k, side);
+        output_format(&out, ",%d,%s", made->k, side);
     else
-        output_format(&m->out, ",,%s", sided ? side : "");
+        output_format(&out, ",,%s", sided ? side : "");
     put_decade(m, made);
 }
 
@@ -207,7 +207,7 @@ static int put_samples(maker *m, const generate_options *o) {
     progress_start(&line, o->quiet, 0, (portion){0, o->count});
     unsigned long row = 0;
     unsigned long long draw = 0;
-    while (row < o->count && !distinct_is_over(&m->points) && !status && !m->out.error) {
+    while (row < o->count && !distinct_is_over(&m->points) && !status && !out.error) {
         int is_new = 0;
         status = interrupt_signal() ? EXIT_SIGNAL : put_sample(&is_new, m, o, draw, row);
         if (draw++ % 1024 == 0)
@@ -293,19 +293,7 @@ static int replace_lost(maker *m, const generate_options *o) {
     return status;
 }
 
-static int write_points(maker *m, const generate_options *o) {
-    TRY(read_strata(m->weights, o));
-    TRY(loaded_read(&m->l, &o->scene, EXIT_INPUT, NULL));
-    TRY(make_generator(m, o));
-    TRY(find_lost(m, o));
-    if (m->made.lost.unrepresentable && !o->strata)
-        TRY(replace_lost(m, o));
-    if (m->made.lost.unrepresentable)
-        TRY(tell_lost(&m->made.lost, o));
-    TRY(tell_missing_decades(m));
-    TRY(note_box(m));
-    TRY(output_open(&m->out, o->output));
-    m->opened = 1;
+static int put_table(maker *m, const generate_options *o) {
     put_points_head(m, o);
     TRY(put_samples(m, o));
     TRY(tell_lost(&(lost_strata){.spent = m->made.lost.spent}, o));
@@ -317,30 +305,47 @@ static int write_points(maker *m, const generate_options *o) {
     return EXIT_DONE;
 }
 
-void generated_clear(generated *made) {
-    free(made->box);
+static int write_points(maker *m, const generate_options *o) {
+    TRY(read_strata(m->weights, o));
+    TRY(loaded_read(&m->l, &o->scene, EXIT_INPUT, NULL));
+    TRY(make_generator(m, o));
+    TRY(find_lost(m, o));
+    if (m->made.lost.unrepresentable && !o->strata)
+        TRY(replace_lost(m, o));
+    if (m->made.lost.unrepresentable)
+        TRY(tell_lost(&m->made.lost, o));
+    TRY(tell_missing_decades(m));
+    TRY(note_box(m));
+    TRY(output_open(&out, o->output));
+    int status = put_table(m, o), closed = output_close(&out);
+    return closed ? closed : status;
 }
 
-int generate_run(generated *made, const generate_options *o) {
-    maker *m = calloc(1, sizeof *m);
-    if (!m)
-        return complain(EXIT_IO, "out of memory");
+static void maker_init(maker *m) {
+    memset(m, 0, sizeof *m);
     mpq_inits(m->point[0], m->point[1], m->point[2], m->time, NULL);
     mpq_inits(m->low[0], m->low[1], m->low[2], m->high[0], m->high[1], m->high[2], NULL);
-    int status = write_points(m, o);
-    if (m->opened) {
-        int closed = output_close(&m->out);
-        status = closed ? closed : status;
-    }
-    if (made)
-        *made = m->made;
-    else
-        generated_clear(&m->made);
+}
+
+static void maker_clear(maker *m) {
+    generated_clear(&m->made);
     graze_generator_destroy(m->generator);
     distinct_clear(&m->points);
     loaded_clear(&m->l);
     mpq_clears(m->low[0], m->low[1], m->low[2], m->high[0], m->high[1], m->high[2], NULL);
     mpq_clears(m->point[0], m->point[1], m->point[2], m->time, NULL);
-    free(m);
+}
+
+void generated_clear(generated *made) {
+    free(made->box);
+}
+
+int generate_run(generated *made, const generate_options *o) {
+    HELD(maker, m);
+    int status = write_points(&m, o);
+    if (made) {
+        *made = m.made;
+        m.made.box = NULL;
+    }
     return status;
 }

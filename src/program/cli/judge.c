@@ -59,15 +59,14 @@ typedef struct judge_given {
     unsigned long count;
     seed_value seed;
     int on_as; /* a graze_on_as, and 1 */
-    int no_points, jobs, format;
+    int no_points, jobs;
+    graze_judgement_format format;
 } judge_given;
 
-static int value_form(void *to, const char *name, const char *value) {
-    static const char *const words[] = {"text", "markdown", "json"};
-    return value_choice(to, name, value, words, 3);
-}
+static option_read value_form;
+VALUE_OF_WORDS(value_form, graze_judgement_format, "text", "markdown", "json")
 
-static int value_on_as_given(void *to, const char *name, const char *value) {
+    static int value_on_as_given(void *to, const char *name, const char *value) {
     graze_on_as on_as = GRAZE_ON_AS_ANY;
     int status = value_on_as(&on_as, name, value);
     *(int *)to = (int)on_as + 1;
@@ -94,8 +93,7 @@ static const option_entry judge_table[] = {
 static int print_judgement(graze_context *context, const graze_judgement *judgement,
                            const graze_comparison *points, const judge_given *o) {
     FREED(char, report, NULL);
-    TRY(complain_of(graze_judgement_report(&report, context, judgement, points,
-                                           (graze_judgement_format)o->format),
+    TRY(complain_of(graze_judgement_report(&report, context, judgement, points, o->format),
                     context));
     return output_text(NULL, report);
 }

@@ -39,9 +39,16 @@ typedef struct merger {
     part *parts; /* part i is that of shard i */
     size_t count;
     graze_context *context;
-    output out;
-    int opened;
 } merger;
+
+static output out;
+
+static void merger_clear(merger *m) {
+    for (size_t k = 0; k < m->count; k++)
+        part_close(&m->parts[k]);
+    free(m->parts);
+    graze_context_destroy(m->context);
+}
 
 /* Refuse two parts that differ where the parts of one run are equal. */
 static int compare_heads(const part *a, const part *b) {
@@ -104,14 +111,13 @@ static int copy_rows(merger *m, const merge_options *o) {
     int status = EXIT_DONE;
     progress line;
     progress_start(&line, o->quiet, 0, (portion){0, rows});
-    for (; row < rows && !status && !m->out.error; row++) {
-        status =
-            interrupt_signal() ? EXIT_SIGNAL : part_copy_row(&m->parts[row % m->count], &m->out);
+    for (; row < rows && !status && !out.error; row++) {
+        status = interrupt_signal() ? EXIT_SIGNAL : part_copy_row(&m->parts[row % m->count], &out);
         if (row % 4096 == 0)
             progress_show(&line, row, (portion){row, rows});
     }
     progress_end(&line, row, (portion){row, rows});
-    for (size_t k = 0; k < m->count && !status && !m->out.error; k++)
+    for (size_t k = 0; k < m->count && !status && !out.error; k++)
         status = part_end(&m->parts[k]);
     return status;
 }
@@ -123,8 +129,8 @@ static void put_counts(merger *m) {
     for (size_t k = 0; k < m->count; k++)
         undecided += m->parts[k].undecided;
     if (m->parts[0].topo)
-        output_format(&m->out, "%s" UNDECIDED_LINE "%lu\n", mark, undecided);
-    output_format(&m->out, "%s" COMPLETE_LINE "%lu\n", mark, m->parts[0].rows_of_all);
+        output_format(&out, "%s" UNDECIDED_LINE "%lu\n", mark, undecided);
+    output_format(&out, "%s" COMPLETE_LINE "%lu\n", mark, m->parts[0].rows_of_all);
 }
 
 static int merge_parts(merger *m, const merge_options *o, const operands *given) {
@@ -132,12 +138,13 @@ static int merge_parts(merger *m, const merge_options *o, const operands *given)
         return complain(EXIT_IO, "out of memory");
     TRY(open_parts(m, given));
     TRY(check_parts(m));
-    TRY(output_open(&m->out, o->output));
-    m->opened = 1;
-    output_put(&m->out, m->parts[0].head.data);
-    TRY(copy_rows(m, o));
-    put_counts(m);
-    return EXIT_DONE;
+    TRY(output_open(&out, o->output));
+    output_put(&out, m->parts[0].head.data);
+    int status = copy_rows(m, o);
+    if (!status)
+        put_counts(m);
+    int closed = output_close(&out);
+    return closed ? closed : status;
 }
 
 static const option_entry merge_table[] = {OUTPUT(merge_options, output, value_output),
@@ -149,20 +156,8 @@ static int run_merge(void *options, const operands *given) {
         return complain(
             EXIT_USAGE,
             "merge takes the parts of a table or a certificate; see graze merge --help");
-    merger *m = calloc(1, sizeof *m);
-    if (!m)
-        return complain(EXIT_IO, "out of memory");
-    int status = merge_parts(m, options, given);
-    if (m->opened) {
-        int closed = output_close(&m->out);
-        status = closed ? closed : status;
-    }
-    for (size_t k = 0; k < m->count; k++)
-        part_close(&m->parts[k]);
-    free(m->parts);
-    graze_context_destroy(m->context);
-    free(m);
-    return status;
+    ZEROED(merger, m);
+    return merge_parts(&m, options, given);
 }
 
 COMMAND(merge, merge_options, .reads = INT_MAX);

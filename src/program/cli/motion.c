@@ -243,7 +243,8 @@ static int read_motion_goal(job *j, const char *tolerance) {
     return numbers_given(&j->radius, j->context, "--radius", own[RADIUS] ? own[RADIUS] : "1", 1);
 }
 
-static int make_turn(job *j, int screw) {
+static int make_turn(job *j) {
+    int screw = strcmp(j->given->item[0], "screw") == 0;
     if (j->given->count != 1)
         return complain(EXIT_USAGE, "%s takes options alone; see graze motion --help",
                         screw ? "screw" : "rotate");
@@ -361,14 +362,6 @@ static int make_made_dyadic(job *j) {
     return make_near(j, motion);
 }
 
-static int make_rotation(job *j) {
-    return make_turn(j, 0);
-}
-
-static int make_screw(job *j) {
-    return make_turn(j, 1);
-}
-
 enum {
     TAKEN_BY_DYADIC = 1 << TOLERANCE | 1 << REPORT,
     TAKEN_BY_JOINTS = TAKEN_BY_DYADIC | 1 << DYADIC | 1 << RADIUS | 1 << DIMENSION,
@@ -384,8 +377,8 @@ static const struct {
     int (*make)(job *);
     unsigned taken;
 } kinds[] = {{"line", make_line, TAKEN_BY_DYADIC | 1 << DYADIC | 1 << DIMENSION | 1 << BY},
-             {"rotate", make_rotation, TAKEN_BY_TURNS},
-             {"screw", make_screw, TAKEN_BY_TURNS},
+             {"rotate", make_turn, TAKEN_BY_TURNS},
+             {"screw", make_turn, TAKEN_BY_TURNS},
              {"joints", make_joint_chain, TAKEN_BY_JOINTS},
              {"poses", make_poses, TAKEN_BY_POSES},
              {"dyadic", make_dyadic, TAKEN_BY_DYADIC}};

@@ -84,6 +84,17 @@ static void remove_work_folder(validation *v) {
         candidate_remove(v->folder);
 }
 
+static void validation_clear(validation *v) {
+    remove_work_folder(v);
+    candidate_free(v->words);
+    for (int k = 0; k < FILE_COUNT; k++)
+        free(v->files[k]);
+    free(v->folder);
+    generated_clear(&v->made);
+    graze_comparison_destroy(v->comparison);
+    graze_context_destroy(v->context);
+}
+
 /* The validation whose folder goes before a sudden end. */
 static validation *at_work;
 
@@ -281,22 +292,11 @@ static int run_validate(void *options, const operands *given) {
     TRY(coordinates_check(&o->generate.coordinates));
     TRY(choose_enclosures(o));
     scene_files(&o->classify.scene, given);
-    validation *v = calloc(1, sizeof *v);
-    if (!v)
-        return complain(EXIT_IO, "out of memory");
-    at_work = v;
+    ZEROED(validation, v);
+    at_work = &v;
     memory_before_end(remove_folder_at_work);
-    int status = validate(v, o);
+    int status = validate(&v, o);
     memory_before_end(NULL);
-    remove_work_folder(v);
-    candidate_free(v->words);
-    for (int k = 0; k < FILE_COUNT; k++)
-        free(v->files[k]);
-    free(v->folder);
-    generated_clear(&v->made);
-    graze_comparison_destroy(v->comparison);
-    graze_context_destroy(v->context);
-    free(v);
     return status;
 }
 

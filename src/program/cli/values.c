@@ -133,16 +133,6 @@ int value_positive(void *to, const char *name, const char *value) {
     return number_of_sign(to, name, value, 1);
 }
 
-/* A reader of an enumeration whose values 0, 1, ... have these words. */
-#define VALUE_OF_WORDS(reader, type, ...)                                                          \
-    int reader(void *to, const char *name, const char *value) {                                    \
-        static const char *const words[] = {__VA_ARGS__};                                          \
-        int chosen = 0;                                                                            \
-        int status = value_choice(&chosen, name, value, words, sizeof words / sizeof *words);      \
-        *(type *)to = (type)chosen;                                                                \
-        return status;                                                                             \
-    }
-
 VALUE_OF_WORDS(value_draw_by, graze_draw_by, "class", "distance")
 VALUE_OF_WORDS(value_rounding, graze_rounding, "none", "binary64", "binary32")
 VALUE_OF_WORDS(value_overlap, graze_overlap, "extend", "reject")

@@ -280,6 +280,16 @@ option_read value_show;         /**< size_t up to 10^6 */
 int value_choice(int *out, const char *name, const char *value, const char *const *words,
                  int count);
 
+/** Define a reader of an enumeration whose values 0, 1, ... have these words. */
+#define VALUE_OF_WORDS(reader, type, ...)                                                          \
+    int reader(void *to, const char *name, const char *value) {                                    \
+        static const char *const words[] = {__VA_ARGS__};                                          \
+        int chosen = 0;                                                                            \
+        int status = value_choice(&chosen, name, value, words, sizeof words / sizeof *words);      \
+        *(type *)to = (type)chosen;                                                                \
+        return status;                                                                             \
+    }
+
 /* One run of graze validate: options, files and what was found. */
 
 /** Files of the folder. */
