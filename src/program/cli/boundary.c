@@ -48,7 +48,8 @@ typedef struct boundary_given {
     scene_options scene;
     const char *depth, *coarse, *budget, *contacts, *box;
     seed_value seed;
-    const char *surface, *cells, *points, *format; /* files to write; the one that is `-` */
+    const char *surface, *cells, *points; /* files to write, or NULL */
+    const char *format;                   /* the name that stands for a file `-`, or NULL */
     int middles, sharp, threads;
 } boundary_given;
 

@@ -52,7 +52,8 @@ static int put_coordinates(const graze_boundary *b, graze_context *context, int 
     return EXIT_DONE;
 }
 
-/* The head of a legacy VTK file, up to its points. meshio reads no POLYDATA, so all are this. */
+/* The head of a legacy VTK file, up to its points. meshio reads no POLYDATA, so each is an
+ * unstructured grid. */
 static int put_vtk_points(const graze_boundary *b, graze_context *context, int dimension,
                           source which, size_t count) {
     vtk_begin(&lines, "graze " GRAZE_VERSION " boundary; " MISSES, "UNSTRUCTURED_GRID");
@@ -88,7 +89,7 @@ static int put_ply(const graze_boundary *b, graze_context *context, int dimensio
     return EXIT_DONE;
 }
 
-/* The corners of a face, for the normal alone; 0 0 0 stands where it has no direction. */
+/* Put the normal of a face with these corners; 0 0 0 where their doubles give no direction. */
 static void put_normal(double at[3][3]) {
     double normal[3], length = 0;
     for (int k = 0; k < 3; k++) {
@@ -155,7 +156,7 @@ int boundary_write_surface(const char *path, const graze_boundary *b, graze_cont
     return close_whole(status);
 }
 
-/* One column of the cells. */
+/* Put one column of the cells: level, pmc or contact. */
 static void put_column(const graze_boundary *b, size_t count, const char *name, int which) {
     vtk_scalars_begin(&lines, (field){name, strlen(name)}, "int");
     for (size_t i = 0; i < count; i++) {

@@ -31,7 +31,8 @@ static const char *plural(size_t count, const char *one, const char *many) {
     return count == 1 ? one : many;
 }
 
-/* Set the step to a power of ten, so that the box's longest side is 10^4 to 10^6 steps. */
+/* Set the step, down / up, to a power of ten, so that the box's longest side is 10^4 to 10^6 steps.
+ */
 static void set_step(mpz_t up, mpz_t down, mpq_t *low, mpq_t *high, int d) {
     long most = 0;
     LOCAL(mpq, side);
@@ -90,7 +91,7 @@ static graze_status put_checked_box(text *out, graze_context *context, const cha
     return GRAZE_OK;
 }
 
-/* The boxes of the solid and of the set it sweeps: a unit that is off is seen in them. */
+/* Add the boxes of the solid and of its sweep, which show a reader a wrong unit of length. */
 static graze_status describe_boxes(text *out, const loaded *l) {
     HELD(numbers, box, 6);
     mpq_t *low = box.at, *high = box.at + 3;

@@ -44,14 +44,14 @@ typedef struct collide_given {
 static option_read value_ask;
 VALUE_OF_WORDS(value_ask, int, "any", "overlap")
 
-    static const option_entry collide_table[] = {
-        FLAG("first", collide_given, pair.first, value_flag),
-        OPTION("ask", collide_given, overlap_alone, value_ask),
-        FLAG("inside", collide_given, pair.question, value_flag),
-        FILE_READ("motion-of-fixed", collide_given, motion_of_fixed),
-        OPTION("format", collide_given, format, value_report),
-        SOLID_OPTIONS(collide_given, solid_flags, context),
-        OPTIONS_END};
+static const option_entry collide_table[] = {
+    FLAG("first", collide_given, pair.first, value_flag),
+    OPTION("ask", collide_given, overlap_alone, value_ask),
+    FLAG("inside", collide_given, pair.question, value_flag),
+    FILE_READ("motion-of-fixed", collide_given, motion_of_fixed),
+    OPTION("format", collide_given, format, value_report),
+    SOLID_OPTIONS(collide_given, solid_flags, context),
+    OPTIONS_END};
 
 static int read_side(graze_solid **out, graze_context *context, const char *path, unsigned flags) {
     TRY(complain_of(graze_solid_read(out, context, path, flags), context));

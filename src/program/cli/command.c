@@ -134,7 +134,7 @@ void scene_files(scene_options *o, const operands *given) {
     o->motion = given->item[1];
 }
 
-/* Is the table, the text or the solid written to a file in place of standard output? */
+/* Does the option name a file that takes the place of standard output? */
 static int is_for_output(const option_entry *entry) {
     return strcmp(entry->name, "output") == 0 || strcmp(entry->name, "resume") == 0 ||
            strcmp(entry->name, "inside") == 0 || strcmp(entry->name, "outside") == 0;

@@ -76,7 +76,7 @@ static void take_scene_options(scene_options *to, const char *head) {
         to->solid_flags |= GRAZE_SOLID_TRIANGULATE;
 }
 
-/* The answer for each point on which the candidate is wrong. */
+/* Set the candidate's answer at each point on which it is wrong. */
 static void take_answers(const char **answers, size_t count, const graze_comparison *c) {
     graze_disagreement wrong;
     for (size_t k = 0; (wrong = graze_comparison_disagreement(c, k)).point; k++)

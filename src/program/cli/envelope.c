@@ -44,7 +44,7 @@ typedef struct envelope_given {
     const char *points;
 } envelope_given;
 
-/* Numbers of events by kind. */
+/* Add the numbers of events by kind. */
 static void put_event_counts(text *t, const graze_envelope *envelope) {
     size_t total = graze_envelope_event_count(envelope), count[GRAZE_EVENT_SINGULAR + 1] = {0};
     for (size_t k = 0; k < total; k++)
@@ -63,7 +63,7 @@ static void text_cell(text *t, const graze_cell *cell) {
         text_format(t, "%s %zu", cell->kind == GRAZE_CELL_FACE ? "face" : "vertex", cell->a);
 }
 
-/* The reason, and where and when it is found. */
+/* Add the reason why the envelope is decomposable or not, and where and when it is found. */
 static graze_status put_decomposable_reason(text *t, graze_context *context,
                                             const graze_envelope_facts *f) {
     FREED(char, when, NULL);
@@ -165,7 +165,8 @@ static int put_patches(const graze_patches *patches, int joints, graze_context *
     return put_last(count);
 }
 
-/* Times without contact give no row; after this number of them there may be none at all. */
+/* Times without contact give no row; after this number of them, one behind the other, the table
+ * ends. */
 enum { TRIES = 1000 };
 
 static int put_contact_points(const envelope_given *o, const loaded *l,

@@ -73,7 +73,7 @@ static void put_points_box(maker *m) {
     output_put(&out, "\n");
 }
 
-/* The box for those who read no ratios. */
+/* Keep the box as decimals, for candidates, which need not read ratios. */
 static int note_box(maker *m) {
     int d = m->made.dimension = graze_scene_dimension(m->l.scene);
     HELD(text, box);
@@ -89,7 +89,7 @@ static int note_box(maker *m) {
     return m->made.box ? EXIT_DONE : complain(EXIT_IO, "out of memory");
 }
 
-/* A decade of |s|, with the sign of s. */
+/* Write the decade of |s| with the sign of s: `1e-03` outside, `-1e-03` inside. */
 static int put_decade_name(char *text, size_t size, int outward, int decade) {
     return snprintf(text, size, "%s1e%+03d", outward ? "" : "-", decade);
 }
@@ -135,7 +135,7 @@ static void put_sample_cell(const graze_cell *cell) {
         output_format(&out, "%s %zu,", names[cell->kind], cell->a);
 }
 
-/* The last column, in tables that may have the stratum. */
+/* End a row, with the column `decade` in tables that may have the stratum `level`. */
 static void put_decade(maker *m, const graze_sample *made) {
     char name[24] = "";
     if (made->stratum == GRAZE_STRATUM_LEVEL)
@@ -143,7 +143,7 @@ static void put_decade(maker *m, const graze_sample *made) {
     output_format(&out, "%s%s\n", m->weights[GRAZE_STRATUM_LEVEL] ? "," : "", name);
 }
 
-/* The coordinates of the point, with a comma behind them, unless such a row stands already. */
+/* Put the coordinates of the point and a comma, unless a row with these stands already. */
 static int put_sample_point(int *is_new, maker *m, const coordinate_options *form,
                             const graze_sample *made, unsigned long row) {
     char where[32];
@@ -186,7 +186,7 @@ static void put_making(maker *m, const graze_sample *made, unsigned long row) {
     put_decade(m, made);
 }
 
-/* A row of the table, and whether there is one: the generator's rows may repeat. */
+/* Put a row for the point of a draw; none, and *is_new stays 0, where the point repeats one. */
 static int put_sample(int *is_new, maker *m, const generate_options *o, unsigned long long draw,
                       unsigned long row) {
     graze_sample made;
@@ -226,7 +226,8 @@ static int put_samples(maker *m, const generate_options *o) {
     return status;
 }
 
-/* Find the strata that get no points, and why: without --representable some of them do. */
+/* Find the strata that get no points: unrepresentable ones would get some without --representable,
+ * absent ones never. */
 static int find_lost(maker *m, const generate_options *o) {
     lost_strata *lost = &m->made.lost;
     for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)

@@ -49,7 +49,7 @@ static const char judge_help[] =
 /* Points that are generated, and disagreements that are shown. */
 enum { DEFAULT_POINTS = 1000, POINTS_SHOWN = 5 };
 
-/* Colours are of distances known to this part of the width. */
+/* The page's colours take distances enclosed to the width divided by this. */
 static const double PAGE_SHARE = 64;
 
 typedef struct judge_given {
@@ -58,7 +58,7 @@ typedef struct judge_given {
     const char *fail_above, *points, *vertices, *answers, *page;
     unsigned long count;
     seed_value seed;
-    int on_as; /* a graze_on_as, and 1 */
+    int on_as; /* a graze_on_as plus 1; 0: not given */
     int no_points, jobs;
     graze_judgement_format format;
 } judge_given;
@@ -66,7 +66,7 @@ typedef struct judge_given {
 static option_read value_form;
 VALUE_OF_WORDS(value_form, graze_judgement_format, "text", "markdown", "json")
 
-    static int value_on_as_given(void *to, const char *name, const char *value) {
+static int value_on_as_given(void *to, const char *name, const char *value) {
     graze_on_as on_as = GRAZE_ON_AS_ANY;
     int status = value_on_as(&on_as, name, value);
     *(int *)to = (int)on_as + 1;
@@ -152,7 +152,7 @@ static int ask_mesh_points(graze_comparison **out, const loaded *l, const judge_
     return complain_of(graze_compare_mesh(out, l->context, l->scene, mesh, &asked), l->context);
 }
 
-/* The distances of all vertices, as a table and in a page. */
+/* Find the distances of all vertices, and write them as a table, in a page, or both. */
 static int write_vertices(const loaded *l, const judge_given *o, const graze_mesh *mesh,
                           const graze_judgement *judgement) {
     size_t count = graze_mesh_get_facts(mesh).vertices;
@@ -212,7 +212,7 @@ static int run_judge(void *options, const operands *given) {
     scene_files(&o->scene, given);
     double within = o->scene.rows.sdf > 0 ? o->scene.rows.sdf : 1e-2;
     int relative = o->scene.sdf_relative || !(o->scene.rows.sdf > 0);
-    o->scene.rows.sdf = o->scene.sdf_relative = 0; /* no row has a distance */
+    o->scene.rows.sdf = o->scene.sdf_relative = 0; /* the width is that of the judgement */
     ZEROED(loaded, l);
     TRY(loaded_read(&l, &o->scene, EXIT_INPUT, NULL));
     TRY(load_straight(l.solid, given->item[0], "judge"));

@@ -1,4 +1,4 @@
-/* Points with the columns id and stratum.
+/* Points to be drawn: those of a file, named by its column id, and those of options.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <stdio.h>
@@ -35,7 +35,8 @@ static int marks_grow(marks *m) {
     return 1;
 }
 
-/* Take the point at the end of `value` over under malloc'ed texts. */
+/* Count the point whose numbers stand at the end of `value`; its malloc'ed name and stratum are
+ * taken over. */
 static int marks_take(marks *m, char *name, char *stratum) {
     if (!name) {
         free(stratum);
@@ -46,7 +47,7 @@ static int marks_take(marks *m, char *name, char *stratum) {
     return EXIT_DONE;
 }
 
-/* "3" for the third row. */
+/* The text `before` and a number, malloc'ed. */
 static char *number_name(const char *before, size_t number) {
     char text[32];
     snprintf(text, sizeof text, "%s%zu", before, number);

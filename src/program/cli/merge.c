@@ -36,7 +36,7 @@ typedef struct merge_options {
 } merge_options;
 
 typedef struct merger {
-    part *parts; /* part i is that of shard i */
+    part *parts; /* in the order given; from check_parts on part i is that of shard i */
     size_t count;
     graze_context *context;
 } merger;
@@ -73,7 +73,7 @@ static int compare_heads(const part *a, const part *b) {
     return EXIT_DONE;
 }
 
-/* Open the parts in the order given, and put them into that of the shards. */
+/* Open the parts, in the order given. */
 static int open_parts(merger *m, const operands *given) {
     m->parts = calloc((size_t)given->count, sizeof *m->parts);
     if (!m->parts)
@@ -91,7 +91,7 @@ static int by_shard(const void *a, const void *b) {
     return (i > j) - (i < j);
 }
 
-/* Check that each shard is there once. */
+/* Sort the parts by shard; each shard must be there once. */
 static int check_parts(merger *m) {
     unsigned long count = m->parts[0].shard.count;
     qsort(m->parts, m->count, sizeof *m->parts, by_shard);
@@ -122,7 +122,7 @@ static int copy_rows(merger *m, const merge_options *o) {
     return status;
 }
 
-/* The last lines. */
+/* Put the last lines, with the counts of all parts. */
 static void put_counts(merger *m) {
     const char *mark = result_mark(m->parts[0].kind);
     unsigned long undecided = 0;

@@ -95,7 +95,7 @@ typedef struct motion_options {
     int examples;
 } motion_options;
 
-/* Words of the other kinds name no files. */
+/* The operand of poses and dyadic is a file; those of other kinds are none. */
 static void add_motion_files(guard *g, const void *options, const operands *given) {
     (void)options;
     if (given->count > 1 &&
@@ -332,7 +332,8 @@ static int make_poses(job *j) {
     return complain_of_use(set, j->context);
 }
 
-/* The dyadic motion near the one that was read takes the place of the file that was made. */
+/* Replace the file that was made by that of the dyadic motion near it; the reports of both stand
+ * one behind the other. */
 static int make_near(job *j, const graze_motion *motion) {
     FREED(char, before, j->report);
     FREED(char, report, NULL);

@@ -95,7 +95,7 @@ static void validation_clear(validation *v) {
     graze_context_destroy(v->context);
 }
 
-/* The validation whose folder goes before a sudden end. */
+/* The validation whose folder is removed where memory runs out and the program ends at once. */
 static validation *at_work;
 
 static void remove_folder_at_work(void) {
@@ -106,7 +106,7 @@ static const char *points_of(const validation *v, const validate_options *o) {
     return o->points ? o->points : v->files[POINTS];
 }
 
-/* The facts about points that were made. */
+/* Put the facts about points that were made into the candidate's environment. */
 static int tell_candidate(const validation *v, const validate_options *o) {
     const char *names[] = {"GRAZE_DIMENSION", "GRAZE_ROWS", "GRAZE_SEED", "GRAZE_BOX"};
     char numbers[3][24];
@@ -261,7 +261,8 @@ static const option_entry validate_table[] = {
     FLAG("quiet", validate_options, classify.quiet, value_quiet),
     OPTIONS_END};
 
-/* Values are compared with enclosures, which the golden table has by default then. */
+/* Where values are compared, the golden table has enclosures; --sdf is refused where nothing takes
+ * them. */
 static int choose_enclosures(validate_options *o) {
     scene_options *golden = &o->classify.scene;
     int needed = o->compare.has == GRAZE_HAS_SDF || o->compare.motion_error;

@@ -42,7 +42,8 @@ static void put_validation_verdict(char *out, size_t size, const graze_compariso
                  n->wrong, n->rows, n->extra, other);
 }
 
-/* The text between the quotes of a JSON string. */
+/* Add the text between the quotes of a JSON string; `?` stands for bytes that are not printable
+ * ASCII. */
 static void put_json_quoted(text *out, const char *string) {
     for (; *string; string++) {
         unsigned char c = (unsigned char)*string;
@@ -70,7 +71,7 @@ static void put_lost(text *out, const lost_strata *lost, graze_comparison_format
         text_format(out, "points: %s\n", said);
 }
 
-/* The options that make the same points again, and what is in them. */
+/* Add the options that make the same points again, and a warning of ratios in them. */
 static void put_made_with(text *out, const validate_options *o, graze_comparison_format format) {
     HELD(text, made);
     if (o->points)

@@ -64,7 +64,7 @@ int value_choice(int *out, const char *name, const char *value, const char *cons
                     meant ? "; did you mean " : "", meant ? meant : "", meant ? "?" : "");
 }
 
-/* The number of a value; -1 if it is none. */
+/* Read the number of a value; -1 stands for a value that is none. */
 static int number_of_value(mpq_t out, const char *value, size_t length) {
     OWNED(graze_context, context);
     graze_status status = graze_context_create(&context);
@@ -114,7 +114,7 @@ int value_motion_error(void *to, const char *name, const char *value) {
                     value);
 }
 
-/* A number of at least a sign, kept as its text. */
+/* Keep the text of a number whose sign is at least `least`. */
 static int number_of_sign(void *to, const char *name, const char *value, int least) {
     LOCAL(mpq, number);
     TRY(number_of_value(number, value, strlen(value)));

@@ -158,9 +158,9 @@ int compare_check(const graze_compare_options *o);
 
 /* Strata that get fewer points than their weights ask for, and what is said of them. */
 
-/** Strata with a weight that get fewer points than it asks for, as sets of 1 << graze_stratum:
- * none, as the scene has none, or none whose coordinates a binary64 holds; and those spent, in
- * which no further points were found. */
+/** Strata that get fewer points than their weights ask for, as sets of 1 << graze_stratum. Absent:
+ * the scene has none; unrepresentable: it has none whose coordinates a binary64 holds; spent: no
+ * further ones were found. */
 typedef struct lost_strata {
     unsigned absent, unrepresentable, spent;
     int replaced;   /* 1: the stratum `rounded` has the weight of the unrepresentable ones */
@@ -198,9 +198,9 @@ typedef struct generate_options {
     scene_options scene;
     unsigned long count;
     seed_value seed;
-    const char *strata;  /* NAME=W,...; NULL: all, with their default weights, `rounded` with that
-                            of those that --representable leaves none of, and */
-    unsigned long level; /* this one of the stratum `level` */
+    const char *strata;  /* NAME=W,...; NULL: all, with default weights; `rounded` then has that of
+                            the strata that --representable leaves without points */
+    unsigned long level; /* weight of the stratum `level` where strata is NULL */
     coordinate_options coordinates;
     int representable;  /* coordinates that a binary64 holds */
     int plain;          /* no `#` lines */
