@@ -113,7 +113,7 @@ static int tell_candidate(const validation *v, const validate_options *o) {
     const char *values[] = {numbers[0], numbers[1], numbers[2], v->made.box};
     snprintf(numbers[0], sizeof *numbers, "%d", v->made.dimension);
     snprintf(numbers[1], sizeof *numbers, "%lu", v->made.rows);
-    snprintf(numbers[2], sizeof *numbers, "%llu", validated_seed(o));
+    snprintf(numbers[2], sizeof *numbers, "%llu", o->generate.seed.seed);
     for (int k = 0; k < 4; k++)
         TRY(candidate_tell(names[k], values[k]));
     return EXIT_DONE;
@@ -125,7 +125,7 @@ static int run_candidate(validation *v, const validate_options *o) {
                  o->generate.coordinates.form != COORDINATES_DECIMAL;
     if (!o->points)
         TRY(tell_candidate(v, o));
-    TRY(candidate_run(&v->seconds, v->words, o->timeout ? o->timeout : 3600,
+    TRY(candidate_run(&v->seconds, v->words, o->timeout,
                       ratios ? "; its points have ratios such as 1/3, those of "
                                "--representable binary64 are decimals"
                              : ""));
@@ -160,8 +160,6 @@ static int make_golden(validation *v, const validate_options *o) {
     generate_options points = o->generate;
     classify_options golden = o->classify;
     points.scene = golden.scene;
-    points.count = validated_count(o);
-    points.seed.seed = validated_seed(o);
     points.output = v->files[POINTS];
     points.quiet = golden.quiet;
     points.plain = 1;
@@ -292,6 +290,10 @@ static int run_validate(void *options, const operands *given) {
     TRY(compare_check(&o->compare));
     TRY(coordinates_check(&o->generate.coordinates));
     TRY(choose_enclosures(o));
+    if (!o->generate.count)
+        o->generate.count = 10000;
+    if (!o->generate.seed.given)
+        o->generate.seed.seed = 1;
     scene_files(&o->classify.scene, given);
     ZEROED(validation, v);
     at_work = &v;
@@ -303,7 +305,8 @@ static int run_validate(void *options, const operands *given) {
 
 static const validate_options ten_shown = {.classify.shard.part = {0, 1},
                                            .generate.coordinates.form = COORDINATES_UNSET,
-                                           .compare.show = 10};
+                                           .compare.show = 10,
+                                           .timeout = 3600};
 
 COMMAND(validate, validate_options, .initial = &ten_shown, .reads = 2,
         .add_files = add_validation_files);

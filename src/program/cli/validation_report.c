@@ -15,14 +15,6 @@ char *joined_texts(const char *a, const char *b) {
     return text ? strcat(strcpy(text, a), b) : NULL;
 }
 
-unsigned long validated_count(const validate_options *o) {
-    return o->generate.count ? o->generate.count : 10000;
-}
-
-unsigned long long validated_seed(const validate_options *o) {
-    return o->generate.seed.given ? o->generate.seed.seed : 1;
-}
-
 /* Rows without an answer are no evidence for or against a candidate: no verdict then. */
 static void put_validation_verdict(char *out, size_t size, const graze_comparison_counts *n,
                                    graze_on_as on_as) {
@@ -76,7 +68,7 @@ static void put_made_with(text *out, const validate_options *o, graze_comparison
     HELD(text, made);
     if (o->points)
         return;
-    text_format(&made, "-n %lu --seed %llu", validated_count(o), validated_seed(o));
+    text_format(&made, "-n %lu --seed %llu", o->generate.count, o->generate.seed.seed);
     if (o->generate.strata)
         text_format(&made, " --strata %s", o->generate.strata);
     text_put(&made, o->generate.representable ? " --representable binary64" : "");

@@ -300,7 +300,7 @@ typedef struct validate_options {
     const char *points; /* NULL: points are generated */
     const char *keep;   /* NULL: a folder that goes when all is done */
     const char *output;
-    unsigned long timeout; /* seconds; 0: an hour */
+    unsigned long timeout; /* seconds */
     generate_options generate;
     classify_options classify;
     graze_compare_options compare;
@@ -320,10 +320,6 @@ typedef struct validation {
 } validation;
 
 /* Parts that graze validate and its reports share. */
-
-/** How many points are made, and their seed, with the defaults. */
-unsigned long validated_count(const validate_options *o);
-unsigned long long validated_seed(const validate_options *o);
 
 /** One text behind another, malloc'ed; NULL when out of memory. */
 char *joined_texts(const char *a, const char *b);
