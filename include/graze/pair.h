@@ -94,6 +94,12 @@ GRAZE_API const char *graze_pair_verdict_name(graze_pair_verdict verdict);
 /** Kinds of two cells, the moving one first: "vertex-facet", "edge-edge", ...; "" for cells that
  * are none. Static. */
 GRAZE_API const char *graze_cell_pair_name(const graze_cell_pair *cells);
+/** The pair in words, as graze collide prints it: a line with the verdict, one with the word, one
+ * for each contact, with its exact time and at most 8 pairs of cells. @param[out] out text for
+ * graze_free
+ * @return GRAZE_EUSE, GRAZE_ESYSTEM */
+GRAZE_API GRAZE_CHECKED graze_status graze_pair_text(char **out, graze_context *context,
+                                                     const graze_pair *pair);
 /** The pair as one object of JSON (formats.md, Collisions). @param[out] out text for graze_free
  * @return GRAZE_EUSE, GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM */
 GRAZE_API GRAZE_CHECKED graze_status graze_pair_json(char **out, graze_context *context,

@@ -113,6 +113,13 @@ const char *graze_cell_pair_name(const graze_cell_pair *cells) {
     return cells ? cell_pair_name(cells) : "";
 }
 
+graze_status graze_pair_text(char **out, graze_context *context, const graze_pair *pair) {
+    PUBLIC_OUT(out, context, pair);
+    HELD(text, t);
+    pair_text(&t, pair);
+    return text_finish(out, context, &t);
+}
+
 graze_status graze_pair_json(char **out, graze_context *context, const graze_pair *pair) {
     PUBLIC_OUT(out, context, pair);
     HELD(text, t);

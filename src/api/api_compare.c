@@ -66,7 +66,8 @@ graze_status graze_comparison_report(char **out, graze_context *context,
                                      const graze_comparison *comparison,
                                      graze_comparison_format format) {
     PUBLIC_OUT(out, context, comparison);
-    REFUSED((unsigned)format > GRAZE_COMPARISON_JSON, "there is no such format");
+    REFUSED((unsigned)format > GRAZE_COMPARISON_JSON,
+            "there is no such format; expected text or JSON");
     return (format == GRAZE_COMPARISON_JSON ? comparison_json : comparison_text)(out, context,
                                                                                  comparison);
 }

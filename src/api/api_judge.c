@@ -295,7 +295,8 @@ graze_status graze_judgement_report(char **out, graze_context *context,
                                     const graze_judgement *judgement,
                                     const graze_comparison *points, graze_judgement_format format) {
     PUBLIC_OUT(out, context, judgement);
-    REFUSED((unsigned)format > GRAZE_JUDGEMENT_JSON, "there is no such format");
+    REFUSED((unsigned)format > GRAZE_JUDGEMENT_JSON,
+            "there is no such format; expected text, Markdown or JSON");
     HELD(text, t);
     TRY(judge_report(&t, context, judgement, points, format));
     return text_finish(out, context, &t);

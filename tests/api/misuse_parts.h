@@ -340,6 +340,9 @@ static void pairs(bench *b) {
     WRONG_OUT(graze_pair, graze_pair_create(&out, c, s, m, s, NULL, &unknown));
     WRONG_OUT(graze_pair, graze_pair_create(&out, c, s, m, s, NULL, &twice));
     assert_int_equal(graze_pair_create(&p, c, s, m, s, NULL, NULL), GRAZE_OK);
+    WRONG(graze_pair_text(NULL, c, p));
+    WRONG_OUT(char, graze_pair_text(&out, NULL, p));
+    WRONG_OUT(char, graze_pair_text(&out, c, NULL));
     WRONG(graze_pair_json(NULL, c, p));
     WRONG_OUT(char, graze_pair_json(&out, NULL, p));
     WRONG_OUT(char, graze_pair_json(&out, c, NULL));

@@ -61,7 +61,7 @@ static void overlap_and_json(void **state) {
     (void)state;
     scene s;
     graze_pair *p = NULL;
-    char *json;
+    char *json, *words;
     graze_pair_options first = {.size = sizeof first, .first = 1};
     scene_open(&s, back, NULL);
     graze_solid *fixed = square_at(&s, step);
@@ -79,6 +79,7 @@ static void overlap_and_json(void **state) {
     assert_int_equal(graze_pair_next(p), GRAZE_STATE_I);
     check_time(graze_pair_overlap_time(p), 7, 8);
     assert_true(graze_pair_get_contact(p, 0).kind == 0 && !graze_pair_get_contact(p, 0).to);
+    assert_int_equal(graze_pair_text(&words, s.context, p), GRAZE_OK);
     assert_int_equal(graze_pair_json(&json, s.context, p), GRAZE_OK);
     /* x = 7: the side x + 2 = 9, y in [0, 2], on the side y in [1, 3]: its corner (9, 2) inside
      * that, and the other's corner (9, 1) inside this. */
@@ -95,6 +96,12 @@ static void overlap_and_json(void **state) {
         "\"fixed\":{\"edge\":[0,3]},\"type\":\"edge-edge\"},{\"moving\":{\"edge\":[1,2]},"
         "\"fixed\":{\"vertex\":0},\"type\":\"edge-vertex\"},{\"moving\":{\"vertex\":2},"
         "\"fixed\":{\"edge\":[0,3]},\"type\":\"vertex-edge\"}]}]}\n");
+    assert_string_equal(words,
+                        "meets\nword OBI\n"
+                        "first contact 7/8 (0.875, row 5): "
+                        "edge 1-2 of MOVING with edge 0-3, edge 1-2 of MOVING with vertex 0, "
+                        "vertex 2 of MOVING with edge 0-3\n");
+    graze_free(words);
     graze_free(json);
     graze_pair_destroy(p);
     graze_solid_destroy(fixed);

@@ -18,7 +18,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 PLAIN = ("context_limit",)
 
 # Functions with a format attribute that are no messages.
-SILENT = ("text_format", "few_add")
+SILENT = ("text_format", "output_format", "few_add")
 
 # Messages no case of the command line can reach: a part of the message, and the reason.
 UNREACHED = {

@@ -79,10 +79,10 @@ static graze_status put_half_space(const closings_maker *m, germ *g) {
         for (int row = 0; row < d; row++)
             fmpz_addmul(normal + column, g->to_body + row * d + column, g->cone.normal + row);
     direction_reduce(normal, d);
-    graze_status status = covers(&inside, m, g, normal);
+    TRY(covers(&inside, m, g, normal));
     closings_form(m->t, normal, d);
     text_put(m->t, inside ? " >= 0" : " <= 0");
-    return status;
+    return GRAZE_OK;
 }
 
 /* Append the sectors that a germ of E^2 covers. */
@@ -103,9 +103,8 @@ static graze_status put_sides(const closings_maker *m, germ *g) {
     int side[2] = {0, 0};
     LOCAL_VEC(fmpz, normal, 3);
     _fmpz_vec_set(normal, m->topo->across, 3);
-    graze_status status = GRAZE_OK;
-    for (int k = 0; k < 2 && !status; k++) {
-        status = covers(&side[k], m, g, normal);
+    for (int k = 0; k < 2; k++) {
+        TRY(covers(&side[k], m, g, normal));
         _fmpz_vec_neg(normal, normal, 3);
     }
     if (side[0] || side[1]) {
@@ -113,25 +112,24 @@ static graze_status put_sides(const closings_maker *m, germ *g) {
         closings_form(m->t, m->topo->across, 3);
         text_put(m->t, side[0] && side[1] ? " on both sides of 0" : side[0] ? " > 0" : " < 0");
     }
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status put_germ(const closings_maker *m, germ *g) {
-    graze_status status = GRAZE_OK;
     text_put(m->t, "  at ");
     closings_place(m->t, m->scene, g);
     text_put(m->t, ": ");
     if (cone_cell_dimension(&g->cone) == m->dimension - 1)
-        status = put_half_space(m, g);
+        TRY(put_half_space(m, g));
     else if (m->dimension == 2)
-        status = put_in_plane(m, g);
+        TRY(put_in_plane(m, g));
     else
         text_format(m->t, "the cone between %lu planes and what its way sweeps",
                     (unsigned long)g->cone.count);
-    if (!status && m->topo->has_across)
-        status = put_sides(m, g);
+    if (m->topo->has_across)
+        TRY(put_sides(m, g));
     text_put(m->t, "\n");
-    return status;
+    return GRAZE_OK;
 }
 
 static int of_unsweep(const graze_scene *scene) {
@@ -141,36 +139,30 @@ static int of_unsweep(const graze_scene *scene) {
 static graze_status put_hint(const closings_maker *m, const fmpq *point) {
     int found = 0;
     ulong places = 0;
-    fmpq near[3] = {{0, 1}, {0, 1}, {0, 1}};
+    LOCAL_VEC(fmpq, near, 3);
     const char *beyond = of_unsweep(m->scene) ? "in" : "out";
-    graze_status status = hint_find(&found, near, &places, m->context, m->scene, point, m->topo);
-    if (!status && found)
+    TRY(hint_find(&found, near, &places, m->context, m->scene, point, m->topo));
+    if (found)
         sentence_put(m->t, "hint-found", beyond, near, 3, places);
-    else if (!status)
+    else
         sentence_put(m->t, "hint-none", beyond);
-    for (int k = 0; k < 3; k++)
-        fmpq_clear(near + k);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status closings_explain(text *t, graze_context *context, const graze_scene *scene,
                               const fmpq *point, const topo_finding *topo) {
     closings_maker m = {t, context, scene, topo, scene->motion->dimension};
     const plane_list *planes = NULL;
-    germ_list germs;
-    germ_list_init(&germs);
-    graze_status status = topo_planes(&planes, context, scene);
-    if (!status)
-        status = germs_find(&germs, context, scene, planes, point);
+    HELD(germ_list, germs);
+    TRY(topo_planes(&planes, context, scene));
+    TRY(germs_find(&germs, context, scene, planes, point));
     text_format(
         t, "Contacts, and the directions (dx, dy%s) from P that each covers%s to first order:\n",
         m.dimension == 3 ? ", dz" : "", of_unsweep(scene) ? ", by what is outside the solid," : "");
-    for (size_t k = 0; k < germs.count && !status; k++)
-        status = put_germ(&m, &germs.item[k]);
-    if (!status && !germs.bounded)
+    for (size_t k = 0; k < germs.count; k++)
+        TRY(put_germ(&m, &germs.item[k]));
+    if (!germs.bounded)
         text_put(t, "  and some that are not looked at\n");
-    germ_list_clear(&germs);
-    if (!status && topo->position == GRAZE_TOPO_UNDECIDED && m.dimension == 3)
-        status = put_hint(&m, point);
-    return status;
+    return topo->position == GRAZE_TOPO_UNDECIDED && m.dimension == 3 ? put_hint(&m, point)
+                                                                      : GRAZE_OK;
 }

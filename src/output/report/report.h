@@ -142,13 +142,15 @@ graze_status report_explain(char **out, graze_context *context, const row *r);
 /** Add one line of JSON. */
 void report_json(text *out, const row *r);
 
-/* How two solids meet, as JSON (src/program/cli/formats.md, Collisions). */
+/* How two solids meet, in words and as JSON (src/program/cli/formats.md, Collisions). */
 
 /** "clear", "touch", "overlap", "meets", else "none". Static. */
 const char *pair_verdict_name(graze_pair_verdict verdict);
 /** "vertex-facet" and so on, the moving one first; "" for none. Static. */
 const char *cell_pair_name(const graze_cell_pair *cells);
 
+/** Append the lines of a pair: verdict, word, contacts. */
+void pair_text(text *out, const graze_pair *pair);
 /** Append the object of a pair. */
 void pair_json(text *out, const graze_pair *pair);
 

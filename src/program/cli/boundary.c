@@ -4,7 +4,7 @@
 #include "program/cli/cli.h"
 
 #include <stdio.h>
-#include <string.h>
+#include "base/context/scope.h"
 #include "program/cli/values.h"
 #include "program/io/io.h"
 #include "program/run/run.h"
@@ -48,7 +48,8 @@ typedef struct boundary_given {
     scene_options scene;
     const char *depth, *coarse, *budget, *contacts, *box;
     seed_value seed;
-    const char *surface, *cells, *points, *format; /* files to write; the one that is `-` */
+    const char *surface, *cells, *points; /* files to write, or NULL */
+    const char *format;                   /* the name that stands for a file `-`, or NULL */
     int middles, sharp, threads;
 } boundary_given;
 
@@ -69,19 +70,16 @@ static int read_boundary_counts(graze_boundary_options *to, const boundary_given
                                    .sharp = o->sharp,
                                    .threads = jobs_width(o->threads),
                                    .size = sizeof *to};
-    int status = read_most(&depth, "depth", o->depth, 19);
+    TRY(read_most(&depth, "depth", o->depth, 19));
     coarse = coarse > depth ? depth : coarse;
-    if (!status)
-        status = read_most(&coarse, "coarse", o->coarse, depth);
-    if (!status)
-        status = read_most(&to->budget, "budget", o->budget, 1000000000000);
-    if (!status)
-        status = read_most(&to->contacts, "contacts", o->contacts, 1000000000);
+    TRY(read_most(&coarse, "coarse", o->coarse, depth));
+    TRY(read_most(&to->budget, "budget", o->budget, 1000000000000));
+    TRY(read_most(&to->contacts, "contacts", o->contacts, 1000000000));
     to->depth = (unsigned)depth;
     to->coarse = (unsigned)coarse;
     if (o->seed.given)
         to->seed = o->seed.seed;
-    return status;
+    return EXIT_DONE;
 }
 
 static int summarize_boundary(const graze_boundary *b, int middles, int sharp) {
@@ -106,37 +104,25 @@ static int summarize_boundary(const graze_boundary *b, int middles, int sharp) {
     return output_text(NULL, text);
 }
 
-static int write_boundary(const graze_boundary *b, graze_context *context, const boundary_given *o,
-                          int dimension) {
-    int status = EXIT_DONE;
-    if (o->surface)
-        status = boundary_write_surface(o->surface, b, context, dimension);
-    if (!status && o->cells)
-        status = boundary_write_cells(o->cells, b, context, dimension);
-    if (!status && o->points)
-        status = boundary_write_points(o->points, b, context, dimension);
-    return status ? status : summarize_boundary(b, o->middles, o->sharp);
-}
-
-static int sample_boundary(const loaded *l, const boundary_given *o, mpq_t *box) {
+static int sample_boundary(const loaded *l, const boundary_given *o) {
     int dimension = graze_scene_dimension(l->scene);
     graze_boundary_options how;
-    graze_boundary *b = NULL;
-    int status = read_boundary_counts(&how, o, dimension);
-    if (!status && o->box)
-        status = numbers_read(box, l->context, "--box", o->box, strlen(o->box), 2 * dimension);
-    if (!status && o->surface)
-        status = boundary_check_surface(o->surface, dimension);
-    if (status)
-        return status;
-    how.low = o->box ? box : NULL;
-    how.high = o->box ? box + dimension : NULL;
-    graze_status made = graze_boundary_create(&b, l->context, l->scene, &how);
-    status = complain_of_use(made, l->context);
-    if (!status)
-        status = write_boundary(b, l->context, o, dimension);
-    graze_boundary_destroy(b);
-    return status;
+    HELD(rationals, box, 6);
+    OWNED(graze_boundary, b);
+    TRY(read_boundary_counts(&how, o, dimension));
+    TRY(numbers_given(box.at, l->context, "--box", o->box, 2 * dimension));
+    if (o->surface)
+        TRY(boundary_check_surface(o->surface, dimension));
+    how.low = o->box ? box.at : NULL;
+    how.high = o->box ? box.at + dimension : NULL;
+    TRY(complain_of_use(graze_boundary_create(&b, l->context, l->scene, &how), l->context));
+    if (o->surface)
+        TRY(boundary_write_surface(o->surface, b, l->context, dimension));
+    if (o->cells)
+        TRY(boundary_write_cells(o->cells, b, l->context, dimension));
+    if (o->points)
+        TRY(boundary_write_points(o->points, b, l->context, dimension));
+    return summarize_boundary(b, o->middles, o->sharp);
 }
 
 static const option_entry boundary_table[] = {
@@ -153,13 +139,10 @@ static const option_entry boundary_table[] = {
     FLAG("sharp", boundary_given, sharp, value_flag),
     FLAG("middles", boundary_given, middles, value_flag),
     OPTION("jobs", boundary_given, threads, value_jobs),
-    OPTION("round", boundary_given, scene.context.rounding, value_rounding),
-    FLAG("triangulate", boundary_given, scene.solid_flags, value_triangulate),
+    SCENE_OPTIONS(boundary_given, scene),
     OPTION("operation", boundary_given, scene.scene.operation, value_operation),
-    OPTION("overlap", boundary_given, scene.scene.overlap, value_overlap),
-    OPTION("limit", boundary_given, scene.context.limits, value_limit),
     FLAG("no-filter", boundary_given, scene.context.exact_only, value_flag),
-    {NULL, OPTION_FLAG, NULL, 0}};
+    OPTIONS_END};
 
 static int run_boundary(void *options, const operands *given) {
     boundary_given *o = options;
@@ -173,29 +156,12 @@ static int run_boundary(void *options, const operands *given) {
     o->points = output_name(o->points, o->format ? o->format : "-.csv");
     if (o->format && o->surface != o->format && o->cells != o->format && o->points != o->format)
         return complain(EXIT_USAGE, "--format goes with a file that is -, as --surface -");
-    int status = boundary_check_names(o->surface, o->cells, o->points);
-    if (status)
-        return status;
-    mpq_t box[6];
-    for (int k = 0; k < 6; k++)
-        mpq_init(box[k]);
-    loaded l;
-    o->scene.solid = given->item[0];
-    o->scene.motion = given->item[1];
-    status = loaded_read(&l, &o->scene, EXIT_INPUT, NULL);
-    if (!status)
-        status = load_takes(l.solid, o->scene.solid, "boundary", TAKES_STRAIGHT);
-    if (!status)
-        status = sample_boundary(&l, o, box);
-    loaded_clear(&l);
-    for (int k = 0; k < 6; k++)
-        mpq_clear(box[k]);
-    return status;
+    TRY(boundary_check_names(o->surface, o->cells, o->points));
+    ZEROED(loaded, l);
+    scene_files(&o->scene, given);
+    TRY(loaded_read(&l, &o->scene, EXIT_INPUT, NULL));
+    TRY(load_takes(l.solid, o->scene.solid, "boundary", TAKES_STRAIGHT));
+    return sample_boundary(&l, o);
 }
 
-const command command_boundary = {.name = "boundary",
-                                  .options = boundary_table,
-                                  .size = sizeof(boundary_given),
-                                  .reads = 2,
-                                  .help = boundary_help,
-                                  .run = run_boundary};
+COMMAND(boundary, boundary_given, .reads = 2);

@@ -5,8 +5,8 @@
  * are the same, so PLY's are written as VTK's.
  */
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "input/delimited/delimited.h"
 #include "output/table/table.h"
 #include "program/cli/values.h"
@@ -37,35 +37,23 @@ int boundary_check_surface(const char *surface, int dimension) {
     return EXIT_DONE;
 }
 
-static void init_point(mpq_t point[3]) {
-    for (int k = 0; k < 3; k++)
-        mpq_init(point[k]);
-}
-
-static void clear_point(mpq_t point[3]) {
-    for (int k = 0; k < 3; k++)
-        mpq_clear(point[k]);
-}
-
 typedef enum source { OF_POINTS, OF_VERTICES } source;
 
 static int put_coordinates(const graze_boundary *b, graze_context *context, int dimension,
                            source which, size_t count) {
-    mpq_t point[3];
-    graze_status status = GRAZE_OK;
-    init_point(point);
-    for (size_t i = 0; i < count && !status; i++) {
+    HELD(rationals, point, 3);
+    for (size_t i = 0; i < count; i++) {
         if (which == OF_VERTICES)
-            graze_boundary_vertex(point, b, i);
+            graze_boundary_vertex(point.at, b, i);
         else
-            (void)graze_boundary_point(point, b, i);
-        status = vtk_rational_point(&lines, context, point, dimension);
+            (void)graze_boundary_point(point.at, b, i);
+        TRY(complain_of(vtk_rational_point(&lines, context, point.at, dimension), context));
     }
-    clear_point(point);
-    return complain_of(status, context);
+    return EXIT_DONE;
 }
 
-/* The head of a legacy VTK file, up to its points. meshio reads no POLYDATA, so all are this. */
+/* The head of a legacy VTK file, up to its points. meshio reads no POLYDATA, so each is an
+ * unstructured grid. */
 static int put_vtk_points(const graze_boundary *b, graze_context *context, int dimension,
                           source which, size_t count) {
     vtk_begin(&lines, "graze " GRAZE_VERSION " boundary; " MISSES, "UNSTRUCTURED_GRID");
@@ -78,39 +66,32 @@ static void put_faces(const graze_boundary *b, int dimension, size_t count) {
         vtk_cell(&lines, graze_boundary_face(b, i), (size_t)dimension);
 }
 
-/* A count between two texts. */
-static void put_count(const char *before, size_t count, const char *behind) {
-    char text[32];
-    snprintf(text, sizeof text, "%zu", count);
-    output_put(&out, before);
-    output_put(&out, text);
-    output_put(&out, behind);
-}
-
 static int put_ply(const graze_boundary *b, graze_context *context, int dimension,
                    const graze_boundary_summary *s) {
     output_put(&out, "ply\nformat ascii 1.0\ncomment graze " GRAZE_VERSION " boundary\n"
                      "comment " MISSES "\n");
-    put_count("element vertex ", s->vertices,
-              "\nproperty double x\nproperty double y\nproperty double z\n");
-    put_count(dimension == 3 ? "element face " : "element edge ", s->faces,
-              dimension == 3 ? "\nproperty list uchar int vertex_indices\nend_header\n"
-                             : "\nproperty int vertex1\nproperty int vertex2\nend_header\n");
-    int status = put_coordinates(b, context, dimension, OF_VERTICES, s->vertices);
+    output_format(&out,
+                  "element vertex %zu\nproperty double x\nproperty double y\nproperty double z\n",
+                  s->vertices);
+    output_format(
+        &out,
+        dimension == 3
+            ? "element face %zu\nproperty list uchar int vertex_indices\nend_header\n"
+            : "element edge %zu\nproperty int vertex1\nproperty int vertex2\nend_header\n",
+        s->faces);
+    TRY(put_coordinates(b, context, dimension, OF_VERTICES, s->vertices));
     for (size_t i = 0; i < s->faces && dimension == 2; i++) {
         const size_t *edge = graze_boundary_face(b, i);
-        put_count("", edge[0], " ");
-        put_count("", edge[1], "\n");
+        output_format(&out, "%zu %zu\n", edge[0], edge[1]);
     }
     if (dimension == 3)
         put_faces(b, 3, s->faces);
-    return status;
+    return EXIT_DONE;
 }
 
-/* The corners of a face, for the normal alone; 0 0 0 stands where it has no direction. */
+/* Put the normal of a face with these corners; 0 0 0 where their doubles give no direction. */
 static void put_normal(double at[3][3]) {
     double normal[3], length = 0;
-    char text[128];
     for (int k = 0; k < 3; k++) {
         int i = (k + 1) % 3, j = (k + 2) % 3;
         normal[k] = (at[1][i] - at[0][i]) * (at[2][j] - at[0][j]) -
@@ -124,65 +105,58 @@ static void put_normal(double at[3][3]) {
         scale = 1 / (length * sqrt(squares));
     if (!(scale < HUGE_VAL))
         scale = 0;
-    snprintf(text, sizeof text, "facet normal %.9g %.9g %.9g\nouter loop\n", normal[0] * scale,
-             normal[1] * scale, normal[2] * scale);
-    output_put(&out, text);
+    output_format(&out, "facet normal %.9g %.9g %.9g\nouter loop\n", normal[0] * scale,
+                  normal[1] * scale, normal[2] * scale);
 }
 
 /* STL as text, since 32 bits a coordinate would move vertices onto one another. */
 static int put_stl(const graze_boundary *b, graze_context *context,
                    const graze_boundary_summary *s) {
-    mpq_t point[3];
-    graze_status status = GRAZE_OK;
-    init_point(point);
+    HELD(rationals, point, 3);
     output_put(&out, "solid graze " GRAZE_VERSION " boundary; " MISSES "\n");
-    for (size_t i = 0; i < s->faces && !status; i++) {
+    for (size_t i = 0; i < s->faces; i++) {
         const size_t *face = graze_boundary_face(b, i);
         double at[3][3];
         for (int k = 0; k < 3; k++) {
-            graze_boundary_vertex(point, b, face[k]);
+            graze_boundary_vertex(point.at, b, face[k]);
             for (int j = 0; j < 3; j++)
-                at[k][j] = mpq_get_d(point[j]);
+                at[k][j] = mpq_get_d(point.at[j]);
         }
         put_normal(at);
-        for (int k = 0; k < 3 && !status; k++) {
+        for (int k = 0; k < 3; k++) {
             output_put(&out, "vertex ");
-            graze_boundary_vertex(point, b, face[k]);
-            status = vtk_rational_point(&lines, context, point, 3);
+            graze_boundary_vertex(point.at, b, face[k]);
+            TRY(complain_of(vtk_rational_point(&lines, context, point.at, 3), context));
         }
         output_put(&out, "endloop\nendfacet\n");
     }
     output_put(&out, "endsolid\n");
-    clear_point(point);
-    return complain_of(status, context);
+    return EXIT_DONE;
 }
 
 /* Close the file, which holds all or nothing. */
 static int close_whole(int status) {
     if (status)
         output_drop(&out);
-    int closed = output_close(&out);
-    return status ? status : closed;
+    return output_end(&out, status);
 }
 
 int boundary_write_surface(const char *path, const graze_boundary *b, graze_context *context,
                            int dimension) {
     graze_boundary_summary s = graze_boundary_summarize(b);
-    int status = output_open(&out, path);
-    if (status)
-        return status;
+    TRY(output_open(&out, path));
     if (path_has_extension(path, ".stl"))
         return close_whole(put_stl(b, context, &s));
     if (!path_has_extension(path, ".vtk"))
         return close_whole(put_ply(b, context, dimension, &s));
-    status = put_vtk_points(b, context, dimension, OF_VERTICES, s.vertices);
+    int status = put_vtk_points(b, context, dimension, OF_VERTICES, s.vertices);
     vtk_cells_begin(&lines, s.faces, (size_t)dimension);
     put_faces(b, dimension, s.faces);
     vtk_cell_types(&lines, s.faces, dimension == 3 ? VTK_TRIANGLE : VTK_LINE);
     return close_whole(status);
 }
 
-/* One column of the cells. */
+/* Put one column of the cells: level, pmc or contact. */
 static void put_column(const graze_boundary *b, size_t count, const char *name, int which) {
     vtk_scalars_begin(&lines, (field){name, strlen(name)}, "int");
     for (size_t i = 0; i < count; i++) {
@@ -198,10 +172,8 @@ int boundary_write_cells(const char *path, const graze_boundary *b, graze_contex
     graze_boundary_summary s = graze_boundary_summarize(b);
     static const unsigned round[8] = {0, 1, 3, 2, 4, 5, 7, 6};
     size_t corners = (size_t)1 << dimension;
-    int status = output_open(&out, path);
-    if (status)
-        return status;
-    status = put_vtk_points(b, context, dimension, OF_POINTS, s.points);
+    TRY(output_open(&out, path));
+    int status = put_vtk_points(b, context, dimension, OF_POINTS, s.points);
     vtk_cells_begin(&lines, s.cells, corners);
     for (size_t i = 0; i < s.cells; i++) {
         graze_boundary_cell c = graze_boundary_cell_at(b, i);
@@ -219,43 +191,36 @@ int boundary_write_cells(const char *path, const graze_boundary *b, graze_contex
 }
 
 static void put_exact_points(const graze_boundary *b, int dimension, size_t count) {
-    mpq_t point[3];
-    init_point(point);
+    HELD(rationals, point, 3);
     output_put(&out, dimension == 2 ? "x,y,pmc\n" : "x,y,z,pmc\n");
     for (size_t i = 0; i < count; i++) {
-        graze_pmc pmc = graze_boundary_point(point, b, i);
+        graze_pmc pmc = graze_boundary_point(point.at, b, i);
         for (int k = 0; k < dimension; k++) {
-            output_number(&out, point[k]);
+            output_number(&out, point.at[k]);
             output_put(&out, ",");
         }
-        output_put(&out, graze_pmc_name(pmc));
-        output_put(&out, "\n");
+        output_format(&out, "%s\n", graze_pmc_name(pmc));
     }
-    clear_point(point);
 }
 
 int boundary_write_points(const char *path, const graze_boundary *b, graze_context *context,
                           int dimension) {
     graze_boundary_summary s = graze_boundary_summarize(b);
-    int status = output_open(&out, path);
-    if (status)
-        return status;
+    TRY(output_open(&out, path));
     if (path_has_extension(path, ".csv")) {
         output_put(&out, "# graze " GRAZE_VERSION " boundary\n# " MISSES "\n");
         put_exact_points(b, dimension, s.points);
         return output_close(&out);
     }
-    status = put_vtk_points(b, context, dimension, OF_POINTS, s.points);
+    int status = put_vtk_points(b, context, dimension, OF_POINTS, s.points);
     vtk_cells_begin(&lines, s.points, 1);
     for (size_t i = 0; i < s.points; i++)
         vtk_cell(&lines, &i, 1);
     vtk_cell_types(&lines, s.points, VTK_VERTEX);
     vtk_data_begin(&lines, "POINT_DATA", s.points);
     vtk_scalars_begin(&lines, (field){"pmc", 3}, "int");
-    mpq_t point[3];
-    init_point(point);
+    HELD(rationals, point, 3);
     for (size_t i = 0; i < s.points; i++)
-        vtk_int(&lines, (unsigned)graze_boundary_point(point, b, i));
-    clear_point(point);
+        vtk_int(&lines, (unsigned)graze_boundary_point(point.at, b, i));
     return close_whole(status);
 }

@@ -126,12 +126,6 @@ static int start_candidate(pid_t *child, char **words) {
     return error;
 }
 
-static double seconds_since(const struct timespec *start) {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)(now.tv_sec - start->tv_sec) + 1e-9 * (double)(now.tv_nsec - start->tv_nsec);
-}
-
 static void end_candidate(pid_t child) {
     int ignored;
     kill(-child, SIGKILL);
@@ -143,11 +137,10 @@ static void end_candidate(pid_t child) {
 static int wait_for_candidate(double *seconds, const char *name, pid_t child, unsigned long timeout,
                               const char *hint) {
     const struct timespec pause = {0, 1000000};
-    struct timespec begin;
+    double begin = clock_seconds();
     int state = 0;
-    clock_gettime(CLOCK_MONOTONIC, &begin);
     while (waitpid(child, &state, WNOHANG) != child) {
-        int late = seconds_since(&begin) > (double)timeout;
+        int late = clock_seconds() - begin > (double)timeout;
         if (interrupt_signal() || late)
             end_candidate(child);
         if (interrupt_signal())
@@ -158,7 +151,7 @@ static int wait_for_candidate(double *seconds, const char *name, pid_t child, un
                             timeout);
         nanosleep(&pause, NULL);
     }
-    *seconds = seconds_since(&begin);
+    *seconds = clock_seconds() - begin;
     if (WIFSIGNALED(state))
         return complain(EXIT_INPUT, "the candidate %s was ended by signal %d", name,
                         WTERMSIG(state));

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "base/context/scope.h"
 #include "program/cli/values.h"
 #include "program/io/io.h"
 #include "program/points/points.h"
@@ -36,16 +37,14 @@ static int by_case_name(const struct dirent **a, const struct dirent **b) {
 static int list_case(const char *folder, const char *name) {
     char line[512] = ""; /* a longer title is cut */
     size_t size = strlen(folder) + strlen(name) + sizeof "//motion.json";
-    char *path = malloc(size);
+    FREED(char, path, malloc(size));
     if (!path) {
         complain(EXIT_IO, "out of memory");
         return -1;
     }
     snprintf(path, size, "%s/%s/motion.json", folder, name);
-    if (access(path, F_OK) != 0) {
-        free(path);
+    if (access(path, F_OK) != 0)
         return 0;
-    }
     snprintf(path, size, "%s/%s/README.md", folder, name);
     FILE *readme = fopen(path, "r");
     int result = readme ? 1 : errno == ENOENT || errno == ENOTDIR ? 0 : -1;
@@ -55,7 +54,6 @@ static int list_case(const char *folder, const char *name) {
         complain(EXIT_IO, "%s: cannot be read: %s", path, strerror(errno));
     if (readme)
         fclose(readme);
-    free(path);
     if (result > 0) {
         line[strcspn(line, "\r\n")] = '\0';
         output_put(&list, name);
@@ -115,7 +113,7 @@ typedef struct cases_options {
 } cases_options;
 
 static const option_entry cases_table[] = {OPTION("folder", cases_options, folder, value_text),
-                                           {NULL, OPTION_FLAG, NULL, 0}};
+                                           OPTIONS_END};
 
 static int run_cases(void *options, const operands *given) {
     const cases_options *o = options;
@@ -124,18 +122,10 @@ static int run_cases(void *options, const operands *given) {
         return complain(EXIT_USAGE,
                         "cases takes no operand, %d given; expected graze cases --folder %s",
                         given->count, given->item[0]);
-    int status = output_open(&list, NULL);
-    if (status)
-        return status;
+    TRY(output_open(&list, NULL));
     if (!folder && access("cases", F_OK) != 0)
         folder = installed_cases();
-    status = list_cases(folder ? folder : "cases", folder != NULL);
-    int closed = output_close(&list);
-    return status ? status : closed;
+    return output_end(&list, list_cases(folder ? folder : "cases", folder != NULL));
 }
 
-const command command_cases = {.name = "cases",
-                               .options = cases_table,
-                               .size = sizeof(cases_options),
-                               .help = cases_help,
-                               .run = run_cases};
+COMMAND(cases, cases_options, .reads = 0);

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "program/cli/cli.h"
 
+#include "base/context/scope.h"
 #include "program/cli/values.h"
 #include "program/io/io.h"
 #include "program/points/points.h"
@@ -39,30 +40,18 @@ static const option_entry certify_table[] = {
     FILE_READ("receipt", classify_options, receipt),
     FLAG("times", classify_options, times, value_flag),
     FLAG("quiet", classify_options, quiet, value_quiet),
-    {NULL, OPTION_FLAG, NULL, 0}};
+    OPTIONS_END};
 
 static int run_certify(void *options, const operands *given) {
     classify_options *o = options;
-    if (given->count != 3)
-        return complain(EXIT_USAGE,
-                        "certify takes SOLID, MOTION and POINTS, %d operands given; see graze "
-                        "certify --help",
-                        given->count);
-    int status = classify_check_files(o);
-    o->scene.solid = given->item[0];
-    o->scene.motion = given->item[1];
+    TRY(classify_check_files(o));
+    scene_files(&o->scene, given);
     o->points = given->item[2];
-    return status ? status : classify_run(o);
+    return classify_run(o);
 }
 
 static const classify_options certificate_alone = {.no_table = 1, .shard.part = {0, 1}};
 
-const command command_certify = {.name = "certify",
-                                 .options = certify_table,
-                                 .size = sizeof(classify_options),
-                                 .initial = &certificate_alone,
-                                 .reads = 3,
-                                 .inputs = 1,
-                                 .help = certify_help,
-                                 .add_files = classify_add_record,
-                                 .run = run_certify};
+COMMAND(certify, classify_options, .initial = &certificate_alone,
+        .takes = "SOLID, MOTION and POINTS", .least = 3, .reads = 3, .inputs = 1,
+        .add_files = classify_add_record);

@@ -31,7 +31,8 @@ static const char *plural(size_t count, const char *one, const char *many) {
     return count == 1 ? one : many;
 }
 
-/* Set the step to a power of ten, so that the box's longest side is 10^4 to 10^6 steps. */
+/* Set the step, down / up, to a power of ten, so that the box's longest side is 10^4 to 10^6 steps.
+ */
 static void set_step(mpz_t up, mpz_t down, mpq_t *low, mpq_t *high, int d) {
     long most = 0;
     LOCAL(mpq, side);
@@ -60,64 +61,57 @@ static void round_outward(mpq_t value, const mpz_t up, const mpz_t down, int upw
 }
 
 static graze_status put_decimal_number(text *out, graze_context *context, const mpq_t value) {
-    char *decimal = NULL;
-    graze_status status = graze_number_decimal(&decimal, context, value, 0);
-    text_put(out, status ? "" : decimal);
-    graze_free(decimal);
-    return status;
+    FREED(char, decimal, NULL);
+    TRY(graze_number_decimal(&decimal, context, value, 0));
+    text_put(out, decimal);
+    return GRAZE_OK;
 }
 
 /* Add a line with a box, rounded outward, and its size. */
 static graze_status put_checked_box(text *out, graze_context *context, const char *what, mpq_t *low,
                                     mpq_t *high, int d) {
-    graze_status status = GRAZE_OK;
     LOCAL(mpz, up);
     LOCAL(mpz, down);
     set_step(up, down, low, high, d);
     text_put(out, what);
-    for (int i = 0; i < d && !status; i++) {
+    for (int i = 0; i < d; i++) {
         round_outward(low[i], up, down, 0);
         round_outward(high[i], up, down, 1);
         text_put(out, i ? ", " : " ");
-        status = put_decimal_number(out, context, low[i]);
+        TRY(put_decimal_number(out, context, low[i]));
         text_put(out, " .. ");
-        if (!status)
-            status = put_decimal_number(out, context, high[i]);
+        TRY(put_decimal_number(out, context, high[i]));
         mpq_sub(low[i], high[i], low[i]);
     }
-    for (int i = 0; i < d && !status; i++) {
+    for (int i = 0; i < d; i++) {
         text_put(out, i ? " x " : "; size ");
-        status = put_decimal_number(out, context, low[i]);
+        TRY(put_decimal_number(out, context, low[i]));
     }
     text_put(out, "\n");
-    return status;
+    return GRAZE_OK;
 }
 
-/* The boxes of the solid and of the set it sweeps: a unit that is off is seen in them. */
-static int describe_boxes(text *out, const loaded *l) {
-    mpq_t low[3], high[3];
+/* Add the boxes of the solid and of its sweep, which show a reader a wrong unit of length. */
+static graze_status describe_boxes(text *out, const loaded *l) {
+    HELD(rationals, box, 6);
+    mpq_t *low = box.at, *high = box.at + 3;
     graze_options options = {.size = sizeof options};
     if (!graze_solid_bounded(l->solid)) {
         text_put(out, "box of S: none is proved\n");
-        return EXIT_DONE;
+        return GRAZE_OK;
     }
     int d = graze_solid_dimension(l->solid);
-    mpq_inits(low[0], low[1], low[2], high[0], high[1], high[2], NULL);
-    graze_status status = graze_solid_box(low, high, l->context, l->solid);
-    if (!status)
-        status = put_checked_box(out, l->context, "box of S, rounded outward:", low, high, d);
-    if (l->scene)
-        graze_scene_options(&options, l->scene);
-    if (!status && l->scene)
-        status = graze_scene_box(low, high, l->context, l->scene);
-    if (!status && l->scene)
-        status = put_checked_box(out, l->context,
-                                 options.operation == GRAZE_UNSWEEP
-                                     ? "box that holds the unsweep, by proof:"
-                                     : "box that holds the sweep, by proof:",
-                                 low, high, d);
-    mpq_clears(low[0], low[1], low[2], high[0], high[1], high[2], NULL);
-    return complain_of(status, l->context);
+    TRY(graze_solid_box(low, high, l->context, l->solid));
+    TRY(put_checked_box(out, l->context, "box of S, rounded outward:", low, high, d));
+    if (!l->scene)
+        return GRAZE_OK;
+    graze_scene_options(&options, l->scene);
+    TRY(graze_scene_box(low, high, l->context, l->scene));
+    return put_checked_box(out, l->context,
+                           options.operation == GRAZE_UNSWEEP
+                               ? "box that holds the unsweep, by proof:"
+                               : "box that holds the sweep, by proof:",
+                           low, high, d);
 }
 
 static const char *ends_phrase(graze_ends ends) {
@@ -152,12 +146,8 @@ static int describe_scene(const loaded *l) {
     if (l->scene)
         text_format(&out, "motion: %zu %s\n%s\n", pieces, plural(pieces, "piece", "pieces"),
                     ends_phrase(graze_scene_ends(l->scene)));
-    int status = describe_boxes(&out, l);
-    if (!status && out.failed)
-        status = complain(EXIT_IO, "out of memory");
-    if (!status)
-        status = output_text(NULL, out.data);
-    return status;
+    TRY(complain_of(describe_boxes(&out, l), l->context));
+    return output_made(NULL, &out);
 }
 
 typedef struct check_options {
@@ -166,17 +156,13 @@ typedef struct check_options {
 } check_options;
 
 static const option_entry check_table[] = {
-    FLAG("triangulate", check_options, scene.solid_flags, value_triangulate),
-    OPTION("overlap", check_options, scene.scene.overlap, value_overlap),
+    SCENE_OPTIONS(check_options, scene),
     OPTION("operation", check_options, scene.scene.operation, value_operation),
-    OPTION("round", check_options, scene.context.rounding, value_rounding),
-    FILE_WRITTEN("receipt", check_options, receipt),
-    OPTION("limit", check_options, scene.context.limits, value_limit),
-    {NULL, OPTION_FLAG, NULL, 0}};
+    FILE_WRITTEN("receipt", check_options, receipt), OPTIONS_END};
 
 static int run_check(void *options, const operands *given) {
     check_options *o = options;
-    loaded l;
+    ZEROED(loaded, l);
     int needs = o->receipt || o->scene.scene.overlap || o->scene.scene.operation;
     if (given->count < 1 || given->count > 2)
         return complain(EXIT_USAGE,
@@ -187,20 +173,11 @@ static int run_check(void *options, const operands *given) {
                         o->receipt               ? "receipt"
                         : o->scene.scene.overlap ? "overlap"
                                                  : "operation");
-    o->scene.solid = given->item[0];
-    o->scene.motion = given->count == 2 ? given->item[1] : NULL;
-    int status = loaded_read(&l, &o->scene, EXIT_NO, NULL);
-    if (!status && o->receipt)
-        status = receipt_write(o->receipt, &l, &o->scene);
-    if (!status)
-        status = describe_scene(&l);
-    loaded_clear(&l);
-    return status;
+    scene_files(&o->scene, given);
+    TRY(loaded_read(&l, &o->scene, EXIT_NO, NULL));
+    if (o->receipt)
+        TRY(receipt_write(o->receipt, &l, &o->scene));
+    return describe_scene(&l);
 }
 
-const command command_check = {.name = "check",
-                               .options = check_table,
-                               .size = sizeof(check_options),
-                               .reads = 2,
-                               .help = check_help,
-                               .run = run_check};
+COMMAND(check, check_options, .reads = 2);

@@ -36,6 +36,8 @@ typedef struct command {
     const void *initial; /* that struct before, NULL: zeroed */
     int reads;           /* number of operands, from the first on, that are files, */
     int inputs;          /* and of the last ones of these, for which `-` is standard input */
+    const char *takes;   /* `least` to `reads` operands, in words; NULL: `run` counts them */
+    int least;
     /** Add files that neither these nor OPTION_READ and OPTION_WRITTEN name; may be NULL. */
     void (*add_files)(guard *g, const void *options, const operands *given);
     const char *help;

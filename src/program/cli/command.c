@@ -10,6 +10,7 @@
 #include <getopt.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/context/spelling.h"
 #include "program/cli/values.h"
 #include "program/io/io.h"
@@ -128,14 +129,19 @@ void operands_clear(operands *given) {
     *given = (operands){.item = NULL};
 }
 
-/* Is the table, the text or the solid written to a file in place of standard output? */
+void scene_files(scene_options *o, const operands *given) {
+    o->solid = given->item[0];
+    o->motion = given->item[1];
+}
+
+/* Does the option name a file that takes the place of standard output? */
 static int is_for_output(const option_entry *entry) {
     return strcmp(entry->name, "output") == 0 || strcmp(entry->name, "resume") == 0 ||
            strcmp(entry->name, "inside") == 0 || strcmp(entry->name, "outside") == 0;
 }
 
 int command_guard(const command *c, const void *options, const operands *given) {
-    guard g = {NULL, 0, 0, 0};
+    ZEROED(guard, g);
     int prints = !given->output, product = 0, yields = 0;
     for (int k = 0; k < given->count && k < c->reads; k++)
         guard_add(&g, k < c->reads - c->inputs ? GUARD_READ : GUARD_INPUT, NULL, given->item[k],
@@ -157,11 +163,17 @@ int command_guard(const command *c, const void *options, const operands *given) 
         guard_add(&g, GUARD_WRITTEN, "output", given->output, "");
     if (prints && (product || !yields)) /* a report goes to standard error where it has to yield */
         guard_add(&g, GUARD_WRITTEN, NULL, NULL, "");
-    int status = guard_check(&g);
-    if (!status && (yields || given->output))
+    TRY(guard_check(&g));
+    if (yields || given->output)
         output_unnamed(given->output);
-    guard_clear(&g);
-    return status;
+    return EXIT_DONE;
+}
+
+static int check_count(const command *c, const operands *given) {
+    if (!c->takes || (given->count >= c->least && given->count <= c->reads))
+        return EXIT_DONE;
+    return complain(EXIT_USAGE, "%s takes %s, %d operands given; see graze %s --help", c->name,
+                    c->takes, given->count, c->name);
 }
 
 /* Commands with --quiet count their rows. */
@@ -173,20 +185,21 @@ static int counts_rows(const command *c) {
 }
 
 int command_run(const command *c, int argc, char **argv) {
-    operands given;
-    void *options = malloc(c->size + !c->size);
-    int help, status;
+    int help;
+    ZEROED(operands, given);
+    FREED(void, options, malloc(c->size + !c->size));
     if (!options)
         return complain(EXIT_IO, "out of memory");
-    status = command_read(&given, options, &help, c, argc, argv);
+    int status = command_read(&given, options, &help, c, argc, argv);
     if (!status && !help)
         status = command_guard(c, options, &given);
+    if (!status && !help)
+        status = check_count(c, &given);
     if (!counts_rows(c))
         waiting_start();
     if (!status)
         status = help ? output_text(NULL, c->help) : c->run(options, &given);
     waiting_clear();
-    operands_clear(&given);
-    free(options);
+    graze_thread_finish();
     return status;
 }

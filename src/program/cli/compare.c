@@ -2,7 +2,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "program/cli/cli.h"
 
+#include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "program/cli/values.h"
 #include "program/io/io.h"
 
@@ -59,6 +62,60 @@ int compare_check(const graze_compare_options *o) {
     return EXIT_DONE;
 }
 
+/* The options of the golden table's head, as they stand behind `graze explain`. */
+static void take_scene_options(scene_options *to, const char *head) {
+    if (strstr(head, " --round binary64"))
+        to->context.rounding = GRAZE_ROUND_BINARY64;
+    if (strstr(head, " --round binary32"))
+        to->context.rounding = GRAZE_ROUND_BINARY32;
+    if (strstr(head, " --folds combined"))
+        to->scene.folds = GRAZE_FOLDS_COMBINED;
+    if (strstr(head, " --operation unsweep"))
+        to->scene.operation = GRAZE_UNSWEEP;
+    if (strstr(head, " --triangulate"))
+        to->solid_flags |= GRAZE_SOLID_TRIANGULATE;
+}
+
+/* Set the candidate's answer at each point on which it is wrong. */
+static void take_answers(const char **answers, size_t count, const graze_comparison *c) {
+    graze_disagreement wrong;
+    for (size_t k = 0; (wrong = graze_comparison_disagreement(c, k)).point; k++)
+        if (wrong.golden && wrong.row < count)
+            answers[wrong.row] = wrong.candidate ? wrong.candidate : "nothing";
+}
+
+static int draw_compared(const char *file, const loaded *l, const char *golden,
+                         const graze_comparison *c) {
+    ZEROED(marks, m);
+    m.dimension = graze_scene_dimension(l->scene);
+    TRY(marks_read(&m, golden, l->context));
+    FREED(const char *, answers, calloc(m.count + 1, sizeof *answers));
+    if (!answers)
+        return complain(EXIT_IO, "out of memory");
+    graze_draw_options what = {.title = golden, .answers = answers, .size = sizeof what};
+    take_answers(answers, m.count, c);
+    marks_give(&what, &m);
+    return complain_of_use(graze_draw(l->context, l->scene, file, &what), l->context);
+}
+
+/* Write the golden points as a page that marks those on which the candidate is wrong. The scene is
+ * that of the options' solid and motion, with what the golden table's head says of it. */
+static int compare_page(const char *file, const char *golden, const char *candidate,
+                        const graze_compare_options *options, const context_options *context) {
+    graze_compare_options all = *options;
+    OWNED(graze_context, comparing);
+    OWNED(graze_comparison, c);
+    ZEROED(loaded, l);
+    scene_options scene = {.solid = options->solid, .motion = options->motion};
+    all.show = SIZE_MAX;
+    TRY(context_make(&comparing, context));
+    TRY(complain_of(graze_compare(&c, comparing, golden, candidate, &all), comparing));
+    take_scene_options(&scene, graze_comparison_head(c));
+    memcpy(scene.context.limits, context->limits, sizeof scene.context.limits);
+    TRY(loaded_read(&l, &scene, EXIT_INPUT, NULL));
+    return draw_compared(file, &l, golden, c);
+}
+
 /* 1 if the tables differ. */
 static int differ(const graze_comparison *c) {
     graze_comparison_counts n = graze_comparison_count(c);
@@ -74,13 +131,10 @@ typedef struct compare_options {
 
 static int report_comparison(const compare_options *o, graze_context *context,
                              const graze_comparison *c) {
-    char *text = NULL;
-    graze_status made = graze_comparison_report(&text, context, c, o->format);
-    int status = complain_of(made, context);
-    if (!status)
-        status = output_text(o->output, text);
-    graze_free(text);
-    return status ? status : differ(c) ? EXIT_NO : EXIT_DONE;
+    FREED(char, report, NULL);
+    TRY(complain_of(graze_comparison_report(&report, context, c, o->format), context));
+    TRY(output_text(o->output, report));
+    return differ(c) ? EXIT_NO : EXIT_DONE;
 }
 
 static const option_entry compare_table[] = {
@@ -98,7 +152,7 @@ static const option_entry compare_table[] = {
     OPTION("format", compare_options, format, value_report),
     OUTPUT(compare_options, output, value_output),
     OPTION("limit", compare_options, context.limits, value_limit),
-    {NULL, OPTION_FLAG, NULL, 0}};
+    OPTIONS_END};
 
 static int run_compare(void *options, const operands *given) {
     const compare_options *o = options;
@@ -112,33 +166,19 @@ static int run_compare(void *options, const operands *given) {
         return complain(EXIT_USAGE, "--page needs --solid FILE and --motion FILE");
     if (o->page && (strcmp(given->item[0], "-") == 0 || strcmp(given->item[1], "-") == 0))
         return complain(EXIT_USAGE, "--page reads both tables twice, so neither can be -");
-    graze_context *context = NULL;
-    graze_comparison *c = NULL;
-    int status = compare_check(&o->compare);
-    if (!status)
-        status = context_make(&context, &o->context);
-    if (!status)
-        status = complain_of(
-            graze_compare(&c, context, given->item[0], given->item[1], &o->compare), context);
-    if (!status && o->page)
-        status = compare_page(output_name(o->page, "-.html"), given->item[0], given->item[1],
-                              &o->compare, &o->context);
-    if (!status)
-        status = report_comparison(o, context, c);
-    graze_comparison_destroy(c);
-    graze_context_destroy(context);
-    graze_thread_finish();
-    return status;
+    OWNED(graze_context, context);
+    OWNED(graze_comparison, c);
+    TRY(compare_check(&o->compare));
+    TRY(context_make(&context, &o->context));
+    TRY(complain_of(graze_compare(&c, context, given->item[0], given->item[1], &o->compare),
+                    context));
+    if (o->page)
+        TRY(compare_page(output_name(o->page, "-.html"), given->item[0], given->item[1],
+                         &o->compare, &o->context));
+    return report_comparison(o, context, c);
 }
 
 static const compare_options ten_shown = {.compare.show = 10,
                                           .compare.size = sizeof(graze_compare_options)};
 
-const command command_compare = {.name = "compare",
-                                 .options = compare_table,
-                                 .size = sizeof(compare_options),
-                                 .initial = &ten_shown,
-                                 .reads = 2,
-                                 .inputs = 2,
-                                 .help = compare_help,
-                                 .run = run_compare};
+COMMAND(compare, compare_options, .initial = &ten_shown, .reads = 2, .inputs = 2);

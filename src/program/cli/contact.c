@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "program/cli/cli.h"
 
+#include "base/context/scope.h"
 #include "program/cli/values.h"
 #include "program/io/io.h"
 #include "program/points/points.h"
@@ -39,38 +40,21 @@ static const option_entry contact_table[] = {
     OUTPUT(classify_options, output, value_output),
     FILE_WRITTEN("resume", classify_options, resume),
     OPTION("shard", classify_options, shard, value_shard),
-    OPTION("round", classify_options, scene.context.rounding, value_rounding),
-    FLAG("triangulate", classify_options, scene.solid_flags, value_triangulate),
-    OPTION("overlap", classify_options, scene.scene.overlap, value_overlap),
+    SCENE_OPTIONS(classify_options, scene),
     FLAG("no-filter", classify_options, scene.context.exact_only, value_flag),
-    OPTION("limit", classify_options, scene.context.limits, value_limit),
     FLAG("quiet", classify_options, quiet, value_quiet),
-    {NULL, OPTION_FLAG, NULL, 0}};
+    OPTIONS_END};
 
 static int run_contact(void *options, const operands *given) {
     classify_options *o = options;
-    if (given->count != 3)
-        return complain(EXIT_USAGE,
-                        "contact takes SOLID, MOTION and CONTACTS, %d operands given; see graze "
-                        "contact --help",
-                        given->count);
-    int status = classify_check_files(o);
-    if (!status)
-        status = classify_check_table(o);
-    o->scene.solid = given->item[0];
-    o->scene.motion = given->item[1];
+    TRY(classify_check_files(o));
+    TRY(classify_check_table(o));
+    scene_files(&o->scene, given);
     o->points = given->item[2];
-    return status ? status : classify_run(o);
+    return classify_run(o);
 }
 
 static const classify_options whole_run = {.shard.part = {0, 1}, .sites.wanted = 1};
 
-const command command_contact = {.name = "contact",
-                                 .options = contact_table,
-                                 .size = sizeof(classify_options),
-                                 .initial = &whole_run,
-                                 .reads = 3,
-                                 .inputs = 1,
-                                 .help = contact_help,
-                                 .add_files = classify_add_record,
-                                 .run = run_contact};
+COMMAND(contact, classify_options, .initial = &whole_run, .takes = "SOLID, MOTION and CONTACTS",
+        .least = 3, .reads = 3, .inputs = 1, .add_files = classify_add_record);

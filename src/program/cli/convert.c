@@ -64,100 +64,64 @@ static int put_converted(const convert_options *o, const char *text, const char 
 
 static int convert_solid_file(const convert_options *o, graze_context *context) {
     const char *path = o->file;
-    graze_solid *solid = NULL;
-    char *text = NULL;
-    graze_status made = graze_solid_read(&solid, context, path, o->solid_flags);
-    int refused = made ? EXIT_DONE : load_takes(solid, path, "convert", TAKES_STRAIGHT);
-    if (!made && !refused)
-        made = graze_solid_text(&text, context, solid);
+    OWNED(graze_solid, solid);
+    FREED(char, text, NULL);
+    TRY(complain_of(graze_solid_read(&solid, context, path, o->solid_flags), context));
+    TRY(load_takes(solid, path, "convert", TAKES_STRAIGHT));
+    TRY(complain_of(graze_solid_text(&text, context, solid), context));
     int space = graze_solid_dimension(solid) == 3;
-    int status = refused ? refused
-                 : made  ? complain_of(made, context)
-                         : put_converted(o, text, space ? ".off" : ".wkt");
-    if (!status)
-        complain(EXIT_DONE, "note: %s: %zu vertices and %zu %s, %s", path,
-                 graze_solid_vertex_count(solid), graze_solid_facet_count(solid),
-                 space ? "facets" : "edges",
-                 space ? "cut into triangles, which are the facets now"
-                       : "written as rings of one MULTIPOLYGON");
-    graze_free(text);
-    graze_solid_destroy(solid);
-    return status;
+    TRY(put_converted(o, text, space ? ".off" : ".wkt"));
+    return complain(EXIT_DONE, "note: %s: %zu vertices and %zu %s, %s", path,
+                    graze_solid_vertex_count(solid), graze_solid_facet_count(solid),
+                    space ? "facets" : "edges",
+                    space ? "cut into triangles, which are the facets now"
+                          : "written as rings of one MULTIPOLYGON");
 }
 
 static int convert_scad_file(const convert_options *o, graze_context *context) {
-    char *text = NULL, *report = NULL;
-    LOCAL(mpq, tolerance);
-    int status = o->near_rotation ? numbers_read(&tolerance, context, "--near-rotation",
-                                                 o->near_rotation, strlen(o->near_rotation), 1)
-                                  : EXIT_DONE;
+    FREED(char, text, NULL);
+    FREED(char, report, NULL);
+    HELD(rationals, tolerance, 1);
+    TRY(numbers_given(tolerance.at, context, "--near-rotation", o->near_rotation, 1));
+    if (o->near_rotation && mpq_sgn(tolerance.at[0]) <= 0)
+        return complain(EXIT_USAGE, "--near-rotation %s: expected a positive number",
+                        o->near_rotation);
     graze_scad_options options = {.size = sizeof options,
                                   .smooth = o->smooth,
-                                  .near_rotation = o->near_rotation ? tolerance : NULL};
-    if (!status && o->near_rotation && mpq_sgn(tolerance) <= 0)
-        status = complain(EXIT_USAGE, "--near-rotation %s: expected a positive number",
-                          o->near_rotation);
-    if (!status)
-        status = complain_of(graze_scad_text(&text, &report, context, o->file, &options), context);
-    if (!status && *report)
+                                  .near_rotation = o->near_rotation ? tolerance.at[0] : NULL};
+    TRY(complain_of(graze_scad_text(&text, &report, context, o->file, &options), context));
+    if (*report)
         complain(EXIT_DONE, "note: %s: %.*s", o->file, (int)strcspn(report, "\n"), report);
-    if (!status)
-        status = put_converted(o, text, ".csg.json");
-    graze_free(text);
-    graze_free(report);
-    return status;
+    return put_converted(o, text, ".csg.json");
 }
 
 static int convert_motion_file(const convert_options *o, graze_context *context) {
-    const char *path = o->file;
-    graze_motion *motion = NULL;
-    char *text = NULL;
-    graze_status made = graze_motion_read(&motion, context, path);
-    if (!made)
-        made = graze_motion_text(&text, context, motion);
-    int status = made ? complain_of(made, context) : put_converted(o, text, ".json");
-    if (!status)
-        complain(EXIT_DONE, "note: %s: %zu plain pieces, each with its matrix", path,
-                 graze_motion_piece_count(motion));
-    graze_free(text);
-    graze_motion_destroy(motion);
-    return status;
+    OWNED(graze_motion, motion);
+    FREED(char, text, NULL);
+    TRY(complain_of(graze_motion_read(&motion, context, o->file), context));
+    TRY(complain_of(graze_motion_text(&text, context, motion), context));
+    TRY(put_converted(o, text, ".json"));
+    return complain(EXIT_DONE, "note: %s: %zu plain pieces, each with its matrix", o->file,
+                    graze_motion_piece_count(motion));
 }
 
 static const option_entry convert_table[] = {
     FLAG("smooth", convert_options, smooth, value_flag),
     OPTION("near-rotation", convert_options, near_rotation, value_text),
-    FLAG("triangulate", convert_options, solid_flags, value_triangulate),
-    OPTION("round", convert_options, context.rounding, value_rounding),
-    OPTION("limit", convert_options, context.limits, value_limit),
-    OUTPUT(convert_options, output, value_text),
-    {NULL, OPTION_FLAG, NULL, 0}};
+    SOLID_OPTIONS(convert_options, solid_flags, context),
+    OUTPUT(convert_options, output, value_text), OPTIONS_END};
 
 static int run_convert(void *options, const operands *given) {
     convert_options *o = options;
-    graze_context *context = NULL;
-    if (given->count != 1)
-        return complain(EXIT_USAGE,
-                        "convert takes SOLID or MOTION, %d operands given; see graze convert "
-                        "--help",
-                        given->count);
+    OWNED(graze_context, context);
     o->file = given->item[0];
     if ((o->smooth || o->near_rotation) && !is_scad(o->file))
         return complain(EXIT_USAGE, "%s: %s is for files of OpenSCAD; expected .csg", o->file,
                         o->smooth ? "--smooth" : "--near-rotation");
-    int status = context_make(&context, &o->context);
-    if (!status)
-        status = is_scad(o->file)    ? convert_scad_file(o, context)
-                 : is_solid(o->file) ? convert_solid_file(o, context)
-                                     : convert_motion_file(o, context);
-    graze_context_destroy(context);
-    graze_thread_finish();
-    return status;
+    TRY(context_make(&context, &o->context));
+    return is_scad(o->file)    ? convert_scad_file(o, context)
+           : is_solid(o->file) ? convert_solid_file(o, context)
+                               : convert_motion_file(o, context);
 }
 
-const command command_convert = {.name = "convert",
-                                 .options = convert_table,
-                                 .size = sizeof(convert_options),
-                                 .reads = 1,
-                                 .help = convert_help,
-                                 .run = run_convert};
+COMMAND(convert, convert_options, .takes = "SOLID or MOTION", .least = 1, .reads = 1);

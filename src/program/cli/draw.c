@@ -4,6 +4,7 @@
 
 #include <stdio.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "program/cli/values.h"
 #include "program/io/io.h"
 #include "program/points/points.h"
@@ -50,34 +51,87 @@ typedef struct draw_given {
     int surface;
 } draw_given;
 
-/* Numbers of the options; initialised by the caller. */
-typedef struct frame {
-    mpq_t low[3], high[3], view[3];
-    plane_numbers plane;
-} frame;
+/* Numbers of the options and, behind those of --plane, what is computed from them. */
+enum { BOX = 0, VIEW = 6, PLANE = 9, NORMAL = 18, PLACE = 21, DRAW_NUMBERS = 22 };
 
-static int read_frame(graze_draw_options *out, frame *f, const draw_given *o, int d,
+/* place = normal . point */
+static void put_through(mpq_t *n, const mpq_t *point) {
+    LOCAL(mpq, product);
+    mpq_set_ui(n[PLACE], 0, 1);
+    for (int k = 0; k < 3; k++) {
+        mpq_mul(product, n[NORMAL + k], point[k]);
+        mpq_add(n[PLACE], n[PLACE], product);
+    }
+}
+
+/* The cross product of the ways from the first point to the two others. */
+static void span_points(mpq_t *normal, mpq_t *points) {
+    LOCAL(mpq, product);
+    for (int k = 0; k < 6; k++)
+        mpq_sub(points[3 + k], points[3 + k], points[k % 3]);
+    for (int k = 0; k < 3; k++) {
+        int i = (k + 1) % 3, j = (k + 2) % 3;
+        mpq_mul(normal[k], points[3 + i], points[6 + j]);
+        mpq_mul(product, points[3 + j], points[6 + i]);
+        mpq_sub(normal[k], normal[k], product);
+    }
+}
+
+static int is_no_direction(const mpq_t *vector) {
+    return !mpq_sgn(vector[0]) && !mpq_sgn(vector[1]) && !mpq_sgn(vector[2]);
+}
+
+/* Read `z=1/2`, the four numbers of an equation, a point and a normal, or three points. */
+static int read_plane(graze_draw_options *out, mpq_t *n, graze_context *context, const char *text) {
+    mpq_t *given = n + PLANE, *normal = n + NORMAL, *place = n + PLACE;
+    int count = 1;
+    for (const char *at = text; *at; at++)
+        count += *at == ',';
+    out->plane = place;
+    if (count == 1 && text[0] >= 'x' && text[0] <= 'z' && text[1] == '=') {
+        out->plane_axis = text[0] - 'x';
+        return numbers_given(place, context, "--plane", text + 2, 1);
+    }
+    if (count != 4 && count != 6 && count != 9)
+        return complain(EXIT_USAGE,
+                        "--plane %s: expected x=, y= or z= and a number; A,B,C,D of A x + B y + "
+                        "C z = D; a point and a normal; or three points",
+                        text);
+    TRY(numbers_given(given, context, "--plane", text, count));
+    for (int k = 0; k < 3 && count < 9; k++)
+        mpq_set(normal[k], given[count == 4 ? k : 3 + k]);
+    if (count == 9)
+        span_points(normal, given);
+    if (count == 4)
+        mpq_set(*place, given[3]);
+    else
+        put_through(n, given);
+    if (is_no_direction(normal))
+        return complain(EXIT_USAGE, "--plane %s: expected %s", text,
+                        count == 9 ? "three points that are not on one line"
+                                   : "a normal that is not zero");
+    out->normal = normal;
+    return EXIT_DONE;
+}
+
+static int read_frame(graze_draw_options *out, mpq_t *n, const draw_given *o, int d,
                       graze_context *context) {
-    int status = EXIT_DONE;
     if (d == 2 && (o->plane || o->view))
         return complain(EXIT_USAGE, "--%s goes with a solid of dimension 3",
                         o->plane ? "plane" : "view");
     if (o->box) {
-        status = box_read(f->low, f->high, o->box, d, context);
-        out->low = f->low;
-        out->high = f->high;
+        out->low = n + BOX;
+        out->high = n + BOX + 3;
+        TRY(box_read(n + BOX, n + BOX + 3, o->box, d, context));
     }
-    if (o->plane && !status)
-        status = plane_read(out, &f->plane, context, o->plane);
-    if (o->view && !status) {
-        status = numbers_read(f->view, context, "--view", o->view, strlen(o->view), 3);
-        for (int k = 0; k < 3; k++)
-            out->view[k] = mpq_get_d(f->view[k]);
-        if (!status && !mpq_sgn(f->view[0]) && !mpq_sgn(f->view[1]) && !mpq_sgn(f->view[2]))
-            status =
-                complain(EXIT_USAGE, "--view %s: expected a direction that is not zero", o->view);
-    }
-    return status;
+    if (o->plane)
+        TRY(read_plane(out, n, context, o->plane));
+    TRY(numbers_given(n + VIEW, context, "--view", o->view, 3));
+    for (int k = 0; k < 3; k++)
+        out->view[k] = mpq_get_d(n[VIEW + k]);
+    if (o->view && is_no_direction(n + VIEW))
+        return complain(EXIT_USAGE, "--view %s: expected a direction that is not zero", o->view);
+    return EXIT_DONE;
 }
 
 /* A whole number from 2 to `most`; nothing where there is no text. */
@@ -117,33 +171,28 @@ static const char *straight_part(const draw_given *o) {
                                              : NULL;
 }
 
-static int draw_scene(const loaded *l, const draw_given *o, const operands *given, marks *m,
-                      frame *f) {
+static int draw_scene(const loaded *l, const draw_given *o, const operands *given) {
     graze_draw_options what = {
         .title = o->title, .surface = o->surface, .by = o->by, .size = sizeof what};
     char title[TITLE_MOST + 1];
+    HELD(rationals, n, DRAW_NUMBERS);
+    ZEROED(marks, m);
+    m.dimension = graze_scene_dimension(l->scene);
     const char *solid = strrchr(o->scene.solid, '/'), *motion = strrchr(o->scene.motion, '/');
     snprintf(title, sizeof title, "%s, %s", solid ? solid + 1 : o->scene.solid,
              motion ? motion + 1 : o->scene.motion);
     if (!o->title)
         what.title = title;
-    int status = read_picture_size(&what.grid, "--grid", o->grid, 10000);
-    if (!status)
-        status = read_picture_size(&what.times, "--times", o->times, 64);
-    if (!status)
-        status = read_frame(&what, f, o, m->dimension, l->context);
-    if (!status)
-        status = o->points ? marks_read(m, o->points, l->context) : EXIT_DONE;
-    if (!status)
-        status = marks_take_points(m, given->repeated, given->repeated_count, l->context);
-    marks_give(&what, m);
-    const char *part = straight_part(o);
-    if (!status && part)
-        status = load_takes(l->solid, o->scene.solid, part, TAKES_STRAIGHT);
-    if (status)
-        return status;
-    graze_status drawn = graze_draw(l->context, l->scene, o->output, &what);
-    return complain_of_use(drawn, l->context);
+    TRY(read_picture_size(&what.grid, "--grid", o->grid, 10000));
+    TRY(read_picture_size(&what.times, "--times", o->times, 64));
+    TRY(read_frame(&what, n.at, o, m.dimension, l->context));
+    if (o->points)
+        TRY(marks_read(&m, o->points, l->context));
+    TRY(marks_take_points(&m, given->repeated, given->repeated_count, l->context));
+    marks_give(&what, &m);
+    if (straight_part(o))
+        TRY(load_takes(l->solid, o->scene.solid, straight_part(o), TAKES_STRAIGHT));
+    return complain_of_use(graze_draw(l->context, l->scene, o->output, &what), l->context);
 }
 
 static const option_entry draw_table[] = {
@@ -160,20 +209,12 @@ static const option_entry draw_table[] = {
     OPTION("surface", draw_given, surface, value_surface),
     OPTION("operation", draw_given, scene.scene.operation, value_operation),
     OPTION("folds", draw_given, scene.scene.folds, value_folds),
-    OPTION("overlap", draw_given, scene.scene.overlap, value_overlap),
-    FLAG("triangulate", draw_given, scene.solid_flags, value_triangulate),
-    OPTION("round", draw_given, scene.context.rounding, value_rounding),
-    OPTION("limit", draw_given, scene.context.limits, value_limit),
+    SCENE_OPTIONS(draw_given, scene),
     FLAG("no-filter", draw_given, scene.context.exact_only, value_flag),
-    {NULL, OPTION_FLAG, NULL, 0}};
+    OPTIONS_END};
 
 static int run_draw(void *options, const operands *given) {
     draw_given *o = options;
-    if (given->count < 2 || given->count > 3)
-        return complain(EXIT_USAGE,
-                        "draw takes SOLID, MOTION and perhaps POINTS, %d operands given; see graze "
-                        "draw --help",
-                        given->count);
     if (!o->output)
         return complain(EXIT_USAGE,
                         "draw needs -o FILE, a name in .svg, .png, .pdf or .html; see graze draw "
@@ -182,30 +223,12 @@ static int run_draw(void *options, const operands *given) {
     if (o->format && o->output != o->format)
         return complain(EXIT_USAGE, "--format goes with -o -; the name of another file ends in its "
                                     "format");
-    o->scene.solid = given->item[0];
-    o->scene.motion = given->item[1];
+    scene_files(&o->scene, given);
     o->points = given->item[2];
-    loaded l;
-    frame f;
-    mpq_inits(f.low[0], f.low[1], f.low[2], f.high[0], f.high[1], f.high[2], f.view[0], f.view[1],
-              f.view[2], NULL);
-    plane_init(&f.plane);
-    int status = loaded_read(&l, &o->scene, EXIT_INPUT, NULL);
-    marks m = {.dimension = graze_scene_dimension(l.scene)};
-    if (!status)
-        status = draw_scene(&l, o, given, &m, &f);
-    marks_clear(&m);
-    loaded_clear(&l);
-    plane_clear(&f.plane);
-    mpq_clears(f.low[0], f.low[1], f.low[2], f.high[0], f.high[1], f.high[2], f.view[0], f.view[1],
-               f.view[2], NULL);
-    return status;
+    ZEROED(loaded, l);
+    TRY(loaded_read(&l, &o->scene, EXIT_INPUT, NULL));
+    return draw_scene(&l, o, given);
 }
 
-const command command_draw = {.name = "draw",
-                              .options = draw_table,
-                              .size = sizeof(draw_given),
-                              .reads = 3,
-                              .inputs = 1,
-                              .help = draw_help,
-                              .run = run_draw};
+COMMAND(draw, draw_given, .takes = "SOLID, MOTION and perhaps POINTS", .least = 2, .reads = 3,
+        .inputs = 1);

@@ -3,6 +3,7 @@
 #include "program/cli/cli.h"
 
 #include <string.h>
+#include "base/context/scope.h"
 #include "program/cli/values.h"
 #include "program/io/io.h"
 
@@ -40,19 +41,14 @@ static int draw_point(const loaded *l, const char *file, graze_rationals point,
 }
 
 static int explain_point(const loaded *l, graze_rationals point, const char *picture) {
-    graze_trace *trace = NULL;
-    char *text = NULL;
-    graze_status status = graze_trace_create(&trace, l->context, l->scene, point);
-    if (!status)
-        status = graze_report_explain(&text, l->context, l->scene, point, trace, &l->rows);
-    int code = complain_of(status, l->context);
-    if (!code && picture)
-        code = draw_point(l, picture, point, trace);
-    if (!code)
-        code = output_text(NULL, text);
-    graze_free(text);
-    graze_trace_destroy(trace);
-    return code;
+    OWNED(graze_trace, trace);
+    FREED(char, text, NULL);
+    TRY(complain_of(graze_trace_create(&trace, l->context, l->scene, point), l->context));
+    TRY(complain_of(graze_report_explain(&text, l->context, l->scene, point, trace, &l->rows),
+                    l->context));
+    if (picture)
+        TRY(draw_point(l, picture, point, trace));
+    return output_text(NULL, text);
 }
 
 /* The coordinates from the command line. */
@@ -73,10 +69,7 @@ static int read_coordinates(mpq_t *point, const loaded *l, const operands *given
 }
 
 static const option_entry explain_table[] = {
-    FLAG("triangulate", explain_given, scene.solid_flags, value_triangulate),
-    OPTION("round", explain_given, scene.context.rounding, value_rounding),
-    OPTION("overlap", explain_given, scene.scene.overlap, value_overlap),
-    OPTION("limit", explain_given, scene.context.limits, value_limit),
+    SCENE_OPTIONS(explain_given, scene),
     FLAG("no-filter", explain_given, scene.context.exact_only, value_flag),
     OPTION("folds", explain_given, scene.scene.folds, value_folds),
     OPTION("operation", explain_given, scene.scene.operation, value_operation),
@@ -84,37 +77,25 @@ static const option_entry explain_table[] = {
     FLAG("topo", explain_given, scene.rows.topo, value_flag),
     FLAG("regular", explain_given, scene.rows.regular, value_flag),
     FILE_WRITTEN("svg", explain_given, picture),
-    {NULL, OPTION_FLAG, NULL, 0}};
+    OPTIONS_END};
 
 static int run_explain(void *options, const operands *given) {
     explain_given *all = options;
     scene_options *o = &all->scene;
-    loaded l;
-    mpq_t point[3];
+    ZEROED(loaded, l);
+    HELD(rationals, point, 3);
     if (given->count < 4 || given->count > 5)
         return complain(EXIT_USAGE,
                         "explain takes SOLID, MOTION and 2 or 3 coordinates, each a word of its "
                         "own, as 1/2 -1 0.25; %d operands given; see graze explain --help",
                         given->count);
     all->picture = output_name(all->picture, "-.svg");
-    o->solid = given->item[0];
-    o->motion = given->item[1];
-    mpq_inits(point[0], point[1], point[2], NULL);
-    int status = loaded_read(&l, o, EXIT_INPUT, NULL);
-    if (!status && all->picture)
-        status = load_takes(l.solid, o->solid, "--svg", TAKES_POLYGONS);
-    if (!status)
-        status = read_coordinates(point, &l, given);
-    if (!status)
-        status = explain_point(&l, point, all->picture);
-    mpq_clears(point[0], point[1], point[2], NULL);
-    loaded_clear(&l);
-    return status;
+    scene_files(o, given);
+    TRY(loaded_read(&l, o, EXIT_INPUT, NULL));
+    if (all->picture)
+        TRY(load_takes(l.solid, o->solid, "--svg", TAKES_POLYGONS));
+    TRY(read_coordinates(point.at, &l, given));
+    return explain_point(&l, (graze_rationals)point.at, all->picture);
 }
 
-const command command_explain = {.name = "explain",
-                                 .options = explain_table,
-                                 .size = sizeof(explain_given),
-                                 .reads = 2,
-                                 .help = explain_help,
-                                 .run = run_explain};
+COMMAND(explain, explain_given, .reads = 2);

@@ -3,6 +3,7 @@
  */
 #include "program/cli/cli.h"
 
+#include "base/context/scope.h"
 #include "program/cli/values.h"
 #include "program/io/io.h"
 #include "program/points/points.h"
@@ -47,48 +48,31 @@ static const char generate_help[] =
     "the others. No two points are equal; a stratum without other points is named on standard\n"
     "error.\n";
 
-typedef struct generate_given {
-    generate_options run;
-    seed_value seed;
-} generate_given;
-
 static const option_entry generate_table[] = {
-    OPTION("n", generate_given, run.count, value_count),
-    OPTION("seed", generate_given, seed, value_seed),
-    OPTION("strata", generate_given, run.strata, value_text),
-    OPTION("representable", generate_given, run.representable, value_binary64),
-    OPTION("coordinates", generate_given, run.coordinates.form, value_coordinates),
-    OPTION("digits", generate_given, run.coordinates.digits, value_digits),
-    FLAG("plain", generate_given, run.plain, value_flag),
-    OUTPUT(generate_given, run.output, value_output),
-    OPTION("round", generate_given, run.scene.context.rounding, value_rounding),
-    FLAG("triangulate", generate_given, run.scene.solid_flags, value_triangulate),
-    OPTION("overlap", generate_given, run.scene.scene.overlap, value_overlap),
-    OPTION("operation", generate_given, run.scene.scene.operation, value_operation),
-    OPTION("limit", generate_given, run.scene.context.limits, value_limit),
-    FLAG("quiet", generate_given, run.quiet, value_quiet),
-    {NULL, OPTION_FLAG, NULL, 0}};
+    OPTION("n", generate_options, count, value_count),
+    OPTION("seed", generate_options, seed, value_seed),
+    OPTION("strata", generate_options, strata, value_text),
+    OPTION("representable", generate_options, representable, value_binary64),
+    OPTION("coordinates", generate_options, coordinates.form, value_coordinates),
+    OPTION("digits", generate_options, coordinates.digits, value_digits),
+    FLAG("plain", generate_options, plain, value_flag),
+    OUTPUT(generate_options, output, value_output),
+    SCENE_OPTIONS(generate_options, scene),
+    OPTION("operation", generate_options, scene.scene.operation, value_operation),
+    FLAG("quiet", generate_options, quiet, value_quiet),
+    OPTIONS_END};
 
 static int run_generate(void *options, const operands *given) {
-    generate_given *o = options;
-    if (given->count != 2 || !o->run.count || !o->seed.given)
+    generate_options *o = options;
+    if (given->count != 2 || !o->count || !o->seed.given)
         return complain(EXIT_USAGE, "generate takes SOLID, MOTION, -n N and --seed K; see graze "
                                     "generate --help");
-    if (o->run.coordinates.form == COORDINATES_AS_GIVEN)
+    if (o->coordinates.form == COORDINATES_AS_GIVEN)
         return complain(EXIT_USAGE, "--coordinates as-given: expected exact or decimal; points "
                                     "that are made are not given");
-    int status = coordinates_check(&o->run.coordinates);
-    if (status)
-        return status;
-    o->run.scene.solid = given->item[0];
-    o->run.scene.motion = given->item[1];
-    o->run.seed = o->seed.seed;
-    return generate_run(NULL, &o->run);
+    TRY(coordinates_check(&o->coordinates));
+    scene_files(&o->scene, given);
+    return generate_run(NULL, o);
 }
 
-const command command_generate = {.name = "generate",
-                                  .options = generate_table,
-                                  .size = sizeof(generate_given),
-                                  .reads = 2,
-                                  .help = generate_help,
-                                  .run = run_generate};
+COMMAND(generate, generate_options, .reads = 2);

@@ -18,9 +18,9 @@ typedef struct maker {
     mpq_t point[3], time, low[3], high[3]; /* low, high: of the box */
     distinct points;
     unsigned long undecided; /* points left out */
-    output out;
-    int opened;
 } maker;
+
+static output out;
 
 /* Digits of a coordinate of the box that goes to a candidate. */
 enum { BOX_DIGITS = 17 };
@@ -51,48 +51,45 @@ static int read_stratum_weight(unsigned long *weights, const char *text, size_t 
 
 static int read_strata(unsigned long *weights, const generate_options *o) {
     const char *list = o->strata;
-    int status = EXIT_DONE;
     for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)
         weights[k] = list ? 0 : graze_stratum_default_weight((graze_stratum)k);
     if (!list)
         weights[GRAZE_STRATUM_LEVEL] = o->level;
-    while (list && !status) {
+    while (list) {
         size_t length = strcspn(list, ",");
-        status = read_stratum_weight(weights, list, length);
+        TRY(read_stratum_weight(weights, list, length));
         list = list[length] ? list + length + 1 : NULL;
     }
-    return status;
+    return EXIT_DONE;
 }
 
 static void put_points_box(maker *m) {
     int d = graze_scene_dimension(m->l.scene);
-    output_put(&m->out, "# box");
+    output_put(&out, "# box");
     for (int i = 0; i < 2 * d; i++) {
-        output_put(&m->out, i == 0 ? " " : ",");
-        output_number(&m->out, i < d ? m->low[i] : m->high[i - d]);
+        output_put(&out, i == 0 ? " " : ",");
+        output_number(&out, i < d ? m->low[i] : m->high[i - d]);
     }
-    output_put(&m->out, "\n");
+    output_put(&out, "\n");
 }
 
-/* The box for those who read no ratios. */
+/* Keep the box as decimals, for candidates, which need not read ratios. */
 static int note_box(maker *m) {
-    int d = m->made.dimension = graze_scene_dimension(m->l.scene), status = EXIT_DONE;
-    text box;
-    text_init(&box);
+    int d = m->made.dimension = graze_scene_dimension(m->l.scene);
+    HELD(text, box);
     graze_generator_box(m->low, m->high, m->generator);
-    for (int i = 0; i < 2 * d && !status; i++) {
-        char *decimal = NULL;
-        graze_status made = graze_number_decimal(&decimal, m->l.context,
-                                                 i < d ? m->low[i] : m->high[i - d], BOX_DIGITS);
-        text_format(&box, i ? ",%s" : "%s", decimal ? decimal : "");
-        graze_free(decimal);
-        status = complain_of(made, m->l.context);
+    for (int i = 0; i < 2 * d; i++) {
+        FREED(char, decimal, NULL);
+        TRY(complain_of(graze_number_decimal(&decimal, m->l.context,
+                                             i < d ? m->low[i] : m->high[i - d], BOX_DIGITS),
+                        m->l.context));
+        text_format(&box, i ? ",%s" : "%s", decimal);
     }
     m->made.box = text_take(&box);
-    return status || m->made.box ? status : complain(EXIT_IO, "out of memory");
+    return m->made.box ? EXIT_DONE : complain(EXIT_IO, "out of memory");
 }
 
-/* A decade of |s|, with the sign of s. */
+/* Write the decade of |s| with the sign of s: `1e-03` outside, `-1e-03` inside. */
 static int put_decade_name(char *text, size_t size, int outward, int decade) {
     return snprintf(text, size, "%s1e%+03d", outward ? "" : "-", decade);
 }
@@ -102,26 +99,21 @@ static void put_missing_decades(maker *m) {
     char name[24];
     for (size_t k = 0; graze_generator_missing_decade(&decade, &outward, m->generator, k); k++) {
         put_decade_name(name, sizeof name, outward, decade);
-        output_put(&m->out, "# decade ");
-        output_put(&m->out, name);
-        output_put(&m->out, " cannot be made\n");
+        output_format(&out, "# decade %s cannot be made\n", name);
     }
 }
 
 static void put_points_notes(maker *m, const generate_options *o) {
-    char line[128], form[COORDINATES_NOTE];
-    snprintf(line, sizeof line, "# graze %s\n# contract 1\n# seed %llu\n# representable %s\n",
-             GRAZE_VERSION, o->seed, o->representable ? "binary64" : "no");
-    output_put(&m->out, line);
+    char form[COORDINATES_NOTE];
+    output_format(&out, "# graze %s\n# contract 1\n# seed %llu\n# representable %s\n",
+                  GRAZE_VERSION, o->seed.seed, o->representable ? "binary64" : "no");
     coordinates_note(form, &o->coordinates);
-    output_put(&m->out, form);
+    output_put(&out, form);
     for (int k = 0; k < GRAZE_STRATUM_COUNT; k++) {
         unsigned long weight = graze_generator_weight(m->generator, (graze_stratum)k);
-        if (m->weights[k] == 0)
-            continue;
-        snprintf(line, sizeof line, weight ? "# stratum %s %lu\n" : "# stratum %s cannot be made\n",
-                 graze_stratum_name((graze_stratum)k), weight);
-        output_put(&m->out, line);
+        if (m->weights[k])
+            output_format(&out, weight ? "# stratum %s %lu\n" : "# stratum %s cannot be made\n",
+                          graze_stratum_name((graze_stratum)k), weight);
     }
     put_missing_decades(m);
     put_points_box(m);
@@ -130,96 +122,83 @@ static void put_points_notes(maker *m, const generate_options *o) {
 static void put_points_head(maker *m, const generate_options *o) {
     if (!o->plain)
         put_points_notes(m, o);
-    output_put(&m->out, graze_scene_dimension(m->l.scene) == 2 ? "x,y," : "x,y,z,");
-    output_put(&m->out, "id,stratum,order,cell,time,k,side");
-    output_put(&m->out, m->weights[GRAZE_STRATUM_LEVEL] ? ",decade\n" : "\n");
+    output_put(&out, graze_scene_dimension(m->l.scene) == 2 ? "x,y," : "x,y,z,");
+    output_put(&out, "id,stratum,order,cell,time,k,side");
+    output_put(&out, m->weights[GRAZE_STRATUM_LEVEL] ? ",decade\n" : "\n");
 }
 
-static void put_sample_cell(output *out, const graze_cell *cell) {
+static void put_sample_cell(const graze_cell *cell) {
     static const char *const names[] = {"", "face", "edge", "vertex", "primitive"};
-    char text[96];
     if (cell->kind == GRAZE_CELL_EDGE)
-        snprintf(text, sizeof text, "edge %zu-%zu", cell->a, cell->b);
+        output_format(&out, "edge %zu-%zu,", cell->a, cell->b);
     else
-        snprintf(text, sizeof text, "%s %zu", names[cell->kind], cell->a);
-    output_put(out, text);
+        output_format(&out, "%s %zu,", names[cell->kind], cell->a);
 }
 
-/* The last column, in tables that may have the stratum. */
+/* End a row, with the column `decade` in tables that may have the stratum `level`. */
 static void put_decade(maker *m, const graze_sample *made) {
     char name[24] = "";
     if (made->stratum == GRAZE_STRATUM_LEVEL)
         put_decade_name(name, sizeof name, made->outward, made->decade);
-    if (m->weights[GRAZE_STRATUM_LEVEL])
-        output_put(&m->out, ",");
-    output_put(&m->out, name);
-    output_put(&m->out, "\n");
+    output_format(&out, "%s%s\n", m->weights[GRAZE_STRATUM_LEVEL] ? "," : "", name);
 }
 
-/* The coordinates of the point, with a comma behind them, unless such a row stands already. */
+/* Put the coordinates of the point and a comma, unless a row with these stands already. */
 static int put_sample_point(int *is_new, maker *m, const coordinate_options *form,
                             const graze_sample *made, unsigned long row) {
     char where[32];
-    fault f = {EXIT_DONE, NULL};
+    ZEROED(fault, f);
     HELD(text, point);
     snprintf(where, sizeof where, "point %lu", row + 1);
-    int status = coordinates_put(&point, &f, form, m->l.context, m->point,
-                                 graze_scene_dimension(m->l.scene), NULL, where);
-    if (!status) {
-        *is_new = distinct_add(&m->points, made->stratum, point.data, point.length);
-        if (m->points.failed)
-            status = complain(EXIT_IO, "out of memory");
+    if (coordinates_put(&point, &f, form, m->l.context, m->point, graze_scene_dimension(m->l.scene),
+                        NULL, where))
+        return fault_tell(&f);
+    *is_new = distinct_add(&m->points, made->stratum, point.data, point.length);
+    if (m->points.failed)
+        return complain(EXIT_IO, "out of memory");
+    if (*is_new) {
+        output_bytes(&out, point.data, point.length);
+        output_put(&out, ",");
     }
-    if (!status && *is_new) {
-        output_bytes(&m->out, point.data, point.length);
-        output_put(&m->out, ",");
-    }
-    fault_tell(&f);
-    fault_clear(&f);
-    return status;
+    return EXIT_DONE;
 }
 
 /* Put the columns of a row that say how its point was made. */
 static void put_making(maker *m, const graze_sample *made, unsigned long row) {
-    char text[48];
     int rounded = made->stratum == GRAZE_STRATUM_ROUNDED;
-    snprintf(text, sizeof text, "%lu,%s%s%s", row + 1, graze_stratum_name(made->stratum),
-             rounded ? "-" : "", rounded ? graze_stratum_name(made->origin) : "");
-    output_put(&m->out, text);
+    output_format(&out, "%lu,%s%s%s", row + 1, graze_stratum_name(made->stratum),
+                  rounded ? "-" : "", rounded ? graze_stratum_name(made->origin) : "");
     if (made->order == 0) {
-        output_put(&m->out, ",,,,,");
+        output_put(&out, ",,,,,");
         put_decade(m, made);
         return;
     }
-    snprintf(text, sizeof text, made->order == GRAZE_ORDER_SLIDE ? ",slide," : ",%d,", made->order);
-    output_put(&m->out, text);
-    put_sample_cell(&m->out, &made->cell);
-    output_put(&m->out, ",");
-    output_number(&m->out, m->time);
+    output_format(&out, made->order == GRAZE_ORDER_SLIDE ? ",slide," : ",%d,", made->order);
+    put_sample_cell(&made->cell);
+    output_number(&out, m->time);
     static const char *const answers[] = {"", "in", "on", "out"};
     const char *side = rounded ? answers[made->pmc] : made->outward ? "out" : "in";
     int sided = rounded || made->stratum == GRAZE_STRATUM_LEVEL;
     if (made->k)
-        snprintf(text, sizeof text, ",%d,%s", made->k, side);
+        output_format(&out, ",%d,%s", made->k, side);
     else
-        snprintf(text, sizeof text, ",,%s", sided ? side : "");
-    output_put(&m->out, text);
+        output_format(&out, ",,%s", sided ? side : "");
     put_decade(m, made);
 }
 
-/* A row of the table, and whether there is one: the generator's rows may repeat. */
+/* Put a row for the point of a draw; none, and *is_new stays 0, where the point repeats one. */
 static int put_sample(int *is_new, maker *m, const generate_options *o, unsigned long long draw,
                       unsigned long row) {
     graze_sample made;
-    graze_status found =
-        graze_generator_point(m->point, m->time, &made, m->l.context, m->generator, draw);
-    int status = found ? complain_of(found, m->l.context) : EXIT_DONE;
-    m->undecided += found ? 0 : made.undecided;
-    if (!status && distinct_wants(&m->points, made.stratum))
-        status = put_sample_point(is_new, m, &o->coordinates, &made, row);
-    if (!status && *is_new)
+    TRY(complain_of(
+        graze_generator_point(m->point, m->time, &made, m->l.context, m->generator, draw),
+        m->l.context));
+    m->undecided += made.undecided;
+    if (distinct_wants(&m->points, made.stratum))
+        TRY(put_sample_point(is_new, m, &o->coordinates, &made, row));
+    if (*is_new)
         put_making(m, &made, row);
-    return status;
+    return EXIT_DONE;
 }
 
 static int put_samples(maker *m, const generate_options *o) {
@@ -228,7 +207,7 @@ static int put_samples(maker *m, const generate_options *o) {
     progress_start(&line, o->quiet, 0, (portion){0, o->count});
     unsigned long row = 0;
     unsigned long long draw = 0;
-    while (row < o->count && !distinct_is_over(&m->points) && !status && !m->out.error) {
+    while (row < o->count && !distinct_is_over(&m->points) && !status && !out.error) {
         int is_new = 0;
         status = interrupt_signal() ? EXIT_SIGNAL : put_sample(&is_new, m, o, draw, row);
         if (draw++ % 1024 == 0)
@@ -247,62 +226,59 @@ static int put_samples(maker *m, const generate_options *o) {
     return status;
 }
 
-/* Find the strata that get no points, and why: without --representable some of them do. */
+/* Find the strata that get no points: unrepresentable ones would get some without --representable,
+ * absent ones never. */
 static int find_lost(maker *m, const generate_options *o) {
-    graze_generator *any = NULL;
-    graze_status made = GRAZE_OK;
+    lost_strata *lost = &m->made.lost;
     for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)
         if (m->weights[k] && !graze_generator_weight(m->generator, (graze_stratum)k))
-            m->made.lost.absent |= 1u << k;
-    if (!m->made.lost.absent || !o->representable)
+            lost->absent |= 1u << k;
+    if (!lost->absent || !o->representable)
         return EXIT_DONE;
-    made = graze_generator_create(&any, m->l.context, m->l.scene, o->seed, m->weights, 0);
+    OWNED(graze_generator, any);
+    graze_status made =
+        graze_generator_create(&any, m->l.context, m->l.scene, o->seed.seed, m->weights, 0);
     for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)
-        if (m->made.lost.absent >> k & 1 && graze_generator_weight(any, (graze_stratum)k))
-            m->made.lost.unrepresentable |= 1u << k;
-    m->made.lost.absent &= ~m->made.lost.unrepresentable;
-    graze_generator_destroy(any);
-    if (!made && m->made.lost.unrepresentable)
-        made = lost_strata_dyadic(&m->made.lost, &m->l, &o->scene, o->seed, m->weights);
+        if (lost->absent >> k & 1 && graze_generator_weight(any, (graze_stratum)k))
+            lost->unrepresentable |= 1u << k;
+    lost->absent &= ~lost->unrepresentable;
+    if (!made && lost->unrepresentable)
+        made = lost_strata_dyadic(lost, &m->l, &o->scene, o->seed.seed, m->weights);
     return complain_of(made, m->l.context);
 }
 
 /* Say which strata get no points, or fewer. */
 static int tell_lost(const lost_strata *lost, const generate_options *o) {
-    char *said = lost_strata_text(lost, "\n");
-    int status = said ? EXIT_DONE : complain(EXIT_IO, "out of memory");
-    for (char *line = said ? strtok(said, "\n") : NULL; line; line = strtok(NULL, "\n"))
+    FREED(char, said, lost_strata_text(lost, "\n"));
+    if (!said)
+        return complain(EXIT_IO, "out of memory");
+    for (char *line = strtok(said, "\n"); line; line = strtok(NULL, "\n"))
         complain(EXIT_DONE, "note: %s: %s", o->scene.motion, line);
-    free(said);
-    return status;
+    return EXIT_DONE;
 }
 
 /* Name the decades of the signed distance that get no points. */
 static int tell_missing_decades(const maker *m) {
-    int decade, outward, status = EXIT_DONE;
+    int decade, outward;
     char name[24];
-    text said;
-    text_init(&said);
-    text_put(&said, "");
+    HELD(text, names);
     for (size_t k = 0; graze_generator_missing_decade(&decade, &outward, m->generator, k); k++) {
         put_decade_name(name, sizeof name, outward, decade);
-        text_format(&said, k ? ", %s" : "%s", name);
+        text_format(&names, k ? ", %s" : "%s", name);
     }
-    char *names = text_take(&said);
-    if (!names)
-        status = complain(EXIT_IO, "out of memory");
-    else if (*names)
-        status = complain(
-            EXIT_DONE, "note: no point was found whose signed distance is of the decade %s", names);
-    free(names);
-    return status;
+    if (names.failed)
+        return complain(EXIT_IO, "out of memory");
+    if (names.length)
+        complain(EXIT_DONE, "note: no point was found whose signed distance is of the decade %s",
+                 names.data);
+    return EXIT_DONE;
 }
 
 static int make_generator(maker *m, const generate_options *o) {
     graze_generator_destroy(m->generator);
     m->generator = NULL;
     graze_status made =
-        graze_generator_create(&m->generator, m->l.context, m->l.scene, o->seed, m->weights,
+        graze_generator_create(&m->generator, m->l.context, m->l.scene, o->seed.seed, m->weights,
                                o->representable ? GRAZE_GENERATE_REPRESENTABLE : 0);
     return complain_of_use(made, m->l.context);
 }
@@ -318,36 +294,47 @@ static int replace_lost(maker *m, const generate_options *o) {
     return status;
 }
 
-static int write_points(maker *m, const generate_options *o) {
-    int status = loaded_read(&m->l, &o->scene, EXIT_INPUT, NULL);
-    if (!status)
-        status = make_generator(m, o);
-    if (!status)
-        status = find_lost(m, o);
-    if (!status && m->made.lost.unrepresentable && !o->strata)
-        status = replace_lost(m, o);
-    if (!status && m->made.lost.unrepresentable)
-        status = tell_lost(&m->made.lost, o);
-    if (!status)
-        status = tell_missing_decades(m);
-    if (!status)
-        status = note_box(m);
-    if (status)
-        return status;
-    status = output_open(&m->out, o->output);
-    m->opened = !status;
-    if (status)
-        return status;
+static int put_table(maker *m, const generate_options *o) {
     put_points_head(m, o);
-    status = put_samples(m, o);
-    if (!status)
-        status = tell_lost(&(lost_strata){.spent = m->made.lost.spent}, o);
-    if (!status && o->coordinates.digits)
+    TRY(put_samples(m, o));
+    TRY(tell_lost(&(lost_strata){.spent = m->made.lost.spent}, o));
+    if (o->coordinates.digits)
         complain(EXIT_DONE,
                  "note: coordinates of more than %d digits are rounded; a rounded point need not "
                  "be at the contact that its columns name",
                  o->coordinates.digits);
-    return status;
+    return EXIT_DONE;
+}
+
+static int write_points(maker *m, const generate_options *o) {
+    TRY(read_strata(m->weights, o));
+    TRY(loaded_read(&m->l, &o->scene, EXIT_INPUT, NULL));
+    TRY(make_generator(m, o));
+    TRY(find_lost(m, o));
+    if (m->made.lost.unrepresentable && !o->strata)
+        TRY(replace_lost(m, o));
+    if (m->made.lost.unrepresentable)
+        TRY(tell_lost(&m->made.lost, o));
+    TRY(tell_missing_decades(m));
+    TRY(note_box(m));
+    TRY(output_open(&out, o->output));
+    int status = put_table(m, o), closed = output_close(&out);
+    return closed ? closed : status;
+}
+
+static void maker_init(maker *m) {
+    memset(m, 0, sizeof *m);
+    mpq_inits(m->point[0], m->point[1], m->point[2], m->time, NULL);
+    mpq_inits(m->low[0], m->low[1], m->low[2], m->high[0], m->high[1], m->high[2], NULL);
+}
+
+static void maker_clear(maker *m) {
+    generated_clear(&m->made);
+    graze_generator_destroy(m->generator);
+    distinct_clear(&m->points);
+    loaded_clear(&m->l);
+    mpq_clears(m->low[0], m->low[1], m->low[2], m->high[0], m->high[1], m->high[2], NULL);
+    mpq_clears(m->point[0], m->point[1], m->point[2], m->time, NULL);
 }
 
 void generated_clear(generated *made) {
@@ -355,27 +342,11 @@ void generated_clear(generated *made) {
 }
 
 int generate_run(generated *made, const generate_options *o) {
-    maker *m = calloc(1, sizeof *m);
-    if (!m)
-        return complain(EXIT_IO, "out of memory");
-    mpq_inits(m->point[0], m->point[1], m->point[2], m->time, NULL);
-    mpq_inits(m->low[0], m->low[1], m->low[2], m->high[0], m->high[1], m->high[2], NULL);
-    int status = read_strata(m->weights, o);
-    if (!status)
-        status = write_points(m, o);
-    if (m->opened) {
-        int closed = output_close(&m->out);
-        status = closed ? closed : status;
+    HELD(maker, m);
+    int status = write_points(&m, o);
+    if (made) {
+        *made = m.made;
+        m.made.box = NULL;
     }
-    if (made)
-        *made = m->made;
-    else
-        generated_clear(&m->made);
-    graze_generator_destroy(m->generator);
-    distinct_clear(&m->points);
-    loaded_clear(&m->l);
-    mpq_clears(m->low[0], m->low[1], m->low[2], m->high[0], m->high[1], m->high[2], NULL);
-    mpq_clears(m->point[0], m->point[1], m->point[2], m->time, NULL);
-    free(m);
     return status;
 }

@@ -49,7 +49,7 @@ static const char judge_help[] =
 /* Points that are generated, and disagreements that are shown. */
 enum { DEFAULT_POINTS = 1000, POINTS_SHOWN = 5 };
 
-/* Colours are of distances known to this part of the width. */
+/* The page's colours take distances enclosed to the width divided by this. */
 static const double PAGE_SHARE = 64;
 
 typedef struct judge_given {
@@ -58,14 +58,13 @@ typedef struct judge_given {
     const char *fail_above, *points, *vertices, *answers, *page;
     unsigned long count;
     seed_value seed;
-    int on_as; /* a graze_on_as, and 1 */
-    int no_points, jobs, format;
+    int on_as; /* a graze_on_as plus 1; 0: not given */
+    int no_points, jobs;
+    graze_judgement_format format;
 } judge_given;
 
-static int value_form(void *to, const char *name, const char *value) {
-    static const char *const words[] = {"text", "markdown", "json"};
-    return value_choice(to, name, value, words, 3);
-}
+static option_read value_form;
+VALUE_OF_WORDS(value_form, graze_judgement_format, "text", "markdown", "json")
 
 static int value_on_as_given(void *to, const char *name, const char *value) {
     graze_on_as on_as = GRAZE_ON_AS_ANY;
@@ -88,21 +87,15 @@ static const option_entry judge_table[] = {
     OPTION("jobs", judge_given, jobs, value_jobs),
     OPTION("fail-above", judge_given, fail_above, value_width),
     OPTION("format", judge_given, format, value_form),
-    FLAG("triangulate", judge_given, scene.solid_flags, value_triangulate),
-    OPTION("round", judge_given, scene.context.rounding, value_rounding),
-    OPTION("limit", judge_given, scene.context.limits, value_limit),
-    {NULL, OPTION_FLAG, NULL, 0}};
+    SOLID_OPTIONS(judge_given, scene.solid_flags, scene.context),
+    OPTIONS_END};
 
 static int print_judgement(graze_context *context, const graze_judgement *judgement,
                            const graze_comparison *points, const judge_given *o) {
-    char *report = NULL;
-    int code = complain_of(graze_judgement_report(&report, context, judgement, points,
-                                                  (graze_judgement_format)o->format),
-                           context);
-    if (!code)
-        code = output_text(NULL, report);
-    graze_free(report);
-    return code;
+    FREED(char, report, NULL);
+    TRY(complain_of(graze_judgement_report(&report, context, judgement, points, o->format),
+                    context));
+    return output_text(NULL, report);
 }
 
 /* Is a distance certainly more than allowed? The text was read as a number before. */
@@ -131,9 +124,9 @@ static int write_mesh_answers(const loaded *l, const judge_given *o, const graze
             "one, or no --answers",
             o->answers);
     FREED(graze_pmc, found, calloc(given->count + 1, sizeof *found));
-    graze_rationals points = (graze_rationals)given->value;
     if (!found)
         return complain(EXIT_IO, "out of memory for %zu points", given->count);
+    graze_rationals points = (graze_rationals)given->value;
     TRY(complain_of(graze_mesh_answers(found, l->context, mesh, points, given->count, o->jobs),
                     l->context));
     return answer_table_write(o->answers, rule == GRAZE_MESH_PARITY, points, found, given->count);
@@ -159,22 +152,22 @@ static int ask_mesh_points(graze_comparison **out, const loaded *l, const judge_
     return complain_of(graze_compare_mesh(out, l->context, l->scene, mesh, &asked), l->context);
 }
 
-/* The distances of all vertices, as a table and in a page. */
+/* Find the distances of all vertices, and write them as a table, in a page, or both. */
 static int write_vertices(const loaded *l, const judge_given *o, const graze_mesh *mesh,
                           const graze_judgement *judgement) {
     size_t count = graze_mesh_get_facts(mesh).vertices;
     FREED(graze_enclosure, found, calloc(count + 1, sizeof *found));
-    double width = o->page ? l->rows.sdf / PAGE_SHARE : l->rows.sdf;
     if (!found)
         return complain(EXIT_IO, "out of memory for %zu vertices", count);
+    double width = o->page ? l->rows.sdf / PAGE_SHARE : l->rows.sdf;
     TRY(complain_of(graze_mesh_distances(found, l->context, l->scene, mesh, width, o->jobs),
                     l->context));
     if (o->vertices)
         TRY(vertex_table_write(o->vertices, l->context, mesh, found));
-    return o->page ? complain_of(graze_judgement_draw(l->context, l->scene, judgement, o->page,
-                                                      found, NULL),
-                                 l->context)
-                   : EXIT_DONE;
+    if (!o->page)
+        return EXIT_DONE;
+    return complain_of(graze_judgement_draw(l->context, l->scene, judgement, o->page, found, NULL),
+                       l->context);
 }
 
 /* Does the mesh face inward, or overlap itself? */
@@ -184,45 +177,30 @@ static int is_wound_wrongly(const graze_mesh *mesh) {
 }
 
 static int judge_mesh(const loaded *l, const judge_given *o, const char *path) {
-    graze_mesh *mesh = NULL;
-    graze_judgement *judgement = NULL;
-    graze_comparison *points = NULL;
-    marks given = {.dimension = 3};
+    OWNED(graze_mesh, mesh);
+    OWNED(graze_judgement, judgement);
+    OWNED(graze_comparison, points);
+    ZEROED(marks, given);
+    given.dimension = 3;
     graze_judge_options options = {
         .size = sizeof options, .within = l->rows.sdf, .budget = o->budget, .threads = o->jobs};
-    int code =
-        complain_of(graze_mesh_read(&mesh, l->context, path, o->scene.solid_flags), l->context);
-    if (!code && o->points)
-        code = marks_read(&given, o->points, l->context);
-    if (!code && o->answers)
-        code = write_mesh_answers(l, o, mesh, &given);
-    if (!code)
-        code =
-            complain_of(graze_judge(&judgement, l->context, l->scene, mesh, &options), l->context);
-    if (!code && (o->vertices || o->page))
-        code = write_vertices(l, o, mesh, judgement);
-    if (!code)
-        code = ask_mesh_points(&points, l, o, mesh, &given);
-    if (!code)
-        code = print_judgement(l->context, judgement, points, o);
-    if (!code && o->fail_above &&
-        (is_wound_wrongly(mesh) || is_too_far(l->context, judgement, o->fail_above)))
-        code = EXIT_NO;
-    graze_comparison_destroy(points);
-    graze_judgement_destroy(judgement);
-    graze_mesh_destroy(mesh);
-    marks_clear(&given);
-    return code;
+    TRY(complain_of(graze_mesh_read(&mesh, l->context, path, o->scene.solid_flags), l->context));
+    if (o->points)
+        TRY(marks_read(&given, o->points, l->context));
+    if (o->answers)
+        TRY(write_mesh_answers(l, o, mesh, &given));
+    TRY(complain_of(graze_judge(&judgement, l->context, l->scene, mesh, &options), l->context));
+    if (o->vertices || o->page)
+        TRY(write_vertices(l, o, mesh, judgement));
+    TRY(ask_mesh_points(&points, l, o, mesh, &given));
+    TRY(print_judgement(l->context, judgement, points, o));
+    int is_wrong = o->fail_above &&
+                   (is_wound_wrongly(mesh) || is_too_far(l->context, judgement, o->fail_above));
+    return is_wrong ? EXIT_NO : EXIT_DONE;
 }
 
 static int run_judge(void *options, const operands *given) {
     judge_given *o = options;
-    ZEROED(loaded, l);
-    if (given->count != 3)
-        return complain(EXIT_USAGE,
-                        "judge takes SOLID, MOTION and MESH, %d operands given; see graze judge "
-                        "--help",
-                        given->count);
     o->page = output_name(o->page, "-.html");
     o->vertices = output_name(o->vertices, "-.csv");
     if (o->page && !path_has_extension(o->page, ".html"))
@@ -231,11 +209,11 @@ static int run_judge(void *options, const operands *given) {
         return complain(EXIT_USAGE, "--answers needs points; expected --points beside it");
     if (o->vertices && vertex_table_check(o->vertices))
         return EXIT_USAGE;
-    o->scene.solid = given->item[0];
-    o->scene.motion = given->item[1];
+    scene_files(&o->scene, given);
     double within = o->scene.rows.sdf > 0 ? o->scene.rows.sdf : 1e-2;
     int relative = o->scene.sdf_relative || !(o->scene.rows.sdf > 0);
-    o->scene.rows.sdf = o->scene.sdf_relative = 0; /* no row has a distance */
+    o->scene.rows.sdf = o->scene.sdf_relative = 0; /* the width is that of the judgement */
+    ZEROED(loaded, l);
     TRY(loaded_read(&l, &o->scene, EXIT_INPUT, NULL));
     TRY(load_takes(l.solid, given->item[0], "judge", TAKES_POLYHEDRA));
     l.rows.sdf = within;
@@ -244,9 +222,4 @@ static int run_judge(void *options, const operands *given) {
     return judge_mesh(&l, o, given->item[2]);
 }
 
-const command command_judge = {.name = "judge",
-                               .options = judge_table,
-                               .size = sizeof(judge_given),
-                               .reads = 3,
-                               .help = judge_help,
-                               .run = run_judge};
+COMMAND(judge, judge_given, .takes = "SOLID, MOTION and MESH", .least = 3, .reads = 3);

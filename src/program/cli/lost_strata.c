@@ -10,10 +10,10 @@
 graze_status lost_strata_dyadic(lost_strata *lost, const loaded *l, const scene_options *o,
                                 unsigned long long seed, const unsigned long *weights) {
     graze_context *context = l->context;
-    graze_motion *motion = NULL;
-    graze_scene *scene = NULL;
-    graze_generator *generator = NULL;
-    char *json = NULL;
+    OWNED(graze_motion, motion);
+    OWNED(graze_scene, scene);
+    OWNED(graze_generator, generator);
+    FREED(char, json, NULL);
     graze_options options = o->scene;
     options.size = sizeof options;
     LOCAL(mpq, tolerance);
@@ -29,10 +29,6 @@ graze_status lost_strata_dyadic(lost_strata *lost, const loaded *l, const scene_
     for (int k = 0; k < GRAZE_STRATUM_COUNT && !status; k++)
         lost->has_dyadic |=
             lost->unrepresentable >> k & 1 && graze_generator_weight(generator, (graze_stratum)k);
-    graze_generator_destroy(generator);
-    graze_scene_destroy(scene);
-    graze_motion_destroy(motion);
-    graze_free(json);
     /* A motion near this one that is not legal, or has no points at all, is no help. */
     return status == GRAZE_ECANCELED || status == GRAZE_ESYSTEM ? status : GRAZE_OK;
 }

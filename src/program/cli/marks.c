@@ -1,10 +1,11 @@
-/* Points with the columns id and stratum.
+/* Points to be drawn: those of a file, named by its column id, and those of options.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "input/delimited/delimited.h"
 #include "program/cli/values.h"
 #include "program/io/io.h"
@@ -34,7 +35,8 @@ static int marks_grow(marks *m) {
     return 1;
 }
 
-/* Take the point at the end of `value` over under malloc'ed texts. */
+/* Count the point whose numbers stand at the end of `value`; its malloc'ed name and stratum are
+ * taken over. */
 static int marks_take(marks *m, char *name, char *stratum) {
     if (!name) {
         free(stratum);
@@ -45,7 +47,7 @@ static int marks_take(marks *m, char *name, char *stratum) {
     return EXIT_DONE;
 }
 
-/* "3" for the third row. */
+/* The text `before` and a number, malloc'ed. */
 static char *number_name(const char *before, size_t number) {
     char text[32];
     snprintf(text, sizeof text, "%s%zu", before, number);
@@ -54,7 +56,7 @@ static char *number_name(const char *before, size_t number) {
 
 /* Find the further column with a name; *found is -1 if there is none. 0 where memory is short. */
 static int mark_column(long *found, const char *columns, const char *name) {
-    fields cut = {NULL, 0, 0};
+    ZEROED(fields, cut);
     *found = -1;
     fields_result result =
         columns ? fields_cut(&cut, (field){columns, strlen(columns)}) : FIELDS_CUT;
@@ -63,44 +65,37 @@ static int mark_column(long *found, const char *columns, const char *name) {
         if (f.length == strlen(name) && memcmp(f.start, name, f.length) == 0)
             *found = (long)k;
     }
-    fields_clear(&cut);
     return result != FIELDS_NO_MEMORY;
 }
 
 /* The content of a further column of a row; NULL where the row has none or memory is short. */
 static char *mark_field(const char *rest, long column) {
-    fields cut = {NULL, 0, 0};
-    char *out = NULL;
-    if (fields_cut(&cut, (field){rest, strlen(rest)}) == FIELDS_CUT && (size_t)column < cut.count) {
-        field f = field_content(cut.item[column]);
-        out = strndup(f.start, f.length);
-    }
-    fields_clear(&cut);
-    return out;
+    ZEROED(fields, cut);
+    if (fields_cut(&cut, (field){rest, strlen(rest)}) != FIELDS_CUT || (size_t)column >= cut.count)
+        return NULL;
+    field f = field_content(cut.item[column]);
+    return strndup(f.start, f.length);
 }
 
 static int read_marks_block(marks *m, csv *points, const block *b, graze_context *context) {
-    fault f = {EXIT_DONE, NULL};
-    reader r = {.context = context};
+    ZEROED(fault, f);
+    ZEROED(reader, r);
+    r.context = context;
     long id, stratum = -1;
     const char *others = csv_columns(points)->others;
-    int status = mark_column(&id, others, "id") && mark_column(&stratum, others, "stratum")
-                     ? EXIT_DONE
-                     : complain(EXIT_IO, "out of memory");
-    for (size_t k = 0; k < b->count && !status; k++) {
+    if (!mark_column(&id, others, "id") || !mark_column(&stratum, others, "stratum"))
+        return complain(EXIT_IO, "out of memory");
+    for (size_t k = 0; k < b->count; k++) {
         r.rest_length = 0;
         if (!marks_grow(m))
-            status = complain(EXIT_IO, "out of memory");
-        else if (columns_row(m->value + m->count * (size_t)m->dimension, &f, csv_columns(points),
-                             &r, b, k))
-            status = fault_tell(&f);
-        else
-            status = marks_take(m, id < 0 ? number_name("", m->count + 1) : mark_field(r.rest, id),
-                                stratum < 0 ? NULL : mark_field(r.rest, stratum));
+            return complain(EXIT_IO, "out of memory");
+        if (columns_row(m->value + m->count * (size_t)m->dimension, &f, csv_columns(points), &r, b,
+                        k))
+            return fault_tell(&f);
+        TRY(marks_take(m, id < 0 ? number_name("", m->count + 1) : mark_field(r.rest, id),
+                       stratum < 0 ? NULL : mark_field(r.rest, stratum)));
     }
-    reader_clear(&r);
-    fault_clear(&f);
-    return status;
+    return EXIT_DONE;
 }
 
 int marks_read(marks *m, const char *path, graze_context *context) {
@@ -122,16 +117,14 @@ int marks_read(marks *m, const char *path, graze_context *context) {
 }
 
 int marks_take_points(marks *m, const char *const *points, int count, graze_context *context) {
-    int status = EXIT_DONE;
-    for (int k = 0; k < count && !status; k++) {
+    for (int k = 0; k < count; k++) {
         if (!marks_grow(m))
             return complain(EXIT_IO, "out of memory");
-        status = numbers_read(m->value + m->count * (size_t)m->dimension, context, "-p", points[k],
-                              strlen(points[k]), m->dimension);
-        if (!status)
-            status = marks_take(m, count > 1 ? number_name("P", (size_t)k + 1) : strdup("P"), NULL);
+        TRY(numbers_given(m->value + m->count * (size_t)m->dimension, context, "-p", points[k],
+                          m->dimension));
+        TRY(marks_take(m, count > 1 ? number_name("P", (size_t)k + 1) : strdup("P"), NULL));
     }
-    return status;
+    return EXIT_DONE;
 }
 
 void marks_give(graze_draw_options *out, const marks *m) {

@@ -37,57 +37,36 @@ typedef struct mend_options {
     context_options context;
 } mend_options;
 
-static const option_entry mend_table[] = {
-    FLAG("triangulate", mend_options, solid_flags, value_triangulate),
-    OPTION("round", mend_options, context.rounding, value_rounding),
-    OPTION("limit", mend_options, context.limits, value_limit),
-    OPTION("weld", mend_options, weld, value_positive),
-    OUTPUT(mend_options, output, value_text),
-    {NULL, OPTION_FLAG, NULL, 0}};
+static const option_entry mend_table[] = {SOLID_OPTIONS(mend_options, solid_flags, context),
+                                          OPTION("weld", mend_options, weld, value_positive),
+                                          OUTPUT(mend_options, output, value_text), OPTIONS_END};
 
 static int mend_file(const mend_options *o, graze_context *context, const char *path) {
-    char *text = NULL, *report = NULL;
-    LOCAL(mpq, weld);
-    int status = o->weld ? numbers_read(&weld, context, "--weld", o->weld, strlen(o->weld), 1) : 0;
-    graze_status made = GRAZE_EUSE;
-    if (!status) {
-        made =
-            graze_solid_mend(&text, &report, context, path, o->weld ? weld : NULL, o->solid_flags);
-        status = complain_of(made, context);
-    }
+    FREED(char, text, NULL);
+    FREED(char, report, NULL);
+    HELD(rationals, weld, 1);
+    TRY(numbers_given(weld.at, context, "--weld", o->weld, 1));
+    graze_status made = graze_solid_mend(&text, &report, context, path, o->weld ? weld.at[0] : NULL,
+                                         o->solid_flags);
+    int status = complain_of(made, context);
     if (made == GRAZE_EILLEGAL)
         status = EXIT_NO;
-    if (report && (*report || !made)) {
-        int told = output_text(NULL, *report ? report : "nothing to mend\n");
-        status = told ? told : status;
-    }
-    if (text && !status)
-        status = output_text(o->output, text);
-    graze_free(text);
-    graze_free(report);
-    return status;
+    if (report && (*report || !made))
+        TRY(output_text(NULL, *report ? report : "nothing to mend\n"));
+    return text && !status ? output_text(o->output, text) : status;
 }
 
 static int run_mend(void *options, const operands *given) {
     mend_options *o = options;
-    graze_context *context = NULL;
+    OWNED(graze_context, context);
     if (given->count != 1 || !o->output)
         return complain(EXIT_USAGE, "mend takes SOLID and -o FILE; see graze mend --help");
     o->output = output_name(o->output, "-.off");
     size_t length = strlen(o->output);
     if (length < 5 || strcasecmp(o->output + length - 4, ".off") != 0)
         return complain(EXIT_USAGE, "--output %s: expected a name that ends in .off", o->output);
-    int status = context_make(&context, &o->context);
-    if (!status)
-        status = mend_file(o, context, given->item[0]);
-    graze_context_destroy(context);
-    graze_thread_finish();
-    return status;
+    TRY(context_make(&context, &o->context));
+    return mend_file(o, context, given->item[0]);
 }
 
-const command command_mend = {.name = "mend",
-                              .options = mend_table,
-                              .size = sizeof(mend_options),
-                              .reads = 1,
-                              .help = mend_help,
-                              .run = run_mend};
+COMMAND(mend, mend_options, .reads = 1);

@@ -8,7 +8,6 @@
 #include "program/cli/cli.h"
 
 #include <limits.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
@@ -38,12 +37,19 @@ typedef struct merge_options {
 } merge_options;
 
 typedef struct merger {
-    part *parts; /* part i is that of shard i */
+    part *parts; /* in the order given; from check_parts on part i is that of shard i */
     size_t count;
     graze_context *context;
-    output out;
-    int opened;
 } merger;
+
+static output out;
+
+static void merger_clear(merger *m) {
+    for (size_t k = 0; k < m->count; k++)
+        part_close(&m->parts[k]);
+    free(m->parts);
+    graze_context_destroy(m->context);
+}
 
 /* Refuse two parts that differ where the parts of one run are equal. */
 static int compare_heads(const part *a, const part *b) {
@@ -64,7 +70,7 @@ static int compare_heads(const part *a, const part *b) {
     return EXIT_DONE;
 }
 
-/* Open the parts in the order given, and put them into that of the shards. */
+/* Open the parts, in the order given. */
 static int open_parts(merger *m, const operands *given) {
     m->parts = calloc((size_t)given->count, sizeof *m->parts);
     if (!m->parts)
@@ -81,7 +87,7 @@ static int by_shard(const void *a, const void *b) {
     return (i > j) - (i < j);
 }
 
-/* Check that each shard is there once. */
+/* Sort the parts by shard; each shard must be there once. */
 static int check_parts(merger *m) {
     unsigned long count = m->parts[0].shard.count;
     qsort(m->parts, m->count, sizeof *m->parts, by_shard);
@@ -101,19 +107,18 @@ static int copy_rows(merger *m, const merge_options *o) {
     int status = EXIT_DONE;
     progress line;
     progress_start(&line, o->quiet, 0, (portion){0, rows});
-    for (; row < rows && !status && !m->out.error; row++) {
-        status =
-            interrupt_signal() ? EXIT_SIGNAL : part_copy_row(&m->parts[row % m->count], &m->out);
+    for (; row < rows && !status && !out.error; row++) {
+        status = interrupt_signal() ? EXIT_SIGNAL : part_copy_row(&m->parts[row % m->count], &out);
         if (row % 4096 == 0)
             progress_show(&line, row, (portion){row, rows});
     }
     progress_end(&line, row, (portion){row, rows});
-    for (size_t k = 0; k < m->count && !status && !m->out.error; k++)
+    for (size_t k = 0; k < m->count && !status && !out.error; k++)
         status = part_end(&m->parts[k]);
     return status;
 }
 
-/* The last lines: those of a part, of all rows and without what is of a shard. */
+/* Put the last lines: those of a part, of all rows and without what is of a shard. */
 static int put_counts(merger *m) {
     HELD(text, lines);
     last_lines all = m->parts[0].last;
@@ -124,7 +129,7 @@ static int put_counts(merger *m) {
         all.undecided += m->parts[k].last.undecided;
     last_lines_begin(&lines, kind, &all);
     last_lines_end(&lines, kind, &all);
-    output_bytes(&m->out, lines.data, lines.length);
+    output_bytes(&out, lines.data, lines.length);
     return lines.failed ? complain(EXIT_IO, "out of memory") : EXIT_DONE;
 }
 
@@ -133,41 +138,26 @@ static int merge_parts(merger *m, const merge_options *o, const operands *given)
         return complain(EXIT_IO, "out of memory");
     TRY(open_parts(m, given));
     TRY(check_parts(m));
-    TRY(output_open(&m->out, o->output));
-    m->opened = 1;
-    output_put(&m->out, m->parts[0].head.data);
-    TRY(copy_rows(m, o));
-    return put_counts(m);
+    TRY(output_open(&out, o->output));
+    output_put(&out, m->parts[0].head.data);
+    int status = copy_rows(m, o);
+    if (!status)
+        status = put_counts(m);
+    int closed = output_close(&out);
+    return closed ? closed : status;
 }
 
 static const option_entry merge_table[] = {OUTPUT(merge_options, output, value_output),
                                            FLAG("quiet", merge_options, quiet, value_quiet),
-                                           {NULL, OPTION_FLAG, NULL, 0}};
+                                           OPTIONS_END};
 
 static int run_merge(void *options, const operands *given) {
     if (given->count < 1)
         return complain(
             EXIT_USAGE,
             "merge takes the parts of a table or a certificate; see graze merge --help");
-    merger *m = calloc(1, sizeof *m);
-    if (!m)
-        return complain(EXIT_IO, "out of memory");
-    int status = merge_parts(m, options, given);
-    if (m->opened) {
-        int closed = output_close(&m->out);
-        status = closed ? closed : status;
-    }
-    for (size_t k = 0; k < m->count; k++)
-        part_close(&m->parts[k]);
-    free(m->parts);
-    graze_context_destroy(m->context);
-    free(m);
-    return status;
+    ZEROED(merger, m);
+    return merge_parts(&m, options, given);
 }
 
-const command command_merge = {.name = "merge",
-                               .options = merge_table,
-                               .size = sizeof(merge_options),
-                               .reads = INT_MAX,
-                               .help = merge_help,
-                               .run = run_merge};
+COMMAND(merge, merge_options, .reads = INT_MAX);

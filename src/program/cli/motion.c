@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "base/context/spelling.h"
 #include "input/delimited/delimited.h"
 #include "program/cli/values.h"
@@ -94,7 +95,7 @@ typedef struct motion_options {
     int examples;
 } motion_options;
 
-/* Words of the other kinds name no files. */
+/* The operand of poses and dyadic is a file; those of other kinds are none. */
 static void add_motion_files(guard *g, const void *options, const operands *given) {
     (void)options;
     if (given->count > 1 &&
@@ -128,7 +129,7 @@ static const option_entry motion_table[] = {
     OPTION("limit", motion_options, context.limits, value_limit),
     REPEATED("ignore"),
     FLAG("examples", motion_options, examples, value_flag),
-    {NULL, OPTION_FLAG, NULL, 0}};
+    OPTIONS_END};
 
 enum { NUMBERS_OF_JOINT = 8 }; /* degrees, pitch, axis, center */
 
@@ -150,6 +151,11 @@ typedef struct job {
     char *json, *report;
 } job;
 
+static void set_slide(own_joint *w) {
+    w->joint.kind = GRAZE_JOINT_SLIDE;
+    w->joint.axis = w->number + 2;
+}
+
 static void set_turn(own_joint *w, int dimension, int centered) {
     w->joint.kind = GRAZE_JOINT_TURN;
     w->joint.degrees = w->number[0];
@@ -168,34 +174,29 @@ static int read_joint(job *j, own_joint *w, const char *word) {
                         word);
     if (screw && j->dimension == 2)
         return complain(EXIT_USAGE, "%s: a screw is for dimension 3; expected turn or slide", word);
-    int place[4] = {0, 2, 5, -1}, fields = 0, status = EXIT_DONE; /* where fields go in `number` */
+    int place[4] = {0, 2, 5, -1}, fields = 0; /* where fields go in `number` */
     if (slide)
         place[0] = 2, place[1] = -1;
     else if (screw)
         place[1] = 1, place[2] = 2, place[3] = 5;
     else if (j->dimension == 2)
         place[1] = 5, place[2] = -1;
-    const char *at = strchr(word, ':');
-    while (at && !status) {
-        at++;
-        size_t length = strcspn(at, ":");
+    for (const char *at = strchr(word, ':'); at && *at; fields++) {
+        size_t length = strcspn(++at, ":");
         int to = fields < 4 ? place[fields] : -1;
         if (to < 0)
             return complain(EXIT_USAGE, "%s: the joint has too many parts; see graze motion --help",
                             word);
-        status =
-            numbers_read(w->number + to, j->context, word, at, length, to < 2 ? 1 : j->dimension);
-        at = at[length] ? at + length : NULL;
-        fields++;
+        TRY(numbers_read(w->number + to, j->context, word, at, length, to < 2 ? 1 : j->dimension));
+        at += length;
     }
-    if (!status && j->dimension == 3 && !slide && fields < (screw ? 3 : 2))
+    if (j->dimension == 3 && !slide && fields < (screw ? 3 : 2))
         return complain(EXIT_USAGE, "%s: the joint has no axis; see graze motion --help", word);
-    set_turn(w, j->dimension, 1);
-    if (slide) {
-        w->joint.kind = GRAZE_JOINT_SLIDE;
-        w->joint.axis = w->number + 2;
-    }
-    return status;
+    if (slide)
+        set_slide(w);
+    else
+        set_turn(w, j->dimension, 1);
+    return EXIT_DONE;
 }
 
 /* A slide, in the plane where there are two numbers. */
@@ -203,9 +204,8 @@ static int read_way(job *j, own_joint *w, const char *by) {
     const char *comma = strchr(by, ',');
     if (comma && !strchr(comma + 1, ',') && !j->o->own[DIMENSION])
         j->dimension = 2;
-    w->joint.kind = GRAZE_JOINT_SLIDE;
-    w->joint.axis = w->number + 2;
-    return numbers_read(w->number + 2, j->context, "--by", by, strlen(by), j->dimension);
+    set_slide(w);
+    return numbers_given(w->number + 2, j->context, "--by", by, j->dimension);
 }
 
 /* The one joint that the options of rotate and screw describe. */
@@ -218,18 +218,12 @@ static int read_turn(job *j, own_joint *w, int screw) {
             "%s takes --degrees, and in dimension 3 --axis%s; the plane is --dimension 2; see "
             "graze motion --help",
             screw ? "screw" : "rotate", screw ? " and perhaps --pitch" : "");
-    int status =
-        numbers_read(w->number, j->context, "--degrees", own[DEGREES], strlen(own[DEGREES]), 1);
-    if (!status && own[PITCH])
-        status =
-            numbers_read(w->number + 1, j->context, "--pitch", own[PITCH], strlen(own[PITCH]), 1);
-    if (!status && own[AXIS])
-        status = numbers_read(w->number + 2, j->context, "--axis", own[AXIS], strlen(own[AXIS]), 3);
-    if (!status && own[CENTER])
-        status = numbers_read(w->number + 5, j->context, "--center", own[CENTER],
-                              strlen(own[CENTER]), d);
+    TRY(numbers_given(w->number, j->context, "--degrees", own[DEGREES], 1));
+    TRY(numbers_given(w->number + 1, j->context, "--pitch", own[PITCH], 1));
+    TRY(numbers_given(w->number + 2, j->context, "--axis", own[AXIS], 3));
+    TRY(numbers_given(w->number + 5, j->context, "--center", own[CENTER], d));
     set_turn(w, d, own[CENTER] != NULL);
-    return status;
+    return EXIT_DONE;
 }
 
 static int joints_init(job *j, size_t count) {
@@ -244,25 +238,19 @@ static int joints_init(job *j, size_t count) {
 
 static int read_motion_goal(job *j, const char *tolerance) {
     const char *const *own = j->o->own;
-    const char *radius = own[RADIUS] ? own[RADIUS] : "1";
-    tolerance = own[TOLERANCE] ? own[TOLERANCE] : tolerance;
-    int status =
-        numbers_read(&j->tolerance, j->context, "--tolerance", tolerance, strlen(tolerance), 1);
-    return status ? status
-                  : numbers_read(&j->radius, j->context, "--radius", radius, strlen(radius), 1);
+    TRY(numbers_given(&j->tolerance, j->context, "--tolerance",
+                      own[TOLERANCE] ? own[TOLERANCE] : tolerance, 1));
+    return numbers_given(&j->radius, j->context, "--radius", own[RADIUS] ? own[RADIUS] : "1", 1);
 }
 
-static int make_turn(job *j, int screw) {
+static int make_turn(job *j) {
+    int screw = strcmp(j->given->item[0], "screw") == 0;
     if (j->given->count != 1)
         return complain(EXIT_USAGE, "%s takes options alone; see graze motion --help",
                         screw ? "screw" : "rotate");
-    int status = joints_init(j, 1);
-    if (!status)
-        status = read_turn(j, j->joints, screw);
-    if (!status)
-        status = read_motion_goal(j, screw ? "1e-6" : "1e-9");
-    if (status)
-        return status;
+    TRY(joints_init(j, 1));
+    TRY(read_turn(j, j->joints, screw));
+    TRY(read_motion_goal(j, screw ? "1e-6" : "1e-9"));
     const graze_joint *joint = &j->joints->joint;
     graze_status made =
         screw ? graze_motion_write_joints(&j->json, &j->report, j->context, j->dimension, joint, 1,
@@ -277,23 +265,19 @@ static int make_joint_chain(job *j) {
     size_t count = by ? 1 : (size_t)j->given->count - 1;
     if (count == 0)
         return complain(EXIT_USAGE, "joints takes one joint or more; see graze motion --help");
-    int status = joints_init(j, count);
-    for (size_t i = 0; i < count && !status; i++)
-        status = by ? read_way(j, j->joints + i, by)
-                    : read_joint(j, j->joints + i, j->given->item[1 + i]);
-    if (!status)
-        status = read_motion_goal(j, "1e-6");
-    if (status)
-        return status;
-    graze_joint *chain = malloc(count * sizeof *chain);
+    TRY(joints_init(j, count));
+    for (size_t i = 0; i < count; i++)
+        TRY(by ? read_way(j, j->joints + i, by)
+               : read_joint(j, j->joints + i, j->given->item[1 + i]));
+    TRY(read_motion_goal(j, "1e-6"));
+    FREED(graze_joint, chain, malloc(count * sizeof *chain));
     if (!chain)
         return complain(EXIT_IO, "out of memory");
     for (size_t i = 0; i < count; i++)
         chain[i] = j->joints[i].joint;
-    graze_status made = graze_motion_write_joints(&j->json, &j->report, j->context, j->dimension,
-                                                  chain, count, j->tolerance, j->radius);
-    free(chain);
-    return complain_of_use(made, j->context);
+    return complain_of_use(graze_motion_write_joints(&j->json, &j->report, j->context, j->dimension,
+                                                     chain, count, j->tolerance, j->radius),
+                           j->context);
 }
 
 static int make_line(job *j) {
@@ -307,19 +291,17 @@ static int read_pose_choice(job *j, graze_pose_options *out) {
     static const int option[3] = {SCALE, FROM, TO};
     mpq_srcptr *const to[3] = {&out->scale, &out->from, &out->to};
     const char *const *own = j->o->own;
-    int status = EXIT_DONE;
-    for (int k = 0; k < 3 && !status; k++) {
-        const char *value = own[option[k]], *name = motion_table[option[k]].name;
-        if (!value)
-            continue;
-        status = numbers_read(j->ends + k, j->context, name, value, strlen(value), 1);
-        *to[k] = j->ends[k];
+    for (int k = 0; k < 3; k++) {
+        if (own[option[k]])
+            *to[k] = j->ends[k];
+        TRY(numbers_given(j->ends + k, j->context, motion_table[option[k]].name, own[option[k]],
+                          1));
     }
-    if (!status && own[EVERY] && !numbers_count(&out->every, own[EVERY], 1))
+    if (own[EVERY] && !numbers_count(&out->every, own[EVERY], 1))
         return complain(EXIT_USAGE, "--every %s: expected a whole number from 1 up", own[EVERY]);
-    if (!status && out->scale && mpq_sgn(out->scale) <= 0)
+    if (out->scale && mpq_sgn(out->scale) <= 0)
         return complain(EXIT_USAGE, "--scale %s: expected a number above 0", own[SCALE]);
-    return status;
+    return EXIT_DONE;
 }
 
 static int make_poses(job *j) {
@@ -340,11 +322,8 @@ static int make_poses(job *j) {
                                  .angles = j->o->own[ANGLES],
                                  .ignored = j->given->repeated,
                                  .ignored_count = (size_t)j->given->repeated_count};
-    int status = read_motion_goal(j, "1e-6");
-    if (!status)
-        status = read_pose_choice(j, &chosen);
-    if (status)
-        return status;
+    TRY(read_motion_goal(j, "1e-6"));
+    TRY(read_pose_choice(j, &chosen));
     graze_status set =
         graze_context_set_rounding(j->context, written ? GRAZE_ROUND_NONE : GRAZE_ROUND_BINARY64);
     if (!set)
@@ -353,49 +332,35 @@ static int make_poses(job *j) {
     return complain_of_use(set, j->context);
 }
 
-/* The dyadic motion near the one that was read takes the place of the file that was made. */
-static int make_near(job *j, graze_motion *motion) {
-    char *report = NULL, *before = j->report;
+/* Replace the file that was made by that of the dyadic motion near it; the reports of both stand
+ * one behind the other. */
+static int make_near(job *j, const graze_motion *motion) {
+    FREED(char, before, j->report);
+    FREED(char, report, NULL);
     graze_free(j->json);
     j->report = j->json = NULL;
-    graze_status made =
-        graze_motion_write_dyadic(&j->json, &report, j->context, motion, j->tolerance);
-    graze_motion_destroy(motion);
-    size_t room = strlen(before ? before : "") + strlen(report ? report : "") + 1;
-    j->report = made ? NULL : malloc(room);
-    if (j->report)
-        snprintf(j->report, room, "%s%s", before ? before : "", report);
-    graze_free(before);
-    graze_free(report);
-    if (!made && !j->report)
-        return complain(EXIT_IO, "out of memory");
-    return complain_of_use(made, j->context);
+    TRY(complain_of_use(
+        graze_motion_write_dyadic(&j->json, &report, j->context, motion, j->tolerance),
+        j->context));
+    j->report = joined_texts(before ? before : "", report);
+    return j->report ? EXIT_DONE : complain(EXIT_IO, "out of memory");
 }
 
 static int make_dyadic(job *j) {
-    graze_motion *motion = NULL;
+    OWNED(graze_motion, motion);
     if (j->given->count != 2)
         return complain(EXIT_USAGE, "dyadic takes one MOTION; see graze motion --help");
-    int status = read_motion_goal(j, "1e-6");
-    if (!status)
-        status = complain_of(graze_motion_read(&motion, j->context, j->given->item[1]), j->context);
-    return status ? status : make_near(j, motion);
+    TRY(read_motion_goal(j, "1e-6"));
+    TRY(complain_of(graze_motion_read(&motion, j->context, j->given->item[1]), j->context));
+    return make_near(j, motion);
 }
 
 static int make_made_dyadic(job *j) {
-    graze_motion *motion = NULL;
-    graze_status read = graze_context_set_rounding(j->context, GRAZE_ROUND_NONE);
-    if (!read)
-        read = graze_motion_from_json(&motion, j->context, j->json, strlen(j->json));
-    return read ? complain_of(read, j->context) : make_near(j, motion);
-}
-
-static int make_rotation(job *j) {
-    return make_turn(j, 0);
-}
-
-static int make_screw(job *j) {
-    return make_turn(j, 1);
+    OWNED(graze_motion, motion);
+    TRY(complain_of(graze_context_set_rounding(j->context, GRAZE_ROUND_NONE), j->context));
+    TRY(complain_of(graze_motion_from_json(&motion, j->context, j->json, strlen(j->json)),
+                    j->context));
+    return make_near(j, motion);
 }
 
 enum {
@@ -413,8 +378,8 @@ static const struct {
     int (*make)(job *);
     unsigned taken;
 } kinds[] = {{"line", make_line, TAKEN_BY_DYADIC | 1 << DYADIC | 1 << DIMENSION | 1 << BY},
-             {"rotate", make_rotation, TAKEN_BY_TURNS},
-             {"screw", make_screw, TAKEN_BY_TURNS},
+             {"rotate", make_turn, TAKEN_BY_TURNS},
+             {"screw", make_turn, TAKEN_BY_TURNS},
              {"joints", make_joint_chain, TAKEN_BY_JOINTS},
              {"poses", make_poses, TAKEN_BY_POSES},
              {"dyadic", make_dyadic, TAKEN_BY_DYADIC}};
@@ -444,10 +409,9 @@ static int convert_motion(job *j) {
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
         if (strcmp(name, kinds[k].name) != 0)
             continue;
-        int status = check_own_options(j, name, kinds[k].taken);
-        if (!status)
-            status = kinds[k].make(j);
-        return !status && j->o->own[DYADIC] ? make_made_dyadic(j) : status;
+        TRY(check_own_options(j, name, kinds[k].taken));
+        TRY(kinds[k].make(j));
+        return j->o->own[DYADIC] ? make_made_dyadic(j) : EXIT_DONE;
     }
     return complain(EXIT_USAGE, "motion takes line, rotate, screw, joints, poses or dyadic; see "
                                 "graze motion --help");
@@ -455,14 +419,13 @@ static int convert_motion(job *j) {
 
 static int write_motion(const job *j) {
     const char *report = j->o->own[REPORT];
-    int status = EXIT_DONE;
     if (report)
-        status = output_text(report, j->report);
+        TRY(output_text(report, j->report));
     else {
         waiting_clear();
         fputs(j->report, stderr);
     }
-    return status ? status : output_text(j->o->output, j->json);
+    return output_text(j->o->output, j->json);
 }
 
 static int run_motion(void *options, const operands *given) {
@@ -485,13 +448,7 @@ static int run_motion(void *options, const operands *given) {
     graze_free(j.json);
     graze_free(j.report);
     graze_context_destroy(j.context);
-    graze_thread_finish();
     return status;
 }
 
-const command command_motion = {.name = "motion",
-                                .options = motion_table,
-                                .size = sizeof(motion_options),
-                                .add_files = add_motion_files,
-                                .help = motion_help,
-                                .run = run_motion};
+COMMAND(motion, motion_options, .add_files = add_motion_files);

@@ -5,6 +5,7 @@
 
 #include <stdio.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "program/cli/values.h"
 #include "program/io/io.h"
 
@@ -53,7 +54,7 @@ static const option_entry solid_table[] = {
     FILE_WRITTEN("outside", solid_options, outside),
     FLAG("exact", solid_options, exact, value_flag),
     OPTION("limit", solid_options, context.limits, value_limit),
-    {NULL, OPTION_FLAG, NULL, 0}};
+    OPTIONS_END};
 
 /* The kinds, the options each has a use for, and those it needs. */
 static const struct {
@@ -69,17 +70,6 @@ static const struct {
               1 << DIAMETER | 1 << LENGTH}};
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
-/* The numbers of options, three for each. */
-static int read_shape_numbers(mpq_t number[OWN][3], graze_context *context,
-                              const char *const *own) {
-    int status = EXIT_DONE;
-    for (int k = 0; k < OWN && !status; k++)
-        if (own[k])
-            status = numbers_read(number[k], context, solid_table[k].name, own[k], strlen(own[k]),
-                                  k == SIZE || k == AT ? 3 : 1);
-    return status;
-}
-
 static int check_own(int kind, const char *const *own) {
     for (int k = 0; k < OWN; k++) {
         if (own[k] && k != AT && !(kinds[kind].taken >> k & 1))
@@ -94,20 +84,24 @@ static int check_own(int kind, const char *const *own) {
 
 static int write_solid(const solid_options *o, const char *inside, const char *outside,
                        const char *report) {
-    int status = EXIT_DONE;
     waiting_clear();
     fputs(report, stderr);
     if (o->output || o->inside || !o->outside)
-        status = output_text(o->output ? o->output : o->inside, inside);
-    return !status && o->outside ? output_text(o->outside, outside) : status;
+        TRY(output_text(o->output ? o->output : o->inside, inside));
+    return o->outside ? output_text(o->outside, outside) : EXIT_DONE;
 }
 
 static int make_shape(const solid_options *o, graze_context *context, int kind) {
-    mpq_t number[OWN][3];
-    char *inside = NULL, *outside = NULL, *report = NULL;
-    for (int k = 0; k < OWN; k++)
-        mpq_inits(number[k][0], number[k][1], number[k][2], NULL);
-    int status = read_shape_numbers(number, context, o->own);
+    HELD(rationals, given, 3 * OWN);
+    mpq_t *number[OWN];
+    FREED(char, inside, NULL);
+    FREED(char, outside, NULL);
+    FREED(char, report, NULL);
+    for (int k = 0; k < OWN; k++) {
+        number[k] = given.at + 3 * k;
+        TRY(numbers_given(number[k], context, solid_table[k].name, o->own[k],
+                          k == SIZE || k == AT ? 3 : 1));
+    }
     if (!o->own[TOLERANCE]) {
         mpq_set_ui(number[TOLERANCE][1], 1, 200);
         mpq_mul(number[TOLERANCE][0], number[DIAMETER][0], number[TOLERANCE][1]);
@@ -119,50 +113,30 @@ static int make_shape(const solid_options *o, graze_context *context, int kind) 
                          .corner = number[CORNER][0],
                          .taper = number[TAPER][0],
                          .at = number[AT]};
-    graze_status made = GRAZE_OK;
-    if (!status && o->exact)
-        made = graze_solid_write_exact_shape(&inside, &report, context, &shape);
-    else if (!status)
-        made = graze_solid_write_shape(&inside, &outside, &report, context, &shape,
-                                       number[TOLERANCE][0]);
-    if (!status)
-        status = complain_of_use(made, context);
-    if (!status)
-        status = write_solid(o, inside, outside, report);
-    graze_free(inside);
-    graze_free(outside);
-    graze_free(report);
-    for (int k = 0; k < OWN; k++)
-        mpq_clears(number[k][0], number[k][1], number[k][2], NULL);
-    return status;
+    graze_status made = o->exact ? graze_solid_write_exact_shape(&inside, &report, context, &shape)
+                                 : graze_solid_write_shape(&inside, &outside, &report, context,
+                                                           &shape, number[TOLERANCE][0]);
+    TRY(complain_of_use(made, context));
+    return write_solid(o, inside, outside, report);
 }
 
 static int run_solid(void *options, const operands *given) {
     const solid_options *o = options;
-    graze_context *context = NULL;
+    OWNED(graze_context, context);
     int kind = 0;
     while (kind < KINDS && (given->count != 1 || strcmp(given->item[0], kinds[kind].name) != 0))
         kind++;
     if (kind == KINDS)
         return complain(EXIT_USAGE,
                         "solid takes box, ball, cylinder or cutter; see graze solid --help");
-    int status = check_own(kind, o->own);
-    if (!status && o->exact && (o->own[TOLERANCE] || o->inside || o->outside))
-        status = complain(EXIT_USAGE, "--exact writes no polyhedron: it takes no --tolerance, "
-                                      "--inside or --outside");
-    if (!status && o->output && o->inside)
-        status = complain(EXIT_USAGE, "--output and --inside name one file; expected one of them");
-    if (!status)
-        status = context_make(&context, &o->context);
-    if (!status)
-        status = make_shape(o, context, kind);
-    graze_context_destroy(context);
-    graze_thread_finish();
-    return status;
+    TRY(check_own(kind, o->own));
+    if (o->exact && (o->own[TOLERANCE] || o->inside || o->outside))
+        return complain(EXIT_USAGE, "--exact writes no polyhedron: it takes no --tolerance, "
+                                    "--inside or --outside");
+    if (o->output && o->inside)
+        return complain(EXIT_USAGE, "--output and --inside name one file; expected one of them");
+    TRY(context_make(&context, &o->context));
+    return make_shape(o, context, kind);
 }
 
-const command command_solid = {.name = "solid",
-                               .options = solid_table,
-                               .size = sizeof(solid_options),
-                               .help = solid_help,
-                               .run = run_solid};
+COMMAND(solid, solid_options, .reads = 0);

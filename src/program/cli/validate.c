@@ -11,6 +11,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include "base/context/scope.h"
 #include "program/cli/values.h"
 #include "program/io/io.h"
 #include "program/points/points.h"
@@ -83,7 +84,18 @@ static void remove_work_folder(validation *v) {
         candidate_remove(v->folder);
 }
 
-/* The validation whose folder goes before a sudden end. */
+static void validation_clear(validation *v) {
+    remove_work_folder(v);
+    candidate_free(v->words);
+    for (int k = 0; k < FILE_COUNT; k++)
+        free(v->files[k]);
+    free(v->folder);
+    generated_clear(&v->made);
+    graze_comparison_destroy(v->comparison);
+    graze_context_destroy(v->context);
+}
+
+/* The validation whose folder is removed where memory runs out and the program ends at once. */
 static validation *at_work;
 
 static void remove_folder_at_work(void) {
@@ -94,46 +106,46 @@ static const char *points_of(const validation *v, const validate_options *o) {
     return o->points ? o->points : v->files[POINTS];
 }
 
-/* The facts about points that were made. */
+/* Put the facts about points that were made into the candidate's environment. */
 static int tell_candidate(const validation *v, const validate_options *o) {
     const char *names[] = {"GRAZE_DIMENSION", "GRAZE_ROWS", "GRAZE_SEED", "GRAZE_BOX"};
     char numbers[3][24];
     const char *values[] = {numbers[0], numbers[1], numbers[2], v->made.box};
-    int status = EXIT_DONE;
     snprintf(numbers[0], sizeof *numbers, "%d", v->made.dimension);
     snprintf(numbers[1], sizeof *numbers, "%lu", v->made.rows);
-    snprintf(numbers[2], sizeof *numbers, "%llu", validated_seed(o));
-    for (int k = 0; k < 4 && !status; k++)
-        status = candidate_tell(names[k], values[k]);
-    return status;
+    snprintf(numbers[2], sizeof *numbers, "%llu", o->generate.seed.seed);
+    for (int k = 0; k < 4; k++)
+        TRY(candidate_tell(names[k], values[k]));
+    return EXIT_DONE;
 }
 
 /* Run the candidate; ratios are the likely reason where one fails that reads floats. */
 static int run_candidate(validation *v, const validate_options *o) {
     int ratios = !o->points && !o->generate.representable &&
                  o->generate.coordinates.form != COORDINATES_DECIMAL;
-    int status = o->points ? EXIT_DONE : tell_candidate(v, o);
-    if (!status)
-        status = candidate_run(&v->seconds, v->words, o->timeout ? o->timeout : 3600,
-                               ratios ? "; its points have ratios such as 1/3, those of "
-                                        "--representable binary64 are decimals"
-                                      : "");
-    return status ? status : candidate_wrote(v->words[0], v->files[ANSWERS]);
+    if (!o->points)
+        TRY(tell_candidate(v, o));
+    TRY(candidate_run(&v->seconds, v->words, o->timeout,
+                      ratios ? "; its points have ratios such as 1/3, those of "
+                               "--representable binary64 are decimals"
+                             : ""));
+    return candidate_wrote(v->words[0], v->files[ANSWERS]);
 }
 
 /* Classify; a table that is kept has distances too, unless the solid is curved or they meet a
  * limit.
  */
 static int classify_golden(validation *v, const validate_options *o, classify_options *golden) {
-    loaded l = {.scene = NULL};
     int chosen = golden->scene.rows.sdf > 0;
-    int status = o->keep && !chosen ? loaded_read(&l, &golden->scene, EXIT_INPUT, NULL) : EXIT_DONE;
-    v->deep = chosen || (o->keep && !status && !graze_solid_primitive_count(l.solid));
-    loaded_clear(&l);
-    if (!status && v->deep && !chosen)
-        status = value_sdf(&golden->scene, "sdf", "1e-12r");
-    if (!status)
-        status = classify_run(golden);
+    v->deep = chosen;
+    if (o->keep && !chosen) {
+        ZEROED(loaded, l);
+        TRY(loaded_read(&l, &golden->scene, EXIT_INPUT, NULL));
+        v->deep = !graze_solid_primitive_count(l.solid);
+    }
+    if (v->deep && !chosen)
+        TRY(value_sdf(&golden->scene, "sdf", "1e-12r"));
+    int status = classify_run(golden);
     if (status != EXIT_LIMIT || chosen || !v->deep)
         return status;
     complain(EXIT_DONE, "note: %s has no sdf_low and sdf_high, which meet this limit",
@@ -148,8 +160,6 @@ static int make_golden(validation *v, const validate_options *o) {
     generate_options points = o->generate;
     classify_options golden = o->classify;
     points.scene = golden.scene;
-    points.count = validated_count(o);
-    points.seed = validated_seed(o);
     points.output = v->files[POINTS];
     points.quiet = golden.quiet;
     points.plain = 1;
@@ -159,8 +169,9 @@ static int make_golden(validation *v, const validate_options *o) {
     golden.points = points_of(v, o);
     golden.output = v->files[GOLDEN];
     golden.transient = 1;
-    int status = o->points ? EXIT_DONE : generate_run(&v->made, &points);
-    return status ? status : classify_golden(v, o, &golden);
+    if (!o->points)
+        TRY(generate_run(&v->made, &points));
+    return classify_golden(v, o, &golden);
 }
 
 /* Compare; with a scene wrong rows are measured in it. */
@@ -180,35 +191,26 @@ static int compare_in(validation *v, const validate_options *o, const graze_scen
 /* Compare, and once more with the scene where rows are wrong, the golden table has no distances and
  * the scene can give them. */
 static int compare_answers(validation *v, const validate_options *o) {
-    loaded l = {.scene = NULL};
-    int status = context_make(&v->context, &o->classify.scene.context);
-    if (!status)
-        status = compare_in(v, o, NULL);
-    if (status || !graze_comparison_count(v->comparison).wrong || v->deep)
-        return status;
-    status = loaded_read(&l, &o->classify.scene, EXIT_INPUT, NULL);
-    if (!status && !graze_solid_primitive_count(l.solid))
-        status = compare_in(v, o, l.scene);
-    loaded_clear(&l);
-    return status;
+    ZEROED(loaded, l);
+    TRY(context_make(&v->context, &o->classify.scene.context));
+    TRY(compare_in(v, o, NULL));
+    if (!graze_comparison_count(v->comparison).wrong || v->deep)
+        return EXIT_DONE;
+    TRY(loaded_read(&l, &o->classify.scene, EXIT_INPUT, NULL));
+    return graze_solid_primitive_count(l.solid) ? EXIT_DONE : compare_in(v, o, l.scene);
 }
 
 static int validate(validation *v, const validate_options *o) {
-    int status = make_work_folder(v, o);
-    if (status)
-        return status;
+    TRY(make_work_folder(v, o));
     candidate_paths paths = {o->classify.scene.solid, o->classify.scene.motion, points_of(v, o),
                              v->files[ANSWERS]};
-    status = candidate_split(&v->words, o->candidate, &paths);
-    if (!status)
-        status = make_golden(v, o);
-    if (!status && unlink(v->files[ANSWERS]) != 0 && errno != ENOENT)
-        status = complain(EXIT_IO, "%s: cannot be removed: %s", v->files[ANSWERS], strerror(errno));
-    if (!status)
-        status = run_candidate(v, o);
-    if (!status)
-        status = compare_answers(v, o);
-    return status ? status : validation_report(v, o);
+    TRY(candidate_split(&v->words, o->candidate, &paths));
+    TRY(make_golden(v, o));
+    if (unlink(v->files[ANSWERS]) != 0 && errno != ENOENT)
+        return complain(EXIT_IO, "%s: cannot be removed: %s", v->files[ANSWERS], strerror(errno));
+    TRY(run_candidate(v, o));
+    TRY(compare_answers(v, o));
+    return validation_report(v, o);
 }
 
 static void add_validation_files(guard *g, const void *options, const operands *given) {
@@ -231,7 +233,7 @@ static int value_seconds(void *to, const char *name, const char *value) {
 static const option_entry validate_table[] = {
     OPTION("candidate", validate_options, candidate, value_text),
     OPTION("n", validate_options, generate.count, value_count),
-    OPTION("seed", validate_options, seed, value_seed),
+    OPTION("seed", validate_options, generate.seed, value_seed),
     OPTION("strata", validate_options, generate.strata, value_text),
     OPTION("representable", validate_options, generate.representable, value_binary64),
     OPTION("coordinates", validate_options, generate.coordinates.form, value_coordinates),
@@ -248,19 +250,17 @@ static const option_entry validate_table[] = {
     OPTION("sdf-tolerance", validate_options, compare.sdf_tolerance, value_width),
     OPTION("motion-error", validate_options, compare.motion_error, value_positive),
     OPTION("sdf", validate_options, classify.scene, value_sdf),
-    OPTION("round", validate_options, classify.scene.context.rounding, value_rounding),
+    SCENE_OPTIONS(validate_options, classify.scene),
     OPTION("show", validate_options, compare.show, value_show),
     OPTION("format", validate_options, format, value_report),
-    OPTION("overlap", validate_options, classify.scene.scene.overlap, value_overlap),
     OPTION("folds", validate_options, classify.scene.scene.folds, value_folds),
     OPTION("operation", validate_options, classify.scene.scene.operation, value_operation),
-    FLAG("triangulate", validate_options, classify.scene.solid_flags, value_triangulate),
     OPTION("jobs", validate_options, classify.threads, value_jobs),
-    OPTION("limit", validate_options, classify.scene.context.limits, value_limit),
     FLAG("quiet", validate_options, classify.quiet, value_quiet),
-    {NULL, OPTION_FLAG, NULL, 0}};
+    OPTIONS_END};
 
-/* Values are compared with enclosures, which the golden table has by default then. */
+/* Where values are compared, the golden table has enclosures; --sdf is refused where nothing takes
+ * them. */
 static int choose_enclosures(validate_options *o) {
     scene_options *golden = &o->classify.scene;
     int needed = o->compare.has == GRAZE_HAS_SDF || o->compare.motion_error;
@@ -277,9 +277,9 @@ static int run_validate(void *options, const operands *given) {
     if (given->count != 2 || !o->candidate)
         return complain(EXIT_USAGE, "validate takes SOLID, MOTION and --candidate; see graze "
                                     "validate --help");
-    if (o->points &&
-        (o->generate.count || o->seed.given || o->generate.strata || o->generate.representable ||
-         o->generate.coordinates.digits || o->generate.coordinates.form != COORDINATES_UNSET))
+    if (o->points && (o->generate.count || o->generate.seed.given || o->generate.strata ||
+                      o->generate.representable || o->generate.coordinates.digits ||
+                      o->generate.coordinates.form != COORDINATES_UNSET))
         return complain(EXIT_USAGE, "--points takes the place of -n, --seed, --strata, "
                                     "--representable, --coordinates and --digits");
     if (o->points && strcmp(o->points, "-") == 0)
@@ -287,44 +287,26 @@ static int run_validate(void *options, const operands *given) {
     if (o->generate.coordinates.form == COORDINATES_AS_GIVEN)
         return complain(EXIT_USAGE, "--coordinates as-given: expected exact or decimal; points "
                                     "that are made are not given");
-    int status = compare_check(&o->compare);
-    if (!status)
-        status = coordinates_check(&o->generate.coordinates);
-    if (!status)
-        status = choose_enclosures(o);
-    if (status)
-        return status;
-    o->classify.scene.solid = given->item[0];
-    o->classify.scene.motion = given->item[1];
-    validation *v = calloc(1, sizeof *v);
-    if (!v)
-        return complain(EXIT_IO, "out of memory");
-    at_work = v;
+    TRY(compare_check(&o->compare));
+    TRY(coordinates_check(&o->generate.coordinates));
+    TRY(choose_enclosures(o));
+    if (!o->generate.count)
+        o->generate.count = 10000;
+    if (!o->generate.seed.given)
+        o->generate.seed.seed = 1;
+    scene_files(&o->classify.scene, given);
+    ZEROED(validation, v);
+    at_work = &v;
     memory_before_end(remove_folder_at_work);
-    status = validate(v, o);
+    int status = validate(&v, o);
     memory_before_end(NULL);
-    remove_work_folder(v);
-    candidate_free(v->words);
-    for (int k = 0; k < FILE_COUNT; k++)
-        free(v->files[k]);
-    free(v->folder);
-    generated_clear(&v->made);
-    graze_comparison_destroy(v->comparison);
-    graze_context_destroy(v->context);
-    graze_thread_finish();
-    free(v);
     return status;
 }
 
 static const validate_options ten_shown = {.classify.shard.part = {0, 1},
                                            .generate.coordinates.form = COORDINATES_UNSET,
-                                           .compare.show = 10};
+                                           .compare.show = 10,
+                                           .timeout = 3600};
 
-const command command_validate = {.name = "validate",
-                                  .options = validate_table,
-                                  .size = sizeof(validate_options),
-                                  .initial = &ten_shown,
-                                  .reads = 2,
-                                  .add_files = add_validation_files,
-                                  .help = validate_help,
-                                  .run = run_validate};
+COMMAND(validate, validate_options, .initial = &ten_shown, .reads = 2,
+        .add_files = add_validation_files);

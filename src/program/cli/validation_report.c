@@ -15,14 +15,6 @@ char *joined_texts(const char *a, const char *b) {
     return text ? strcat(strcpy(text, a), b) : NULL;
 }
 
-unsigned long validated_count(const validate_options *o) {
-    return o->generate.count ? o->generate.count : 10000;
-}
-
-unsigned long long validated_seed(const validate_options *o) {
-    return o->seed.given ? o->seed.seed : 1;
-}
-
 /* Rows without an answer are no evidence for or against a candidate: no verdict then. */
 static void put_validation_verdict(char *out, size_t size, const graze_comparison_counts *n,
                                    graze_on_as on_as) {
@@ -61,7 +53,7 @@ static void put_json_count(json_writer *w, const char *name, unsigned long value
 static char *made_with(const validate_options *o) {
     text t;
     text_init(&t);
-    text_format(&t, "-n %lu --seed %llu", validated_count(o), validated_seed(o));
+    text_format(&t, "-n %lu --seed %llu", o->generate.count, o->generate.seed.seed);
     if (o->generate.strata)
         text_format(&t, " --strata %s", o->generate.strata);
     text_put(&t, o->generate.representable ? " --representable binary64" : "");
@@ -137,26 +129,23 @@ static void put_validation(text *out, const validation *v, const validate_option
  * opened. */
 static int write_validation(const validation *v, const validate_options *o, const char *suffix,
                             graze_comparison_format format) {
-    char *body = NULL, *path = o->output ? joined_texts(o->output, suffix) : NULL;
+    FREED(char, body, NULL);
+    FREED(char, path, o->output ? joined_texts(o->output, suffix) : NULL);
     HELD(text, report);
-    int status =
-        complain_of(graze_comparison_report(&body, v->context, v->comparison, format), v->context);
-    if (!status)
-        put_validation(&report, v, o, body, format == GRAZE_COMPARISON_JSON);
-    if (!status && (report.failed || (o->output && !path)))
-        status = complain(EXIT_IO, "out of memory");
-    if (!status)
-        status = output_text(path, report.data);
-    graze_free(body);
-    free(path);
-    return status;
+    TRY(complain_of(graze_comparison_report(&body, v->context, v->comparison, format), v->context));
+    put_validation(&report, v, o, body, format == GRAZE_COMPARISON_JSON);
+    if (o->output && !path)
+        return complain(EXIT_IO, "out of memory");
+    return output_made(path, &report);
 }
 
 int validation_report(const validation *v, const validate_options *o) {
     graze_comparison_counts n = graze_comparison_count(v->comparison);
-    int status = o->output ? write_validation(v, o, ".md", GRAZE_COMPARISON_TEXT)
-                           : write_validation(v, o, "", o->format);
-    if (!status && o->output)
-        status = write_validation(v, o, ".json", GRAZE_COMPARISON_JSON);
-    return status ? status : n.wrong + n.missing + n.extra ? EXIT_NO : EXIT_DONE;
+    if (o->output) {
+        TRY(write_validation(v, o, ".md", GRAZE_COMPARISON_TEXT));
+        TRY(write_validation(v, o, ".json", GRAZE_COMPARISON_JSON));
+    } else {
+        TRY(write_validation(v, o, "", o->format));
+    }
+    return n.wrong + n.missing + n.extra ? EXIT_NO : EXIT_DONE;
 }

@@ -64,13 +64,12 @@ int value_choice(int *out, const char *name, const char *value, const char *cons
                     meant ? "; did you mean " : "", meant ? meant : "", meant ? "?" : "");
 }
 
-/* The number of a value; -1 if it is none. */
+/* Read the number of a value; -1 stands for a value that is none. */
 static int number_of_value(mpq_t out, const char *value, size_t length) {
-    graze_context *context = NULL;
+    OWNED(graze_context, context);
     graze_status status = graze_context_create(&context);
     if (!status)
         status = graze_number_parse(out, context, value, length);
-    graze_context_destroy(context);
     if (status == GRAZE_ESYSTEM)
         return complain(EXIT_IO, "out of memory");
     if (status)
@@ -84,11 +83,11 @@ int value_sdf(void *to, const char *name, const char *value) {
     LOCAL(mpq, width);
     out->rows.sdf = 0;
     out->sdf_relative = length > 0 && value[length - 1] == 'r';
-    int status = number_of_value(width, value, length - (size_t)out->sdf_relative);
+    TRY(number_of_value(width, value, length - (size_t)out->sdf_relative));
     if (mpq_sgn(width) > 0)
         out->rows.sdf = mpq_get_d(width); /* rounds towards 0 */
-    if (status || (out->rows.sdf > 0 && out->rows.sdf <= DBL_MAX))
-        return status;
+    if (out->rows.sdf > 0 && out->rows.sdf <= DBL_MAX)
+        return EXIT_DONE;
     return complain(EXIT_USAGE,
                     "--%s %s: expected a positive number in the range of doubles, such as 0.001, "
                     "or 1e-6r for 1e-6 of the diagonal of S^0's box",
@@ -100,7 +99,7 @@ int value_motion_error(void *to, const char *name, const char *value) {
     LOCAL(mpq, exact);
     LOCAL(mpq, near);
     *out = 0;
-    int status = number_of_value(exact, value, strlen(value));
+    TRY(number_of_value(exact, value, strlen(value)));
     if (mpq_sgn(exact) > 0) {
         *out = mpq_get_d(exact); /* rounds towards 0 */
         if (*out <= DBL_MAX) {
@@ -109,21 +108,19 @@ int value_motion_error(void *to, const char *name, const char *value) {
                 *out = nextafter(*out, (double)INFINITY);
         }
     }
-    if (status || (*out > 0 && *out <= DBL_MAX))
-        return status;
+    if (*out > 0 && *out <= DBL_MAX)
+        return EXIT_DONE;
     return complain(EXIT_USAGE, "--%s %s: expected a positive number in the range of doubles", name,
                     value);
 }
 
-/* A number of at least a sign, kept as its text. */
+/* Keep the text of a number whose sign is at least `least`. */
 static int number_of_sign(void *to, const char *name, const char *value, int least) {
-    mpq_t number;
-    mpq_init(number);
-    int status = number_of_value(number, value, strlen(value)), fits = mpq_sgn(number) >= least;
-    mpq_clear(number);
+    LOCAL(mpq, number);
+    TRY(number_of_value(number, value, strlen(value)));
     *(const char **)to = value;
-    if (status || fits)
-        return status;
+    if (mpq_sgn(number) >= least)
+        return EXIT_DONE;
     return complain(EXIT_USAGE, "--%s %s: expected a number %s, such as 0.001 or 1e-6", name, value,
                     least ? "above 0" : "from 0 up");
 }
@@ -136,17 +133,8 @@ int value_positive(void *to, const char *name, const char *value) {
     return number_of_sign(to, name, value, 1);
 }
 
-/* A reader of an enumeration whose values 0, 1, ... have these words. */
-#define VALUE_OF_WORDS(reader, type, ...)                                                          \
-    int reader(void *to, const char *name, const char *value) {                                    \
-        static const char *const words[] = {__VA_ARGS__};                                          \
-        int chosen = 0;                                                                            \
-        int status = value_choice(&chosen, name, value, words, sizeof words / sizeof *words);      \
-        *(type *)to = (type)chosen;                                                                \
-        return status;                                                                             \
-    }
-
 VALUE_OF_WORDS(value_draw_by, graze_draw_by, "class", "distance")
+VALUE_OF_WORDS(value_rounding, graze_rounding, "none", "binary64", "binary32")
 VALUE_OF_WORDS(value_overlap, graze_overlap, "extend", "reject")
 VALUE_OF_WORDS(value_folds, graze_folds, "separate", "combined")
 VALUE_OF_WORDS(value_operation, graze_operation, "sweep", "unsweep")
@@ -159,15 +147,6 @@ VALUE_OF_WORDS(value_question, graze_question, "open", "closed")
 VALUE_OF_WORDS(value_on_as, graze_on_as, "on", "any", "in", "out")
 VALUE_OF_WORDS(value_truth, graze_truth, "pseudo", "outside")
 VALUE_OF_WORDS(value_has, graze_candidate_has, "columns", "sdf")
-
-int value_rounding(void *to, const char *name, const char *value) {
-    const char *words[] = {graze_rounding_name(GRAZE_ROUND_NONE),
-                           graze_rounding_name(GRAZE_ROUND_BINARY64),
-                           graze_rounding_name(GRAZE_ROUND_BINARY32)};
-    int chosen = 0, status = value_choice(&chosen, name, value, words, 3);
-    *(graze_rounding *)to = (graze_rounding)chosen;
-    return status;
-}
 
 static int complain_of_limit(const char *value) {
     char list[256] = "";

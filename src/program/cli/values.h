@@ -71,11 +71,6 @@ int candidate_wrote(const char *name, const char *path);
 /** Remove a folder with all that is in it; links are not followed. */
 void candidate_remove(const char *folder);
 
-/* Boundary cells in sentences. */
-
-/** `face 3`, `edge 1-2`, `vertex 5`. */
-void text_cell(text *t, const graze_cell *cell);
-
 /* A command, and how its options are read.
  *
  * A command names its options in a table. Each entry has a function that reads the option's value
@@ -102,11 +97,37 @@ void text_cell(text *t, const graze_cell *cell);
 #define REPEATED(name)                                                                             \
     { name, OPTION_VALUE, NULL, 0 }
 
+/** Options of a solid that is read, and of a scene with it: --triangulate, --round, --limit; and
+ * --overlap. */
+#define SOLID_OPTIONS(type, flags, context)                                                        \
+    FLAG("triangulate", type, flags, value_triangulate),                                           \
+        OPTION("round", type, context.rounding, value_rounding),                                   \
+        OPTION("limit", type, context.limits, value_limit)
+#define SCENE_OPTIONS(type, of)                                                                    \
+    SOLID_OPTIONS(type, of.solid_flags, of.context),                                               \
+        OPTION("overlap", type, of.scene.overlap, value_overlap)
+
+/** The last entry of a table. */
+#define OPTIONS_END                                                                                \
+    { NULL, OPTION_FLAG, NULL, 0 }
+
+/** COMMAND(mend, mend_options, .reads = 1): command_mend, of mend_table, mend_help and run_mend. */
+#define COMMAND(word, type, ...)                                                                   \
+    const command command_##word = {.name = #word,                                                 \
+                                    .options = word##_table,                                       \
+                                    .size = sizeof(type),                                          \
+                                    .help = word##_help,                                           \
+                                    .run = run_##word,                                             \
+                                    __VA_ARGS__}
+
 /** Options of one command at the most. */
 enum { OPTIONS_MOST = 40 };
 
 /** Read the words and do what they say; returns an exit status. */
 int command_run(const command *c, int argc, char **argv);
+
+/** Take the first two operands as the files of a scene. */
+void scene_files(scene_options *o, const operands *given);
 
 /* graze classify, for the programs that start it, and what graze certify shares with it. */
 
@@ -135,53 +156,11 @@ extern const command command_check, command_explain, command_generate, command_c
 /** Do the options of a comparison go together? Returns an exit status and says what is wrong. */
 int compare_check(const graze_compare_options *o);
 
-/* The page of a comparison. */
-
-/**
- * Write the golden points as a page that marks those on which the candidate is wrong. The scene is
- * that of the options' solid and motion, with what the golden table's head says of it. Returns an
- * exit status and says what is wrong.
- */
-int compare_page(const char *file, const char *golden, const char *candidate,
-                 const graze_compare_options *options, const context_options *context);
-
-/* Tables of an envelope: events, curves of contact, contact points. */
-
-/** Each writes a file, returns an exit status and says what is wrong. */
-int envelope_write_events(const char *path, graze_context *context, const graze_envelope *envelope);
-/** @param times numbers between commas */
-int envelope_write_curves(const char *path, const char *times, graze_context *context,
-                          const graze_envelope *envelope);
-/** @param patches, joints files, one of them may be NULL */
-int envelope_write_patches(const char *patches, const char *joints, graze_context *context,
-                           const graze_envelope *envelope);
-/** Fewer than `count` rows where there are no contacts.
- * @param notes lines of the head beside those of the scene */
-int envelope_write_contacts(const char *path, unsigned long count, unsigned long seed,
-                            const char *notes, const loaded *l, const graze_envelope *envelope);
-
-/* One run of graze envelope: a summary, and tables on request. */
-
-/** Strings are borrowed. */
-typedef struct envelope_options {
-    scene_options scene;
-    const char *events; /* files; NULL: none */
-    const char *patches, *joints;
-    const char *at, *curve; /* times between commas, and their file */
-    unsigned long count;    /* contact points, and their file */
-    unsigned long long seed;
-    const char *points;
-} envelope_options;
-
-/** Find the events, write them and print the summary. Returns an exit status and says what is
- * wrong. */
-int envelope_run(const envelope_options *o);
-
 /* Strata that get fewer points than their weights ask for, and what is said of them. */
 
-/** Strata with a weight that get fewer points than it asks for, as sets of 1 << graze_stratum:
- * none, as the scene has none, or none whose coordinates a binary64 holds; and those spent, in
- * which no further points were found. */
+/** Strata that get fewer points than their weights ask for, as sets of 1 << graze_stratum. Absent:
+ * the scene has none; unrepresentable: it has none whose coordinates a binary64 holds; spent: no
+ * further ones were found. */
 typedef struct lost_strata {
     unsigned absent, unrepresentable, spent;
     int replaced;   /* 1: the stratum `rounded` has the weight of the unrepresentable ones */
@@ -200,6 +179,12 @@ char *lost_strata_text(const lost_strata *lost, const char *between);
 
 /* One run of graze generate: a table of query points. */
 
+/** The option --seed, which value_seed reads. */
+typedef struct seed_value {
+    int given;
+    unsigned long long seed;
+} seed_value;
+
 /** Results of a generation: zeroed at first, generated_clear at last. */
 typedef struct generated {
     lost_strata lost;
@@ -212,10 +197,10 @@ typedef struct generated {
 typedef struct generate_options {
     scene_options scene;
     unsigned long count;
-    unsigned long long seed;
-    const char *strata;  /* NAME=W,...; NULL: all, with their default weights, `rounded` with that
-                            of those that --representable leaves none of, and */
-    unsigned long level; /* this one of the stratum `level` */
+    seed_value seed;
+    const char *strata;  /* NAME=W,...; NULL: all, with default weights; `rounded` then has that of
+                            the strata that --representable leaves without points */
+    unsigned long level; /* weight of the stratum `level` where strata is NULL */
     coordinate_options coordinates;
     int representable;  /* coordinates that a binary64 holds */
     int plain;          /* no `#` lines */
@@ -255,21 +240,6 @@ void marks_give(graze_draw_options *out, const marks *m);
  * shows. */
 extern const char motion_examples[];
 
-/* The plane of a picture. */
-
-/** Numbers of the option --plane, and what is computed from them. */
-typedef struct plane_numbers {
-    mpq_t given[9], normal[3], place;
-} plane_numbers;
-
-void plane_init(plane_numbers *p);
-void plane_clear(plane_numbers *p);
-
-/** Read `z=1/2`, the four numbers of an equation, a point and a normal, or three points. Returns an
- * exit status and says what is wrong.
- * @param[out] out its plane with plane_axis or normal; plane and normal point into `p` */
-int plane_read(graze_draw_options *out, plane_numbers *p, graze_context *context, const char *text);
-
 /* Values of options that several commands take.
  *
  * Each function is an option_read (cli.h); its comment names the type of the field. */
@@ -306,14 +276,19 @@ option_read value_coordinates;  /**< coordinate_form */
 option_read value_digits;       /**< int from 1 to 1000 */
 option_read value_show;         /**< size_t up to 10^6 */
 
-typedef struct seed_value {
-    int given;
-    unsigned long long seed;
-} seed_value;
-
 /** The place of a value among `count` words, at most 8. EXIT_USAGE: it is none of them. */
 int value_choice(int *out, const char *name, const char *value, const char *const *words,
                  int count);
+
+/** Define a reader of an enumeration whose values 0, 1, ... have these words. */
+#define VALUE_OF_WORDS(reader, type, ...)                                                          \
+    int reader(void *to, const char *name, const char *value) {                                    \
+        static const char *const words[] = {__VA_ARGS__};                                          \
+        int chosen = 0;                                                                            \
+        int status = value_choice(&chosen, name, value, words, sizeof words / sizeof *words);      \
+        *(type *)to = (type)chosen;                                                                \
+        return status;                                                                             \
+    }
 
 /* One run of graze validate: options, files and what was found. */
 
@@ -325,8 +300,7 @@ typedef struct validate_options {
     const char *points; /* NULL: points are generated */
     const char *keep;   /* NULL: a folder that goes when all is done */
     const char *output;
-    unsigned long timeout; /* seconds; 0: an hour */
-    seed_value seed;
+    unsigned long timeout; /* seconds */
     generate_options generate;
     classify_options classify;
     graze_compare_options compare;
@@ -346,10 +320,6 @@ typedef struct validation {
 } validation;
 
 /* Parts that graze validate and its reports share. */
-
-/** How many points are made, and their seed, with the defaults. */
-unsigned long validated_count(const validate_options *o);
-unsigned long long validated_seed(const validate_options *o);
 
 /** One text behind another, malloc'ed; NULL when out of memory. */
 char *joined_texts(const char *a, const char *b);

@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "input/delimited/delimited.h"
 #include "output/table/table.h"
 #include "program/cli/values.h"
@@ -19,12 +19,9 @@ int vertex_table_check(const char *path) {
                : complain(EXIT_USAGE, "--vertices %s: expected a name in .csv or .vtk", path);
 }
 
-/* A bound, one double further out: 17 digits move it by less than that back. */
+/* Put a bound moved outwards by one double: rounding to 17 digits takes less than that back. */
 static void put_outward(double bound, double out_there, const char *behind) {
-    char digits[40];
-    snprintf(digits, sizeof digits, "%.17g%s", bound == 0 ? 0 : nextafter(bound, out_there),
-             behind);
-    output_put(&out, digits);
+    output_format(&out, "%.17g%s", bound == 0 ? 0 : nextafter(bound, out_there), behind);
 }
 
 static void put_row_point(graze_rationals point) {
@@ -35,31 +32,25 @@ static void put_row_point(graze_rationals point) {
 }
 
 static void put_vertex_rows(const graze_mesh *mesh, const graze_enclosure *found, size_t count) {
-    mpq_t point[3];
-    mpq_inits(point[0], point[1], point[2], NULL);
+    HELD(rationals, point, 3);
     output_put(&out, "x,y,z,pmc,sdf_low,sdf_high\n");
     for (size_t v = 0; v < count; v++) {
-        graze_mesh_vertex(point, mesh, v);
-        put_row_point((graze_rationals)point);
-        output_put(&out, graze_pmc_name(found[v].pmc));
-        output_put(&out, ",");
+        graze_mesh_vertex(point.at, mesh, v);
+        put_row_point((graze_rationals)point.at);
+        output_format(&out, "%s,", graze_pmc_name(found[v].pmc));
         put_outward(found[v].low, -HUGE_VAL, ",");
         put_outward(found[v].high, HUGE_VAL, "\n");
     }
-    mpq_clears(point[0], point[1], point[2], NULL);
 }
 
 static int put_vertex_points(const graze_mesh *mesh, graze_context *context, size_t count) {
-    mpq_t point[3];
-    graze_status status = GRAZE_OK;
-    mpq_inits(point[0], point[1], point[2], NULL);
+    HELD(rationals, point, 3);
     vtk_points_begin(&lines, count);
-    for (size_t v = 0; v < count && !status; v++) {
-        graze_mesh_vertex(point, mesh, v);
-        status = vtk_rational_point(&lines, context, point, 3);
+    for (size_t v = 0; v < count; v++) {
+        graze_mesh_vertex(point.at, mesh, v);
+        TRY(complain_of(vtk_rational_point(&lines, context, point.at, 3), context));
     }
-    mpq_clears(point[0], point[1], point[2], NULL);
-    return complain_of(status, context);
+    return EXIT_DONE;
 }
 
 static void put_vertex_column(const char *name, const graze_enclosure *found, size_t count,
@@ -73,7 +64,7 @@ static void put_vertex_column(const char *name, const graze_enclosure *found, si
 static int put_vertex_vtk(const graze_mesh *mesh, graze_context *context,
                           const graze_enclosure *found, const graze_mesh_facts *facts) {
     vtk_begin(&lines, "graze " GRAZE_VERSION " judge", "UNSTRUCTURED_GRID");
-    int status = put_vertex_points(mesh, context, facts->vertices);
+    TRY(put_vertex_points(mesh, context, facts->vertices));
     vtk_cells_begin(&lines, facts->triangles, 3);
     for (size_t k = 0; k < facts->triangles; k++) {
         size_t corner[3] = {0, 0, 0};
@@ -88,39 +79,32 @@ static int put_vertex_vtk(const graze_mesh *mesh, graze_context *context,
     for (size_t v = 0; v < facts->vertices; v++)
         vtk_int(&lines, (uint32_t)found[v].pmc);
     vtk_end(&lines);
-    return status;
+    return EXIT_DONE;
 }
 
 int vertex_table_write(const char *path, graze_context *context, const graze_mesh *mesh,
                        const graze_enclosure *found) {
     graze_mesh_facts facts = graze_mesh_get_facts(mesh);
-    int status = output_open(&out, path);
-    if (status)
-        return status;
-    if (path_has_extension(path, ".vtk"))
-        status = put_vertex_vtk(mesh, context, found, &facts);
-    else
+    TRY(output_open(&out, path));
+    if (!path_has_extension(path, ".vtk")) {
         put_vertex_rows(mesh, found, facts.vertices);
+        return output_close(&out);
+    }
+    int status = put_vertex_vtk(mesh, context, found, &facts);
     if (status)
         output_drop(&out);
-    int closed = output_close(&out);
-    return status ? status : closed;
+    return output_end(&out, status);
 }
 
 int answer_table_write(const char *path, int parity, graze_rationals points, const graze_pmc *found,
                        size_t count) {
-    char last[48];
-    int status = output_open(&out, path);
-    if (status)
-        return status;
+    TRY(output_open(&out, path));
     output_put(&out, "# graze " GRAZE_VERSION "\n# answers-of mesh\n# inside ");
     output_put(&out, parity ? "parity\nx,y,z,pmc\n" : "winding\nx,y,z,pmc\n");
     for (size_t k = 0; k < count; k++) {
         put_row_point(points + 3 * k);
-        output_put(&out, graze_pmc_name(found[k]));
-        output_put(&out, "\n");
+        output_format(&out, "%s\n", graze_pmc_name(found[k]));
     }
-    snprintf(last, sizeof last, "# complete %zu\n", count);
-    output_put(&out, last);
+    output_format(&out, "# complete %zu\n", count);
     return output_close(&out);
 }

@@ -5,7 +5,35 @@
 
 #include <gmp.h>
 #include <stddef.h>
+#include "base/number/text.h"
 #include "graze.h"
+
+/* Handles of the library that one command makes for itself. */
+
+/** OWNED(graze_mesh, mesh): `graze_mesh *mesh`, NULL, destroyed at the end of the scope
+ * (base/context/scope.h). */
+#define OWNED(type, name) __attribute__((cleanup(owned_##type))) type *name = NULL
+
+#define OWNED_DESTROYS(type)                                                                       \
+    static inline void owned_##type(type **held) {                                                 \
+        type##_destroy(*held);                                                                     \
+    }
+
+OWNED_DESTROYS(graze_boundary)
+OWNED_DESTROYS(graze_comparison)
+OWNED_DESTROYS(graze_context)
+OWNED_DESTROYS(graze_curve)
+OWNED_DESTROYS(graze_envelope)
+OWNED_DESTROYS(graze_generator)
+OWNED_DESTROYS(graze_judgement)
+OWNED_DESTROYS(graze_mesh)
+OWNED_DESTROYS(graze_motion)
+OWNED_DESTROYS(graze_pair)
+OWNED_DESTROYS(graze_patches)
+OWNED_DESTROYS(graze_scene)
+OWNED_DESTROYS(graze_site)
+OWNED_DESTROYS(graze_solid)
+OWNED_DESTROYS(graze_trace)
 
 /* Files that a command reads and writes, compared before it opens one for writing.
  *
@@ -170,6 +198,19 @@ void memory_before_end(void (*what)(void));
 int numbers_read(mpq_t *out, graze_context *context, const char *name, const char *text,
                  size_t length, int count);
 
+/** numbers_read of a whole text; nothing where it is NULL. */
+int numbers_given(mpq_t *out, graze_context *context, const char *name, const char *text,
+                  int count);
+
+/** Rationals of a command: HELD(rationals, n, 3) has n.at[0] to n.at[2], all 0. */
+enum { NUMBERS_MOST = 24 };
+typedef struct rationals {
+    int count;
+    mpq_t at[NUMBERS_MOST];
+} rationals;
+void rationals_init(rationals *n, int count);
+void rationals_clear(rationals *n);
+
 /** Read a whole number of digits alone that is at least `low`; 0 if the text is none. */
 int numbers_count(unsigned long *out, const char *text, unsigned long low);
 
@@ -209,6 +250,8 @@ int output_lock(output *out);
 /** Cut the file off after its first `byte` bytes, and write on from there. */
 void output_from(output *out, long long byte);
 void output_put(output *out, const char *text);
+/** Put a text of at most 255 bytes. */
+void output_format(output *out, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void output_bytes(output *out, const char *text, size_t length);
 /** output_bytes as the function of a sink (output/table/table.h) whose data is the output. */
 void output_sink(void *out, const char *text, size_t length);
@@ -221,9 +264,14 @@ void output_drop(output *out);
 /** Flush and close. Returns an exit status and says what went wrong since it was opened. */
 int output_close(output *out);
 
+/** output_close after work that ended with `status`, which is returned unless it is 0. */
+int output_end(output *out, int status);
+
 /** Write a text to `path`, or to standard output where it is NULL. Returns an exit status and says
  * what is wrong. */
 int output_text(const char *path, const char *text);
+/** output_text, or EXIT_IO with a message where memory ran short while the text was made. */
+int output_made(const char *path, const text *made);
 
 /** Has the path this extension, such as ".vtk", and a name before it? */
 int path_has_extension(const char *path, const char *extension);

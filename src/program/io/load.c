@@ -5,6 +5,7 @@
 
 #include <stdio.h>
 #include <string.h>
+#include "base/context/scope.h"
 
 static int signal_came(void *data) {
     (void)data;
@@ -51,7 +52,7 @@ static int check_rows(const graze_solid *solid, const scene_options *o) {
 /* Say why a scene was not read, and name graze mend where it makes a legal solid: it is tried. */
 static int complain_of_scene(graze_status status, const loaded *l, const scene_options *o) {
     char reason[1 << 13];
-    char *mended = NULL;
+    FREED(char, mended, NULL);
     if (status != GRAZE_EILLEGAL || l->solid)
         return complain_of(status, l->context);
     snprintf(reason, sizeof reason, "%s", graze_context_message(l->context));
@@ -59,38 +60,38 @@ static int complain_of_scene(graze_status status, const loaded *l, const scene_o
                   strstr(reason, " cross; edges may");
     int helps =
         graze_solid_mend(&mended, NULL, l->context, o->solid, NULL, o->solid_flags) == GRAZE_OK;
-    graze_free(mended);
     return complain(EXIT_INPUT, "%s%s%s", reason,
                     overlap ? "; a \"union\" in .csg.json takes parts that overlap" : "",
                     helps ? "; graze mend makes a legal solid of it" : "");
 }
 
+/* Read the motion, and make the scene and the width of its enclosures. */
+static graze_status read_scene(loaded *out, const scene_options *o) {
+    graze_options scene = o->scene;
+    scene.size = sizeof scene;
+    TRY(graze_motion_read(&out->motion, out->context, o->motion));
+    TRY(graze_scene_create(&out->scene, out->context, out->solid, out->motion, &scene));
+    return o->sdf_relative
+               ? graze_scene_width(&out->rows.sdf, out->context, out->scene, o->rows.sdf)
+               : GRAZE_OK;
+}
+
 int loaded_read(loaded *out, const scene_options *o, int illegal, const unsigned char *trusted) {
     memset(out, 0, sizeof *out);
-    int code = context_make(&out->context, &o->context);
-    if (code)
-        return code;
+    out->rows = o->rows;
+    out->rows.size = sizeof out->rows;
+    TRY(context_make(&out->context, &o->context));
     graze_status status =
         trusted
             ? graze_solid_read_trusted(&out->solid, out->context, o->solid, trusted, o->solid_flags)
             : graze_solid_read(&out->solid, out->context, o->solid, o->solid_flags);
-    if (!status)
-        code = check_rows(out->solid, o);
-    if (code)
-        return code;
-    if (!status && *graze_solid_note(out->solid))
-        complain(EXIT_DONE, "note: %s: %s", o->solid, graze_solid_note(out->solid));
-    if (!status && o->motion)
-        status = graze_motion_read(&out->motion, out->context, o->motion);
-    graze_options scene = o->scene;
-    scene.size = sizeof scene;
-    out->rows = o->rows;
-    out->rows.size = sizeof out->rows;
-    if (!status && o->motion)
-        status = graze_scene_create(&out->scene, out->context, out->solid, out->motion, &scene);
-    if (!status && o->sdf_relative)
-        status = graze_scene_width(&out->rows.sdf, out->context, out->scene, o->rows.sdf);
-    code = complain_of_scene(status, out, o);
+    if (!status) {
+        TRY(check_rows(out->solid, o));
+        if (*graze_solid_note(out->solid))
+            complain(EXIT_DONE, "note: %s: %s", o->solid, graze_solid_note(out->solid));
+        status = o->motion ? read_scene(out, o) : GRAZE_OK;
+    }
+    int code = complain_of_scene(status, out, o);
     return status == GRAZE_EILLEGAL ? illegal : code;
 }
 

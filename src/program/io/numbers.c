@@ -25,6 +25,21 @@ int numbers_read(mpq_t *out, graze_context *context, const char *name, const cha
     return EXIT_DONE;
 }
 
+int numbers_given(mpq_t *out, graze_context *context, const char *name, const char *text,
+                  int count) {
+    return text ? numbers_read(out, context, name, text, strlen(text), count) : EXIT_DONE;
+}
+
+void rationals_init(rationals *n, int count) {
+    for (n->count = 0; n->count < count; n->count++)
+        mpq_init(n->at[n->count]);
+}
+
+void rationals_clear(rationals *n) {
+    while (n->count)
+        mpq_clear(n->at[--n->count]);
+}
+
 int numbers_count(unsigned long *out, const char *text, unsigned long low) {
     char *end;
     if (!isdigit((unsigned char)*text))

@@ -6,10 +6,13 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include "base/context/scope.h"
 
 static const char *unnamed = "-"; /* NULL: standard error */
 
@@ -137,6 +140,15 @@ void output_put(output *out, const char *text) {
     output_bytes(out, text, strlen(text));
 }
 
+void output_format(output *out, const char *format, ...) {
+    char line[256];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(line, sizeof line, format, arguments);
+    va_end(arguments);
+    output_put(out, line);
+}
+
 void output_sink(void *out, const char *text, size_t length) {
     output_bytes(out, text, length);
 }
@@ -167,17 +179,22 @@ int output_close(output *out) {
     return EXIT_DONE;
 }
 
+int output_end(output *out, int status) {
+    int closed = output_close(out);
+    return status ? status : closed;
+}
+
 int output_text(const char *path, const char *text) {
-    output *out = malloc(sizeof *out);
+    FREED(output, out, malloc(sizeof *out));
     if (!out)
         return complain(EXIT_IO, "out of memory");
-    int status = output_open(out, path);
-    if (!status) {
-        output_put(out, text);
-        status = output_close(out);
-    }
-    free(out);
-    return status;
+    TRY(output_open(out, path));
+    output_put(out, text);
+    return output_close(out);
+}
+
+int output_made(const char *path, const text *made) {
+    return made->failed ? complain(EXIT_IO, "out of memory") : output_text(path, made->data);
 }
 
 void output_guard_standard(void) {

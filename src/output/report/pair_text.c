@@ -1,0 +1,92 @@
+/* Verdict, word, contacts and cells in words. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "output/report/report.h"
+
+#include <stdlib.h>
+#include "base/context/scope.h"
+#include "decide/verdict/verdict.h"
+#include "output/report/row_parts.h"
+#include "questions/collide/collide.h"
+
+enum { NEAR_DIGITS = 17, CELLS_SHOWN = 8 };
+
+/* A rational as it is, with a decimal where it is no integer; an irrational time as a decimal; the
+ * row of the motion's piece. */
+static void tell_pair_time(text *t, const graze_time *time) {
+    int rational = time_is_rational(time);
+    int near = rational && !fmpz_is_one(fmpq_denref(time->low));
+    unsigned long row = time->motion->piece[time_first_piece(time)].row;
+    FREED(char, decimal, decimal_of_time(NULL, time, NEAR_DIGITS));
+    t->failed |= !decimal;
+    if (rational)
+        text_rational(t, time->low);
+    else
+        text_format(t, "%s...", decimal ? decimal : "");
+    if (near)
+        text_format(t, " (%s%s", decimal ? decimal : "", row ? "" : ")");
+    if (row)
+        text_format(t, "%srow %lu)", near ? ", " : " (", row);
+}
+
+static void tell_cells(text *t, const cell_pairs *cells) {
+    for (size_t k = 0; k < cells->count && k < CELLS_SHOWN; k++) {
+        text_put(t, k ? ", " : ": ");
+        report_put_cell(t, &cells->item[k].moving);
+        text_put(t, " of MOVING with ");
+        report_put_cell(t, &cells->item[k].fixed);
+    }
+    if (cells->count > CELLS_SHOWN)
+        text_format(t, ", and %zu more", cells->count - CELLS_SHOWN);
+    text_put(t, "\n");
+}
+
+static void tell_contact(text *t, const graze_pair *pair, const pair_contact *c) {
+    graze_state next = collide_next(pair);
+    graze_kind kind = pair->options.first ? 0 : verdict_kind(c->left, c->right);
+    text_put(t, pair->options.first ? "first contact " : "contact ");
+    tell_pair_time(t, c->from);
+    if (!pair->options.first && c->to != c->from) {
+        text_put(t, " to ");
+        tell_pair_time(t, c->to);
+    }
+    if (pair->options.first) /* the word OB leaves open whether it lasts */
+        text_put(t, next == GRAZE_STATE_ABSENT ? ", where the motion ends"
+                    : next == GRAZE_STATE_B    ? ", which lasts"
+                                               : "");
+    if (kind)
+        text_put(t, kind == GRAZE_INTERSECTION ? ", intersection" : ", tangency");
+    tell_cells(t, &c->cells);
+}
+
+/* The first contact with the complement of a solid, and what follows. */
+static void tell_first_inside(text *t, const graze_pair *pair) {
+    graze_state next = collide_next(pair);
+    text_put(t, next == GRAZE_STATE_I ? "leaves at " : "touches at ");
+    tell_pair_time(t, pair->walk.contact[0].from);
+    text_put(t, next == GRAZE_STATE_I        ? ""
+                : next == GRAZE_STATE_ABSENT ? ", where the motion ends"
+                                             : " and stays inside at first");
+}
+
+/* Verdicts on whether a solid stays inside have words of their own. */
+static void tell_verdict(text *t, const graze_pair *pair) {
+    graze_pair_verdict verdict = collide_verdict(pair);
+    int inside = pair->options.question == GRAZE_PAIR_INSIDE;
+    if (inside && verdict == GRAZE_PAIR_CONTACT) {
+        tell_first_inside(t, pair);
+    } else if (!inside || (pair->options.first && verdict == GRAZE_PAIR_OVERLAP)) {
+        text_put(t, pair_verdict_name(verdict));
+    } else if (verdict != GRAZE_PAIR_OVERLAP) {
+        text_put(t, verdict == GRAZE_PAIR_CLEAR ? "inside" : "inside, touching");
+    } else {
+        text_put(t, "leaves at ");
+        tell_pair_time(t, collide_overlap_time(pair));
+    }
+    text_put(t, "\n");
+}
+
+void pair_text(text *out, const graze_pair *pair) {
+    tell_verdict(out, pair);
+    text_format(out, "word %s\n", pair->walk.word);
+    for (size_t k = 0; k < pair->walk.contact_count; k++)
+        tell_contact(out, pair, &pair->walk.contact[k]);
+}
