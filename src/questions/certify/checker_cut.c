@@ -21,6 +21,7 @@ static graze_status add_fan(soup *out, graze_context *context, const soup *in, s
  * a piece turns the other way it overlaps others, or has no area. */
 static graze_status make_cut(graze_solid **out, graze_context *context, soup *cut) {
     graze_status status = solid_create(out, context, cut, 0);
+    soup_init(cut, 3); /* the solid has taken it over */
     if (status == GRAZE_EILLEGAL)
         return context_fail(context, status,
                             "a facet is not the fan of its first corner, so that graze-check "
@@ -33,15 +34,10 @@ graze_status certify_cut(graze_solid **out, graze_context *context, const graze_
     *out = NULL;
     if (in->dimension == 2 || in->index_count == 3 * in->facet_count)
         return GRAZE_OK;
-    soup cut;
-    soup_init(&cut, 3);
-    graze_status status = GRAZE_OK;
-    for (size_t v = 0; v < in->vertex_count && !status; v++)
-        status = soup_add_vertex(&cut, context, in->coordinates + 3 * v);
-    for (size_t f = 0; f < in->facet_count && !status; f++)
-        status = add_fan(&cut, context, in, f);
-    if (!status)
-        return make_cut(out, context, &cut);
-    soup_clear(&cut);
-    return status;
+    HELD(soup, cut, 3);
+    for (size_t v = 0; v < in->vertex_count; v++)
+        TRY(soup_add_vertex(&cut, context, in->coordinates + 3 * v));
+    for (size_t f = 0; f < in->facet_count; f++)
+        TRY(add_fan(&cut, context, in, f));
+    return make_cut(out, context, &cut);
 }

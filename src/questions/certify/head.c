@@ -67,21 +67,11 @@ static void find_det(fmpz_poly_t out, const point_map *m) {
     }
 }
 
-static int one_sign(const fmpz_poly_t p, const dyadic_interval *at) {
-    slong n = fmpz_poly_length(p);
-    LOCAL_VEC(fmpz, c, n);
-    bernstein_from_poly(c, p, n - 1, at);
-    int same = 1;
-    for (slong k = 0; k < n; k++)
-        same = same && fmpz_sgn(c + k) == fmpz_sgn(c) && !fmpz_is_zero(c + k);
-    return same;
-}
-
 /* The upper ends of the parts of an interval on which both have one sign. Both have no root there,
  * so the parts end (proofs/claims.md C23). */
 static void put_signs(text *out, const motion_piece *piece, const fmpz_poly_t det,
                       const dyadic_interval *at) {
-    if (one_sign(piece->forward.weight, at) && one_sign(det, at)) {
+    if (prove_one_sign(piece->forward.weight, at) && prove_one_sign(det, at)) {
         LOCAL_VEC(fmpq, t, 2);
         fmpq *width = t + 1;
         dyadic_value(t, at->high, at->exponent);
@@ -118,15 +108,14 @@ graze_status certify_head(text *out, graze_context *context, const certifier *c)
     text_format(out, "folds %s\n", o->folds == GRAZE_FOLDS_COMBINED ? "combined" : "separate");
     text_put(out, c->with_contacts ? "contacts yes\nsigns " : "signs ");
     text_rational(out, m->piece[0].lo);
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < m->piece_count && !status; k++) {
+    for (size_t k = 0; k < m->piece_count; k++) {
         HELD(dyadic_interval, unit);
         LOCAL(fmpz_poly, det);
         dyadic_interval_set_si(&unit, 0, 1);
         find_det(det, &m->piece[k].forward);
         put_signs(out, &m->piece[k], det, &unit);
-        status = context_poll(context);
+        TRY(context_poll(context));
     }
     text_put(out, "\n");
-    return status;
+    return GRAZE_OK;
 }

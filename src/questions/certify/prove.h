@@ -77,6 +77,9 @@ int prove_clear(enclosure *e, const dyadic_interval *at);
 int prove_slide(enclosure *e, const dyadic_interval *at);
 /** The claim about the root of q in the interval. */
 int prove_root(enclosure *e, const dyadic_interval *at, root_claim claim);
+/** The strict sign that all Bernstein coefficients of p on the interval have; 0 if they have none
+ * in common. */
+int prove_one_sign(const fmpz_poly_t p, const dyadic_interval *at);
 /** q has just one root in the open interval, a simple one, and none at its ends. */
 int prove_isolated(const fmpz_poly_t q, const dyadic_interval *at);
 

@@ -6,6 +6,7 @@
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 #include "decide/trace/trace.h"
 #include "input/motion/motion.h"
 #include "questions/contact/nearby.h"
@@ -76,12 +77,6 @@ static void apply_linear(fmpq *out, const fmpq *map, const fmpq *v, int d) {
     }
 }
 
-/* a += b */
-static void add_vector_to(fmpq *a, const fmpq *b, int d) {
-    for (int i = 0; i < d; i++)
-        fmpq_add(a + i, a + i, b + i);
-}
-
 static void negate_vector(fmpq *a, int d) {
     for (int i = 0; i < d; i++)
         fmpq_neg(a + i, a + i);
@@ -100,7 +95,7 @@ static void scale_to_time(flow *f, const motion_piece *piece) {
     }
 }
 
-void flow_make(flow *out, const motion_piece *piece, const fmpq_t u, const fmpq *y) {
+void flow_init(flow *out, const motion_piece *piece, const fmpq_t u, const fmpq *y) {
     int d = piece->forward.dimension;
     LOCAL_VEC(fmpq, inverse, d * (d + 1));
     LOCAL_VEC(fmpq, velocity, d);
@@ -116,9 +111,9 @@ void flow_make(flow *out, const motion_piece *piece, const fmpq_t u, const fmpq 
     negate_vector(out->w, d);
     /* drift = A^-1 (A'' y + b'' + A'w), bend = -A^-1 (A'' y + b'' + 2 A'w) */
     turn_vector(turned, piece, u, out->w);
-    add_vector_to(second, turned, d);
+    vector_add(second, second, turned, d);
     apply_linear(out->drift, inverse, second, d);
-    add_vector_to(second, turned, d);
+    vector_add(second, second, turned, d);
     apply_linear(out->bend, inverse, second, d);
     negate_vector(out->bend, d);
     out->orientation = affine_orientation(inverse, d);

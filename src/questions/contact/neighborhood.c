@@ -143,8 +143,9 @@ graze_status neighborhood_locate(neighborhood *out, graze_context *context,
     place_finder f = {.out = out, .context = context, .solid = solid};
     memset(out, 0, sizeof *out);
     out->dimension = d;
-    f.x = _fmpz_vec_init(d + 1);
-    _fmpq_vec_get_fmpz_vec_fmpz(f.x, f.x + d, point, d);
+    LOCAL_VEC(fmpz, x, d + 1);
+    f.x = x;
+    _fmpq_vec_get_fmpz_vec_fmpz(x, x + d, point, d);
     for (int i = 0; i < d; i++)
         rational_bounds(&f.around.low[i], &f.around.high[i], point + i);
     graze_status status = search_place(&f, 0);
@@ -152,7 +153,6 @@ graze_status neighborhood_locate(neighborhood *out, graze_context *context,
         find_cone_kind(&f);
         qsort(out->facet, out->count, sizeof *out->facet, compare_facets);
     }
-    _fmpz_vec_clear(f.x, d + 1);
     free(f.simplex);
     return status;
 }

@@ -142,7 +142,7 @@ static graze_status find_germs(graze_site *s, graze_context *context) {
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for the facets at a point");
     for (int k = 0; k < 2; k++)
         if (s->side[k].present && !(k == 1 && is_within_piece(s)))
-            flow_make(&s->side[k].flow, &s->scene->motion->piece[s->side[k].piece], s->side[k].u,
+            flow_init(&s->side[k].flow, &s->scene->motion->piece[s->side[k].piece], s->side[k].u,
                       s->y);
     for (size_t j = 0; j < s->place.count; j++)
         for (int k = 0; k < 2; k++)
@@ -195,15 +195,11 @@ static graze_status check_states(const graze_site *s, graze_context *context) {
 
 /* Sides, place, point in the world and germs. */
 static graze_status begin_facts(graze_site *s, graze_context *context) {
-    graze_status status = sides_find(s->side, context, s->scene->motion, s->t);
-    if (!status)
-        status = neighborhood_locate(&s->place, context, s->scene->solid, s->y);
-    if (!status && !s->place.count)
-        status =
-            context_fail(context, GRAZE_EINPUT,
-                         "the point is not on the boundary of the solid; expected one that is");
-    if (status)
-        return status;
+    TRY(sides_find(s->side, context, s->scene->motion, s->t));
+    TRY(neighborhood_locate(&s->place, context, s->scene->solid, s->y));
+    if (!s->place.count)
+        return context_fail(context, GRAZE_EINPUT,
+                            "the point is not on the boundary of the solid; expected one that is");
     s->is_break = sides_break(s->side, s->scene->motion);
     find_world(s);
     s->facts.cell = s->place.cell;
@@ -212,13 +208,12 @@ static graze_status begin_facts(graze_site *s, graze_context *context) {
 
 static graze_status fill_site(graze_site *s, graze_context *context, site_question asked) {
     TRY(begin_facts(s, context));
-    if (asked != SITE_ROLE)
+    if (asked != SITE_ROLE) {
         TRY(classify_point(&s->trace, context, s->scene, (query_point){.rational = s->world},
                            TRACE_CONTACTS));
-    if (asked != SITE_ROLE)
         TRY((asked == SITE_ALL ? nearest_find : nearest_trim)(s, context));
-    if (asked != SITE_ROLE)
         TRY(check_states(s, context));
+    }
     if (asked != SITE_TRIM)
         TRY(role_decide(&s->facts.role, context, s));
     find_slice(s);
@@ -257,20 +252,15 @@ static graze_status make_missed(graze_site *out, graze_context *context, const g
 graze_status site_snap(graze_site *out, graze_context *context, const graze_scene *scene,
                        const fmpq_t t, const fmpq *y, const graze_cell *cell) {
     HELD(nearby, n, y, scene->motion->dimension);
-    graze_status status = snap_find(&n, context, scene, t, cell);
-    if (!status && n.found) {
-        status = site_make(out, context, scene, t, n.point);
-        n.found = !status;
-    }
-    if (n.found && cell->kind == GRAZE_CELL_VERTEX && out->facts.role != GRAZE_ROLE_CONTACT) {
+    TRY(snap_find(&n, context, scene, t, cell));
+    if (!n.found)
+        return make_missed(out, context, scene, t, y, cell);
+    TRY(site_make(out, context, scene, t, n.point));
+    if (cell->kind == GRAZE_CELL_VERTEX && out->facts.role != GRAZE_ROLE_CONTACT) {
         site_clear(out);
-        n.found = 0;
+        return make_missed(out, context, scene, t, y, cell);
     }
-    if (n.found) {
-        fmpq_swap(out->shift, n.square);
-        out->snapped = 1;
-    } else if (!status) {
-        status = make_missed(out, context, scene, t, y, cell);
-    }
-    return status;
+    fmpq_swap(out->shift, n.square);
+    out->snapped = 1;
+    return GRAZE_OK;
 }

@@ -12,23 +12,20 @@
 static void field_make(velocity_field *out, const motion_piece *piece, const fmpq_t u) {
     int d = piece->forward.dimension;
     LOCAL_VEC(fmpq, y, d);
-    flow f;
     *out = (velocity_field){d, _fmpq_vec_init(d), _fmpq_vec_init(d * d)};
-    flow_make(&f, piece, u, y);
+    HELD(flow, at_zero, piece, u, y);
     for (int i = 0; i < d; i++)
-        fmpq_set(out->at_zero + i, f.w + i);
-    flow_clear(&f);
+        fmpq_set(out->at_zero + i, at_zero.w + i);
     for (int j = 0; j < d; j++) {
         fmpq_one(y + j);
-        flow_make(&f, piece, u, y);
+        HELD(flow, f, piece, u, y);
         for (int i = 0; i < d; i++)
             fmpq_sub(out->slope + i * d + j, f.w + i, out->at_zero + i);
-        flow_clear(&f);
         fmpq_zero(y + j);
     }
 }
 
-void speed_make(speed *out, const graze_motion *motion, const site_side side[2]) {
+void speed_init(speed *out, const graze_motion *motion, const site_side side[2]) {
     memset(out, 0, sizeof *out);
     out->dimension = motion->dimension;
     for (int k = 0; k < 2; k++) {
@@ -46,7 +43,6 @@ void speed_clear(speed *s) {
         _fmpq_vec_clear(s->field[k].at_zero, d);
         _fmpq_vec_clear(s->field[k].slope, d * d);
     }
-    *s = (speed){.dimension = 0};
 }
 
 void speed_along(fmpq_t out, const speed *s, int side, const fmpq *normal, const fmpq *y) {

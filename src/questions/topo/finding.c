@@ -22,21 +22,8 @@ const char *graze_topo_level_name(graze_topo_level level) {
 }
 
 void finding_init(topo_finding *f) {
-    f->position = GRAZE_TOPO_NONE;
-    f->level = GRAZE_LEVEL_NONE;
-    f->reason = "";
-    f->has_witness = f->has_open = f->has_across = 0;
-    f->order = 0;
-    fmpq_init(&f->reach);
-    fmpq_init(&f->lift);
-    for (int k = 0; k < 3; k++) {
-        fmpq_init(f->witness + k);
-        fmpz_init(f->direction + k);
-        fmpz_init(f->along[0] + k);
-        fmpz_init(f->along[1] + k);
-        fmpz_init(f->open + k);
-        fmpz_init(f->across + k);
-    }
+    *f = (topo_finding){
+        .reason = "", .witness = {{0, 1}, {0, 1}, {0, 1}}, .reach = {0, 1}, .lift = {0, 1}};
 }
 
 void finding_clear(topo_finding *f) {

@@ -30,18 +30,17 @@ void half_in_chart(fmpz_poly_t out, const fmpq_poly_t form, slong degree, direct
 graze_status half_is_valid(int *out, const half_germ *half, graze_context *context,
                            direction_chart chart, algebraic *at) {
     int sign = 0;
-    graze_status status = GRAZE_OK;
     LOCAL(fmpz_poly, p);
     *out = 1;
     if (half->has_reach) {
         half_in_chart(p, half->reach, 1, chart);
-        status = algebraic_sign_at(&sign, context, p, at);
+        TRY(algebraic_sign_at(&sign, context, p, at));
         *out = sign > 0;
     }
-    if (half->has_turn && *out && !status) {
+    if (half->has_turn && *out) {
         half_in_chart(p, half->turn, 1, chart);
-        status = algebraic_sign_at(&sign, context, p, at);
+        TRY(algebraic_sign_at(&sign, context, p, at));
         *out = sign >= 0;
     }
-    return status;
+    return GRAZE_OK;
 }

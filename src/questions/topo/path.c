@@ -18,9 +18,8 @@
 static void curve_on_path(fmpz_poly_t out, const fmpz_mpoly_t curve, const topo_finding *f,
                           const fmpz_mpoly_ctx_t ring) {
     slong most = fmpz_mpoly_degree_si(curve, RING_Y, ring);
-    LOCAL_VEC(fmpz, c, 2);
-    fmpz *power = c + 1;
-    LOCAL(fmpz_poly, term);
+    LOCAL_VEC(fmpz, c, 3);
+    fmpz *power = c + 1, *sum = c + 2;
     fmpz_poly_zero(out);
     for (slong k = 0; k < fmpz_mpoly_length(curve, ring); k++) {
         ulong e[RING_VARIABLES];
@@ -29,11 +28,10 @@ static void curve_on_path(fmpz_poly_t out, const fmpz_mpoly_t curve, const topo_
         fmpz_pow_ui(power, fmpq_numref(&f->lift), e[RING_Y]);
         fmpz_mul(c, c, power);
         fmpz_pow_ui(power, fmpq_denref(&f->lift), (ulong)most - e[RING_Y]);
-        fmpz_mul(c, c, power);
-        fmpz_poly_zero(term);
-        fmpz_poly_set_coeff_fmpz(
-            term, f->order * (slong)e[RING_X] + (f->order + 1) * (slong)e[RING_Y], c);
-        fmpz_poly_add(out, out, term);
+        slong at = f->order * (slong)e[RING_X] + (f->order + 1) * (slong)e[RING_Y];
+        fmpz_poly_get_coeff_fmpz(sum, out, at);
+        fmpz_addmul(sum, c, power);
+        fmpz_poly_set_coeff_fmpz(out, at, sum);
     }
 }
 
@@ -41,35 +39,33 @@ static void curve_on_path(fmpz_poly_t out, const fmpz_mpoly_t curve, const topo_
 static graze_status try_path(topo_finding *out, graze_context *context, const graze_scene *scene,
                              const plane_view *view, ulong places) {
     int beyond = 0;
-    fmpq xy[2] = {{1, 1}, {0, 1}};
+    LOCAL_VEC(fmpq, xy, 2);
+    fmpq_one(xy);
     fmpq_div_2exp(xy, xy, places * (ulong)out->order);
     fmpq_div_2exp(xy + 1, &out->lift, places * (ulong)(out->order + 1));
     view_point(out->witness, view, xy);
-    graze_status status = beyond_closed(&beyond, context, scene, out->witness);
+    TRY(beyond_closed(&beyond, context, scene, out->witness));
     if (beyond) {
         finding_set(out, GRAZE_TOPO_BOUNDARY, GRAZE_LEVEL_LEADING_TERMS);
         out->has_witness = 1;
         fmpq_one(&out->reach);
         fmpq_div_2exp(&out->reach, &out->reach, places);
     }
-    for (int k = 0; k < 2; k++)
-        fmpq_clear(xy + k);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status path_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
                          const curve_list *curves, const plane_view *view) {
     ulong places = 0;
-    int clear = 1;
-    graze_status status = GRAZE_OK;
     LOCAL(fmpz_poly, p);
-    for (size_t k = 0; k < curves->count && !status && clear; k++) {
+    for (size_t k = 0; k < curves->count; k++) {
+        TRY(context_poll(context));
         curve_on_path(p, &curves->item[k], out, curves->ring);
-        clear = !fmpz_poly_is_zero(p);
-        if (clear)
-            places_below_roots(&places, p);
-        clear = clear && places <= context->limits[GRAZE_LIMIT_BITS];
-        status = context_poll(context);
+        if (fmpz_poly_is_zero(p))
+            return GRAZE_OK;
+        places_below_roots(&places, p);
+        if (places > context->limits[GRAZE_LIMIT_BITS])
+            return GRAZE_OK;
     }
-    return clear && !status ? try_path(out, context, scene, view, places) : status;
+    return try_path(out, context, scene, view, places);
 }

@@ -6,12 +6,7 @@
 #include "questions/topo/cover.h"
 
 void plane_view_init(plane_view *view) {
-    view->dimension = 2;
-    for (int i = 0; i < 3; i++) {
-        fmpq_init(view->origin + i);
-        for (int k = 0; k < 2; k++)
-            fmpz_init_set_si(view->along[k] + i, i == k);
-    }
+    *view = (plane_view){2, {{0, 1}, {0, 1}, {0, 1}}, {{1, 0, 0}, {0, 1, 0}}};
 }
 
 void view_set_through(plane_view *view, const fmpq *point, const fmpz *a, const fmpz *b) {

@@ -5,6 +5,7 @@
 #include "questions/topo/cover.h"
 
 void pullback_form_init(pullback_form *f) {
+    f->degree = 0;
     for (int i = 0; i < 3; i++)
         fmpz_poly_init(&f->linear[i]);
 }
@@ -17,7 +18,8 @@ void pullback_form_clear(pullback_form *f) {
 void pullback_of_form(pullback_form *f, const point_map *map, const fmpz *form,
                       const plane_view *view) {
     int d = map->dimension;
-    fmpz scale[4] = {0, 0, 0, 0}; /* the origin's numerators over the common denominator scale[d] */
+    LOCAL_VEC(fmpz, scale,
+              d + 1); /* the origin's numerators over the common denominator scale[d] */
     LOCAL(fmpz, factor);
     LOCAL(fmpz_poly, column);
     _fmpq_vec_get_fmpz_vec_fmpz(scale, scale + d, view->origin, d);
@@ -35,20 +37,17 @@ void pullback_of_form(pullback_form *f, const point_map *map, const fmpz *form,
             fmpz_poly_scalar_addmul_fmpz(&f->linear[i], column, factor);
         }
     }
-    for (int i = 0; i < 4; i++)
-        fmpz_clear(scale + i);
 }
 
-slong pullback_reduce(pullback_form *f, fmpz_poly_t common) {
-    slong degree = 0;
+void pullback_reduce(pullback_form *f, fmpz_poly_t common) {
+    f->degree = 0;
     fmpz_poly_zero(common);
     for (int i = 0; i < 3; i++)
         fmpz_poly_gcd(common, common, &f->linear[i]);
     for (int i = 0; i < 3 && !fmpz_poly_is_zero(common); i++) {
         fmpz_poly_div(&f->linear[i], &f->linear[i], common);
-        degree = FLINT_MAX(degree, fmpz_poly_degree(&f->linear[i]));
+        f->degree = FLINT_MAX(f->degree, fmpz_poly_degree(&f->linear[i]));
     }
-    return degree;
 }
 
 void pullback_at(fmpz_mpoly_t out, const pullback_form *f, const fmpz_t time,

@@ -60,21 +60,15 @@ static void to_polynomial(fmpz_mpoly_t out, const sliced_curve *s, int variable,
 
 graze_status shift_curve(fmpz_mpoly_t out, graze_context *context, const fmpz_mpoly_t curve,
                          const fmpq *point, const fmpz_mpoly_ctx_t ring) {
-    fmpz place[3] = {0, 0, 0}; /* a, b, c */
-    sliced_curve rows, columns;
+    LOCAL_VEC(fmpz, place, 3); /* a, b, c */
     _fmpq_vec_get_fmpz_vec_fmpz(place, place + 2, point, 2);
-    sliced_curve_init(&rows, curve, RING_Y, ring);
+    HELD(sliced_curve, rows, curve, RING_Y, ring);
     scale_terms(&rows, place + 2, 0);
-    graze_status status = shift_coefficients(&rows, context, place);
+    TRY(shift_coefficients(&rows, context, place));
     to_polynomial(out, &rows, RING_Y, ring);
-    sliced_curve_clear(&rows);
-    sliced_curve_init(&columns, out, RING_X, ring);
-    if (!status)
-        status = shift_coefficients(&columns, context, place + 1);
+    HELD(sliced_curve, columns, out, RING_X, ring);
+    TRY(shift_coefficients(&columns, context, place + 1));
     scale_terms(&columns, place + 2, 1);
     to_polynomial(out, &columns, RING_X, ring);
-    sliced_curve_clear(&columns);
-    for (int k = 0; k < 3; k++)
-        fmpz_clear(place + k);
-    return status;
+    return GRAZE_OK;
 }

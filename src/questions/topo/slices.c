@@ -45,14 +45,12 @@ static graze_status look_in_plane(topo_finding *out, graze_context *context,
 static graze_status find_invariant(fmpz *out, fmpz *step, graze_context *context,
                                    const graze_scene *scene, const plane_list *planes,
                                    const fmpq *point) {
-    germ_list germs;
-    germ_list_init(&germs);
-    graze_status status = germs_find(&germs, context, scene, planes, point);
-    if (status || !germs.bounded ||
+    HELD(germ_list, germs);
+    TRY(germs_find(&germs, context, scene, planes, point));
+    if (!germs.bounded ||
         (!invariant_direction(out, &germs) && !invariant_beside_step(out, step, &germs, point)))
         _fmpz_vec_zero(out, 3);
-    germ_list_clear(&germs);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Does a plane along two directions, 6 integers, cross a third one? */
@@ -89,9 +87,9 @@ graze_status slices_decide(topo_finding *out, graze_context *context, const graz
     const char *reason = out->reason;
     LOCAL_VEC(fmpz, along, 12);
     fmpz *invariant = along + 6, *step = along + 9;
-    graze_status status = find_invariant(invariant, step, context, scene, planes, point);
+    TRY(find_invariant(invariant, step, context, scene, planes, point));
     int has_gap = out->order > 0, has_step = !_fmpz_vec_is_zero(step, 3);
-    for (int k = has_gap ? -1 : 0; k < SLICES && !status && !is_decided(out); k++) {
+    for (int k = has_gap ? -1 : 0; k < SLICES && !is_decided(out); k++) {
         for (int i = 0; i < 6; i++)
             fmpz_set_si(along + i, askew[FLINT_MAX(k, 0)][i / 3][i % 3]);
         if (k < 0)
@@ -100,16 +98,15 @@ graze_status slices_decide(topo_finding *out, graze_context *context, const graz
             _fmpz_vec_set(along, out->open, 3);
         if (directions_parallel(along, along + 3))
             continue;
-        status = look_in_plane(out, context, scene, planes, point, along,
-                               !has_step && crosses(along, invariant) ? GRAZE_LEVEL_SECTION
-                                                                      : GRAZE_LEVEL_CURVES,
-                               k < 0);
+        int decides = !has_step && crosses(along, invariant);
+        TRY(look_in_plane(out, context, scene, planes, point, along,
+                          decides ? GRAZE_LEVEL_SECTION : GRAZE_LEVEL_CURVES, k < 0));
     }
-    if (!status && !is_decided(out) && has_step)
-        status = decide_beside_step(out, context, scene, planes, point, step, invariant);
-    if (!status && !is_decided(out))
-        finding_undecided(out, reason);
-    else if (!status)
+    if (!is_decided(out) && has_step)
+        TRY(decide_beside_step(out, context, scene, planes, point, step, invariant));
+    if (is_decided(out))
         out->reason = "";
-    return status;
+    else
+        finding_undecided(out, reason);
+    return GRAZE_OK;
 }
