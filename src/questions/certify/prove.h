@@ -11,12 +11,6 @@
 #include "input/validate/validate.h"
 #include "questions/certify/certify.h"
 
-/* Facets cut as the checker of certificates cuts them. */
-
-/** The solid with every facet of more than three corners cut into the fan of its first one; *out is
- * NULL where there is none. GRAZE_EILLEGAL where a fan is not the facet. */
-graze_status certify_cut(graze_solid **out, graze_context *context, const graze_solid *solid);
-
 /* A piece of a trajectory in doubles, and simplices that it is certainly off. */
 
 /** The control points x_k / w_k of a piece in E^3, each within 2^-48 of its size, and a box around

@@ -194,10 +194,8 @@ static int precedes(const event *v, const event *w) {
 
 /* Strictly inside [0, 1], but for the end that is the time itself. */
 static int is_inside(const event *v) {
-    LOCAL(fmpz, one);
-    fmpz_set_ui(one, 1);
     return (v->place == -1 || fmpz_sgn(v->at.low) > 0) &&
-           (v->place == 1 || compare_ends(v->at.high, v->at.exponent, one, 0) < 0);
+           (v->place == 1 || compare_ends(v->at.high, v->at.exponent, &(fmpz){1}, 0) < 0);
 }
 
 /* Why no interval could be proved. */
@@ -279,15 +277,13 @@ static graze_status put_piece(piece_row *r) {
     ulong exponent = 0;
     HELD(dyadic_interval, gap);
     LOCAL(fmpz, at);
-    LOCAL(fmpz, one);
-    fmpz_set_ui(one, 1);
     for (size_t k = 0; k <= r->count; k++) {
         event *v = k < r->count ? &r->event[k] : NULL;
         int held = v && v->place && (r->gap[k] == 'B' || r->gap[k + 1] == 'B');
         if (v && held && v->place < 0)
             continue;
         if (!v || held)
-            join(&gap, at, exponent, one, 0);
+            join(&gap, at, exponent, &(fmpz){1}, 0);
         else
             join(&gap, at, exponent, v->at.low, v->at.exponent);
         if (fmpz_cmp(gap.low, gap.high) < 0)

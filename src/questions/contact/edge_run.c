@@ -130,11 +130,9 @@ graze_status edge_run_try(nearby *n, graze_context *context, const graze_solid *
     LOCAL_VEC(fmpq, normal, 6);
     LOCAL_VEC(fmpq, part, RUN_PARTS);
     LOCAL_VEC(fmpq, middle, 3);
-    LOCAL(fmpq, half);
     ZEROED(neighborhood, p);
     edge_run r = {.u = u, .v = v, .speed = s, .normal = normal, .count = 2, .part = part};
-    fmpq_set_si(half, 1, 2);
-    edge_point_at(middle, &r, half);
+    edge_point_at(middle, &r, &(fmpq){1, 2});
     TRY(neighborhood_locate(&p, context, solid, middle));
     TRY(take_facets(&r, context, solid, &p));
     fmpq_one(part + 1);

@@ -59,9 +59,8 @@ static graze_status add_facet_here(place_finder *f, size_t simplex, const fmpz *
     TRY(array_grow(f->context, &p->facet, &p->capacity, p->count + 1, sizeof *p->facet,
                    "the facets at a point"));
     place_facet *made = &p->facet[p->count++];
-    memset(made, 0, sizeof *made);
-    made->name = name;
-    made->simplex = simplex;
+    *made = (place_facet){.name = name, .simplex = simplex, .form = _fmpz_vec_init(7)};
+    made->normal = made->form + 4;
     _fmpz_vec_set(made->form, outward, d + 1);
     LOCAL(fmpz, content);
     _fmpz_vec_content(content, made->form, d);
@@ -158,12 +157,8 @@ graze_status neighborhood_locate(neighborhood *out, graze_context *context,
 }
 
 void neighborhood_clear(neighborhood *p) {
-    for (size_t k = 0; k < p->count; k++) {
-        for (int i = 0; i < 4; i++)
-            fmpz_clear(p->facet[k].form + i);
-        for (int i = 0; i < 3; i++)
-            fmpz_clear(p->facet[k].normal + i);
-    }
+    for (size_t k = 0; k < p->count; k++)
+        _fmpz_vec_clear(p->facet[k].form, 7);
     free(p->facet);
     *p = (neighborhood){.count = 0};
 }

@@ -18,26 +18,23 @@ static void begin_site(graze_site *s, const graze_scene *scene, const fmpq_t t, 
     memset(s, 0, sizeof *s);
     s->scene = scene;
     s->dimension = d;
-    s->y = _fmpq_vec_init(d);
-    s->world = _fmpq_vec_init(d);
+    s->y = _fmpq_vec_init(2 * d + 2);
+    s->world = s->y + d;
+    s->side[0].u = s->world + d;
+    s->side[1].u = s->world + d + 1;
     for (int i = 0; i < d; i++)
         fmpq_set(s->y + i, y + i);
     fmpq_init(s->t);
     fmpq_set(s->t, t);
     fmpq_init(s->shift);
-    for (int k = 0; k < 2; k++)
-        fmpq_init(s->side[k].u);
 }
 
 void site_clear(graze_site *s) {
-    _fmpq_vec_clear(s->y, s->dimension);
-    _fmpq_vec_clear(s->world, s->dimension);
+    _fmpq_vec_clear(s->y, 2 * s->dimension + 2);
     fmpq_clear(s->t);
     fmpq_clear(s->shift);
-    for (int k = 0; k < 2; k++) {
-        fmpq_clear(s->side[k].u);
+    for (int k = 0; k < 2; k++)
         flow_clear(&s->side[k].flow);
-    }
     for (size_t k = 0; k < s->germ_count; k++) {
         fmpq_clear(s->germ[k].speed);
         fmpq_clear(s->germ[k].drift);
@@ -64,20 +61,14 @@ static void carry_point(fmpq *out, const point_map *map, const fmpq_t u, const f
 graze_status site_to_body(fmpq *point, graze_context *context, const graze_scene *scene,
                           const fmpq_t t) {
     int d = scene->motion->dimension;
-    site_side side[2];
-    fmpq_init(side[0].u);
-    fmpq_init(side[1].u);
-    graze_status status = sides_find(side, context, scene->motion, t);
-    if (!status) {
-        const site_side *one = &side[!side[0].present];
-        LOCAL_VEC(fmpq, body, d);
-        carry_point(body, &scene->motion->piece[one->piece].inverse, one->u, point);
-        for (int i = 0; i < d; i++)
-            fmpq_set(point + i, body + i);
-    }
-    fmpq_clear(side[0].u);
-    fmpq_clear(side[1].u);
-    return status;
+    LOCAL_VEC(fmpq, body, d + 2);
+    site_side side[2] = {{.u = body + d}, {.u = body + d + 1}};
+    TRY(sides_find(side, context, scene->motion, t));
+    const site_side *one = &side[!side[0].present];
+    carry_point(body, &scene->motion->piece[one->piece].inverse, one->u, point);
+    for (int i = 0; i < d; i++)
+        fmpq_swap(point + i, body + i);
+    return GRAZE_OK;
 }
 
 static void find_world(graze_site *s) {

@@ -89,13 +89,8 @@ static graze_status try_cell(nearby *n, graze_context *context, const graze_scen
 
 graze_status snap_find(nearby *n, graze_context *context, const graze_scene *scene, const fmpq_t t,
                        const graze_cell *cell) {
-    site_side side[2];
-    fmpq_init(side[0].u);
-    fmpq_init(side[1].u);
-    graze_status status = sides_find(side, context, scene->motion, t);
-    if (!status)
-        status = try_cell(n, context, scene, side, cell);
-    fmpq_clear(side[0].u);
-    fmpq_clear(side[1].u);
-    return status;
+    LOCAL_VEC(fmpq, u, 2);
+    site_side side[2] = {{.u = u}, {.u = u + 1}};
+    TRY(sides_find(side, context, scene->motion, t));
+    return try_cell(n, context, scene, side, cell);
 }

@@ -52,8 +52,7 @@ graze_status distance_diagonal(double *out, graze_context *context, const graze_
     LOCAL_VEC(fmpq, map, d * (d + 1));
     LOCAL_VEC(fmpq, low, d);
     LOCAL_VEC(fmpq, high, d);
-    LOCAL(fmpq, zero);
-    point_map_at(map, &scene->motion->piece[0].forward, zero);
+    point_map_at(map, &scene->motion->piece[0].forward, &(fmpq){0, 1});
     for (size_t s = 0; s < solid->cut.count; s++) {
         for (int c = 0; c < d; c++)
             extend(low, high, map,

@@ -87,15 +87,13 @@ static graze_status look_at(specials *out, graze_context *context, const graze_s
     int d = solid->input.dimension;
     LOCAL(fmpz_poly, common);
     LOCAL(fmpz_poly, velocity);
-    LOCAL(fmpq, half);
-    fmpq_set_si(half, 1, 2);
     for (int k = 0; k < d; k++) {
         special_velocity(velocity, scene, piece, plane,
                          solid->input.coordinates + solid->cut.item[simplex].vertex[k] * (size_t)d);
         fmpz_poly_gcd(common, common, velocity);
     }
     if (fmpz_poly_is_zero(common))
-        TRY(append_special(out, context, scene, piece, half, simplex, 1));
+        TRY(append_special(out, context, scene, piece, &(fmpq){1, 2}, simplex, 1));
     else
         TRY(append_common_roots(out, context, scene, piece, simplex, common));
     return GRAZE_OK;

@@ -30,8 +30,6 @@ static int is_coprime_in(const fmpz_mpoly_t a, const fmpz_mpoly_t b, int variabl
     if (fmpz_mpoly_degree_si(a, variable, ring) < 1 ||
         (b && fmpz_mpoly_degree_si(b, variable, ring) < 1))
         return 1;
-    LOCAL(fmpz, line);
-    fmpz_set_ui(line, LINE);
     LOCAL(fmpz_poly, f);
     LOCAL(fmpz_poly, g);
     HELD(sliced_curve, s, a, variable, ring);
@@ -40,7 +38,7 @@ static int is_coprime_in(const fmpz_mpoly_t a, const fmpz_mpoly_t b, int variabl
         sliced_curve_init(&other, b, variable, ring);
     else
         sliced_init_derivative(&other, &s);
-    return sliced_at(f, &s, line) && sliced_at(g, &other, line) &&
+    return sliced_at(f, &s, &(fmpz){LINE}) && sliced_at(g, &other, &(fmpz){LINE}) &&
            polynomials_certainly_coprime(f, g);
 }
 

@@ -2,6 +2,10 @@
 #include "questions/topo/topo.h"
 
 #include "base/context/names.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "decide/verdict/verdict.h"
+#include "questions/topo/eliminate.h"
 #include "questions/topo/near.h"
 
 const char *graze_topo_name(graze_topo topo) {
@@ -53,4 +57,14 @@ void finding_set(topo_finding *f, graze_topo position, graze_topo_level level) {
 void finding_undecided(topo_finding *f, const char *reason) {
     finding_set(f, GRAZE_TOPO_UNDECIDED, GRAZE_LEVEL_NONE);
     f->reason = reason;
+}
+
+graze_status beyond_closed(int *out, graze_context *context, const graze_scene *scene,
+                           const fmpq *point) {
+    graze_verdict verdict;
+    graze_pmc wanted = scene->options.operation == GRAZE_UNSWEEP ? GRAZE_IN : GRAZE_OUT;
+    graze_status status =
+        classify_verdict(&verdict, context, scene, (query_point){.rational = point});
+    *out = !status && verdict.pmc == wanted;
+    return status;
 }

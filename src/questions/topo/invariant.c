@@ -10,22 +10,6 @@
 #include "questions/topo/cover.h"
 #include "questions/topo/near.h"
 
-void direction_span_add(direction_span *s, const fmpz *v) {
-    fmpz *cross = s->basis + 6;
-    LOCAL(fmpz, volume);
-    if (s->rank == 0 && !_fmpz_vec_is_zero(v, 3)) {
-        _fmpz_vec_set(s->basis, v, 3);
-        s->rank = 1;
-    } else if (s->rank == 1 && !directions_parallel(s->basis, v)) {
-        _fmpz_vec_set(s->basis + 3, v, 3);
-        directions_cross(cross, s->basis, v);
-        s->rank = 2;
-    } else if (s->rank == 2) {
-        _fmpz_vec_dot(volume, cross, v, 3);
-        s->rank += !fmpz_is_zero(volume);
-    }
-}
-
 /* Add a normal's coefficients of all powers of time. */
 static void span_add_normal(direction_span *s, const point_map *map, const fmpz *normal) {
     static const fmpz axis[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};

@@ -94,15 +94,6 @@ graze_status near_make(near_curves *n, int *refused, graze_context *context, con
  * The side is on the line x = r or, with `negative`, x = -r; with `axis` 1 on y = r or y = -r. */
 void near_side(fmpz_poly_t out, const near_curves *n, int axis, int negative);
 
-/* A path from a point through a gap in a plane of space. */
-
-/** Try to prove that an `on` point of E^3 is on the boundary: the path of its finding is `out`
- * between some place and the point (proofs/gaps.md C88). Without success the finding is unchanged.
- * @param curves the scene's curves in the view
- * @param view   the plane through the point along the finding's `open` and `across` */
-graze_status path_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
-                         const curve_list *curves, const plane_view *view);
-
 /* A ray from a point that is out up to some distance. */
 
 /** Find a reach of a ray from an `on` point P of a sweep (proofs/closure.md C74): if P + s

@@ -140,11 +140,9 @@ static graze_status stay_below_side(ray_maker *m, const ray_form *form, int side
 
 /* Keep `reach` below places at which a form vanishes at an end of the piece in the window. */
 static graze_status stay_below_at_ends(ray_maker *m, const ray_form *form, const candidate *near) {
-    LOCAL(fmpq, u);
     HELD(algebraic, end);
     for (slong k = 0; k < 2; k++) {
-        fmpq_set_si(u, k, 1);
-        algebraic_set_rational(&end, u);
+        algebraic_set_dyadic(&end, &(fmpz){k}, 0);
         if (k ? near->to == UINT32_C(1) << WINDOW_LEVELS : near->from == 0)
             TRY(stay_below_all(m, form, &end));
     }

@@ -135,18 +135,15 @@ static graze_status look_from_to(int *out, const second_maker *m, algebraic *fro
  */
 static graze_status look_at_slopes(int *out, const second_maker *m, algebraic_list *roots) {
     int order = 0;
-    LOCAL(fmpq, end);
     HELD(algebraic, last);
     HELD(algebraic, next);
-    fmpq_set_si(end, -1, 1);
-    algebraic_set_rational(&last, end);
+    algebraic_set_dyadic(&last, &(fmpz){-1}, 0);
     TRY(look_at_end(out, m, &last));
-    fmpq_one(end);
     for (size_t k = 0; k <= roots->count; k++) {
         if (k < roots->count)
             algebraic_set(&next, &roots->item[k]);
         else
-            algebraic_set_rational(&next, end);
+            algebraic_set_dyadic(&next, &(fmpz){1}, 0);
         TRY(algebraic_compare(&order, m->context, &last, &next));
         if (order == 0)
             continue;
