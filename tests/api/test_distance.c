@@ -253,12 +253,36 @@ static void refusals(void **state) {
     scene_close(&s);
 }
 
+/* A call that is canceled at any of its questions leaves nothing behind, and the next one answers.
+ */
+static void canceled_anywhere(void **state) {
+    (void)state;
+    const double point[2] = {3, -2};
+    graze_status status = GRAZE_ECANCELED;
+    int calls = 0;
+    for (; status == GRAZE_ECANCELED; calls++) {
+        scene s;
+        graze_enclosure e, again;
+        int left = calls + 1;
+        scene_open(&s, burst, NULL);
+        graze_context_set_cancel(s.context, graze_cancel_countdown, &left);
+        status = graze_distances_doubles(&e, s.context, s.scene, point, 1, 1e-3);
+        graze_context_set_cancel(s.context, NULL, NULL);
+        again = ask(&s, point[0], point[1], 1e-3);
+        assert_int_equal(again.pmc, GRAZE_OUT);
+        scene_close(&s);
+    }
+    assert_int_equal(status, GRAZE_OK);
+    assert_true(calls > 8);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(closed_forms),      cmocka_unit_test(lipschitz),
         cmocka_unit_test(weights_far_apart), cmocka_unit_test(stay_between_doubles),
         cmocka_unit_test(same_sets),         cmocka_unit_test(rigid_maps),
         cmocka_unit_test(scaling),           cmocka_unit_test(refusals),
+        cmocka_unit_test(canceled_anywhere),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -21,8 +21,8 @@ LEAST = 10  # forged rows of each decision; cases verified with none turned roun
 CAREFUL = [
     ("questions/certify/row.c", "enum { DEEPEST = 2000 };", "enum { DEEPEST = 10 };"),
     ("questions/certify/row.c", "return too_deep(r);", "break;"),
-    ("questions/certify/row.c", "if (letter == 'B' ? prove_slide(&r->e, at) : prove_clear(&r->e, at)) {",
-     "if (depth > DEEPEST || (letter == 'B' ? prove_slide(&r->e, at) : prove_clear(&r->e, at))) {"),
+    ("questions/certify/row.c", "if (letter == 'B' ? prove_slide(r->e, at) : prove_clear(r->e, at)) {",
+     "if (depth > DEEPEST || (letter == 'B' ? prove_slide(r->e, at) : prove_clear(r->e, at))) {"),
     ("api/api_certify.c", "    graze_trace trace;\n", "    graze_trace trace;\n    context->exact_only = 1;\n"),
 ]
 DECISIONS = [

@@ -28,10 +28,12 @@ typedef struct tally {
 
 /* An `on` point by both levels. */
 static void compare_levels(tally *t, const graze_scene *scene, const fmpq *p, const char *name) {
+    const plane_list *planes;
     topo_finding by_leading, by_curves;
     finding_init(&by_leading);
     finding_init(&by_curves);
-    assert_int_equal(topo_by_leading(&by_leading, context, scene, p), GRAZE_OK);
+    assert_int_equal(topo_planes(&planes, context, scene), GRAZE_OK);
+    assert_int_equal(leading_decide(&by_leading, context, scene, planes, p), GRAZE_OK);
     assert_int_equal(topo_by_curves(&by_curves, context, scene, p), GRAZE_OK);
     t->on++;
     assert_int_not_equal(by_curves.position, GRAZE_TOPO_UNDECIDED);

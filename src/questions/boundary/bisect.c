@@ -21,20 +21,18 @@
 
 /* An edge under bisection. */
 typedef struct bisection {
-    struct graze_boundary *surface; /* whose vertices are placed, each by one member */
+    struct graze_boundary *surface; /* each of its vertices is placed by one member of a team */
     asker *asker;
     int64_t from[3], step[3]; /* in lattice units: the end that is out, and the way to the other */
-    fmpq_t outside, inside;   /* shares */
-    fmpq_t share, width, gap; /* the share to ask for, and room to compute in; 2^-BISECT_BITS */
+    fmpq *outside, *inside;   /* shares */
+    fmpq *share, *width;      /* the share to ask for; room to compute in */
+    fmpq *gap;                /* 2^-BISECT_BITS */
     graze_pmc pmc;            /* at `inside` */
 } bisection;
 
-static uint32_t key_coordinate(uint64_t key, int k) {
-    return (uint32_t)(key >> 21 * k) & ((1u << 21) - 1);
-}
-
-/* The ends of the edge whose middle is a vertex: it runs along the axes on which the middle is
- * halfway between two corners of cells. Returns the answer at the end that is not out. */
+/* Set the end that is out, and the way to the other one, of the edge with a middle; return the
+ * answer at the other end. The edge runs along the axes on which the middle is halfway between two
+ * corners of cells. */
 static graze_pmc edge_of(int64_t from[3], int64_t step[3], const struct graze_boundary *b,
                          uint64_t middle) {
     uint32_t half = 1u << (b->depth - b->reached), end[2][3] = {{0, 0, 0}, {0, 0, 0}};
@@ -93,7 +91,8 @@ static graze_status try_beside(bisection *x) {
     return ask_share(x);
 }
 
-/* Ask at the simplest fraction of the interval, its ends' surroundings left out. */
+/* Ask at the simplest fraction of the interval without a 32nd of it at either end; if it is on, ask
+ * beside it too. */
 static graze_status try_simplest(bisection *x) {
     LOCAL_VEC(fmpq, low, 2);
     fmpq *high = low + 1;
@@ -106,23 +105,23 @@ static graze_status try_simplest(bisection *x) {
     return try_beside(x);
 }
 
+/* Cut the interval [0, 1]: each fifth time at a simple fraction, else in the middle. */
 static graze_status bisect(bisection *x) {
-    fmpq_zero(x->outside);
-    fmpq_one(x->inside);
-    graze_status status = try_beside(x);
-    for (int step = 1; !status && !is_narrow(x); step++) {
+    TRY(try_beside(x));
+    for (int step = 1; !is_narrow(x); step++) {
         if (step % 5 == 0) {
-            status = try_simplest(x);
+            TRY(try_simplest(x));
             continue;
         }
         fmpq_add(x->share, x->outside, x->inside);
         fmpq_div_2exp(x->share, x->share, 1);
-        status = ask_share(x);
+        TRY(ask_share(x));
     }
-    return status;
+    return GRAZE_OK;
 }
 
-/* The share of the vertex: that of a point which is on, else between the two. */
+/* The share of the vertex: `inside` if it is on and not the end of the edge, else the middle of
+ * both. */
 static void vertex_share(fmpq_t out, const fmpq_t outside, const fmpq_t inside, int on) {
     if (on && !fmpq_is_one(inside)) {
         fmpq_set(out, inside);
@@ -150,32 +149,30 @@ static graze_status bisect_vertex_edge(void *data, graze_context *context, int m
     return status;
 }
 
+enum { NUMBERS = 5 };
+
 static void bisection_init(bisection *x, struct graze_boundary *b, asker *a) {
-    x->surface = b;
-    x->asker = a;
-    fmpq_init(x->outside);
-    fmpq_init(x->inside);
-    fmpq_init(x->share);
-    fmpq_init(x->width);
-    fmpq_init(x->gap);
+    fmpq *number = _fmpq_vec_init(NUMBERS);
+    *x = (bisection){.surface = b,
+                     .asker = a,
+                     .outside = number,
+                     .inside = number + 1,
+                     .share = number + 2,
+                     .width = number + 3,
+                     .gap = number + 4};
     fmpq_one(x->gap);
     fmpq_div_2exp(x->gap, x->gap, BISECT_BITS);
 }
 
 static void bisection_clear(bisection *x) {
-    fmpq_clear(x->outside);
-    fmpq_clear(x->inside);
-    fmpq_clear(x->share);
-    fmpq_clear(x->width);
-    fmpq_clear(x->gap);
+    _fmpq_vec_clear(x->outside, NUMBERS);
 }
 
 graze_status boundary_bisect(graze_context *context, struct graze_boundary *b) {
     FREED(bisection, members, calloc((size_t)b->threads, sizeof *members));
     b->shares = calloc(2 * b->vertices.count + 1, sizeof *b->shares);
-    if (!b->shares || !members) {
+    if (!b->shares || !members)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for the surface");
-    }
     for (size_t k = 0; k < 2 * b->vertices.count; k++)
         fmpq_init(b->shares + k);
     for (int k = 0; k < b->threads; k++)

@@ -103,10 +103,7 @@ void boundary_clear(struct graze_boundary *b) {
         fmpq_clear(b->shares + k);
     free(b->shares);
     for (size_t k = 0; k < b->feature_count; k++)
-        for (int i = 0; i < 3; i++) {
-            fmpq_clear(b->features[k].outside + i);
-            fmpq_clear(b->features[k].inside + i);
-        }
+        feature_clear(&b->features[k]);
     free(b->features);
     free(b->patches);
     number_index_clear(&b->points);

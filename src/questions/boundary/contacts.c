@@ -59,10 +59,7 @@ static int compare_contacts(const void *a, const void *b) {
 static graze_status ask(graze_context *context, struct graze_boundary *b, const fmpq *point) {
     graze_verdict verdict;
     uint32_t at[3];
-    graze_status status =
-        classify_verdict(&verdict, context, b->scene, (query_point){.rational = point});
-    if (status)
-        return status;
+    TRY(classify_verdict(&verdict, context, b->scene, (query_point){.rational = point}));
     b->asked++;
     if (verdict.pmc == GRAZE_ON && cell_of(at, b, point))
         b->contacts[b->contact_count++] = place_of(at, b->dimension, b->depth);
@@ -76,15 +73,13 @@ static graze_status ask_rows(graze_context *context, struct graze_boundary *b,
     if (!b->contacts)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for contact points");
     HELD(sample, s);
-    graze_status status = GRAZE_OK;
-    for (unsigned long row = 0; row < count && !status; row++) {
-        status = generator_sample(&s, context, generator, row);
-        if (!status)
-            status = ask(context, b, s.point);
+    for (unsigned long row = 0; row < count; row++) {
+        TRY(generator_sample(&s, context, generator, row));
+        TRY(ask(context, b, s.point));
     }
     if (b->contact_count)
         qsort(b->contacts, b->contact_count, sizeof *b->contacts, compare_contacts);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status boundary_contacts(graze_context *context, struct graze_boundary *b,

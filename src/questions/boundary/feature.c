@@ -12,6 +12,7 @@
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include "base/context/scope.h"
+#include "base/number/doubles.h"
 #include "base/number/vector.h"
 #include "questions/boundary/sampling.h"
 
@@ -25,21 +26,17 @@ typedef struct selection {
     int count; /* d or, for an edge of E^3, 2; less: no feature */
 } selection;
 
-static double inner(const double *a, const double *b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 int feature_between(const tangent *a, const tangent *b) {
-    return a->known && b->known && inner(a->unit, b->unit) < EDGE_COSINE;
+    return a->known && b->known && dot3(a->unit, b->unit) < EDGE_COSINE;
 }
 
 static void select_pair(selection *s, const tangent *const *list, size_t count) {
     double least = EDGE_COSINE;
     for (size_t i = 0; i < count; i++)
         for (size_t j = 0; j < i; j++) {
-            if (!list[i]->known || !list[j]->known || inner(list[i]->unit, list[j]->unit) >= least)
+            if (!list[i]->known || !list[j]->known || dot3(list[i]->unit, list[j]->unit) >= least)
                 continue;
-            least = inner(list[i]->unit, list[j]->unit);
+            least = dot3(list[i]->unit, list[j]->unit);
             s->plane[0] = list[j];
             s->plane[1] = list[i];
             s->count = 2;
@@ -49,11 +46,10 @@ static void select_pair(selection *s, const tangent *const *list, size_t count) 
 static void select_third(selection *s, const tangent *const *list, size_t count) {
     double axis[3], most = CORNER_SINE;
     const double *a = s->plane[0]->unit, *b = s->plane[1]->unit;
-    for (int k = 0; k < 3; k++)
-        axis[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-    double length = sqrt(inner(axis, axis));
+    cross3(axis, a, b);
+    double length = sqrt(dot3(axis, axis));
     for (size_t i = 0; i < count; i++) {
-        double sine = fabs(inner(axis, list[i]->unit)) / length;
+        double sine = fabs(dot3(axis, list[i]->unit)) / length;
         if (!list[i]->known || !(sine > most))
             continue;
         most = sine;
@@ -125,20 +121,19 @@ static void set_points(feature *out, int d, const fmpq *base, const fmpq *way, c
 static graze_status confirm_on(feature *out, asker *a, const selection *s, const fmpq *base,
                                fmpq *way) {
     const struct graze_boundary *b = a->boundary;
-    graze_status status = GRAZE_OK;
     graze_pmc pmc = GRAZE_PMC_NONE;
     LOCAL_VEC(fmpq, zero, 2);
     fmpq *gap = zero + 1;
     fmpq_one(gap);
     fmpq_div_2exp(gap, gap, BISECT_BITS);
-    for (int k = 0; k <= s->count && !status && pmc != GRAZE_OUT; k++) {
+    for (int k = 0; k <= s->count && pmc != GRAZE_OUT; k++) {
         if (k > 0)
             outward(way, b, s->plane[k - 1]->unit);
         set_points(out, b->dimension, base, way, zero, gap);
-        status = asker_pmc(&pmc, a, out->outside);
+        TRY(asker_pmc(&pmc, a, out->outside));
     }
     out->pmc = pmc == GRAZE_OUT ? GRAZE_ON : GRAZE_PMC_NONE;
-    return status;
+    return GRAZE_OK;
 }
 
 /* Bisection between the base and a point at most 2^-4 of a cell away, the nearest first. */
@@ -146,20 +141,19 @@ static graze_status bisect_from(feature *out, asker *a, graze_pmc pmc, const fmp
                                 const fmpq *way) {
     const struct graze_boundary *b = a->boundary;
     static const unsigned reach[] = {13, 8, 4};
-    graze_status status = GRAZE_OK;
     LOCAL_VEC(fmpq, low, 2);
     fmpq *high = low + 1;
     out->pmc = GRAZE_PMC_NONE;
-    for (size_t k = 0; k < sizeof reach / sizeof *reach && !status && !out->pmc; k++) {
+    for (size_t k = 0; k < sizeof reach / sizeof *reach && !out->pmc; k++) {
         fmpq *far = pmc == GRAZE_OUT ? low : high, *near = pmc == GRAZE_OUT ? high : low;
         fmpq_zero(near);
         fmpq_set_si(far, pmc == GRAZE_OUT ? -1 : 1, 1);
         fmpq_div_2exp(far, far, reach[k]);
-        status = probe_line(low, high, &out->pmc, a, base, way, BISECT_BITS);
+        TRY(probe_line(low, high, &out->pmc, a, base, way, BISECT_BITS));
     }
     if (out->pmc)
         set_points(out, b->dimension, base, way, low, high);
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status verify(feature *out, asker *a, const selection *s, const fmpq *base) {
@@ -171,45 +165,44 @@ static graze_status verify(feature *out, asker *a, const selection *s, const fmp
         for (int i = 0; i < b->dimension; i++)
             sum[i] += s->plane[k]->unit[i];
     outward(way, b, sum);
-    graze_status status = asker_pmc(&pmc, a, base);
-    if (!status && pmc == GRAZE_ON)
-        status = confirm_on(out, a, s, base, way);
-    else if (!status)
-        status = bisect_from(out, a, pmc, base, way);
-    return status;
+    TRY(asker_pmc(&pmc, a, base));
+    return pmc == GRAZE_ON ? confirm_on(out, a, s, base, way) : bisect_from(out, a, pmc, base, way);
 }
 
 static graze_status try_selection(feature *out, int *found, asker *a, const sample_cell *c,
                                   const selection *s, const fmpq *reference) {
     const struct graze_boundary *b = a->boundary;
     LOCAL_VEC(fmpq, base, b->dimension);
-    graze_status status = GRAZE_OK;
     out->pmc = GRAZE_PMC_NONE;
     if (meet_planes(base, s, b->dimension, reference) && probe_in_cell(b, c, base))
-        status = verify(out, a, s, base);
-    *found = !status && out->pmc && probe_in_cell(b, c, out->inside) &&
-             probe_in_cell(b, c, out->outside);
-    return status;
+        TRY(verify(out, a, s, base));
+    *found = out->pmc && probe_in_cell(b, c, out->inside) && probe_in_cell(b, c, out->outside);
+    return GRAZE_OK;
 }
 
 graze_status feature_find(feature *out, int *found, asker *a, const sample_cell *c,
                           const tangent *const *list, size_t count, const fmpq *reference) {
     const struct graze_boundary *b = a->boundary;
     selection s = {.count = 0};
-    graze_status status = GRAZE_OK;
-    for (int k = 0; k < 3; k++) {
-        fmpq_init(out->inside + k);
-        fmpq_init(out->outside + k);
-    }
     *found = 0;
     select_pair(&s, list, count);
     if (s.count && b->dimension == 3)
         select_third(&s, list, count);
-    for (; s.count >= 2 && !*found && !status; s.count--)
-        status = try_selection(out, found, a, c, &s, reference);
-    for (int k = 0; k < 3 && !*found; k++) {
-        fmpq_clear(out->inside + k);
-        fmpq_clear(out->outside + k);
+    for (; s.count >= 2 && !*found; s.count--)
+        TRY(try_selection(out, found, a, c, &s, reference));
+    return GRAZE_OK;
+}
+
+void feature_init(feature *f) {
+    for (int k = 0; k < 3; k++) {
+        fmpq_init(f->inside + k);
+        fmpq_init(f->outside + k);
     }
-    return status;
+}
+
+void feature_clear(feature *f) {
+    for (int k = 0; k < 3; k++) {
+        fmpq_clear(f->inside + k);
+        fmpq_clear(f->outside + k);
+    }
 }

@@ -40,30 +40,29 @@ graze_status probe_line(fmpq_t low, fmpq_t high, graze_pmc *pmc, asker *a, const
                         const fmpq *way, unsigned bits) {
     graze_pmc first, answer;
     *pmc = GRAZE_PMC_NONE;
-    graze_status status = ask_on_line(&first, a, base, way, low);
-    if (status || first == GRAZE_OUT)
-        return status;
-    status = ask_on_line(&answer, a, base, way, high);
-    if (status || answer != GRAZE_OUT)
-        return status;
+    TRY(ask_on_line(&first, a, base, way, low));
+    if (first == GRAZE_OUT)
+        return GRAZE_OK;
+    TRY(ask_on_line(&answer, a, base, way, high));
+    if (answer != GRAZE_OUT)
+        return GRAZE_OK;
     *pmc = first;
     LOCAL_VEC(fmpq, width, 3);
     fmpq *gap = width + 1, *middle = width + 2;
     fmpq_one(gap);
     fmpq_div_2exp(gap, gap, bits);
-    for (fmpq_sub(width, high, low); !status && fmpq_cmp(width, gap) > 0;
-         fmpq_div_2exp(width, width, 1)) {
+    for (fmpq_sub(width, high, low); fmpq_cmp(width, gap) > 0; fmpq_div_2exp(width, width, 1)) {
         fmpq_add(middle, low, high);
         fmpq_div_2exp(middle, middle, 1);
-        status = ask_on_line(&answer, a, base, way, middle);
-        if (!status && answer == GRAZE_OUT) {
+        TRY(ask_on_line(&answer, a, base, way, middle));
+        if (answer == GRAZE_OUT) {
             fmpq_set(high, middle);
-        } else if (!status) {
+        } else {
             fmpq_set(low, middle);
             *pmc = answer;
         }
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* The axis along which `way` is longest, measured in cells. */
@@ -105,11 +104,11 @@ static graze_status find_beside(fmpq *out, int *found, asker *a, const fmpq *ins
     fmpq_one(high);
     axis_step(out, b, axis, BESIDE, 0);
     vector_add(base, inside, out, d);
-    graze_status status = probe_line(low, high, &pmc, a, base, way, PLACES - WITHIN);
+    TRY(probe_line(low, high, &pmc, a, base, way, PLACES - WITHIN));
     for (int k = 0; k < d; k++)
         fmpq_addmul(out + k, way + k, low);
     *found = pmc != GRAZE_PMC_NONE;
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status probe_normal(fmpq *out, int *found, asker *a, const fmpq *outside,

@@ -66,9 +66,9 @@ static graze_status is_of_interest(int *out, graze_context *context, struct graz
         *out |= lattice_known(b, sample_cell_corner(b, c, k)) != first;
     if (*out)
         return GRAZE_OK;
-    graze_status status = lattice_classify(&pmc, context, b, cell_centre(b, c));
+    TRY(lattice_classify(&pmc, context, b, cell_centre(b, c)));
     *out = pmc && pmc != first;
-    return status;
+    return GRAZE_OK;
 }
 
 /* Cut what is above the place of a cell of the level `target`. */
@@ -86,25 +86,11 @@ static graze_status reach(graze_context *context, struct graze_boundary *b, cons
     return GRAZE_OK;
 }
 
-/* 1 if the side of a cell along an axis has corners in `out` and in the rest. */
-static int side_mixed(const struct graze_boundary *b, const sample_cell *c, int axis,
-                      unsigned upper) {
-    int out = 0, rest = 0;
-    for (unsigned k = 0; k < 1u << b->dimension; k++) {
-        if ((k >> axis & 1) != upper)
-            continue;
-        int is_out = lattice_known(b, sample_cell_corner(b, c, k)) == GRAZE_OUT;
-        out |= is_out;
-        rest |= !is_out;
-    }
-    return out && rest;
-}
-
 static graze_status track(graze_context *context, struct graze_boundary *b, sample_cell c) {
     for (int axis = 0; axis < b->dimension; axis++)
         for (unsigned upper = 0; upper < 2; upper++) {
             uint32_t last = upper ? (1u << c.level) - 1 : 0, at[3];
-            if (!side_mixed(b, &c, axis, upper) || c.at[axis] == last)
+            if (!sample_cell_mixed(b, &c, 1u << axis, upper << axis) || c.at[axis] == last)
                 continue;
             memcpy(at, c.at, sizeof at);
             at[axis] += upper ? 1 : (uint32_t)-1;
@@ -114,23 +100,23 @@ static graze_status track(graze_context *context, struct graze_boundary *b, samp
 }
 
 static graze_status work_to(graze_context *context, struct graze_boundary *b, unsigned target) {
-    graze_status status = GRAZE_OK;
-    while (b->work_count && !status && b->complete) {
+    while (b->work_count && b->complete) {
         size_t index = b->work[--b->work_count];
         sample_cell c = b->cells[index];
-        int wanted = 0;
+        int wanted = c.level < b->coarse;
         if (c.child)
             continue;
         if (c.level == target) {
-            status = track(context, b, c);
+            TRY(track(context, b, c));
             continue;
         }
-        status = c.level < b->coarse ? GRAZE_OK : is_of_interest(&wanted, context, b, &c);
-        if (!status && b->complete && (wanted || c.level < b->coarse))
-            status = split_cell(context, b, index);
+        if (!wanted)
+            TRY(is_of_interest(&wanted, context, b, &c));
+        if (wanted && b->complete)
+            TRY(split_cell(context, b, index));
     }
     b->work_count = 0;
-    return status;
+    return GRAZE_OK;
 }
 
 unsigned long long boundary_least_points(const struct graze_boundary *b, unsigned long contacts) {
@@ -162,17 +148,16 @@ static graze_status start_cells(graze_context *context, struct graze_boundary *b
 }
 
 graze_status boundary_refine(graze_context *context, struct graze_boundary *b) {
-    graze_status status = start_cells(context, b);
+    TRY(start_cells(context, b));
     b->reached = b->coarse;
-    for (unsigned target = b->coarse + 1; target <= b->depth && !status; target++) {
-        for (size_t i = 0; i < b->cell_count && !status; i++)
+    for (unsigned target = b->coarse + 1; target <= b->depth; target++) {
+        for (size_t i = 0; i < b->cell_count; i++)
             if (!b->cells[i].child && b->cells[i].level + 1 == target)
-                status = push_cell(context, b, i);
-        if (!status)
-            status = work_to(context, b, target);
+                TRY(push_cell(context, b, i));
+        TRY(work_to(context, b, target));
         if (!b->complete)
             break;
         b->reached = target;
     }
-    return status;
+    return GRAZE_OK;
 }

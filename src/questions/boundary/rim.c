@@ -80,9 +80,8 @@ int rim_run_at(rim_run *out, const struct graze_boundary *b, const sample_cell *
     for (size_t k = 0; k <= count; k++) {
         /* the edge from `last` to k; the first is looked at twice, to know what is before it */
         size_t to = k % count;
-        uint64_t mask = (1u << 21) - 1;
-        in = (b->vertices.key[vertex[last]] >> 21 * axis & mask) == place &&
-             (b->vertices.key[vertex[to]] >> 21 * axis & mask) == place;
+        in = key_coordinate(b->vertices.key[vertex[last]], axis) == place &&
+             key_coordinate(b->vertices.key[vertex[to]], axis) == place;
         if (k > 0) {
             out->edges += (size_t)in;
             if (in && !before) {

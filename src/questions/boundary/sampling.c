@@ -12,9 +12,13 @@ uint64_t lattice_key(const uint32_t at[3]) {
     return (uint64_t)at[0] | (uint64_t)at[1] << 21 | (uint64_t)at[2] << 42;
 }
 
+uint32_t key_coordinate(uint64_t key, int axis) {
+    return (uint32_t)(key >> 21 * axis) & ((1u << 21) - 1);
+}
+
 void lattice_point(fmpq *out, const struct graze_boundary *b, uint64_t key) {
     for (int k = 0; k < b->dimension; k++) {
-        fmpq_set_ui(out + k, (key >> 21 * k) & ((1u << 21) - 1), 1ul << (b->depth + 1));
+        fmpq_set_ui(out + k, key_coordinate(key, k), 1ul << (b->depth + 1));
         fmpq_mul(out + k, out + k, b->side + k);
         fmpq_add(out + k, out + k, b->low + k);
     }
@@ -43,10 +47,7 @@ graze_status lattice_classify(graze_pmc *out, graze_context *context, struct gra
     }
     graze_verdict verdict;
     lattice_point(b->point, b, key);
-    graze_status status =
-        classify_verdict(&verdict, context, b->scene, (query_point){.rational = b->point});
-    if (status)
-        return status;
+    TRY(classify_verdict(&verdict, context, b->scene, (query_point){.rational = b->point}));
     *out = verdict.pmc;
     b->known[verdict.pmc]++;
     return number_index_add(&b->points, key, (unsigned char)verdict.pmc)
@@ -63,9 +64,12 @@ graze_status asker_pmc(graze_pmc *out, asker *a, const fmpq *point) {
     return GRAZE_OK;
 }
 
-int sample_cell_mixed(const struct graze_boundary *b, const sample_cell *c) {
+int sample_cell_mixed(const struct graze_boundary *b, const sample_cell *c, unsigned mask,
+                      unsigned bits) {
     int out = 0, rest = 0;
     for (unsigned k = 0; k < 1u << b->dimension; k++) {
+        if ((k & mask) != bits)
+            continue;
         graze_pmc pmc = lattice_known(b, sample_cell_corner(b, c, k));
         out |= pmc == GRAZE_OUT;
         rest |= pmc != GRAZE_OUT;

@@ -17,6 +17,7 @@ int number_index_add(number_index *t, uint64_t key, unsigned char value);
 graze_status asker_pmc(graze_pmc *out, asker *a, const fmpq *point);
 /** The key of a lattice point. */
 uint64_t lattice_key(const uint32_t at[3]);
+uint32_t key_coordinate(uint64_t key, int axis);
 /** The pmc of a lattice point that is known, else GRAZE_PMC_NONE. */
 graze_pmc lattice_known(const struct graze_boundary *b, uint64_t key);
 /**
@@ -25,8 +26,10 @@ graze_pmc lattice_known(const struct graze_boundary *b, uint64_t key);
  */
 graze_status lattice_classify(graze_pmc *out, graze_context *context, struct graze_boundary *b,
                               uint64_t key);
-/** 1 if some corner of the cell is out and another is not. */
-int sample_cell_mixed(const struct graze_boundary *b, const sample_cell *c);
+/** 1 if, of the corners whose number has these bits in the mask, one is out and another is not. A
+ * mask of 0 has all corners, that of one axis the corners of one side. */
+int sample_cell_mixed(const struct graze_boundary *b, const sample_cell *c, unsigned mask,
+                      unsigned bits);
 
 /* The longest edge is a cell's diagonal, so both points are within 2^-20 of a cell's longest side.
  */
@@ -60,6 +63,9 @@ graze_status tangent_find(tangent *out, asker *a, size_t vertex);
 
 /* Points of a boundary at its edges and corners. */
 
+void feature_init(feature *f);
+void feature_clear(feature *f);
+
 /** 1 if two tangent planes are known and more than about 18 degrees apart. */
 int feature_between(const tangent *a, const tangent *b);
 
@@ -67,7 +73,7 @@ int feature_between(const tangent *a, const tangent *b);
  * Look for a corner or a point of an edge of the boundary strictly inside a cell: where two or
  * three of the tangent planes meet, nearest to a point of reference. It is taken only if it is
  * between two exactly classified points of the cell.
- * @param[out] out   uninitialised; its numbers are set where *found is 1
+ * @param[out] out   initialised
  * @param reference  d rationals
  */
 graze_status feature_find(feature *out, int *found, asker *a, const sample_cell *c,

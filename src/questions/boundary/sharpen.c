@@ -36,6 +36,7 @@ typedef struct fan {
 typedef struct sharpening {
     struct graze_boundary *boundary;
     graze_context *context;
+    size_t count;         /* of the vertices at first */
     tangent *tangents;    /* of each vertex, found where `asked` is 1 */
     unsigned char *asked; /* of each vertex: 1 if its tangent is wanted */
     fan *fans;
@@ -54,26 +55,23 @@ static size_t apex_of(const sharpening *s, size_t fan_index) {
     return s->boundary->vertices.count + fan_index;
 }
 
-static graze_status keep_fan(sharpening *s, size_t patch, const rim *r, const feature *f) {
+/* Keep a fan; the feature is left empty. */
+static graze_status keep_fan(sharpening *s, size_t patch, const rim *r, feature *f) {
     struct graze_boundary *b = s->boundary;
     static const char what[] = "the surface";
-    graze_status status =
-        array_grow(s->context, &s->fans, &s->fan_capacity, s->fan_count + 1, sizeof *s->fans, what);
-    if (!status)
-        status = array_grow(s->context, &s->rims, &s->rim_capacity, s->rim_count + r->count,
-                            sizeof *s->rims, what);
-    if (!status)
-        status = array_grow(s->context, &b->features, &b->feature_capacity, b->feature_count + 1,
-                            sizeof *b->features, what);
-    if (!status &&
-        !number_index_add(&s->places, lattice_key(b->cells[b->patches[patch].cell].at), 0))
-        status = context_fail(s->context, GRAZE_ESYSTEM, "out of memory for the surface");
-    if (status)
-        return status;
+    TRY(array_grow(s->context, &s->fans, &s->fan_capacity, s->fan_count + 1, sizeof *s->fans,
+                   what));
+    TRY(array_grow(s->context, &s->rims, &s->rim_capacity, s->rim_count + r->count, sizeof *s->rims,
+                   what));
+    TRY(array_grow(s->context, &b->features, &b->feature_capacity, b->feature_count + 1,
+                   sizeof *b->features, what));
+    if (!number_index_add(&s->places, lattice_key(b->cells[b->patches[patch].cell].at), 0))
+        return context_fail(s->context, GRAZE_ESYSTEM, "out of memory for the surface");
     s->fans[s->fan_count++] = (fan){patch, s->rim_count, r->count};
     memcpy(s->rims + s->rim_count, r->vertex, r->count * sizeof *r->vertex);
     s->rim_count += r->count;
     b->features[b->feature_count++] = *f;
+    feature_init(f);
     return GRAZE_OK;
 }
 
@@ -82,8 +80,8 @@ static graze_status know_tangent(void *data, graze_context *context, int member,
     sharpening *s = data;
     asker *a = &s->boundary->askers[member];
     a->context = context;
-    graze_status status = context_poll(context);
-    return status || !s->asked[vertex] ? status : tangent_find(&s->tangents[vertex], a, vertex);
+    TRY(context_poll(context));
+    return s->asked[vertex] ? tangent_find(&s->tangents[vertex], a, vertex) : GRAZE_OK;
 }
 
 static graze_status know_tangents(sharpening *s) {
@@ -114,20 +112,18 @@ static graze_status try_patch(sharpening *s, size_t patch) {
     struct graze_boundary *b = s->boundary;
     const tangent *list[RIM_MOST];
     rim r;
-    feature f;
     int found = 0;
-    graze_status status = context_poll(s->context);
+    TRY(context_poll(s->context));
     if (!rim_find(&r, b, patch))
-        return status;
-    if (status)
-        return status;
+        return GRAZE_OK;
     for (size_t k = 0; k < r.count; k++)
         list[k] = &s->tangents[r.vertex[k]];
     LOCAL_VEC(fmpq, mean, b->dimension);
+    HELD(feature, f);
     rim_mean(mean, b, &r);
-    status =
-        feature_find(&f, &found, b->askers, &b->cells[b->patches[patch].cell], list, r.count, mean);
-    return found ? keep_fan(s, patch, &r, &f) : status;
+    TRY(feature_find(&f, &found, b->askers, &b->cells[b->patches[patch].cell], list, r.count,
+                     mean));
+    return found ? keep_fan(s, patch, &r, &f) : GRAZE_OK;
 }
 
 static graze_status keep_face(sharpening *s, const size_t *corner) {
@@ -218,7 +214,7 @@ static graze_status spread(sharpening *s, size_t index) {
 static graze_status drop_vertices(sharpening *s) {
     struct graze_boundary *b = s->boundary;
     size_t corners = s->face_count * (size_t)b->dimension, old = b->vertices.count, count = 0;
-    size_t *number = calloc(bisect_count(b) + 1, sizeof *number);
+    FREED(size_t, number, calloc(bisect_count(b) + 1, sizeof *number));
     if (!number)
         return context_fail(s->context, GRAZE_ESYSTEM, "out of memory for the surface");
     for (size_t k = 0; k < corners; k++)
@@ -243,7 +239,6 @@ static graze_status drop_vertices(sharpening *s) {
     for (size_t k = 2 * count; k < 2 * old; k++)
         fmpq_clear(b->shares + k);
     b->vertices.count = count;
-    free(number);
     return GRAZE_OK;
 }
 
@@ -265,28 +260,29 @@ static graze_status rebuild(sharpening *s) {
     return GRAZE_OK;
 }
 
-graze_status boundary_sharpen(graze_context *context, struct graze_boundary *b) {
-    sharpening s = {.boundary = b, .context = context};
-    size_t count = b->vertices.count;
-    graze_status status = GRAZE_OK;
-    s.tangents = calloc(count + 1, sizeof *s.tangents);
-    s.asked = calloc(count + 1, 1);
-    if (!s.tangents || !s.asked)
-        status = context_fail(context, GRAZE_ESYSTEM, "out of memory for the surface");
-    if (!status)
-        status = know_tangents(&s);
-    for (size_t patch = 0; patch < b->patch_count && !status; patch++)
-        status = try_patch(&s, patch);
-    if (!status && s.fan_count)
-        status = rebuild(&s);
-    for (size_t v = 0; v < count && s.tangents; v++)
+static void sharpening_clear(sharpening *s) {
+    for (size_t v = 0; v < s->count && s->tangents; v++)
         for (int k = 0; k < 4; k++)
-            fmpq_clear(s.tangents[v].form + k);
-    free(s.tangents);
-    free(s.asked);
-    free(s.fans);
-    free(s.rims);
-    free(s.corners);
-    number_index_clear(&s.places);
-    return status;
+            fmpq_clear(s->tangents[v].form + k);
+    free(s->tangents);
+    free(s->asked);
+    free(s->fans);
+    free(s->rims);
+    free(s->corners);
+    number_index_clear(&s->places);
+}
+
+graze_status boundary_sharpen(graze_context *context, struct graze_boundary *b) {
+    ZEROED(sharpening, s);
+    s.boundary = b;
+    s.context = context;
+    s.count = b->vertices.count;
+    s.tangents = calloc(s.count + 1, sizeof *s.tangents);
+    s.asked = calloc(s.count + 1, 1);
+    if (!s.tangents || !s.asked)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for the surface");
+    TRY(know_tangents(&s));
+    for (size_t patch = 0; patch < b->patch_count; patch++)
+        TRY(try_patch(&s, patch));
+    return s.fan_count ? rebuild(&s) : GRAZE_OK;
 }

@@ -58,13 +58,10 @@ static int face_side(uint32_t (*face)[3], const uint32_t out[3], int dimension) 
 static graze_status add_face(graze_context *context, struct graze_boundary *b, uint32_t (*face)[3],
                              const uint32_t out[3]) {
     size_t d = (size_t)b->dimension, index[3];
-    graze_status status =
-        array_grow(context, &b->corners, &b->corner_capacity, (b->face_count + 1) * d,
-                   sizeof *b->corners, "the cells of a boundary");
-    for (size_t k = 0; k < d && !status; k++)
-        status = vertex(index + k, context, b, face[k]);
-    if (status)
-        return status;
+    TRY(array_grow(context, &b->corners, &b->corner_capacity, (b->face_count + 1) * d,
+                   sizeof *b->corners, "the cells of a boundary"));
+    for (size_t k = 0; k < d; k++)
+        TRY(vertex(index + k, context, b, face[k]));
     int turned = face_side(face, out, b->dimension) != (d == 2 ? -1 : 1);
     size_t *to = b->corners + b->face_count++ * d;
     for (size_t k = 0; k < d; k++)
@@ -88,10 +85,10 @@ static graze_status add_faces(graze_context *context, struct graze_boundary *b,
         static const int cycle[4][2] = {{0, 2}, {0, 3}, {1, 3}, {1, 2}};
         for (int k = 0; k < 4; k++)
             middle(point[k], s, cycle[k][0], cycle[k][1]);
-        graze_status status = add_face(context, b, point, out);
+        TRY(add_face(context, b, point, out));
         for (int k = 0; k < 3; k++) /* the other triangle: 0, 2, 3 */
             point[1][k] = point[0][k];
-        return status ? status : add_face(context, b, point + 1, out);
+        return add_face(context, b, point + 1, out);
     }
     int alone = s->rest == 1 ? 0 : s->corners - 1, used = 0;
     for (int k = 0; k < s->corners; k++)
@@ -110,7 +107,7 @@ static graze_status cut_simplex(graze_context *context, struct graze_boundary *b
         uint64_t key = sample_cell_corner(b, c, corner);
         uint32_t *to = s.at[lattice_known(b, key) == GRAZE_OUT ? --last : s.rest++];
         for (int i = 0; i < 3; i++)
-            to[i] = (uint32_t)(key >> 21 * i) & ((1u << 21) - 1);
+            to[i] = key_coordinate(key, i);
         corner |= k < b->dimension ? 1u << order[k] : 0;
     }
     return add_faces(context, b, &s);
@@ -131,7 +128,7 @@ static int ends_at_border(const struct graze_boundary *b, const sample_cell *c) 
     for (unsigned k = 0; at_border(b, c) && k < 1u << b->dimension; k++) {
         uint64_t key = sample_cell_corner(b, c, k);
         for (int i = 0; i < b->dimension; i++) {
-            uint32_t at = (uint32_t)(key >> 21 * i) & ((1u << 21) - 1);
+            uint32_t at = key_coordinate(key, i);
             if ((at == 0 || at == last) && lattice_known(b, key) != GRAZE_OUT)
                 return 1;
         }
@@ -156,7 +153,7 @@ graze_status boundary_surface(graze_context *context, struct graze_boundary *b) 
         const sample_cell *c = b->cells + i;
         if (c->level != b->reached)
             continue;
-        if (!sample_cell_mixed(b, c)) {
+        if (!sample_cell_mixed(b, c, 0, 0)) {
             b->missed += (unsigned long)sample_cell_has_contact(b, c);
             continue;
         }

@@ -140,10 +140,9 @@ static void finish(tangent *t, int d, const fmpq *through, const fmpq *outside,
 static graze_status from_contacts(tangent *out, asker *a, const fmpq *outside, const fmpq *point) {
     const struct graze_boundary *b = a->boundary;
     graze_trace trace;
-    graze_status status =
-        trace_point(&trace, a->context, b->scene, (query_point){.rational = point}, TRACE_CONTACTS);
-    if (status)
-        return status;
+    TRY(trace_point(&trace, a->context, b->scene, (query_point){.rational = point},
+                    TRACE_CONTACTS));
+    graze_status status = GRAZE_OK;
     a->asked++;
     for (size_t k = 0; k < trace.contact_count && !status && !out->known; k++) {
         status = contact_normal(out->form, a->context, b->scene, &trace.contact[k], point);

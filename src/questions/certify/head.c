@@ -1,4 +1,5 @@
-/* A certificate's head: what it is about, and times between which the motion's signs are plain.
+/* A certificate's head: what it is about, with facets cut as graze-check cuts them, and times
+ * between which the motion's signs are plain.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/certify/certify.h"
@@ -9,6 +10,8 @@
 #include "base/number/bernstein.h"
 #include "decide/scene/scene.h"
 #include "input/motion/motion.h"
+#include "input/solid/solid.h"
+#include "input/soup/soup.h"
 #include "questions/certify/prove.h"
 
 static int is_given(const unsigned char sha256[32]) {
@@ -16,6 +19,45 @@ static int is_given(const unsigned char sha256[32]) {
     for (int k = 0; k < 32; k++)
         given |= sha256[k];
     return given != 0;
+}
+
+static graze_status add_fan(soup *out, graze_context *context, const soup *in, size_t facet) {
+    size_t cycle = in->facet_start[facet], first = in->cycle_start[cycle];
+    size_t n = in->cycle_start[cycle + 1] - first;
+    for (size_t k = 1; k + 1 < n; k++) {
+        size_t corner[3] = {in->index[first], in->index[first + k], in->index[first + k + 1]};
+        TRY(soup_add_facet(out, context));
+        TRY(soup_add_cycle(out, context, corner, 3));
+    }
+    return GRAZE_OK;
+}
+
+/* The fans of a legal solid's facets, planar ones, make up the same boundary or are refused: where
+ * a piece turns the other way it overlaps others, or has no area. */
+static graze_status make_cut(graze_solid **out, graze_context *context, soup *cut) {
+    graze_status status = solid_create(out, context, cut, 0);
+    soup_init(cut, 3); /* the solid has taken it over */
+    if (status == GRAZE_EILLEGAL)
+        return context_fail(context, status,
+                            "a facet is not the fan of its first corner, so that graze-check "
+                            "cannot read it; expected what graze convert writes");
+    return status;
+}
+
+/* The solid with every facet of more than three corners cut into the fan of its first one, as
+ * graze-check cuts facets; *out is NULL where there is none. */
+static graze_status certify_cut(graze_solid **out, graze_context *context,
+                                const graze_solid *solid) {
+    const soup *in = &solid->input;
+    *out = NULL;
+    if (in->dimension == 2 || in->index_count == 3 * in->facet_count)
+        return GRAZE_OK;
+    HELD(soup, cut, 3);
+    for (size_t v = 0; v < in->vertex_count; v++)
+        TRY(soup_add_vertex(&cut, context, in->coordinates + 3 * v));
+    for (size_t f = 0; f < in->facet_count; f++)
+        TRY(add_fan(&cut, context, in, f));
+    return make_cut(out, context, &cut);
 }
 
 graze_status certifier_make(certifier *out, graze_context *context, const graze_scene *scene,
@@ -67,21 +109,11 @@ static void find_det(fmpz_poly_t out, const point_map *m) {
     }
 }
 
-static int one_sign(const fmpz_poly_t p, const dyadic_interval *at) {
-    slong n = fmpz_poly_length(p);
-    LOCAL_VEC(fmpz, c, n);
-    bernstein_from_poly(c, p, n - 1, at);
-    int same = 1;
-    for (slong k = 0; k < n; k++)
-        same = same && fmpz_sgn(c + k) == fmpz_sgn(c) && !fmpz_is_zero(c + k);
-    return same;
-}
-
 /* The upper ends of the parts of an interval on which both have one sign. Both have no root there,
  * so the parts end (proofs/claims.md C23). */
 static void put_signs(text *out, const motion_piece *piece, const fmpz_poly_t det,
                       const dyadic_interval *at) {
-    if (one_sign(piece->forward.weight, at) && one_sign(det, at)) {
+    if (prove_one_sign(piece->forward.weight, at) && prove_one_sign(det, at)) {
         LOCAL_VEC(fmpq, t, 2);
         fmpq *width = t + 1;
         dyadic_value(t, at->high, at->exponent);
@@ -118,15 +150,14 @@ graze_status certify_head(text *out, graze_context *context, const certifier *c)
     text_format(out, "folds %s\n", o->folds == GRAZE_FOLDS_COMBINED ? "combined" : "separate");
     text_put(out, c->with_contacts ? "contacts yes\nsigns " : "signs ");
     text_rational(out, m->piece[0].lo);
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < m->piece_count && !status; k++) {
+    for (size_t k = 0; k < m->piece_count; k++) {
         HELD(dyadic_interval, unit);
         LOCAL(fmpz_poly, det);
         dyadic_interval_set_si(&unit, 0, 1);
         find_det(det, &m->piece[k].forward);
         put_signs(out, &m->piece[k], det, &unit);
-        status = context_poll(context);
+        TRY(context_poll(context));
     }
     text_put(out, "\n");
-    return status;
+    return GRAZE_OK;
 }

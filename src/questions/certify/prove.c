@@ -105,15 +105,6 @@ static void pull_back(fmpz_t out, const enclosure *e, const fmpz *form, slong k)
         fmpz_addmul(out, form + i, e->coefficients + i * terms(e) + k);
 }
 
-/* The strict sign that all coefficients have; 0 if they have none in common. */
-static int prove_one_sign(const fmpz *c, slong count) {
-    int sign = count > 0 ? fmpz_sgn(c) : 0;
-    for (slong k = 1; k < count && sign; k++)
-        if (fmpz_sgn(c + k) != sign)
-            sign = 0;
-    return sign;
-}
-
 static int strict(enclosure *e, const fmpz *form) {
     for (slong k = 0; k < terms(e); k++) {
         pull_back(e->value + k, e, form, k);
@@ -162,23 +153,26 @@ int prove_clear(enclosure *e, const dyadic_interval *at) {
     return 1;
 }
 
-/* Bernstein coefficients of p on the interval; a new vector of degree + 1. */
-static fmpz *coefficients_of(const fmpz_poly_t p, const dyadic_interval *at) {
-    fmpz *c = _fmpz_vec_init(fmpz_poly_length(p));
-    bernstein_from_poly(c, p, fmpz_poly_degree(p), at);
-    return c;
+int prove_one_sign(const fmpz_poly_t p, const dyadic_interval *at) {
+    slong n = fmpz_poly_length(p);
+    LOCAL_VEC(fmpz, c, n);
+    bernstein_from_poly(c, p, n - 1, at);
+    int sign = n > 0 ? fmpz_sgn(c) : 0;
+    for (slong k = 1; k < n && sign; k++)
+        sign = fmpz_sgn(c + k) == sign ? sign : 0;
+    return sign;
 }
 
 int prove_isolated(const fmpz_poly_t q, const dyadic_interval *at) {
     slong n = fmpz_poly_length(q), changes = 0;
-    fmpz *c = coefficients_of(q, at);
+    LOCAL_VEC(fmpz, c, n);
+    bernstein_from_poly(c, q, n - 1, at);
     int last = 0, ends = !fmpz_is_zero(c) && !fmpz_is_zero(c + n - 1);
     for (slong k = 0; k < n; k++) {
         int sign = fmpz_sgn(c + k);
         changes += sign && last && sign != last;
         last = sign ? sign : last;
     }
-    _fmpz_vec_clear(c, n);
     return ends && changes == 1;
 }
 
@@ -222,9 +216,7 @@ static profile profile_of(enclosure *e, const root_claim *claim, const fmpz *for
             fmpz_poly_swap(f, quotient);
             power++;
         }
-        fmpz *c = coefficients_of(f, &e->at);
-        sign = prove_one_sign(c, fmpz_poly_length(f));
-        _fmpz_vec_clear(c, fmpz_poly_length(f));
+        sign = prove_one_sign(f, &e->at);
         prove_signs_beside(&q_left, &q_right, e, claim);
         out.left = sign ? sign * (power % 2 ? q_left : 1) : UNKNOWN;
         out.mid = power ? 0 : UNKNOWN;

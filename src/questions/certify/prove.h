@@ -11,12 +11,6 @@
 #include "input/validate/validate.h"
 #include "questions/certify/certify.h"
 
-/* Facets cut as the checker of certificates cuts them. */
-
-/** The solid with every facet of more than three corners cut into the fan of its first one; *out is
- * NULL where there is none. GRAZE_EILLEGAL where a fan is not the facet. */
-graze_status certify_cut(graze_solid **out, graze_context *context, const graze_solid *solid);
-
 /* A piece of a trajectory in doubles, and simplices that it is certainly off. */
 
 /** The control points x_k / w_k of a piece in E^3, each within 2^-48 of its size, and a box around
@@ -77,6 +71,9 @@ int prove_clear(enclosure *e, const dyadic_interval *at);
 int prove_slide(enclosure *e, const dyadic_interval *at);
 /** The claim about the root of q in the interval. */
 int prove_root(enclosure *e, const dyadic_interval *at, root_claim claim);
+/** The strict sign that all Bernstein coefficients of p on the interval have; 0 if they have none
+ * in common. */
+int prove_one_sign(const fmpz_poly_t p, const dyadic_interval *at);
 /** q has just one root in the open interval, a simple one, and none at its ends. */
 int prove_isolated(const fmpz_poly_t q, const dyadic_interval *at);
 

@@ -31,9 +31,9 @@ typedef struct piece_row {
     row_lines *lines;
     graze_context *context;
     const certifier *with;
-    trajectory c;
-    touches t;
-    enclosure e;
+    trajectory *c;
+    touches *t;
+    enclosure *e;
     size_t count;
     event *event;
     char *gap; /* count + 1 letters: before the first event, between two, after the last */
@@ -92,8 +92,8 @@ static graze_status find_gap(char *out, piece_row *r, algebraic *from, algebraic
         fmpq_zero(u);
     else
         fmpq_one(u);
-    LOCAL_VEC(fmpz, x, r->c.dimension + 1);
-    trajectory_at(x, &r->c, u);
+    LOCAL_VEC(fmpz, x, r->c->dimension + 1);
+    trajectory_at(x, r->c, u);
     graze_state state = solid_locate(r->with->solid, x);
     *out = state == GRAZE_STATE_I ? 'I' : 'O';
     return state == GRAZE_STATE_I || state == GRAZE_STATE_O
@@ -103,12 +103,12 @@ static graze_status find_gap(char *out, piece_row *r, algebraic *from, algebraic
 }
 
 static graze_status find_gaps(piece_row *r) {
-    for (size_t k = 0; k < r->t.count; k++)
-        for (size_t j = r->t.item[k].from; j < r->t.item[k].to; j++)
+    for (size_t k = 0; k < r->t->count; k++)
+        for (size_t j = r->t->item[k].from; j < r->t->item[k].to; j++)
             r->gap[j + 1] = 'B';
     for (size_t k = 0; k <= r->count; k++) {
-        algebraic *from = k > 0 ? &r->t.time.item[r->t.by_rank[k - 1]] : NULL;
-        algebraic *to = k < r->count ? &r->t.time.item[r->t.by_rank[k]] : NULL;
+        algebraic *from = k > 0 ? &r->t->time.item[r->t->by_rank[k - 1]] : NULL;
+        algebraic *to = k < r->count ? &r->t->time.item[r->t->by_rank[k]] : NULL;
         int is_gap = (k > 0 || r->count == 0 || r->event[0].place != -1) &&
                      (k < r->count || r->count == 0 || r->event[k - 1].place != 1);
         if (is_gap && r->gap[k] != 'B')
@@ -118,15 +118,12 @@ static graze_status find_gaps(piece_row *r) {
 }
 
 static graze_status find_events(piece_row *r) {
-    candidates list = {0, 0, NULL};
-    graze_status status = candidates_find(&list, r->context, r->with->solid, &r->c);
-    if (!status)
-        status = touches_find(&r->t, r->context, r->with->solid, &r->c, NULL, &list);
-    if (!status)
-        status = touches_order(&r->t, r->context);
-    free(list.item);
-    for (size_t k = 0; k < r->t.count && !status; k++)
-        r->count = r->t.item[k].to + 1 > r->count ? r->t.item[k].to + 1 : r->count;
+    ZEROED(candidates, list);
+    TRY(candidates_find(&list, r->context, r->with->solid, r->c));
+    TRY(touches_find(r->t, r->context, r->with->solid, r->c, NULL, &list));
+    TRY(touches_order(r->t, r->context));
+    for (size_t k = 0; k < r->t->count; k++)
+        r->count = r->t->item[k].to + 1 > r->count ? r->t->item[k].to + 1 : r->count;
     r->event = calloc(r->count + 1, sizeof *r->event);
     r->gap = calloc(r->count + 1, 1);
     if (!r->event || !r->gap) {
@@ -134,12 +131,12 @@ static graze_status find_events(piece_row *r) {
         return row_no_memory(r->context);
     }
     for (size_t k = 0; k < r->count; k++)
-        event_set(&r->event[k], &r->t.time.item[r->t.by_rank[k]]);
+        event_set(&r->event[k], &r->t->time.item[r->t->by_rank[k]]);
     for (size_t k = 0; k < r->count && r->with->with_contacts; k++)
         if (!r->event[k].irreducible)
             (void)find_factor(
                 &r->event[k]); /* contacts have the polynomial that the trace gives them */
-    return status ? status : find_gaps(r);
+    return find_gaps(r);
 }
 
 /* ---------------------------------------------------------------------------------- intervals */
@@ -197,15 +194,13 @@ static int precedes(const event *v, const event *w) {
 
 /* Strictly inside [0, 1], but for the end that is the time itself. */
 static int is_inside(const event *v) {
-    LOCAL(fmpz, one);
-    fmpz_set_ui(one, 1);
     return (v->place == -1 || fmpz_sgn(v->at.low) > 0) &&
-           (v->place == 1 || compare_ends(v->at.high, v->at.exponent, one, 0) < 0);
+           (v->place == 1 || compare_ends(v->at.high, v->at.exponent, &(fmpz){1}, 0) < 0);
 }
 
 /* Why no interval could be proved. */
 static graze_status too_deep(const piece_row *r) {
-    if (r->e.out_of_memory)
+    if (r->e->out_of_memory)
         return row_no_memory(r->context);
     return context_fail(r->context, GRAZE_EINTERNAL,
                         "a part of a trajectory cannot be certified in %d halvings", DEEPEST);
@@ -233,7 +228,7 @@ static graze_status place_events(piece_row *r) {
         root_claim claim = {r->gap[k], r->gap[k + 1], v->q};
         if (v->place && (claim.left == 'B' || claim.right == 'B'))
             continue; /* the interval of the slide claims this end too */
-        for (int n = 0; !prove_root(&r->e, &v->at, claim); n++) {
+        for (int n = 0; !prove_root(r->e, &v->at, claim); n++) {
             if (n > DEEPEST)
                 return too_deep(r);
             if (v->irreducible || !find_factor(v))
@@ -257,22 +252,17 @@ static void put_event(piece_row *r, const event *v, char left, char right) {
 
 /* Claim a letter on [low, high] / 2^exponent, in as few parts as halving gives. */
 static graze_status put_gap(piece_row *r, char letter, const dyadic_interval *at, int depth) {
-    if (letter == 'B' ? prove_slide(&r->e, at) : prove_clear(&r->e, at)) {
+    if (letter == 'B' ? prove_slide(r->e, at) : prove_clear(r->e, at)) {
         const char kind[2] = {letter, 0};
         row_lines_put(r->lines, kind, at->high, at->exponent, NULL);
         return GRAZE_OK;
     }
-    graze_status status =
-        depth > DEEPEST || r->e.out_of_memory ? too_deep(r) : context_poll(r->context);
-    if (status)
-        return status;
+    TRY(depth > DEEPEST || r->e->out_of_memory ? too_deep(r) : context_poll(r->context));
     HELD(dyadic_interval, left);
     HELD(dyadic_interval, right);
     dyadic_interval_halves(&left, &right, at);
-    status = put_gap(r, letter, &left, depth + 1);
-    if (!status)
-        status = put_gap(r, letter, &right, depth + 1);
-    return status;
+    TRY(put_gap(r, letter, &left, depth + 1));
+    return put_gap(r, letter, &right, depth + 1);
 }
 
 /* [from, to] as a dyadic interval. */
@@ -284,23 +274,20 @@ static void join(dyadic_interval *out, const fmpz_t from, ulong i, const fmpz_t 
 }
 
 static graze_status put_piece(piece_row *r) {
-    graze_status status = GRAZE_OK;
     ulong exponent = 0;
     HELD(dyadic_interval, gap);
     LOCAL(fmpz, at);
-    LOCAL(fmpz, one);
-    fmpz_set_ui(one, 1);
-    for (size_t k = 0; k <= r->count && !status; k++) {
+    for (size_t k = 0; k <= r->count; k++) {
         event *v = k < r->count ? &r->event[k] : NULL;
         int held = v && v->place && (r->gap[k] == 'B' || r->gap[k + 1] == 'B');
         if (v && held && v->place < 0)
             continue;
         if (!v || held)
-            join(&gap, at, exponent, one, 0);
+            join(&gap, at, exponent, &(fmpz){1}, 0);
         else
             join(&gap, at, exponent, v->at.low, v->at.exponent);
         if (fmpz_cmp(gap.low, gap.high) < 0)
-            status = put_gap(r, r->gap[k], &gap, 0);
+            TRY(put_gap(r, r->gap[k], &gap, 0));
         if (held)
             break;
         if (!v)
@@ -309,35 +296,33 @@ static graze_status put_piece(piece_row *r) {
         fmpz_set(at, v->at.high);
         exponent = v->at.exponent;
     }
-    return status;
+    return GRAZE_OK;
+}
+
+static void piece_row_clear(piece_row *r) {
+    for (size_t k = 0; k < r->count; k++) {
+        fmpz_poly_clear(r->event[k].q);
+        dyadic_interval_clear(&r->event[k].at);
+        dyadic_interval_clear(&r->event[k].known);
+    }
+    free(r->event);
+    free(r->gap);
 }
 
 static graze_status certify_piece(row_lines *lines, graze_context *context, const certifier *with,
                                   size_t index, const fmpq *point) {
     const motion_piece *piece = &with->scene->motion->piece[index];
-    piece_row r = {.lines = lines, .context = context, .with = with};
-    lines->piece = piece;
-    trajectory_init(&r.c, with->scene->motion->dimension);
-    trajectory_set(&r.c, motion_tracing(piece, with->scene->options.operation), point);
-    touches_init(&r.t);
     filter_workspace *memory = filter_workspace_of(context);
-    enclosure_init(&r.e, with->solid, &r.c, with->with_contacts, memory ? &memory->forms : NULL);
-    graze_status status = find_events(&r);
-    if (!status)
-        status = place_events(&r);
-    if (!status)
-        status = put_piece(&r);
-    for (size_t k = 0; k < r.count; k++) {
-        fmpz_poly_clear(r.event[k].q);
-        dyadic_interval_clear(&r.event[k].at);
-        dyadic_interval_clear(&r.event[k].known);
-    }
-    free(r.event);
-    free(r.gap);
-    enclosure_clear(&r.e);
-    touches_clear(&r.t);
-    trajectory_clear(&r.c);
-    return status;
+    HELD(trajectory, c, with->scene->motion->dimension);
+    HELD(touches, t);
+    trajectory_set(&c, motion_tracing(piece, with->scene->options.operation), point);
+    HELD(enclosure, e, with->solid, &c, with->with_contacts, memory ? &memory->forms : NULL);
+    ZEROED(piece_row, r);
+    r = (piece_row){.lines = lines, .context = context, .with = with, .c = &c, .t = &t, .e = &e};
+    lines->piece = piece;
+    TRY(find_events(&r));
+    TRY(place_events(&r));
+    return put_piece(&r);
 }
 
 static void write_row(text *out, const certifier *c, const fmpq *point, const graze_trace *trace) {

@@ -22,20 +22,23 @@ typedef struct neighbours {
     double extent;
 } neighbours;
 
+static void neighbours_clear(neighbours *n) {
+    free(n->item);
+}
+
 static graze_status search_around(neighbours *n, size_t index) {
     const tree_node *node = &n->solid->boxes.node[index];
     if (!box_meets(&node->box, &n->around))
         return GRAZE_OK;
     if (node->child) {
-        graze_status status = search_around(n, node->child);
-        return status ? status : search_around(n, node->child + 1);
+        TRY(search_around(n, node->child));
+        return search_around(n, node->child + 1);
     }
     n->extent = fmin(n->extent, box_extent(&node->box));
-    graze_status status = array_grow(n->context, &n->item, &n->capacity, n->count + 1,
-                                     sizeof *n->item, "the facets around a point");
-    if (!status)
-        n->item[n->count++] = node->simplex;
-    return status;
+    TRY(array_grow(n->context, &n->item, &n->capacity, n->count + 1, sizeof *n->item,
+                   "the facets around a point"));
+    n->item[n->count++] = node->simplex;
+    return GRAZE_OK;
 }
 
 /* The box of half width `half` around the point, rounded outward. */
@@ -106,17 +109,15 @@ static graze_status list_planes(plane_list *out, const neighbours *n) {
 
 graze_status around_planes(plane_list *out, graze_context *context, const graze_solid *solid,
                            const fmpq *point) {
-    neighbours n = {.context = context, .solid = solid, .extent = INFINITY};
+    ZEROED(neighbours, n);
     LOCAL(fmpq, half);
-    graze_status status = search_box(&n, point, half);
-    if (!status) {
-        choose_half(half, n.extent);
-        status = search_box(&n, point, half);
-    }
-    if (!status)
-        status = list_planes(out, &n);
-    if (!status)
-        set_box_sides(out, point, half);
-    free(n.item);
-    return status;
+    n.context = context;
+    n.solid = solid;
+    n.extent = INFINITY;
+    TRY(search_box(&n, point, half));
+    choose_half(half, n.extent);
+    TRY(search_box(&n, point, half));
+    TRY(list_planes(out, &n));
+    set_box_sides(out, point, half);
+    return GRAZE_OK;
 }

@@ -22,8 +22,8 @@ typedef enum place_kind { PLACE_FACET, PLACE_CONVEX, PLACE_REFLEX, PLACE_OTHER }
 typedef struct place_facet {
     graze_cell name; /* a face; in E^2 an edge */
     size_t simplex;  /* a simplex of the facet, in this plane, that contains the point */
-    fmpz form[4];    /* the plane's form, positive on the outer side: d + 1 coprime integers */
-    fmpz normal[3];  /* the form's first d coefficients, divided by their common divisor */
+    fmpz *form;   /* the plane's form, positive on the outer side: d + 1 coprime integers, of 4 */
+    fmpz *normal; /* the form's first d coefficients, divided by their common divisor, of 3 */
 } place_facet;
 
 /** A boundary point's neighborhood. `cell` is the cell of the least dimension that contains the
@@ -66,7 +66,7 @@ void flow_along(fmpq_t out, const fmpz *normal, const fmpq *vector, int dimensio
 typedef struct site_side {
     int present;
     size_t piece;
-    fmpq_t u;
+    fmpq *u;
     flow flow;
 } site_side;
 
@@ -91,7 +91,7 @@ struct graze_site {
     neighborhood place;
     site_side side[2];
     fmpq_t t;
-    fmpq *y, *world;
+    fmpq *y, *world; /* behind them stand the u of both sides */
     size_t germ_count;
     site_germ *germ;
     graze_trace trace;

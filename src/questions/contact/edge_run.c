@@ -127,28 +127,19 @@ static void try_stretches(nearby *n, const edge_run *r) {
 
 graze_status edge_run_try(nearby *n, graze_context *context, const graze_solid *solid,
                           const fmpq *u, const fmpq *v, const speed *s) {
-    edge_run r = {.u = u, .v = v, .speed = s};
-    neighborhood p;
-    r.normal = _fmpq_vec_init(6);
-    r.part = _fmpq_vec_init(RUN_PARTS);
+    LOCAL_VEC(fmpq, normal, 6);
+    LOCAL_VEC(fmpq, part, RUN_PARTS);
     LOCAL_VEC(fmpq, middle, 3);
-    LOCAL(fmpq, half);
-    fmpq_set_si(half, 1, 2);
-    edge_point_at(middle, &r, half);
-    graze_status status = neighborhood_locate(&p, context, solid, middle);
-    if (!status)
-        status = take_facets(&r, context, solid, &p);
-    if (!status) {
-        fmpq_one(r.part + 1);
-        r.count = 2;
-        for (int side = 0; side < 2; side++)
-            for (int j = 0; j < 2 && s->present[side]; j++)
-                add_zero(&r, side, j);
-        qsort(r.part, r.count, sizeof *r.part, compare_parts);
-        try_stretches(n, &r);
-    }
-    neighborhood_clear(&p);
-    _fmpq_vec_clear(r.part, RUN_PARTS);
-    _fmpq_vec_clear(r.normal, 6);
-    return status;
+    ZEROED(neighborhood, p);
+    edge_run r = {.u = u, .v = v, .speed = s, .normal = normal, .count = 2, .part = part};
+    edge_point_at(middle, &r, &(fmpq){1, 2});
+    TRY(neighborhood_locate(&p, context, solid, middle));
+    TRY(take_facets(&r, context, solid, &p));
+    fmpq_one(part + 1);
+    for (int side = 0; side < 2; side++)
+        for (int j = 0; j < 2 && s->present[side]; j++)
+            add_zero(&r, side, j);
+    qsort(part, r.count, sizeof *part, compare_parts);
+    try_stretches(n, &r);
+    return GRAZE_OK;
 }

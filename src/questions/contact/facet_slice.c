@@ -8,6 +8,7 @@
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 #include "input/solid/solid.h"
 #include "input/validate/validate.h"
 #include "questions/contact/nearby.h"
@@ -27,30 +28,17 @@ static fmpq *corner_of(const polygon *p, int k) {
     return p->corner + (size_t)k * (size_t)p->dimension;
 }
 
-static void subtract(fmpq *out, const fmpq *a, const fmpq *b, int d) {
-    for (int i = 0; i < d; i++)
-        fmpq_sub(out + i, a + i, b + i);
-}
-
-static void outer_product(fmpq *out, const fmpq *a, const fmpq *b) {
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        fmpq_mul(out + i, a + j, b + k);
-        fmpq_submul(out + i, a + k, b + j);
-    }
-}
-
 static void find_normal(polygon *p) {
     int d = p->dimension;
     LOCAL_VEC(fmpq, a, 2 * d);
     fmpq *b = a + d;
-    subtract(a, p->simplex[1], p->simplex[0], d);
+    vector_sub(a, p->simplex[1], p->simplex[0], d);
     if (d == 2) {
         fmpq_set(p->normal, a + 1);
         fmpq_neg(p->normal + 1, a);
     } else {
-        subtract(b, p->simplex[2], p->simplex[0], d);
-        outer_product(p->normal, a, b);
+        vector_sub(b, p->simplex[2], p->simplex[0], d);
+        vector_cross(p->normal, a, b);
     }
 }
 
@@ -78,7 +66,7 @@ static void put_crossing(fmpq *out, const fmpq *a, const fmpq *b, const fmpq_t x
 /* Cut the polygon to the part with a condition that is not negative. */
 static void cut_polygon(polygon *p, int side) {
     int d = p->dimension, kept = 0;
-    fmpq *out = _fmpq_vec_init(POLYGON_CORNERS * d);
+    LOCAL_VEC(fmpq, out, POLYGON_CORNERS * d);
     LOCAL_VEC(fmpq, here, 2);
     fmpq *next = here + 1;
     for (int k = 0; k < p->count; k++) {
@@ -93,8 +81,8 @@ static void cut_polygon(polygon *p, int side) {
         if (fmpq_sgn(here) * fmpq_sgn(next) < 0)
             put_crossing(out + d * kept++, a, b, here, next, d);
     }
-    _fmpq_vec_clear(p->corner, POLYGON_CORNERS * d);
-    p->corner = out;
+    for (int k = 0; k < kept * d; k++)
+        fmpq_swap(p->corner + k, out + k);
     p->count = kept;
 }
 
@@ -105,9 +93,9 @@ static int is_in_triangle(const polygon *p, const fmpq *y) {
     int inside = 1;
     LOCAL(fmpq, turn);
     for (int k = 0; k < 3 && inside; k++) {
-        subtract(along, p->simplex[(k + 1) % 3], p->simplex[k], 3);
-        subtract(way, y, p->simplex[k], 3);
-        outer_product(across, along, way);
+        vector_sub(along, p->simplex[(k + 1) % 3], p->simplex[k], 3);
+        vector_sub(way, y, p->simplex[k], 3);
+        vector_cross(across, along, way);
         _fmpq_vec_dot(turn, across, p->normal, 3);
         inside = fmpq_sgn(turn) >= 0;
     }
@@ -130,7 +118,7 @@ static void try_foot(nearby *n, const polygon *p) {
     LOCAL_VEC(fmpq, foot, 3);
     LOCAL_VEC(fmpq, height, 2);
     fmpq *square = height + 1;
-    subtract(foot, p->simplex[0], n->from, 3);
+    vector_sub(foot, p->simplex[0], n->from, 3);
     _fmpq_vec_dot(height, foot, p->normal, 3);
     _fmpq_vec_dot(square, p->normal, p->normal, 3);
     fmpq_div(height, height, square);
@@ -144,8 +132,9 @@ static void try_foot(nearby *n, const polygon *p) {
 
 void facet_slice_try(nearby *n, const graze_solid *solid, size_t simplex, const speed *s) {
     int d = s->dimension;
-    polygon p = {.dimension = d, .count = d, .speed = s, .normal = _fmpq_vec_init(d)};
-    p.corner = _fmpq_vec_init(POLYGON_CORNERS * d);
+    LOCAL_VEC(fmpq, normal, d);
+    LOCAL_VEC(fmpq, corner, POLYGON_CORNERS * d);
+    polygon p = {.dimension = d, .count = d, .speed = s, .normal = normal, .corner = corner};
     for (int k = 0; k < d; k++) {
         p.simplex[k] = solid->input.coordinates + solid->cut.item[simplex].vertex[k] * (size_t)d;
         for (int i = 0; i < d; i++)
@@ -159,6 +148,4 @@ void facet_slice_try(nearby *n, const graze_solid *solid, size_t simplex, const 
         nearby_try_segment(n, corner_of(&p, k), corner_of(&p, (k + 1) % p.count));
     if (d == 3 && p.count)
         try_foot(n, &p);
-    _fmpq_vec_clear(p.corner, POLYGON_CORNERS * d);
-    _fmpq_vec_clear(p.normal, d);
 }

@@ -1,11 +1,14 @@
 /* Velocity and acceleration of the trajectory. SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A c + b = P is constant: A'c + A c' + b' = 0 and A''c + 2 A'c' + A c'' + b'' = 0.
+ * The velocity w is affine in y, so d + 1 values give it.
  */
 #include "questions/contact/contact.h"
 
 #include <flint/fmpq_vec.h>
+#include <string.h>
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 #include "decide/trace/trace.h"
 #include "input/motion/motion.h"
 #include "questions/contact/nearby.h"
@@ -76,12 +79,6 @@ static void apply_linear(fmpq *out, const fmpq *map, const fmpq *v, int d) {
     }
 }
 
-/* a += b */
-static void add_vector_to(fmpq *a, const fmpq *b, int d) {
-    for (int i = 0; i < d; i++)
-        fmpq_add(a + i, a + i, b + i);
-}
-
 static void negate_vector(fmpq *a, int d) {
     for (int i = 0; i < d; i++)
         fmpq_neg(a + i, a + i);
@@ -100,7 +97,7 @@ static void scale_to_time(flow *f, const motion_piece *piece) {
     }
 }
 
-void flow_make(flow *out, const motion_piece *piece, const fmpq_t u, const fmpq *y) {
+void flow_init(flow *out, const motion_piece *piece, const fmpq_t u, const fmpq *y) {
     int d = piece->forward.dimension;
     LOCAL_VEC(fmpq, inverse, d * (d + 1));
     LOCAL_VEC(fmpq, velocity, d);
@@ -116,9 +113,9 @@ void flow_make(flow *out, const motion_piece *piece, const fmpq_t u, const fmpq 
     negate_vector(out->w, d);
     /* drift = A^-1 (A'' y + b'' + A'w), bend = -A^-1 (A'' y + b'' + 2 A'w) */
     turn_vector(turned, piece, u, out->w);
-    add_vector_to(second, turned, d);
+    vector_add(second, second, turned, d);
     apply_linear(out->drift, inverse, second, d);
-    add_vector_to(second, turned, d);
+    vector_add(second, second, turned, d);
     apply_linear(out->bend, inverse, second, d);
     negate_vector(out->bend, d);
     out->orientation = affine_orientation(inverse, d);
@@ -140,5 +137,53 @@ void flow_along(fmpq_t out, const fmpz *normal, const fmpq *vector, int dimensio
     for (int i = 0; i < dimension; i++) {
         fmpq_mul_fmpz(term, vector + i, normal + i);
         fmpq_add(out, out, term);
+    }
+}
+
+static void field_make(velocity_field *out, const motion_piece *piece, const fmpq_t u) {
+    int d = piece->forward.dimension;
+    LOCAL_VEC(fmpq, y, d);
+    *out = (velocity_field){d, _fmpq_vec_init(d), _fmpq_vec_init(d * d)};
+    HELD(flow, at_zero, piece, u, y);
+    for (int i = 0; i < d; i++)
+        fmpq_set(out->at_zero + i, at_zero.w + i);
+    for (int j = 0; j < d; j++) {
+        fmpq_one(y + j);
+        HELD(flow, f, piece, u, y);
+        for (int i = 0; i < d; i++)
+            fmpq_sub(out->slope + i * d + j, f.w + i, out->at_zero + i);
+        fmpq_zero(y + j);
+    }
+}
+
+void speed_init(speed *out, const graze_motion *motion, const site_side side[2]) {
+    memset(out, 0, sizeof *out);
+    out->dimension = motion->dimension;
+    for (int k = 0; k < 2; k++) {
+        out->present[k] = side[k].present;
+        if (side[k].present)
+            field_make(&out->field[k], &motion->piece[side[k].piece], side[k].u);
+    }
+}
+
+void speed_clear(speed *s) {
+    int d = s->dimension;
+    for (int k = 0; k < 2; k++) {
+        if (!s->field[k].at_zero)
+            continue;
+        _fmpq_vec_clear(s->field[k].at_zero, d);
+        _fmpq_vec_clear(s->field[k].slope, d * d);
+    }
+}
+
+void speed_along(fmpq_t out, const speed *s, int side, const fmpq *normal, const fmpq *y) {
+    const velocity_field *f = &s->field[side];
+    int d = s->dimension;
+    LOCAL(fmpq, w);
+    fmpq_zero(out);
+    for (int i = 0; i < d; i++) {
+        _fmpq_vec_dot(w, f->slope + i * d, y, d);
+        fmpq_add(w, w, f->at_zero + i);
+        fmpq_submul(out, w, normal + i);
     }
 }

@@ -15,7 +15,7 @@
 
 /** Make the flow of the body point y at the parameter u of a piece (proofs/envelope.md C58).
  * flow_clear in any case. */
-void flow_make(flow *out, const motion_piece *piece, const fmpq_t u, const fmpq *y);
+void flow_init(flow *out, const motion_piece *piece, const fmpq_t u, const fmpq *y);
 void flow_clear(flow *f);
 
 /* The planes that decide what a solid is next to a boundary point. */
@@ -54,7 +54,7 @@ void nearby_try_segment(nearby *n, const fmpq *a, const fmpq *b);
 /* The velocity of trajectories at a time, as an affine function of the body point. */
 
 /** Make the velocity fields of sides that sides_find has set. speed_clear in any case. */
-void speed_make(speed *out, const graze_motion *motion, const site_side side[2]);
+void speed_init(speed *out, const graze_motion *motion, const site_side side[2]);
 void speed_clear(speed *s);
 
 /** g = -n w(y) on a side, for a normal of d rationals. */

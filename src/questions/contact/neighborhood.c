@@ -59,9 +59,8 @@ static graze_status add_facet_here(place_finder *f, size_t simplex, const fmpz *
     TRY(array_grow(f->context, &p->facet, &p->capacity, p->count + 1, sizeof *p->facet,
                    "the facets at a point"));
     place_facet *made = &p->facet[p->count++];
-    memset(made, 0, sizeof *made);
-    made->name = name;
-    made->simplex = simplex;
+    *made = (place_facet){.name = name, .simplex = simplex, .form = _fmpz_vec_init(7)};
+    made->normal = made->form + 4;
     _fmpz_vec_set(made->form, outward, d + 1);
     LOCAL(fmpz, content);
     _fmpz_vec_content(content, made->form, d);
@@ -143,8 +142,9 @@ graze_status neighborhood_locate(neighborhood *out, graze_context *context,
     place_finder f = {.out = out, .context = context, .solid = solid};
     memset(out, 0, sizeof *out);
     out->dimension = d;
-    f.x = _fmpz_vec_init(d + 1);
-    _fmpq_vec_get_fmpz_vec_fmpz(f.x, f.x + d, point, d);
+    LOCAL_VEC(fmpz, x, d + 1);
+    f.x = x;
+    _fmpq_vec_get_fmpz_vec_fmpz(x, x + d, point, d);
     for (int i = 0; i < d; i++)
         rational_bounds(&f.around.low[i], &f.around.high[i], point + i);
     graze_status status = search_place(&f, 0);
@@ -152,18 +152,13 @@ graze_status neighborhood_locate(neighborhood *out, graze_context *context,
         find_cone_kind(&f);
         qsort(out->facet, out->count, sizeof *out->facet, compare_facets);
     }
-    _fmpz_vec_clear(f.x, d + 1);
     free(f.simplex);
     return status;
 }
 
 void neighborhood_clear(neighborhood *p) {
-    for (size_t k = 0; k < p->count; k++) {
-        for (int i = 0; i < 4; i++)
-            fmpz_clear(p->facet[k].form + i);
-        for (int i = 0; i < 3; i++)
-            fmpz_clear(p->facet[k].normal + i);
-    }
+    for (size_t k = 0; k < p->count; k++)
+        _fmpz_vec_clear(p->facet[k].form, 7);
     free(p->facet);
     *p = (neighborhood){.count = 0};
 }

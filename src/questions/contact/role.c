@@ -4,8 +4,10 @@
 #include "questions/contact/contact.h"
 
 #include <flint/fmpz_vec.h>
+#include "base/context/names.h"
 #include "base/context/scope.h"
 #include "decide/trace/trace.h"
+#include "graze/contact.h"
 #include "input/solid/solid.h"
 #include "questions/contact/nearby.h"
 #include "questions/topo/topo.h"
@@ -33,36 +35,34 @@ static g_signs signs_on(const graze_site *s, int side) {
 /* Is a direction of the body in the germ's cone, or in its sweep along a leading direction? */
 static graze_status is_in_germ(int *out, graze_context *context, germ *g, const fmpz *u) {
     graze_state state = GRAZE_STATE_O;
-    graze_status status = cone_state(&state, &g->cone, context, u);
+    TRY(cone_state(&state, &g->cone, context, u));
     *out = state != GRAZE_STATE_O;
-    for (int k = 0; k < g->side_count && !status && !*out; k++) {
+    for (int k = 0; k < g->side_count && !*out; k++) {
         int in_interior;
-        status = cone_sweep(&in_interior, out, &g->cone, context, NULL, u, g->side[k].e);
+        TRY(cone_sweep(&in_interior, out, &g->cone, context, NULL, u, g->side[k].e));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* *out = 1 if the direction u, in the body's space, is in none of the germs (is_in_germ). */
 static graze_status is_in_none(int *out, graze_context *context, germ_list *germs, const fmpz *u) {
     int covered = 0;
-    graze_status status = GRAZE_OK;
-    for (size_t j = 0; j < germs->count && !status && !covered; j++)
-        status = is_in_germ(&covered, context, &germs->item[j], u);
-    *out = !status && !covered;
-    return status;
+    for (size_t j = 0; j < germs->count && !covered; j++)
+        TRY(is_in_germ(&covered, context, &germs->item[j], u));
+    *out = !covered;
+    return GRAZE_OK;
 }
 
 /* Does a leading direction point into the interior? Then all directions are covered. */
 static graze_status leads_inside(int *out, graze_context *context, germ_list *germs) {
-    graze_status status = GRAZE_OK;
     *out = 0;
     for (size_t j = 0; j < germs->count; j++)
-        for (int k = 0; k < germs->item[j].side_count && !status && !*out; k++) {
+        for (int k = 0; k < germs->item[j].side_count && !*out; k++) {
             graze_state state = GRAZE_STATE_O;
-            status = cone_state(&state, &germs->item[j].cone, context, germs->item[j].side[k].e);
+            TRY(cone_state(&state, &germs->item[j].cone, context, germs->item[j].side[k].e));
             *out = state == GRAZE_STATE_I;
         }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Look for an uncovered direction among the outward normals and their sum: often there is one, and
@@ -80,27 +80,17 @@ static graze_status try_normals(int *found, graze_context *context, germ_list *g
     return GRAZE_OK;
 }
 
-/* out = a direction about P, in the body; all germs carry it alike. */
-static void carry_direction(fmpz *out, const germ *g, const fmpz *direction) {
-    slong d = g->cone.dimension;
-    for (int i = 0; i < d; i++)
-        _fmpz_vec_dot(out + i, g->to_body + i * d, direction, d);
-}
-
-/* Is a direction in a cell of full dimension around ray r covered by none of the germs? */
+/* Is a direction in a cell of full dimension around ray r covered by none of the germs? All germs
+ * carry it alike. */
 static graze_status look_for_open(int *found, graze_context *context, germ_list *germs,
                                   const borders *b, size_t r) {
-    fmpz *cell;
-    size_t count;
-    graze_status status = GRAZE_OK;
-    borders_around(&cell, &count, b, r);
+    HELD(ray_cells, cells, b, r);
     LOCAL_VEC(fmpz, u, b->dimension);
-    for (size_t k = 0; k < count && !status && !*found; k += b->dimension == 2 ? 1 : 2) {
-        carry_direction(u, &germs->item[0], cell + k * (size_t)b->dimension);
-        status = is_in_none(found, context, germs, u);
+    for (size_t k = 0; k < cells.count && !*found; k += b->dimension == 2 ? 1 : 2) {
+        germ_to_body(u, &germs->item[0], cells.item + k * (size_t)b->dimension);
+        TRY(is_in_none(found, context, germs, u));
     }
-    _fmpz_vec_clear(cell, (slong)count * b->dimension);
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status look_everywhere(int *found, graze_context *context, germ_list *germs) {
@@ -120,32 +110,24 @@ static graze_status look_everywhere(int *found, graze_context *context, germ_lis
 /* Do the germs beside t leave a direction open? */
 static graze_status look_at_germs(int *out, graze_context *context, const graze_site *s,
                                   const plane_list *planes) {
-    germ_list germs;
-    graze_status status = GRAZE_OK;
-    germ_list_init(&germs);
-    int both = s->side[0].present && s->side[1].present && s->side[0].piece == s->side[1].piece;
-    for (int k = both; k < 2 && !status; k++)
-        if (s->side[k].present)
-            status = germs_at(&germs, context, s->scene, planes, s->world, s->side[k].piece,
-                              s->side[k].u);
     int inside = 0;
-    if (!status)
-        status = leads_inside(&inside, context, &germs);
-    if (!status && !inside)
-        status = try_normals(out, context, &germs, &s->place);
-    if (!status && !inside && !*out)
-        status = look_everywhere(out, context, &germs);
-    germ_list_clear(&germs);
-    return status;
+    HELD(germ_list, germs);
+    int both = s->side[0].present && s->side[1].present && s->side[0].piece == s->side[1].piece;
+    for (int k = both; k < 2; k++)
+        if (s->side[k].present)
+            TRY(germs_at(&germs, context, s->scene, planes, s->world, s->side[k].piece,
+                         s->side[k].u));
+    TRY(leads_inside(&inside, context, &germs));
+    if (!inside)
+        TRY(try_normals(out, context, &germs, &s->place));
+    return inside || *out ? GRAZE_OK : look_everywhere(out, context, &germs);
 }
 
 static graze_status is_open_at(int *out, graze_context *context, const graze_site *s) {
     plane_list planes;
     *out = 0;
-    graze_status status = around_planes(&planes, context, s->scene->solid, s->y);
-    if (status)
-        return status;
-    status = look_at_germs(out, context, s, &planes);
+    TRY(around_planes(&planes, context, s->scene->solid, s->y));
+    graze_status status = look_at_germs(out, context, s, &planes);
     planes_clear(&planes);
     return status;
 }
@@ -153,9 +135,8 @@ static graze_status is_open_at(int *out, graze_context *context, const graze_sit
 graze_status role_decide(graze_role *out, graze_context *context, const graze_site *s) {
     g_signs before = signs_on(s, -1), after = signs_on(s, 1);
     int contact = 0;
-    graze_status status = GRAZE_OK;
     if (s->place.kind == PLACE_OTHER)
-        status = is_open_at(&contact, context, s);
+        TRY(is_open_at(&contact, context, s));
     else if (s->place.kind == PLACE_REFLEX)
         contact = !(after.any && after.some_positive) && !(before.any && before.some_negative);
     else
@@ -164,5 +145,33 @@ graze_status role_decide(graze_role *out, graze_context *context, const graze_si
            : before.all_positive && after.all_positive ? GRAZE_ROLE_EGRESS
            : before.all_negative && after.all_negative ? GRAZE_ROLE_INGRESS
                                                        : GRAZE_ROLE_HIDDEN;
-    return status;
+    return GRAZE_OK;
+}
+
+const char *graze_role_name(graze_role role) {
+    static const char *const names[] = {
+        [GRAZE_ROLE_CONTACT] = "contact",
+        [GRAZE_ROLE_EGRESS] = "egress",
+        [GRAZE_ROLE_INGRESS] = "ingress",
+        [GRAZE_ROLE_HIDDEN] = "hidden",
+    };
+    return name_at(names, sizeof names / sizeof *names, (size_t)role);
+}
+
+const char *graze_trim_name(graze_trim trim) {
+    static const char *const names[] = {
+        [GRAZE_TRIM_SLIDES] = "slides",   [GRAZE_TRIM_SIMPLE] = "simple",
+        [GRAZE_TRIM_MEETS] = "meets",     [GRAZE_TRIM_NEAR] = "trimmed_near",
+        [GRAZE_TRIM_FAR] = "trimmed_far",
+    };
+    return name_at(names, sizeof names / sizeof *names, (size_t)trim);
+}
+
+const char *graze_orientation_name(graze_orientation orientation) {
+    static const char *const names[] = {
+        [GRAZE_ORIENTATION_PRESERVING] = "preserving",
+        [GRAZE_ORIENTATION_REVERSING] = "reversing",
+        [GRAZE_ORIENTATION_DEGENERATE] = "degenerate",
+    };
+    return name_at(names, sizeof names / sizeof *names, (size_t)orientation);
 }

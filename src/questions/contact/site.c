@@ -18,26 +18,23 @@ static void begin_site(graze_site *s, const graze_scene *scene, const fmpq_t t, 
     memset(s, 0, sizeof *s);
     s->scene = scene;
     s->dimension = d;
-    s->y = _fmpq_vec_init(d);
-    s->world = _fmpq_vec_init(d);
+    s->y = _fmpq_vec_init(2 * d + 2);
+    s->world = s->y + d;
+    s->side[0].u = s->world + d;
+    s->side[1].u = s->world + d + 1;
     for (int i = 0; i < d; i++)
         fmpq_set(s->y + i, y + i);
     fmpq_init(s->t);
     fmpq_set(s->t, t);
     fmpq_init(s->shift);
-    for (int k = 0; k < 2; k++)
-        fmpq_init(s->side[k].u);
 }
 
 void site_clear(graze_site *s) {
-    _fmpq_vec_clear(s->y, s->dimension);
-    _fmpq_vec_clear(s->world, s->dimension);
+    _fmpq_vec_clear(s->y, 2 * s->dimension + 2);
     fmpq_clear(s->t);
     fmpq_clear(s->shift);
-    for (int k = 0; k < 2; k++) {
-        fmpq_clear(s->side[k].u);
+    for (int k = 0; k < 2; k++)
         flow_clear(&s->side[k].flow);
-    }
     for (size_t k = 0; k < s->germ_count; k++) {
         fmpq_clear(s->germ[k].speed);
         fmpq_clear(s->germ[k].drift);
@@ -64,20 +61,14 @@ static void carry_point(fmpq *out, const point_map *map, const fmpq_t u, const f
 graze_status site_to_body(fmpq *point, graze_context *context, const graze_scene *scene,
                           const fmpq_t t) {
     int d = scene->motion->dimension;
-    site_side side[2];
-    fmpq_init(side[0].u);
-    fmpq_init(side[1].u);
-    graze_status status = sides_find(side, context, scene->motion, t);
-    if (!status) {
-        const site_side *one = &side[!side[0].present];
-        LOCAL_VEC(fmpq, body, d);
-        carry_point(body, &scene->motion->piece[one->piece].inverse, one->u, point);
-        for (int i = 0; i < d; i++)
-            fmpq_set(point + i, body + i);
-    }
-    fmpq_clear(side[0].u);
-    fmpq_clear(side[1].u);
-    return status;
+    LOCAL_VEC(fmpq, body, d + 2);
+    site_side side[2] = {{.u = body + d}, {.u = body + d + 1}};
+    TRY(sides_find(side, context, scene->motion, t));
+    const site_side *one = &side[!side[0].present];
+    carry_point(body, &scene->motion->piece[one->piece].inverse, one->u, point);
+    for (int i = 0; i < d; i++)
+        fmpq_swap(point + i, body + i);
+    return GRAZE_OK;
 }
 
 static void find_world(graze_site *s) {
@@ -142,7 +133,7 @@ static graze_status find_germs(graze_site *s, graze_context *context) {
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for the facets at a point");
     for (int k = 0; k < 2; k++)
         if (s->side[k].present && !(k == 1 && is_within_piece(s)))
-            flow_make(&s->side[k].flow, &s->scene->motion->piece[s->side[k].piece], s->side[k].u,
+            flow_init(&s->side[k].flow, &s->scene->motion->piece[s->side[k].piece], s->side[k].u,
                       s->y);
     for (size_t j = 0; j < s->place.count; j++)
         for (int k = 0; k < 2; k++)
@@ -195,15 +186,11 @@ static graze_status check_states(const graze_site *s, graze_context *context) {
 
 /* Sides, place, point in the world and germs. */
 static graze_status begin_facts(graze_site *s, graze_context *context) {
-    graze_status status = sides_find(s->side, context, s->scene->motion, s->t);
-    if (!status)
-        status = neighborhood_locate(&s->place, context, s->scene->solid, s->y);
-    if (!status && !s->place.count)
-        status =
-            context_fail(context, GRAZE_EINPUT,
-                         "the point is not on the boundary of the solid; expected one that is");
-    if (status)
-        return status;
+    TRY(sides_find(s->side, context, s->scene->motion, s->t));
+    TRY(neighborhood_locate(&s->place, context, s->scene->solid, s->y));
+    if (!s->place.count)
+        return context_fail(context, GRAZE_EINPUT,
+                            "the point is not on the boundary of the solid; expected one that is");
     s->is_break = sides_break(s->side, s->scene->motion);
     find_world(s);
     s->facts.cell = s->place.cell;
@@ -212,13 +199,12 @@ static graze_status begin_facts(graze_site *s, graze_context *context) {
 
 static graze_status fill_site(graze_site *s, graze_context *context, site_question asked) {
     TRY(begin_facts(s, context));
-    if (asked != SITE_ROLE)
+    if (asked != SITE_ROLE) {
         TRY(classify_point(&s->trace, context, s->scene, (query_point){.rational = s->world},
                            TRACE_CONTACTS));
-    if (asked != SITE_ROLE)
         TRY((asked == SITE_ALL ? nearest_find : nearest_trim)(s, context));
-    if (asked != SITE_ROLE)
         TRY(check_states(s, context));
+    }
     if (asked != SITE_TRIM)
         TRY(role_decide(&s->facts.role, context, s));
     find_slice(s);
@@ -257,20 +243,15 @@ static graze_status make_missed(graze_site *out, graze_context *context, const g
 graze_status site_snap(graze_site *out, graze_context *context, const graze_scene *scene,
                        const fmpq_t t, const fmpq *y, const graze_cell *cell) {
     HELD(nearby, n, y, scene->motion->dimension);
-    graze_status status = snap_find(&n, context, scene, t, cell);
-    if (!status && n.found) {
-        status = site_make(out, context, scene, t, n.point);
-        n.found = !status;
-    }
-    if (n.found && cell->kind == GRAZE_CELL_VERTEX && out->facts.role != GRAZE_ROLE_CONTACT) {
+    TRY(snap_find(&n, context, scene, t, cell));
+    if (!n.found)
+        return make_missed(out, context, scene, t, y, cell);
+    TRY(site_make(out, context, scene, t, n.point));
+    if (cell->kind == GRAZE_CELL_VERTEX && out->facts.role != GRAZE_ROLE_CONTACT) {
         site_clear(out);
-        n.found = 0;
+        return make_missed(out, context, scene, t, y, cell);
     }
-    if (n.found) {
-        fmpq_swap(out->shift, n.square);
-        out->snapped = 1;
-    } else if (!status) {
-        status = make_missed(out, context, scene, t, y, cell);
-    }
-    return status;
+    fmpq_swap(out->shift, n.square);
+    out->snapped = 1;
+    return GRAZE_OK;
 }

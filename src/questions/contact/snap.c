@@ -3,6 +3,7 @@
  */
 #include "questions/contact/contact.h"
 
+#include "base/context/scope.h"
 #include "decide/scene/scene.h"
 #include "input/solid/solid.h"
 #include "input/soup/soup.h"
@@ -71,33 +72,25 @@ static graze_status try_edge(nearby *n, size_t *found, graze_context *context,
 static graze_status try_cell(nearby *n, graze_context *context, const graze_scene *scene,
                              const site_side side[2], const graze_cell *cell) {
     const graze_solid *solid = scene->solid;
-    graze_status status = GRAZE_OK;
     size_t found = 0;
-    speed s;
-    speed_make(&s, scene->motion, side);
+    HELD(speed, s, scene->motion, side);
     if (cell->kind == GRAZE_CELL_VERTEX)
         found = (size_t)try_vertex(n, solid, cell);
     else if (cell->kind == GRAZE_CELL_EDGE && solid->input.dimension == 3)
-        status = try_edge(n, &found, context, solid, cell, &s);
+        TRY(try_edge(n, &found, context, solid, cell, &s));
     else
         found = try_facet(n, solid, cell, &s);
-    speed_clear(&s);
-    if (!status && !found)
-        status = context_fail(context, GRAZE_EINPUT,
-                              "the solid has no such cell; expected one of its %svertices",
-                              solid->input.dimension == 3 ? "faces, edges and " : "edges and ");
-    return status;
+    if (!found)
+        return context_fail(context, GRAZE_EINPUT,
+                            "the solid has no such cell; expected one of its %svertices",
+                            solid->input.dimension == 3 ? "faces, edges and " : "edges and ");
+    return GRAZE_OK;
 }
 
 graze_status snap_find(nearby *n, graze_context *context, const graze_scene *scene, const fmpq_t t,
                        const graze_cell *cell) {
-    site_side side[2];
-    fmpq_init(side[0].u);
-    fmpq_init(side[1].u);
-    graze_status status = sides_find(side, context, scene->motion, t);
-    if (!status)
-        status = try_cell(n, context, scene, side, cell);
-    fmpq_clear(side[0].u);
-    fmpq_clear(side[1].u);
-    return status;
+    LOCAL_VEC(fmpq, u, 2);
+    site_side side[2] = {{.u = u}, {.u = u + 1}};
+    TRY(sides_find(side, context, scene->motion, t));
+    return try_cell(n, context, scene, side, cell);
 }

@@ -88,20 +88,21 @@ static void moved_time(algebraic *out, const graze_time *time, const fmpz_t scal
 /* The nearer of a time before t and one after it; NULL stands for none. */
 static graze_status nearer(const graze_time **out, graze_context *context, const graze_site *s,
                            graze_time *before, graze_time *after) {
-    graze_status status = before ? time_canonicalise(before, context) : GRAZE_OK;
-    if (!status && after)
-        status = time_canonicalise(after, context);
+    if (before)
+        TRY(time_canonicalise(before, context));
+    if (after)
+        TRY(time_canonicalise(after, context));
     *out = before ? before : after;
-    if (!before || !after || status)
-        return status;
+    if (!before || !after)
+        return GRAZE_OK;
     int order = 0;
     HELD(algebraic, back);
     HELD(algebraic, forth);
     moved_time(&back, before, fmpq_denref(s->t), fmpq_numref(s->t), 1);
     moved_time(&forth, after, fmpq_denref(s->t), fmpq_numref(s->t), 0);
-    status = algebraic_compare(&order, context, &back, &forth);
+    TRY(algebraic_compare(&order, context, &back, &forth));
     *out = order <= 0 ? before : after;
-    return status;
+    return GRAZE_OK;
 }
 
 /* t as a time of its own, made once. */
@@ -160,20 +161,16 @@ graze_status nearest_find(graze_site *s, graze_context *context) {
     const graze_trace *trace = &s->trace;
     size_t k = 0;
     int is_instant = 0;
-    graze_status status = find_trim(s, context, &k, &is_instant);
-    if (status)
-        return status;
+    TRY(find_trim(s, context, &k, &is_instant));
     int inside_near = s->facts.left == GRAZE_STATE_I || s->facts.right == GRAZE_STATE_I;
     if (inside_near || !is_instant)
-        status = own_time(&s->near, context, s);
+        TRY(own_time(&s->near, context, s));
     else
-        status = nearer(&s->near, context, s, k > 0 ? trace->contact[k - 1].to : NULL,
-                        k + 1 < trace->contact_count ? trace->contact[k + 1].from : NULL);
+        TRY(nearer(&s->near, context, s, k > 0 ? trace->contact[k - 1].to : NULL,
+                   k + 1 < trace->contact_count ? trace->contact[k + 1].from : NULL));
+    if (inside_near)
+        return own_time(&s->near_in, context, s);
     graze_time *before, *after;
     interiors_beside(&before, &after, s, k);
-    if (!status && inside_near)
-        status = own_time(&s->near_in, context, s);
-    else if (!status)
-        status = nearer(&s->near_in, context, s, before, after);
-    return status;
+    return nearer(&s->near_in, context, s, before, after);
 }

@@ -43,7 +43,7 @@ const carrier *arc_maps_tracing(const arc_maps *g, size_t index) {
     return a->tracing.entry ? &a->tracing : &g->whole->piece[a->piece];
 }
 
-static void clear_arc(arc *a) {
+static void arc_clear(arc *a) {
     carrier_clear(&a->tracing);
     carrier_clear(&a->placing);
 }
@@ -51,7 +51,7 @@ static void clear_arc(arc *a) {
 static void free_ground(void *value) {
     arc_maps *g = value;
     for (size_t k = 0; k < g->arc_count; k++)
-        clear_arc(&g->arc[k]);
+        arc_clear(&g->arc[k]);
     if (g->tree->value)
         g->tree->free(g->tree->value);
     pthread_mutex_destroy(&g->tree->lock);
@@ -88,12 +88,15 @@ static graze_status check_arc(graze_context *context, const arc *a, const carrie
     return GRAZE_OK;
 }
 
-static graze_status keep_arc(arc_maps *g, graze_context *context, const arc *a, ulong depth) {
+/* Append an arc, which is left without maps. */
+static graze_status keep_arc(arc_maps *g, graze_context *context, arc *a, ulong depth) {
+    TRY(context_poll(context));
     TRY(array_grow(context, &g->arc, &g->arc_capacity, g->arc_count + 1, sizeof *g->arc,
                    "the maps of a motion"));
     g->arc[g->arc_count++] = *a;
+    a->tracing = a->placing = (carrier){0};
     g->deepest = depth > g->deepest ? depth : g->deepest;
-    return context_poll(context);
+    return GRAZE_OK;
 }
 
 static graze_status make_arcs(arc_maps *g, graze_context *context, size_t piece, int rigid,
@@ -106,16 +109,11 @@ static graze_status make_halves(arc_maps *g, graze_context *context, size_t piec
                             "piece %zu of the motion: the common denominator of its matrix varies "
                             "too much for distances; expected a piece cut where it is smallest",
                             piece);
-    graze_status status = GRAZE_OK;
-    dyadic_interval half[2];
-    dyadic_interval_init(&half[0]);
-    dyadic_interval_init(&half[1]);
-    dyadic_interval_halves(&half[0], &half[1], part);
-    for (int k = 0; k < 2 && !status; k++)
-        status = make_arcs(g, context, piece, rigid, &half[k]);
-    dyadic_interval_clear(&half[0]);
-    dyadic_interval_clear(&half[1]);
-    return status;
+    HELD(dyadic_interval, left);
+    HELD(dyadic_interval, right);
+    dyadic_interval_halves(&left, &right, part);
+    TRY(make_arcs(g, context, piece, rigid, &left));
+    return make_arcs(g, context, piece, rigid, &right);
 }
 
 /* Append the arcs of a part of a piece: itself or those of its halves. */
@@ -125,34 +123,29 @@ static graze_status make_arcs(arc_maps *g, graze_context *context, size_t piece,
     graze_operation operation = g->scene->options.operation;
     double length = ldexp(1, -(int)part->exponent);
     int whole = part->exponent == 0;
-    arc a = {piece, fmpz_get_d(part->low) * length, length, rigid, {0}, {0}};
+    ZEROED(arc, a);
+    a = (arc){piece, fmpz_get_d(part->low) * length, length, rigid, {0}, {0}};
     const carrier *tracing = whole ? &g->whole->piece[piece] : &a.tracing;
     int made = whole || carrier_make_on(&a.tracing, motion_tracing(of, operation), part);
     made = made && (rigid || carrier_make_on(&a.placing, motion_placing(of, operation), part));
-    graze_status status = made ? check_arc(context, &a, tracing) : no_memory_for_maps(context);
-    int even = !status && is_even(tracing) && (rigid || is_even(&a.placing));
-    if (even) {
-        status = keep_arc(g, context, &a, part->exponent);
-        if (!status)
-            return GRAZE_OK;
-    }
-    clear_arc(&a);
-    return status ? status : make_halves(g, context, piece, rigid, part);
+    TRY(made ? check_arc(context, &a, tracing) : no_memory_for_maps(context));
+    if (is_even(tracing) && (rigid || is_even(&a.placing)))
+        return keep_arc(g, context, &a, part->exponent);
+    return make_halves(g, context, piece, rigid, part);
 }
 
 static graze_status make_pieces(arc_maps *g, graze_context *context) {
     const graze_motion *motion = g->scene->motion;
     graze_operation operation = g->scene->options.operation;
-    graze_status status = GRAZE_OK;
     HELD(dyadic_interval, unit);
     dyadic_interval_set_si(&unit, 0, 1);
-    for (size_t k = 0; k < motion->piece_count && !status; k++) {
+    for (size_t k = 0; k < motion->piece_count; k++) {
         g->first[k] = g->arc_count;
         int rigid = is_rigid(motion_tracing(&motion->piece[k], operation));
-        status = make_arcs(g, context, k, rigid, &unit);
+        TRY(make_arcs(g, context, k, rigid, &unit));
     }
     g->first[motion->piece_count] = g->arc_count;
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status make_ground(scene_memo *memo, graze_context *context,

@@ -29,8 +29,7 @@ static double length_down(const fmpq *low, const fmpq *high, int d) {
         fmpq_div_2exp(sum, sum, 2 * (ulong)-k);
     fmpz_fdiv_q(n, fmpq_numref(sum), fmpq_denref(sum));
     fmpz_sqrt(n, n);
-    double out = ldexp(fmpz_get_d(n), (int)-k); /* FLINT cuts what a double has no place for */
-    return out;
+    return ldexp(fmpz_get_d(n), (int)-k); /* FLINT cuts what a double has no place for */
 }
 
 /* Extend the box by the image of a vertex, but for the translation, which changes no side of it. */
@@ -53,21 +52,19 @@ graze_status distance_diagonal(double *out, graze_context *context, const graze_
     LOCAL_VEC(fmpq, map, d * (d + 1));
     LOCAL_VEC(fmpq, low, d);
     LOCAL_VEC(fmpq, high, d);
-    LOCAL(fmpq, zero);
-    point_map_at(map, &scene->motion->piece[0].forward, zero);
-    graze_status status = GRAZE_OK;
-    for (size_t s = 0; s < solid->cut.count && !status; s++) {
+    point_map_at(map, &scene->motion->piece[0].forward, &(fmpq){0, 1});
+    for (size_t s = 0; s < solid->cut.count; s++) {
         for (int c = 0; c < d; c++)
             extend(low, high, map,
                    solid->input.coordinates + (size_t)solid->cut.item[s].vertex[c] * d, d,
                    s == 0 && c == 0);
         if (s % 1024 == 1023)
-            status = context_poll(context);
+            TRY(context_poll(context));
     }
     *out = length_down(low, high, d);
-    if (!status && !(*out >= LEAST_DIAGONAL && *out <= MOST_DIAGONAL))
-        status = context_fail(context, GRAZE_ELIMIT,
-                              "the diagonal of the solid's box at the start is beyond what "
-                              "distances are computed for; expected between 2^-300 and 2^300");
-    return status;
+    if (!(*out >= LEAST_DIAGONAL && *out <= MOST_DIAGONAL))
+        return context_fail(context, GRAZE_ELIMIT,
+                            "the diagonal of the solid's box at the start is beyond what "
+                            "distances are computed for; expected between 2^-300 and 2^300");
+    return GRAZE_OK;
 }

@@ -23,12 +23,11 @@ static graze_status narrow_time(fmpq_t low, fmpq_t high, graze_context *context,
                                 const graze_time *time, ulong places) {
     HELD(algebraic, x);
     algebraic_set(&x, &time->u);
-    graze_status status = GRAZE_OK;
     ulong gain = FIRST_GAIN;
-    for (int step = 0; !status && !algebraic_is_rational(&x) && x.where.exponent < places; step++)
-        status = algebraic_narrow(context, &x, step, &gain);
+    for (int step = 0; !algebraic_is_rational(&x) && x.where.exponent < places; step++)
+        TRY(algebraic_narrow(context, &x, step, &gain));
     algebraic_bounds(low, high, &x);
-    return status;
+    return GRAZE_OK;
 }
 
 /* A contact's time is between v = low of one arc and v = high of the same or a later one. */
@@ -60,10 +59,10 @@ static graze_status enclose_moment(moment *out, graze_context *context, const ar
     LOCAL_VEC(fmpq, low, 2);
     fmpq *high = low + 1;
     double unused;
-    graze_status status = narrow_time(low, high, context, time, PLACES + base->deepest);
+    TRY(narrow_time(low, high, context, time, PLACES + base->deepest));
     out->low_arc = find_arc(&out->low, &unused, context, base, time->piece, low);
     out->high_arc = find_arc(&unused, &out->high, context, base, time->piece, high);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Append the stretches of a visit between two moments, one for each arc. */
@@ -107,13 +106,10 @@ static graze_status find_visits(stretch_of_time **list, size_t *count, graze_con
 }
 
 static graze_status find_greatest(search *s, const graze_trace *trace, graze_state wanted) {
-    stretch_of_time *list = NULL;
+    FREED(stretch_of_time, list, NULL);
     size_t count = 0;
-    graze_status status = find_visits(&list, &count, s->context, s->base, trace, wanted);
-    if (!status)
-        status = search_greatest(s, list, count);
-    free(list);
-    return status;
+    TRY(find_visits(&list, &count, s->context, s->base, trace, wanted));
+    return search_greatest(s, list, count);
 }
 
 /* The contact that ends the first visit, for a visit that no double is certain to be in. */
@@ -124,17 +120,13 @@ static const graze_time *end_of_visit(const graze_trace *trace, graze_state want
     return NULL;
 }
 
-static void set_on(distance *out, const graze_trace *trace) {
-    *out = (distance){.at = trace->contact_count ? trace->contact[0].from : NULL};
-}
-
 /* Search the distance of a point that is not `on`, and give the bounds the sign of its answer. */
 static graze_status find_off(distance *out, search *s, const graze_scene *scene,
                              const graze_trace *trace) {
     int unsweep = scene->options.operation == GRAZE_UNSWEEP;
     int negative = trace->verdict.pmc == GRAZE_IN, greatest = negative != unsweep;
     graze_state wanted = unsweep ? GRAZE_STATE_O : GRAZE_STATE_I;
-    graze_status status = greatest ? find_greatest(s, trace, wanted) : search_least(s);
+    TRY(greatest ? find_greatest(s, trace, wanted) : search_least(s));
     out->low = negative ? -s->high : s->low;
     out->high = negative ? -s->low : s->high;
     out->wide = !search_is_done(s, out->low, out->high);
@@ -144,26 +136,24 @@ static graze_status find_off(distance *out, search *s, const graze_scene *scene,
     out->length = of->length;
     out->v = s->time;
     out->at = greatest && !s->met ? end_of_visit(trace, wanted) : NULL;
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status distance_find(distance *out, graze_context *context, const graze_scene *scene,
                            const fmpq *point, const graze_trace *trace, double tolerance) {
     const arc_maps *base;
-    search s;
     double low[3], high[3];
     *out = (distance){.low = 0};
     if (trace->verdict.pmc == GRAZE_ON) {
-        set_on(out, trace);
+        out->at = trace->contact_count ? trace->contact[0].from : NULL;
         return GRAZE_OK;
     }
-    graze_status status = arc_maps_of(&base, context, scene);
-    if (status)
-        return status;
+    TRY(arc_maps_of(&base, context, scene));
     for (int k = 0; k < scene->motion->dimension; k++)
         rational_bounds(&low[k], &high[k], point + k);
+    search s;
     search_begin(&s, context, base, low, high, tolerance);
-    status = find_off(out, &s, scene, trace);
+    graze_status status = find_off(out, &s, scene, trace);
     search_end(&s);
     return status;
 }
@@ -182,9 +172,9 @@ static void to_motion(fmpq_t time, const motion_piece *piece) {
 
 graze_status distance_contact_time(fmpq_t out, graze_context *context, const graze_time *time) {
     LOCAL(fmpq, high);
-    graze_status status = narrow_time(out, high, context, time, PLACES);
+    TRY(narrow_time(out, high, context, time, PLACES));
     to_motion(out, &time->motion->piece[time->piece]);
-    return status;
+    return GRAZE_OK;
 }
 
 void distance_time(fmpq_t out, const distance *found, const graze_motion *motion) {

@@ -128,10 +128,7 @@ static graze_status explore_greatest(search *s, const stretch_of_time *of, const
 static graze_status begin_stretch(search *s, const stretch_of_time *of) {
     point_arc p;
     time_sample first, last;
-    graze_status status =
-        point_arc_make(&p, s->context, s->base, of->arc, s->point_low, s->point_high);
-    if (status)
-        return status;
+    TRY(point_arc_make(&p, s->context, s->base, of->arc, s->point_low, s->point_high));
     (void)take_sample(&first, s, of, &p, of->from, NULL, 0);
     (void)take_sample(&last, s, of, &p, of->to, &first, 1);
     return explore_greatest(s, of, &p, &first, &last, INFINITY);
@@ -139,24 +136,21 @@ static graze_status begin_stretch(search *s, const stretch_of_time *of) {
 
 /* One round: cut the windows aside whose bound is not near enough (s->step) to the one met. */
 static graze_status greatest_round(search *s) {
-    graze_status status = GRAZE_OK;
-    window_aside *was = s->window;
+    FREED(window_aside, was, s->window);
     size_t count = s->window_count;
     s->window = NULL;
     s->window_count = s->window_capacity = 0;
-    for (size_t k = 0; k < count && !status; k++) {
+    for (size_t k = 0; k < count; k++) {
         point_arc p;
+        const stretch_of_time *of = was[k].of;
         if (was[k].most <= s->low + s->step) {
-            status = put_aside(s, &was[k]);
+            TRY(put_aside(s, &was[k]));
             continue;
         }
-        status =
-            point_arc_make(&p, s->context, s->base, was[k].of->arc, s->point_low, s->point_high);
-        if (!status)
-            status = cut_greatest(s, was[k].of, &p, was[k].sample, was[k].most);
+        TRY(point_arc_make(&p, s->context, s->base, of->arc, s->point_low, s->point_high));
+        TRY(cut_greatest(s, of, &p, was[k].sample, was[k].most));
     }
-    free(was);
-    return status;
+    return GRAZE_OK;
 }
 
 static double most_aside(const search *s) {
@@ -167,17 +161,16 @@ static double most_aside(const search *s) {
 }
 
 graze_status search_greatest(search *s, const stretch_of_time *stretch, size_t count) {
-    graze_status status = GRAZE_OK;
     s->low = s->high = 0;
     s->step = INFINITY;
-    for (size_t k = 0; k < count && !status; k++)
-        status = begin_stretch(s, &stretch[k]);
+    for (size_t k = 0; k < count; k++)
+        TRY(begin_stretch(s, &stretch[k]));
     double most = most_aside(s);
-    while (!status && most > s->low && !search_is_done(s, s->low, most) && !search_is_over(s)) {
+    while (most > s->low && !search_is_done(s, s->low, most) && !search_is_over(s)) {
         s->step = (most - s->low) / 2;
-        status = greatest_round(s);
+        TRY(greatest_round(s));
         most = most_aside(s);
     }
     s->high = larger(larger(s->high, most), s->low);
-    return status;
+    return GRAZE_OK;
 }

@@ -10,6 +10,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "input/solid/solid.h"
 #include "input/validate/validate.h"
 #include "questions/distance/gap.h"
@@ -53,10 +54,10 @@ static int leave_out(look *l, const place *p) {
         s->low = smaller(s->low, p->low);
         return 1;
     }
-    pair_aside pair = {*p, (uint32_t)l->w->of->arc, l->w->from, l->w->to};
-    if (p->low >= s->high - s->step)
-        keep_pair(l, &pair);
-    return p->low >= s->high - s->step;
+    if (!(p->low >= s->high - s->step))
+        return 0;
+    keep_pair(l, &(pair_aside){*p, (uint32_t)l->w->of->arc, l->w->from, l->w->to});
+    return 1;
 }
 
 static int is_large(const look *l, const tree_node *node) {
@@ -165,10 +166,7 @@ static graze_status explore_halves(search *s, const point_arc *p, double from, d
     size_t count = s->list_count - first;
     for (int half = 0; half < 2; half++) {
         int left = (half == 0) == left_first;
-        graze_status status =
-            explore_least(s, p, left ? from : middle, left ? middle : to, first, count);
-        if (status)
-            return status;
+        TRY(explore_least(s, p, left ? from : middle, left ? middle : to, first, count));
     }
     return GRAZE_OK;
 }
@@ -217,11 +215,10 @@ static graze_status explore_least(search *s, const point_arc *p, double from, do
                                   size_t first, size_t count) {
     size_t mine = s->list_count;
     int left_first = 1;
-    graze_status status = bound_list(s, p, from, to, first, count, &left_first);
-    if (!status)
-        status = cut_least(s, p, from, to, mine, left_first);
+    TRY(bound_list(s, p, from, to, first, count, &left_first));
+    TRY(cut_least(s, p, from, to, mine, left_first));
     s->list_count = mine;
-    return status;
+    return GRAZE_OK;
 }
 
 /* Pairs of one window: those that the round asks for go on, the others stay aside. */
@@ -243,16 +240,13 @@ static graze_status resume_window(search *s, const pair_aside *pair, size_t coun
         return search_no_room(s);
     if (s->list_count == mine)
         return GRAZE_OK;
-    graze_status status =
-        point_arc_make(&p, s->context, s->base, pair->arc, s->point_low, s->point_high);
+    TRY(point_arc_make(&p, s->context, s->base, pair->arc, s->point_low, s->point_high));
     for (size_t k = mine; k < s->list_count && small; k++)
         s->list[k].state = PLACE_NEW; /* of the halves */
-    if (!status && small)
-        status = cut_least(s, &p, pair->from, pair->to, mine, 1);
-    else if (!status)
-        status = explore_least(s, &p, pair->from, pair->to, mine, s->list_count - mine);
+    TRY(small ? cut_least(s, &p, pair->from, pair->to, mine, 1)
+              : explore_least(s, &p, pair->from, pair->to, mine, s->list_count - mine));
     s->list_count = mine;
-    return status;
+    return GRAZE_OK;
 }
 
 static int same_window(const pair_aside *a, const pair_aside *b) {
@@ -262,18 +256,16 @@ static int same_window(const pair_aside *a, const pair_aside *b) {
 /* One round: go on with the pairs aside whose bound is below s->high - s->step. Of the others those
  * below s->high stay aside. */
 static graze_status least_round(search *s) {
-    graze_status status = GRAZE_OK;
-    pair_aside *was = s->aside;
+    FREED(pair_aside, was, s->aside);
     size_t count = s->aside_count;
     s->aside = NULL;
     s->aside_count = s->aside_capacity = 0;
-    for (size_t k = 0, end; k < count && !status; k = end) {
+    for (size_t k = 0, end; k < count; k = end) {
         for (end = k + 1; end < count && same_window(&was[k], &was[end]);)
             end++;
-        status = resume_window(s, was + k, end - k);
+        TRY(resume_window(s, was + k, end - k));
     }
-    free(was);
-    return status;
+    return GRAZE_OK;
 }
 
 static double least_aside(const search *s) {
@@ -284,14 +276,13 @@ static double least_aside(const search *s) {
 }
 
 graze_status search_least(search *s) {
-    graze_status status = least_begin(s);
+    TRY(least_begin(s));
     double low = least_aside(s);
-    while (!status && s->aside_count > 0 && !search_is_done(s, low, s->high) &&
-           !search_is_over(s)) {
+    while (s->aside_count > 0 && !search_is_done(s, low, s->high) && !search_is_over(s)) {
         s->step = (s->high - low) / 2;
-        status = least_round(s);
+        TRY(least_round(s));
         low = least_aside(s);
     }
     s->low = smaller(smaller(s->low, low), s->high);
-    return status;
+    return GRAZE_OK;
 }

@@ -25,27 +25,24 @@ static graze_status bound_arc(pair_aside *out, search *s, size_t index) {
     double g[3];
     const box *root = &s->base->scene->solid->boxes.node[0].box;
     *out = (pair_aside){.to = 1, .arc = (uint32_t)index};
-    graze_status status =
-        point_arc_make(&p, s->context, s->base, index, s->point_low, s->point_high);
-    if (status || !window_make(&w, &p, 0, 1) || !stance_make(&mid, &p, 0.5))
-        return status;
+    TRY(point_arc_make(&p, s->context, s->base, index, s->point_low, s->point_high));
+    if (!window_make(&w, &p, 0, 1) || !stance_make(&mid, &p, 0.5))
+        return GRAZE_OK;
     foot_of_box(g, &mid, root);
     out->place.low = gap_along(&w, g, gap_box(g, root));
-    return status;
+    return GRAZE_OK;
 }
 
 /* Whole arcs with the whole boundary, the nearest first. */
 static graze_status begin_whole(search *s) {
     size_t count = s->base->arc_count;
-    graze_status status = GRAZE_OK;
     if (!array_reserve(&s->aside, &s->aside_capacity, count, sizeof *s->aside))
         return search_no_room(s);
-    for (size_t k = 0; k < count && !status; k++)
-        status = bound_arc(&s->aside[k], s, k);
+    for (size_t k = 0; k < count; k++)
+        TRY(bound_arc(&s->aside[k], s, k));
     s->aside_count = count;
-    if (!status)
-        qsort(s->aside, count, sizeof *s->aside, compare_pairs);
-    return status;
+    qsort(s->aside, count, sizeof *s->aside, compare_pairs);
+    return GRAZE_OK;
 }
 
 static double node_low(const search *s, const arc_node *n) {
@@ -69,16 +66,15 @@ static graze_status reach_arc(search *s, size_t index) {
     nearest found = {.found = 0};
     const place root = {0};
     const double time = 0.5;
-    graze_status status =
-        point_arc_make(&path, s->context, s->base, index, s->point_low, s->point_high);
-    if (!status && stance_make(&at, &path, time))
+    TRY(point_arc_make(&path, s->context, s->base, index, s->point_low, s->point_high));
+    if (stance_make(&at, &path, time))
         nearest_boundary(&found, &at, &root, 1, s->high, &s->visits);
     if (found.found && found.high < s->high) {
         s->high = found.high;
         s->arc = index;
         s->time = time;
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Put aside the arcs whose boxes are nearer than what is reached. */
@@ -87,8 +83,8 @@ static graze_status add_arcs(search *s, const arc_tree *t, const arc_node *n) {
     if (low >= s->high)
         return GRAZE_OK;
     if (n->child) {
-        graze_status status = add_arcs(s, t, t->node + n->child);
-        return status ? status : add_arcs(s, t, t->node + n->child + 1);
+        TRY(add_arcs(s, t, t->node + n->child));
+        return add_arcs(s, t, t->node + n->child + 1);
     }
     if (!array_reserve(&s->aside, &s->aside_capacity, s->aside_count + 1, sizeof *s->aside))
         return search_no_room(s);
@@ -114,17 +110,16 @@ static graze_status reach_aside(search *s) {
 /* Bound the arcs aside that are not too far. */
 static graze_status bound_aside(search *s) {
     size_t kept = 0;
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < s->aside_count && !status; k++) {
+    for (size_t k = 0; k < s->aside_count; k++) {
         double low = s->aside[k].place.low;
         if (low >= s->high)
             continue;
-        status = bound_arc(&s->aside[kept], s, s->aside[k].arc);
+        TRY(bound_arc(&s->aside[kept], s, s->aside[k].arc));
         s->aside[kept].place.low = larger(low, s->aside[kept].place.low);
         kept++;
     }
     s->aside_count = kept;
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status begin_near(search *s) {

@@ -20,9 +20,6 @@ void search_end(search *s) {
     free(s->list);
     free(s->aside);
     free(s->window);
-    s->list = NULL;
-    s->aside = NULL;
-    s->window = NULL;
 }
 
 int search_is_over(const search *s) {

@@ -27,7 +27,7 @@ typedef struct surveyor {
     fmpq_mpoly_struct *polynomial; /* by surface */
     size_t *order, count;          /* surfaces as they come in the file, each once */
     int sections;                  /* planes tried so far */
-    fmpq_mpoly_t linear, term;
+    fmpq_mpoly_struct *linear, *term;
     random_stream random;
 } surveyor;
 
@@ -47,10 +47,9 @@ static graze_status order_surfaces(surveyor *s) {
     FREED(char, seen, calloc(solid->surface_count + 1, 1));
     s->order = malloc((solid->surface_count + 1) * sizeof *s->order);
     s->polynomial = malloc((solid->surface_count + 1) * sizeof *s->polynomial);
-    if (!seen || !s->order || !s->polynomial) {
+    if (!seen || !s->order || !s->polynomial)
         return context_fail(s->context, GRAZE_ESYSTEM, "out of memory for %zu surfaces",
                             solid->surface_count);
-    }
     for (size_t n = 0; n < solid->node_count; n++)
         for (size_t k = 0; k < solid->node[n].count && solid->node[n].operation == CSG_SIGN; k++) {
             size_t surface = solid->operand[solid->node[n].first + k];
@@ -89,7 +88,7 @@ static const fmpq *surface_middle(const csg *solid, size_t surface) {
 static void draw_in_box(fmpq *point, surveyor *s) {
     chart all = {.bent = 0};
     flat_init(&all.place, s->out->solid->dimension);
-    (void)chart_draw(point, &all, &s->random, s->out->low, s->out->high);
+    (void)chart_draw(point, &all, &s->random, &s->out->solid->box);
     flat_clear(&all.place);
 }
 
@@ -101,7 +100,7 @@ static graze_status add_parallel_sections(surveyor *s, const fmpq_mpoly_struct *
     LOCAL_VEC(fmpq, point, 3);
     for (int k = 0; k < FURTHER && faces->count > first; k++) {
         const chart *from = &faces->item[first + random_below(&s->random, faces->count - first)];
-        if (!chart_draw(point, from, &s->random, s->out->low, s->out->high))
+        if (!chart_draw(point, from, &s->random, &s->out->solid->box))
             continue;
         if (k % 2)
             draw_in_box(point, s);
@@ -118,8 +117,7 @@ static graze_status add_conics(surveyor *s, const fmpq_mpoly_struct *p, size_t s
     charts *faces = &s->out->faces;
     slong normal[ALL / 2][3];
     size_t first = faces->count, normals = 0;
-    graze_status status = GRAZE_OK;
-    for (int k = ALL / 2 + 1; k < ALL && !status && s->sections < MOST_SECTIONS; k++) {
+    for (int k = ALL / 2 + 1; k < ALL && s->sections < MOST_SECTIONS; k++) {
         size_t before = faces->count;
         slong *n = normal[normals];
         if (s->out->solid->dimension == 2 && k % SIDE != REACH)
@@ -129,10 +127,10 @@ static graze_status add_conics(surveyor *s, const fmpq_mpoly_struct *p, size_t s
         n[1] = k / SIDE % SIDE - REACH;
         n[2] = k % SIDE - REACH;
         plane_through(s, n, surface_middle(s->out->solid, surface));
-        status = charts_add_common(faces, s->linear, p);
+        TRY(charts_add_common(faces, s->linear, p));
         normals += faces->count > before;
     }
-    return status || !normals ? status : add_parallel_sections(s, p, first, normal, normals);
+    return normals ? add_parallel_sections(s, p, first, normal, normals) : GRAZE_OK;
 }
 
 static graze_status survey_faces(surveyor *s) {
@@ -213,7 +211,7 @@ static graze_status add_ruled(surveyor *s, size_t surface, const fmpq_mpoly_t ve
     HELD(flat, line, s->out->solid->dimension);
     line.count = 1;
     for (int n = 0; n < LINES; n++)
-        if (chart_draw(line.origin, &faces->item[k], &s->random, s->out->low, s->out->high) &&
+        if (chart_draw(line.origin, &faces->item[k], &s->random, &s->out->solid->box) &&
             quadratic_ruling(line.direction[0], &faces->item[k].curve, line.origin))
             TRY(charts_add_section(&s->out->touches, &line, velocity));
     return GRAZE_OK;
@@ -247,31 +245,29 @@ static graze_status survey(surveyor *s, const instant *instants, size_t count) {
     return survey_touches(s, instants, count);
 }
 
+static void surveyor_clear(surveyor *s) {
+    for (size_t k = 0; k < s->count; k++)
+        fmpq_mpoly_clear(&s->polynomial[k], s->out->ring);
+    free(s->polynomial);
+    free(s->order);
+}
+
 graze_status atlas_make(atlas *out, graze_context *context, const csg *solid,
                         const instant *instants, size_t count) {
-    surveyor s = {.out = out, .context = context};
     memset(out, 0, sizeof *out);
     out->solid = solid;
     fmpq_mpoly_ctx_init(out->ring, solid->dimension, ORD_LEX);
     charts empty = {.context = context, .ring = out->ring, .dimension = solid->dimension};
     out->faces = out->edges = out->vertices = out->touches = empty;
-    for (int i = 0; i < 3; i++) {
-        fmpq_init(&out->low[i]);
-        fmpq_init(&out->high[i]);
-        fmpq_set(&out->low[i], &solid->box.low[i]);
-        fmpq_set(&out->high[i], &solid->box.high[i]);
-    }
-    fmpq_mpoly_init(s.linear, out->ring);
-    fmpq_mpoly_init(s.term, out->ring);
+    IN_RING(fmpq_mpoly, linear, out->ring);
+    IN_RING(fmpq_mpoly, term, out->ring);
+    ZEROED(surveyor, s);
+    s.out = out;
+    s.context = context;
+    s.linear = linear;
+    s.term = term;
     random_seed(&s.random, 0, 0);
-    graze_status status = survey(&s, instants, count);
-    for (size_t k = 0; k < s.count; k++)
-        fmpq_mpoly_clear(&s.polynomial[k], out->ring);
-    fmpq_mpoly_clear(s.linear, out->ring);
-    fmpq_mpoly_clear(s.term, out->ring);
-    free(s.polynomial);
-    free(s.order);
-    return status;
+    return survey(&s, instants, count);
 }
 
 void atlas_clear(atlas *a) {
@@ -279,9 +275,5 @@ void atlas_clear(atlas *a) {
     charts_clear(&a->edges);
     charts_clear(&a->vertices);
     charts_clear(&a->touches);
-    for (int i = 0; i < 3; i++) {
-        fmpq_clear(&a->low[i]);
-        fmpq_clear(&a->high[i]);
-    }
     fmpq_mpoly_ctx_clear(a->ring);
 }

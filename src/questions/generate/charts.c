@@ -12,8 +12,8 @@
 #include "base/context/scope.h"
 #include "questions/generate/charts.h"
 
-/* Coordinates are multiples of 1/256 of the box; components of directions, from -16 to 16, or
- * simple ones. */
+/* Points of flats are drawn with coordinates that are multiples of 1/256 of the box, lines through
+ * a zero of a quadric with components from -16 to 16. */
 enum { PARTS = 256, REACH = 16 };
 
 void charts_clear(charts *list) {
@@ -22,8 +22,6 @@ void charts_clear(charts *list) {
         quadratic_clear(&list->item[k].curve);
     }
     free(list->item);
-    list->item = NULL;
-    list->count = list->capacity = 0;
 }
 
 static graze_status append_chart(charts *list, const flat *place, const quadratic *curve) {
@@ -39,7 +37,7 @@ static graze_status append_chart(charts *list, const flat *place, const quadrati
     return GRAZE_OK;
 }
 
-/* The point where a quadratic polynomial and its gradient are zero, if there is one. */
+/* A point where a quadratic polynomial and its gradient are zero, if there is one. */
 static graze_status add_singular(charts *list, const flat *place, quadratic *q) {
     HELD(flat, point, place->dimension);
     if (quadratic_center(q) && fmpq_is_zero(q->value)) {
@@ -51,7 +49,8 @@ static graze_status add_singular(charts *list, const flat *place, quadratic *q) 
     return GRAZE_OK;
 }
 
-/* The zeros of one factor: a flat, or a quadric on which a point is found. */
+/* The zeros of one factor: a flat, or a quadric on which a zero with a gradient is found; else a
+ * zero without one. */
 static graze_status add_factor_zeros(charts *list, const flat *place, const fmpq_mpoly_t factor) {
     slong degree = fmpq_mpoly_total_degree_si(factor, list->ring);
     if (degree == 1) {
@@ -108,7 +107,7 @@ static graze_status add_sections(charts *list, const fmpq_mpoly_t p, const fmpq_
     return GRAZE_OK;
 }
 
-/* Where what the division of one by another leaves has linear factors. */
+/* The zeros of `low` where a linear factor of the remainder of dividing `high` by it is zero. */
 static graze_status add_remainder(charts *list, const fmpq_mpoly_t high, const fmpq_mpoly_t low) {
     IN_RING(fmpq_mpoly, quotient, list->ring);
     IN_RING(fmpq_mpoly, rest, list->ring);
@@ -116,7 +115,8 @@ static graze_status add_remainder(charts *list, const fmpq_mpoly_t high, const f
     return add_sections(list, low, rest);
 }
 
-/* The common zeros of irreducible polynomials. */
+/* Common zeros of two irreducible polynomials: one of them is linear, or a factor of a remainder of
+ * dividing one by the other is. */
 static graze_status add_pair(charts *list, const fmpq_mpoly_t p, const fmpq_mpoly_t q) {
     slong of_p = fmpq_mpoly_total_degree_si(p, list->ring);
     slong of_q = fmpq_mpoly_total_degree_si(q, list->ring);
@@ -146,7 +146,7 @@ graze_status charts_add_singular(charts *list, const fmpq_mpoly_t p) {
     return add_singular(list, &space, &q);
 }
 
-/* The power of two that is at most the length of a side. */
+/* A power of two that is at most the length of a side and more than a quarter of it. */
 static void side_size(fmpq_t out, const fmpq_t low, const fmpq_t high) {
     fmpq_sub(out, high, low);
     slong bits = (slong)fmpz_bits(fmpq_numref(out)) - (slong)fmpz_bits(fmpq_denref(out)) - 1;
@@ -157,14 +157,14 @@ static void side_size(fmpq_t out, const fmpq_t low, const fmpq_t high) {
         fmpq_div_2exp(out, out, (ulong)-bits);
 }
 
-/* A component of a direction: of three kinds of them, to meet points with short coordinates too. */
+/* A component of a direction; those of kind 0 are from -1 to 1, to meet points with short
+ * coordinates too. */
 static slong draw_component(random_stream *r, size_t kind) {
     return kind == 0 ? (slong)random_below(r, 3) - 1
                      : (slong)random_below(r, 2 * REACH + 1) - REACH;
 }
 
-int chart_draw(fmpq *point, const chart *from, random_stream *r, const fmpq *low,
-               const fmpq *high) {
+int chart_draw(fmpq *point, const chart *from, random_stream *r, const csg_box *in) {
     int n = from->place.count, made = 1;
     size_t kind = random_below(r, 4);
     LOCAL_VEC(fmpq, s, 6);
@@ -172,13 +172,13 @@ int chart_draw(fmpq *point, const chart *from, random_stream *r, const fmpq *low
     for (int j = 0; j < n; j++) {
         int axis = from->place.axis[j];
         if (from->bent) {
-            side_size(v + j, low + axis, high + axis);
+            side_size(v + j, in->low + axis, in->high + axis);
             fmpq_mul_si(v + j, v + j, draw_component(r, kind));
         } else {
-            fmpq_sub(v + j, high + axis, low + axis);
+            fmpq_sub(v + j, in->high + axis, in->low + axis);
             fmpq_set_si(s + j, (slong)random_below(r, PARTS + 1), PARTS);
             fmpq_mul(s + j, s + j, v + j);
-            fmpq_add(s + j, s + j, low + axis);
+            fmpq_add(s + j, s + j, in->low + axis);
         }
     }
     if (from->bent)

@@ -63,10 +63,10 @@ graze_status charts_add_singular(charts *list, const fmpq_mpoly_t p);
 
 /**
  * Draw a point.
- * @param low, high the box in which points of flats are drawn
+ * @param in the box in which points of flats are drawn
  * @return 0 if this try made none
  */
-int chart_draw(fmpq *point, const chart *from, random_stream *r, const fmpq *low, const fmpq *high);
+int chart_draw(fmpq *point, const chart *from, random_stream *r, const csg_box *in);
 
 /* Rational points of a curved solid's surfaces, of their edges and vertices, and of the places of
  * surfaces whose normal velocity is zero at a time. */

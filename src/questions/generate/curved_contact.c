@@ -24,12 +24,12 @@ typedef struct touchpoint {
     graze_context *context;
     const struct graze_generator *g;
     const instant *when;
-    instant own; /* if `when` is it */
-    fmpq y[3];
+    instant own; /* set if `when` points to it */
+    fmpq *y;
     dependence at;  /* the surfaces that matter at y */
     int isolated;   /* a singular point of an intersection */
     int kind;       /* dimension of the cell of y; -1: y is not on the boundary */
-    size_t surface; /* one of them */
+    size_t surface; /* one that matters at y */
     fmpz *form;     /* its tangent plane, positive outside; all 0 at an apex */
     graze_sample *made;
 } touchpoint;
@@ -37,16 +37,14 @@ typedef struct touchpoint {
 static void touchpoint_init(touchpoint *p, graze_context *context,
                             const struct graze_generator *g) {
     *p = (touchpoint){.context = context, .g = g, .kind = -1};
-    for (int i = 0; i < 3; i++)
-        fmpq_init(p->y + i);
+    p->y = _fmpq_vec_init(3);
     p->form = _fmpz_vec_init(4);
 }
 
 static void touchpoint_clear(touchpoint *p) {
     if (p->when == &p->own)
         instant_clear(&p->own);
-    for (int i = 0; i < 3; i++)
-        fmpq_clear(p->y + i);
+    _fmpq_vec_clear(p->y, 3);
     _fmpz_vec_clear(p->form, 4);
 }
 
@@ -55,12 +53,12 @@ static int draw_from(touchpoint *p, const charts *list, random_stream *r, const 
         return 0;
     *from = &list->item[random_below(r, list->count)];
     p->isolated = (*from)->isolated;
-    return chart_draw(p->y, *from, r, p->g->atlas->low, p->g->atlas->high);
+    return chart_draw(p->y, *from, r, &p->g->atlas->solid->box);
 }
 
 /* The gradient of a surface at y. */
 static void surface_gradient(fmpq *out, const csg_surface *s, const fmpq *y, int d) {
-    LOCAL_VEC(fmpq, term, 1);
+    LOCAL(fmpq, term);
     for (int i = 0; i < d; i++) {
         fmpq_zero(out + i);
         for (size_t k = 0; k < s->count; k++) {
@@ -84,7 +82,8 @@ static void tangent_plane(fmpz *form, const csg_surface *s, const fmpq *y, int d
     _fmpq_vec_get_fmpz_vec_fmpz(form, common, plane, d + 1);
 }
 
-/* A time at which the normal velocity of a point of a surface is zero, in a random piece. */
+/* Draw a piece and a rational time in it at which the normal velocity of y, on a surface, is zero;
+ * 0 if there is none. */
 static int draw_time(touchpoint *p, size_t surface, random_stream *r) {
     const graze_scene *scene = p->g->scene;
     size_t piece = random_below(r, scene->motion->piece_count);
@@ -100,7 +99,8 @@ static int draw_time(touchpoint *p, size_t surface, random_stream *r) {
     return found > 0;
 }
 
-/* Either the time comes first, or the point. */
+/* Draw a point of a surface and a time at which its normal velocity is zero: by half a point of the
+ * atlas's touches, which have their times, else a point of a face and then a time. */
 static int draw_tangency(touchpoint *p, random_stream *r) {
     const chart *from;
     const atlas *a = p->g->atlas;
@@ -146,31 +146,29 @@ static int draw_touch(touchpoint *p, graze_stratum stratum, random_stream *r) {
     }
 }
 
-/* On which surfaces through y the expression depends. */
+/* Find the surfaces through y on whose signs it depends what is inside near y. */
 static graze_status find_dependence(touchpoint *p) {
     const csg *solid = p->g->atlas->solid;
     int d = solid->dimension;
-    expression e;
+    ZEROED(expression, e);
     LOCAL_VEC(fmpz, x, d + 1);
-    size_t count = 0, *vanishing = malloc((solid->surface_count + 1) * sizeof *vanishing);
-    graze_status status = expression_init(&e, p->context, solid);
-    if (!status && !vanishing)
-        status = context_fail(p->context, GRAZE_ESYSTEM, "out of memory for %zu surfaces",
-                              solid->surface_count);
+    size_t count = 0;
+    FREED(size_t, vanishing, malloc((solid->surface_count + 1) * sizeof *vanishing));
+    TRY(expression_init(&e, p->context, solid));
+    if (!vanishing)
+        return context_fail(p->context, GRAZE_ESYSTEM, "out of memory for %zu surfaces",
+                            solid->surface_count);
     _fmpq_vec_get_fmpz_vec_fmpz(x, x + d, p->y, d);
-    for (size_t k = 0; k < solid->surface_count && !status; k++) {
+    for (size_t k = 0; k < solid->surface_count; k++) {
         e.sign[k] = (signed char)csg_surface_sign(&solid->surface[k], x, d);
         if (!e.sign[k])
             vanishing[count++] = k;
     }
-    if (!status)
-        status = expression_ask(&p->at, &e, vanishing, count);
-    expression_clear(&e);
-    free(vanishing);
-    return status;
+    return expression_ask(&p->at, &e, vanishing, count);
 }
 
-/* The dimension of the cell: of one smooth surface d - 1, of surfaces through a curve 1. */
+/* Set the dimension of the cell of y: d - 1 on one surface with a gradient; 1 in E^3 where several
+ * gradients span less than space, unless y is isolated; else 0. */
 static void measure_cell(touchpoint *p) {
     const csg *solid = p->g->atlas->solid;
     int d = solid->dimension, apex = 0;
@@ -205,8 +203,8 @@ static int kind_fits(graze_stratum stratum, int kind, int d) {
     }
 }
 
-/* Choose one of the surfaces, and turn its tangent plane outwards: to the side that some signs of
- * the others have outside. */
+/* Choose one of the surfaces, and turn its tangent plane outwards: to the side of the surface that
+ * is outside under the first signs of the others with which its two sides differ. */
 static void choose_surface(touchpoint *p, random_stream *r) {
     int k = (int)random_below(r, (size_t)p->at.count), facing = 0;
     const csg *solid = p->g->atlas->solid;
@@ -218,26 +216,17 @@ static void choose_surface(touchpoint *p, random_stream *r) {
         _fmpz_vec_neg(p->form, p->form, solid->dimension + 1);
 }
 
-/* Order of the contact with the surface: the multiplicity of the root, or that of a slide. */
+/* Find the order of the contact with the surface. */
 static graze_status order_of_contact(int *order, const touchpoint *p, const fmpq *world) {
-    *order = 0;
     HELD(trajectory, c, p->when->dimension);
     LOCAL(fmpz_poly, f);
-    LOCAL(fmpq, value);
     trajectory_set(
         &c,
         motion_tracing(&p->g->scene->motion->piece[p->when->piece], p->g->scene->options.operation),
         world);
-    graze_status status =
-        pullback_surface(f, p->context, &c, &p->g->atlas->solid->surface[p->surface]);
-    if (fmpz_poly_is_zero(f))
-        *order = GRAZE_ORDER_SLIDE;
-    while (!status && *order >= 0 && fmpq_is_zero(value)) {
-        fmpz_poly_evaluate_fmpq(value, f, p->when->u);
-        fmpz_poly_derivative(f, f);
-        *order += fmpq_is_zero(value);
-    }
-    return status;
+    TRY(pullback_surface(f, p->context, &c, &p->g->atlas->solid->surface[p->surface]));
+    *order = order_of_root(f, p->when->u);
+    return GRAZE_OK;
 }
 
 /* The sign of a time of contact minus that of the instant. */
@@ -252,7 +241,7 @@ static graze_status compare_times(int *out, const touchpoint *p, graze_time *tim
     return GRAZE_OK;
 }
 
-/* The primitive of a contact that has the surface; the number of primitives for none. */
+/* The contact's primitive that has the surface; the number of primitives if none has it. */
 static size_t touched_primitive(const touchpoint *p, const contact *c) {
     const csg *solid = p->g->atlas->solid;
     for (size_t n = 0; n < solid->node_count; n++)
@@ -264,14 +253,14 @@ static size_t touched_primitive(const touchpoint *p, const contact *c) {
     return solid->primitive_count;
 }
 
-/* Ask the trace whether there is such a contact. */
+/* Trace the point: does it have a contact with a primitive of the surface at the time, and no state
+ * that is undecided? */
 static graze_status confirm(int *made, sample *out, const touchpoint *p) {
     graze_trace trace;
-    graze_status status = classify_point(&trace, p->context, p->g->scene,
-                                         (query_point){.rational = out->point}, TRACE_CONTACTS);
+    graze_status status = GRAZE_OK;
     *made = 0;
-    if (status)
-        return status;
+    TRY(classify_point(&trace, p->context, p->g->scene, (query_point){.rational = out->point},
+                       TRACE_CONTACTS));
     int decided = trace.verdict.pmc != GRAZE_PMC_UNDECIDED;
     for (size_t k = 0; k < trace.contact_count && decided && !*made && !status; k++) {
         int from = 0, to = 0;
@@ -292,33 +281,32 @@ static graze_status confirm(int *made, sample *out, const touchpoint *p) {
 static graze_status finish_contact(int *made, sample *out, fmpq *normal, touchpoint *p,
                                    graze_stratum stratum) {
     fmpq_set(out->time, p->when->t);
-    graze_status status = order_of_contact(&out->made.order, p, out->point);
-    *made = !status && stratum_takes_order(stratum, out->made.order);
+    TRY(order_of_contact(&out->made.order, p, out->point));
+    *made = stratum_takes_order(stratum, out->made.order);
     if (*made && normal) {
         instant_normal(normal, p->when, p->form);
         *made = !vector_is_zero(normal, p->when->dimension);
     }
-    return *made ? confirm(made, out, p) : status;
+    return *made ? confirm(made, out, p) : GRAZE_OK;
 }
 
 graze_status curved_contact(int *made, sample *out, fmpq *normal, graze_context *context,
                             const struct graze_generator *g, graze_stratum stratum,
                             random_stream *r) {
-    graze_status status = GRAZE_OK;
     HELD(touchpoint, p, context, g);
     *made = draw_touch(&p, stratum, r);
     if (*made) {
         instant_move(out->point, p.when, p.y);
         *made = out->made.stratum == GRAZE_STRATUM_ROUNDED || sample_is_kept(out, g);
     }
-    if (*made)
-        status = find_dependence(&p);
-    if (*made && !status)
+    if (*made) {
+        TRY(find_dependence(&p));
         measure_cell(&p);
-    *made = *made && !status && kind_fits(stratum, p.kind, g->atlas->solid->dimension);
+        *made = kind_fits(stratum, p.kind, g->atlas->solid->dimension);
+    }
     if (*made) {
         choose_surface(&p, r);
-        status = finish_contact(made, out, normal, &p, stratum);
+        TRY(finish_contact(made, out, normal, &p, stratum));
     }
-    return status ? status : context_poll(context);
+    return context_poll(context);
 }

@@ -61,11 +61,10 @@ static graze_status keep_decided(int *made, sample *out, graze_context *context,
     graze_verdict found = {.pmc = GRAZE_PMC_NONE};
     if (out->made.order && !out->made.k && out->made.stratum != GRAZE_STRATUM_ROUNDED)
         return GRAZE_OK;
-    graze_status status =
-        classify_verdict(&found, context, g->scene, (query_point){.rational = out->point});
+    TRY(classify_verdict(&found, context, g->scene, (query_point){.rational = out->point}));
     *made = found.pmc != GRAZE_PMC_UNDECIDED;
     out->undecided += !*made;
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status try_row(int *made, sample *out, graze_context *context,
@@ -88,34 +87,30 @@ static graze_status try_row(int *made, sample *out, graze_context *context,
 /* Does a trial make a point of the stratum? */
 static graze_status try_stratum(int *made, sample *s, graze_context *context,
                                 struct graze_generator *g, graze_stratum stratum) {
-    graze_status status = GRAZE_OK;
     *made = 0;
     if (stratum == GRAZE_STRATUM_LEVEL && g->weight[stratum]) {
-        status = levels_find(g, context);
+        TRY(levels_find(g, context));
         *made = g->level_count > 0;
-        return status;
+        return GRAZE_OK;
     }
-    for (uint64_t row = 0; row < TRIAL_ROWS && !*made && g->weight[stratum] && !status; row++) {
+    for (uint64_t row = 0; row < TRIAL_ROWS && !*made && g->weight[stratum]; row++) {
         random_stream r;
         random_seed(&r, g->seed, TRIAL_STREAM + row);
-        status = try_row(made, s, context, g, stratum, &r);
+        TRY(try_row(made, s, context, g, stratum, &r));
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Set the weight of strata that no trial makes to 0. */
 static graze_status try_strata(struct graze_generator *g, graze_context *context) {
-    graze_status status = GRAZE_OK;
     HELD(sample, s);
-    for (int stratum = 0; stratum < GRAZE_STRATUM_COUNT && !status; stratum++) {
+    for (int stratum = 0; stratum < GRAZE_STRATUM_COUNT; stratum++) {
         int made;
-        status = try_stratum(&made, &s, context, g, (graze_stratum)stratum);
+        TRY(try_stratum(&made, &s, context, g, (graze_stratum)stratum));
         if (!made)
             g->weight[stratum] = 0;
         g->total += g->weight[stratum];
     }
-    if (status)
-        return status;
     if (g->total == 0)
         return context_fail(context, GRAZE_EUSE,
                             "no stratum with a weight can be made for this scene; give weight to "
@@ -183,13 +178,12 @@ static graze_stratum draw_stratum(const struct graze_generator *g, random_stream
 graze_status generator_sample(sample *out, graze_context *context, const struct graze_generator *g,
                               uint64_t row) {
     random_stream r;
-    graze_status status = GRAZE_OK;
     random_seed(&r, g->seed, row);
     out->undecided = 0;
-    for (int made = 0; !made && !status;)
-        status = try_row(&made, out, context, g, draw_stratum(g, &r), &r);
+    for (int made = 0; !made;)
+        TRY(try_row(&made, out, context, g, draw_stratum(g, &r), &r));
     out->made.undecided = out->undecided;
     if (out->made.order == 0)
         fmpq_zero(out->time);
-    return status;
+    return GRAZE_OK;
 }

@@ -66,7 +66,6 @@ typedef struct instant {
 typedef struct atlas {
     const csg *solid;
     fmpq_mpoly_ctx_t ring;
-    fmpq low[3], high[3]; /* a box of the solid */
     charts faces, edges, vertices;
     charts
         touches; /* where a surface's normal velocity is zero: mark is the number of an instant */

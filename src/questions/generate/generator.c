@@ -3,7 +3,9 @@
  */
 #include "questions/generate/generate.h"
 
+#include <flint/fmpz_poly.h>
 #include <string.h>
+#include "base/context/scope.h"
 #include "questions/generate/strata.h"
 
 static const struct {
@@ -50,6 +52,19 @@ const instant *stratum_instant(const struct graze_generator *g, graze_stratum st
     if (stratum != GRAZE_STRATUM_BREAK)
         return any;
     return g->joint_count < 3 ? NULL : &g->joints[1 + random_below(r, g->joint_count - 2)];
+}
+
+int order_of_root(fmpz_poly_t f, const fmpq_t u) {
+    int order = 0;
+    LOCAL(fmpq, value);
+    if (fmpz_poly_is_zero(f))
+        return GRAZE_ORDER_SLIDE;
+    fmpz_poly_evaluate_fmpq(value, f, u);
+    for (; fmpq_is_zero(value); order++) {
+        fmpz_poly_derivative(f, f);
+        fmpz_poly_evaluate_fmpq(value, f, u);
+    }
+    return order;
 }
 
 int stratum_takes_order(graze_stratum stratum, int order) {

@@ -14,8 +14,8 @@
 #include "questions/distance/distance.h"
 #include "questions/generate/strata.h"
 
-/* Lengths are 1 + (j/64)^2 * 8 of the power of ten; places are multiples of a power of two below
- * 2^-16 of the length; the enclosure is as narrow as 2^-8 of it. */
+/* Lengths are 1 + 8 (j / 64)^2 times the power of ten; places are multiples of a power of two that
+ * is at most 2^-15 of the length; the enclosure is as narrow as 2^-8 of it. */
 enum { STEPS = 64, PLACE_BITS = 16, WIDTH_BITS = 8 };
 
 /* Decades from the diagonal's down that are looked for, and tries for one. */
@@ -68,7 +68,6 @@ static void round_to_places(fmpq_t x, long places) {
 static graze_status move_along(fmpq *point, graze_context *context, const fmpq *normal, int d,
                                double length) {
     double n[3] = {0, 0, 0}, size = 0;
-    graze_status status = GRAZE_OK;
     LOCAL_VEC(fmpq, most, 2);
     fmpq *part = most + 1;
     for (int i = 0; i < d; i++) {
@@ -76,27 +75,25 @@ static graze_status move_along(fmpq *point, graze_context *context, const fmpq *
         if (fmpq_cmp(part, most) > 0)
             fmpq_set(most, part);
     }
-    for (int i = 0; i < d && !status; i++) {
+    for (int i = 0; i < d; i++) {
         fmpq_div(part, normal + i, most);
-        status = rational_nearest(&n[i], context, part);
+        TRY(rational_nearest(&n[i], context, part));
         size += n[i] * n[i];
     }
-    for (int i = 0; i < d && !status; i++) {
-        status = rational_from_double(part, context, n[i] / sqrt(size) * length);
+    for (int i = 0; i < d; i++) {
+        TRY(rational_from_double(part, context, n[i] / sqrt(size) * length));
         fmpq_add(point + i, point + i, part);
         round_to_places(point + i, places_for(length));
     }
-    return status;
+    return GRAZE_OK;
 }
 
-/* Trace a point; with a length enclose its distance too, that closely in proportion. */
+/* Trace a point; with a positive length enclose its distance too, to 2^-8 of the length. */
 static graze_status measure(graze_pmc *pmc, distance *found, graze_context *context,
                             const graze_scene *scene, const fmpq *point, double length) {
     graze_trace trace;
-    graze_status status =
-        classify_point(&trace, context, scene, (query_point){.rational = point}, TRACE_CONTACTS);
-    if (status)
-        return status;
+    graze_status status = GRAZE_OK;
+    TRY(classify_point(&trace, context, scene, (query_point){.rational = point}, TRACE_CONTACTS));
     *pmc = trace.verdict.pmc;
     if (length > 0)
         status = distance_find(found, context, scene, point, &trace, ldexp(length, -WIDTH_BITS));
@@ -117,25 +114,25 @@ static int is_in_decade(const distance *found, graze_context *context, int decad
            fmpq_cmp(greatest, to) < 0;
 }
 
-/* Once the contact is made: is it `on`, and is the point beside it in the decade? */
+/* Displace the point of a contact: is it `on`, and is the displaced point on the side that is
+ * wanted, certainly in the decade? */
 static graze_status place_beside(int *made, sample *out, graze_context *context,
                                  const struct graze_generator *g, const fmpq *normal, level where,
                                  random_stream *r) {
     double length;
     distance found;
     graze_pmc pmc, wanted = where.outward ? GRAZE_OUT : GRAZE_IN;
-    graze_status status = draw_length(&length, context, where.decade, r);
-    if (!status)
-        status = measure(&pmc, &found, context, g->scene, out->point, 0);
-    if (status || pmc != GRAZE_ON)
-        return status;
-    status = move_along(out->point, context, normal, g->scene->motion->dimension,
-                        where.outward ? length : -length);
-    if (status || !sample_is_kept(out, g))
-        return status;
-    status = measure(&pmc, &found, context, g->scene, out->point, length);
-    *made = !status && pmc == wanted && is_in_decade(&found, context, where.decade);
-    return status;
+    TRY(draw_length(&length, context, where.decade, r));
+    TRY(measure(&pmc, &found, context, g->scene, out->point, 0));
+    if (pmc != GRAZE_ON)
+        return GRAZE_OK;
+    TRY(move_along(out->point, context, normal, g->scene->motion->dimension,
+                   where.outward ? length : -length));
+    if (!sample_is_kept(out, g))
+        return GRAZE_OK;
+    TRY(measure(&pmc, &found, context, g->scene, out->point, length));
+    *made = pmc == wanted && is_in_decade(&found, context, where.decade);
+    return GRAZE_OK;
 }
 
 static graze_status try_level(int *made, sample *out, graze_context *context,
@@ -147,13 +144,13 @@ static graze_status try_level(int *made, sample *out, graze_context *context,
     int touches = 0;
     *made = 0;
     out->made = (graze_sample){.stratum = GRAZE_STRATUM_LEVEL};
-    graze_status status = stratum_contact(&touches, out, normal, context, g,
-                                          from[random_below(r, sizeof from / sizeof *from)], r);
+    TRY(stratum_contact(&touches, out, normal, context, g,
+                        from[random_below(r, sizeof from / sizeof *from)], r));
     if (touches)
-        status = place_beside(made, out, context, g, normal, where, r);
+        TRY(place_beside(made, out, context, g, normal, where, r));
     out->made.outward = where.outward;
     out->made.decade = where.decade;
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status level_try(int *made, sample *out, graze_context *context,
@@ -177,21 +174,19 @@ graze_status levels_find(struct graze_generator *g, graze_context *context) {
     int deepest = 0, found;
     random_stream r;
     random_seed(&r, g->seed, LEVEL_STREAM);
-    graze_status status = distance_diagonal(&diagonal, context, g->scene);
-    if (status)
-        return status;
+    TRY(distance_diagonal(&diagonal, context, g->scene));
     int top = (int)floor(log10(diagonal));
-    for (int k = 0; k <= DECADES_DOWN && !status; k++)
-        for (int outward = 0; outward < 2 && !status; outward++) {
+    for (int k = 0; k <= DECADES_DOWN; k++)
+        for (int outward = 0; outward < 2; outward++) {
             level where = {top - k, outward};
             if (outward && !deepest)
                 continue; /* no point lies that deep */
-            status = look_for(&found, context, g, where, &r);
+            TRY(look_for(&found, context, g, where, &r));
             deepest |= found && !outward;
             if (found)
                 g->levels[g->level_count++] = where;
             else if (deepest)
                 g->missing[g->missing_count++] = where;
         }
-    return status;
+    return GRAZE_OK;
 }

@@ -9,7 +9,8 @@
 #include "base/number/vector.h"
 #include "questions/generate/charts.h"
 
-/* Numbers in all; integers of directions, by variables; places beside the centre, in eighths. */
+/* The numbers of a quadratic; the largest components of directions, in two variables and in three;
+ * places beside the centre, on an axis at up to 16 eighths. */
 enum { NUMBERS = 16, REACH_PLANE = 8, REACH_SPACE = 4, BESIDE = 16, PARTS = 8 };
 
 void quadratic_init(quadratic *q) {
@@ -56,6 +57,7 @@ static void apply_form(fmpq *out, const quadratic *q, const fmpq *v) {
         _fmpq_vec_dot(out + i, q->form + 3 * i, v, q->count);
 }
 
+/* Start from start + v. */
 static void move_start(quadratic *q, const fmpq *v) {
     LOCAL_VEC(fmpq, image, 4);
     apply_form(image, q, v);
@@ -67,7 +69,7 @@ static void move_start(quadratic *q, const fmpq *v) {
     }
 }
 
-/* 2 form v = -slope */
+/* Move the start by v with slope + 2 form v = 0. */
 int quadratic_center(quadratic *q) {
     LOCAL(fmpq_mat, form, q->count, q->count);
     LOCAL(fmpq_mat, slope, q->count, 1);
@@ -87,7 +89,7 @@ static int is_square(const fmpq_t x) {
     return fmpz_is_square(fmpq_numref(x)) && fmpz_is_square(fmpq_denref(x));
 }
 
-/* Coefficients of the polynomial along a line: of the square, and of the first power. */
+/* The coefficients of x^2 and of x of the polynomial at start + x v. */
 static void restrict_to_line(fmpq *square, fmpq *first, const quadratic *q, const fmpq *v) {
     LOCAL_VEC(fmpq, image, 3);
     apply_form(image, q, v);
@@ -95,7 +97,7 @@ static void restrict_to_line(fmpq *square, fmpq *first, const quadratic *q, cons
     _fmpq_vec_dot(first, q->slope, v, q->count);
 }
 
-/* A rational root of a x^2 + b x + value, in x[2]. */
+/* A rational root of a x^2 + b x + value, in x[2]; x has room for 4 numbers. */
 static int root_on_line(fmpq *x, const quadratic *q, const fmpq *v) {
     fmpq *a = x, *b = x + 1, *root = x + 2;
     restrict_to_line(a, b, q, v);
@@ -120,7 +122,7 @@ static int root_on_line(fmpq *x, const quadratic *q, const fmpq *v) {
     return 1;
 }
 
-/* Start from a zero on the line along v that has a gradient. */
+/* Start from a zero on the line through the start along v, if one is found that has a gradient. */
 static int take_zero_along(quadratic *q, const fmpq *v) {
     LOCAL_VEC(fmpq, x, 7);
     fmpq *step = x + 4;
@@ -138,7 +140,8 @@ static int take_zero_along(quadratic *q, const fmpq *v) {
     return found;
 }
 
-/* Directions of small integers, the first one that is not zero positive. */
+/* Try the lines along directions of small integers; the last of these that is not zero is positive.
+ */
 static int search_lines(quadratic *q, int reach) {
     LOCAL_VEC(fmpq, v, 3);
     int side = 2 * reach + 1, count = 1, found = 0;
@@ -152,7 +155,7 @@ static int search_lines(quadratic *q, int reach) {
     return found;
 }
 
-/* Along axes through places beside the start. */
+/* Try the lines along axes through places that lie on another axis beside the start. */
 static int search_beside(quadratic *q) {
     LOCAL_VEC(fmpq, v, 3);
     int found = 0;

@@ -27,14 +27,14 @@ static double step_from_zero(const double *nearest, int d) {
 static graze_status find_neighbours(neighbours *out, int i, graze_context *context, const fmpq_t x,
                                     double nearest, double step, int stays) {
     LOCAL(fmpq, rounded);
-    graze_status status = rational_from_double(rounded, context, nearest);
+    TRY(rational_from_double(rounded, context, nearest));
     int side = fmpq_cmp(rounded, x);
     double low = nearest != 0 ? nextafter(nearest, -DBL_MAX) : -step;
     double high = nearest != 0 ? nextafter(nearest, DBL_MAX) : step;
     out->low[i] = side < 0 || (side == 0 && stays) ? nearest : low;
     out->high[i] = side > 0 || (side == 0 && stays) ? nearest : high;
     out->moved += out->low[i] != out->high[i];
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status point_neighbours(neighbours *out, graze_context *context, const fmpq *point,
@@ -65,18 +65,14 @@ static graze_status take_side(sample *out, graze_context *context, const struct 
                               const neighbours *n, random_stream *r) {
     size_t choices = (size_t)1 << n->d, first = random_below(r, choices);
     graze_pmc wanted = random_below(r, 2) ? GRAZE_IN : GRAZE_OUT;
-    graze_status status = GRAZE_OK;
     out->made.pmc = GRAZE_ON;
-    for (size_t k = 0; k < choices && !status && (k == 0 || out->made.pmc != wanted); k++) {
-        graze_verdict found = {.pmc = GRAZE_PMC_NONE};
-        status = choose_neighbours(out->point, context, n, (first + k) % choices);
-        if (!status)
-            status =
-                classify_verdict(&found, context, g->scene, (query_point){.rational = out->point});
-        if (!status)
-            out->made.pmc = found.pmc;
+    for (size_t k = 0; k < choices && (k == 0 || out->made.pmc != wanted); k++) {
+        graze_verdict found;
+        TRY(choose_neighbours(out->point, context, n, (first + k) % choices));
+        TRY(classify_verdict(&found, context, g->scene, (query_point){.rational = out->point}));
+        out->made.pmc = found.pmc;
     }
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status rounded_try(int *made, sample *out, graze_context *context,
@@ -88,10 +84,10 @@ graze_status rounded_try(int *made, sample *out, graze_context *context,
     neighbours near;
     out->made = (graze_sample){.stratum = GRAZE_STRATUM_ROUNDED,
                                .origin = from[random_below(r, sizeof from / sizeof *from)]};
-    graze_status status = stratum_contact(made, out, NULL, context, g, out->made.origin, r);
+    TRY(stratum_contact(made, out, NULL, context, g, out->made.origin, r));
     if (!*made)
-        return status;
-    status = point_neighbours(&near, context, out->point, g->scene->motion->dimension, r);
-    *made = !status && near.moved > 0;
-    return *made ? take_side(out, context, g, &near, r) : status;
+        return GRAZE_OK;
+    TRY(point_neighbours(&near, context, out->point, g->scene->motion->dimension, r));
+    *made = near.moved > 0;
+    return *made ? take_side(out, context, g, &near, r) : GRAZE_OK;
 }

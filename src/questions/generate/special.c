@@ -10,6 +10,7 @@
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
 #include "input/motion/motion.h"
 #include "input/solid/solid.h"
 #include "input/validate/validate.h"
@@ -18,36 +19,23 @@
 /* Planes times pieces looked at, and special instants kept. */
 enum { MOST_PAIRS = 4000, MOST_SPECIALS = 512 };
 
-/* The homogeneous position of a body point, d + 1 polynomials in u. */
-static void moving_point(fmpz_poly_struct *out, const point_map *map, const fmpq *y) {
-    int d = map->dimension;
-    LOCAL_VEC(fmpz, x, d + 1);
-    _fmpq_vec_get_fmpz_vec_fmpz(x, x + d, y, d);
-    for (int i = 0; i < d; i++) {
-        fmpz_poly_zero(&out[i]);
-        for (int j = 0; j <= d; j++)
-            fmpz_poly_scalar_addmul_fmpz(&out[i], &map->entry[i * (d + 1) + j], x + j);
-    }
-    fmpz_poly_scalar_mul_fmpz(&out[d], map->weight, x + d);
-}
-
 void special_velocity(fmpz_poly_t out, const graze_scene *scene, size_t piece, const fmpz *form,
                       const fmpq *y) {
     const motion_piece *p = &scene->motion->piece[piece];
     const point_map *tracing = motion_tracing(p, scene->options.operation);
     int d = tracing->dimension;
-    LOCAL_VEC(fmpz_poly, place, 4);
+    HELD(trajectory, place, d);
     LOCAL(fmpz_poly, derivative);
     LOCAL(fmpz_poly, row);
-    moving_point(place, motion_placing(p, scene->options.operation), y);
+    trajectory_set(&place, motion_placing(p, scene->options.operation), y);
     fmpz_poly_derivative(derivative, tracing->weight);
-    fmpz_poly_mul(out, derivative, &place[d]);
+    fmpz_poly_mul(out, derivative, &place.x[d]);
     fmpz_poly_scalar_mul_fmpz(out, out, form + d);
     for (int i = 0; i < d; i++) {
         fmpz_poly_zero(row);
         for (int j = 0; j <= d; j++) {
             fmpz_poly_derivative(derivative, &tracing->entry[i * (d + 1) + j]);
-            fmpz_poly_mul(derivative, derivative, &place[j]);
+            fmpz_poly_mul(derivative, derivative, &place.x[j]);
             fmpz_poly_add(row, row, derivative);
         }
         fmpz_poly_scalar_addmul_fmpz(out, row, form + i);
@@ -99,15 +87,13 @@ static graze_status look_at(specials *out, graze_context *context, const graze_s
     int d = solid->input.dimension;
     LOCAL(fmpz_poly, common);
     LOCAL(fmpz_poly, velocity);
-    LOCAL(fmpq, half);
-    fmpq_set_si(half, 1, 2);
     for (int k = 0; k < d; k++) {
         special_velocity(velocity, scene, piece, plane,
                          solid->input.coordinates + solid->cut.item[simplex].vertex[k] * (size_t)d);
         fmpz_poly_gcd(common, common, velocity);
     }
     if (fmpz_poly_is_zero(common))
-        TRY(append_special(out, context, scene, piece, half, simplex, 1));
+        TRY(append_special(out, context, scene, piece, &(fmpq){1, 2}, simplex, 1));
     else
         TRY(append_common_roots(out, context, scene, piece, simplex, common));
     return GRAZE_OK;
@@ -138,10 +124,9 @@ graze_status specials_find(specials *out, graze_context *context, const graze_sc
     plane_list planes;
     *out = (specials){.count = 0};
     FREED(uint32_t, plane_from, calloc(solid->cut.count, sizeof *plane_from));
-    if (!plane_from || planes_find(&planes, solid, NULL, solid->cut.count)) {
+    if (!plane_from || planes_find(&planes, solid, NULL, solid->cut.count))
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for the planes of %zu simplices",
                             solid->cut.count);
-    }
     graze_status status = look_at_planes(out, context, scene, &planes, plane_from);
     planes_clear(&planes);
     if (status)

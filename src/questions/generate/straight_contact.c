@@ -22,7 +22,7 @@ typedef struct touchpoint {
     const instant *when;
     size_t simplex;
     unsigned zero; /* the sides it lies on */
-    fmpq y[3];
+    fmpq *y;
 } touchpoint;
 
 static const fmpq *simplex_corner(const struct graze_generator *g, size_t simplex, int k) {
@@ -75,22 +75,15 @@ static int draw_on_cell(touchpoint *p, const struct graze_generator *g, random_s
     return 1;
 }
 
-/* The plane form of the touched simplex, d + 1 integers to be cleared by the caller, and whether it
- * is positive (+1) or negative (-1) outside. */
-static fmpz *touched_plane(int *facing, const touchpoint *p, const struct graze_generator *g) {
-    fmpz *plane = _fmpz_vec_init(p->when->dimension + 1);
-    *facing = solid_plane(plane, g->scene->solid, p->simplex);
-    return plane;
-}
-
 /* Derivative of order k of the plane's pullback for the body point at each corner, times a positive
  * number that is the same for all: affine over the simplex. */
 static void corner_pullbacks(fmpq *out, const touchpoint *p, const struct graze_generator *g,
                              int k) {
-    int d = p->when->dimension, facing;
-    fmpz *plane = touched_plane(&facing, p, g);
-    LOCAL_VEC(fmpz, form, d + 1);
+    int d = p->when->dimension;
+    LOCAL_VEC(fmpz, form, 2 * (d + 1));
+    fmpz *plane = form + d + 1;
     LOCAL(fmpq, term);
+    (void)solid_plane(plane, g->scene->solid, p->simplex);
     instant_pullback(form, p->when, plane, k);
     for (int c = 0; c < d; c++) {
         fmpq_set_fmpz(out + c, form + d);
@@ -99,7 +92,6 @@ static void corner_pullbacks(fmpq *out, const touchpoint *p, const struct graze_
             fmpq_add(out + c, out + c, term);
         }
     }
-    _fmpz_vec_clear(plane, d + 1);
 }
 
 /* A place between the ends of a line, in parts. */
@@ -161,29 +153,17 @@ static int draw_on_point(touchpoint *p, const struct graze_generator *g, const f
     return inside;
 }
 
-/* Order of the contact with the simplex's plane: the multiplicity of the pullback's root, or that
- * of a slide. */
+/* The order of the contact with the simplex's plane. */
 static int order_at(const struct graze_generator *g, const touchpoint *p, const fmpq *world) {
-    int order = 0, facing;
-    fmpz *plane = touched_plane(&facing, p, g);
+    LOCAL_VEC(fmpz, plane, p->when->dimension + 1);
     HELD(trajectory, c, p->when->dimension);
     LOCAL(fmpz_poly, f);
-    LOCAL(fmpq, value);
+    (void)solid_plane(plane, g->scene->solid, p->simplex);
     trajectory_set(
         &c, motion_tracing(&g->scene->motion->piece[p->when->piece], g->scene->options.operation),
         world);
     trajectory_pullback(f, &c, plane);
-    if (fmpz_poly_is_zero(f)) {
-        order = GRAZE_ORDER_SLIDE;
-    } else {
-        fmpz_poly_evaluate_fmpq(value, f, p->when->u);
-        for (; fmpq_is_zero(value); order++) {
-            fmpz_poly_derivative(f, f);
-            fmpz_poly_evaluate_fmpq(value, f, p->when->u);
-        }
-    }
-    _fmpz_vec_clear(plane, p->when->dimension + 1);
-    return order;
+    return order_of_root(f, p->when->u);
 }
 
 /* Draw a point of a face that is in contact at all of its points at one time or, if `slides`,
@@ -260,19 +240,17 @@ static int draw_contact(touchpoint *p, const struct graze_generator *g, graze_st
 
 /* An outward normal of the moved facet. */
 static void outward_normal(fmpq *out, const touchpoint *p, const struct graze_generator *g) {
-    int d = p->when->dimension, facing;
-    fmpz *plane = touched_plane(&facing, p, g);
+    int d = p->when->dimension;
+    LOCAL_VEC(fmpz, plane, d + 1);
+    int facing = solid_plane(plane, g->scene->solid, p->simplex);
+    _fmpz_vec_scalar_mul_si(plane, plane, d + 1, facing);
     instant_normal(out, p->when, plane);
-    for (int i = 0; i < d && facing < 0; i++)
-        fmpq_neg(out + i, out + i);
-    _fmpz_vec_clear(plane, d + 1);
 }
 
 int straight_contact(sample *out, fmpq *normal, const struct graze_generator *g,
                      graze_stratum stratum, random_stream *r) {
-    touchpoint p = {.zero = 0};
-    for (int i = 0; i < 3; i++)
-        fmpq_init(p.y + i);
+    LOCAL_VEC(fmpq, y, 3);
+    touchpoint p = {.y = y};
     int made = draw_contact(&p, g, stratum, r);
     if (made) {
         instant_move(out->point, p.when, p.y);
@@ -285,7 +263,5 @@ int straight_contact(sample *out, fmpq *normal, const struct graze_generator *g,
     }
     if (made && normal)
         outward_normal(normal, &p, g);
-    for (int i = 0; i < 3; i++)
-        fmpq_clear(p.y + i);
     return made;
 }

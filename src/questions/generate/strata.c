@@ -37,10 +37,7 @@ static void displace(sample *s, const struct graze_generator *g, const fmpq *nor
             continue;
         fmpq_div(size, normal + i, length);
         fmpq_div_2exp(size, size, (ulong)k);
-        if (outward)
-            fmpq_add(s->point + i, s->point + i, size);
-        else
-            fmpq_sub(s->point + i, s->point + i, size);
+        (outward ? fmpq_add : fmpq_sub)(s->point + i, s->point + i, size);
     }
     s->made.k = k;
     s->made.outward = outward;

@@ -60,6 +60,10 @@ int special_roots(fmpq *out, const fmpz_poly_t p);
 const instant *stratum_instant(const struct graze_generator *g, graze_stratum stratum,
                                random_stream *r);
 
+/** The order of a contact by its pullback, at the time u: the multiplicity of the root, or that of
+ * a slide. f is differentiated. */
+int order_of_root(fmpz_poly_t f, const fmpq_t u);
+
 /** Whether a contact of this order belongs to the stratum. */
 int stratum_takes_order(graze_stratum stratum, int order);
 

@@ -99,22 +99,18 @@ static graze_status add_swept_edges(borders *b, graze_context *context, germ *g,
     return GRAZE_OK;
 }
 
-/* Add the plane along an edge of the cone and along the direction that leaves the edge, in E^3. */
-static graze_status add_swept_ray(borders *b, graze_context *context, const germ *g,
-                                  const fmpz *ray, const fmpz *way) {
-    LOCAL_VEC(fmpz, normal, 3);
-    directions_cross(normal, ray, way);
-    return add_body_border(b, context, g, normal);
-}
-
 static graze_status add_germ_borders(borders *b, graze_context *context, germ *g) {
+    LOCAL_VEC(fmpz, normal, 3);
     for (size_t j = 0; j < g->cone.count; j++)
         TRY(add_body_border(b, context, g, g->cone.normal + j * (size_t)b->dimension));
     for (int s = 0; s < g->side_count; s++) {
         const germ_side *side = &g->side[s];
         TRY(add_swept_edges(b, context, g, side->e));
-        if (side->has_later)
-            TRY(add_swept_ray(b, context, g, side->e, side->later));
+        if (!side->has_later)
+            continue;
+        directions_cross(normal, side->e,
+                         side->later); /* of the plane along the edge and `later` */
+        TRY(add_body_border(b, context, g, normal));
     }
     return GRAZE_OK;
 }
@@ -159,13 +155,13 @@ static graze_status find_rays(borders *b, int *refused, graze_context *context) 
 }
 
 graze_status borders_find(borders *b, int *refused, graze_context *context, germ_list *germs) {
-    graze_status status = add_axes(b, context);
     *refused = 0;
-    for (size_t k = 0; k < germs->count && !status && !*refused; k++) {
-        status = add_germ_borders(b, context, &germs->item[k]);
+    TRY(add_axes(b, context));
+    for (size_t k = 0; k < germs->count && !*refused; k++) {
+        TRY(add_germ_borders(b, context, &germs->item[k]));
         *refused = b->plane_count > BORDER_PLANES;
     }
-    return status || *refused ? status : find_rays(b, refused, context);
+    return *refused ? GRAZE_OK : find_rays(b, refused, context);
 }
 
 graze_status borders_of_cone(borders *b, int *refused, graze_context *context,
@@ -274,32 +270,34 @@ static size_t directions_across(fmpz *out, const borders *b, const fmpz *v) {
     return count;
 }
 
-static void cells_around_in_space(fmpz **out, size_t *count, const borders *b, const fmpz *v) {
+static void cells_around_in_space(ray_cells *out, const borders *b, const fmpz *v) {
     LOCAL_VEC(fmpz, across, (slong)b->plane_count * 6);
     LOCAL_VEC(fmpz, middle, 3);
     size_t n = directions_across(across, b, v), at = 0;
-    *count = 2 * n;
-    *out = _fmpz_vec_init((slong)*count * 3);
+    *out = (ray_cells){3, 2 * n, _fmpz_vec_init((slong)n * 6)};
     for (size_t k = 0; k < n; k++) {
         size_t next = next_around(v, across, n, at);
         _fmpz_vec_add(middle, across + 3 * at, across + 3 * next, 3);
-        step_from_ray(*out + 6 * k, b, v, middle);
-        step_from_ray(*out + 6 * k + 3, b, v, across + 3 * next);
+        step_from_ray(out->item + 6 * k, b, v, middle);
+        step_from_ray(out->item + 6 * k + 3, b, v, across + 3 * next);
         at = next;
     }
 }
 
-void borders_around(fmpz **out, size_t *count, const borders *b, size_t r) {
+void ray_cells_init(ray_cells *out, const borders *b, size_t r) {
     const fmpz *v = b->ray + r * (size_t)b->dimension;
     if (b->dimension == 3) {
-        cells_around_in_space(out, count, b, v);
+        cells_around_in_space(out, b, v);
         return;
     }
     LOCAL_VEC(fmpz, w, 2);
-    *count = 2;
-    *out = _fmpz_vec_init(4);
+    *out = (ray_cells){2, 2, _fmpz_vec_init(4)};
     turn_quarter(w, v);
-    step_from_ray(*out, b, v, w);
+    step_from_ray(out->item, b, v, w);
     _fmpz_vec_neg(w, w, 2);
-    step_from_ray(*out + 2, b, v, w);
+    step_from_ray(out->item + 2, b, v, w);
+}
+
+void ray_cells_clear(ray_cells *cells) {
+    _fmpz_vec_clear(cells->item, (slong)cells->count * cells->dimension);
 }

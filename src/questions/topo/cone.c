@@ -115,11 +115,8 @@ int cone_knows(graze_state *out, const local_cone *cone, const signed char *sign
 graze_status cone_state(graze_state *out, local_cone *cone, graze_context *context,
                         const fmpz *direction) {
     size_t width = cone->count + 1;
-    graze_status status =
-        array_grow(context, &cone->known_item, &cone->known_capacity, (cone->known + 1) * width,
-                   sizeof *cone->known_item, "the directions of a cone");
-    if (status)
-        return status;
+    TRY(array_grow(context, &cone->known_item, &cone->known_capacity, (cone->known + 1) * width,
+                   sizeof *cone->known_item, "the directions of a cone"));
     signed char *signs = cone->known_item + cone->known * width;
     LOCAL(fmpz, value);
     for (size_t j = 0; j < cone->count; j++) {
@@ -129,10 +126,10 @@ graze_status cone_state(graze_state *out, local_cone *cone, graze_context *conte
     }
     if (cone_knows(out, cone, signs))
         return GRAZE_OK;
-    status = locate_beside(out, cone, context, direction);
+    TRY(locate_beside(out, cone, context, direction));
     signs[width - 1] = (signed char)*out;
-    cone->known += !status;
-    return status;
+    cone->known++;
+    return GRAZE_OK;
 }
 
 static int compare_cuts(const void *a, const void *b) {
@@ -166,10 +163,10 @@ static graze_status look_along(int *in_interior, int *in_cone, local_cone *cone,
     _fmpz_vec_scalar_addmul_fmpz(w, e, d, fmpq_numref(s));
     if (ray)
         add_ray(w, cone, ray);
-    graze_status status = cone_state(&state, cone, context, w);
+    TRY(cone_state(&state, cone, context, w));
     *in_interior |= state == GRAZE_STATE_I;
     *in_cone |= state != GRAZE_STATE_O;
-    return status;
+    return GRAZE_OK;
 }
 
 /* The signs of u + s e change only at cuts, so each cut is asked and a number between each two. */

@@ -27,25 +27,19 @@ static ulong largest_bits(const fmpz_mpoly_t g) {
  * with its own derivative? */
 static int is_coprime_in(const fmpz_mpoly_t a, const fmpz_mpoly_t b, int variable,
                          const fmpz_mpoly_ctx_t ring) {
-    sliced_curve s, other;
     if (fmpz_mpoly_degree_si(a, variable, ring) < 1 ||
         (b && fmpz_mpoly_degree_si(b, variable, ring) < 1))
         return 1;
-    LOCAL(fmpz, line);
-    fmpz_set_ui(line, LINE);
     LOCAL(fmpz_poly, f);
     LOCAL(fmpz_poly, g);
-    sliced_curve_init(&s, a, variable, ring);
+    HELD(sliced_curve, s, a, variable, ring);
+    ZEROED(sliced_curve, other);
     if (b)
         sliced_curve_init(&other, b, variable, ring);
     else
         sliced_init_derivative(&other, &s);
-    int whole = sliced_at(f, &s, line);
-    whole = sliced_at(g, &other, line) && whole;
-    int coprime = whole && polynomials_certainly_coprime(f, g);
-    sliced_curve_clear(&s);
-    sliced_curve_clear(&other);
-    return coprime;
+    return sliced_at(f, &s, &(fmpz){LINE}) && sliced_at(g, &other, &(fmpz){LINE}) &&
+           polynomials_certainly_coprime(f, g);
 }
 
 static int is_coprime(const fmpz_mpoly_t a, const fmpz_mpoly_t b, const fmpz_mpoly_ctx_t ring) {

@@ -37,50 +37,54 @@ static int is_opposite(const local_cone *cone, const fmpz *u, const fmpz *e) {
 static graze_status cover_by_side(germ_cover *out, germ *g, const germ_side *side,
                                   graze_context *context, const fmpz *u) {
     int in_interior = 0, in_cone = 0;
-    graze_status status = cone_sweep(&in_interior, &in_cone, &g->cone, context, NULL, u, side->e);
+    TRY(cone_sweep(&in_interior, &in_cone, &g->cone, context, NULL, u, side->e));
     out->open |= in_interior;
     out->covered |= in_cone;
     out->exact |= in_cone && side->exact;
-    if (!status && side->has_later) {
-        status = cone_sweep(&in_interior, &in_cone, &g->cone, context, side->e, u, side->later);
+    if (side->has_later) {
+        TRY(cone_sweep(&in_interior, &in_cone, &g->cone, context, side->e, u, side->later));
         out->open |= in_interior;
         out->covered |= in_cone;
     }
     out->edge_way |= side->edge_way && is_opposite(&g->cone, u, side->e);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Add the cover by the solid at the time itself. */
 static graze_status cover_at_rest(germ_cover *out, germ *g, graze_context *context, const fmpz *u) {
     graze_state state = GRAZE_STATE_O;
-    graze_status status = cone_state(&state, &g->cone, context, u);
+    TRY(cone_state(&state, &g->cone, context, u));
     out->open |= state == GRAZE_STATE_I;
     out->exact |= state != GRAZE_STATE_O;
     out->covered |= out->exact;
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status germ_cover_body(germ_cover *out, germ *g, graze_context *context, const fmpz *u,
                              int keeping_edge) {
     static const fmpz none[3] = {0, 0, 0};
-    graze_status status = cover_at_rest(out, g, context, u);
-    for (int s = 0; s < g->side_count && !status; s++)
+    TRY(cover_at_rest(out, g, context, u));
+    for (int s = 0; s < g->side_count; s++)
         if (!keeping_edge || g->side[s].keeps_edge)
-            status = cover_by_side(out, g, &g->side[s], context, u);
+            TRY(cover_by_side(out, g, &g->side[s], context, u));
     out->edge_way |= g->covers_edge && is_opposite(&g->cone, u, none);
     out->covered |= out->exact | out->open | out->edge_way;
-    return status;
+    return GRAZE_OK;
+}
+
+void germ_to_body(fmpz *out, const germ *g, const fmpz *direction) {
+    int d = g->cone.dimension;
+    for (int i = 0; i < d; i++)
+        _fmpz_vec_dot(out + i, g->to_body + i * d, direction, d);
 }
 
 graze_status germ_cover_part(germ_cover *out, germ *g, graze_context *context,
                              const fmpz *direction, int part) {
-    slong d = g->cone.dimension;
     if (g->root)
         return out->covered ? GRAZE_OK
                             : signs_cover_at_root(&out->covered, g, context, direction, part);
-    LOCAL_VEC(fmpz, u, d);
-    for (int i = 0; i < d; i++)
-        _fmpz_vec_dot(u + i, g->to_body + i * d, direction, d);
+    LOCAL_VEC(fmpz, u, g->cone.dimension);
+    germ_to_body(u, g, direction);
     TRY(part == GERM_WHOLE ? germ_cover_body(out, g, context, u, 0)
                            : cover_at_rest(out, g, context, u));
     if (part >= 0)

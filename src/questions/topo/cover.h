@@ -80,9 +80,11 @@ void directions_basis(fmpz *h, fmpz *k, const fmpz *v);
 
 /* Affine functions of a plane's coordinates whose coefficients are polynomials in time. */
 
-/** The function linear[0] x + linear[1] y + linear[2]; its coefficients are polynomials in time. */
+/** The function linear[0] x + linear[1] y + linear[2]; its coefficients are polynomials in time, at
+ * most of the degree that pullback_reduce sets. */
 typedef struct pullback_form {
     fmpz_poly_struct linear[3];
+    slong degree;
 } pullback_form;
 
 void pullback_form_init(pullback_form *f);
@@ -93,9 +95,9 @@ void pullback_form_clear(pullback_form *f);
 void pullback_of_form(pullback_form *f, const point_map *map, const fmpz *form,
                       const plane_view *view);
 
-/** Divide by the coefficients' common factor, set `common` to it, and return the remaining degree
- * in time. */
-slong pullback_reduce(pullback_form *f, fmpz_poly_t common);
+/** Divide by the coefficients' common factor, set `common` to it, and set the remaining degree in
+ * time. */
+void pullback_reduce(pullback_form *f, fmpz_poly_t common);
 
 /** Evaluate at one time: the result is a line or a constant. */
 void pullback_at(fmpz_mpoly_t out, const pullback_form *f, const fmpz_t time,
@@ -103,14 +105,14 @@ void pullback_at(fmpz_mpoly_t out, const pullback_form *f, const fmpz_t time,
 
 /* Discriminants and resultants in time. */
 
-/** The discriminant with respect to time of a function of degree n >= 2 in time, as a polynomial in
- * x and y. */
+/** The discriminant with respect to time of a function of degree >= 2 in time, as a polynomial in x
+ * and y. */
 graze_status grid_discriminant(fmpz_mpoly_t out, graze_context *context, const pullback_form *f,
-                               slong n, const fmpz_mpoly_ctx_t ring);
+                               const fmpz_mpoly_ctx_t ring);
 
-/** The resultant with respect to time of two functions of degrees n, m >= 1 in time. */
+/** The resultant with respect to time of two functions of degrees >= 1 in time. */
 graze_status grid_resultant(fmpz_mpoly_t out, graze_context *context, const pullback_form *f,
-                            slong n, const pullback_form *g, slong m, const fmpz_mpoly_ctx_t ring);
+                            const pullback_form *g, const fmpz_mpoly_ctx_t ring);
 
 /* The part of a germ on one side of a plane, as a form on the plane's directions. */
 
@@ -141,6 +143,9 @@ void half_germ_clear(half_germ *half);
  * @param form the form of this degree at h + b k, as a polynomial in b */
 void half_in_chart(fmpz_poly_t out, const fmpq_poly_t form, slong degree, direction_chart chart);
 
+/** out = v |v|^(n - 1). */
+void signed_power(fmpq_t out, const fmpq_t v, slong n);
+
 /** Is the germ's form valid at a parameter of the chart? */
 graze_status half_is_valid(int *out, const half_germ *half, graze_context *context,
                            direction_chart chart, algebraic *at);
@@ -151,7 +156,7 @@ graze_status half_is_valid(int *out, const half_germ *half, graze_context *conte
 typedef struct open_plane {
     const fmpq *point;
     const fmpz *normal;
-    fmpz basis[2][3];
+    fmpz *basis[2];
 } open_plane;
 
 /** Ways in which a germ may cover one side of the plane: way 0 by times on both sides of the

@@ -23,9 +23,9 @@ static graze_status meets_piece(int *out, graze_context *context, const fmpz_pol
     HELD(dyadic_interval, piece);
     dyadic_interval_set_si(&piece, 0, 1);
     HELD(algebraic_list, roots);
-    graze_status status = algebraic_roots(&roots, context, p, &piece);
+    TRY(algebraic_roots(&roots, context, p, &piece));
     *out = roots.count > 0;
-    return status;
+    return GRAZE_OK;
 }
 
 /* State of the loops over pieces, facets and vertices. */
@@ -57,61 +57,58 @@ static void refuse_degree(curve_maker *m, slong degree) {
 /* Add the line at the end u = 0 or u = 1 of a piece. */
 static graze_status add_line_at(curve_maker *m, const pullback_form *f, slong u) {
     IN_RING(fmpz_mpoly, curve, m->list->ring);
-    LOCAL(fmpz, when);
-    fmpz_set_si(when, u);
-    pullback_at(curve, f, when, m->list->ring);
+    pullback_at(curve, f, &(fmpz){u}, m->list->ring);
     return curves_append(m->list, m->context, curve);
 }
 
-/* Add the curve where the pullback, of degree n >= 2 in time, has a double root or vanishes. */
-static graze_status add_discriminant(curve_maker *m, const pullback_form *f, slong n) {
+/* Add the curve where the pullback, of degree >= 2 in time, has a double root or vanishes. */
+static graze_status add_discriminant(curve_maker *m, const pullback_form *f) {
     IN_RING(fmpz_mpoly, curve, m->list->ring);
-    TRY(grid_discriminant(curve, m->context, f, n, m->list->ring));
+    TRY(grid_discriminant(curve, m->context, f, m->list->ring));
     if (fmpz_mpoly_is_zero(curve, m->list->ring))
         return context_fail(m->context, GRAZE_EINTERNAL,
                             "the discriminant of an irreducible pullback vanishes");
     return curves_append(m->list, m->context, curve);
 }
 
-/* Make the pullback of a form, divided by the common factor of its coefficients, and its degree in
- * time. In E^2 the factor has no root on the piece. */
-static graze_status make_pullback(pullback_form *f, slong *degree, curve_maker *m,
-                                  const motion_piece *piece, const fmpz *form) {
+/* Make the pullback of a form, divided by the common factor of its coefficients. In E^2 the factor
+ * has no root on the piece. */
+static graze_status make_pullback(pullback_form *f, curve_maker *m, const motion_piece *piece,
+                                  const fmpz *form) {
     int meets = 0;
     LOCAL(fmpz_poly, common);
     pullback_of_form(f, motion_tracing(piece, m->scene->options.operation), form, m->view);
-    *degree = pullback_reduce(f, common);
-    graze_status status = meets_piece(&meets, m->context, common);
+    pullback_reduce(f, common);
+    TRY(meets_piece(&meets, m->context, common));
     if (meets)
         m->refused = in_plane;
     else
-        refuse_degree(m, *degree);
-    return status;
+        refuse_degree(m, f->degree);
+    return GRAZE_OK;
 }
 
 static graze_status add_curves_of_plane(curve_maker *m, const motion_piece *piece,
                                         const fmpz *form) {
-    slong degree = 0;
     HELD(pullback_form, f);
-    TRY(make_pullback(&f, &degree, m, piece, form));
-    if (!m->refused)
-        TRY(add_line_at(m, &f, 0));
-    if (!m->refused && degree > 0)
+    TRY(make_pullback(&f, m, piece, form));
+    if (m->refused)
+        return GRAZE_OK;
+    TRY(add_line_at(m, &f, 0));
+    if (f.degree > 0)
         TRY(add_line_at(m, &f, 1));
-    return m->refused || degree < 2 ? GRAZE_OK : add_discriminant(m, &f, degree);
+    return f.degree < 2 ? GRAZE_OK : add_discriminant(m, &f);
 }
 
 /* Add the curve where two irreducible functions of x, y and time vanish at the same time. */
-static graze_status add_common_zeros(curve_maker *m, const pullback_form *f, const slong *degree) {
+static graze_status add_common_zeros(curve_maker *m, const pullback_form *f,
+                                     const pullback_form *g) {
     const fmpz_mpoly_ctx_struct *ring = m->list->ring;
-    if (degree[0] == 0 && degree[1] > 0)
-        return add_line_at(m, f, 0);
-    if (degree[1] == 0 && degree[0] > 0)
-        return add_line_at(m, f + 1, 0);
-    if (degree[0] == 0)
+    if (m->refused || (f->degree == 0 && g->degree == 0))
         return GRAZE_OK;
+    if (f->degree == 0 || g->degree == 0)
+        return add_line_at(m, f->degree == 0 ? f : g, 0);
     IN_RING(fmpz_mpoly, curve, ring);
-    TRY(grid_resultant(curve, m->context, f, degree[0], f + 1, degree[1], ring));
+    TRY(grid_resultant(curve, m->context, f, g, ring));
     if (!fmpz_mpoly_is_zero(curve, ring))
         return curves_append(m->list, m->context, curve);
     m->refused = in_plane; /* both are the same function, which E^3 alone admits */
@@ -123,22 +120,19 @@ static graze_status add_common_zeros(curve_maker *m, const pullback_form *f, con
 static graze_status add_path(curve_maker *m, const motion_piece *piece, const fmpq *vertex) {
     const point_map *map = motion_placing(piece, m->scene->options.operation);
     LOCAL_VEC(fmpz, scale, 3);
-    slong degree[2];
-    pullback_form f[2];
     LOCAL(fmpz_poly, common);
+    HELD(pullback_form, x);
+    HELD(pullback_form, y);
     _fmpq_vec_get_fmpz_vec_fmpz(scale, scale + 2, vertex, 2);
     for (int row = 0; row < 2; row++) {
-        pullback_form_init(&f[row]);
-        fmpz_poly_scalar_mul_fmpz(&f[row].linear[row], map->weight, scale + 2);
+        pullback_form *f = row ? &y : &x;
+        fmpz_poly_scalar_mul_fmpz(&f->linear[row], map->weight, scale + 2);
         for (int i = 0; i < 3; i++)
-            fmpz_poly_scalar_submul_fmpz(&f[row].linear[2], &map->entry[row * 3 + i], scale + i);
-        degree[row] = pullback_reduce(&f[row], common);
-        refuse_degree(m, degree[row]);
+            fmpz_poly_scalar_submul_fmpz(&f->linear[2], &map->entry[row * 3 + i], scale + i);
+        pullback_reduce(f, common);
+        refuse_degree(m, f->degree);
     }
-    graze_status status = m->refused ? GRAZE_OK : add_common_zeros(m, f, degree);
-    for (int row = 0; row < 2; row++)
-        pullback_form_clear(&f[row]);
-    return status;
+    return add_common_zeros(m, &x, &y);
 }
 
 /* Add the path of side k of a triangle of E^3: the common zeros of the triangle's plane and of the
@@ -146,21 +140,14 @@ static graze_status add_path(curve_maker *m, const motion_piece *piece, const fm
 static graze_status add_edge_path(curve_maker *m, const motion_piece *piece, size_t triangle,
                                   int k) {
     LOCAL_VEC(fmpz, form, 8); /* two of 4 */
-    slong degree[2] = {0, 0};
-    pullback_form f[2];
-    graze_status status = GRAZE_OK;
+    HELD(pullback_form, plane);
+    HELD(pullback_form, side);
     (void)solid_plane(form, m->scene->solid, triangle);
     solid_side(form + 4, m->scene->solid, triangle, form, k);
-    for (int i = 0; i < 2; i++) {
-        pullback_form_init(&f[i]);
-        if (!status && !m->refused)
-            status = make_pullback(&f[i], &degree[i], m, piece, form + 4 * i);
-    }
-    if (!status && !m->refused)
-        status = add_common_zeros(m, f, degree);
-    for (int i = 0; i < 2; i++)
-        pullback_form_clear(&f[i]);
-    return status;
+    TRY(make_pullback(&plane, m, piece, form));
+    if (!m->refused)
+        TRY(make_pullback(&side, m, piece, form + 4));
+    return add_common_zeros(m, &plane, &side);
 }
 
 static graze_status add_paths_of(curve_maker *m, const motion_piece *piece, size_t s) {
@@ -194,10 +181,10 @@ graze_status curves_of_scene(curve_list *list, const char **refused, graze_conte
     curve_maker m = {list, NULL, context, scene, view};
     size_t each = 3 * (planes->count + scene->solid->cut.count);
     size_t most = view->dimension == 2 ? CURVE_COUNT : SLICE_CURVE_COUNT;
+    *refused = NULL;
     m.refused = motion->piece_count > most / each ? too_many(view) : NULL;
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < motion->piece_count && !status && !m.refused; k++)
-        status = add_piece(&m, &motion->piece[k], planes);
+    for (size_t k = 0; k < motion->piece_count && !m.refused; k++)
+        TRY(add_piece(&m, &motion->piece[k], planes));
     *refused = m.refused;
-    return status;
+    return GRAZE_OK;
 }

@@ -1,10 +1,12 @@
-/* Directions: vectors of integers up to a factor. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Directions: vectors of integers up to a factor; their spans.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "questions/topo/topo.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "questions/topo/cover.h"
+#include "questions/topo/near.h"
 
 void directions_cross(fmpz *out, const fmpz *a, const fmpz *b) {
     for (int i = 0; i < 3; i++) {
@@ -41,4 +43,20 @@ void direction_of_rationals(fmpz *out, const fmpq *x, slong n) {
     LOCAL(fmpz, common);
     _fmpq_vec_get_fmpz_vec_fmpz(out, common, x, n);
     direction_reduce(out, n);
+}
+
+void direction_span_add(direction_span *s, const fmpz *v) {
+    fmpz *cross = s->basis + 6;
+    LOCAL(fmpz, volume);
+    if (s->rank == 0 && !_fmpz_vec_is_zero(v, 3)) {
+        _fmpz_vec_set(s->basis, v, 3);
+        s->rank = 1;
+    } else if (s->rank == 1 && !directions_parallel(s->basis, v)) {
+        _fmpz_vec_set(s->basis + 3, v, 3);
+        directions_cross(cross, s->basis, v);
+        s->rank = 2;
+    } else if (s->rank == 2) {
+        _fmpz_vec_dot(volume, cross, v, 3);
+        s->rank += !fmpz_is_zero(volume);
+    }
 }

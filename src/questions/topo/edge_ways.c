@@ -22,18 +22,14 @@ static graze_status look_to_both_sides(int *out, germ *g, graze_context *context
 
 /* Ask about each cell of the circle of directions around e, at a vertex of E^3. */
 static graze_status look_about(int *out, germ *g, graze_context *context, const fmpz *e) {
-    fmpz *cell;
-    size_t count;
     HELD(borders, b, 3);
     *out = 0;
     TRY(borders_about(&b, context, g, e));
+    HELD(ray_cells, cells, &b, 0);
     *out = 1;
-    borders_around(&cell, &count, &b, 0);
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < count && !status && *out; k++)
-        status = cone_meets_line(out, &g->cone, context, cell + 3 * k, e);
-    _fmpz_vec_clear(cell, (slong)count * 3);
-    return status;
+    for (size_t k = 0; k < cells.count && *out; k++)
+        TRY(cone_meets_line(out, &g->cone, context, cells.item + 3 * k, e));
+    return GRAZE_OK;
 }
 
 /* A direction along the cell, which is an edge of E^3. */
@@ -49,47 +45,42 @@ static graze_status find_edge_way(germ *g, germ_side *side, graze_context *conte
     int d = g->cone.dimension;
     LOCAL_VEC(fmpz, edge, 6);
     fmpz *normal = edge + 3;
-    if (d == 2 && cell == 0) {
+    if (d == 3 && cell == 0)
+        return look_about(&side->edge_way, g, context, side->e);
+    if (cell != d - 2)
+        return GRAZE_OK;
+    if (d == 2) {
         fmpz_neg(normal, side->e + 1);
         fmpz_set(normal + 1, side->e);
-        TRY(look_to_both_sides(&side->edge_way, g, context, normal, side->e));
-    } else if (d == 3 && cell == 1) {
+    } else {
         direction_of_edge(edge, &g->cone);
         directions_cross(normal, edge, side->e);
-        TRY(look_to_both_sides(&side->edge_way, g, context, normal, side->e));
-    } else if (d == 3 && cell == 0) {
-        TRY(look_about(&side->edge_way, g, context, side->e));
     }
-    return GRAZE_OK;
+    return look_to_both_sides(&side->edge_way, g, context, normal, side->e);
 }
 
 /* Set `covers_edge`: are all directions around the edge covered by sides that keep it? */
 static graze_status find_covered_edge(germ *g, graze_context *context) {
-    fmpz *cell = NULL;
     LOCAL_VEC(fmpz, edge, 3);
-    size_t count = 0;
     int covered = 1;
-    germ_cover last = {0, 0, 0, 0}, here = last;
+    germ_cover here = {0, 0, 0, 0};
     HELD(borders, b, 3);
     direction_of_edge(edge, &g->cone);
-    graze_status status = borders_about(&b, context, g, edge);
-    if (!status)
-        borders_around(&cell, &count, &b, 0);
+    TRY(borders_about(&b, context, g, edge));
+    HELD(ray_cells, cells, &b, 0);
     /* full cells have even numbers; the first one is visited again at the end */
-    for (size_t k = 0; k < count + 2 && !status && covered; k += 2) {
-        germ_cover between = {0, 0, 0, 0};
-        last = here;
-        here = (germ_cover){0, 0, 0, 0};
-        status = germ_cover_body(&here, g, context, cell + 3 * (k % count), 1);
-        if (!status && k > 0)
-            status = germ_cover_body(&between, g, context, cell + 3 * (k - 1), 1);
+    for (size_t k = 0; k < cells.count + 2 && covered; k += 2) {
+        germ_cover between = {0, 0, 0, 0}, last = here;
+        here = between;
+        TRY(germ_cover_body(&here, g, context, cells.item + 3 * (k % cells.count), 1));
         covered = here.open || here.edge_way || here.exact;
-        if (k > 0)
-            covered = covered && (between.open || between.edge_way || (last.exact && here.exact));
+        if (k == 0)
+            continue;
+        TRY(germ_cover_body(&between, g, context, cells.item + 3 * (k - 1), 1));
+        covered = covered && (between.open || between.edge_way || (last.exact && here.exact));
     }
-    g->covers_edge = covered && !status;
-    _fmpz_vec_clear(cell, (slong)count * 3);
-    return status;
+    g->covers_edge = covered;
+    return GRAZE_OK;
 }
 
 graze_status edge_ways_find(germ *g, graze_context *context) {

@@ -72,7 +72,7 @@ typedef struct reduced_curve {
     nmod_poly_struct *coefficient, at[1]; /* `at`: its value at a number */
 } reduced_curve;
 
-static void reduced_init(reduced_curve *out, const sliced_curve *s, ulong prime) {
+static void reduced_curve_init(reduced_curve *out, const sliced_curve *s, ulong prime) {
     out->degree = s->degree;
     out->coefficient = flint_malloc((size_t)(s->degree + 1) * sizeof *out->coefficient);
     for (slong k = 0; k <= s->degree; k++) {
@@ -82,7 +82,7 @@ static void reduced_init(reduced_curve *out, const sliced_curve *s, ulong prime)
     nmod_poly_init(out->at, prime);
 }
 
-static void reduced_clear(reduced_curve *r) {
+static void reduced_curve_clear(reduced_curve *r) {
     for (slong k = 0; k <= r->degree; k++)
         nmod_poly_clear(r->coefficient + k);
     flint_free(r->coefficient);
@@ -100,10 +100,9 @@ static int reduced_at(reduced_curve *r, ulong at) {
 /* The resultant modulo a prime from n values; 0 if a leading coefficient vanishes modulo it. */
 static int resultant_modulo(nmod_poly_t out, const sliced_curve *a, const sliced_curve *b, slong n,
                             ulong prime) {
-    ulong *at = flint_malloc((size_t)n * sizeof *at), *value = flint_malloc((size_t)n * sizeof *at);
-    reduced_curve p, q;
-    reduced_init(&p, a, prime);
-    reduced_init(&q, b, prime);
+    ulong *at = flint_malloc((size_t)(2 * n) * sizeof *at), *value = at + n;
+    HELD(reduced_curve, p, a, prime);
+    HELD(reduced_curve, q, b, prime);
     int whole = !nmod_poly_is_zero(p.coefficient + p.degree) &&
                 !nmod_poly_is_zero(q.coefficient + q.degree);
     slong k = 0;
@@ -115,10 +114,7 @@ static int resultant_modulo(nmod_poly_t out, const sliced_curve *a, const sliced
     }
     if (whole)
         nmod_poly_interpolate_nmod_vec(out, at, value, n);
-    reduced_clear(&p);
-    reduced_clear(&q);
     flint_free(at);
-    flint_free(value);
     return whole;
 }
 
@@ -128,10 +124,7 @@ static ulong bits_of_sum(const sliced_curve *s) {
     for (slong k = 0; k <= s->degree; k++)
         for (slong i = 0; i < fmpz_poly_length(s->coefficient + k); i++) {
             const fmpz *c = fmpz_poly_get_coeff_ptr(s->coefficient + k, i);
-            if (fmpz_sgn(c) < 0)
-                fmpz_sub(sum, sum, c);
-            else
-                fmpz_add(sum, sum, c);
+            (fmpz_sgn(c) < 0 ? fmpz_sub : fmpz_add)(sum, sum, c);
         }
     return fmpz_bits(sum);
 }
@@ -174,13 +167,12 @@ graze_status resultant_of(fmpz_t out, graze_context *context, const fmpz_poly_t 
         fmpz_poly_resultant(out, f, g);
         return GRAZE_OK;
     }
-    sliced_curve a, b;
+    ZEROED(sliced_curve, a);
+    ZEROED(sliced_curve, b);
     LOCAL(fmpz_poly, value);
     sliced_init_constant(&a, f);
     sliced_init_constant(&b, g);
-    graze_status status = resultant_by_primes(value, context, &a, &b, 1);
+    TRY(resultant_by_primes(value, context, &a, &b, 1));
     fmpz_poly_get_coeff_fmpz(out, value, 0);
-    sliced_curve_clear(&a);
-    sliced_curve_clear(&b);
-    return status;
+    return GRAZE_OK;
 }

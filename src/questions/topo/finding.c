@@ -2,6 +2,10 @@
 #include "questions/topo/topo.h"
 
 #include "base/context/names.h"
+#include "decide/scene/scene.h"
+#include "decide/trace/trace.h"
+#include "decide/verdict/verdict.h"
+#include "questions/topo/eliminate.h"
 #include "questions/topo/near.h"
 
 const char *graze_topo_name(graze_topo topo) {
@@ -22,21 +26,8 @@ const char *graze_topo_level_name(graze_topo_level level) {
 }
 
 void finding_init(topo_finding *f) {
-    f->position = GRAZE_TOPO_NONE;
-    f->level = GRAZE_LEVEL_NONE;
-    f->reason = "";
-    f->has_witness = f->has_open = f->has_across = 0;
-    f->order = 0;
-    fmpq_init(&f->reach);
-    fmpq_init(&f->lift);
-    for (int k = 0; k < 3; k++) {
-        fmpq_init(f->witness + k);
-        fmpz_init(f->direction + k);
-        fmpz_init(f->along[0] + k);
-        fmpz_init(f->along[1] + k);
-        fmpz_init(f->open + k);
-        fmpz_init(f->across + k);
-    }
+    *f = (topo_finding){
+        .reason = "", .witness = {{0, 1}, {0, 1}, {0, 1}}, .reach = {0, 1}, .lift = {0, 1}};
 }
 
 void finding_clear(topo_finding *f) {
@@ -66,4 +57,14 @@ void finding_set(topo_finding *f, graze_topo position, graze_topo_level level) {
 void finding_undecided(topo_finding *f, const char *reason) {
     finding_set(f, GRAZE_TOPO_UNDECIDED, GRAZE_LEVEL_NONE);
     f->reason = reason;
+}
+
+graze_status beyond_closed(int *out, graze_context *context, const graze_scene *scene,
+                           const fmpq *point) {
+    graze_verdict verdict;
+    graze_pmc wanted = scene->options.operation == GRAZE_UNSWEEP ? GRAZE_IN : GRAZE_OUT;
+    graze_status status =
+        classify_verdict(&verdict, context, scene, (query_point){.rational = point});
+    *out = !status && verdict.pmc == wanted;
+    return status;
 }

@@ -24,38 +24,30 @@
 /* State of making the germs of one piece of the motion. */
 typedef struct germ_maker {
     germ_list *list;
-    graze_context *context;
     const graze_scene *scene;
-    const plane_list *planes;
-    const point_map *map;
-    trajectory path;
+    germ_place at;
 } germ_maker;
-
-/* The solid's complement sweeps the complement of an unsweep (proofs/dangling.md C113). */
-static int sweeps_outside(const germ_maker *m) {
-    return m->scene->options.operation == GRAZE_UNSWEEP;
-}
 
 /* Set the linear part of the inverse map at a time, up to its positive weight. */
 static void set_to_body(germ *g, const germ_maker *m, const fmpq_t u) {
-    int d = m->map->dimension;
+    int d = m->at.map->dimension;
     LOCAL_VEC(fmpq, entry, d * d);
     for (int i = 0; i < d * d; i++)
-        fmpz_poly_evaluate_fmpq(entry + i, &m->map->entry[i / d * (d + 1) + i % d], u);
+        fmpz_poly_evaluate_fmpq(entry + i, &m->at.map->entry[i / d * (d + 1) + i % d], u);
     direction_of_rationals(g->to_body, entry, d * d);
 }
 
 /* The displacement of the trajectory from its place x at time u, times a positive function, in
  * powers of the time since u. */
 static void ways_from(fmpq_poly_struct *way, const germ_maker *m, const fmpz *x, const fmpq_t u) {
-    int d = m->path.dimension;
+    int d = m->at.path->dimension;
     LOCAL(fmpz_poly, p);
     LOCAL(fmpq_poly, later);
     fmpq_poly_set_coeff_fmpq(later, 0, u);
     fmpq_poly_set_coeff_si(later, 1, 1);
     for (int i = 0; i < d; i++) {
-        fmpz_poly_scalar_mul_fmpz(p, &m->path.x[i], x + d);
-        fmpz_poly_scalar_submul_fmpz(p, &m->path.x[d], x + i);
+        fmpz_poly_scalar_mul_fmpz(p, &m->at.path->x[i], x + d);
+        fmpz_poly_scalar_submul_fmpz(p, &m->at.path->x[d], x + i);
         fmpq_poly_set_fmpz_poly(way + i, p);
         fmpq_poly_compose(way + i, way + i, later);
     }
@@ -66,26 +58,26 @@ static graze_status add_sides(germ_maker *m, germ *g, const fmpz *x, const fmpq_
     int same_way = 0;
     LOCAL_VEC(fmpq_poly, way, 3);
     ways_from(way, m, x, u);
-    g->exact = planes_keep_directions(&same_way, &g->cone, m->map, &m->path);
+    g->exact = planes_keep_directions(&same_way, &g->cone, m->at.map, m->at.path);
     if (!fmpq_is_one(u))
-        TRY(sides_add(g, m->context, m->map, way, same_way, 1));
+        TRY(sides_add(g, m->at.context, m->at.map, way, same_way, 1));
     if (!fmpq_is_zero(u))
-        TRY(sides_add(g, m->context, m->map, way, same_way, -1));
+        TRY(sides_add(g, m->at.context, m->at.map, way, same_way, -1));
     return GRAZE_OK;
 }
 
 /* Append a germ at a rational time. */
 static graze_status add_germ(germ_maker *m, const fmpq_t u) {
-    int d = m->path.dimension;
+    int d = m->at.path->dimension;
     germ *g = NULL;
-    TRY(germs_append(&g, m->list, m->context, m->map));
+    TRY(germs_append(&g, m->list, m->at.context, m->at.map));
     LOCAL_VEC(fmpz, x, d + 1);
     g->has_time = 1;
     fmpq_init(&g->time);
     fmpq_set(&g->time, u);
-    trajectory_at(x, &m->path, u);
+    trajectory_at(x, m->at.path, u);
     set_to_body(g, m, u);
-    TRY(cone_make(&g->cone, m->context, m->scene->solid, sweeps_outside(m), m->planes, x));
+    TRY(cone_make(&g->cone, m->at.context, m->at.solid, m->at.outside, m->at.planes, x));
     return add_sides(m, g, x, u);
 }
 
@@ -93,10 +85,8 @@ static graze_status add_germ(germ_maker *m, const fmpq_t u) {
 static graze_status add_root(germ_maker *m, const algebraic *time, const fmpz_poly_t minimal) {
     germ *g = NULL;
     int found = 0;
-    germ_place place = {m->context, m->scene->solid, sweeps_outside(m),
-                        m->planes,  m->map,          &m->path};
-    TRY(germs_append(&g, m->list, m->context, m->map));
-    TRY(root_set_germ(&found, g, &place, time, minimal));
+    TRY(germs_append(&g, m->list, m->at.context, m->at.map));
+    TRY(root_set_germ(&found, g, &m->at, time, minimal));
     if (!found) {
         germs_drop_last(m->list);
         germs_leave_open(m->list, "a contact at an irrational time is not looked at");
@@ -121,7 +111,7 @@ static graze_status add_germ_at(germ_maker *m, const algebraic *time) {
 
 /* Append a germ at a time `*u` between two times. */
 static graze_status add_germ_between(fmpq_t u, germ_maker *m, algebraic *from, algebraic *to) {
-    TRY(algebraic_between(u, m->context, from, to));
+    TRY(algebraic_between(u, m->at.context, from, to));
     return add_germ(m, u);
 }
 
@@ -130,7 +120,7 @@ static graze_status add_turn(germ_maker *m, const fmpq_t u, algebraic *from, alg
     LOCAL(fmpq, v);
     HELD(algebraic, middle);
     algebraic_set_rational(&middle, u);
-    TRY(germs_append_turn(m->list, m->context, from, to));
+    TRY(germs_append_turn(m->list, m->at.context, from, to));
     TRY(add_germ_between(v, m, from, &middle));
     return add_germ_between(v, m, &middle, to);
 }
@@ -170,37 +160,46 @@ static graze_status add_touches(germ_maker *m, const touches *t) {
 static graze_status add_contacts_of_piece(germ_maker *m) {
     ZEROED(candidates, near);
     HELD(touches, t);
-    TRY(candidates_find(&near, m->context, m->scene->solid, &m->path));
-    TRY(touches_find(&t, m->context, m->scene->solid, &m->path, NULL, &near));
-    TRY(touches_order(&t, m->context));
+    TRY(candidates_find(&near, m->at.context, m->at.solid, m->at.path));
+    TRY(touches_find(&t, m->at.context, m->at.solid, m->at.path, NULL, &near));
+    TRY(touches_order(&t, m->at.context));
     return add_touches(m, &t);
+}
+
+/* Begin with a trajectory, for take_piece. The solid's complement sweeps the complement of an
+ * unsweep (proofs/dangling.md C113). */
+static germ_maker maker_of(germ_list *list, graze_context *context, const graze_scene *scene,
+                           const plane_list *planes, trajectory *path) {
+    return (germ_maker){list,
+                        scene,
+                        {.context = context,
+                         .solid = scene->solid,
+                         .outside = scene->options.operation == GRAZE_UNSWEEP,
+                         .planes = planes,
+                         .path = path}};
 }
 
 /* Turn to another piece. */
 static void take_piece(germ_maker *m, size_t piece, const fmpq *point) {
-    m->map = motion_tracing(&m->scene->motion->piece[piece], m->scene->options.operation);
-    trajectory_set(&m->path, m->map, point);
+    m->at.map = motion_tracing(&m->scene->motion->piece[piece], m->scene->options.operation);
+    trajectory_set(m->at.path, m->at.map, point);
 }
 
 graze_status germs_find(germ_list *list, graze_context *context, const graze_scene *scene,
                         const plane_list *planes, const fmpq *point) {
-    germ_maker m = {.list = list, .context = context, .scene = scene, .planes = planes};
-    graze_status status = GRAZE_OK;
-    trajectory_init(&m.path, scene->motion->dimension);
-    for (size_t k = 0; k < scene->motion->piece_count && !status; k++) {
+    HELD(trajectory, path, scene->motion->dimension);
+    germ_maker m = maker_of(list, context, scene, planes, &path);
+    for (size_t k = 0; k < scene->motion->piece_count; k++) {
         take_piece(&m, k, point);
-        status = add_contacts_of_piece(&m);
+        TRY(add_contacts_of_piece(&m));
     }
-    trajectory_clear(&m.path);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status germs_at(germ_list *list, graze_context *context, const graze_scene *scene,
                       const plane_list *planes, const fmpq *point, size_t piece, const fmpq_t u) {
-    germ_maker m = {.list = list, .context = context, .scene = scene, .planes = planes};
-    trajectory_init(&m.path, scene->motion->dimension);
+    HELD(trajectory, path, scene->motion->dimension);
+    germ_maker m = maker_of(list, context, scene, planes, &path);
     take_piece(&m, piece, point);
-    graze_status status = add_germ(&m, u);
-    trajectory_clear(&m.path);
-    return status;
+    return add_germ(&m, u);
 }

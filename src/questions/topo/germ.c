@@ -53,20 +53,14 @@ graze_status germs_append(germ **out, germ_list *list, graze_context *context,
 }
 
 graze_status germ_make_root(germ *g, graze_context *context, const algebraic *time) {
-    size_t count = g->cone.count;
-    germ_root *root = malloc(sizeof *root);
-    fmpz_poly_struct *way = malloc((count + 1) * sizeof *way);
-    if (!root || !way) {
-        free(root);
-        free(way);
+    germ_root *root = malloc(sizeof *root + g->cone.count * sizeof *root->way);
+    if (!root)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for a contact");
-    }
-    for (size_t j = 0; j < count; j++)
-        fmpz_poly_init(way + j);
+    root->count = g->cone.count;
+    for (size_t j = 0; j < root->count; j++)
+        fmpz_poly_init(root->way + j);
     algebraic_init(&root->time);
     algebraic_set(&root->time, time);
-    root->count = count;
-    root->way = way;
     g->root = root;
     return GRAZE_OK;
 }
@@ -78,18 +72,14 @@ void germ_drop_root(germ *g) {
     for (size_t j = 0; j < root->count; j++)
         fmpz_poly_clear(root->way + j);
     algebraic_clear(&root->time);
-    free(root->way);
     free(root);
     g->root = NULL;
 }
 
 graze_status germs_append_turn(germ_list *list, graze_context *context, const algebraic *from,
                                const algebraic *to) {
-    graze_status status =
-        array_grow(context, &list->turn, &list->turn_capacity, list->turn_count + 1,
-                   sizeof *list->turn, "the slides along a point");
-    if (status)
-        return status;
+    TRY(array_grow(context, &list->turn, &list->turn_capacity, list->turn_count + 1,
+                   sizeof *list->turn, "the slides along a point"));
     turning_stretch *t = &list->turn[list->turn_count++];
     t->germ = list->count - 1;
     algebraic_init(&t->from);

@@ -1,4 +1,5 @@
-/* Discriminants and resultants with respect to time, interpolated on a triangular grid.
+/* Forms composed with maps, on a plane; their discriminants and resultants with respect to time,
+ * interpolated on a triangular grid.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The coefficients of time are linear in x and y. The discriminant of degree n is homogeneous in
@@ -6,16 +7,75 @@
  * z_j), with i + j at most its degree and z = 0, 1, -1, 2, -2, ..., determine it, by Newton's
  * divided differences, integers, first in y, then in x. The caller can cancel between two values.
  */
+#include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
+#include "input/motion/motion.h"
 #include "questions/topo/cover.h"
 #include "questions/topo/eliminate.h"
+
+void pullback_form_init(pullback_form *f) {
+    f->degree = 0;
+    for (int i = 0; i < 3; i++)
+        fmpz_poly_init(&f->linear[i]);
+}
+
+void pullback_form_clear(pullback_form *f) {
+    for (int i = 0; i < 3; i++)
+        fmpz_poly_clear(&f->linear[i]);
+}
+
+void pullback_of_form(pullback_form *f, const point_map *map, const fmpz *form,
+                      const plane_view *view) {
+    int d = map->dimension;
+    LOCAL_VEC(fmpz, scale,
+              d + 1); /* the origin's numerators over the common denominator scale[d] */
+    LOCAL(fmpz, factor);
+    LOCAL(fmpz_poly, column);
+    _fmpq_vec_get_fmpz_vec_fmpz(scale, scale + d, view->origin, d);
+    for (int i = 0; i < 3; i++)
+        fmpz_poly_zero(&f->linear[i]);
+    for (int j = 0; j <= d; j++) {
+        fmpz_poly_zero(column);
+        for (int row = 0; row < d; row++)
+            fmpz_poly_scalar_addmul_fmpz(column, &map->entry[row * (d + 1) + j], form + row);
+        if (j == d)
+            fmpz_poly_scalar_addmul_fmpz(column, map->weight, form + d);
+        fmpz_poly_scalar_addmul_fmpz(&f->linear[2], column, scale + j);
+        for (int i = 0; i < 2 && j < d; i++) {
+            fmpz_mul(factor, view->along[i] + j, scale + d);
+            fmpz_poly_scalar_addmul_fmpz(&f->linear[i], column, factor);
+        }
+    }
+}
+
+void pullback_reduce(pullback_form *f, fmpz_poly_t common) {
+    f->degree = 0;
+    fmpz_poly_zero(common);
+    for (int i = 0; i < 3; i++)
+        fmpz_poly_gcd(common, common, &f->linear[i]);
+    for (int i = 0; i < 3 && !fmpz_poly_is_zero(common); i++) {
+        fmpz_poly_div(&f->linear[i], &f->linear[i], common);
+        f->degree = FLINT_MAX(f->degree, fmpz_poly_degree(&f->linear[i]));
+    }
+}
+
+void pullback_at(fmpz_mpoly_t out, const pullback_form *f, const fmpz_t time,
+                 const fmpz_mpoly_ctx_t ring) {
+    static const ulong power[3][RING_VARIABLES] = {{1, 0}, {0, 1}, {0, 0}};
+    LOCAL(fmpz, value);
+    fmpz_mpoly_zero(out, ring);
+    for (int i = 0; i < 3; i++) {
+        fmpz_poly_evaluate_fmpz(value, &f->linear[i], time);
+        fmpz_mpoly_set_coeff_fmpz_ui(out, value, power[i], ring);
+    }
+}
 
 /* State of making a discriminant or, if `g` is set, a resultant. */
 typedef struct grid_maker {
     graze_context *context;
     const pullback_form *f, *g;
-    slong n, m, degree;
+    slong degree;
     fmpz *value; /* (degree + 1)^2 values, a row for each x; those outside the triangle are 0 */
 } grid_maker;
 
@@ -47,12 +107,12 @@ static graze_status resultant_of_degrees(fmpz_t out, graze_context *context, con
     fmpz_zero(out);
     if ((drop > 0 && other > 0) || fmpz_poly_is_zero(f) || fmpz_poly_is_zero(g))
         return GRAZE_OK;
-    graze_status status = resultant_of(out, context, f, g);
+    TRY(resultant_of(out, context, f, g));
     multiply_by_power(out, fmpz_poly_lead(g), drop);
     multiply_by_power(out, fmpz_poly_lead(f), other);
     if (drop % 2 == 1 && m % 2 == 1)
         fmpz_neg(out, out);
-    return status;
+    return GRAZE_OK;
 }
 
 /* The discriminant for degree n: (-1)^(n (n - 1) / 2) Res(f, f') / lead(f). If f has the degree n -
@@ -79,9 +139,9 @@ static graze_status value_at(fmpz_t out, const grid_maker *m, slong x, slong y) 
     function_at(f, m->f, x, y);
     if (m->g) {
         function_at(g, m->g, x, y);
-        TRY(resultant_of_degrees(out, m->context, f, m->n, g, m->m));
+        TRY(resultant_of_degrees(out, m->context, f, m->f->degree, g, m->g->degree));
     } else {
-        TRY(discriminant_of_degree(out, m->context, f, m->n));
+        TRY(discriminant_of_degree(out, m->context, f, m->f->degree));
     }
     return context_poll(m->context);
 }
@@ -129,31 +189,29 @@ static graze_status find_coefficients(const grid_maker *m) {
 
 static graze_status interpolate_grid(fmpz_mpoly_t out, grid_maker *m, const fmpz_mpoly_ctx_t ring) {
     slong width = m->degree + 1;
-    graze_status status = GRAZE_OK;
-    m->value = _fmpz_vec_init(width * width);
-    for (slong i = 0; i < width && !status; i++)
-        for (slong j = 0; i + j < width && !status; j++)
-            status = value_at(m->value + i * width + j, m, node(i), node(j));
-    if (!status)
-        status = find_coefficients(m);
+    LOCAL_VEC(fmpz, value, width * width);
+    m->value = value;
+    for (slong i = 0; i < width; i++)
+        for (slong j = 0; i + j < width; j++)
+            TRY(value_at(value + i * width + j, m, node(i), node(j)));
+    TRY(find_coefficients(m));
     fmpz_mpoly_zero(out, ring);
-    for (slong i = 0; i < width && !status; i++)
+    for (slong i = 0; i < width; i++)
         for (slong j = 0; i + j < width; j++) {
             ulong e[RING_VARIABLES] = {(ulong)i, (ulong)j};
-            fmpz_mpoly_set_coeff_fmpz_ui(out, m->value + i * width + j, e, ring);
+            fmpz_mpoly_set_coeff_fmpz_ui(out, value + i * width + j, e, ring);
         }
-    _fmpz_vec_clear(m->value, width * width);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status grid_discriminant(fmpz_mpoly_t out, graze_context *context, const pullback_form *f,
-                               slong n, const fmpz_mpoly_ctx_t ring) {
-    grid_maker m = {.context = context, .f = f, .n = n, .degree = 2 * n - 2};
+                               const fmpz_mpoly_ctx_t ring) {
+    grid_maker m = {.context = context, .f = f, .degree = 2 * f->degree - 2};
     return interpolate_grid(out, &m, ring);
 }
 
 graze_status grid_resultant(fmpz_mpoly_t out, graze_context *context, const pullback_form *f,
-                            slong n, const pullback_form *g, slong m, const fmpz_mpoly_ctx_t ring) {
-    grid_maker maker = {.context = context, .f = f, .g = g, .n = n, .m = m, .degree = n + m};
-    return interpolate_grid(out, &maker, ring);
+                            const pullback_form *g, const fmpz_mpoly_ctx_t ring) {
+    grid_maker m = {.context = context, .f = f, .g = g, .degree = f->degree + g->degree};
+    return interpolate_grid(out, &m, ring);
 }

@@ -11,17 +11,14 @@
 /* A plane of a cone as an affine function value + r . place of places about the point, in powers of
  * the time since the contact. Of `value` two powers are kept; all powers before them are 0. */
 typedef struct plane_ways {
-    fmpq value[2];
-    fmpq normal[2][3];
+    fmpq *value;     /* 2 rationals; behind them stand the normals */
+    fmpq *normal[2]; /* 3 each */
 } plane_ways;
 
-static void ways_clear(plane_ways *w) {
-    for (int i = 0; i < 3; i++) {
-        fmpq_clear(w->normal[0] + i);
-        fmpq_clear(w->normal[1] + i);
-    }
-    for (int k = 0; k < 2; k++)
-        fmpq_clear(w->value + k);
+enum { WAYS_ENTRIES = 8 };
+
+static void plane_ways_clear(plane_ways *w) {
+    _fmpq_vec_clear(w->value, WAYS_ENTRIES);
 }
 
 /* The constant term of plane j of a cone, whose form vanishes at the cone's point. */
@@ -33,19 +30,17 @@ static void constant_of_plane(fmpq_t out, const local_cone *cone, size_t j) {
 }
 
 /* Expand plane j of a germ at its time; the kept powers of `value` begin with `order`. */
-static void ways_init(plane_ways *w, const germ *g, size_t j, slong order, const fmpq *point) {
+static void plane_ways_init(plane_ways *w, const germ *g, size_t j, slong order,
+                            const fmpq *point) {
     static const fmpz axis[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     LOCAL(fmpz_poly, p);
     LOCAL(fmpq_poly, sum);
     LOCAL(fmpq_poly, part);
     LOCAL(fmpq_poly, later);
     LOCAL(fmpq, c);
-    for (int i = 0; i < 3; i++) {
-        fmpq_init(w->normal[0] + i);
-        fmpq_init(w->normal[1] + i);
-    }
-    for (int k = 0; k < 2; k++)
-        fmpq_init(w->value + k);
+    w->value = _fmpq_vec_init(WAYS_ENTRIES);
+    w->normal[0] = w->value + 2;
+    w->normal[1] = w->value + 5;
     fmpq_poly_set_coeff_fmpq(later, 0, &g->time);
     fmpq_poly_set_coeff_si(later, 1, 1);
     constant_of_plane(c, &g->cone, j);
@@ -90,8 +85,7 @@ static void linear_on_plane(fmpq_poly_t out, const open_plane *h, const fmpq *no
     }
 }
 
-/* out = v |v|^(n - 1). */
-static void signed_power(fmpq_t out, const fmpq_t v, slong n) {
+void signed_power(fmpq_t out, const fmpq_t v, slong n) {
     int sign = fmpq_sgn(v);
     fmpq_pow_si(out, v, n);
     if (sign < 0 && n % 2 == 0)
@@ -104,10 +98,9 @@ static void signed_power(fmpq_t out, const fmpq_t v, slong n) {
 static int form_of_facet(half_germ *out, const open_plane *h, const germ *g,
                          const germ_side *side) {
     slong n = side->order;
-    plane_ways w;
     if (n < 2)
         return 0;
-    ways_init(&w, g, 0, n, h->point);
+    HELD(plane_ways, w, g, 0, n, h->point);
     int f_sign = fmpq_sgn(w.value) * (n % 2 == 1 ? side->sign : 1);
     LOCAL_VEC(fmpq, factor, 2);
     fmpq *scale = factor + 1;
@@ -126,7 +119,6 @@ static int form_of_facet(half_germ *out, const open_plane *h, const germ *g,
     fmpq_div(factor, factor, scale);
     fmpq_poly_pow(out->form, out->turn, (ulong)n);
     fmpq_poly_scalar_mul_fmpq(out->form, out->form, factor);
-    ways_clear(&w);
     return 1;
 }
 
@@ -165,24 +157,18 @@ static void form_of_ways(half_germ *out, const open_plane *h, const plane_ways *
  * depend on time up to that order; 0 if the tangent plane of the edge's path is not the plane. */
 static int form_of_edge(half_germ *out, const open_plane *h, const germ *g, size_t other,
                         slong order) {
-    plane_ways w[2], both;
     LOCAL_VEC(fmpz, across, 3);
     LOCAL(fmpq, a);
-    ways_init(&w[0], g, 0, order, h->point);
-    ways_init(&w[1], g, other, order, h->point);
-    ways_init(&both, g, 0, order, h->point);
-    fmpq_neg(a, w[0].value);
-    combine_ways(both.value, w[1].value, w[0].value, a, w[1].value, 2);
-    for (int k = 0; k < 2; k++)
-        combine_ways(both.normal[k], w[1].value, w[0].normal[k], a, w[1].normal[k], 3);
+    HELD(plane_ways, p, g, 0, order, h->point);
+    HELD(plane_ways, q, g, other, order, h->point);
+    HELD(plane_ways, both, g, 0, order, h->point);
+    fmpq_neg(a, p.value);
+    combine_ways(both.value, q.value, p.value, a, q.value, WAYS_ENTRIES);
     direction_of_rationals(across, both.normal[0], 3);
     int lies = directions_parallel(across, h->normal);
     if (lies)
-        form_of_ways(out, h, &both, fmpq_is_zero(w[0].value) ? &w[1] : &w[0], order);
+        form_of_ways(out, h, &both, fmpq_is_zero(p.value) ? &q : &p, order);
     out->order = order;
-    ways_clear(&w[0]);
-    ways_clear(&w[1]);
-    ways_clear(&both);
     return lies;
 }
 
@@ -243,18 +229,13 @@ static graze_status closes_side(int *out, const open_plane *h, graze_context *co
                                 int sign) {
     graze_state state = GRAZE_STATE_O;
     LOCAL_VEC(fmpz, u, 3);
-    graze_status status = GRAZE_OK;
-    for (int i = 0; i < 3; i++) {
-        _fmpz_vec_dot(u + i, g->to_body + 3 * i, h->normal, 3);
-        fmpz_mul_si(u + i, u + i, sign);
-    }
-    *out = 0;
+    germ_to_body(u, g, h->normal);
+    _fmpz_vec_scalar_mul_si(u, u, 3, sign);
     if (cone_cell_dimension(&g->cone) == 1)
-        status = cone_meets_line(out, &g->cone, context, u, g->side[0].e);
-    else
-        status = cone_state(&state, &g->cone, context, u);
-    *out = *out || state == GRAZE_STATE_I;
-    return status;
+        return cone_meets_line(out, &g->cone, context, u, g->side[0].e);
+    TRY(cone_state(&state, &g->cone, context, u));
+    *out = state == GRAZE_STATE_I;
+    return GRAZE_OK;
 }
 
 graze_status half_of_germ(int *found, half_germ *out, const open_plane *h, graze_context *context,

@@ -84,11 +84,10 @@ graze_status hint_find(int *found, fmpq *out, ulong *places, graze_context *cont
     double width = box_extent(&scene->solid->boxes.node[0].box);
     (void)frexp(isfinite(width) ? width : 1, &exponent);
     m.exponent = exponent;
-    graze_status status = GRAZE_OK;
-    for (size_t k = 0; k < sizeof scale / sizeof *scale && !status && !m.found; k++) {
+    for (size_t k = 0; k < sizeof scale / sizeof *scale && !m.found; k++) {
         *places = scale[k];
-        status = look_about_point(&m, topo, *places);
+        TRY(look_about_point(&m, topo, *places));
     }
     *found = m.found;
-    return status;
+    return GRAZE_OK;
 }

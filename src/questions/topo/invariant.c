@@ -10,30 +10,8 @@
 #include "questions/topo/cover.h"
 #include "questions/topo/near.h"
 
-/* The span of vectors; rank 3 is all of space. */
-typedef struct normal_span {
-    int rank;
-    fmpz *basis; /* two vectors and their cross product */
-} normal_span;
-
-static void span_add(normal_span *s, const fmpz *v) {
-    fmpz *cross = s->basis + 6;
-    LOCAL(fmpz, volume);
-    if (s->rank == 0 && !_fmpz_vec_is_zero(v, 3)) {
-        _fmpz_vec_set(s->basis, v, 3);
-        s->rank = 1;
-    } else if (s->rank == 1 && !directions_parallel(s->basis, v)) {
-        _fmpz_vec_set(s->basis + 3, v, 3);
-        directions_cross(cross, s->basis, v);
-        s->rank = 2;
-    } else if (s->rank == 2) {
-        _fmpz_vec_dot(volume, cross, v, 3);
-        s->rank += !fmpz_is_zero(volume);
-    }
-}
-
 /* Add a normal's coefficients of all powers of time. */
-static void span_add_normal(normal_span *s, const point_map *map, const fmpz *normal) {
+static void span_add_normal(direction_span *s, const point_map *map, const fmpz *normal) {
     static const fmpz axis[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     slong length = 0;
     LOCAL_VEC(fmpz, v, 3);
@@ -45,14 +23,14 @@ static void span_add_normal(normal_span *s, const point_map *map, const fmpz *no
     for (slong k = 0; k < length; k++) {
         for (int i = 0; i < 3; i++)
             fmpz_poly_get_coeff_fmpz(v + i, entry + i, k);
-        span_add(s, v);
+        direction_span_add(s, v);
     }
 }
 
 /* 1 and a plane's normal about the point if the plane does not move and contains the trajectory. */
 static int plane_stays(fmpz *normal, const germ *g, size_t j, const fmpq *point) {
     LOCAL_VEC(fmpz, basis, 9);
-    normal_span s = {0, basis};
+    direction_span s = {0, basis};
     HELD(trajectory, path, 3);
     LOCAL(fmpz_poly, away);
     trajectory_set(&path, g->map, point);
@@ -66,7 +44,7 @@ static int plane_stays(fmpz *normal, const germ *g, size_t j, const fmpq *point)
 /* Find the kernel of all normals; if there is a `step`, without unmoved planes across it. */
 static int find_kernel(fmpz *out, const germ_list *list, const fmpz *step, const fmpq *point) {
     LOCAL_VEC(fmpz, basis, 9);
-    normal_span s = {0, basis};
+    direction_span s = {0, basis};
     LOCAL_VEC(fmpz, stays, 3);
     for (size_t k = 0; k < list->count && s.rank < 3; k++) {
         const germ *g = &list->item[k];

@@ -23,30 +23,27 @@ typedef struct leading_maker {
     graze_context *context;
     const graze_scene *scene;
     const fmpq *point;
-    germ_list germs;
-    borders borders;
+    germ_list *germs;
+    borders *borders;
     int is_interior[BY_COUNT]; /* for all cells so far, by this kind of evidence and those before it
                                 */
-    int open_rank; /* dimension of the span of the directions without a covered neighbourhood */
-    fmpz *open;    /* two of these directions and their cross product */
+    direction_span open;       /* E^3: of the directions without a covered neighbourhood */
 } leading_maker;
 
 /* Take a point of a ray as the witness, if the ray's reach is found and the point is out. */
 static graze_status try_witness(leading_maker *m, const fmpz *direction) {
-    slong d = m->borders.dimension;
+    slong d = m->borders->dimension;
     topo_finding *out = m->out;
     int found = 0;
-    graze_status status =
-        ray_find_reach(&found, &out->reach, m->context, m->scene, m->point, direction);
-    if (status || !found)
-        return status;
+    TRY(ray_find_reach(&found, &out->reach, m->context, m->scene, m->point, direction));
+    if (!found)
+        return GRAZE_OK;
     for (slong k = 0; k < d; k++) {
         fmpq_mul_fmpz(out->witness + k, &out->reach, direction + k);
         fmpq_add(out->witness + k, m->point + k, out->witness + k);
     }
-    status = beyond_closed(&out->has_witness, m->context, m->scene, out->witness);
     _fmpz_vec_set(out->direction, direction, d);
-    return status;
+    return beyond_closed(&out->has_witness, m->context, m->scene, out->witness);
 }
 
 /* Round a direction to entries of about `bits` bits; many bits leave it unchanged. */
@@ -73,10 +70,9 @@ static void tilt_direction(fmpz *direction, slong d) {
 /* Try a direction for a witness if it is not covered. */
 static graze_status try_direction(leading_maker *m, const fmpz *direction) {
     germ_cover cover = {0, 0, 0, 1};
-    graze_status status = GRAZE_OK;
-    if (!_fmpz_vec_is_zero(direction, m->borders.dimension))
-        status = germs_cover(&cover, &m->germs, m->context, direction);
-    return status || cover.covered ? status : try_witness(m, direction);
+    if (!_fmpz_vec_is_zero(direction, m->borders->dimension))
+        TRY(germs_cover(&cover, m->germs, m->context, direction));
+    return cover.covered ? GRAZE_OK : try_witness(m, direction);
 }
 
 /* Decide `boundary`: the direction is not covered, so points near enough on its ray are out. For a
@@ -84,7 +80,7 @@ static graze_status try_direction(leading_maker *m, const fmpz *direction) {
  * it. */
 static graze_status set_boundary(leading_maker *m, const fmpz *direction) {
     static const slong bits[] = {2, 4, 8, 16, 64, WORD_MAX};
-    slong d = m->borders.dimension;
+    slong d = m->borders->dimension;
     topo_finding *out = m->out;
     LOCAL_VEC(fmpz, simple, d);
     for (size_t k = 0; k < sizeof bits / sizeof *bits && !out->has_witness; k++) {
@@ -111,16 +107,8 @@ static void keep_open_direction(topo_finding *out, const fmpz *direction, int d)
 
 /* Add a direction without a covered neighbourhood to their span, in E^3. */
 static void note_open(leading_maker *m, const fmpz *direction) {
-    if (m->borders.dimension == 2 || m->open_rank == 3)
-        return;
-    LOCAL(fmpz, volume);
-    if (m->open_rank == 0 || (m->open_rank == 1 && !directions_parallel(m->open, direction)))
-        _fmpz_vec_set(m->open + 3 * m->open_rank++, direction, 3);
-    if (m->open_rank == 2) {
-        directions_cross(m->open + 6, m->open, m->open + 3);
-        _fmpz_vec_dot(volume, m->open + 6, direction, 3);
-        m->open_rank += !fmpz_is_zero(volume);
-    }
+    if (m->borders->dimension == 3)
+        direction_span_add(&m->open, direction);
 }
 
 /* Take a cell's cover into `is_interior`.
@@ -145,44 +133,41 @@ static void note_between(leading_maker *m, const fmpz *ray, const fmpz *directio
 
 /* Take a full cell; `*here` is its cover. */
 static graze_status look_at_full(germ_cover *here, leading_maker *m, const fmpz *direction) {
-    graze_status status = germs_cover(here, &m->germs, m->context, direction);
-    if (status)
-        return status;
-    if (!here->covered && m->germs.bounded)
-        status = set_boundary(m, direction);
+    TRY(germs_cover(here, m->germs, m->context, direction));
+    if (!here->covered && m->germs->bounded)
+        TRY(set_boundary(m, direction));
     else if (!here->covered)
-        keep_open_direction(m->out, direction, m->borders.dimension);
+        keep_open_direction(m->out, direction, m->borders->dimension);
     if (!note_cell(m, here, here->exact))
-        m->open_rank = 3;
-    return status;
+        m->open.rank = 3;
+    return GRAZE_OK;
 }
 
 /* Take the cells around ray r: the full ones, in E^3 those between two of them, and the ray. */
 static graze_status look_around(leading_maker *m, size_t r) {
-    int d = m->borders.dimension, all_exact = 1;
-    fmpz *cell;
-    size_t count, step = d == 3 ? 2 : 1;
-    const fmpz *around = m->borders.ray + r * (size_t)d;
+    int d = m->borders->dimension, all_exact = 1;
+    size_t step = d == 3 ? 2 : 1;
+    const fmpz *around = m->borders->ray + r * (size_t)d;
     germ_cover ray, last, first = {0, 0, 0, 0}, here = first, between = first;
-    graze_status status = germs_cover(&ray, &m->germs, m->context, around);
-    borders_around(&cell, &count, &m->borders, r);
-    for (size_t k = 0; k < count && !status && m->out->position == GRAZE_TOPO_NONE; k += step) {
+    HELD(ray_cells, cells, m->borders, r);
+    TRY(germs_cover(&ray, m->germs, m->context, around));
+    for (size_t k = 0; k < cells.count && m->out->position == GRAZE_TOPO_NONE; k += step) {
+        const fmpz *cell = cells.item + k * (size_t)d;
         last = here;
-        status = look_at_full(&here, m, cell + k * (size_t)d);
+        TRY(look_at_full(&here, m, cell));
         if (d == 3 && k > 0)
-            note_between(m, around, cell + (k - 1) * (size_t)d, &between, last.exact && here.exact);
-        if (d == 3 && !status)
-            status = germs_cover(&between, &m->germs, m->context, cell + (k + 1) * (size_t)d);
+            note_between(m, around, cell - d, &between, last.exact && here.exact);
+        if (d == 3)
+            TRY(germs_cover(&between, m->germs, m->context, cell + d));
         all_exact = all_exact && here.exact;
         first = k == 0 ? here : first;
     }
     if (d == 3)
-        note_between(m, around, cell + (count - 1) * (size_t)d, &between,
+        note_between(m, around, cells.item + (cells.count - 1) * 3, &between,
                      here.exact && first.exact);
     if (!note_cell(m, &ray, all_exact))
         note_open(m, around);
-    _fmpz_vec_clear(cell, (slong)count * d);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Ask whether leading terms cover the plane of the open directions from both sides; if not, keep
@@ -190,10 +175,10 @@ static graze_status look_around(leading_maker *m, size_t r) {
 static graze_status look_at_second_order(int *covers, leading_maker *m) {
     topo_finding *out = m->out;
     HELD(plane_gap, gap);
-    direction_reduce(m->open + 6, 3);
-    TRY(second_covers(covers, &gap, &m->germs, m->context, m->point, m->open + 6));
+    direction_reduce(m->open.basis + 6, 3);
+    TRY(second_covers(covers, &gap, m->germs, m->context, m->point, m->open.basis + 6));
     if (!*covers && !out->has_open) {
-        _fmpz_vec_set(out->across, m->open + 6, 3);
+        _fmpz_vec_set(out->across, m->open.basis + 6, 3);
         out->has_across = 1;
         out->order = gap.order;
         fmpq_set(&out->lift, &gap.lift);
@@ -205,12 +190,12 @@ static graze_status look_at_second_order(int *covers, leading_maker *m) {
 
 /* Take the cells around all rays, until one decides the point. */
 static graze_status look_at_rays(leading_maker *m) {
-    m->open_rank = m->out->has_open = 0;
+    m->open.rank = m->out->has_open = 0;
     for (int by = 0; by < BY_COUNT; by++)
         m->is_interior[by] = 1;
-    for (size_t r = 0; r < m->borders.ray_count && m->out->position == GRAZE_TOPO_NONE &&
-                       (m->germs.bounded || m->is_interior[BY_EDGES] ||
-                        (m->borders.dimension == 3 && m->open_rank < 3));
+    for (size_t r = 0; r < m->borders->ray_count && m->out->position == GRAZE_TOPO_NONE &&
+                       (m->germs->bounded || m->is_interior[BY_EDGES] ||
+                        (m->borders->dimension == 3 && m->open.rank < 3));
          r++)
         TRY(look_around(m, r));
     return GRAZE_OK;
@@ -218,9 +203,9 @@ static graze_status look_at_rays(leading_maker *m) {
 
 /* Take all cells again with ways along edges, which are costly: only if cones do not decide. */
 static graze_status look_again_along_edges(leading_maker *m) {
-    for (size_t k = 0; k < m->germs.count; k++)
-        if (!m->germs.item[k].root)
-            TRY(edge_ways_find(&m->germs.item[k], m->context));
+    for (size_t k = 0; k < m->germs->count; k++)
+        if (!m->germs->item[k].root)
+            TRY(edge_ways_find(&m->germs->item[k], m->context));
     return look_at_rays(m);
 }
 
@@ -236,34 +221,35 @@ static graze_status look_at_all(leading_maker *m) {
     for (int by = BY_EDGES; by >= 0; by--)
         if (m->is_interior[by])
             finding_set(m->out, GRAZE_TOPO_INTERIOR, level[by]);
-    if (m->open_rank == 2)
+    if (m->open.rank == 2)
         TRY(look_at_second_order(&by_second, m));
     if (by_second)
         finding_set(m->out, GRAZE_TOPO_INTERIOR, GRAZE_LEVEL_LEADING_TERMS);
     else if (!m->is_interior[BY_EDGES])
-        finding_undecided(m->out, m->germs.bounded
+        finding_undecided(m->out, m->germs->bounded
                                       ? "to first order the contacts close around the point, and "
                                         "what is left is thinner than every cone"
-                                      : m->germs.reason);
+                                      : m->germs->reason);
     return GRAZE_OK;
 }
 
 graze_status leading_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
                             const plane_list *planes, const fmpq *point) {
-    leading_maker m = {.out = out, .context = context, .scene = scene, .point = point};
     int refused = 0;
-    germ_list_init(&m.germs);
-    borders_init(&m.borders, scene->motion->dimension);
-    m.open = _fmpz_vec_init(9);
-    graze_status status = germs_find(&m.germs, context, scene, planes, point);
-    if (!status)
-        status = borders_find(&m.borders, &refused, context, &m.germs);
-    if (!status && refused)
-        finding_undecided(out, "more planes border what the contacts cover than are looked at");
-    else if (!status)
-        status = look_at_all(&m);
-    _fmpz_vec_clear(m.open, 9);
-    borders_clear(&m.borders);
-    germ_list_clear(&m.germs);
-    return status;
+    HELD(germ_list, germs);
+    HELD(borders, b, scene->motion->dimension);
+    LOCAL_VEC(fmpz, open, 9);
+    leading_maker m = {.out = out,
+                       .context = context,
+                       .scene = scene,
+                       .point = point,
+                       .germs = &germs,
+                       .borders = &b,
+                       .open.basis = open};
+    TRY(germs_find(&germs, context, scene, planes, point));
+    TRY(borders_find(&b, &refused, context, &germs));
+    if (!refused)
+        return look_at_all(&m);
+    finding_undecided(out, "more planes border what the contacts cover than are looked at");
+    return GRAZE_OK;
 }

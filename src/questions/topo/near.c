@@ -12,27 +12,36 @@
 #include "questions/topo/eliminate.h"
 #include "questions/topo/near.h"
 
-void near_init(near_curves *n) {
+void near_curves_init(near_curves *n) {
     curve_list_init(&n->through);
     n->places = 0;
 }
 
-void near_clear(near_curves *n) {
+void near_curves_clear(near_curves *n) {
     curve_list_clear(&n->through);
 }
 
-/* The exponents of x and y in term k. */
-static void exponents_of(ulong *out, const fmpz_mpoly_t g, slong k, const fmpz_mpoly_ctx_t ring) {
-    ulong all[RING_VARIABLES];
-    fmpz_mpoly_get_term_exp_ui(all, g, k, ring);
-    out[0] = all[RING_X];
-    out[1] = all[RING_Y];
+void places_for_term(ulong *places, ulong constant, ulong bits, ulong degree, ulong terms) {
+    ulong needed = bits + 1 + FLINT_BIT_COUNT(terms);
+    if (needed > constant)
+        *places = FLINT_MAX(*places, (needed - constant + degree - 1) / degree);
+}
+
+void places_below_roots(ulong *places, const fmpz_poly_t p) {
+    slong zeros = 0, length = fmpz_poly_length(p);
+    while (fmpz_is_zero(fmpz_poly_get_coeff_ptr(p, zeros)))
+        zeros++;
+    ulong constant = fmpz_bits(fmpz_poly_get_coeff_ptr(p, zeros));
+    for (slong k = zeros + 1; k < length; k++)
+        if (!fmpz_is_zero(fmpz_poly_get_coeff_ptr(p, k)))
+            places_for_term(places, constant, fmpz_bits(fmpz_poly_get_coeff_ptr(p, k)),
+                            (ulong)(k - zeros), (ulong)length);
 }
 
 /* Has a polynomial no constant term? That would be the last one. */
 static int passes_origin(const fmpz_mpoly_t g, const fmpz_mpoly_ctx_t ring) {
-    ulong e[2];
-    exponents_of(e, g, fmpz_mpoly_length(g, ring) - 1, ring);
+    ulong e[RING_VARIABLES];
+    fmpz_mpoly_get_term_exp_ui(e, g, fmpz_mpoly_length(g, ring) - 1, ring);
     return e[0] + e[1] > 0;
 }
 
@@ -62,8 +71,8 @@ static void stay_clear_of(near_maker *m, const fmpz_mpoly_t g) {
     fmpz_mpoly_get_term_coeff_fmpz(c, g, length - 1, ring); /* the constant is the last one */
     ulong constant = fmpz_bits(c);
     for (slong k = 0; k < length - 1; k++) {
-        ulong e[2];
-        exponents_of(e, g, k, ring);
+        ulong e[RING_VARIABLES];
+        fmpz_mpoly_get_term_exp_ui(e, g, k, ring);
         fmpz_mpoly_get_term_coeff_fmpz(c, g, k, ring);
         places_for_term(&m->n->places, constant, fmpz_bits(c), e[0] + e[1], (ulong)length);
     }
@@ -83,21 +92,12 @@ static graze_status take_part(near_maker *m, const fmpz_mpoly_t part) {
 /* out = g(x, x) or, if `falling`, g(x, -x). */
 static void on_diagonal(fmpz_poly_t out, const fmpz_mpoly_t g, int falling,
                         const fmpz_mpoly_ctx_t ring) {
-    LOCAL_VEC(fmpz, c, 2);
-    fmpz *sum = c + 1;
-    fmpz_poly_zero(out);
-    for (slong k = 0; k < fmpz_mpoly_length(g, ring); k++) {
-        ulong e[2];
-        exponents_of(e, g, k, ring);
-        slong power = (slong)(e[0] + e[1]);
-        fmpz_mpoly_get_term_coeff_fmpz(c, g, k, ring);
-        fmpz_poly_get_coeff_fmpz(sum, out, power);
-        if (falling && e[1] % 2 == 1)
-            fmpz_sub(sum, sum, c);
-        else
-            fmpz_add(sum, sum, c);
-        fmpz_poly_set_coeff_fmpz(out, power, sum);
-    }
+    LOCAL_VEC(fmpz_poly, image, RING_VARIABLES);
+    fmpz_poly_struct *const images[] = {image + RING_X, image + RING_Y};
+    fmpz_poly_set_coeff_si(image + RING_X, 1, 1);
+    fmpz_poly_set_coeff_si(image + RING_Y, 1, falling ? -1 : 1);
+    (void)fmpz_mpoly_compose_fmpz_poly(out, g, images,
+                                       ring); /* it fails for huge exponents alone */
 }
 
 /* Shrink the square below the common zeros of two curves. */
@@ -126,17 +126,14 @@ static graze_status stay_below_turns(near_maker *m, const sliced_curve *a) {
  * in `variable`. */
 static graze_status stay_below_meetings(near_maker *m, size_t k, int variable) {
     const curve_list *c = &m->n->through;
-    sliced_curve a, b;
-    sliced_curve_init(&a, &c->item[k], variable, c->ring);
-    graze_status status = stay_below_turns(m, &a);
-    for (size_t j = 0; j < k && a.degree > 0 && !status && !m->refused; j++) {
-        sliced_curve_init(&b, &c->item[j], variable, c->ring);
+    HELD(sliced_curve, a, &c->item[k], variable, c->ring);
+    TRY(stay_below_turns(m, &a));
+    for (size_t j = 0; j < k && a.degree > 0 && !m->refused; j++) {
+        HELD(sliced_curve, b, &c->item[j], variable, c->ring);
         if (b.degree > 0)
-            status = stay_below_event(m, &a, &b);
-        sliced_curve_clear(&b);
+            TRY(stay_below_event(m, &a, &b));
     }
-    sliced_curve_clear(&a);
-    return status;
+    return GRAZE_OK;
 }
 
 static void stay_below_corners(near_maker *m, size_t k) {
@@ -170,17 +167,15 @@ static graze_status take_curves(near_maker *m, curve_list *parts, const curve_li
 graze_status near_make(near_curves *n, int *refused, graze_context *context, const curve_list *all,
                        const fmpq *point) {
     near_maker m = {n, 0, context};
-    curve_list parts;
-    curve_list_init(&parts);
-    graze_status status = take_curves(&m, &parts, all, point);
-    curve_list_clear(&parts);
-    for (size_t k = 0; k < n->through.count && !status && !m.refused; k++) {
+    HELD(curve_list, parts);
+    TRY(take_curves(&m, &parts, all, point));
+    for (size_t k = 0; k < n->through.count && !m.refused; k++) {
         stay_below_corners(&m, k);
-        for (int variable = 0; variable < 2 && !status && !m.refused; variable++)
-            status = stay_below_meetings(&m, k, variable);
+        for (int variable = 0; variable < 2 && !m.refused; variable++)
+            TRY(stay_below_meetings(&m, k, variable));
     }
     *refused = m.refused;
-    return status;
+    return GRAZE_OK;
 }
 
 /* One curve on a side of the square, times a power of 2. */
@@ -191,15 +186,12 @@ static void curve_on_side(fmpz_poly_t out, const fmpz_mpoly_t g, const near_curv
     fmpz *sum = c + 1;
     fmpz_poly_zero(out);
     for (slong k = 0; k < fmpz_mpoly_length(g, n->through.ring); k++) {
-        ulong e[2];
-        exponents_of(e, g, k, n->through.ring);
+        ulong e[RING_VARIABLES];
+        fmpz_mpoly_get_term_exp_ui(e, g, k, n->through.ring);
         fmpz_mpoly_get_term_coeff_fmpz(c, g, k, n->through.ring);
         fmpz_mul_2exp(c, c, n->places * (degree - e[axis]));
         fmpz_poly_get_coeff_fmpz(sum, out, (slong)e[1 - axis]);
-        if (negative && e[axis] % 2 == 1)
-            fmpz_sub(sum, sum, c);
-        else
-            fmpz_add(sum, sum, c);
+        (negative && e[axis] % 2 == 1 ? fmpz_sub : fmpz_add)(sum, sum, c);
         fmpz_poly_set_coeff_fmpz(out, (slong)e[1 - axis], sum);
     }
 }

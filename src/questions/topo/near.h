@@ -40,6 +40,15 @@ void germs_leave_open(germ_list *list, const char *reason);
 /** Set `edge_way` of a germ's sides and `covers_edge` (proofs/topology.md C52). */
 graze_status edge_ways_find(germ *g, graze_context *context);
 
+/** The span of directions of E^3; rank 3 is all of space. `basis`: two of them and, once they
+ * span a plane, their cross product. */
+typedef struct direction_span {
+    int rank;
+    fmpz *basis; /* 9 integers */
+} direction_span;
+
+void direction_span_add(direction_span *s, const fmpz *v);
+
 /* A direction of E^3 along which the cover by the contacts is invariant. */
 
 /** Find a direction about the point that is parallel to all planes of all contacts' cones at all
@@ -53,8 +62,8 @@ int invariant_beside_step(fmpz *out, fmpz *step, const germ_list *list, const fm
 
 /* The level of leading directions: are all cells of the arrangement of borders covered? */
 
-/** Decide the position of an `on` point, or leave it undecided with a reason (proofs/topology.md
- * C46). */
+/** Decide the position of an `on` point of a sweep, or leave it undecided with a reason
+ * (proofs/topology.md C46). */
 graze_status leading_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
                             const plane_list *planes, const fmpq *point);
 
@@ -72,8 +81,8 @@ typedef struct near_curves {
 } near_curves;
 
 /** Begin without curves, with r = 1. */
-void near_init(near_curves *n);
-void near_clear(near_curves *n);
+void near_curves_init(near_curves *n);
+void near_curves_clear(near_curves *n);
 
 /** Find the parts and the square for a list of curves and a point of 2 rationals.
  * @param[out] refused 1 if r needs more than `bits` places (the context's limit), or coprime_add
@@ -84,15 +93,6 @@ graze_status near_make(near_curves *n, int *refused, graze_context *context, con
 /** The product of `through` on a side of the square, as a polynomial in the coordinate along it.
  * The side is on the line x = r or, with `negative`, x = -r; with `axis` 1 on y = r or y = -r. */
 void near_side(fmpz_poly_t out, const near_curves *n, int axis, int negative);
-
-/* A path from a point through a gap in a plane of space. */
-
-/** Try to prove that an `on` point of E^3 is on the boundary: the path of its finding is `out`
- * between some place and the point (proofs/gaps.md C88). Without success the finding is unchanged.
- * @param curves the scene's curves in the view
- * @param view   the plane through the point along the finding's `open` and `across` */
-graze_status path_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
-                         const curve_list *curves, const plane_view *view);
 
 /* A ray from a point that is out up to some distance. */
 
@@ -113,8 +113,8 @@ typedef struct germ_place {
     const graze_solid *solid;
     int outside; /* 1: the complement is swept (cone_make) */
     const plane_list *planes;
-    const point_map *map;
-    const trajectory *path;
+    const point_map *map; /* of the piece */
+    trajectory *path;
 } germ_place;
 
 /** Find a rational point that has the same signs against all planes of facets as the trajectory's
@@ -133,9 +133,7 @@ graze_status place_find(int *found, fmpz *x, fmpq_t near, const germ_place *plac
 graze_status second_covers(int *out, plane_gap *gap, germ_list *list, graze_context *context,
                            const fmpq *point, const fmpz *normal);
 
-/** Decide an `on` point of a sweep by one level alone: leading directions, or (E^2) curves. */
-graze_status topo_by_leading(topo_finding *out, graze_context *context, const graze_scene *scene,
-                             const fmpq *point);
+/** Decide an `on` point of a sweep in E^2 by curves alone. */
 graze_status topo_by_curves(topo_finding *out, graze_context *context, const graze_scene *scene,
                             const fmpq *point);
 

@@ -1,4 +1,4 @@
-/* Heights between leading terms.
+/* Forms of half germs in the charts of a plane's directions, and heights between leading terms.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * At x the leading terms have the height Q(x)^(1/m), of order 1 + 1/m in |x|, so a term with a
@@ -7,13 +7,52 @@
  */
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
+#include "base/number/sign.h"
 #include "questions/topo/cover.h"
 
+void half_germ_init(half_germ *half) {
+    fmpq_poly_init(half->form);
+    fmpq_poly_init(half->reach);
+    fmpq_poly_init(half->turn);
+    half->has_reach = half->has_turn = 0;
+}
+
+void half_germ_clear(half_germ *half) {
+    fmpq_poly_clear(half->form);
+    fmpq_poly_clear(half->reach);
+    fmpq_poly_clear(half->turn);
+}
+
+void half_in_chart(fmpz_poly_t out, const fmpq_poly_t form, slong degree, direction_chart chart) {
+    LOCAL(fmpq_poly, p);
+    fmpq_poly_set(p, form);
+    if (chart.swapped)
+        fmpq_poly_reverse(p, p, degree + 1);
+    fmpq_poly_get_numerator(out, p);
+    if (chart.opposite && degree % 2 == 1)
+        fmpz_poly_neg(out, out);
+}
+
+graze_status half_is_valid(int *out, const half_germ *half, graze_context *context,
+                           direction_chart chart, algebraic *at) {
+    int sign = 0;
+    LOCAL(fmpz_poly, p);
+    *out = 1;
+    if (half->has_reach) {
+        half_in_chart(p, half->reach, 1, chart);
+        TRY(algebraic_sign_at(&sign, context, p, at));
+        *out = sign > 0;
+    }
+    if (half->has_turn && *out) {
+        half_in_chart(p, half->turn, 1, chart);
+        TRY(algebraic_sign_at(&sign, context, p, at));
+        *out = sign >= 0;
+    }
+    return GRAZE_OK;
+}
+
 void plane_gap_init(plane_gap *gap) {
-    fmpq_init(&gap->lift);
-    for (int k = 0; k < 3; k++)
-        fmpz_init(gap->along + k);
-    gap->order = 0;
+    *gap = (plane_gap){.lift = {0, 1}};
 }
 
 void plane_gap_clear(plane_gap *gap) {
@@ -42,7 +81,7 @@ static void height_at(fmpq_t out, const half_germ *g, direction_chart chart, con
  * larger orders are left out. */
 typedef struct height_range {
     int has_low, has_high;
-    fmpq_t low, high;
+    fmpq *low, *high;
 } height_range;
 
 static void take_height(height_range *r, int above, const fmpq_t height) {
@@ -56,15 +95,14 @@ static void take_height(height_range *r, int above, const fmpq_t height) {
 static graze_status find_range(height_range *r, graze_context *context, slong order,
                                const half_germ *item, size_t count, direction_chart chart,
                                const fmpq_t b) {
-    graze_status status = GRAZE_OK;
     LOCAL(fmpq, height);
     HELD(algebraic, at);
     algebraic_set_rational(&at, b);
     r->has_low = r->has_high = 0;
-    for (size_t k = 0; k < count && !status; k++) {
+    for (size_t k = 0; k < count; k++) {
         int valid = 0;
         if (item[k].order <= order)
-            status = half_is_valid(&valid, &item[k], context, chart, &at);
+            TRY(half_is_valid(&valid, &item[k], context, chart, &at));
         if (!valid)
             continue;
         fmpq_zero(height);
@@ -72,7 +110,7 @@ static graze_status find_range(height_range *r, graze_context *context, slong or
             height_at(height, &item[k], chart, b);
         take_height(r, item[k].above, height);
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Complete a range that lacks an end: its length becomes 1 plus the absolute value of the end that
@@ -87,14 +125,6 @@ static void close_range(height_range *r) {
         fmpq_add(r->high, r->low, length);
     else if (!r->has_low)
         fmpq_sub(r->low, r->high, length);
-}
-
-/* out = v |v|^(order - 1). */
-static void signed_height(fmpq_t out, const fmpq_t v, slong order) {
-    int sign = fmpq_sgn(v);
-    fmpq_pow_si(out, v, order);
-    if (sign < 0 && order % 2 == 0)
-        fmpq_neg(out, out);
 }
 
 /* Find a dyadic number k / 2^places whose signed power of this order lies between two numbers; 0 if
@@ -114,7 +144,7 @@ static int find_dyadic(fmpq_t out, slong order, const fmpq_t low, const fmpq_t h
         fmpz_add_ui(root, root, 1);
         fmpq_set_fmpz(out, root);
         fmpq_div_2exp(out, out, places);
-        signed_height(power, out, order);
+        signed_power(power, out, order);
         found = fmpq_cmp(low, power) < 0 && fmpq_cmp(power, high) < 0;
     }
     return found;
@@ -143,25 +173,21 @@ static slong next_order(const half_germ *item, size_t count, slong bound) {
 
 graze_status gap_set(plane_gap *gap, const open_plane *h, graze_context *context,
                      const half_germ *item, size_t count, direction_chart chart, const fmpq_t b) {
-    height_range r;
-    graze_status status = GRAZE_OK;
-    fmpq_init(r.low);
-    fmpq_init(r.high);
+    LOCAL_VEC(fmpq, ends, 2);
+    height_range r = {.low = ends, .high = ends + 1};
     _fmpz_vec_scalar_mul_fmpz(gap->along, h->basis[chart.swapped], 3, fmpq_denref(b));
     _fmpz_vec_scalar_addmul_fmpz(gap->along, h->basis[!chart.swapped], 3, fmpq_numref(b));
     if (chart.opposite)
         _fmpz_vec_neg(gap->along, gap->along, 3);
     gap->order = 0;
     slong order = FLINT_MAX(next_order(item, count, WORD_MAX), 1);
-    for (; order > 0 && !gap->order && !status; order = next_order(item, count, order)) {
-        status = find_range(&r, context, order, item, count, chart, b);
+    for (; order > 0 && !gap->order; order = next_order(item, count, order)) {
+        TRY(find_range(&r, context, order, item, count, chart, b));
         close_range(&r);
         if (fmpq_cmp(r.low, r.high) < 0)
             gap->order = order;
     }
-    if (gap->order && !status)
+    if (gap->order)
         set_lift(&gap->lift, gap->order, &r);
-    fmpq_clear(r.low);
-    fmpq_clear(r.high);
-    return status;
+    return GRAZE_OK;
 }

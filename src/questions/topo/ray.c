@@ -26,18 +26,18 @@
 
 /* A solid with more than FEW_FACETS facets is given a first reach that is 2^-NEARER_PLACES times as
  * large. */
-enum { FEW_FACETS = 200, NEARER_PLACES = 10, FORMS = 4 };
+enum { FEW_FACETS = 200, NEARER_PLACES = 10, FORMS = 4, PARTS = 5 };
 
 /* A form along the ray: both parts, their common factor, and both divided by it. */
 typedef struct ray_form {
-    fmpz_poly_struct at, slope, common, plain_at, plain_slope;
+    fmpz_poly_struct *at, *slope, *common, *plain_at, *plain_slope;
 } ray_form;
 
 typedef struct ray_maker {
     graze_context *context;
     const graze_scene *scene;
     const point_map *map; /* of the piece */
-    trajectory path;
+    trajectory *path;
     fmpz *place;     /* the point: d + 1 homogeneous integers */
     fmpz *direction; /* d integers, over the same denominator */
     fmpq *reach;
@@ -45,37 +45,21 @@ typedef struct ray_maker {
     int special;
 } ray_maker;
 
-static void ray_form_init(ray_form *f) {
-    fmpz_poly_init(&f->at);
-    fmpz_poly_init(&f->slope);
-    fmpz_poly_init(&f->common);
-    fmpz_poly_init(&f->plain_at);
-    fmpz_poly_init(&f->plain_slope);
-}
-
-static void ray_form_clear(ray_form *f) {
-    fmpz_poly_clear(&f->at);
-    fmpz_poly_clear(&f->slope);
-    fmpz_poly_clear(&f->common);
-    fmpz_poly_clear(&f->plain_at);
-    fmpz_poly_clear(&f->plain_slope);
-}
-
 static void ray_form_set(ray_form *f, const ray_maker *m, const fmpz *form) {
-    trajectory_pullback(&f->at, &m->path, form);
-    signs_pull_back(&f->slope, m->map, form, m->direction);
-    fmpz_poly_gcd(&f->common, &f->at, &f->slope);
-    fmpz_poly_zero(&f->plain_at);
-    fmpz_poly_zero(&f->plain_slope);
-    if (fmpz_poly_is_zero(&f->common))
+    trajectory_pullback(f->at, m->path, form);
+    signs_pull_back(f->slope, m->map, form, m->direction);
+    fmpz_poly_gcd(f->common, f->at, f->slope);
+    fmpz_poly_zero(f->plain_at);
+    fmpz_poly_zero(f->plain_slope);
+    if (fmpz_poly_is_zero(f->common))
         return;
-    fmpz_poly_div(&f->plain_at, &f->at, &f->common);
-    fmpz_poly_div(&f->plain_slope, &f->slope, &f->common);
+    fmpz_poly_div(f->plain_at, f->at, f->common);
+    fmpz_poly_div(f->plain_slope, f->slope, f->common);
 }
 
 /* Is -at / slope independent of time? */
 static int is_steady(const ray_form *f) {
-    return fmpz_poly_length(&f->plain_at) <= 1 && fmpz_poly_length(&f->plain_slope) <= 1;
+    return fmpz_poly_length(f->plain_at) <= 1 && fmpz_poly_length(f->plain_slope) <= 1;
 }
 
 /* Keep `reach` below the s > 0 at which the form vanishes at a time, if there is one: before it the
@@ -83,11 +67,11 @@ static int is_steady(const ray_form *f) {
 static graze_status stay_below(ray_maker *m, const ray_form *f, algebraic *time) {
     int sign = 0, slope = 0, there = 0;
     LOCAL(fmpz_poly, p);
-    TRY(algebraic_sign_at(&sign, m->context, &f->plain_at, time));
-    TRY(algebraic_sign_at(&slope, m->context, &f->plain_slope, time));
+    TRY(algebraic_sign_at(&sign, m->context, f->plain_at, time));
+    TRY(algebraic_sign_at(&slope, m->context, f->plain_slope, time));
     while (sign * slope < 0 && there != sign && !m->special) {
-        fmpz_poly_scalar_mul_fmpz(p, &f->plain_at, fmpq_denref(m->reach));
-        fmpz_poly_scalar_addmul_fmpz(p, &f->plain_slope, fmpq_numref(m->reach));
+        fmpz_poly_scalar_mul_fmpz(p, f->plain_at, fmpq_denref(m->reach));
+        fmpz_poly_scalar_addmul_fmpz(p, f->plain_slope, fmpq_numref(m->reach));
         TRY(algebraic_sign_at(&there, m->context, p, time));
         if (there == sign)
             break;
@@ -100,7 +84,7 @@ static graze_status stay_below(ray_maker *m, const ray_form *f, algebraic *time)
 }
 
 static graze_status stay_below_all(ray_maker *m, const ray_form *form, algebraic *time) {
-    for (int k = 0; k <= m->path.dimension; k++)
+    for (int k = 0; k <= m->path->dimension; k++)
         TRY(stay_below(m, form + k, time));
     return GRAZE_OK;
 }
@@ -136,11 +120,11 @@ static graze_status stay_below_plane(ray_maker *m, const ray_form *form,
     HELD(algebraic, any);
     if (is_steady(form)) {
         TRY(stay_below(m, form, &any));
-        fmpz_poly_set(p, &form->common);
+        fmpz_poly_set(p, form->common);
     } else {
-        fmpz_poly_derivative(a, &form->at);
-        fmpz_poly_derivative(b, &form->slope);
-        cross_terms(p, a, b, &form->at, &form->slope);
+        fmpz_poly_derivative(a, form->at);
+        fmpz_poly_derivative(b, form->slope);
+        cross_terms(p, a, b, form->at, form->slope);
     }
     return stay_below_at_roots(m, form, p, window);
 }
@@ -149,18 +133,16 @@ static graze_status stay_below_plane(ray_maker *m, const ray_form *form,
 static graze_status stay_below_side(ray_maker *m, const ray_form *form, int side,
                                     const dyadic_interval *window) {
     LOCAL(fmpz_poly, p);
-    cross_terms(p, &form->at, &form->slope, &form[side].at, &form[side].slope);
+    cross_terms(p, form->at, form->slope, form[side].at, form[side].slope);
     m->special = m->special || (fmpz_poly_is_zero(p) && !is_steady(form));
     return stay_below_at_roots(m, form, p, window);
 }
 
 /* Keep `reach` below places at which a form vanishes at an end of the piece in the window. */
 static graze_status stay_below_at_ends(ray_maker *m, const ray_form *form, const candidate *near) {
-    LOCAL(fmpq, u);
     HELD(algebraic, end);
     for (slong k = 0; k < 2; k++) {
-        fmpq_set_si(u, k, 1);
-        algebraic_set_rational(&end, u);
+        algebraic_set_dyadic(&end, &(fmpz){k}, 0);
         if (k ? near->to == UINT32_C(1) << WINDOW_LEVELS : near->from == 0)
             TRY(stay_below_all(m, form, &end));
     }
@@ -169,45 +151,45 @@ static graze_status stay_below_at_ends(ray_maker *m, const ray_form *form, const
 
 /* Keep `reach` below the events of one simplex that the ray can meet in a window of time. */
 static graze_status stay_below_simplex(ray_maker *m, const candidate *near) {
-    int d = m->path.dimension;
+    int d = m->path->dimension;
     LOCAL_VEC(fmpz, form, 2 * (d + 1));
     fmpz *side = form + d + 1;
-    ray_form f[FORMS];
+    LOCAL_VEC(fmpz_poly, part, FORMS * PARTS);
+    ray_form f[FORMS] = {{NULL}};
     HELD(dyadic_interval, window);
     fmpz_set_ui(window.low, near->from);
     fmpz_set_ui(window.high, near->to);
     window.exponent = WINDOW_LEVELS;
-    for (int k = 0; k <= d; k++)
-        ray_form_init(&f[k]);
     (void)solid_plane(form, m->scene->solid, near->simplex);
-    ray_form_set(&f[0], m, form);
-    for (int k = 0; k < d; k++) {
-        solid_side(side, m->scene->solid, near->simplex, form, k);
-        ray_form_set(&f[k + 1], m, side);
+    for (int k = 0; k <= d; k++) {
+        fmpz_poly_struct *p = part + PARTS * k;
+        f[k] = (ray_form){p, p + 1, p + 2, p + 3, p + 4};
+        if (k > 0)
+            solid_side(side, m->scene->solid, near->simplex, form, k - 1);
+        ray_form_set(&f[k], m, k > 0 ? side : form);
     }
-    m->special = m->special || fmpz_poly_is_zero(&f[0].common);
-    graze_status status = m->special ? GRAZE_OK : stay_below_at_ends(m, f, near);
-    if (!status && !m->special)
-        status = stay_below_plane(m, f, &window);
-    for (int k = 1; k <= d && !status && !m->special; k++)
-        status = stay_below_side(m, f, k, &window);
-    for (int k = 0; k <= d; k++)
-        ray_form_clear(&f[k]);
-    return status ? status : context_poll(m->context);
+    m->special = m->special || fmpz_poly_is_zero(f[0].common);
+    if (!m->special)
+        TRY(stay_below_at_ends(m, f, near));
+    if (!m->special)
+        TRY(stay_below_plane(m, f, &window));
+    for (int k = 1; k <= d && !m->special; k++)
+        TRY(stay_below_side(m, f, k, &window));
+    return context_poll(m->context);
 }
 
 /* Keep `reach` below the events of a piece. The trajectories of all places up to the current reach
  * lie between those of P and of the last place. */
 static graze_status stay_below_piece(ray_maker *m) {
-    int d = m->path.dimension;
+    int d = m->path->dimension;
     ZEROED(candidates, near);
     LOCAL_VEC(fmpz, end, d + 1);
     _fmpz_vec_scalar_mul_fmpz(end, m->place, d + 1, fmpq_denref(m->reach));
     _fmpz_vec_scalar_addmul_fmpz(end, m->direction, d, fmpq_numref(m->reach));
     HELD(trajectory, far, d);
-    trajectory_carry(&m->path, m->map, m->place);
+    trajectory_carry(m->path, m->map, m->place);
     trajectory_carry(&far, m->map, end);
-    TRY(candidates_find_between(&near, m->context, m->scene->solid, &m->path, &far));
+    TRY(candidates_find_between(&near, m->context, m->scene->solid, m->path, &far));
     for (size_t k = 0; k < near.count && !m->special; k++)
         TRY(stay_below_simplex(m, &near.item[k]));
     return GRAZE_OK;
@@ -233,20 +215,21 @@ graze_status ray_find_reach(int *found, fmpq_t reach, graze_context *context,
                             const graze_scene *scene, const fmpq *point, const fmpz *direction) {
     const graze_motion *motion = scene->motion;
     slong d = motion->dimension;
-    ray_maker m = {.context = context, .scene = scene, .reach = reach};
-    graze_status status = GRAZE_OK;
-    m.place = _fmpz_vec_init(2 * d + 1);
-    m.direction = m.place + d + 1;
-    _fmpq_vec_get_fmpz_vec_fmpz(m.place, m.place + d, point, d);
-    _fmpz_vec_scalar_mul_fmpz(m.direction, direction, d, m.place + d);
-    trajectory_init(&m.path, (int)d);
+    LOCAL_VEC(fmpz, place, 2 * d + 1);
+    HELD(trajectory, path, (int)d);
+    ray_maker m = {.context = context,
+                   .scene = scene,
+                   .path = &path,
+                   .place = place,
+                   .direction = place + d + 1,
+                   .reach = reach};
+    _fmpq_vec_get_fmpz_vec_fmpz(place, place + d, point, d);
+    _fmpz_vec_scalar_mul_fmpz(m.direction, direction, d, place + d);
     set_first_reach(reach, scene->solid, direction, d);
-    for (size_t k = 0; k < motion->piece_count && !status && !m.special; k++) {
+    for (size_t k = 0; k < motion->piece_count && !m.special; k++) {
         m.map = motion_tracing(&motion->piece[k], scene->options.operation);
-        status = stay_below_piece(&m);
+        TRY(stay_below_piece(&m));
     }
-    *found = !status && !m.special;
-    trajectory_clear(&m.path);
-    _fmpz_vec_clear(m.place, 2 * d + 1);
-    return status;
+    *found = !m.special;
+    return GRAZE_OK;
 }

@@ -60,28 +60,27 @@ static int multiple_of(fmpq_t out, const fmpq_poly_t residue, const fmpq_poly_t 
 static graze_status ratio_of(int *rational, fmpz *out, slong n, const fmpz_poly_struct *p,
                              graze_context *context, algebraic *time, const fmpz_poly_t minimal) {
     int sign = 1;
-    graze_status status = GRAZE_OK;
     LOCAL_VEC(fmpq, ratio, n);
     LOCAL(fmpq_poly, modulus);
     LOCAL(fmpq_poly, residue);
     LOCAL(fmpq_poly, base);
     fmpq_poly_set_fmpz_poly(modulus, minimal);
     *rational = 1;
-    for (slong k = 0; k < n && *rational && !status; k++) {
+    for (slong k = 0; k < n && *rational; k++) {
         fmpq_poly_set_fmpz_poly(residue, p + k);
         fmpq_poly_rem(residue, residue, modulus);
         if (fmpq_poly_is_zero(residue))
             continue;
         if (fmpq_poly_is_zero(base)) {
             fmpq_poly_set(base, residue);
-            status = algebraic_sign_at(&sign, context, p + k, time);
+            TRY(algebraic_sign_at(&sign, context, p + k, time));
         }
         *rational = multiple_of(ratio + k, residue, base);
         if (sign < 0)
             fmpq_neg(ratio + k, ratio + k);
     }
     direction_of_rationals(out, ratio, n);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Differentiate the distances from the cone's planes until one is not 0 at the time; *order is the
@@ -89,22 +88,21 @@ static graze_status ratio_of(int *rational, fmpz *out, slong n, const fmpz_poly_
 static graze_status find_order(slong *order, germ *g, const germ_place *place) {
     germ_root *root = g->root;
     int left = 1, sign = 0;
-    graze_status status = GRAZE_OK;
     *order = 0;
     for (size_t j = 0; j < root->count; j++)
         distance_from_plane(root->way + j, &g->cone, j, place->path);
-    while (left && !sign && !status) {
+    while (left && !sign) {
         left = 0;
         for (size_t j = 0; j < root->count; j++) {
             fmpz_poly_derivative(root->way + j, root->way + j);
             left = left || !fmpz_poly_is_zero(root->way + j);
         }
-        for (size_t j = 0; j < root->count && !status && !sign; j++)
-            status = algebraic_sign_at(&sign, place->context, root->way + j, &root->time);
+        for (size_t j = 0; j < root->count && !sign; j++)
+            TRY(algebraic_sign_at(&sign, place->context, root->way + j, &root->time));
         ++*order;
     }
     *order = sign ? *order : 0;
-    return status;
+    return GRAZE_OK;
 }
 
 /* A direction whose scalar products with the normals are given integers; 0 if there is none. */
@@ -151,13 +149,12 @@ static graze_status set_map_near(int *rational, germ *g, const germ_place *place
     LOCAL_VEC(fmpq, value, d * d);
     for (int i = 0; i < d * d; i++)
         entry[i] = place->map->entry[i / d * (d + 1) + i % d]; /* borrowed */
-    graze_status status =
-        ratio_of(rational, g->to_body, d * d, entry, place->context, &g->root->time, minimal);
+    TRY(ratio_of(rational, g->to_body, d * d, entry, place->context, &g->root->time, minimal));
     for (int i = 0; i < d * d && !*rational; i++)
         fmpz_poly_evaluate_fmpq(value + i, entry + i, near);
     if (!*rational)
         direction_of_rationals(g->to_body, value, d * d);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Set the leading direction: exactly if it is rational up to a factor, else approximately. *found

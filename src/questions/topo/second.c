@@ -27,21 +27,24 @@ typedef struct second_maker {
     half_germ *item;
 } second_maker;
 
+static void second_maker_clear(second_maker *m) {
+    for (size_t k = 0; k < m->count; k++)
+        half_germ_clear(&m->item[k]);
+    free(m->item);
+}
+
 /* Append the half of a germ below the plane (sign -1) or above it (sign 1), if this way gives one.
  */
 static graze_status add_half(second_maker *m, germ *g, int sign, int way) {
-    half_germ half;
     int covers = 0;
-    half_germ_init(&half);
-    graze_status status = half_of_germ(&covers, &half, &m->plane, m->context, g, sign, way);
-    if (!status && covers)
-        status = array_grow(m->context, &m->item, &m->capacity, m->count + 1, sizeof *m->item,
-                            "the contacts of a point");
-    if (!status && covers)
-        m->item[m->count++] = half;
-    else
-        half_germ_clear(&half);
-    return status;
+    TRY(array_grow(m->context, &m->item, &m->capacity, m->count + 1, sizeof *m->item,
+                   "the contacts of a point"));
+    half_germ *half = &m->item[m->count++];
+    half_germ_init(half);
+    TRY(half_of_germ(&covers, half, &m->plane, m->context, g, sign, way));
+    if (!covers)
+        half_germ_clear(&m->item[--m->count]);
+    return GRAZE_OK;
 }
 
 /* A polynomial in the chart's parameter with the sign of the leading term of `below` minus that of
@@ -87,9 +90,9 @@ static graze_status largest_sign_at(int *out, const second_maker *m, algebraic *
 
 /* Clear `*out` unless the largest sign of the excesses at a parameter, `*sign`, is positive. */
 static graze_status look_at_slope(int *out, int *sign, const second_maker *m, algebraic *at) {
-    graze_status status = largest_sign_at(sign, m, at);
+    TRY(largest_sign_at(sign, m, at));
     *out = *out && *sign > 0;
-    return status;
+    return GRAZE_OK;
 }
 
 /* Look at a parameter at which a sign may change. The gap may lie in its direction alone; if it is
@@ -132,18 +135,15 @@ static graze_status look_from_to(int *out, const second_maker *m, algebraic *fro
  */
 static graze_status look_at_slopes(int *out, const second_maker *m, algebraic_list *roots) {
     int order = 0;
-    LOCAL(fmpq, end);
     HELD(algebraic, last);
     HELD(algebraic, next);
-    fmpq_set_si(end, -1, 1);
-    algebraic_set_rational(&last, end);
+    algebraic_set_dyadic(&last, &(fmpz){-1}, 0);
     TRY(look_at_end(out, m, &last));
-    fmpq_one(end);
     for (size_t k = 0; k <= roots->count; k++) {
         if (k < roots->count)
             algebraic_set(&next, &roots->item[k]);
         else
-            algebraic_set_rational(&next, end);
+            algebraic_set_dyadic(&next, &(fmpz){1}, 0);
         TRY(algebraic_compare(&order, m->context, &last, &next));
         if (order == 0)
             continue;
@@ -194,24 +194,19 @@ static graze_status look_at_chart(int *out, const second_maker *m) {
 
 graze_status second_covers(int *out, plane_gap *gap, germ_list *list, graze_context *context,
                            const fmpq *point, const fmpz *normal) {
-    second_maker m = {.context = context, .plane = {.point = point, .normal = normal}, .gap = gap};
-    graze_status status = GRAZE_OK;
-    for (int i = 0; i < 6; i++)
-        fmpz_init(m.plane.basis[i / 3] + i % 3);
-    directions_basis(m.plane.basis[0], m.plane.basis[1], normal);
-    for (size_t k = 0; k < list->count && !status; k++)
-        for (int how = 0; how < 2 * HALF_WAYS && !status; how++)
-            status = add_half(&m, &list->item[k], how % 2 ? 1 : -1, how / 2);
+    LOCAL_VEC(fmpz, basis, 6);
+    ZEROED(second_maker, m);
+    m.context = context;
+    m.plane = (open_plane){point, normal, {basis, basis + 3}};
+    m.gap = gap;
+    directions_basis(basis, basis + 3, normal);
+    for (size_t k = 0; k < list->count; k++)
+        for (int how = 0; how < 2 * HALF_WAYS; how++)
+            TRY(add_half(&m, &list->item[k], how % 2 ? 1 : -1, how / 2));
     *out = 1;
-    for (int k = 0; k < 4 && !status; k++) {
+    for (int k = 0; k < 4; k++) {
         m.chart = (direction_chart){k % 2, k / 2};
-        status = look_at_chart(out, &m);
+        TRY(look_at_chart(out, &m));
     }
-    *out = *out && !status;
-    for (size_t k = 0; k < m.count; k++)
-        half_germ_clear(&m.item[k]);
-    free(m.item);
-    for (int i = 0; i < 6; i++)
-        fmpz_clear(m.plane.basis[i / 3] + i % 3);
-    return status;
+    return GRAZE_OK;
 }

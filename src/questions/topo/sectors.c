@@ -32,23 +32,21 @@ static int compare_angles(const void *a, const void *b) {
     fmpz *right = left + 1;
     fmpz_mul(left, v + 1, w);
     fmpz_mul(right, v, w + 1);
-    order = fmpz_cmp(left, right);
-    return order;
+    return fmpz_cmp(left, right);
 }
 
 static graze_status ask_about(int *covered, graze_context *context, const sector_question *asked,
                               const fmpz *direction) {
     germ_cover cover = {0, 0, 0, 0};
-    graze_status status = GRAZE_OK;
     if (asked->turn)
-        status = signs_cover_in_turn(&cover.covered, asked->turn,
-                                     &asked->list->item[asked->turn->germ], context, direction);
+        TRY(signs_cover_in_turn(&cover.covered, asked->turn, &asked->list->item[asked->turn->germ],
+                                context, direction));
     else if (asked->germ)
-        status = germ_cover_part(&cover, asked->germ, context, direction, asked->part);
+        TRY(germ_cover_part(&cover, asked->germ, context, direction, asked->part));
     else
-        status = germs_cover(&cover, asked->list, context, direction);
+        TRY(germs_cover(&cover, asked->list, context, direction));
     *covered = cover.covered != asked->open;
-    return status;
+    return GRAZE_OK;
 }
 
 /* Join adjacent covered cells between rays into sectors. */
@@ -70,30 +68,27 @@ static void join_cells(sector_list *out, const fmpz *ray, const int *covered, si
 
 static graze_status find_between(sector_list *out, graze_context *context,
                                  const sector_question *asked, const fmpz *ray, size_t count) {
-    graze_status status = GRAZE_OK;
-    int *covered = calloc(count, sizeof *covered);
+    FREED(int, covered, calloc(count, sizeof *covered));
     if (!covered)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory");
     LOCAL_VEC(fmpz, middle, 2);
     out->all = 1;
-    for (size_t k = 0; k < count && !status; k++) {
+    for (size_t k = 0; k < count; k++) {
         _fmpz_vec_add(middle, ray + 2 * k, ray + 2 * ((k + 1) % count), 2);
-        status = ask_about(&covered[k], context, asked, middle);
+        TRY(ask_about(&covered[k], context, asked, middle));
         out->all = out->all && covered[k];
     }
-    if (!status && !out->all)
+    if (!out->all)
         join_cells(out, ray, covered, count);
-    free(covered);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Add rays all around: with the angles 4 atan(k / TURN_RAYS), and their opposites. */
 static void add_turn_rays(fmpz *ray) {
     const slong n = TURN_RAYS / 4;
     for (slong k = 0; k < TURN_RAYS; k++) {
-        slong half = k % n;
+        slong half = k % n, quarter = k / n;
         slong x = n * n - half * half, y = 2 * n * half;
-        slong quarter = k / n;
         slong turned[4][2] = {{x, y}, {-y, x}, {-x, -y}, {y, -x}};
         fmpz_set_si(ray + 2 * k, turned[quarter][0]);
         fmpz_set_si(ray + 2 * k + 1, turned[quarter][1]);
@@ -118,14 +113,13 @@ graze_status sectors_find(sector_list *out, graze_context *context, const sector
     int refused = 0;
     HELD(borders, b, 2);
     TRY(borders_find(&b, &refused, context, asked->germ ? &alone : asked->list));
-    if (!refused) {
-        size_t count = b.ray_count + more;
-        LOCAL_VEC(fmpz, ray, (slong)(2 * count));
-        _fmpz_vec_set(ray, b.ray, (slong)(2 * b.ray_count));
-        if (more)
-            add_turn_rays(ray + 2 * b.ray_count);
-        qsort(ray, count, 2 * sizeof *ray, compare_angles);
-        TRY(find_between(out, context, asked, ray, drop_equal_rays(ray, count)));
-    }
-    return GRAZE_OK;
+    if (refused)
+        return GRAZE_OK;
+    size_t count = b.ray_count + more;
+    LOCAL_VEC(fmpz, ray, (slong)(2 * count));
+    _fmpz_vec_set(ray, b.ray, (slong)(2 * b.ray_count));
+    if (more)
+        add_turn_rays(ray + 2 * b.ray_count);
+    qsort(ray, count, 2 * sizeof *ray, compare_angles);
+    return find_between(out, context, asked, ray, drop_equal_rays(ray, count));
 }

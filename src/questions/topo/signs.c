@@ -37,14 +37,10 @@ static graze_status learn_all(local_cone *cone, graze_context *context) {
     TRY(cone_state(&state, cone, context, none));
     TRY(borders_of_cone(&b, &refused, context, cone));
     for (size_t r = 0; r < b.ray_count && !refused; r++) {
-        graze_status status = cone_state(&state, cone, context, b.ray + r * (size_t)d);
-        fmpz *cell;
-        size_t count;
-        borders_around(&cell, &count, &b, r);
-        for (size_t k = 0; k < count && !status; k++)
-            status = cone_state(&state, cone, context, cell + k * (size_t)d);
-        _fmpz_vec_clear(cell, (slong)count * d);
-        TRY(status);
+        HELD(ray_cells, cells, &b, r);
+        TRY(cone_state(&state, cone, context, b.ray + r * (size_t)d));
+        for (size_t k = 0; k < cells.count; k++)
+            TRY(cone_state(&state, cone, context, cells.item + k * (size_t)d));
     }
     cone->knows_all = !refused;
     return GRAZE_OK;
@@ -62,6 +58,13 @@ graze_status signs_state(graze_state *out, local_cone *cone, graze_context *cont
     return GRAZE_OK;
 }
 
+/* A plane that is crossed at a positive s, with its rank by s; planes crossed at the same s have
+ * one rank. */
+typedef struct plane_cut {
+    size_t plane;
+    int rank;
+} plane_cut;
+
 /* The values of a germ's planes at u + s e, as functions of s with coefficients that are
  * polynomials at the root. */
 typedef struct root_sweep {
@@ -70,41 +73,20 @@ typedef struct root_sweep {
     size_t count;
     fmpz_poly_struct *at, *way; /* each plane's values at u and along e, on the side 1 */
     signed char *at_sign, *way_sign, *sign;
-    size_t *cut, cut_count; /* the planes that are crossed at a positive s, in order of s */
-    int *rank;              /* the rank of each cut by s; cuts at the same s have one rank */
+    plane_cut *cut; /* in order of s */
+    size_t cut_count;
 } root_sweep;
 
-static void sweep_clear(root_sweep *s) {
-    for (size_t j = 0; s->at && j < s->count; j++)
-        fmpz_poly_clear(s->at + j);
-    free(s->at);
-    free(s->at_sign);
-    free(s->cut);
-    free(s->rank);
-}
-
-/* Begin with the values of the planes at a direction about the point. */
-static graze_status sweep_init(root_sweep *s, germ *g, graze_context *context,
-                               const fmpz *direction) {
-    size_t n = g->cone.count;
-    *s = (root_sweep){.g = g, .context = context, .count = n, .way = g->root->way};
-    s->at = malloc((n + 1) * sizeof *s->at);
-    s->at_sign = calloc(3 * n + 1, 1);
-    s->cut = malloc((n + 1) * sizeof *s->cut);
-    s->rank = malloc((n + 1) * sizeof *s->rank);
-    for (size_t j = 0; s->at && j < n; j++)
-        fmpz_poly_init(s->at + j);
-    if (!s->at || !s->at_sign || !s->cut || !s->rank)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a contact");
-    s->way_sign = s->at_sign + n;
-    s->sign = s->way_sign + n;
-    for (size_t j = 0; j < n; j++) {
+/* Set the values of the planes at a direction about the point, and the signs. */
+static graze_status set_values(root_sweep *s, const fmpz *direction) {
+    const local_cone *cone = &s->g->cone;
+    for (size_t j = 0; j < s->count; j++) {
         int sign = 0;
-        signs_pull_back(s->at + j, g->map, g->cone.normal + j * (size_t)g->cone.dimension,
+        signs_pull_back(s->at + j, s->g->map, cone->normal + j * (size_t)cone->dimension,
                         direction);
-        TRY(algebraic_sign_at(&sign, context, s->at + j, &g->root->time));
+        TRY(algebraic_sign_at(&sign, s->context, s->at + j, &s->g->root->time));
         s->at_sign[j] = (signed char)sign;
-        TRY(algebraic_sign_at(&sign, context, s->way + j, &g->root->time));
+        TRY(algebraic_sign_at(&sign, s->context, s->way + j, &s->g->root->time));
         s->way_sign[j] = (signed char)sign;
     }
     return GRAZE_OK;
@@ -118,9 +100,9 @@ static graze_status compare_crossing_places(int *out, root_sweep *s, int side, s
     fmpz_poly_mul(a, s->at + k, s->way + j);
     fmpz_poly_mul(b, s->at + j, s->way + k);
     fmpz_poly_sub(a, a, b);
-    graze_status status = algebraic_sign_at(out, s->context, a, &s->g->root->time);
+    TRY(algebraic_sign_at(out, s->context, a, &s->g->root->time));
     *out *= side * s->way_sign[j] * s->way_sign[k];
-    return status;
+    return GRAZE_OK;
 }
 
 /* Sort the planes that are crossed on a side by their places. */
@@ -132,17 +114,16 @@ static graze_status order_crossings(root_sweep *s, int side) {
         if (s->at_sign[j] * s->way_sign[j] * side >= 0)
             continue;
         while (place > 0 && order < 0) {
-            TRY(compare_crossing_places(&order, s, side, j, s->cut[place - 1]));
+            TRY(compare_crossing_places(&order, s, side, j, s->cut[place - 1].plane));
             place -= order < 0;
         }
-        rank = place == 0 ? 0 : s->rank[place - 1] + (order > 0);
+        rank = place == 0 ? 0 : s->cut[place - 1].rank + (order > 0);
         int together = place > 0 && order == 0;
         for (size_t k = s->cut_count; k > place; k--) {
             s->cut[k] = s->cut[k - 1];
-            s->rank[k] = s->rank[k - 1] + !together;
+            s->cut[k].rank += !together;
         }
-        s->cut[place] = j;
-        s->rank[place] = rank;
+        s->cut[place] = (plane_cut){j, rank};
         s->cut_count++;
     }
     return GRAZE_OK;
@@ -154,18 +135,19 @@ static graze_status look_at_rank(int *covered, root_sweep *s, int side, int rank
     graze_state state = GRAZE_STATE_O;
     for (size_t j = 0; j < s->count; j++)
         s->sign[j] = s->at_sign[j] ? s->at_sign[j] : (signed char)(side * s->way_sign[j]);
-    for (size_t k = 0; k < s->cut_count && s->rank[k] <= rank; k++)
-        s->sign[s->cut[k]] =
-            s->rank[k] < rank ? (signed char)(side * s->way_sign[s->cut[k]]) : (signed char)0;
-    graze_status status = signs_state(&state, &s->g->cone, s->context, s->sign);
+    for (size_t k = 0; k < s->cut_count && s->cut[k].rank <= rank; k++) {
+        size_t j = s->cut[k].plane;
+        s->sign[j] = s->cut[k].rank < rank ? (signed char)(side * s->way_sign[j]) : (signed char)0;
+    }
+    TRY(signs_state(&state, &s->g->cone, s->context, s->sign));
     *covered = *covered || state != GRAZE_STATE_O;
-    return status;
+    return GRAZE_OK;
 }
 
 /* Ask all u + s e with s > 0 on one side; `side` is the sign of `way` there. */
 static graze_status look_at_side(int *covered, root_sweep *s, int side) {
     TRY(order_crossings(s, side));
-    int last = s->cut_count > 0 ? s->rank[s->cut_count - 1] : -1;
+    int last = s->cut_count > 0 ? s->cut[s->cut_count - 1].rank : -1;
     for (int rank = -1; rank <= last && !*covered; rank++)
         TRY(look_at_rank(covered, s, side, rank));
     return GRAZE_OK;
@@ -173,18 +155,26 @@ static graze_status look_at_side(int *covered, root_sweep *s, int side) {
 
 graze_status signs_cover_at_root(int *covered, germ *g, graze_context *context,
                                  const fmpz *direction, int part) {
-    root_sweep s;
+    size_t n = g->cone.count;
     graze_state state = GRAZE_STATE_O;
+    LOCAL_VEC(fmpz_poly, at, (slong)n);
+    FREED(signed char, sign, calloc(3 * n + 1, 1));
+    FREED(plane_cut, cut, malloc((n + 1) * sizeof *cut));
+    root_sweep s = {.g = g, .context = context, .count = n, .at = at, .way = g->root->way};
     *covered = 0;
-    graze_status status = sweep_init(&s, g, context, direction);
-    if (!status)
-        status = signs_state(&state, &g->cone, context, s.at_sign);
+    if (!sign || !cut)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a contact");
+    s.at_sign = sign;
+    s.way_sign = sign + n;
+    s.sign = sign + 2 * n;
+    s.cut = cut;
+    TRY(set_values(&s, direction));
+    TRY(signs_state(&state, &g->cone, context, s.at_sign));
     *covered = state != GRAZE_STATE_O;
-    for (int k = 0; k < g->side_count && !status && !*covered; k++)
+    for (int k = 0; k < g->side_count && !*covered; k++)
         if (part == GERM_WHOLE || part == k)
-            status = look_at_side(covered, &s, k > 0 && g->side[k].order % 2 == 1 ? -1 : 1);
-    sweep_clear(&s);
-    return status;
+            TRY(look_at_side(covered, &s, k > 0 && g->side[k].order % 2 == 1 ? -1 : 1));
+    return GRAZE_OK;
 }
 
 /* Ask the state at one time. */

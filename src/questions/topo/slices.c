@@ -4,11 +4,16 @@
  * The planes are askew, so that facets seldom come to lie in one. If the contacts do not depend on
  * a direction, one plane across it decides (proofs/topology.md C54); if they depend on it only at a
  * step, two planes decide (C128).
+ *
+ * A path in a plane has the coordinates x = s^m, y = s^(m + 1) p / q. Inserted into a curve's
+ * polynomial they give a polynomial in s; below its first positive root the path does not meet the
+ * curve.
  */
 #include "questions/topo/topo.h"
 
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
+#include "decide/bounds/bounds.h"
 #include "decide/scene/scene.h"
 #include "decide/surfaces/surfaces.h"
 #include "input/solid/solid.h"
@@ -20,6 +25,65 @@ enum { SLICES = 3 };
 
 static const slong askew[SLICES][2][3] = {
     {{3, 1, 2}, {-1, 4, 1}}, {{2, -5, 1}, {1, 1, 4}}, {{1, 2, -7}, {5, -2, 3}}};
+
+/* A curve's polynomial along the path, as a polynomial in s, times a power of q. */
+static void curve_on_path(fmpz_poly_t out, const fmpz_mpoly_t curve, const topo_finding *f,
+                          const fmpz_mpoly_ctx_t ring) {
+    slong most = fmpz_mpoly_degree_si(curve, RING_Y, ring);
+    LOCAL_VEC(fmpz, c, 3);
+    fmpz *power = c + 1, *sum = c + 2;
+    fmpz_poly_zero(out);
+    for (slong k = 0; k < fmpz_mpoly_length(curve, ring); k++) {
+        ulong e[RING_VARIABLES];
+        fmpz_mpoly_get_term_exp_ui(e, curve, k, ring);
+        fmpz_mpoly_get_term_coeff_fmpz(c, curve, k, ring);
+        fmpz_pow_ui(power, fmpq_numref(&f->lift), e[RING_Y]);
+        fmpz_mul(c, c, power);
+        fmpz_pow_ui(power, fmpq_denref(&f->lift), (ulong)most - e[RING_Y]);
+        slong at = f->order * (slong)e[RING_X] + (f->order + 1) * (slong)e[RING_Y];
+        fmpz_poly_get_coeff_fmpz(sum, out, at);
+        fmpz_addmul(sum, c, power);
+        fmpz_poly_set_coeff_fmpz(out, at, sum);
+    }
+}
+
+/* Take the path's place at s = 2^-places as the witness, if it is out. */
+static graze_status try_path(topo_finding *out, graze_context *context, const graze_scene *scene,
+                             const plane_view *view, ulong places) {
+    int beyond = 0;
+    LOCAL_VEC(fmpq, xy, 2);
+    fmpq_one(xy);
+    fmpq_div_2exp(xy, xy, places * (ulong)out->order);
+    fmpq_div_2exp(xy + 1, &out->lift, places * (ulong)(out->order + 1));
+    view_point(out->witness, view, xy);
+    TRY(beyond_closed(&beyond, context, scene, out->witness));
+    if (beyond) {
+        finding_set(out, GRAZE_TOPO_BOUNDARY, GRAZE_LEVEL_LEADING_TERMS);
+        out->has_witness = 1;
+        fmpq_one(&out->reach);
+        fmpq_div_2exp(&out->reach, &out->reach, places);
+    }
+    return GRAZE_OK;
+}
+
+/* Try to prove that the point is on the boundary: the path of its finding is `out` between some
+ * place and the point (proofs/gaps.md C88). The view is the plane through the point along the
+ * finding's `open` and `across`; without success the finding is unchanged. */
+static graze_status path_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
+                                const curve_list *curves, const plane_view *view) {
+    ulong places = 0;
+    LOCAL(fmpz_poly, p);
+    for (size_t k = 0; k < curves->count; k++) {
+        TRY(context_poll(context));
+        curve_on_path(p, &curves->item[k], out, curves->ring);
+        if (fmpz_poly_is_zero(p))
+            return GRAZE_OK;
+        places_below_roots(&places, p);
+        if (places > context->limits[GRAZE_LIMIT_BITS])
+            return GRAZE_OK;
+    }
+    return try_path(out, context, scene, view, places);
+}
 
 /* Examine the plane through the point along two directions, 6 integers; first the finding's path,
  * if it lies in the plane. */
@@ -45,14 +109,12 @@ static graze_status look_in_plane(topo_finding *out, graze_context *context,
 static graze_status find_invariant(fmpz *out, fmpz *step, graze_context *context,
                                    const graze_scene *scene, const plane_list *planes,
                                    const fmpq *point) {
-    germ_list germs;
-    germ_list_init(&germs);
-    graze_status status = germs_find(&germs, context, scene, planes, point);
-    if (status || !germs.bounded ||
+    HELD(germ_list, germs);
+    TRY(germs_find(&germs, context, scene, planes, point));
+    if (!germs.bounded ||
         (!invariant_direction(out, &germs) && !invariant_beside_step(out, step, &germs, point)))
         _fmpz_vec_zero(out, 3);
-    germ_list_clear(&germs);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Does a plane along two directions, 6 integers, cross a third one? */
@@ -89,9 +151,9 @@ graze_status slices_decide(topo_finding *out, graze_context *context, const graz
     const char *reason = out->reason;
     LOCAL_VEC(fmpz, along, 12);
     fmpz *invariant = along + 6, *step = along + 9;
-    graze_status status = find_invariant(invariant, step, context, scene, planes, point);
+    TRY(find_invariant(invariant, step, context, scene, planes, point));
     int has_gap = out->order > 0, has_step = !_fmpz_vec_is_zero(step, 3);
-    for (int k = has_gap ? -1 : 0; k < SLICES && !status && !is_decided(out); k++) {
+    for (int k = has_gap ? -1 : 0; k < SLICES && !is_decided(out); k++) {
         for (int i = 0; i < 6; i++)
             fmpz_set_si(along + i, askew[FLINT_MAX(k, 0)][i / 3][i % 3]);
         if (k < 0)
@@ -100,16 +162,15 @@ graze_status slices_decide(topo_finding *out, graze_context *context, const graz
             _fmpz_vec_set(along, out->open, 3);
         if (directions_parallel(along, along + 3))
             continue;
-        status = look_in_plane(out, context, scene, planes, point, along,
-                               !has_step && crosses(along, invariant) ? GRAZE_LEVEL_SECTION
-                                                                      : GRAZE_LEVEL_CURVES,
-                               k < 0);
+        int decides = !has_step && crosses(along, invariant);
+        TRY(look_in_plane(out, context, scene, planes, point, along,
+                          decides ? GRAZE_LEVEL_SECTION : GRAZE_LEVEL_CURVES, k < 0));
     }
-    if (!status && !is_decided(out) && has_step)
-        status = decide_beside_step(out, context, scene, planes, point, step, invariant);
-    if (!status && !is_decided(out))
-        finding_undecided(out, reason);
-    else if (!status)
+    if (!is_decided(out) && has_step)
+        TRY(decide_beside_step(out, context, scene, planes, point, step, invariant));
+    if (is_decided(out))
         out->reason = "";
-    return status;
+    else
+        finding_undecided(out, reason);
+    return GRAZE_OK;
 }

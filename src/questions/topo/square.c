@@ -25,7 +25,7 @@ typedef struct square_maker {
     const plane_view *view;
     const fmpq *point;
     graze_topo_level level;
-    near_curves near;
+    near_curves *near;
     int axis, negative; /* the current side */
 } square_maker;
 
@@ -34,7 +34,7 @@ static void set_square(square_maker *m) {
     topo_finding *out = m->out;
     out->has_witness = 1;
     fmpq_one(&out->reach);
-    fmpq_div_2exp(&out->reach, &out->reach, m->near.places);
+    fmpq_div_2exp(&out->reach, &out->reach, m->near->places);
     for (int k = 0; k < 2; k++)
         _fmpz_vec_set(out->along[k], m->view->along[k], m->view->dimension);
 }
@@ -44,17 +44,17 @@ static graze_status sample_at(square_maker *m, const fmpq_t along) {
     int beyond = 0;
     LOCAL_VEC(fmpq, sample, 2);
     fmpq_set_si(sample + m->axis, m->negative ? -1 : 1, 1);
-    fmpq_div_2exp(sample + m->axis, sample + m->axis, m->near.places);
+    fmpq_div_2exp(sample + m->axis, sample + m->axis, m->near->places);
     fmpq_set(sample + (1 - m->axis), along);
     for (int k = 0; k < 2; k++)
         fmpq_add(sample + k, sample + k, m->point + k);
     view_point(m->out->witness, m->view, sample);
-    graze_status status = beyond_closed(&beyond, m->context, m->scene, m->out->witness);
+    TRY(beyond_closed(&beyond, m->context, m->scene, m->out->witness));
     if (beyond) {
         finding_set(m->out, GRAZE_TOPO_BOUNDARY, m->level);
         set_square(m);
     }
-    return status;
+    return GRAZE_OK;
 }
 
 /* Sample the gap between two numbers unless they are equal: a root may be at a corner, an end of
@@ -70,49 +70,46 @@ static graze_status sample_gap(square_maker *m, algebraic *low, algebraic *high)
 }
 
 static graze_status sample_side(square_maker *m) {
-    algebraic end[2];
     LOCAL(fmpz_poly, product);
     HELD(dyadic_interval, side);
     dyadic_interval_set_si(&side, -1, 1);
-    side.exponent = m->near.places;
+    side.exponent = m->near->places;
     HELD(algebraic_list, roots);
-    for (int k = 0; k < 2; k++) {
-        algebraic_init(&end[k]);
-        algebraic_set_dyadic(&end[k], k ? side.high : side.low, side.exponent);
-    }
-    near_side(product, &m->near, m->axis, m->negative);
-    graze_status status = algebraic_roots(&roots, m->context, product, &side);
-    for (size_t k = 0; k <= roots.count && !status && !m->out->has_witness; k++)
-        status = sample_gap(m, k ? &roots.item[k - 1] : &end[0],
-                            k < roots.count ? &roots.item[k] : &end[1]);
-    for (int k = 0; k < 2; k++)
-        algebraic_clear(&end[k]);
-    return status;
+    HELD(algebraic, low);
+    HELD(algebraic, high);
+    algebraic_set_dyadic(&low, side.low, side.exponent);
+    algebraic_set_dyadic(&high, side.high, side.exponent);
+    near_side(product, m->near, m->axis, m->negative);
+    TRY(algebraic_roots(&roots, m->context, product, &side));
+    for (size_t k = 0; k <= roots.count && !m->out->has_witness; k++)
+        TRY(sample_gap(m, k ? &roots.item[k - 1] : &low, k < roots.count ? &roots.item[k] : &high));
+    return GRAZE_OK;
 }
 
 graze_status square_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
                            const curve_list *curves, const plane_view *view, const fmpq *point,
                            graze_topo_level level) {
+    int refused = 0;
+    HELD(near_curves, near);
     square_maker m = {.out = out,
                       .context = context,
                       .scene = scene,
                       .view = view,
                       .point = point,
-                      .level = level};
-    int refused = 0;
-    near_init(&m.near);
-    graze_status status = near_make(&m.near, &refused, context, curves, point);
-    if (!status && refused)
+                      .level = level,
+                      .near = &near};
+    TRY(near_make(&near, &refused, context, curves, point));
+    if (refused) {
         finding_undecided(
             out, "a curve passes nearer, or has more digits, than the limit `bits` allows");
-    for (int side = 0; side < 4 && !status && !refused && !out->has_witness; side++) {
+        return GRAZE_OK;
+    }
+    for (int side = 0; side < 4 && !out->has_witness; side++) {
         m.axis = side / 2;
         m.negative = side % 2;
-        status = sample_side(&m);
+        TRY(sample_side(&m));
     }
-    if (!status && !refused && !out->has_witness &&
-        (view->dimension == 2 || level == GRAZE_LEVEL_SECTION))
+    if (!out->has_witness && (view->dimension == 2 || level == GRAZE_LEVEL_SECTION))
         finding_set(out, GRAZE_TOPO_INTERIOR, level);
-    near_clear(&m.near);
-    return status;
+    return GRAZE_OK;
 }

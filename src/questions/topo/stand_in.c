@@ -19,16 +19,14 @@ enum { FIRST_PLACES = 40, ATTEMPTS = 10 };
 
 /* A rational time near an algebraic one, from an interval of width about 2^-places. */
 static graze_status time_near(fmpq_t out, graze_context *context, algebraic *time, ulong places) {
-    graze_status status = GRAZE_OK;
     ulong gain = FIRST_GAIN;
     LOCAL(fmpq, high);
-    for (int step = 0; !status && !algebraic_is_rational(time) && time->where.exponent < places;
-         step++)
-        status = algebraic_narrow(context, time, step, &gain);
+    for (int step = 0; !algebraic_is_rational(time) && time->where.exponent < places; step++)
+        TRY(algebraic_narrow(context, time, step, &gain));
     algebraic_bounds(out, high, time);
     fmpq_add(out, out, high);
     fmpq_div_2exp(out, out, 1);
-    return status;
+    return GRAZE_OK;
 }
 
 /* State of the search for a point. */
@@ -108,21 +106,17 @@ static int has_signs(const fmpz *x, const place_finder *f) {
 
 graze_status place_find(int *found, fmpz *x, fmpq_t near, const germ_place *place,
                         algebraic *time) {
-    place_finder f = {.place = place};
-    graze_status status = GRAZE_OK;
-    f.sign = malloc(place->planes->count + 1);
-    if (!f.sign)
+    FREED(signed char, sign, malloc(place->planes->count + 1));
+    place_finder f = {.place = place, .sign = sign};
+    if (!sign)
         return context_fail(place->context, GRAZE_ESYSTEM, "out of memory for a contact");
-    status = find_signs(&f, time);
+    TRY(find_signs(&f, time));
     *found = 0;
-    for (int k = 0; k < ATTEMPTS && !status && !*found; k++) {
-        status = time_near(near, place->context, time, (ulong)FIRST_PLACES << k);
-        if (status)
-            break;
+    for (int k = 0; k < ATTEMPTS && !*found; k++) {
+        TRY(time_near(near, place->context, time, (ulong)FIRST_PLACES << k));
         trajectory_at(x, place->path, near);
         project(x, &f);
         *found = has_signs(x, &f);
     }
-    free(f.sign);
-    return status;
+    return GRAZE_OK;
 }

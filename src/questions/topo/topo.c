@@ -78,13 +78,6 @@ graze_status topo_planes(const plane_list **out, graze_context *context, const g
     return GRAZE_OK;
 }
 
-graze_status topo_by_leading(topo_finding *out, graze_context *context, const graze_scene *scene,
-                             const fmpq *point) {
-    const scene_shares *s = NULL;
-    TRY(shares_of(&s, context, scene, 0));
-    return leading_decide(out, context, scene, &s->planes, point);
-}
-
 graze_status topo_by_curves(topo_finding *out, graze_context *context, const graze_scene *scene,
                             const fmpq *point) {
     const scene_shares *s = NULL;
@@ -97,21 +90,16 @@ graze_status topo_by_curves(topo_finding *out, graze_context *context, const gra
     return square_decide(out, context, scene, &s->curves, &view, point, GRAZE_LEVEL_CURVES);
 }
 
-static graze_status by_slices(topo_finding *out, graze_context *context, const graze_scene *scene,
-                              const fmpq *point) {
-    const scene_shares *s = NULL;
-    TRY(shares_of(&s, context, scene, 0));
-    return slices_decide(out, context, scene, &s->planes, point);
-}
-
 /* Decide an `on` point relative to the closed sweep; for an unsweep, of the solid's complement. */
 static graze_status decide_on(topo_finding *out, graze_context *context, const graze_scene *scene,
                               const fmpq *point) {
-    graze_status status = topo_by_leading(out, context, scene, point);
-    if (status || out->position != GRAZE_TOPO_UNDECIDED)
-        return status;
+    const plane_list *planes;
+    TRY(topo_planes(&planes, context, scene));
+    TRY(leading_decide(out, context, scene, planes, point));
+    if (out->position != GRAZE_TOPO_UNDECIDED)
+        return GRAZE_OK;
     if (scene->motion->dimension == 3)
-        return by_slices(out, context, scene, point);
+        return slices_decide(out, context, scene, planes, point);
     finding_set(out, GRAZE_TOPO_NONE, GRAZE_LEVEL_NONE);
     out->reason = "";
     return topo_by_curves(out, context, scene, point);
@@ -139,8 +127,8 @@ graze_status topo_regular(topo_finding *out, graze_context *context, const graze
                           const fmpq *point, const graze_trace *trace) {
     if (decide_by_word(out, trace->verdict.pmc))
         return GRAZE_OK;
-    graze_status status = decide_on(out, context, scene, point);
+    TRY(decide_on(out, context, scene, point));
     if (out->position == GRAZE_TOPO_INTERIOR)
         out->position = GRAZE_TOPO_EXTERIOR;
-    return status;
+    return GRAZE_OK;
 }

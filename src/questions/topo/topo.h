@@ -122,7 +122,7 @@ typedef struct germ_side {
 typedef struct germ_root {
     algebraic time;
     size_t count;
-    fmpz_poly_struct *way;
+    fmpz_poly_struct way[];
 } germ_root;
 
 /** A time of contact: the local cone at the trajectory's place, and the linear map from directions
@@ -179,6 +179,9 @@ graze_status germs_find(germ_list *list, graze_context *context, const graze_sce
 graze_status germs_at(germ_list *list, graze_context *context, const graze_scene *scene,
                       const plane_list *planes, const fmpq *point, size_t piece, const fmpq_t u);
 
+/** out = a direction about P, in the body. */
+void germ_to_body(fmpz *out, const germ *g, const fmpz *direction);
+
 /* The central arrangement of the planes (E^2: lines) at which the cover of directions can change.
  */
 
@@ -201,11 +204,18 @@ void borders_clear(borders *b);
  * @param[out] refused 1 if a bound is exceeded: then the arrangement is incomplete */
 graze_status borders_find(borders *b, int *refused, graze_context *context, germ_list *germs);
 
-/** Give a direction in each cell around ray `r`, in order around the ray. In E^3 cell 2 k has
+/** A direction, d integers, in each cell around a ray, in order around the ray. In E^3 cell 2 k has
  * dimension 3, cell 2 k + 1 is the cell of dimension 2 after it. In E^2 there are the two cells of
- * dimension 2 beside the ray.
- * @param[out] out `*count` times d integers, for _fmpz_vec_clear with *count d */
-void borders_around(fmpz **out, size_t *count, const borders *b, size_t r);
+ * dimension 2 beside the ray. */
+typedef struct ray_cells {
+    int dimension;
+    size_t count;
+    fmpz *item;
+} ray_cells;
+
+/** Make the cells around ray `r`. */
+void ray_cells_init(ray_cells *out, const borders *b, size_t r);
+void ray_cells_clear(ray_cells *cells);
 
 /* Cover of directions about the point by germs. */
 
