@@ -78,7 +78,7 @@ UNREACHED = {
     "a common factor is not found": "a fault of Graze itself",
     "of a ray beside a contact do not add up": "a fault of Graze itself",
     "the crossings of a ray through a solid do not add up": "a fault of Graze itself",
-    "a direction has no place in the cone at a common point": "a fault of Graze itself",
+    "no arc tells if a direction at a common point is in a cone": "a fault of Graze itself",
     "two boundaries that meet have no point in common": "a fault of Graze itself",
     "a cell next to a contact is not found": "a fault of Graze itself",
     "of a boundary point misses the boundary at its time": "a fault of Graze itself",

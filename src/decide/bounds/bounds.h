@@ -106,7 +106,8 @@ typedef struct shift_bound {
     double speed; /* |dD/ds| is at most this */
 } shift_bound;
 
-/** A query point in doubles; the relative error of each coordinate is at most 2^-50. */
+/** A query point in doubles; the relative error of each coordinate is at most 2^-50, but for those
+ * below about 2^-1000, which are 0 (proofs/filter.md). */
 typedef struct filter_point {
     double at[3];
 } filter_point;

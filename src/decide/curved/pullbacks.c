@@ -118,7 +118,7 @@ static graze_status rank_zeros(pullbacks *p) {
     free(p->by_rank);
     p->by_rank = malloc(n * sizeof(algebraic *));
     if (!p->by_rank || !rank_of)
-        return context_fail(p->context, GRAZE_ESYSTEM, "out of memory for %zu times", n);
+        return context_fail(p->context, GRAZE_ESYSTEM, "out of memory for a list of %zu times", n);
     for (size_t k = 0; k < n; k++)
         p->by_rank[k] = &p->time.item[k];
     p->rank_count = n;

@@ -106,12 +106,11 @@ static void put_parts(text *out, const depths *d) {
             "\nNot counted by parts of the size, as the golden table has no line `# diagonal`\n");
         return;
     }
-    text_put(out, "\nDeeper than 1e-12, 1e-9, 1e-6, 1e-3 of the size, ");
+    text_put(out,
+             "\nWrong rows that are for certain deeper than 1e-12, 1e-9, 1e-6, 1e-3 of the size, ");
     ceiling_put(out, ceiling_of(d->size));
-    text_format(out,
-                " (the diagonal of the box at the start), are for certain %lu, %lu, %lu, %lu "
-                "rows\n",
-                d->deeper[0], d->deeper[1], d->deeper[2], d->deeper[3]);
+    text_format(out, " (the diagonal of the box at the start): %lu, %lu, %lu, %lu\n", d->deeper[0],
+                d->deeper[1], d->deeper[2], d->deeper[3]);
 }
 
 void put_depths(text *out, const graze_comparison *c) {

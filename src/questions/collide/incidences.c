@@ -158,7 +158,8 @@ static void order_times(algebraic_list *out, finder *f) {
     size_t n = f->found.count;
     FREED(algebraic *, order, malloc((n ? n : 1) * sizeof(algebraic *)));
     if (!order && !f->p->status)
-        f->p->status = context_fail(f->p->context, GRAZE_ESYSTEM, "out of memory for %zu times", n);
+        f->p->status =
+            context_fail(f->p->context, GRAZE_ESYSTEM, "out of memory for a list of %zu times", n);
     for (size_t k = 0; order && k < n; k++)
         order[k] = &f->found.item[k];
     if (!f->p->status)

@@ -249,7 +249,7 @@ static int is_in_cone(placing *p, const sectors_about *cone, const moving_vector
     for (slong weight = 1; found < 0 && !p->status; weight++) {
         if ((size_t)weight > 3 * cone->count + 1)
             p->status = context_fail(p->context, GRAZE_EINTERNAL,
-                                     "a direction has no place in the cone at a common point");
+                                     "no arc tells if a direction at a common point is in a cone");
         for (size_t k = 0; k < cone->count && found < 0 && !p->status; k++) {
             combine_moving(&to, weight, &cone->item[k].from, 1, &cone->item[k].to);
             found = locate_by(p, cone, v, k, &to);

@@ -23,7 +23,8 @@ static const uint64_t TRIAL_STREAM = UINT64_C(1) << 63, TIME_STREAM = UINT64_C(3
 static graze_status make_instants(struct graze_generator *g, graze_context *context) {
     g->instants = malloc(INSTANTS * sizeof *g->instants);
     if (!g->instants)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for %d times", INSTANTS);
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a list of %d times",
+                            INSTANTS);
     random_stream r;
     LOCAL(fmpq, u);
     random_seed(&r, g->seed, TIME_STREAM);

@@ -79,7 +79,7 @@ void germ_drop_root(germ *g) {
 graze_status germs_append_turn(germ_list *list, graze_context *context, const algebraic *from,
                                const algebraic *to) {
     TRY(array_grow(context, &list->turn, &list->turn_capacity, list->turn_count + 1,
-                   sizeof *list->turn, "the slides along a point"));
+                   sizeof *list->turn, "the times in which the solid turns"));
     turning_stretch *t = &list->turn[list->turn_count++];
     t->germ = list->count - 1;
     algebraic_init(&t->from);

@@ -106,7 +106,8 @@ static graze_status stay_below_event(near_maker *m, const sliced_curve *a, const
     TRY(eliminate(event, m->context, a, b));
     if (fmpz_poly_is_zero(event))
         return context_fail(m->context, GRAZE_EINTERNAL,
-                            "parts of curves of a sweep have a factor in common");
+                            "parts of curves of a sweep have a factor in common; expected "
+                            "squarefree parts without one");
     stay_below_roots(m, event);
     return GRAZE_OK;
 }

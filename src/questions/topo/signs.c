@@ -54,7 +54,8 @@ graze_status signs_state(graze_state *out, local_cone *cone, graze_context *cont
     if (!cone->knows_all)
         TRY(learn_all(cone, context));
     if (cone->knows_all && !cone_knows(out, cone, signs))
-        return context_fail(context, GRAZE_EINTERNAL, "a cell next to a contact is not found");
+        return context_fail(context, GRAZE_EINTERNAL,
+                            "a cell next to a contact is not found among those of its planes");
     return GRAZE_OK;
 }
 
@@ -228,7 +229,7 @@ graze_status signs_cover_in_turn(int *covered, turning_stretch *t, germ *g, graz
     LOCAL_VEC(fmpz_poly, p, (slong)n);
     FREED(signed char, sign, malloc(n + 1));
     if (!sign)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a slide along a point");
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a contact");
     LOCAL(fmpz_poly, product);
     fmpz_poly_set_ui(product, 1);
     HELD(dyadic_interval, piece);
