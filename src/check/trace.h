@@ -22,7 +22,7 @@ typedef struct trace {
 
     mpq_t from, at; /* the last interval's ends; `at` is t0 before the first */
     char *word;     /* that the row claims */
-    size_t length;  /* of its beginning that the intervals so far have spelled */
+    size_t length;  /* letters of `word` that the intervals so far have spelled */
 
     /* The interval at hand. */
     mpz_t *beta;  /* n + 1 times the d + 1 scaled Bernstein coefficients of x */

@@ -125,7 +125,7 @@ class Point:
         cited = r"\d+" if number == "ext" else number
         case = self.fields["case"]
         where = (rf"\.\n  \[EI\] leaves out case {case}, .*\n  .*`ext`\.\n" if number == "ext" else rf" in case {case}\n")
-        return rf"The class\n  k .*: P is an? {name} point \(Definition {cited}\){where}  pmc `{self.pmc}` by \[EI\] eq\. 7: "
+        return rf"The class\n  k .*: P is an? {name} point \(Definition {cited}\){where}  P is `{self.pmc}` by \[EI\] eq\. 7: "
 
 
 def check_line(checks, at, text):

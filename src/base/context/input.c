@@ -1,9 +1,10 @@
 /* Opens and reads files and pipes.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * A FIFO is opened without waiting for its writer, and every read comes after a poll: one that
- * no process writes to is then waited for in steps. On Linux a FIFO that no writer has opened yet
- * is neither readable nor hung up, so its end is not seen before its beginning.
+ * A FIFO is opened without waiting for a writer, and a poll precedes every read: while there is
+ * nothing to read, input_read waits in steps and asks the cancel callback at each. On Linux poll
+ * reports neither data nor a hang-up until a first writer opens the FIFO, so a FIFO without a
+ * writer is not taken for an empty file.
  */
 #include "base/context/input.h"
 

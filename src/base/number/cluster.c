@@ -1,7 +1,8 @@
 /* Isolation inside short intervals that hold several roots, or seem to: Descartes' rule on
- * coefficients known to as few places as suffice, and leaps towards the middle of a cluster that
- * double in length while they succeed (proofs/separation.md C41 to C43). An interval is kept as its
- * ends and the signs there. SPDX-License-Identifier: GPL-3.0-or-later
+ * coefficients known to as few places as suffice, and leaps to a short part about the middle of a
+ * cluster. The binary places that a leap gains double while leaps succeed (proofs/separation.md C41
+ * to C43). An interval is kept as its ends and the signs there.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "base/number/cluster.h"
 

@@ -59,9 +59,10 @@ static void keep_parts(apex *a, const fmpz_mpoly_t form) {
     }
 }
 
-/* Add the factors of a member's lowest form, its last coordinate 1, to the parts that cut
- * directions. The coefficients of a homogeneous member are rational up to a factor; those of
- * another  one are read at the time `near`; along a gap x and y are added in its place. */
+/* Factor a member's lowest form, the last coordinate set to 1, and add the factors to the parts
+ * that cut directions. The form of a homogeneous member is rational up to a factor. The form of
+ * any other member is taken at the time `near`; on a gap x and y are added instead of its factors.
+ */
 static void read_member(apex *a, const taylor *t) {
     const int fixed = taylor_order(t) == t->degree;
     IN_RING(fmpq_mpoly, form, a->ring);

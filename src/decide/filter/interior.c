@@ -5,8 +5,9 @@
 #include <stdlib.h>
 #include "decide/filter/search.h"
 
-/* Bricks for each simplex, the bounds of their number, and the tests of simplices that are allowed
- * for each simplex and each brick. */
+/* A grid has about BRICKS_A_SIMPLEX bricks for each simplex, at least LEAST_BRICKS and at most
+ * MOST_BRICKS. It may take TESTS_EACH tests of a simplex against a box for each simplex, and as
+ * many for each brick. */
 enum { BRICKS_A_SIMPLEX = 8, LEAST_BRICKS = 1 << 14, MOST_BRICKS = 1 << 19, TESTS_EACH = 8 };
 
 typedef struct block {

@@ -72,7 +72,8 @@ static contact *append_contact(graze_trace *trace) {
     return added;
 }
 
-/* A contact with times, which it takes over; NULL if one of them is, or without memory. */
+/* Append a contact that takes over two times, which may be one handle. If a time is NULL or memory
+ * is short, free them and return NULL. */
 static contact *append_timed(graze_trace *trace, graze_time *from, graze_time *to) {
     contact *added = from && to ? append_contact(trace) : NULL;
     if (!added) {

@@ -71,7 +71,7 @@ typedef struct angle_order {
     int may_miss;        /* columns may be left out: their angles are 0 */
 } angle_order;
 
-/** The order of that name, or NULL; GRAZE_EINPUT is for the caller to say. */
+/** Find the order of a machine; NULL if the name is unknown, which the caller has to report. */
 const angle_order *angle_order_of(const char *machine);
 
 /** The caller's description of columns; all borrowed. */

@@ -137,8 +137,8 @@ static void report_dyadic(text *t, const rounding_task *task) {
     for (size_t k = 0; k < m->piece_count; k++)
         kept += !has_polynomials(m->piece + k);
     text_format(t,
-                "dyadic: in %zu of %zu pieces all coefficients are multiples of 2^-%ld, in the "
-                "parameter from 0 to 1 along the piece\n",
+                "dyadic: in %zu of %zu pieces coefficients are rounded to multiples of 2^-%ld, in "
+                "the parameter from 0 to 1 along the piece\n",
                 m->piece_count - kept, m->piece_count, (long)task->bits);
     put_rational_fact(t, "change: an entry of the matrix is off, at any time, by", task->worst);
     if (task->turned)
@@ -152,8 +152,9 @@ static void report_dyadic(text *t, const rounding_task *task) {
         text_rational(t, piece->lo);
         text_put(t, " to ");
         text_rational(t, piece->hi);
-        text_put(t, ", are kept as they are: their entries are quotients, which are dyadic at "
-                    "quarter turns at most\n");
+        text_put(t, ", are kept as they are, and the values of other pieces where they meet these: "
+                    "entries of kept pieces are quotients, which are dyadic at quarter turns at "
+                    "most\n");
         break;
     }
 }

@@ -124,8 +124,8 @@ static void put_matrices(text *t, const pose_list *list) {
     motion_end(&w);
 }
 
-/* Give each quaternion the sign that is nearer to the one before, unless signs are kept, and name
- * the poses to which the turn was more than half a turn, neighbours as a range. */
+/* Negate each quaternion whose negative is nearer to the one before, negated or not, unless signs
+ * are kept. Report the poses of these quaternions, neighbours as a range. */
 static void take_ways(text *t, pose_list *list, int keep) {
     enum { NAMED = 10 };
     size_t count = 0, ranges = 0, length = 0;

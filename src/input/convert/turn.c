@@ -28,7 +28,7 @@ static void put_axis(json_writer *w, const joint *j, int dimension) {
     json_ends(w, "}}");
 }
 
-/* The quarters as one piece, the rest as another. */
+/* Write the whole quarter turns as one piece and the rest of the angle as a second piece. */
 static void put_pieces(json_writer *w, const joint *j, int dimension, const fmpz_t quarters,
                        const fmpq_t tangent) {
     LOCAL_VEC(fmpq, zero, 3);

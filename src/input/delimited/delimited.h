@@ -114,7 +114,8 @@ int stream_ready(stream *s);
  */
 graze_status stream_next(stream *s, field *out);
 
-/** Add a line of stream_next to a text as it stands in the file, with the end it has there. */
+/** Append the line that stream_next returned last, with its LF if it has one. The text equals the
+ * file's bytes for stream_open_own alone: stream_open drops CR and the byte order mark. */
 void stream_copy_line(text *to, const stream *s, field line);
 
 /** The place in the file of the next line, and to go on from another; lines are counted on. */

@@ -96,7 +96,7 @@ static graze_status scan_arguments(field *out, scan *s) {
     return GRAZE_OK;
 }
 
-/* Append a node to the open one. */
+/* Append a node as the last child of the open one. */
 static graze_status add_node(scan *s, const scad_node *made) {
     scad *file = s->file;
     if (file->count >= s->context->limits[GRAZE_LIMIT_CELLS])

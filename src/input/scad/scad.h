@@ -1,4 +1,4 @@
-/* scad: the text of a `.csg.json` file of OpenSCAD's `.csg`.
+/* scad: makes the text of a `.csg.json` file from OpenSCAD's `.csg`.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_INPUT_SCAD_H
 #define GRAZE_INPUT_SCAD_H

@@ -143,7 +143,8 @@ static void put_remark(text *out, const picture *p) {
     if (outside)
         text_format(out, " · %zu of %zu points outside the picture", outside,
                     p->request->point_count);
-    text_put(out, p->scene->solid->curved ? " · S is drawn as it was made for the eye" : "");
+    text_put(out,
+             p->scene->solid->curved ? " · S is drawn as an approximation made for the eye" : "");
     text_put(out, " · graze " GRAZE_VERSION);
 }
 

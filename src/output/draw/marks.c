@@ -79,7 +79,7 @@ void mark_contact(canvas *c, double x, double y, graze_kind kind, graze_cell_kin
     put_sign(c, x, y, kind ? 1 : .8, cell, &styles[kind]);
 }
 
-/* The legend is laid out once; without a canvas it is only measured. */
+/* put_legend both draws the legend and measures it: without a canvas it only advances y. */
 typedef struct writer {
     canvas *canvas;
     double x, y;

@@ -17,7 +17,7 @@
 /** EXIT_USAGE unless each name that is not NULL has an extension that its kind can be written in.
  */
 int boundary_check_names(const char *surface, const char *cells, const char *points);
-/** Refuse a surface that no file of this kind holds in the plane. */
+/** Refuse a surface file in .stl in dimension 2: STL holds triangles in space alone. */
 int boundary_check_surface(const char *surface, int dimension);
 
 /** Write a file in the form of its extension. Coordinates are the nearest binary64, in CSV exact.

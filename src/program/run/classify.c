@@ -132,7 +132,7 @@ static int make_ring(run_state *s, size_t size) {
     return s->ring ? EXIT_DONE : complain(EXIT_IO, "out of memory");
 }
 
-/* The scene, and a certifier where a certificate is wanted. */
+/* Load the scene, prepare the results, and load a certifier if a certificate is to be written. */
 static int load_scene(run_state *s, const classify_options *o) {
     int certified = o->no_table || o->certificate;
     int status = receipt_load(&s->l, o->receipt, &o->scene);

@@ -36,7 +36,8 @@ typedef struct record_file {
     double written; /* time of the last writing, at first of the start; monotonic clock, seconds */
 } record_file;
 
-/** Name the record of `path`. EXIT_INPUT: something else stands there; EXIT_IO. Says why. */
+/** Set the name of the record beside `path`. EXIT_INPUT: the file of that name is no record, or
+ * cannot be read; EXIT_IO: memory. Says why. */
 int record_open(record_file *f, const char *path);
 /** Read the record; 0 if there is none, or if it is not whole. */
 int record_read(record *out, const record_file *f);

@@ -51,7 +51,7 @@ typedef struct arc_tree {
     size_t count;
 } arc_tree;
 
-/** The tree of these maps, made at the first call. @return GRAZE_ESYSTEM */
+/** The tree over the arcs of `base`, borrowed; the first call makes it. @return GRAZE_ESYSTEM */
 graze_status arc_tree_of(const arc_tree **out, graze_context *context, const arc_maps *base);
 
 /** No place of S during the arcs of a node is nearer than this to a point of a box of d

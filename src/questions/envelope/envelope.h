@@ -172,8 +172,8 @@ typedef struct patch {
     fmpq *body, *world;
 } patch;
 
-/** A joint between the moments `from` and `to`: entries first to first + count - 1 of `member` are
- * the numbers of its patches. */
+/** A joint: patches that meet at `cell` between the moments `from` and `to`, or at one moment if
+ * they are equal. Entries first to first + count - 1 of `member` are the patches' numbers. */
 typedef struct patch_joint {
     graze_cell cell;
     graze_chain_form form;

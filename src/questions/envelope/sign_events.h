@@ -7,13 +7,13 @@
 #include "base/number/algebraic.h"
 #include "questions/envelope/envelope.h"
 
-/* The derivatives of the trajectories through the points of the body, as polynomials of time.
+/* The derivatives of the trajectories through the points of the body, by polynomials of time.
  *
- * On a piece the trajectory c of M(u) y has at u, c(u) = y, the derivatives c^(k) = Phi_k (y, 1) /
- * Delta^k for k = 1, 2, 3, with matrices Phi_k of d rows and d + 1 columns of polynomials and
- * Delta > 0 on [0, 1] (proofs/events.md C77). */
+ * The point M(u) y has the trajectory c = M^-1 M(u) y in the solid's frame, so c(u) = y. On a piece
+ * its derivatives at u are c^(k) = Phi_k (y, 1) / Delta^k for k = 1, 2, 3. Phi_k is a matrix of
+ * polynomials, d rows and d + 1 columns; Delta > 0 on [0, 1] (proofs/events.md C77). */
 
-/** @param[out] out uninitialised; field_clear in any case */
+/** @param[out] out uninitialised; derivatives_clear in any case */
 graze_status piece_field_make(derivatives *out, graze_context *context, const motion_piece *piece,
                               const cell_complex *cells);
 void derivatives_clear(derivatives *f);

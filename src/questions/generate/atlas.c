@@ -110,8 +110,8 @@ static graze_status add_parallel_sections(surveyor *s, const fmpq_mpoly_struct *
     return GRAZE_OK;
 }
 
-/* Conics of a surface of degree 3 or 4, such as circles of a torus: by planes with short normals
- * through the middle of its primitive. */
+/* Add conics of a surface of degree 3 or 4, such as circles of a torus. Planes with short normals
+ * cut it through the middle of its primitive, then planes parallel to those that found some. */
 static graze_status add_conics(surveyor *s, const fmpq_mpoly_struct *p, size_t surface) {
     enum { SIDE = 2 * REACH + 1, ALL = SIDE * SIDE * SIDE };
     charts *faces = &s->out->faces;

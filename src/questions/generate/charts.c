@@ -49,8 +49,9 @@ static graze_status add_singular(charts *list, const flat *place, quadratic *q) 
     return GRAZE_OK;
 }
 
-/* The zeros of one factor: a flat, or a quadric on which a zero with a gradient is found; else a
- * zero without one. */
+/* Add the zeros of one factor. A linear factor adds a flat. A quadratic one adds a quadric if a
+ * zero with a gradient is found on it, else its singular point if it has one. Others add nothing.
+ */
 static graze_status add_factor_zeros(charts *list, const flat *place, const fmpq_mpoly_t factor) {
     slong degree = fmpq_mpoly_total_degree_si(factor, list->ring);
     if (degree == 1) {
