@@ -114,8 +114,9 @@ GRAZE_API GRAZE_CHECKED graze_status graze_report_point(char **out, graze_contex
                                                         const graze_row_options *options);
 /** Totals over rows. */
 typedef struct graze_row_totals {
-    unsigned long undecided; /**< positions relative to the closed sweep, or words of a curved solid
-                                  (with GRAZE_COLUMNS_PMC its pmc) */
+    unsigned long undecided; /**< positions relative to the closed sweep or the regularised
+                                  unsweep, or words of a curved solid (with GRAZE_COLUMNS_PMC its
+                                  pmc) */
     unsigned long wide;      /**< enclosures wider than was asked for */
 } graze_row_totals;
 

@@ -18,10 +18,10 @@
 
 /* The head of a public function, whose context is called `context`. */
 
-/** *out becomes NULL or 0; no more than that where `out` is NULL. */
+/** *out becomes NULL or 0; nothing happens where `out` is NULL. */
 #define EMPTY(out) api_empty(out, sizeof *(out))
 
-/** Refuse NULL among these arguments, by their names. */
+/** Refuse NULL among these arguments, plain names with `, ` between them, by their names. */
 #define GIVEN(...) GIVEN_TO(__func__, __VA_ARGS__)
 
 /** GIVEN of what several public functions share; the message names the one that was called. */
@@ -43,7 +43,8 @@
     TRY((condition) ? api_misuse(context, __func__, reason) : GRAZE_OK)
 
 /** The end of a public function: `made` is allocated, zeroed, and `fill` fills it; *out becomes it,
- * or it is dropped and the status of `fill` returned. */
+ * or it is dropped and the status of `fill` returned. `drop` takes NULL: `free` where `fill` leaves
+ * nothing after a failure, else the destroyer of the handle, which clears what is there. */
 #define CREATE(out, made, drop, fill)                                                              \
     do {                                                                                           \
         __typeof__(*(out)) made = calloc(1, sizeof *made);                                         \

@@ -55,8 +55,11 @@ graze_status api_takes(graze_context *context, const char *name, const graze_sol
                                      "a curved solid in space"};
     solid_kind kind = solid_kind_of(solid);
     size_t k = 0;
-    while (k + 1 < sizeof table / sizeof *table && strcmp(table[k].name, name) != 0)
+    while (k < sizeof table / sizeof *table && strcmp(table[k].name, name) != 0)
         k++;
+    if (k == sizeof table / sizeof *table)
+        return context_fail(context, GRAZE_EINTERNAL, "%s is in no row of the table of kinds",
+                            name);
     unsigned kinds = table[k].kinds;
     if (!(kinds & kind)) {
         int turned = kind & SOLID_CURVED && !(kinds & SOLID_CURVED);

@@ -74,6 +74,7 @@ UNREACHED = {
     "a point is on the boundary, and its cell is not": "a fault of Graze itself",
     "a curve of a sweep is not": "a fault of Graze itself",
     "parts of curves of a sweep": "a fault of Graze itself",
+    "is in no row of the table of kinds": "a fault of Graze itself",
     "a common factor of curves is": "a fault of Graze itself",
     "a common factor is not found": "a fault of Graze itself",
     "of a ray beside a contact do not add up": "a fault of Graze itself",

@@ -420,6 +420,23 @@ static void rows(void **state) {
     close_fixture(&f);
 }
 
+/* Readers have room for the names of all sets together. */
+static void column_names(void **state) {
+    (void)state;
+    size_t names = 0;
+    field name[COLUMNS_MOST];
+    for (size_t k = 0; k < COLUMN_SETS; k++) {
+        names++;
+        for (const char *at = column_sets[k].names; (at = strchr(at, ',')); at++)
+            names++;
+    }
+    assert_true(names <= COLUMNS_MOST);
+    assert_int_equal(columns_names(name, (1u << COLUMN_SETS) - 1), names);
+    assert_int_equal(columns_of_line((field){"# topo yes", 10}), 1u << 4);
+    assert_int_equal(columns_of_line((field){"# topo no", 9}), 0);
+    assert_int_equal(columns_of_line((field){"# sdf 1e-6", 10}), 1u);
+}
+
 static void head(void **state) {
     (void)state;
     fixture f;
@@ -492,6 +509,7 @@ int main(void) {
         cmocka_unit_test(decimal_of_a_root),
         cmocka_unit_test(formulas),
         cmocka_unit_test(rows),
+        cmocka_unit_test(column_names),
         cmocka_unit_test(head),
         cmocka_unit_test(explanation),
     };

@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * FLINT's modular arithmetic and CGAL's filters need rounding to nearest; under another mode FLINT
- * factors wrongly. Every public function that computes opens with
- *     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+ * factors wrongly. Every public function that computes opens with PUBLIC (api/api.h) or
+ * IN_ENVIRONMENT (scope.h).
  */
 #ifndef GRAZE_CONTEXT_ENVIRONMENT_H
 #define GRAZE_CONTEXT_ENVIRONMENT_H

@@ -1,13 +1,14 @@
 /* Locals that are cleared where their scope ends, and the return of a failure.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Every local that must be cleared is declared by one of these macros, which declare and initialise
- * at once, so that an early return needs no care. None stands in a function with goto, directly in
- * the body of a switch, or between setjmp and longjmp: these pass by the clearing, or the
- * initialising. Such a local gives away what it holds by a function that leaves it initialised and
- * empty: a swap, text_take. Members of structures, elements of arrays, and what a caller hands in
- * keep their pairs of init and clear. src/check and the public headers are ISO C and take none of
- * this.
+ * A local that must be cleared whatever happens is declared by one of these macros, which declare
+ * and initialise at once, so that an early return needs no care. An output that its maker clears on
+ * failure is a plain local, and no TRY stands between its making and its clear. None stands in a
+ * function with goto, directly in the body of a switch, or between setjmp and longjmp: these pass
+ * by the clearing, or the initialising. Such a local gives away what it holds by a function that
+ * leaves it initialised and empty: a swap, text_take. Members of structures, elements of arrays,
+ * and what a caller hands in keep their pairs of init and clear. src/check and the public headers
+ * are ISO C and take none of this.
  */
 #ifndef GRAZE_SCOPE_H
 #define GRAZE_SCOPE_H

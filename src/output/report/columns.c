@@ -157,7 +157,8 @@ size_t columns_names(field out[COLUMNS_MOST], unsigned sets) {
     size_t count = 0;
     for (unsigned k = 0; k < COLUMN_SETS; k++) {
         field rest = {column_sets[k].names, strlen(column_sets[k].names)};
-        while (sets >> k & 1 && rest.start && field_take(&out[count], &rest))
+        while (sets >> k & 1 && count < COLUMNS_MOST && rest.start &&
+               field_take(&out[count], &rest))
             count++;
     }
     return count;

@@ -22,10 +22,10 @@ typedef enum column_needs { NEEDS_PMC, NEEDS_WORD, NEEDS_CONTACTS } column_needs
 /** Columns that one answer fills and one option asks for. */
 typedef struct column_set {
     const char *option; /* without its dashes; a line of the head says that it was given */
-    size_t at;          /* its place there: an int, 0 or 1, or a double, 0 where not asked for */
+    size_t at; /* offset in graze_row_options of its int, 0 or 1, or its double, 0: not asked for */
     column_asked asked;
     column_needs needs;
-    int beside_sdf;        /* it says more of the answer of --sdf */
+    int beside_sdf;        /* it needs --sdf beside it */
     int is_exact;          /* it has exact times, which binary rows cannot hold */
     const char *undecided; /* subject of the note on undecided rows; NULL: it needs none */
     /* Comma-joined; older tables may lack a name with `?`; one with `*` needs rows of a log. */
@@ -38,17 +38,18 @@ typedef struct column_set {
     void (*note)(text *out, graze_context *context, const graze_scene *scene); /* or NULL */
 } column_set;
 
+/** COLUMNS_MOST: at least the names of all sets. */
 enum { COLUMN_SETS = 6, COLUMNS_MOST = 16 };
 
 /** All sets, in the order of their columns. */
 extern const column_set column_sets[COLUMN_SETS];
 
-/** Its member of the options. */
+/** The set's member of the options: of ASKED_BY_FLAG; of a width. */
 int columns_flag(const column_set *set, const graze_row_options *shown);
 double columns_width(const column_set *set, const graze_row_options *shown);
 /** The next set after `last` (NULL: the first) that is asked for; NULL behind the last one. */
 const column_set *columns_next(const column_set *last, const graze_row_options *shown);
-/** The bit of the set that this line of a table's head tells of; 0 for other lines. */
+/** Bit k, if this line of a table's head tells of column_sets[k]; 0 for other lines. */
 unsigned columns_of_line(field line);
 /** The names of the sets of these bits, with their marks. Returns their number. */
 size_t columns_names(field out[COLUMNS_MOST], unsigned sets);

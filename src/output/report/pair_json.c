@@ -9,23 +9,6 @@
 
 enum { NEAR_DIGITS = 17 };
 
-const char *pair_verdict_name(graze_pair_verdict verdict) {
-    return verdict == GRAZE_PAIR_CLEAR     ? "clear"
-           : verdict == GRAZE_PAIR_TOUCH   ? "touch"
-           : verdict == GRAZE_PAIR_OVERLAP ? "overlap"
-           : verdict == GRAZE_PAIR_CONTACT ? "meets"
-                                           : "none";
-}
-
-const char *cell_pair_name(const graze_cell_pair *cells) {
-    static const char *const names[4][4] = {{"", "", "", ""},
-                                            {"", "facet-facet", "facet-edge", "facet-vertex"},
-                                            {"", "edge-facet", "edge-edge", "edge-vertex"},
-                                            {"", "vertex-facet", "vertex-edge", "vertex-vertex"}};
-    unsigned a = cells->moving.kind, b = cells->fixed.kind;
-    return a < 4 && b < 4 ? names[a][b] : "";
-}
-
 /* A decimal and, where pieces have rows, that of the piece. */
 static void put_near_decimal(json_writer *w, const graze_time *time) {
     char *decimal = decimal_of_time(NULL, time, NEAR_DIGITS);

@@ -7,6 +7,23 @@
 #include "output/report/row_parts.h"
 #include "questions/collide/collide.h"
 
+const char *pair_verdict_name(graze_pair_verdict verdict) {
+    return verdict == GRAZE_PAIR_CLEAR     ? "clear"
+           : verdict == GRAZE_PAIR_TOUCH   ? "touch"
+           : verdict == GRAZE_PAIR_OVERLAP ? "overlap"
+           : verdict == GRAZE_PAIR_CONTACT ? "meets"
+                                           : "none";
+}
+
+const char *cell_pair_name(const graze_cell_pair *cells) {
+    static const char *const names[4][4] = {{"", "", "", ""},
+                                            {"", "facet-facet", "facet-edge", "facet-vertex"},
+                                            {"", "edge-facet", "edge-edge", "edge-vertex"},
+                                            {"", "vertex-facet", "vertex-edge", "vertex-vertex"}};
+    unsigned a = cells->moving.kind, b = cells->fixed.kind;
+    return a < 4 && b < 4 ? names[a][b] : "";
+}
+
 enum { NEAR_DIGITS = 17, CELLS_SHOWN = 8 };
 
 /* A rational as it is, with a decimal where it is no integer; an irrational time as a decimal; the

@@ -41,12 +41,12 @@ typedef struct row {
     const graze_row_options *shown; /* checked */
     const fmpq *point;
     const graze_trace *trace;
-    graze_row_texts texts;
-    topo_finding topo;    /* where `shown` has topo */
-    topo_finding regular; /* where it has regular */
-    distance space;       /* where it has sdf */
-    double boundary;      /* where it has boundary */
-    inside_times inside;  /* where it has moments */
+    graze_row_texts texts; /* set by the caller, after row_answer */
+    topo_finding topo;     /* where `shown` has topo */
+    topo_finding regular;  /* where it has regular */
+    distance space;        /* where it has sdf */
+    double boundary;       /* where it has boundary */
+    inside_times inside;   /* where it has moments */
 } row;
 
 /** The detail of traces that rows with these options need. */
@@ -58,7 +58,7 @@ graze_status row_answer(row *out, graze_context *context, const graze_scene *sce
                         const graze_row_options *shown, const fmpq *point,
                         const graze_trace *trace);
 void row_clear(row *r);
-/** Is an answer of the row undecided that has a count of its own in tables? */
+/** Does the row count as undecided (graze_row_totals)? */
 int row_is_undecided(const row *r);
 
 /** Round a bound to a decimal of at most 17 digits that is a bound too: at least the double if

@@ -193,7 +193,7 @@ void memory_before_end(void (*what)(void));
  * Read `count` numbers between commas.
  * @param[out] out     initialised rationals
  * @param name         the option, for the message
- * @return EXIT_USAGE, EXIT_LIMIT
+ * @return EXIT_USAGE, EXIT_LIMIT, EXIT_IO
  */
 int numbers_read(mpq_t *out, graze_context *context, const char *name, const char *text,
                  size_t length, int count);
@@ -267,7 +267,8 @@ int output_close(output *out);
 /** output_close after work that ended with `status`, which is returned unless it is 0. */
 int output_end(output *out, int status);
 
-/** Write a text to `path`, or to standard output where it is NULL. Returns an exit status and says
+/** Write a text to `path`, or where output without a name goes (output_unnamed) where it is NULL.
+ * Returns an exit status and says
  * what is wrong. */
 int output_text(const char *path, const char *text);
 /** output_text, or EXIT_IO with a message where memory ran short while the text was made. */
