@@ -68,7 +68,8 @@ static void json_regular(json_writer *w, const row *r) {
 
 #define MEMBER(name) .at = offsetof(graze_row_options, name)
 
-const column_set column_sets[COLUMN_SETS] = {
+/* All sets, in the order of their columns. */
+static const column_set column_sets[] = {
     {.option = "sdf",
      MEMBER(sdf),
      .asked = ASKED_BY_WIDTH_DOWN,
@@ -130,6 +131,8 @@ int columns_flag(const column_set *set, const graze_row_options *shown) {
 double columns_width(const column_set *set, const graze_row_options *shown) {
     return *(const double *)(const void *)((const char *)shown + set->at);
 }
+
+enum { COLUMN_SETS = sizeof column_sets / sizeof *column_sets };
 
 /* Was the set asked for? */
 static int is_wanted(const column_set *set, const graze_row_options *shown) {

@@ -38,18 +38,15 @@ typedef struct column_set {
     void (*note)(text *out, graze_context *context, const graze_scene *scene); /* or NULL */
 } column_set;
 
-/** COLUMNS_MOST: at least the names of all sets. */
-enum { COLUMN_SETS = 6, COLUMNS_MOST = 16 };
-
-/** All sets, in the order of their columns. */
-extern const column_set column_sets[COLUMN_SETS];
+/** More than the names of all sets. */
+enum { COLUMNS_MOST = 32 };
 
 /** The set's member of the options: of ASKED_BY_FLAG; of a width. */
 int columns_flag(const column_set *set, const graze_row_options *shown);
 double columns_width(const column_set *set, const graze_row_options *shown);
 /** The next set after `last` (NULL: the first) that is asked for; NULL behind the last one. */
 const column_set *columns_next(const column_set *last, const graze_row_options *shown);
-/** Bit k, if this line of a table's head tells of column_sets[k]; 0 for other lines. */
+/** Bit k, if this line of a table's head tells of set k; 0 for other lines. */
 unsigned columns_of_line(field line);
 /** The names of the sets of these bits, with their marks. Returns their number. */
 size_t columns_names(field out[COLUMNS_MOST], unsigned sets);

@@ -104,7 +104,7 @@ typedef struct site_form {
 /** Columns of a file that graze classify has written: its answers, which are not carried along. */
 typedef struct own_columns {
     size_t first, end; /* answers are columns `first` to `end` - 1, */
-    size_t last;       /* and the last `last` columns: those of column_sets (output/report) */
+    size_t last;       /* and the last `last` columns: those of output/report/columns.c */
 } own_columns;
 
 /** `count` is 0 until the first line has fixed them; nothing changes afterwards. */
