@@ -68,7 +68,7 @@ static unsigned long long number_behind(const char *at, const char *key, int bas
     return number ? strtoull(number + strlen(key), NULL, base) : 0;
 }
 
-/* They are those that are written for the same numbers. */
+/* Do the lines from `at` on read as written for their numbers? -1: out of memory. */
 static int are_these(last_lines *out, result_kind kind, const char *at, field first) {
     field value;
     HELD(text, same);
@@ -81,15 +81,15 @@ static int are_these(last_lines *out, result_kind kind, const char *at, field fi
                         number_behind(at, SHARD_BYTES, 16)};
     last_lines_begin(&same, kind, out);
     last_lines_end(&same, kind, out);
-    return !same.failed && strcmp(at, same.data) == 0;
+    return same.failed ? -1 : strcmp(at, same.data) == 0;
 }
 
 int last_lines_read(last_lines *out, result_kind kind, const char *tail) {
     field rest = {tail, strlen(tail)};
-    while (rest.length) {
+    int found = 0;
+    while (rest.length && !found) {
         const char *at = rest.start;
-        if (are_these(out, kind, at, field_line(&rest)))
-            return 1;
+        found = are_these(out, kind, at, field_line(&rest));
     }
-    return 0;
+    return found;
 }

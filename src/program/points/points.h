@@ -205,7 +205,8 @@ typedef struct last_lines {
 /** Append those before the checksum of bytes, and those from it on. */
 void last_lines_begin(text *out, result_kind kind, const last_lines *l);
 void last_lines_end(text *out, result_kind kind, const last_lines *l);
-/** Read the last lines at the end of a shard's file; 0 if it does not end with them. */
+/** Read the last lines at the end of a shard's file; 0 if it does not end with them, -1: out of
+ * memory. */
 int last_lines_read(last_lines *out, result_kind kind, const char *tail);
 
 /** Shard `index` < `count`; one shard is the whole run. */

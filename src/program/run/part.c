@@ -151,7 +151,10 @@ static int read_tail(part *p, long long size) {
     HELD(text, tail);
     TRY(complain_of(stream_seek(&p->in, size > TAIL ? size - TAIL : 0), p->in.context));
     TRY(read_tail_lines(p, &tail));
-    if (!tail.length || !last_lines_read(&p->last, p->kind, tail.data))
+    int found = tail.length ? last_lines_read(&p->last, p->kind, tail.data) : 0;
+    if (found < 0)
+        return complain(EXIT_IO, "out of memory");
+    if (!found)
         return complain(EXIT_INPUT,
                         "%s: does not end with `%sbytes-checksum` and `complete`: the run was "
                         "interrupted, or an older graze made it; %s --resume continues it",

@@ -50,7 +50,7 @@ int receipt_write(const char *path, const loaded *l, const scene_options *o) {
     return t.failed ? complain(EXIT_IO, "out of memory") : output_text(path, t.data);
 }
 
-/* Does the text end with the checksum of what is before it? */
+/* Does the text end with the checksum of what is before it? -1: out of memory. */
 static int is_intact_receipt(const char *receipt) {
     HELD(text, again);
     const char *end = strstr(receipt, checksum_key);
@@ -59,7 +59,7 @@ static int is_intact_receipt(const char *receipt) {
     text_bytes(&again, receipt, (size_t)(end - receipt));
     if (!again.failed)
         put_checksum(&again);
-    return !again.failed && strcmp(receipt, again.data) == 0;
+    return again.failed ? -1 : strcmp(receipt, again.data) == 0;
 }
 
 static int read_receipt(char text[RECEIPT], const char *path, const context_options *o) {
@@ -71,7 +71,10 @@ static int read_receipt(char text[RECEIPT], const char *path, const context_opti
     graze_context_destroy(context);
     if (status)
         return status;
-    if (strlen(text) != length || !is_intact_receipt(text))
+    int is_intact = strlen(text) == length ? is_intact_receipt(text) : 0;
+    if (is_intact < 0)
+        return complain(EXIT_IO, "out of memory");
+    if (!is_intact)
         return complain(EXIT_INPUT, "%s: expected a receipt as graze check --receipt writes it",
                         path);
     return EXIT_DONE;
