@@ -92,10 +92,34 @@ graze_pmc cell_decide(cell_asker *a, const point_box *points, anchors *near, int
     return cell_joins(a, points, near) ? cell_membership_proved(a) : GRAZE_PMC_NONE;
 }
 
+/* Have corners of a cell two memberships? Then no test can show that all its points have one. A
+ * corner whose exact answer meets a limit tells nothing. */
+static graze_status corners_differ(int *differ, cell_asker *a, const point_box *points) {
+    graze_pmc first = GRAZE_PMC_NONE;
+    *differ = 0;
+    for (int k = 0; k < 8 && a->corners && !*differ; k++) {
+        graze_verdict verdict;
+        int corner = k / 2 ^ (k % 2 ? 7 : 0); /* opposite corners one after the other */
+        double at[3];
+        for (int i = 0; i < 3; i++)
+            at[i] = points->centre[i] + (corner >> i & 1 ? points->half[i] : -points->half[i]);
+        graze_status status =
+            classify_answer(&verdict, a->context, a->scene, (query_point){.value = at}, TRACE_PMC);
+        if (status == GRAZE_ELIMIT)
+            return GRAZE_OK;
+        TRY(status);
+        first = k ? first : verdict.pmc;
+        *differ = verdict.pmc != first;
+    }
+    return GRAZE_OK;
+}
+
 /* Decide a cell by the parts of the boundary that pass through it, where nothing else does. */
 static graze_status decide_passage(graze_pmc *pmc, cell_asker *a, const point_box *points) {
     const filter *f = &a->scene->filter;
-    if (!point_box_begin(&a->tube, f, points))
+    int differ;
+    TRY(corners_differ(&differ, a, points));
+    if (differ || !point_box_begin(&a->tube, f, points))
         return GRAZE_OK;
     cell_passage found = cell_passes(&a->tube, f, points, NULL, NULL);
     if (found == CELL_PIERCED)

@@ -112,6 +112,7 @@ typedef struct cell_asker {
     const graze_scene *scene; /* borrowed; of a polyhedron */
     curve tube;
     size_t time; /* the time at which the last cell was settled */
+    int corners; /* 1: corners of cells are doubles, and cell_certain asks about them */
 } cell_asker;
 
 /** Anchors with which the points of a cell may be joined. */

@@ -42,6 +42,7 @@ graze_status band_init(band *b, graze_context *context, const graze_scene *scene
     double low[3], high[3], unused;
     *b = (band){.count = 1};
     cell_asker_init(&b->ask, context, scene);
+    b->ask.corners = 1;
     graze_status status =
         array_grow(context, &b->item, &b->capacity, 1, sizeof *b->item, "cubes of space");
     if (status)
@@ -183,6 +184,7 @@ static graze_status cut_one(void *data, graze_context *context, int member, size
     (void)member;
     HELD(cell_asker, ask, context, r->like->scene);
     ask.time = r->like->time;
+    ask.corners = 1;
     return decide_children(&ask, r->mesh, 0, r->child + 8 * index);
 }
 
