@@ -62,6 +62,7 @@ typedef struct band {
 /** A part of the mesh with its reference point x, which is near a point of the part. */
 typedef struct mesh_part {
     uint32_t node;    /* of the tree, or PART_OF_TRIANGLE */
+    uint32_t simplex; /* a triangle at x */
     double corner[9]; /* of a triangle: its corners, each within `error` of the exact one */
     double error;     /* x too is within `error` of a point of the mesh */
     double x[3];
@@ -100,7 +101,9 @@ typedef struct asked_part {
         double low, high; /* bounds of the signed distance (C66); 0 if it was not asked for */
     } known;
     double outside, inside; /* upper bounds of the part's distances outside and inside the sweep */
+    double out; /* upper bound of the distance of x to a point that is outside; or infinite */
     int is_cut, is_probed;
+    int steps; /* points off the part that have been asked */
 } asked_part;
 
 /** Volumes: of the sweep, of the sweep outside the mesh, of the mesh outside the sweep. */
