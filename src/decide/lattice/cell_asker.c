@@ -133,13 +133,18 @@ static graze_status decide_passage(graze_pmc *pmc, cell_asker *a, const point_bo
     return GRAZE_OK;
 }
 
+/* Tests that run out of memory have nothing certain, and say so here. */
+static graze_status status_of_memory(const cell_asker *a) {
+    const filter_workspace *w = filter_workspace_of(a->context);
+    if (a->tube.out_of_memory || !w || w->curve.out_of_memory)
+        return context_fail(a->context, GRAZE_ESYSTEM, "out of memory for cells of space");
+    return GRAZE_OK;
+}
+
 graze_status cell_certain(graze_pmc *out, cell_asker *a, const point_box *points, anchors *near) {
     *out = cell_decide(a, points, near, 0);
     graze_status status = *out == GRAZE_PMC_NONE ? decide_passage(out, a, points) : GRAZE_OK;
-    const filter_workspace *w = filter_workspace_of(a->context);
-    if (!status && (a->tube.out_of_memory || !w || w->curve.out_of_memory))
-        return context_fail(a->context, GRAZE_ESYSTEM, "out of memory for cells of space");
-    return status;
+    return status ? status : status_of_memory(a);
 }
 
 graze_status cell_part_has(int *out, cell_asker *a, const point_box *points,
@@ -151,5 +156,33 @@ graze_status cell_part_has(int *out, cell_asker *a, const point_box *points,
                         TRACE_PMC_BESIDE));
     if (verdict.pmc == pmc && point_box_begin(&a->tube, f, points))
         *out = cell_passes(&a->tube, f, points, walls, a->scene->motion) != CELL_DOUBTFUL;
+    return GRAZE_OK;
+}
+
+graze_status cell_slab_find(graze_pmc side[2], cell_slab *slab, cell_asker *a) {
+    point_box points = {.half = {slab->half, slab->half, slab->half}};
+    cell_walls walls = {.slab = slab};
+    const filter *f = &a->scene->filter;
+    memcpy(points.centre, slab->centre, sizeof points.centre);
+    side[0] = side[1] = GRAZE_PMC_NONE;
+    if (!point_box_begin(&a->tube, f, &points))
+        return status_of_memory(a);
+    (void)cell_passes(&a->tube, f, &points, &walls, a->scene->motion);
+    int found = cell_slab_turn(slab) &&
+                cell_passes(&a->tube, f, &points, &walls, a->scene->motion) == CELL_PASSES;
+    TRY(status_of_memory(a));
+    if (!found)
+        return GRAZE_OK;
+    if (slab->low > slab->high)
+        slab->low = slab->high = slab->reach; /* all of the cube is below */
+    for (int above = 0; above < 2; above++) {
+        double at[3];
+        graze_verdict verdict;
+        if (!cell_slab_beside(at, slab, above))
+            continue;
+        TRY(classify_answer(&verdict, a->context, a->scene, (query_point){.value = at},
+                            TRACE_PMC_BESIDE));
+        side[above] = verdict.pmc;
+    }
     return GRAZE_OK;
 }

@@ -159,4 +159,13 @@ graze_status cell_certain(graze_pmc *out, cell_asker *a, const point_box *points
 graze_status cell_part_has(int *out, cell_asker *a, const point_box *points,
                            const cell_walls *walls, const fmpq *inside, graze_pmc pmc);
 
+/**
+ * Seek a slab of a cube beside which memberships are certain, in a sweep of E^3
+ * (proofs/judging.md C130).
+ * @param[in,out] slab begun
+ * @param[out] side the memberships below the slab and above it; NONE: not certain, or nothing there
+ * @return as cell_certain
+ */
+graze_status cell_slab_find(graze_pmc side[2], cell_slab *slab, cell_asker *a);
+
 #endif

@@ -19,7 +19,16 @@ typedef struct cube {
     uint32_t parent, child; /* the first of 8; 0: not cut */
     unsigned char kind, level;
     unsigned char beside; /* the sweep's boundary may meet its surface, and is the mesh there */
+    uint32_t slab;        /* 1 + the number of its slab in suprema; 0: none */
 } cube;
+
+/** A cube of the band and a slab of it: all points above the slab have one membership, all those
+ * below it too. */
+typedef struct cube_slab {
+    double centre[3], half;
+    double normal[3], low, high; /* as in cell_slab */
+    graze_pmc side[2];           /* below and above; IN, OUT, or another: open */
+} cube_slab;
 
 /* A mesh that is judged: any triangles, and the defects that keep them from bounding a solid. */
 
@@ -124,6 +133,8 @@ typedef struct suprema {
     asked_part *part;
     priority outer, inner; /* parts, by bounds of their distances outside and inside the sweep */
     supremum found[GRAZE_JUDGED_COUNT];
+    size_t slab_count, slab_capacity;
+    cube_slab *slab;               /* for the volumes */
     fmpq volume[2 * VOLUME_COUNT]; /* a lower and an upper bound of each */
     int has_difference;            /* the bounds of MISSING and EXCESS are set */
 } suprema;
