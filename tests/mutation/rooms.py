@@ -53,7 +53,7 @@ ROOMS = {
     "questions/collide": ["unit/test_apart", "api/test_pair", "collide/hand", "collide/convex", "collide/polycubes", "collide/laws"],
     "questions/generate": ["generate/generate", "generate/levels", "refuse/run generate"],
     "questions/certify": ["unit/test_control", "check/golden", "api/test_certificate", "check/contacts", "shards/certificates"],
-    "questions/judge": ["unit/test_band", "unit/test_judged_mesh", "unit/test_winding", "judge/closed"],
+    "questions/judge": ["unit/test_band", "unit/test_judged_mesh", "unit/test_winding", "judge/slabs", "judge/closed"],
     "questions/boundary": ["boundary/sharp", "boundary/boundary", "boundary/vertices"],
     "output/report": ["unit/test_report", "api/test_reports", "envelope/joints", "cases/cases", "explain/explain", "examples/examples", "topo/table",
                       "contact/hand", "refuse/run usage certify"],

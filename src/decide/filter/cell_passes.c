@@ -19,6 +19,9 @@ static const double LEAST_LENGTH = 0.25;
  * still looked for: that needs longer parts. */
 static const double LEAST_PIERCING = 1;
 
+/* As LEAST_LENGTH while a slab's normal is sought: it need not be exact. */
+static const double LEAST_FOR_NORMAL = 4;
+
 /* A simplex, at a leaf, near a part of the time; and on which side of the times of contacts with it
  * the trajectories of the cell's points are inside. */
 typedef struct near_simplex {
@@ -43,6 +46,7 @@ typedef struct passing {
     const cell_walls *walls; /* or NULL */
     const graze_motion *motion;
     int failed, pierced, visits;
+    int last;        /* the part is not cut any more, so that a slab must take what is open in it */
     uint32_t sloped; /* 1 + the piece that `slope` belongs to; 0: none */
     double slope[3]; /* bound of a point's velocity minus the centre's */
 } passing;
@@ -114,10 +118,28 @@ static void take_near_simplex(near_simplices *list, uint32_t node, uint32_t simp
             (near_simplex){.node = node, .simplex = simplex, .pierced = pierced};
 }
 
-/* Do the cell's walls keep corners of a simplex away in a part of a piece, or at its start? */
+static int is_slabbed(const passing *p) {
+    return p->walls && p->walls->slab;
+}
+
+/* Is there a slab without a normal yet? */
+static int seeks_normal(const passing *p) {
+    return is_slabbed(p) && !(p->walls->slab->reach > 0);
+}
+
+/* Do the cell's walls keep corners of a simplex away in a part of a piece, or at its start? Or does
+ * the slab take them? */
 static int are_held_out(const passing *p, const span *part, uint32_t simplex, unsigned mask) {
-    return p->walls && (part->degree || part->level == INSTANT) &&
-           walls_hold_out(p->walls, p->motion, p->filter->solid, part, simplex, mask);
+    int instant = part->level == INSTANT;
+    if (!p->walls || !(part->degree || instant))
+        return 0;
+    if (is_slabbed(p))
+        return cell_slab_takes(p->walls->slab, p->curve, part,
+                               instant   ? PART_INSTANT
+                               : p->last ? PART_LAST
+                                         : PART_CUT,
+                               simplex, mask);
+    return walls_hold_out(p->walls, p->motion, p->filter->solid, part, simplex, mask);
 }
 
 /* Add the simplices below a node that a thick span may meet. */
@@ -134,7 +156,8 @@ static void find_near(near_simplices *out, passing *p, uint32_t node, const span
         if (!here->child) {
             chord_meeting found = chord_meets(
                 p->curve, wide, corners->at + (size_t)here->simplex * d * d, corners->error);
-            if (found != CHORD_MISSES && !are_held_out(p, wide, here->simplex, 7))
+            if (found != CHORD_MISSES &&
+                (is_slabbed(p) || !are_held_out(p, wide, here->simplex, 7)))
                 take_near_simplex(out, node, here->simplex,
                                   flip(FLIP_PIERCE, found == CHORD_PIERCES));
             return;
@@ -144,10 +167,14 @@ static void find_near(near_simplices *out, passing *p, uint32_t node, const span
     }
 }
 
-/* Is the side of each near simplex certain, and equal for any two that have a place in common? */
-static int contacts_are_certain(const passing *p, const near_simplices *near, const span *wide) {
+/* Is the side of each near simplex certain, and equal for any two that have a place in common?
+ * Points beside a slab have no contact with what it takes. */
+static int contacts_are_certain(const passing *p, near_simplices *near, const span *wide) {
     unsigned shared;
     for (int k = 0; k < near->count; k++) {
+        if (!near->item[k].inside && is_slabbed(p) &&
+            are_held_out(p, wide, near->item[k].simplex, 7))
+            near->item[k].inside = INSIDE_BEFORE | INSIDE_AFTER;
         if (!near->item[k].inside)
             return 0;
         for (int l = 0; l < k; l++)
@@ -200,12 +227,14 @@ static void pass_near(passing *p, uint32_t index, near_simplices *near, const sp
         near->item[k].inside = sides_of_contact(p, part, near->item[k].simplex, 0, part->degree);
     if (!p->failed && !near->overflow && contacts_are_certain(p, near, wide))
         return;
-    double least = p->failed ? LEAST_PIERCING : LEAST_LENGTH;
+    double least = p->failed ? LEAST_PIERCING : seeks_normal(p) ? LEAST_FOR_NORMAL : LEAST_LENGTH;
     if (part->level < PASS_LEVELS && length_of_part(part) > least * most) {
         pass_halves(p, index, near->overflow ? NULL : near);
         return;
     }
-    p->failed = 1;
+    p->last = 1;
+    p->failed |= !is_slabbed(p) || near->overflow || !contacts_are_certain(p, near, wide);
+    p->last = 0;
 }
 
 /* Decide a part of the time; `around`: the simplices near a longer part, or NULL. */
@@ -213,7 +242,7 @@ static void pass_part(passing *p, uint32_t index, const near_simplices *around) 
     const span *part = &p->curve->spans[index];
     double spread[3];
     near_simplices near = {.count = 0};
-    if (p->pierced || p->visits >= PASS_VISITS)
+    if (p->pierced || p->visits >= PASS_VISITS || (p->failed && is_slabbed(p)))
         return;
     if (part->lost || (part->degree && !point_box_spread(spread, p->curve, p->points, part))) {
         p->failed = 1;

@@ -232,11 +232,36 @@ typedef enum cell_passage {
                   */
 } cell_passage;
 
-/** The points of a cell that are strictly on one side of each plane n x + d = 0. */
+/** The points x of a cube for which normal·(x - centre) / half is in [low, high], exactly. The walk
+ * of cell_passes makes it grow: it leaves out of account all contacts of these points
+ * (proofs/judging.md C130). */
+typedef struct cell_slab {
+    const course *placing; /* from the space of the standing solid to that of the query points */
+    double centre[3], half;
+    double normal[3]; /* the greatest coordinate is 1 in absolute value; or a sum in the making */
+    double reach; /* bound of the form's absolute values in the cube; 0: there is no normal yet, and
+                     the walk adds up those of the contacts that are not certain */
+    double low, high; /* low > high: it is empty */
+    double most;      /* a thicker slab is not wanted */
+} cell_slab;
+
+/** Begin with an empty slab without a normal. */
+void cell_slab_begin(cell_slab *out, const course *placing, const double *centre, double half,
+                     double most);
+
+/** Scale the sum of normals to be the slab's normal; 0 if the sum is 0. */
+int cell_slab_turn(cell_slab *s);
+
+/** Find a point of the cube above the slab or below it; 0 if there is none for certain. */
+int cell_slab_beside(double at[3], const cell_slab *s, int above);
+
+/** The points of a cell that are strictly on one side of each plane n x + d = 0; or those beside a
+ * slab, which is sought. */
 typedef struct cell_walls {
     int count;
     const fmpq *plane; /* four numbers each */
     unsigned sides;    /* bit k: the form of plane k is positive in the part, else negative */
+    cell_slab *slab;   /* or NULL; else there are no planes */
 } cell_walls;
 
 /**

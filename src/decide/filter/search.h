@@ -81,6 +81,20 @@ int crossing_is_alone(const curve *c, const span *piece, const graze_solid *soli
 int walls_hold_out(const cell_walls *walls, const graze_motion *motion, const graze_solid *solid,
                    const span *part, uint32_t simplex, unsigned mask);
 
+/** Uses of a part of the time for a slab: it can be cut, or it cannot; or its beginning alone. */
+typedef enum part_use { PART_CUT, PART_LAST, PART_INSTANT } part_use;
+
+/**
+ * Let the slab grow over all points of its cube that are at corners of a simplex, or between them,
+ * at a time of a part. A part that can be cut must make it hardly thicker.
+ * @param memory the trajectory of the cube's centre
+ * @param part   of one piece, widened by the cube
+ * @param mask   as of walls_hold_out
+ * @return 0 if the slab would be too thick, or all of the cube, or there is no bound
+ */
+int cell_slab_takes(cell_slab *s, const curve *memory, const span *part, part_use use,
+                    uint32_t simplex, unsigned mask);
+
 /** Bound, by coordinates, the distance of a point's trajectory from the centre's during a span; 0
  * if there is no bound. */
 int point_box_spread(double spread[3], const curve *memory, const point_box *points,

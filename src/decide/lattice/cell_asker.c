@@ -89,10 +89,34 @@ graze_pmc cell_decide(cell_asker *a, const point_box *points, anchors *near, int
     return cell_joins(a, points, near) ? cell_membership_proved(a) : GRAZE_PMC_NONE;
 }
 
+/* Have corners of a cell two memberships? Then no test can show that all its points have one. A
+ * corner whose exact answer meets a limit tells nothing. */
+static graze_status corners_differ(int *differ, cell_asker *a, const point_box *points) {
+    graze_pmc first = GRAZE_PMC_NONE;
+    *differ = 0;
+    for (int k = 0; k < 8 && a->corners && !*differ; k++) {
+        graze_verdict verdict;
+        int corner = k / 2 ^ (k % 2 ? 7 : 0); /* opposite corners one after the other */
+        double at[3];
+        for (int i = 0; i < 3; i++)
+            at[i] = points->centre[i] + (corner >> i & 1 ? points->half[i] : -points->half[i]);
+        graze_status status =
+            classify_answer(&verdict, a->context, a->scene, (query_point){.value = at}, TRACE_PMC);
+        if (status == GRAZE_ELIMIT)
+            return GRAZE_OK;
+        TRY(status);
+        first = k ? first : verdict.pmc;
+        *differ = verdict.pmc != first;
+    }
+    return GRAZE_OK;
+}
+
 /* Decide a cell by the parts of the boundary that pass through it, where nothing else does. */
 static graze_status decide_passage(graze_pmc *pmc, cell_asker *a, const point_box *points) {
     const filter *f = &a->scene->filter;
-    if (!point_box_begin(&a->tube, f, points))
+    int differ;
+    TRY(corners_differ(&differ, a, points));
+    if (differ || !point_box_begin(&a->tube, f, points))
         return GRAZE_OK;
     cell_passage found = cell_passes(&a->tube, f, points, NULL, NULL);
     if (found == CELL_PIERCED)
@@ -106,13 +130,18 @@ static graze_status decide_passage(graze_pmc *pmc, cell_asker *a, const point_bo
     return GRAZE_OK;
 }
 
+/* Tests that run out of memory have nothing certain, and say so here. */
+static graze_status status_of_memory(const cell_asker *a) {
+    const filter_workspace *w = filter_workspace_of(a->context);
+    if (a->tube.out_of_memory || !w || w->curve.out_of_memory)
+        return context_fail(a->context, GRAZE_ESYSTEM, "out of memory for cells of space");
+    return GRAZE_OK;
+}
+
 graze_status cell_certain(graze_pmc *out, cell_asker *a, const point_box *points, anchors *near) {
     *out = cell_decide(a, points, near, 0);
     graze_status status = *out == GRAZE_PMC_NONE ? decide_passage(out, a, points) : GRAZE_OK;
-    const filter_workspace *w = filter_workspace_of(a->context);
-    if (!status && (a->tube.out_of_memory || !w || w->curve.out_of_memory))
-        return context_fail(a->context, GRAZE_ESYSTEM, "out of memory for cells of space");
-    return status;
+    return status ? status : status_of_memory(a);
 }
 
 graze_status cell_part_has(int *out, cell_asker *a, const point_box *points,
@@ -124,5 +153,33 @@ graze_status cell_part_has(int *out, cell_asker *a, const point_box *points,
                         TRACE_PMC_BESIDE));
     if (verdict.pmc == pmc && point_box_begin(&a->tube, f, points))
         *out = cell_passes(&a->tube, f, points, walls, a->scene->motion) != CELL_DOUBTFUL;
+    return GRAZE_OK;
+}
+
+graze_status cell_slab_find(graze_pmc side[2], cell_slab *slab, cell_asker *a) {
+    point_box points = {.half = {slab->half, slab->half, slab->half}};
+    cell_walls walls = {.slab = slab};
+    const filter *f = &a->scene->filter;
+    memcpy(points.centre, slab->centre, sizeof points.centre);
+    side[0] = side[1] = GRAZE_PMC_NONE;
+    if (!point_box_begin(&a->tube, f, &points))
+        return status_of_memory(a);
+    (void)cell_passes(&a->tube, f, &points, &walls, a->scene->motion);
+    int found = cell_slab_turn(slab) &&
+                cell_passes(&a->tube, f, &points, &walls, a->scene->motion) == CELL_PASSES;
+    TRY(status_of_memory(a));
+    if (!found)
+        return GRAZE_OK;
+    if (slab->low > slab->high)
+        slab->low = slab->high = slab->reach; /* all of the cube is below */
+    for (int above = 0; above < 2; above++) {
+        double at[3];
+        graze_verdict verdict;
+        if (!cell_slab_beside(at, slab, above))
+            continue;
+        TRY(classify_answer(&verdict, a->context, a->scene, (query_point){.value = at},
+                            TRACE_PMC_BESIDE));
+        side[above] = verdict.pmc;
+    }
     return GRAZE_OK;
 }

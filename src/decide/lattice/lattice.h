@@ -112,6 +112,7 @@ typedef struct cell_asker {
     const graze_scene *scene; /* borrowed; of a solid with facets */
     curve tube;
     size_t time; /* the time at which the last cell was settled */
+    int corners; /* 1: corners of cells are doubles, and cell_certain asks about them */
 } cell_asker;
 
 /** Anchors with which the points of a cell may be joined. */
@@ -157,5 +158,14 @@ graze_status cell_certain(graze_pmc *out, cell_asker *a, const point_box *points
  */
 graze_status cell_part_has(int *out, cell_asker *a, const point_box *points,
                            const cell_walls *walls, const fmpq *inside, graze_pmc pmc);
+
+/**
+ * Seek a slab of a cube beside which memberships are certain, in a sweep of E^3
+ * (proofs/judging.md C130).
+ * @param[in,out] slab begun
+ * @param[out] side the memberships below the slab and above it; NONE: not certain, or nothing there
+ * @return as cell_certain
+ */
+graze_status cell_slab_find(graze_pmc side[2], cell_slab *slab, cell_asker *a);
 
 #endif

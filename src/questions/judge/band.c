@@ -6,9 +6,9 @@
 #include <flint/fmpq_vec.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "base/context/team.h"
 #include "base/number/rounding.h"
 #include "decide/bounds/bounds.h"
 #include "decide/filter/filter.h"
@@ -42,6 +42,7 @@ graze_status band_init(band *b, graze_context *context, const graze_scene *scene
     double low[3], high[3], unused;
     *b = (band){.count = 1};
     cell_asker_init(&b->ask, context, scene);
+    b->ask.corners = 1;
     graze_status status =
         array_grow(context, &b->item, &b->capacity, 1, sizeof *b->item, "cubes of space");
     if (status)
@@ -107,106 +108,58 @@ void band_settle(band *b, uint32_t index, unsigned char kind) {
         tell_parents(b, c->parent);
 }
 
-/* Do doubles hold the cubes of half the side exactly? */
-static int can_cut(const cube *c) {
+int band_can_cut(const band *b, const cube *c) {
     double quarter = 0.5 * c->half;
     for (int k = 0; k < 3; k++)
         if (c->centre[k] + quarter - c->centre[k] != quarter ||
             c->centre[k] - quarter - c->centre[k] != -quarter)
             return 0;
-    return c->level < CUBE_LEVELS;
+    return c->level < CUBE_LEVELS && b->count + 8 < UINT32_MAX;
 }
 
-/* Append the eight cubes of a cube; count_children counts them once they are classified. */
-static void place_children(band *b, uint32_t index) {
-    const cube *whole = &b->item[index];
-    uint32_t child = (uint32_t)b->count;
-    for (uint32_t k = 0; k < 8; k++) {
-        cube *c = &b->item[child + k];
-        *c = (cube){.half = 0.5 * whole->half, .parent = index, .level = whole->level + 1};
-        for (int i = 0; i < 3; i++)
-            c->centre[i] = whole->centre[i] + (k >> i & 1 ? c->half : -c->half);
-    }
-    b->count += 8;
+cube cube_part(const cube *whole, int k) {
+    cube c = {.half = 0.5 * whole->half, .level = whole->level + 1};
+    for (int i = 0; i < 3; i++)
+        c.centre[i] = whole->centre[i] + (k >> i & 1 ? c.half : -c.half);
+    return c;
 }
 
-static graze_status decide_children(cell_asker *ask, const judged_mesh *mesh, int flat,
-                                    cube *child) {
+graze_status band_parts(cube part[8], const band *b, cell_asker *ask, uint32_t index) {
+    int flat = b->item[index].kind == CUBE_FLAT;
     TRY(context_poll(ask->context));
-    for (int k = 0; k < 8; k++)
-        TRY(decide_cube(ask, mesh, flat, &child[k]));
+    for (int k = 0; k < 8; k++) {
+        part[k] = cube_part(&b->item[index], k);
+        part[k].parent = index;
+        TRY(decide_cube(ask, flat || !b->gave_up ? b->mesh : NULL, flat, &part[k]));
+    }
     return GRAZE_OK;
 }
 
-static void count_children(band *b, uint32_t child) {
-    uint32_t index = b->item[child].parent;
+graze_status band_take_parts(band *b, const cube part[8]) {
+    uint32_t index = part[0].parent;
+    TRY(array_grow(b->ask.context, &b->item, &b->capacity, b->count + 8, sizeof *b->item,
+                   "cubes of space"));
+    memcpy(b->item + b->count, part, 8 * sizeof *part);
     b->decided += 8;
-    b->item[index].child = child;
-    for (uint32_t k = child; k < child + 8; k++) {
-        b->flat += b->item[k].kind == CUBE_FLAT || b->item[k].beside;
-        b->rough += b->item[k].kind == CUBE_BAND;
+    b->item[index].child = (uint32_t)b->count;
+    b->count += 8;
+    for (int k = 0; k < 8; k++) {
+        b->flat += part[k].kind == CUBE_FLAT || part[k].beside;
+        b->rough += part[k].kind == CUBE_BAND;
     }
     if (b->rough > ROUGH_MOST && FLAT_SHARE * b->flat < b->rough)
         b->gave_up = 1; /* the boundary is curved, or is not the mesh */
     tell_parents(b, index);
-}
-
-static graze_status reserve_cubes(band *b, size_t more) {
-    return array_grow(b->ask.context, &b->item, &b->capacity, b->count + more, sizeof *b->item,
-                      "cubes of space");
-}
-
-graze_status band_cut(int *done, band *b, uint32_t index) {
-    *done = 0;
-    if (!can_cut(&b->item[index]) || b->count + 8 >= UINT32_MAX)
-        return GRAZE_OK;
-    uint32_t child = (uint32_t)b->count;
-    int flat = b->item[index].kind == CUBE_FLAT;
-    TRY(reserve_cubes(b, 8));
-    place_children(b, index);
-    TRY(decide_children(&b->ask, flat || !b->gave_up ? b->mesh : NULL, flat, &b->item[child]));
-    count_children(b, child);
-    *done = 1;
     return GRAZE_OK;
 }
 
-/* Cubes that a team of threads cuts. */
-typedef struct cut_run {
-    const cell_asker *like;
-    const judged_mesh *mesh;
-    cube *child; /* eight for each cube */
-} cut_run;
-
-/* No state is reused between cubes, so the result does not depend on their order. */
-static graze_status cut_one(void *data, graze_context *context, int member, size_t index) {
-    const cut_run *r = data;
-    (void)member;
-    HELD(cell_asker, ask, context, r->like->scene);
-    ask.time = r->like->time;
-    return decide_children(&ask, r->mesh, 0, r->child + 8 * index);
-}
-
-graze_status band_cut_large(size_t *next, band *b, double radius, size_t most, int threads) {
-    uint32_t first = (uint32_t)b->count;
-    size_t end = b->count, cuts = 0;
-    graze_status status = GRAZE_OK;
-    for (; *next < end && cuts < most && !status; ++*next) {
-        const cube *c = &b->item[*next];
-        if (c->kind != CUBE_BAND || c->child || !(cube_radius(c) > radius) || !can_cut(c) ||
-            b->count + 8 >= UINT32_MAX)
-            continue;
-        status = reserve_cubes(b, 8);
-        if (!status)
-            place_children(b, (uint32_t)*next);
-        cuts++;
-    }
-    if (status || !cuts)
-        return status;
-    cut_run r = {&b->ask, b->gave_up ? NULL : b->mesh, &b->item[first]};
-    status = team_run(b->ask.context, threads, cuts, cut_one, &r);
-    for (uint32_t k = 0; k < cuts && !status; k++)
-        count_children(b, first + 8 * k);
-    return status;
+graze_status band_cut(int *done, band *b, uint32_t index) {
+    cube part[8];
+    *done = band_can_cut(b, &b->item[index]);
+    if (!*done)
+        return GRAZE_OK;
+    TRY(band_parts(part, b, &b->ask, index));
+    return band_take_parts(b, part);
 }
 
 /* Is a point in the closed cube? The corners are exact. */

@@ -25,6 +25,9 @@ static inline double cube_radius(const cube *c) {
     return c->half * 0x1.bb67ae8584cabp+0; /* the root of 3, and a little more */
 }
 
+/** One of the eight parts of a cube, not classified. */
+cube cube_part(const cube *whole, int k);
+
 /* Space cut into cubes that are certainly inside the sweep or certainly outside it, and a band of
  * undecided cubes, which holds its boundary (proofs/judging.md C117). */
 
@@ -40,12 +43,16 @@ void band_clear(band *b);
  * @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM */
 graze_status band_cut(int *done, band *b, uint32_t index);
 
-/** Cut the uncut cubes of the band, from number `next` on, whose radius exceeds `radius`. The
- * number of threads changes nothing but the time.
- * @param[in,out] next the first cube to look at; then the cube to go on with
- * @param most bound of the number of cubes that are cut
+/** Do doubles hold the eight cubes of half the side exactly, and is there room for them? */
+int band_can_cut(const band *b, const cube *c);
+
+/** Classify the eight parts of a cube of the band that can be cut. The band is not changed.
+ * @param ask of the thread
  * @return as band_cut */
-graze_status band_cut_large(size_t *next, band *b, double radius, size_t most, int threads);
+graze_status band_parts(cube part[8], const band *b, cell_asker *ask, uint32_t index);
+
+/** Cut a cube into parts that are classified. @return GRAZE_ESYSTEM */
+graze_status band_take_parts(band *b, const cube part[8]);
 
 /** Set the kind of a cube of the band that the caller has proved. */
 void band_settle(band *b, uint32_t index, unsigned char kind);

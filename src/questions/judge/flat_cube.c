@@ -122,7 +122,7 @@ graze_status flat_decide(cube *c, cell_asker *ask, const judged_mesh *mesh) {
         points.centre[i] = c->centre[i];
     for (size_t k = 0; k < f.cells.count && same && !status; k++) {
         const cube_cell *cell = &f.cells.item[k];
-        cell_walls walls = {f.cells.plane_count, f.cells.plane, cell->sides};
+        cell_walls walls = {f.cells.plane_count, f.cells.plane, cell->sides, NULL};
         long winding;
         graze_pmc pmc = judged_place(&winding, mesh, cell->at) == MESH_IN ? GRAZE_IN : GRAZE_OUT;
         same = winding >= -1 && winding <= 1;

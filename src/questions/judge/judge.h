@@ -19,7 +19,16 @@ typedef struct cube {
     uint32_t parent, child; /* the first of 8; 0: not cut */
     unsigned char kind, level;
     unsigned char beside; /* the sweep's boundary may meet its surface, and is the mesh there */
+    uint32_t slab;        /* 1 + the number of its slab in suprema; 0: none */
 } cube;
+
+/** A cube of the band and a slab of it: all points above the slab have one membership, all those
+ * below it too. */
+typedef struct cube_slab {
+    double centre[3], half;
+    double normal[3], low, high; /* as in cell_slab */
+    graze_pmc side[2];           /* below and above; IN, OUT, or another: open */
+} cube_slab;
 
 /* A mesh that is judged: any triangles, and the defects that keep them from bounding a solid. */
 
@@ -62,6 +71,7 @@ typedef struct band {
 /** A part of the mesh with its reference point x, which is near a point of the part. */
 typedef struct mesh_part {
     uint32_t node;    /* of the tree, or PART_OF_TRIANGLE */
+    uint32_t simplex; /* a triangle at x */
     double corner[9]; /* of a triangle: its corners, each within `error` of the exact one */
     double error;     /* x too is within `error` of a point of the mesh */
     double x[3];
@@ -100,7 +110,9 @@ typedef struct asked_part {
         double low, high; /* bounds of the signed distance (C66); 0 if it was not asked for */
     } known;
     double outside, inside; /* upper bounds of the part's distances outside and inside the sweep */
+    double out; /* upper bound of the distance of x to a point that is outside; or infinite */
     int is_cut, is_probed;
+    int steps; /* points off the part that have been asked */
 } asked_part;
 
 /** Volumes: of the sweep, of the sweep outside the mesh, of the mesh outside the sweep. */
@@ -121,6 +133,8 @@ typedef struct suprema {
     asked_part *part;
     priority outer, inner; /* parts, by bounds of their distances outside and inside the sweep */
     supremum found[GRAZE_JUDGED_COUNT];
+    size_t slab_count, slab_capacity;
+    cube_slab *slab;               /* for the volumes */
     fmpq volume[2 * VOLUME_COUNT]; /* a lower and an upper bound of each */
     int has_difference;            /* the bounds of MISSING and EXCESS are set */
 } suprema;

@@ -32,14 +32,15 @@ static void finish_triangle(mesh_part *p, const judged_mesh *mesh) {
 
 static void part_of_simplex(mesh_part *out, const judged_mesh *mesh, uint32_t simplex) {
     out->node = PART_OF_TRIANGLE;
+    out->simplex = simplex;
     memcpy(out->corner, mesh->corners.at + (size_t)simplex * 9, sizeof out->corner);
     out->error = WIDER * mesh->corners.error;
     finish_triangle(out, mesh);
 }
 
-/* A corner of the mesh near the middle of a node's box: each step goes to the child whose box is
- * nearer to it. */
-static const double *corner_near_middle(const judged_mesh *mesh, uint32_t node) {
+/* Set x to a corner of the mesh near the middle of a node's box: each step goes to the child whose
+ * box is nearer to it. */
+static void take_middle(mesh_part *out, const judged_mesh *mesh, uint32_t node) {
     const tree_node *all = mesh->boxes.node;
     double middle[3];
     for (int i = 0; i < 3; i++)
@@ -57,7 +58,8 @@ static const double *corner_near_middle(const judged_mesh *mesh, uint32_t node) 
     for (int k = 1; k < 3; k++)
         if (distance_above(corner + 3 * k, middle) < distance_above(best, middle))
             best = corner + 3 * k;
-    return best;
+    memcpy(out->x, best, sizeof out->x);
+    out->simplex = all[node].simplex;
 }
 
 void mesh_part_of_node(mesh_part *out, const judged_mesh *mesh, uint32_t node) {
@@ -67,7 +69,7 @@ void mesh_part_of_node(mesh_part *out, const judged_mesh *mesh, uint32_t node) {
         return;
     }
     double far[3];
-    memcpy(out->x, corner_near_middle(mesh, node), sizeof out->x);
+    take_middle(out, mesh, node);
     for (int i = 0; i < 3; i++)
         far[i] = b->high[i] - out->x[i] > out->x[i] - b->low[i] ? b->high[i] : b->low[i];
     out->node = node;

@@ -73,6 +73,17 @@ graze_status search_sweep_begin(suprema *s);
 /** Do a step: process the cube with the greatest bound. */
 graze_status search_sweep_step(suprema *s);
 
+/* Slabs of the cubes of the band, beside which memberships are certain (proofs/judging.md C130). */
+
+/** Give slabs to cubes of the band, and cut those that have none, until none is larger than the
+ * width wanted, or the budget is spent: the volumes need it.
+ * @return as band_cut */
+graze_status slabs_find(suprema *s);
+
+/** Bounds of the share of a cube that is in the sweep.
+ * @param c the slab's cube or one in it of at least 2^-8 of its size */
+void slab_shares(double inside[2], const cube_slab *s, const cube *c);
+
 /* Enclosures of the volumes of the sweep and of its differences to a mesh. */
 
 /** Enclose the volumes from the band's cubes (proofs/judging.md C117); IN_SWEEP alone if the mesh

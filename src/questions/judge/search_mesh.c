@@ -22,6 +22,11 @@ static const double LARGE_SHARE = 0.5, SMALL_SHARE = 0x1p-8, STUCK_PART = 0x1p-9
 /* A part is not cut if its radius is at most this times the error of its reference point. */
 static const double ROUNDED_PART = 8;
 
+/* Points off a part, on both sides, are this share of the width away, then twice as far each time;
+ * bound of their number. */
+static const double STEP_SHARE = 0.125;
+enum { STEPS = 6 };
+
 /* Kinds of cubes that may have points outside the sweep. */
 enum { NOT_INSIDE = CUBE_OUT | CUBE_BAND | CUBE_FLAT };
 
@@ -90,6 +95,7 @@ static double inside_bound(suprema *s, const asked_part *a) {
     if (a->known.pmc == GRAZE_OUT)
         return larger(a->part.radius - a->known.low, 0);
     band_nearest(&unused, &high, &s->space, a->part.x, CUBE_OUT | CUBE_FLAT, 0);
+    high = smaller(high, a->out);
     if (a->known.pmc == GRAZE_IN) {
         band_nearest(&low, &unused, &s->space, a->part.x, NOT_INSIDE, 0);
         raise_low(&s->found[GRAZE_JUDGED_INSIDE], low - a->part.error, a->part.x);
@@ -103,7 +109,7 @@ static double inside_bound(suprema *s, const asked_part *a) {
 static graze_status take_mesh_part(suprema *s, const mesh_part *part, const asked_part *from) {
     TRY(array_grow(s->context, &s->part, &s->part_capacity, s->part_count + 1, sizeof *s->part,
                    "parts of a mesh"));
-    asked_part added = {.part = *part};
+    asked_part added = {.part = *part, .out = INFINITY};
     if (from && memcmp(from->part.x, part->x, sizeof part->x) == 0)
         added.known = from->known;
     else
@@ -192,6 +198,25 @@ static double open_space(suprema *s, const asked_part *a, double bound) {
     return bound - a->part.radius - low;
 }
 
+/* Ask about the next point off a part, along its triangle's normal. A point that is outside bounds
+ * the distance of the reference point to the outside. */
+static graze_status step_off(suprema *s, asked_part *a) {
+    double step = ldexp(STEP_SHARE * s->within, a->steps / 2) * (a->steps % 2 ? -1 : 1), y[3];
+    normal n;
+    known_point known;
+    normal_space(&n, s->mesh->corners.at + (size_t)a->part.simplex * 9, 0);
+    double length = sqrt(dot3(n.at, n.at));
+    a->steps++;
+    if (!(length > 0))
+        return GRAZE_OK;
+    for (int i = 0; i < 3; i++)
+        y[i] = a->part.x[i] + step / length * n.at[i];
+    TRY(suprema_ask(&known, s, y, ASK_NO_DISTANCE));
+    if (known.pmc == GRAZE_OUT)
+        a->out = distance_above(a->part.x, y);
+    return GRAZE_OK;
+}
+
 /* Cut the part with the greatest bound or the space around it, whichever contributes more. */
 static graze_status look_inside(suprema *s) {
     uint32_t number = priority_take(&s->inner).number;
@@ -205,8 +230,12 @@ static graze_status look_inside(suprema *s) {
     if (bound >= a.inside && !is_stuck(s, &a.part) &&
         (nearest == UINT32_MAX || open_space(s, &a, bound) < a.part.radius))
         return cut_part(s, number);
-    if (bound >= a.inside)
+    if (bound >= a.inside && a.out == INFINITY && a.steps < STEPS && a.known.pmc != GRAZE_OUT) {
+        status = step_off(s, &s->part[number]);
+        a = s->part[number];
+    } else if (bound >= a.inside) {
         status = cut_nearest(s, number, nearest);
+    }
     bound = smaller(inside_bound(s, &a), bound);
     s->part[number].inside = bound;
     return status ? status : priority_add(&s->inner, s->context, bound, number);

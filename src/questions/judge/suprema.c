@@ -12,9 +12,6 @@
 #include "questions/judge/cube.h"
 #include "questions/judge/open_search.h"
 
-/* Bound of the number of cubes that one call cuts. */
-enum { TOGETHER = 4096 };
-
 /* The distance with the widest enclosure; GRAZE_JUDGED_COUNT if no search can go on. */
 static int most_open(const suprema *s) {
     int most = GRAZE_JUDGED_COUNT;
@@ -29,23 +26,11 @@ static int most_open(const suprema *s) {
     return most;
 }
 
-/* Cut the cubes of the band until none has a radius larger than the width wanted: the volumes need
- * it. */
-static graze_status thin_band(suprema *s) {
-    for (size_t next = 0; next < s->space.count && !suprema_is_over(s);) {
-        size_t left = (s->budget - suprema_spent(s) + 7) / 8;
-        TRY(band_cut_large(&next, &s->space, s->within, left < TOGETHER ? left : TOGETHER,
-                           s->threads));
-    }
-    return GRAZE_OK;
-}
-
 /* The distance of the sweep's boundary to an empty mesh is infinite. */
-static graze_status judge_empty(suprema *s) {
+static void judge_empty(suprema *s) {
     for (int k = 0; k < GRAZE_JUDGED_COUNT; k++)
         s->found[k].reached = 1;
     s->found[GRAZE_JUDGED_SWEEP].low = s->found[GRAZE_JUDGED_SWEEP].high = INFINITY;
-    return thin_band(s);
 }
 
 static graze_status search_all(suprema *s) {
@@ -57,7 +42,7 @@ static graze_status search_all(suprema *s) {
     for (int next = most_open(s); !status && next < GRAZE_JUDGED_COUNT && !suprema_is_over(s);
          next = most_open(s))
         status = step[next](s);
-    return status ? status : thin_band(s);
+    return status;
 }
 
 static graze_status tell_times(suprema *s) {
@@ -87,7 +72,12 @@ graze_status suprema_find(suprema *out, graze_context *context, const graze_scen
                               "a coordinate of the mesh is beyond 2^200; expected less");
     if (status)
         return status;
-    status = mesh->cut.count ? search_all(out) : judge_empty(out);
+    if (mesh->cut.count)
+        status = search_all(out);
+    else
+        judge_empty(out);
+    if (!status)
+        status = slabs_find(out);
     if (!status)
         status = volumes_find(out);
     return status || !mesh->cut.count ? status : tell_times(out);
@@ -101,4 +91,5 @@ void suprema_clear(suprema *s) {
     priority_clear(&s->outer);
     priority_clear(&s->inner);
     free(s->part);
+    free(s->slab);
 }

@@ -4,6 +4,7 @@
 #include "questions/judge/judge.h"
 
 #include <flint/fmpq_vec.h>
+#include <math.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
 #include "decide/bounds/bounds.h"
@@ -15,13 +16,16 @@
 /* Bounds: of the doublings of the root until it holds the mesh, and of the levels of cubes. */
 enum { DOUBLINGS = 60, LEVELS = DOUBLINGS + 256 };
 
-/* Counts of cubes. Relative to the mesh a cube is MESH_IN, MESH_OUT, or MESH_UNTOLD if the mesh may
- * meet it. */
+/* Volumes are counted in parts of cubes, 2^-PART_BITS each. */
+enum { PART_BITS = 20, WHOLE = 1 << PART_BITS };
+
+/* Counts of parts of cubes. Relative to the mesh a cube is MESH_IN, MESH_OUT, or MESH_UNTOLD if the
+ * mesh may meet it. */
 typedef struct measuring {
     suprema *s;
     int has_inside;
     fmpq_t flat;                           /* volume inside the mesh in cubes of kind CUBE_FLAT */
-    size_t count[VOLUME_COUNT][2][LEVELS]; /* cubes by level, for bounds below and above */
+    size_t count[VOLUME_COUNT][2][LEVELS]; /* by level, for bounds below and above */
 } measuring;
 
 static int meets_below(const judged_mesh *m, const cube_span *c, uint32_t node) {
@@ -49,39 +53,47 @@ static mesh_place place_of_cube(const measuring *r, const cube *c) {
     return judged_place(&winding, r->s->mesh, point);
 }
 
-static void count_cube(measuring *r, const cube *c, int level, mesh_place mesh) {
-    int in = c->kind == CUBE_IN, out = c->kind == CUBE_OUT;
+static void count_cube(measuring *r, const cube *c, int level, mesh_place mesh,
+                       const cube_slab *slab) {
+    double share[2] = {c->kind == CUBE_IN, c->kind != CUBE_OUT};
     size_t(*count)[2][LEVELS] = r->count;
+    if (slab)
+        slab_shares(share, slab, c);
+    size_t low = (size_t)floor(share[0] * WHOLE), high = (size_t)ceil(share[1] * WHOLE);
     level += DOUBLINGS;
-    count[IN_SWEEP][0][level] += (size_t)in;
-    count[IN_SWEEP][1][level] += (size_t)!out;
-    count[MISSING][0][level] += in && mesh == MESH_OUT;
-    count[MISSING][1][level] += !out && mesh != MESH_IN;
-    count[EXCESS][0][level] += out && mesh == MESH_IN;
-    count[EXCESS][1][level] += !in && mesh != MESH_OUT;
+    count[IN_SWEEP][0][level] += low;
+    count[IN_SWEEP][1][level] += high;
+    count[MISSING][0][level] += mesh == MESH_OUT ? low : 0;
+    count[MISSING][1][level] += mesh != MESH_IN ? high : 0;
+    count[EXCESS][0][level] += mesh == MESH_IN ? WHOLE - high : 0;
+    count[EXCESS][1][level] += mesh != MESH_OUT ? WHOLE - low : 0;
 }
 
-static graze_status measure_cube(measuring *r, const cube *c, int level, mesh_place mesh) {
+/* `slab`: that of a cube which holds this one, or NULL. */
+static graze_status measure_cube(measuring *r, const cube *c, int level, mesh_place mesh,
+                                 const cube_slab *slab) {
     suprema *s = r->s;
-    cube part = *c;
     s->space.seen += MEASURED;
+    if (c->slab)
+        slab = &s->slab[c->slab - 1];
+    uint32_t child = slab ? 0 : c->child;
     if (c->beside)
         mesh = c->kind == CUBE_IN ? MESH_IN : MESH_OUT;
     if (r->has_inside && mesh == MESH_UNTOLD && mesh_misses_cube(s->mesh, c))
         mesh = place_of_cube(r, c);
     int cut = r->has_inside && mesh == MESH_UNTOLD && cube_radius(c) > s->within &&
               level < CUBE_LEVELS && !suprema_is_over(s);
-    if (c->kind == CUBE_FLAT && !c->child)
+    if (c->kind == CUBE_FLAT && !child)
         return flat_volume(r->flat, s->context, c, s->mesh);
-    if (!c->child && !cut) {
-        count_cube(r, c, level, mesh);
+    if (!child && !cut) {
+        count_cube(r, c, level, mesh, slab);
         return GRAZE_OK;
     }
-    part.half *= 0.5;
-    for (uint32_t k = 0; k < 8; k++) {
-        for (int i = 0; i < 3; i++)
-            part.centre[i] = c->centre[i] + (k >> i & 1 ? part.half : -part.half);
-        TRY(measure_cube(r, c->child ? &s->space.item[c->child + k] : &part, level + 1, mesh));
+    for (int k = 0; k < 8; k++) {
+        cube part = cube_part(c, k);
+        part.kind = c->kind;
+        TRY(measure_cube(r, child ? &s->space.item[child + (uint32_t)k] : &part, level + 1, mesh,
+                         slab));
     }
     return context_poll(s->context);
 }
@@ -107,7 +119,7 @@ static graze_status measure_around(measuring *r) {
             cube part = {.half = last.half, .kind = CUBE_OUT};
             for (int i = 0; i < 3; i++)
                 part.centre[i] = last.centre[i] + (k >> i & 1 ? 2 * to[i] : 0);
-            status = measure_cube(r, &part, level, MESH_UNTOLD);
+            status = measure_cube(r, &part, level, MESH_UNTOLD, NULL);
         }
         for (int i = 0; i < 3; i++)
             last.centre[i] += to[i];
@@ -125,7 +137,7 @@ static void add_volumes(fmpq_t sum, const fmpq_t root, const size_t *count) {
         fmpz_set_ui(number, count[level]);
         fmpq_mul_fmpz(term, root, number);
         fmpq_mul_2exp(term, term, 3 * DOUBLINGS);
-        fmpq_div_2exp(term, term, 3 * (ulong)level);
+        fmpq_div_2exp(term, term, 3 * (ulong)level + PART_BITS);
         fmpq_add(sum, sum, term);
     }
 }
@@ -133,7 +145,7 @@ static void add_volumes(fmpq_t sum, const fmpq_t root, const size_t *count) {
 graze_status volumes_find(suprema *s) {
     measuring r = {.s = s, .has_inside = s->mesh->rule != GRAZE_MESH_NONE};
     fmpq_init(r.flat);
-    graze_status status = measure_cube(&r, &s->space.item[0], 0, MESH_UNTOLD);
+    graze_status status = measure_cube(&r, &s->space.item[0], 0, MESH_UNTOLD, NULL);
     if (!status && r.has_inside && s->mesh->boxes.node_count)
         status = measure_around(&r);
     s->has_difference = r.has_inside;
