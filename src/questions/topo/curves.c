@@ -55,9 +55,9 @@ static void refuse_degree(curve_maker *m, slong degree) {
 }
 
 /* Add the line at the end u = 0 or u = 1 of a piece. */
-static graze_status add_line_at(curve_maker *m, const pullback_form *f, slong u) {
+static graze_status add_line_at(curve_maker *m, const pullback_form *f, fmpz u) {
     IN_RING(fmpz_mpoly, curve, m->list->ring);
-    pullback_at(curve, f, &(fmpz){u}, m->list->ring);
+    pullback_at(curve, f, &u, m->list->ring);
     return curves_append(m->list, m->context, curve);
 }
 
