@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The interiors meet in an open set of times, the closed solids in a closed set. So a time at which
- * the boundaries meet has the state B if a gap beside it has O or B, and the state I or B if both
- * gaps beside it have I.
+ * the boundaries meet has the state B if a gap beside it has O or B, and the state I or B if each
+ * gap beside it has I.
  */
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
