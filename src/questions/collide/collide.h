@@ -13,7 +13,7 @@
 typedef struct solid_pair {
     const graze_solid *moving, *fixed;
     const graze_motion *motion;
-    int complement; /* 1: the closure of its complement takes the place of `fixed` */
+    int complement; /* 1: the closure of the complement of `fixed` stands for `fixed` */
 } solid_pair;
 
 /* Pairs of boundary cells, one of each solid, that meet at a time. */

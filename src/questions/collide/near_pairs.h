@@ -8,7 +8,8 @@
 /* Pairs of boundary cells, one of each solid, that meet at a time. */
 
 /** Find all pairs of relatively open cells with a common point at the placing's time
- * (proofs/collision.md C109). At that time no edge of one solid passes through the other.
+ * (proofs/collision.md C109). At that time no edge of one solid may pass through a simplex of the
+ * other.
  * @param near all pairs of simplices that meet then, and perhaps others */
 void cell_pairs_find(cell_pairs *out, placing *p, const near_list *near);
 

@@ -139,8 +139,8 @@ static graze_status enter_gap(pair_walk *walk, graze_state state) {
     return add_letter(walk, state);
 }
 
-/* Enter the gap after t0, where there is no incidence; if it has the state B the contact begins at
- * t0. */
+/* Enter the gap after t0, at which there is no incidence; if the gap has the state B, a contact
+ * begins at t0. */
 static graze_status enter_start(pair_walk *walk, graze_state state, scene_then *then) {
     if (state == GRAZE_STATE_B) {
         LOCAL(fmpq, zero);
@@ -231,7 +231,7 @@ static graze_status enter_time(pair_walk *walk, graze_state left, graze_state st
     return GRAZE_OK;
 }
 
-/* Find and enter the state at the last time; the gap before it is known. */
+/* Find and enter the state at the last time; `left` is the state of the gap before. */
 static graze_status walk_into(pair_walk *walk, placing *whole, graze_state left, size_t before,
                               const fmpq_t u, const node_list *near) {
     ZEROED(scene_then, then);

@@ -73,8 +73,8 @@ typedef struct site_side {
 
 /** A facet through y on one side of t, with its primitive outward normal: `speed` is g, `drift` is
  * g's derivative by t at fixed y, `theta` the second derivative by t of the pullback of its plane.
- * `order` and `sign` are those of the pullback next to t; where it vanishes identically they are
- * GRAZE_ORDER_VANISHES and 0. */
+ * `order` is that of the pullback's zero at t, `sign` the pullback's sign next to t on the side; if
+ * it vanishes identically, GRAZE_ORDER_VANISHES and 0. */
 typedef struct site_germ {
     size_t facet; /* its index in place.facet */
     int side;     /* -1 before t, +1 after it */
@@ -93,7 +93,7 @@ struct graze_site {
     neighborhood place;
     site_side side[2];
     fmpq_t t;
-    fmpq *y, *world; /* behind them stand the u of both sides */
+    fmpq *y, *world; /* the u of both sides stand behind these */
     size_t germ_count;
     site_germ *germ;
     graze_trace trace;

@@ -76,7 +76,8 @@ static void find_world(graze_site *s) {
     carry_point(s->world, &s->scene->motion->piece[side->piece].forward, side->u, s->y);
 }
 
-/* Order and sign of the pullback of a facet's plane next to t, by its coefficients. */
+/* Find the order of the zero at t of the pullback of a facet's plane, and the pullback's sign next
+ * to t, by its derivatives at t. */
 static void find_germ_order(site_germ *germ, const graze_site *s) {
     const site_side *side = &s->side[germ->side > 0];
     HELD(trajectory, path, s->dimension);

@@ -29,7 +29,8 @@ double gap_corners(const double *m, const double *corner, int count, int dimensi
     return most;
 }
 
-/* The numerator m . X - most W, made smaller by its errors; 0 if a coefficient is not positive. */
+/* Set the numerator m . X - most W, made smaller by its errors; returns 0 if a coefficient is not
+ * positive. */
 static int numerator(double *out, const window *w, const double *m, double most) {
     int d = w->of->dimension;
     double stray = (fabs(m[0]) + fabs(m[1]) + fabs(m[2])) * w->stray;

@@ -9,7 +9,7 @@
 #include "input/motion/motion.h"
 #include "input/solid/solid.h"
 
-/* The distance of a point to the sweep or unsweep, enclosed (proofs/semantics.md 8). */
+/* The signed distance of a point to the sweep or unsweep, enclosed (proofs/semantics.md 8). */
 
 /** low <= s <= high for the signed distance s; the bounds have the sign of the point's exact answer
  * (proofs/distance.md C66, C67). */
@@ -61,7 +61,7 @@ graze_status distance_time_near(double *out, graze_context *context, const dista
 typedef struct arc {
     size_t piece;
     double from, length;
-    int rigid;       /* distances of the space of query points are those of the solid's */
+    int rigid; /* 1: the map from the space of query points to the solid's space keeps distances */
     carrier tracing; /* the tracing map on the arc; empty if the arc is the whole piece: the filter
                         has its map */
     carrier placing; /* the map of motion_placing on the arc; set only if not rigid */
@@ -168,7 +168,8 @@ typedef enum place_state {
     PLACE_SMALL /* bounded, and a leaf or no larger than the trajectory's way in the window */
 } place_state;
 
-/** A node of the solid's tree; no simplex below it is nearer than low at the times looked at. */
+/** A node of the solid's tree; no simplex below the node is nearer than `low` at the times looked
+ * at. */
 typedef struct place {
     uint32_t node;
     place_state state;

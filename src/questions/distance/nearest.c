@@ -8,7 +8,7 @@
 #include "questions/distance/gap.h"
 #include "questions/distance/time_search.h"
 
-/* A tree over n simplices halves their number at each level. */
+/* Room for the nodes to be entered: each level of the tree halves the number of simplices. */
 enum { DEPTH = 80 };
 
 typedef struct descent {

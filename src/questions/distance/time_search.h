@@ -48,7 +48,7 @@ typedef struct pair_aside {
     double from, to;
 } pair_aside;
 
-/** A time, the simplex nearest then and the distance. */
+/** A time, the simplex that is nearest then, and its distance or more. */
 typedef struct time_sample {
     double time, high;
     uint32_t simplex;
@@ -73,7 +73,7 @@ typedef struct search {
     size_t arc;
     double time;
     int met;                /* greatest distance only, 1: `time` is set */
-    size_t visits, counted; /* work so far, and what the context knows of it */
+    size_t visits, counted; /* work so far, and the part of it reported to the context */
     double step; /* a round puts aside pairs and windows whose bound is within this of the bound met
                     at `time` */
     place *list; /* least distance only: places of the windows under way, and in `aside` the pairs
@@ -105,7 +105,7 @@ int search_is_done(const search *s, double low, double high);
 /* The greatest distance to the boundary over stretches of time (proofs/distance.md C72). */
 
 /** A stretch [from, to] of one arc. Its times [sure_from, sure_to] certainly belong to a visit to
- * the interior; there are no such times if sure_from > sure_to. */
+ * the wanted state, I or, for an unsweep, O; no time is certain if sure_from > sure_to. */
 typedef struct stretch_of_time {
     size_t arc;
     double from, to, sure_from, sure_to;

@@ -230,8 +230,8 @@ graze_status sides_add(germ *g, graze_context *context, const point_map *map, fm
 void signs_pull_back(fmpz_poly_t out, const point_map *map, const fmpz *normal,
                      const fmpz *direction);
 
-/** The state of the directions with given signs, one for each plane; some direction has them. The
- * state is B if the cone has too many cells. */
+/** The state of the directions with given signs, one for each plane, which some direction must
+ * have. The state is B if the cone has too many cells. */
 graze_status signs_state(graze_state *out, local_cone *cone, graze_context *context,
                          const signed char *signs);
 

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A facet's line n pulled back to a piece is f(x, y, u) = a(u) x + b(u) y + c(u). A common factor
- * of a, b and c has no root in [0, 1], where the map is invertible, and is divided out.
+ * of a, b and c is divided out; in E^2 it has no root in [0, 1], where the map is invertible.
  */
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>

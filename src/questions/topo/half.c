@@ -156,8 +156,9 @@ static void form_of_ways(half_germ *out, const open_plane *h, const plane_ways *
     fmpq_poly_scalar_div_fmpq(out->form, out->form, factor);
 }
 
-/* Set the form of an edge met with an order, from the combination of its two planes that does not
- * depend on time up to that order; 0 if the tangent plane of the edge's path is not the plane. */
+/* Set the form of an edge met with an order, from the combination of the edge's two planes that
+ * does not depend on time up to that order; returns 0 if the tangent plane of the edge's path is
+ * not the plane h. */
 static int form_of_edge(half_germ *out, const open_plane *h, const germ *g, size_t other,
                         slong order) {
     LOCAL_VEC(fmpz, across, 3);
@@ -208,7 +209,7 @@ static int is_inner_of_odd_order(const germ *g) {
     return g->side_count == 2 && g->side[0].order % 2 == 1;
 }
 
-/* Set the order and the form that a way gives; 0 if it gives none. */
+/* Set the order and the form that a way gives; returns 0 if the way gives no form. */
 static int form_of_germ(half_germ *out, const open_plane *h, const germ *g, int way) {
     int cell = g->root || !g->has_time ? 0 : cone_cell_dimension(&g->cone);
     int s = (way - 1) / 2, turned = way > 0 && way % 2 == 0;

@@ -112,7 +112,7 @@ static void note_open(leading_maker *m, const fmpz *direction) {
         direction_span_add(&m->open, direction);
 }
 
-/* Take a cell's cover into `is_interior`.
+/* Take a cell's cover into `is_interior`; returns 0 if the cell has no covered neighbourhood.
  * @param all_exact 1: all full cells around this cell lie in exact closed cones */
 static int note_cell(leading_maker *m, const germ_cover *cell, int all_exact) {
     for (int by = 0; by < BY_COUNT; by++)
@@ -132,7 +132,7 @@ static void note_between(leading_maker *m, const fmpz *ray, const fmpz *directio
     note_open(m, direction);
 }
 
-/* Take a full cell; `*here` is its cover. */
+/* Take a cell of full dimension into account; `*here` becomes its cover. */
 static graze_status look_at_full(germ_cover *here, leading_maker *m, const fmpz *direction) {
     TRY(germs_cover(here, m->germs, m->context, direction));
     if (!here->covered && m->germs->bounded)
@@ -144,7 +144,8 @@ static graze_status look_at_full(germ_cover *here, leading_maker *m, const fmpz 
     return GRAZE_OK;
 }
 
-/* Take the cells around ray r: the full ones, in E^3 those between two of them, and the ray. */
+/* Take into account the cells around ray r: those of full dimension, in E^3 also those of dimension
+ * 2 between these, and the ray itself. */
 static graze_status look_around(leading_maker *m, size_t r) {
     int d = m->borders->dimension, all_exact = 1;
     size_t step = d == 3 ? 2 : 1;

@@ -127,8 +127,8 @@ static void close_range(height_range *r) {
         fmpq_sub(r->low, r->high, length);
 }
 
-/* Find a dyadic number k / 2^places whose signed power of this order lies between two numbers; 0 if
- * there is none. */
+/* Find a dyadic number k / 2^places whose signed power of this order lies between two numbers;
+ * returns 0 if there is none. */
 static int find_dyadic(fmpq_t out, slong order, const fmpq_t low, const fmpq_t high, ulong places) {
     int found = 0;
     LOCAL(fmpz, root);

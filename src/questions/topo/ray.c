@@ -28,7 +28,8 @@
  * large. */
 enum { FEW_FACETS = 200, NEARER_PLACES = 10, FORMS = 4, PARTS = 5 };
 
-/* A form along the ray: both parts, their common factor, and both divided by it. */
+/* A form along the ray, at + s slope: these two polynomials in time, their common factor, and both
+ * divided by the factor. */
 typedef struct ray_form {
     fmpz_poly_struct *at, *slope, *common, *plain_at, *plain_slope;
 } ray_form;
