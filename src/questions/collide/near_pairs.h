@@ -16,7 +16,7 @@ void cell_pairs_find(cell_pairs *out, placing *p, const near_list *near);
 /* Pairs of simplices that may meet during an interval: two trees of boxes and separating
  * directions exclude all others, in doubles with proved bounds (proofs/collision.md C108). */
 
-/** A node of each solid's tree. */
+/** Two nodes, one of each solid's tree. */
 typedef struct node_pair {
     uint32_t moving, fixed;
 } node_pair;

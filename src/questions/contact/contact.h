@@ -126,7 +126,8 @@ graze_status site_make_for(graze_site *out, graze_context *context, const graze_
 
 /**
  * Make the site at the point of a cell's contact set that is nearest to y (proofs/snap.md C75).
- * @param[out] out uninitialised; site_clear after GRAZE_OK; `missed` where the set is empty
+ * @param[out] out uninitialised; site_clear after GRAZE_OK; `missed` if the cell has no contact at
+ * t
  * @return as site_make and snap_find; y need not be on the boundary
  */
 graze_status site_snap(graze_site *out, graze_context *context, const graze_scene *scene,

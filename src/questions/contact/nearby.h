@@ -64,9 +64,8 @@ void speed_along(fmpq_t out, const speed *s, int side, const fmpq *normal, const
 /* Where an edge of a solid in E^3 is in contact at a time. */
 
 /**
- * Try the nearest point of the contact set of the edge between two corners (proofs/snap.md
- * C75).
- * @return GRAZE_EINPUT the number of facets along the edge is not two
+ * Try the nearest point of the contact set of the edge between two corners (proofs/snap.md C75).
+ * @return GRAZE_EINPUT more than two facets, or none, meet along the edge
  */
 graze_status edge_run_try(nearby *n, graze_context *context, const graze_solid *solid,
                           const fmpq *u, const fmpq *v, const speed *s);

@@ -120,7 +120,8 @@ static graze_status own_time(const graze_time **out, graze_context *context, gra
     return time_canonicalise(s->itself, context);
 }
 
-/* Ends of the nearest gaps of state I before and after t, which is in contact k. */
+/* Give the end of the nearest gap of state I before t, and the beginning of the nearest one after
+ * t; contact k holds t. */
 static void interiors_beside(graze_time **before, graze_time **after, const graze_site *s,
                              size_t k) {
     const graze_trace *trace = &s->trace;

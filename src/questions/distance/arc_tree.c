@@ -47,7 +47,7 @@ static int has_even_weight(const carrier *map) {
     double least = INFINITY;
     for (int k = 0; k <= map->degree; k++)
         least = smaller(least, map->weight[k]);
-    return least > 0x1p-12; /* the largest is less than 1 */
+    return least > 0x1p-12; /* the largest weight is less than 1 */
 }
 
 /* Set a box that holds S during an arc: all of space, if the weight's coefficients give no bound.

@@ -25,8 +25,9 @@ typedef struct distance {
 } distance;
 
 /**
- * @param point     d rationals
- * @param trace     of the point, with its contacts' times
+ * Enclose the signed distance of a point.
+ * @param point d rationals
+ * @param trace of the point, with its contacts' times
  * @param tolerance positive and finite: the width that is wanted
  * @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM
  */

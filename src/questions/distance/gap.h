@@ -73,7 +73,7 @@ enum { SQUARED = 20, SQUARE_ROOM = 2 * SQUARED + 5 };
  * factor (proofs/distance.md C69). */
 #define SQUARE_ERROR (128 * UNIT_ROUNDING)
 
-/** Factors that change a number by more than the roundings of a short chain of operations do. */
+/** Factors that change a number by more than the rounding errors of a short chain of operations. */
 #define ROUNDED_DOWN (1 - 0x1p-48)
 #define ROUNDED_UP (1 + 0x1p-48)
 

@@ -17,7 +17,7 @@
 #include "input/solid/solid.h"
 #include "questions/topo/cover.h"
 
-/* Does a facet in the plane contain the cone's point? The point is in the plane. */
+/* Does a facet in the plane contain the cone's point, which is in the plane? */
 static int plane_holds_point(const local_cone *cone, size_t plane) {
     int d = cone->dimension, found = 0;
     const plane_list *list = cone->planes;

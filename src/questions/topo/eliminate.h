@@ -63,7 +63,7 @@ graze_status curves_of_scene(curve_list *list, const char **refused, graze_conte
 
 /** A polynomial in x and y as a polynomial in one variable with coefficients in the other. */
 typedef struct sliced_curve {
-    slong degree, total; /* in the variable; of the whole polynomial */
+    slong degree, total; /* degree in the variable; total degree of the polynomial */
     fmpz_poly_struct *coefficient;
 } sliced_curve;
 
