@@ -28,7 +28,7 @@ static int extents_apart(extent a, extent b, const double n[3], double error) {
     return bound < MOST_BOUND && (a.low - b.high > bound || b.low - a.high > bound);
 }
 
-/* The images of one to three points under some maps: three coordinates each, in E^2 a last 0. */
+/* The images of one to three points under some maps: three coordinates each, the third 0 in E^2. */
 typedef struct point_group {
     size_t maps;
     int count;
@@ -87,7 +87,7 @@ static int divides(const divider *d, const double n[3]) {
     return extents_apart(group_extent(d->moved, n), group_extent(d->standing, n), n, d->error);
 }
 
-/* The edges between a group's points under the middle map. @return their number */
+/* Give the edges between a group's points under the middle map. @return their number */
 static int edges_of(double out[3][3], const point_group *g) {
     const double *x = g->at + g->maps / 2 * (size_t)(3 * g->count);
     int edges = g->count == 3 ? 3 : g->count - 1;
@@ -108,7 +108,8 @@ static int divides_in_plane(const divider *d, const double normal[3], double edg
     return 0;
 }
 
-/* Try the normals of the triangles, and the directions perpendicular to an edge of each. */
+/* Try the normals of the triangles, and the directions perpendicular to an edge of each; set
+ * `normal` for divides_in_plane. */
 static int divides_in_space(double normal[3], const divider *d, double a[][3], int edges_a,
                             double b[][3], int edges_b) {
     if (edges_b == 3) {
@@ -147,7 +148,7 @@ int corners_apart(const solid_pair *pair, const control_maps *maps, corner_run m
     return divides_in_plane(&d, normal, a, edges_a) || divides_in_plane(&d, normal, b, edges_b);
 }
 
-/* A node: its box, without height in E^2, and its slab. */
+/* A node's box, which has no height in E^2, and the node's slab. */
 typedef struct flat_box {
     const box *box;
     const slab *slab;
@@ -170,7 +171,8 @@ static extent flat_extent(const flat_box *f, const double n[3]) {
     return (extent){centre - half + smaller(one, other), centre + half + larger(one, other)};
 }
 
-/* A bound of the extent of the images along n, from n . (A x + b) = (A^T n) . x + n . b. */
+/* A bound of the extent along n of the images of a box and slab, from n . (A x + b) = (A^T n) . x +
+ * n . b. */
 static extent moved_extent(const flat_box *f, const control_maps *maps, const double n[3]) {
     extent all = {INFINITY, -INFINITY};
     int d = maps->dimension;
@@ -189,7 +191,7 @@ static extent moved_extent(const flat_box *f, const control_maps *maps, const do
     return all;
 }
 
-/* The normal, under the middle map, of the image of a plane with the normal n. */
+/* Give a normal of the image, under the middle map, of a plane with the normal n. */
 static void carry_normal(double out[3], const control_maps *maps, const double n[3]) {
     int d = maps->dimension;
     const double *m = maps->entry + maps->count / 2 * (size_t)(d * (d + 1));

@@ -1,4 +1,4 @@
-/* Answers pairs: the word, its contacts, and their consequences.
+/* Answers pairs: finds the word and the contacts, and what they imply.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <string.h>

@@ -1,5 +1,5 @@
-/* collide: the word of a moving solid against a fixed one: apart, touching, overlapping, with
- * exact times and cells.
+/* collide: finds when a moving solid and a fixed one are apart, touch or overlap, with exact times
+ * and cells.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_QUESTIONS_COLLIDE_H
 #define GRAZE_QUESTIONS_COLLIDE_H
@@ -13,7 +13,7 @@
 typedef struct solid_pair {
     const graze_solid *moving, *fixed;
     const graze_motion *motion;
-    int complement; /* 1: the closure of its complement takes the place of `fixed` */
+    int complement; /* 1: the closure of the complement of `fixed` stands for `fixed` */
 } solid_pair;
 
 /* Pairs of boundary cells, one of each solid, that meet at a time. */
@@ -23,7 +23,8 @@ typedef struct cell_pairs {
     graze_cell_pair *item; /* sorted, without duplicates */
 } cell_pairs;
 
-/** A contact; `to` is NULL until it is known. */
+/** A contact from `from` to `to`, which is NULL until it is known; `left` and `right` are the
+ * states beside it. */
 typedef struct pair_contact {
     graze_state left, right;
     const graze_time *from, *to;
@@ -42,11 +43,11 @@ typedef struct pair_walk {
     graze_time *last;  /* the last time reached; NULL: none */
     graze_state gap;   /* state after the last time, or from t0 on; ABSENT: unknown */
     int open;          /* the last contact has not ended */
-    int first; /* only the first contact, and the gap after its first instant, are asked for */
-    int done;  /* that contact is found */
+    int first; /* 1: only the first contact, and the state just after it begins, are asked for */
+    int done;  /* 1: nothing more is to be found */
 } pair_walk;
 
-/* The answer of a pair: the word and the contacts of a moving and a fixed solid
+/* The answer to a pair of a moving and a fixed solid: the word and the contacts
  * (proofs/collision.md). */
 
 struct graze_pair {
@@ -62,11 +63,12 @@ struct graze_pair {
 graze_status collide_answer(graze_pair *pair, graze_context *context);
 void collide_clear(graze_pair *pair);
 
-/** The verdict of the word; GRAZE_PAIR_CONTACT if only the first contact was asked for and found.
+/** The verdict that the word gives; GRAZE_PAIR_CONTACT if only the first contact was asked for, and
+ * one was found.
  */
 graze_pair_verdict collide_verdict(const graze_pair *pair);
 
-/** The state just after the first contact begins, if no more was asked for; else ABSENT. */
+/** The state just after the first contact begins, if only that was asked for; else ABSENT. */
 graze_state collide_next(const graze_pair *pair);
 
 /** The time at which the interiors begin to meet, or NULL. */

@@ -36,8 +36,8 @@ static void note_corner(finder *f, common_corner corner) {
     f->out->item[f->out->count++] = corner;
 }
 
-/* Set the signs of a simplex's corners at the other simplex's plane; 0 if all are on one side of
- * it. */
+/* Set the signs of a simplex's corners at the other simplex's plane; returns 0 if all corners are
+ * strictly on one side of that plane. */
 static int look_at_plane(finder *f, pair_side side) {
     int d = f->p->pair->motion->dimension, above = 0, below = 0;
     pair_side other = (pair_side)!side;
@@ -50,7 +50,7 @@ static int look_at_plane(finder *f, pair_side side) {
     return above < d && below < d && !f->p->status;
 }
 
-/* Add the corners of one simplex that are in the other. */
+/* Add the corners of the simplex of one solid that are in the other simplex. */
 static void add_vertex_corners(finder *f, pair_side side) {
     int d = f->p->pair->motion->dimension;
     pair_side other = (pair_side)!side;
@@ -67,9 +67,9 @@ static void add_vertex_corners(finder *f, pair_side side) {
     }
 }
 
-/* Does side k of one simplex cross the line of side l of the other strictly between its ends, given
- * that both lines are coplanar? It does if its ends are on different sides of the other's plane or,
- * within that plane, of the line. */
+/* Does side k of one simplex cross the line of side l of the other strictly between the ends of
+ * side k, if both lines are coplanar? It does if these ends are on different sides of the other's
+ * plane or, if they lie in that plane, of the line. */
 static int passes(placing *p, near_pair simplices, pair_side side, int k, int l,
                   const int plane[3]) {
     pair_side other = (pair_side)!side;
@@ -101,7 +101,7 @@ static int passes_through(const int plane[3], int k, const int sign[3]) {
     return plane[k] * plane[(k + 1) % 3] < 0 && sign[0] && sign[0] == sign[1] && sign[1] == sign[2];
 }
 
-/* The place of an edge relative to the other triangle's plane. */
+/* An edge's position relative to the other triangle's plane. */
 typedef enum edge_place { EDGE_BESIDE, EDGE_WITHIN, EDGE_THROUGH } edge_place;
 
 static edge_place place_edge(const finder *f, pair_side side, int k) {
@@ -110,7 +110,8 @@ static edge_place place_edge(const finder *f, pair_side side, int k) {
 }
 
 /* Add the crossings of edges, and set `crossing`. Two lines are tested for being coplanar only if
- * one edge crosses the other's plane; if one lies in the other's plane they are. */
+ * one edge crosses the other's plane; if one lies in the other triangle's plane, the lines are
+ * coplanar. */
 static void add_edge_corners(finder *f) {
     int sign[3][3], turned[3][3];
     for (int k = 0; k < 3 && !f->p->status; k++)

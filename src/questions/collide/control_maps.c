@@ -32,7 +32,7 @@ void map_forms_split(map_forms *forms, map_forms *right) {
         bernstein_form_split(&forms->form[k], &right->form[k]);
 }
 
-/* Allocate the entries with the scratch memory behind them. */
+/* Allocate the entries and, behind them, the scratch memory. */
 static int make_map_room(control_maps *out, size_t count, int d) {
     size_t entries = count * (size_t)(d * (d + 1));
     double *grown = realloc(out->entry, (entries + 9 * count) * sizeof *grown);

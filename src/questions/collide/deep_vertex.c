@@ -1,5 +1,6 @@
-/* A vertex is inside between its trajectory's last contact with the other boundary before a time
- * and its first one after it. SPDX-License-Identifier: GPL-3.0-or-later
+/* A vertex that is inside the other solid at a time stays inside from its trajectory's last contact
+ * with that boundary before the time to its first contact after it.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
@@ -8,10 +9,12 @@
 #include "decide/filter/filter.h"
 #include "questions/collide/placing.h"
 
-/* Bounds of the numbers of vertices tried for each solid, and of trajectories traced. */
+/* Bounds of the number of vertices tried for each solid, and of the number of trajectories traced.
+ */
 enum { MOST_TRIED = 16, MOST_TRACED = 4 };
 
-/* Narrow [low, high] to the times between the contacts next to a time. */
+/* Narrow [low, high] to the times between the last contact before a time and the first one after
+ * it. */
 static graze_status narrow_interval(fmpq_t low, fmpq_t high, graze_context *context, touches *t,
                                     algebraic *time) {
     LOCAL_VEC(fmpq, from, 2);

@@ -1,4 +1,4 @@
-/* The times are roots of plane forms at vertices, and of determinants of edges.
+/* Times of incidences are roots of plane forms at vertices, and of determinants of edges.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Adjacent simplices share vertices and edges, so duplicates are removed first.
@@ -16,7 +16,7 @@
 typedef struct meeting_cells {
     uint32_t key[4];
     near_pair simplices;
-    int k, l; /* the corner's number, or the sides' */
+    int k, l; /* the corner's number k, or the numbers of both sides */
 } meeting_cells;
 
 typedef struct cell_list {
@@ -90,7 +90,7 @@ static int runs_apart(const finder *f, corner_run moving, corner_run fixed) {
 }
 
 /* Note the times at which the vertex is in the simplex or, if it is always in the simplex's plane,
- * those at which it may change its cell there. */
+ * the times at which it may change its cell in that plane. */
 static void meet_vertex(finder *f, pair_side side, const meeting_cells *m) {
     int d = f->p->pair->motion->dimension;
     near_pair s = m->simplices;
@@ -117,8 +117,8 @@ static void meet_vertex(finder *f, pair_side side, const meeting_cells *m) {
     }
 }
 
-/* Do two edges, whose lines are coplanar at the time, cross inside both? The signs of their ends at
- * the other triangle's plane are found as needed. */
+/* Do two edges, whose lines are coplanar at the time, cross inside both? Only the signs of the
+ * edges' ends at the other triangle's plane are found. */
 static int cross_then(placing *p, const meeting_cells *m) {
     int plane[2][3] = {{0}, {0}};
     near_pair s = m->simplices;

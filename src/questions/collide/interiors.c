@@ -7,7 +7,8 @@
 #include "base/context/scope.h"
 #include "questions/collide/placing.h"
 
-/** A common point: its vertex or its two edges, and a pair of simplices with it as a corner. */
+/** A common point, the key of its vertex or its two edges, and a pair of simplices whose common
+ * part has the point as a corner. */
 typedef struct meeting_point {
     corner_kind kind;
     uint32_t key[4];
@@ -78,7 +79,7 @@ static int is_common(const looker *l, pair_side side, uint32_t vertex) {
 }
 
 /* Is a component of one boundary, which does not meet the other boundary, in the other solid's
- * interior? Its first vertex tells. */
+ * interior? One vertex of the component tells. */
 static int finds_inside(looker *l, placing *rational, pair_side side) {
     const simplices *cut = &placing_solid(l->p, side)->cut;
     FREED(unsigned char, seen, calloc(cut->component_count, 1));
@@ -114,7 +115,8 @@ static void set_shares(fmpz_poly_struct share[2], placing *p, const meeting_poin
         if (placing_sign(p, &share[!k]) < 0)
             fmpz_poly_neg(&share[!k], &share[!k]);
     }
-    /* A form at a vertex is its value times the vertex's weight. */
+    /* A placed vertex is homogeneous: a form's value there has the factor of the vertex's weight.
+     */
     for (int k = 0; k < 2; k++) {
         const trajectory *c = placing_vertex(p, side, end[k]);
         if (c)

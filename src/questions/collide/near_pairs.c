@@ -43,7 +43,8 @@ typedef struct refiner {
     graze_status status;
 } refiner;
 
-/* A node of the moving tree: a box around its images in the interval, its size at one time. */
+/* A node of the moving tree, with a box around its images during the interval and its size at one
+ * time. */
 typedef struct moved_node {
     uint32_t node;
     box box;

@@ -8,14 +8,15 @@
 /* Pairs of boundary cells, one of each solid, that meet at a time. */
 
 /** Find all pairs of relatively open cells with a common point at the placing's time
- * (proofs/collision.md C109). At that time no edge of one solid passes through the other.
+ * (proofs/collision.md C109). At that time no edge of one solid may pass through a simplex of the
+ * other.
  * @param near all pairs of simplices that meet then, and perhaps others */
 void cell_pairs_find(cell_pairs *out, placing *p, const near_list *near);
 
 /* Pairs of simplices that may meet during an interval: two trees of boxes and separating
  * directions exclude all others, in doubles with proved bounds (proofs/collision.md C108). */
 
-/** A node of each solid's tree. */
+/** Two nodes, one of each solid's tree. */
 typedef struct node_pair {
     uint32_t moving, fixed;
 } node_pair;
@@ -37,7 +38,7 @@ graze_status near_pairs_refine(node_list *near, node_list *coarse, graze_context
                                const solid_pair *pair, const control_maps *maps,
                                const node_list *in, int at_once);
 
-/** Take the simplices of pairs of leaves. */
+/** Replace a list by the pairs of simplices of pairs of leaves. */
 graze_status near_pairs_take(near_list *out, graze_context *context, const solid_pair *pair,
                              const node_list *leaves);
 
@@ -49,7 +50,7 @@ graze_status node_list_add(node_list *list, graze_context *context, node_pair it
 
 void pair_walk_clear(pair_walk *walk);
 
-/** Begin; if only the first contact is asked for, with the state at t0. */
+/** Begin a walk; if only the first contact is asked for, find the state at t0. */
 graze_status pair_walk_begin(pair_walk *walk);
 
 /** Walk to a time of a piece at which the boundaries meet. No time of incidences_find between the
@@ -59,7 +60,7 @@ graze_status pair_walk_begin(pair_walk *walk);
 graze_status pair_walk_to(pair_walk *walk, placing *whole, size_t piece, const algebraic *time,
                           const node_list *near);
 
-/** Find the gap after the last time, if that is a contact.
+/** Find the state just after the last time, if a contact is open there and the state is not known.
  * @param u a time of a piece; no contact is between the last time and u */
 graze_status pair_walk_on(pair_walk *walk, size_t piece, const fmpq_t u);
 
@@ -94,7 +95,7 @@ int slabs_apart(const solid_pair *pair, const control_maps *maps, uint32_t movin
 
 /* A search for the times at which two boundaries meet, in order of time. */
 
-/** Walk through the whole motion or, if only the first contact is asked for, up to that. */
+/** Walk through the whole motion or, if only the first contact is asked for, up to that contact. */
 graze_status pair_search(pair_walk *walk);
 
 #endif

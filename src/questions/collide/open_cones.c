@@ -76,8 +76,8 @@ static void combine_moving(moving_vector *out, slong i, const moving_vector *a, 
     }
 }
 
-/* The ray in which the arc from a to b crosses the plane with normal n; the signs of n . a and n .
- * b are opposite. */
+/* Set the ray in which the arc from a to b crosses the plane with normal n; the signs of n . a and
+ * n . b are opposite. */
 static void ray_between(moving_vector *out, placing *p, const moving_vector *a,
                         const moving_vector *b, const moving_vector *n) {
     LOCAL(fmpz_poly, at_a);
@@ -161,7 +161,8 @@ static void add_half_plane(sectors_about *list, placing *p, pair_side side, movi
     moving_negate(along);
 }
 
-/* Append the strip of all heights over a ray of E^2; outward is to the right of a segment. */
+/* Append the half plane of all heights over a ray of E^2; the outer side of a segment is to its
+ * right. */
 static void add_upright(sectors_about *list, placing *p, pair_side side, moving_vector *ray,
                         int backward) {
     HELD(moving_vector, up);
@@ -212,7 +213,7 @@ static int is_in_sector(placing *p, const sector *s, const moving_vector *v) {
 }
 
 /* Does the arc between two directions cross a sector? 0: no; 1: once, in the sector's relative
- * interior; -1: it is in a special position. */
+ * interior; -1: the arc is in a special position. */
 static int passes_sector(placing *p, const moving_vector *from, const moving_vector *to,
                          const sector *s) {
     int before = dot_sign(p, &s->normal, from), after = dot_sign(p, &s->normal, to);
@@ -227,7 +228,7 @@ static int passes_sector(placing *p, const moving_vector *from, const moving_vec
     return left > 0 && right > 0 ? 1 : left < 0 || right < 0 ? 0 : -1;
 }
 
-/* Locate a direction by the arc from it to a direction in sector `last`: 1 if it is in the open
+/* Locate a direction v by the arc from v to a direction in sector `last`: 1 if v is in the open
  * cone, 0 if not, -1 if the arc is in a special position. */
 static int locate_by(placing *p, const sectors_about *cone, const moving_vector *v, size_t last,
                      const moving_vector *to) {
@@ -241,7 +242,7 @@ static int locate_by(placing *p, const sectors_about *cone, const moving_vector 
 }
 
 /* Is a direction that is in no sector in the open cone? Arcs to several directions of a sector are
- * tried. Only those in a plane through the direction and an end of another sector, or in that
+ * tried. Only arcs in a plane through the direction and an end of another sector, or in that
  * sector's plane, are special: at most three for each sector. */
 static int is_in_cone(placing *p, const sectors_about *cone, const moving_vector *v) {
     int found = -1;

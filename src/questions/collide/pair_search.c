@@ -5,8 +5,8 @@
 #include "base/context/scope.h"
 #include "questions/collide/near_pairs.h"
 
-/* Bound of the halvings of a piece: then pairs are asked however far they move. With MANY_PAIRS
- * pairs or more a vertex deep in the other solid is sought. */
+/* After MOST_HALVINGS halvings of a piece, pairs are asked however far they move. If there are
+ * MANY_PAIRS pairs or more, a vertex deep in the other solid is sought. */
 enum { MOST_HALVINGS = 60, MANY_PAIRS = 24 };
 /* If only the first contact is asked for, intervals with more than FEW_PAIRS pairs are halved
  * further, as long as PATIENCE halvings halve the number of pairs: pairs that meet later lie in
@@ -24,8 +24,8 @@ typedef struct searcher {
 typedef struct stretch_forms {
     dyadic_interval interval;
     int level;
-    size_t pairs; /* number of pairs of leaves when it was last halved, */
-    int patience; /* and halvings left since then; 0: not counted yet */
+    size_t pairs; /* number of pairs of leaves when it last fell to a half */
+    int patience; /* halvings left for it to fall to a half again; 0 at the start */
     map_forms motion;
 } stretch_forms;
 
@@ -34,7 +34,7 @@ static void stretch_forms_clear(stretch_forms *s) {
     map_forms_clear(&s->motion);
 }
 
-/* Restrict an interval to its left half, and make the right half. */
+/* Restrict an interval to its left half, and make the right half as `right`. */
 static void stretch_forms_init(stretch_forms *right, stretch_forms *s) {
     dyadic_interval_init(&right->interval);
     dyadic_interval_halves(&s->interval, &right->interval, &s->interval);
@@ -50,8 +50,8 @@ static void ends_of(fmpq_t low, fmpq_t high, const dyadic_interval *interval) {
     dyadic_value(high, interval->high, interval->exponent);
 }
 
-/* The part of an interval that the known deep interval covers: 2 all of it, 1 at least a quarter, 0
- * less. */
+/* Does the known deep interval cover all of an interval (2), at least a quarter of it (1), or less
+ * (0)? */
 static int is_deep(const searcher *s, const dyadic_interval *interval) {
     LOCAL_VEC(fmpq, low, 3);
     fmpq *high = low + 1, *part = low + 2;
@@ -85,7 +85,7 @@ static graze_status search_halves(searcher *s, stretch_forms *during, const node
     return s->walk->done ? GRAZE_OK : search_stretch(s, &right, of);
 }
 
-/* Search the halves of an interval if a deep interval covers a part of it, which can be passed
+/* Search the halves of an interval if a deep interval covers enough of it: that part can be passed
  * over. */
 static graze_status search_deep(int *done, searcher *s, stretch_forms *during,
                                 const near_list *near, const node_list *leaves) {

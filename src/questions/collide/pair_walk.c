@@ -2,7 +2,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The interiors meet in an open set of times, the closed solids in a closed set. So a time at which
- * the boundaries meet has the state B if a gap beside it has O or B, and I or B if beside I.
+ * the boundaries meet has the state B if a gap beside it has O or B, and the state I or B if each
+ * gap beside it has I.
  */
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
@@ -12,7 +13,8 @@
 #include "base/number/refine.h"
 #include "questions/collide/near_pairs.h"
 
-/* The gap after a first contact is examined at 2^-SOON of the way on, where few pairs meet yet. */
+/* The gap after a first contact begins is examined at 2^-SOON of the way to the interval's end,
+ * where few other pairs are near. */
 enum { SOON = 8 };
 
 /* The pair at one time: the simplices that may meet, and exact places. */
@@ -47,7 +49,7 @@ static graze_status lack_memory(graze_context *context) {
     return context_fail(context, GRAZE_ESYSTEM, "out of memory for a time of a motion");
 }
 
-/* Find the pairs that may meet then, of the given ones, or of all if `of` is NULL.
+/* Find the pairs that may meet at the time, among those of `of` or, if that is NULL, among all.
  * @param made 0 if there was no memory for the maps */
 static graze_status take_near(scene_then *out, pair_walk *walk, int made, const node_list *of) {
     node_pair roots = {0, 0};
@@ -77,8 +79,8 @@ static graze_status place_both_at(scene_then *out, pair_walk *walk, size_t piece
     return status;
 }
 
-/* Set the maps and the pairs at an irrational time, from the motion during its isolating interval,
- * which is narrowed first. */
+/* Set the maps and the pairs at an irrational time, from the motion during the time's isolating
+ * interval, which is narrowed first. */
 static graze_status find_near_root(scene_then *out, pair_walk *walk, size_t piece, algebraic *time,
                                    const node_list *of) {
     ulong gain = FIRST_GAIN;
@@ -126,7 +128,7 @@ static graze_status open_contact(pair_walk *walk, graze_state left, placing *p,
     return p->status;
 }
 
-/* Enter a gap with its state: in B an open contact goes on, else it has ended. */
+/* Enter a gap with its state: an open contact goes on in B, and has ended in any other state. */
 static graze_status enter_gap(pair_walk *walk, graze_state state) {
     walk->gap = state;
     if (walk->open && state != GRAZE_STATE_B) {
@@ -137,8 +139,8 @@ static graze_status enter_gap(pair_walk *walk, graze_state state) {
     return add_letter(walk, state);
 }
 
-/* Enter the gap after t0, where there is no incidence; if it has the state B the contact begins at
- * t0. */
+/* Enter the gap after t0, at which there is no incidence; if the gap has the state B, a contact
+ * begins at t0. */
 static graze_status enter_start(pair_walk *walk, graze_state state, scene_then *then) {
     if (state == GRAZE_STATE_B) {
         LOCAL(fmpq, zero);
@@ -194,7 +196,7 @@ static graze_status time_before(size_t *piece, fmpq_t u, pair_walk *walk, graze_
     return GRAZE_OK;
 }
 
-/* Find the gap before `next` unless it is known, and give a time u inside it. */
+/* Find the state of the gap before `next` unless it is known, and give a time u inside the gap. */
 static graze_status know_gap(pair_walk *walk, size_t *piece, fmpq_t u, graze_time *next) {
     TRY(time_before(piece, u, walk, next));
     return walk->gap ? GRAZE_OK : look_into_gap(walk, *piece, u);
@@ -229,7 +231,7 @@ static graze_status enter_time(pair_walk *walk, graze_state left, graze_state st
     return GRAZE_OK;
 }
 
-/* Find and enter the state at the last time; the gap before it is known. */
+/* Find and enter the state at the last time; `left` is the state of the gap before. */
 static graze_status walk_into(pair_walk *walk, placing *whole, graze_state left, size_t before,
                               const fmpq_t u, const node_list *near) {
     ZEROED(scene_then, then);
@@ -245,7 +247,7 @@ static graze_status walk_into(pair_walk *walk, placing *whole, graze_state left,
     return enter_time(walk, left, state, p, &then.near);
 }
 
-/* Is a time equal to the last one? The end of a piece is the begin of the next one. */
+/* Is a time equal to the last one? The end of a piece is the beginning of the next one. */
 static graze_status is_last(int *out, pair_walk *walk, size_t piece, algebraic *time) {
     int order = 1;
     if (walk->last && walk->last->piece == piece)

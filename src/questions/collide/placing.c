@@ -17,7 +17,7 @@ static int is_mirrored(const point_map *map) {
     return affine_orientation(value, map->dimension) < 0;
 }
 
-/* The map at u, as constants. */
+/* Set the map at u, with constants as entries. */
 static void freeze(point_map *out, const point_map *map, const fmpq_t u) {
     int n = map->dimension * (map->dimension + 1);
     LOCAL_VEC(fmpq, value, n);

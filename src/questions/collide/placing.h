@@ -12,7 +12,7 @@
 
 /* A moving solid and a fixed one. */
 
-/** A simplex of each boundary that may meet. */
+/** Two simplices that may meet, one of each boundary. */
 typedef struct near_pair {
     uint32_t moving, fixed;
 } near_pair;
@@ -44,18 +44,19 @@ typedef struct placed_vertices {
  * and edges. */
 enum { KNOWN_SIGNS = 64 };
 typedef struct known_signs {
-    size_t count; /* signs kept since the time was set */
+    size_t count; /* signs found since the time was set; the last KNOWN_SIGNS are kept */
     fmpz_poly_struct of[KNOWN_SIGNS];
     int sign[KNOWN_SIGNS];
 } known_signs;
 
-/** A placing. `status` is the first failure; its answers are invalid unless that is GRAZE_OK. */
+/** A placing. `status` is its first failure; the answers of a placing are invalid unless that is
+ * GRAZE_OK. */
 typedef struct placing {
     const solid_pair *pair;
     graze_context *context;
     graze_status status;
     const point_map *map[2]; /* for each side, the map that carries its vertices */
-    point_map frozen[2];     /* these maps at a rational time */
+    point_map frozen[2];     /* if is_frozen: both maps at the rational time */
     int is_frozen;
     placed_vertices vertices[2];
     form_memory forms[2];
@@ -73,23 +74,25 @@ void placing_clear(placing *p);
 /** Set the time of signs; it is borrowed, and questions narrow it. */
 void placing_set_time(placing *p, algebraic *when);
 
-/** Is there room for one entry more of a list, and no failure yet? */
+/** Make room for one more entry of a list; 0 after a failure, earlier or now. */
 #define PLACING_ROOM(p, list, what)                                                                \
     (!(p)->status && !((p)->status = LIST_GROW((p)->context, list, what)))
 
 const graze_solid *placing_solid(const placing *p, pair_side side);
 
-/** The simplex of the pair on one side. */
+/** The simplex of a pair that belongs to the solid `side`. */
 static inline uint32_t simplex_of(near_pair simplices, pair_side side) {
     return side == SIDE_MOVING ? simplices.moving : simplices.fixed;
 }
 
-/** The place of a vertex of `side` in the other solid's space; NULL if memory runs out. */
+/** The place of a vertex of the solid `side` in the other solid's space; NULL if memory runs out.
+ */
 const trajectory *placing_vertex(placing *p, pair_side side, uint32_t vertex);
 
-/** The value of the plane form of a simplex of `side` at a vertex of the other side. */
+/** The value of the plane form of a simplex of the solid `side` at a vertex of the other solid. */
 void placing_plane(fmpz_poly_t out, placing *p, pair_side side, uint32_t simplex, uint32_t vertex);
-/** The value of the form of side k of a simplex of `side` at a vertex of the other side. */
+/** The value of the form of the simplex's side k at a vertex; the simplex is of the solid `side`,
+ * the vertex of the other solid. */
 void placing_side(fmpz_poly_t out, placing *p, pair_side side, uint32_t simplex, int k,
                   uint32_t vertex);
 
@@ -103,11 +106,13 @@ int placing_plane_sign(placing *p, pair_side side, uint32_t simplex, uint32_t ve
 int placing_side_sign(placing *p, pair_side side, uint32_t simplex, int k, uint32_t vertex);
 int placing_edges_sign(placing *p, const uint32_t moving[2], const uint32_t fixed[2]);
 
-/** Is a vertex in a closed simplex of `side` at the time? It is in the simplex's plane.
- * @param[out] zero the sides that hold it */
+/** Is a vertex of the other solid, which must lie in the plane of a simplex of the solid `side` at
+ * the time, in that closed simplex?
+ * @param[out] zero the simplex's sides that hold the vertex */
 int placing_inside(unsigned *zero, placing *p, pair_side side, uint32_t simplex, uint32_t vertex);
 
-/** Is a vertex of `side` in the other solid's interior? The placing is at a rational time. */
+/** Is a vertex of the solid `side` in the other solid's interior? The placing must be at a rational
+ * time. */
 int placing_in_interior(placing *p, pair_side side, uint32_t vertex);
 
 /* The common part of two simplices at a time, given by its corners. */
@@ -137,9 +142,10 @@ typedef struct common_points {
 /** Find the corners at the placing's time. After a failure of the placing the result is invalid. */
 void common_points_find(common_points *out, placing *p, near_pair simplices);
 
-/** The vertices of side k of a triangle, or vertex k of a segment twice. */
+/** Give the two vertices of side k of a triangle, or vertex k of a segment twice. */
 void simplex_side(uint32_t out[2], const graze_solid *solid, uint32_t simplex, int k);
-/** The vertices of side k with the lower number first, as a key of the edge. */
+/** Give the vertices as simplex_side does, the one with the lower number first: a key of the edge.
+ */
 void simplex_edge(uint32_t out[2], const graze_solid *solid, uint32_t simplex, int k);
 
 /** Do sides k and l of two triangles cross inside both? Their lines must lie in one plane.
@@ -157,8 +163,8 @@ typedef struct control_maps {
     size_t count;  /* 0: no maps are known, and points may be anywhere */
     double *entry; /* dimension * (dimension + 1) for each map */
     double *room;  /* scratch memory: nine numbers for each map */
-    double shift;  /* bound of the absolute values of the last entries of rows, */
-    double slope;  /* and of the sums of those of the other entries of a row */
+    double shift;  /* bound of the absolute values of the rows' last entries */
+    double slope;  /* bound of the sums of the absolute values of a row's other entries */
 } control_maps;
 
 /** The Bernstein coefficients of a point map's entries and of its weight, all of one degree, on an
@@ -193,7 +199,7 @@ typedef struct deep_interval {
     fmpq_t low, high;
 } deep_interval;
 
-/** Find the longest such interval around the middle of `interval` that a few vertices of the pairs
+/** Find the longest deep interval around the middle of `interval` that a few vertices of the pairs
  * give.
  * @param whole a placing on the whole piece */
 graze_status deep_vertex_find(deep_interval *out, placing *whole, size_t piece,
@@ -204,7 +210,8 @@ graze_status deep_vertex_find(deep_interval *out, placing *whole, size_t piece,
 
 /** Find times in a closed interval of a piece such that between two of them the result of
  * common_points_find does not change for any pair, and at each of them some pair has a common
- * point. A contact that lasts gives only times at which it changes (proofs/collision.md C110).
+ * point. Of a contact that lasts, only the times are found at which its incidences change
+ * (proofs/collision.md C110).
  * @param[out] out the times, ascending, without duplicates
  * @param p a placing on the whole piece
  * @param maps the motion during the interval, for tests in doubles */
@@ -217,12 +224,12 @@ graze_status incidences_find(algebraic_list *out, placing *p, const near_list *n
  * time is rational, or the boundaries meet at it. After a failure of the placing the result is
  * invalid.
  * @param near all pairs of simplices that meet then, and perhaps others
- * @param before for an irrational time: a placing at a rational time such that no vertex changes
- * its state between both; else NULL */
+ * @param before for an irrational time: a placing at a rational time such that between both times
+ * no vertex changes its state; else NULL */
 graze_state interiors_look(placing *p, const near_list *near, placing *before);
 
 /* Do the interiors of two solids' local cones at a common point meet? A cone is given by the
- * sectors that bound it.
+ * sectors that bound the cone.
  *
  * Vectors are polynomials in u; only their directions at the placing's time matter. */
 
@@ -253,7 +260,7 @@ void sectors_about_add(sectors_about *list, placing *p, pair_side side, uint32_t
 /** Do two open cones have a common direction (proofs/collision.md C111)? 0 after a failure. */
 int open_cones_meet(placing *p, const sectors_about *a, const sectors_about *b);
 
-/* The star of a point of an edge: the closed simplices of the edge's solid that hold it. */
+/* The star of a point of an edge: the closed simplices of the edge's solid that hold the point. */
 
 /** A simplex of the star, and its sides that hold the point. */
 typedef struct star_simplex {
@@ -268,7 +275,7 @@ typedef struct star {
 
 /** Find all closed simplices of one solid that hold, at the placing's time, a point of an edge of
  * that solid.
- * @param edge the edge's ends, or a vertex twice: then that is the point
+ * @param edge the edge's ends, or one vertex twice, which then is the point
  * @param share two polynomials, positive at the time: the point is (share[0] first end + share[1]
  * second end) / (share[0] + share[1]); not used for a vertex */
 void star_find(star *out, placing *p, pair_side side, const uint32_t edge[2],

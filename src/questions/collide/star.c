@@ -1,4 +1,4 @@
-/* The tree is searched with the edge's box; then signs of planes and sides decide.
+/* The tree is searched with the edge's box; the signs of planes and sides at the point decide.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <flint/fmpq_vec.h>

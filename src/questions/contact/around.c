@@ -41,7 +41,7 @@ static graze_status search_around(neighbours *n, size_t index) {
     return GRAZE_OK;
 }
 
-/* The box of half width `half` around the point, rounded outward. */
+/* Search with the box of half width `half` around the point, rounded outward. */
 static graze_status search_box(neighbours *n, const fmpq *point, const fmpq_t half) {
     double unused;
     LOCAL(fmpq, side);
@@ -55,8 +55,8 @@ static graze_status search_box(neighbours *n, const fmpq *point, const fmpq_t ha
     return search_around(n, 0);
 }
 
-/* A quarter of the smallest box at the point, or less, so that few others meet the box around it:
- * any number above 0 is right. */
+/* Choose the half width of the box: at most a quarter of the smallest extent found, so that few
+ * simplices meet the box. Any number above 0 would be right. */
 static void choose_half(fmpq_t half, double extent) {
     int exponent = 0;
     if (extent > 0 && extent < INFINITY)
@@ -68,7 +68,7 @@ static void choose_half(fmpq_t half, double extent) {
         fmpq_div_2exp(half, half, (ulong)(3 - exponent));
 }
 
-/* The sides of the box as forms behind the planes of the list. */
+/* Append the planes of the box's sides to the list, which has room for them. */
 static void set_box_sides(plane_list *list, const fmpq *point, const fmpq_t half) {
     size_t d = (size_t)list->dimension, first = list->count;
     LOCAL(fmpq, at);

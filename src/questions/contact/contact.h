@@ -1,5 +1,4 @@
-/* contact: the contact point of the envelope at a point of the boundary and a time; its role and
- * velocity.
+/* contact: a boundary point of the solid at a time, its role for the envelope, and its trajectory.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_QUESTIONS_CONTACT_H
 #define GRAZE_QUESTIONS_CONTACT_H
@@ -18,16 +17,17 @@
  * with a convex complement; none of these. */
 typedef enum place_kind { PLACE_FACET, PLACE_CONVEX, PLACE_REFLEX, PLACE_OTHER } place_kind;
 
-/** A facet that contains the point; one that is not planar counts once for each of its planes. */
+/** A facet that contains the point; a facet that is not planar counts once for each of its planes
+ * through the point. */
 typedef struct place_facet {
     graze_cell name; /* a face; in E^2 an edge */
     size_t simplex;  /* a simplex of the facet, in this plane, that contains the point */
-    fmpz *form;   /* the plane's form, positive on the outer side: d + 1 coprime integers, of 4 */
-    fmpz *normal; /* the form's first d coefficients, divided by their common divisor, of 3 */
+    fmpz *form;   /* the plane's form, positive on the outer side: d + 1 coprime integers, room 4 */
+    fmpz *normal; /* the form's first d coefficients, divided by their common divisor, room 3 */
 } place_facet;
 
 /** A boundary point's neighborhood. `cell` is the cell of the least dimension that contains the
- * point, of several the one with the least numbers. */
+ * point; among several, that with the least numbers. */
 typedef struct neighborhood {
     int dimension;
     place_kind kind;
@@ -36,8 +36,9 @@ typedef struct neighborhood {
     place_facet *facet; /* in the order of names */
 } neighborhood;
 
-/** Find the place of a point of d rationals. `count` is 0 if it is not on the boundary.
- * @param[out] out uninitialised; neighborhood_clear in any case */
+/** Find the neighborhood of a point of d rationals. `count` is 0 if the point is not on the
+ * boundary.
+ * @param[out] out uninitialised; the caller calls neighborhood_clear in any case */
 graze_status neighborhood_locate(neighborhood *out, graze_context *context,
                                  const graze_solid *solid, const fmpq *point);
 void neighborhood_clear(neighborhood *p);
@@ -46,23 +47,23 @@ void neighborhood_clear(neighborhood *p);
  */
 
 /**
- * For M = A x + b and a body point y, by the motion's parameter t: with V = A'y + b', `w` is
- * -A^-1 V, which is c' of the trajectory c of M(t) y, `bend` is c'', and `drift` is the derivative
- * of A^-1 V at fixed y. d rationals each. `orientation` is the sign of det A.
+ * For M = A x + b and a body point y, by the motion's parameter t: with V = A'y + b', `w` is -A^-1
+ * V, which is c' for the trajectory c of the point P = M(t) y, `bend` is c'', and `drift` is the
+ * derivative of A^-1 V at fixed y. d rationals each. `orientation` is the sign of det A.
  */
 typedef struct flow {
     int dimension, orientation;
     fmpq *w, *bend, *drift;
 } flow;
 
-/** The inner product of an integer normal and one of the vectors. */
+/** The inner product of an integer normal and one of a flow's vectors. */
 void flow_along(fmpq_t out, const fmpz *normal, const fmpq *vector, int dimension);
 
 /* Record of a site. */
 
-/** A side of the time t: the motion's piece there, and the parameter u of t in it. Not `present`
- * beyond an end of the motion. If one piece is on both sides, only the flow of the side before t is
- * made, and holds for both. */
+/** A side of the time t: the motion's piece there, and the parameter u of t in it. `present` is 0
+ * for a side beyond an end of the motion. If one piece is on both sides, only the side before t has
+ * its flow made, which holds for both. */
 typedef struct site_side {
     int present;
     size_t piece;
@@ -72,8 +73,8 @@ typedef struct site_side {
 
 /** A facet through y on one side of t, with its primitive outward normal: `speed` is g, `drift` is
  * g's derivative by t at fixed y, `theta` the second derivative by t of the pullback of its plane.
- * `order` and `sign` are those of the pullback next to t; where it vanishes identically they are
- * GRAZE_ORDER_VANISHES and 0. */
+ * `order` is that of the pullback's zero at t, `sign` the pullback's sign next to t on the side; if
+ * it vanishes identically, GRAZE_ORDER_VANISHES and 0. */
 typedef struct site_germ {
     size_t facet; /* its index in place.facet */
     int side;     /* -1 before t, +1 after it */
@@ -82,16 +83,17 @@ typedef struct site_germ {
 } site_germ;
 
 /** Sides before and after t. Germs stand facet by facet, before t first. `is_break`: two different
- * pieces meet at t. `near` and `near_in` are NULL if there is no such time; else each is owned, or
- * a time of the trace. `shift` is set if `snapped`. If `missed` too, the cell in `facts` has no
- * contact at t, and beside that cell only t, y, world and the sides are set. */
+ * pieces meet at t. `near` and `near_in` are the times of graze_site_near and graze_site_near_in:
+ * NULL, `itself` or a time of the trace. `shift` is set if `snapped` and not `missed`. If `missed`,
+ * the cell in `facts` has no contact at t, and besides that cell only t, y, world and the sides are
+ * set. */
 struct graze_site {
     const graze_scene *scene;
     int dimension, is_break;
     neighborhood place;
     site_side side[2];
     fmpq_t t;
-    fmpq *y, *world; /* behind them stand the u of both sides */
+    fmpq *y, *world; /* the u of both sides stand behind these */
     size_t germ_count;
     site_germ *germ;
     graze_trace trace;
@@ -105,7 +107,7 @@ struct graze_site {
 /* A site: a boundary point y of the solid at a rational time t, and what it is for the envelope. */
 
 /**
- * Make a site (proofs/envelope.md C59 to C63).
+ * Make the site at a body point y and a time t (proofs/envelope.md C59 to C63).
  * @param[out] out uninitialised; site_clear after GRAZE_OK
  * @param y d rationals
  * @return GRAZE_EINPUT t is not a time of the motion, or y is not on the boundary; GRAZE_ELIMIT;
@@ -124,7 +126,8 @@ graze_status site_make_for(graze_site *out, graze_context *context, const graze_
 
 /**
  * Make the site at the point of a cell's contact set that is nearest to y (proofs/snap.md C75).
- * @param[out] out uninitialised; site_clear after GRAZE_OK; `missed` where the set is empty
+ * @param[out] out uninitialised; site_clear after GRAZE_OK; `missed` if the cell has no contact at
+ * t
  * @return as site_make and snap_find; y need not be on the boundary
  */
 graze_status site_snap(graze_site *out, graze_context *context, const graze_scene *scene,
@@ -142,8 +145,8 @@ typedef struct velocity_field {
     fmpq *at_zero, *slope;
 } velocity_field;
 
-/** The velocity fields on both sides of a time t, that before t first; `present` as in site_side.
- * If one piece is on both sides the fields are equal. */
+/** The velocity fields on both sides of a time t, the one before t first; `present` as in
+ * site_side. If one piece is on both sides the fields are equal. */
 typedef struct speed {
     int dimension, present[2];
     velocity_field field[2];

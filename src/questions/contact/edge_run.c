@@ -15,8 +15,8 @@
  * and each side of the time, one zero of g. */
 enum { RUN_PARTS = 6 };
 
-/* Along the edge from u to v, by the part of the way. `normal` has 3 of each facet; in a flat edge
- * both are the same. */
+/* The edge from u to v. `part`: bounds of stretches, as fractions of the way from u to v. `normal`:
+ * the normals of both facets, 3 entries each, equal at a flat edge. */
 typedef struct edge_run {
     const fmpq *u, *v;
     const speed *speed;
@@ -50,7 +50,7 @@ static int leads_outside(const graze_solid *solid, size_t simplex, const fmpz *f
     return outside;
 }
 
-/* Take the facets at the middle of the edge whose planes contain it. */
+/* Take those facets at the middle of the edge whose planes contain the edge. */
 static graze_status take_facets(edge_run *r, graze_context *context, const graze_solid *solid,
                                 const neighborhood *p) {
     const place_facet *facet[2] = {NULL, NULL};
@@ -104,7 +104,7 @@ static int is_in_contact(const edge_run *r, const fmpq *y) {
     return holds;
 }
 
-/* Try all stretches, and all single points between them. */
+/* Try the stretches that are in contact, and the points between stretches that are. */
 static void try_stretches(nearby *n, const edge_run *r) {
     LOCAL_VEC(fmpq, here, 9);
     fmpq *before = here + 3, *middle = before + 3;

@@ -1,8 +1,9 @@
 /* Cuts simplices of the boundary by the signs of g, exactly.
  * SPDX-License-Identifier: GPL-3.0-or-later
- * The rest of a cut simplex is a convex polygon, which may be a segment or a point. Its point
- * nearest to a given point is that point's foot in the simplex's plane, if the foot lies in the
- * polygon, else a point of the polygon's border.
+ *
+ * The cuts leave a convex polygon, which may be a segment or a point. Its point nearest to a given
+ * point is the foot of the given point in the simplex's plane, if the foot lies in the polygon,
+ * else a point of the polygon's border.
  */
 #include "questions/contact/contact.h"
 
@@ -13,10 +14,11 @@
 #include "input/validate/validate.h"
 #include "questions/contact/nearby.h"
 
-/* Three corners, and at most one more for each cut. */
+/* A triangle's three corners, and at most one more for each cut. */
 enum { POLYGON_CORNERS = 8 };
 
-/* `normal` is the outward normal of the simplex, which has the first corners. */
+/* The part of a simplex that the cuts leave; before them, `corner` has the simplex's corners.
+ * `normal` is the simplex's outward normal. */
 typedef struct polygon {
     int dimension, count;
     const speed *speed;
@@ -113,7 +115,7 @@ static int holds_conditions(const polygon *p, const fmpq *y) {
     return holds;
 }
 
-/* Try the foot in the simplex's plane, if it lies in the contact set. */
+/* Try the foot of n->from in the simplex's plane, if the foot lies in the contact set. */
 static void try_foot(nearby *n, const polygon *p) {
     LOCAL_VEC(fmpq, foot, 3);
     LOCAL_VEC(fmpq, height, 2);

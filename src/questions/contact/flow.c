@@ -1,7 +1,8 @@
-/* Velocity and acceleration of the trajectory. SPDX-License-Identifier: GPL-3.0-or-later
+/* Velocity and acceleration of the trajectory c of a point P.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * A c + b = P is constant: A'c + A c' + b' = 0 and A''c + 2 A'c' + A c'' + b'' = 0.
- * The velocity w is affine in y, so d + 1 values give it.
+ * A c + b = P is constant: A'c + A c' + b' = 0 and A''c + 2 A'c' + A c'' + b'' = 0. The velocity w
+ * is affine in y, so d + 1 values give it.
  */
 #include "questions/contact/contact.h"
 
@@ -84,7 +85,7 @@ static void negate_vector(fmpq *a, int d) {
         fmpq_neg(a + i, a + i);
 }
 
-/* Divide by the power of dt/du that derivatives by t want. */
+/* Turn derivatives by u into derivatives by t: divide by dt/du once for each order. */
 static void scale_to_time(flow *f, const motion_piece *piece) {
     LOCAL(fmpq, width);
     fmpq_sub(width, piece->hi, piece->lo);

@@ -1,4 +1,4 @@
-/* Contacts about a site.
+/* Parts of a site: its flow, planes, nearest points, role and times.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_QUESTIONS_CONTACT_NEARBY_H
 #define GRAZE_QUESTIONS_CONTACT_NEARBY_H
@@ -21,11 +21,11 @@ void flow_clear(flow *f);
 /* The planes that decide what a solid is next to a boundary point. */
 
 /**
- * The planes of the simplices that meet a box around a point of d rationals, then the planes of the
- * box's sides, in which no simplex is listed. A ray from the point is still in the box until it
- * meets one of these planes, and in the box the boundary has no other simplices: so a cone
- * (questions/topo/topo.h) made of this list is that made of all planes, in a time that does not
- * grow with the solid.
+ * List the planes of the simplices whose boxes meet a box around a point of d rationals, then the
+ * planes of the box's sides, in which no simplex is listed. A ray from the point stays in the box
+ * until it meets one of the latter, and in the box the boundary has no other simplices: so a cone
+ * (questions/topo/topo.h) made of this list equals the cone made of all planes, and the time for it
+ * does not grow with the solid.
  * @param[out] out planes_clear after GRAZE_OK
  * @return GRAZE_ESYSTEM
  */
@@ -34,7 +34,8 @@ graze_status around_planes(plane_list *out, graze_context *context, const graze_
 
 /* The point of a union of convex sets that is nearest to a given point, found set by set. */
 
-/** The point nearest to `from` (borrowed) so far; of equally near ones the lexicographic first. */
+/** The point nearest to `from` (borrowed) so far; of equally near points the lexicographically
+ * first. */
 typedef struct nearby {
     int dimension, found;
     const fmpq *from;
@@ -63,9 +64,8 @@ void speed_along(fmpq_t out, const speed *s, int side, const fmpq *normal, const
 /* Where an edge of a solid in E^3 is in contact at a time. */
 
 /**
- * Try the nearest point of the contact set of the edge between two corners (proofs/snap.md
- * C75).
- * @return GRAZE_EINPUT the number of facets along the edge is not two
+ * Try the nearest point of the contact set of the edge between two corners (proofs/snap.md C75).
+ * @return GRAZE_EINPUT more than two facets, or none, meet along the edge
  */
 graze_status edge_run_try(nearby *n, graze_context *context, const graze_solid *solid,
                           const fmpq *u, const fmpq *v, const speed *s);
@@ -79,7 +79,7 @@ void facet_slice_try(nearby *n, const graze_solid *solid, size_t simplex, const 
 /* The first-order role of a site. */
 
 /**
- * The role of a site with its place, sides, germs and points (proofs/envelope.md C60).
+ * Find the role of a site whose place, sides, germs and points are set (proofs/envelope.md C60).
  * @return GRAZE_ELIMIT too many planes border the covered directions; else as cone_state
  */
 graze_status role_decide(graze_role *out, graze_context *context, const graze_site *site);
@@ -98,8 +98,8 @@ graze_status snap_find(nearby *n, graze_context *context, const graze_scene *sce
 /* The position of a site's time among the contacts in the trace of its point. */
 
 /**
- * From the trace of a site: `left`, `right` and `trim` of its facts, `near`, `near_in` and, if one
- * of them is t, `itself` (proofs/envelope.md C63).
+ * Find, from the trace of a site, `left`, `right` and `trim` of its facts, `near`, `near_in` and,
+ * if one of these two times is t, `itself` (proofs/envelope.md C63).
  * @return GRAZE_EINTERNAL no contact of the trace holds t
  */
 graze_status nearest_find(graze_site *site, graze_context *context);

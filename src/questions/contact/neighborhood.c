@@ -1,9 +1,10 @@
 /* Facets that contain a point, found through the solid's tree, and the kind of the cone they bound.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * A simplex that contains the point is there the cone of the directions to its corners. If no such
- * direction lies outside any of the planes, the solid is there the intersection of their inner
- * sides; if none lies inside, the union (proofs/envelope.md C57).
+ * Near the point, a simplex that contains it is the cone of the directions to the simplex's
+ * corners. If no such direction lies outside any of the facets' planes, the solid near the point is
+ * the intersection of the planes' inner sides; if no direction lies inside any, the union
+ * (proofs/envelope.md C57).
  */
 #include "questions/contact/contact.h"
 
@@ -41,7 +42,7 @@ static void name_cell(place_finder *f, size_t simplex, unsigned zero) {
         f->out->cell = *name;
 }
 
-/* Is there an entry of the facet and the plane? */
+/* Is this facet with this plane in the list? */
 static int is_known(const neighborhood *p, const graze_cell *name, const fmpz *outward) {
     for (size_t k = 0; k < p->count; k++)
         if (cell_compare(&p->facet[k].name, name) == 0 &&
@@ -103,8 +104,8 @@ static graze_status search_place(place_finder *f, size_t index) {
     return search_place(f, node->child + 1);
 }
 
-/* Note whether directions from the point to corners of a simplex lead to the outer side, to the
- * inner side, of some facet's plane. */
+/* Note whether directions from the point to corners of a simplex lead to the outer side or to the
+ * inner side of some facet's plane. */
 static void look_at_corners(int *outside, int *inside, const place_finder *f, size_t simplex) {
     int d = f->out->dimension;
     LOCAL_VEC(fmpz, corner, d + 1);

@@ -80,8 +80,8 @@ static graze_status try_normals(int *found, graze_context *context, germ_list *g
     return GRAZE_OK;
 }
 
-/* Is a direction in a cell of full dimension around ray r covered by none of the germs? All germs
- * carry it alike. */
+/* Is a direction in a cell of full dimension around ray r covered by none of the germs? All germs,
+ * which are of one time, carry a direction to the body alike. */
 static graze_status look_for_open(int *found, graze_context *context, germ_list *germs,
                                   const borders *b, size_t r) {
     HELD(ray_cells, cells, b, r);

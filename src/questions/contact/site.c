@@ -46,7 +46,7 @@ void site_clear(graze_site *s) {
     neighborhood_clear(&s->place);
 }
 
-/* out = map at u of a point; `out` is not the point. */
+/* out = the image of a point under the map at u; `out` is not the point. */
 static void carry_point(fmpq *out, const point_map *map, const fmpq_t u, const fmpq *point) {
     int d = map->dimension;
     LOCAL_VEC(fmpq, entry, d * (d + 1));
@@ -76,7 +76,8 @@ static void find_world(graze_site *s) {
     carry_point(s->world, &s->scene->motion->piece[side->piece].forward, side->u, s->y);
 }
 
-/* Order and sign of the pullback of a facet's plane next to t, by its coefficients. */
+/* Find the order of the zero at t of the pullback of a facet's plane, and the pullback's sign next
+ * to t, by its derivatives at t. */
 static void find_germ_order(site_germ *germ, const graze_site *s) {
     const site_side *side = &s->side[germ->side > 0];
     HELD(trajectory, path, s->dimension);
@@ -158,7 +159,8 @@ static void find_slice(graze_site *s) {
                                 : GRAZE_ORIENTATION_DEGENERATE;
 }
 
-/* The state on a side of t by the pullbacks' signs; ABSENT if the cone's kind does not decide it.
+/* The state on a side of t by the pullbacks' signs, for a cone of a kind but PLACE_OTHER; ABSENT
+ * beyond an end of the motion.
  */
 static graze_state state_by_signs(const graze_site *s, int side) {
     int outside = 0, inside = 0, count = 0, reflex = s->place.kind == PLACE_REFLEX;
@@ -184,7 +186,7 @@ static graze_status check_states(const graze_site *s, graze_context *context) {
                         "the facets at a point and its trace disagree on the states beside a time");
 }
 
-/* Sides, place, point in the world and germs. */
+/* Find the sides, the place, the point in the world and the germs. */
 static graze_status begin_facts(graze_site *s, graze_context *context) {
     TRY(sides_find(s->side, context, s->scene->motion, s->t));
     TRY(neighborhood_locate(&s->place, context, s->scene->solid, s->y));
@@ -225,7 +227,7 @@ graze_status site_make(graze_site *out, graze_context *context, const graze_scen
     return site_make_for(out, context, scene, t, y, SITE_ALL);
 }
 
-/* Make the site of a cell that has no contact at t: the point stays as it was given. */
+/* Make the site of a cell that has no contact at t, with the given point. */
 static graze_status make_missed(graze_site *out, graze_context *context, const graze_scene *scene,
                                 const fmpq_t t, const fmpq *y, const graze_cell *cell) {
     begin_site(out, scene, t, y);

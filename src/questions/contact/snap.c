@@ -1,4 +1,4 @@
-/* Finds a cell by its name and what of it is in contact.
+/* Finds a cell by its name, and the nearest point of the cell that is in contact.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/contact/contact.h"
@@ -29,7 +29,8 @@ static const fmpq *corner_at(const graze_solid *solid, size_t simplex, int k) {
     return solid->input.coordinates + solid->cut.item[simplex].vertex[k] * d;
 }
 
-/* Try the contact sets of all simplices of a facet (E^2: an edge); returns their number. */
+/* Try the contact sets of all simplices of a facet (E^2: an edge); returns the number of the
+ * simplices. */
 static size_t try_facet(nearby *n, const graze_solid *solid, const graze_cell *cell,
                         const speed *s) {
     size_t found = 0;

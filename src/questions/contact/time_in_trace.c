@@ -26,7 +26,7 @@ static graze_status compare_to_site(int *out, graze_context *context, graze_time
     return algebraic_compare(out, context, &time->u, &own);
 }
 
-/* Find the contact that holds t, and whether t is its beginning, its end. */
+/* Find the contact that holds t, and whether t is its beginning or its end. */
 static graze_status find_contact(size_t *out, int *begins, int *ends, graze_context *context,
                                  const graze_site *s) {
     for (size_t k = 0; k < s->trace.contact_count; k++) {
@@ -44,7 +44,8 @@ static graze_status find_contact(size_t *out, int *begins, int *ends, graze_cont
                         "the trajectory of a boundary point misses the boundary at its time");
 }
 
-/* scale x - shift, or shift - scale x: a canonical time moved, scaled by a positive integer. */
+/* Set scale x - shift or, if `reflect`, shift - scale x, for a canonical time x and a positive
+ * integer `scale`. */
 static void moved_time(algebraic *out, const graze_time *time, const fmpz_t scale,
                        const fmpz_t shift, int reflect) {
     LOCAL_VEC(fmpq, low, 2);
@@ -85,7 +86,7 @@ static void moved_time(algebraic *out, const graze_time *time, const fmpz_t scal
     }
 }
 
-/* The nearer of a time before t and one after it; NULL stands for none. */
+/* Find which of a time before t and a time after t is nearer to t; NULL stands for no time. */
 static graze_status nearer(const graze_time **out, graze_context *context, const graze_site *s,
                            graze_time *before, graze_time *after) {
     if (before)
@@ -105,7 +106,7 @@ static graze_status nearer(const graze_time **out, graze_context *context, const
     return GRAZE_OK;
 }
 
-/* t as a time of its own, made once. */
+/* Give t as a time of the motion, which the site owns and makes once. */
 static graze_status own_time(const graze_time **out, graze_context *context, graze_site *s) {
     if (!s->itself) {
         const site_side *side = &s->side[!s->side[0].present];
@@ -119,7 +120,8 @@ static graze_status own_time(const graze_time **out, graze_context *context, gra
     return time_canonicalise(s->itself, context);
 }
 
-/* Ends of the nearest gaps of state I before and after t, which is in contact k. */
+/* Give the end of the nearest gap of state I before t, and the beginning of the nearest one after
+ * t; contact k holds t. */
 static void interiors_beside(graze_time **before, graze_time **after, const graze_site *s,
                              size_t k) {
     const graze_trace *trace = &s->trace;
@@ -132,7 +134,8 @@ static void interiors_beside(graze_time **before, graze_time **after, const graz
             *after = trace->contact[j].to;
 }
 
-/* Find `left`, `right` and `trim`, and the contact that holds t; *is_instant: it is t alone. */
+/* Find `left`, `right` and `trim`, and the contact k that holds t; *is_instant: that contact is t
+ * alone. */
 static graze_status find_trim(graze_site *s, graze_context *context, size_t *k, int *is_instant) {
     const graze_trace *trace = &s->trace;
     int begins = 0, ends = 0;

@@ -12,7 +12,7 @@
 #include "input/motion/motion.h"
 #include "questions/contact/nearby.h"
 
-/* u of a piece at t. */
+/* The parameter u of a piece at the time t. */
 static void parameter_at(fmpq_t out, const motion_piece *piece, const fmpq_t t) {
     LOCAL(fmpq, width);
     fmpq_sub(width, piece->hi, piece->lo);

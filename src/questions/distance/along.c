@@ -7,7 +7,8 @@
 #include "questions/distance/gap.h"
 #include "questions/distance/time_search.h"
 
-/* Smaller squares lose digits to underflow: a covector with such a square proves no bound. */
+/* A covector whose square is smaller, and so loses digits to underflow, proves no bound; nor does
+ * one whose square is above the reciprocal. */
 static const double LEAST_SQUARE = 0x1p-600;
 
 double gap_box(const double *m, const box *b) {
@@ -28,7 +29,8 @@ double gap_corners(const double *m, const double *corner, int count, int dimensi
     return most;
 }
 
-/* The numerator m . X - most W, made smaller by its errors; 0 if a coefficient is not positive. */
+/* Set the numerator m . X - most W, made smaller by its errors; returns 0 if a coefficient is not
+ * positive. */
 static int numerator(double *out, const window *w, const double *m, double most) {
     int d = w->of->dimension;
     double stray = (fabs(m[0]) + fabs(m[1]) + fabs(m[2])) * w->stray;
@@ -43,7 +45,7 @@ static int numerator(double *out, const window *w, const double *m, double most)
     return 1;
 }
 
-/* The covector carried by the solid, B m = W A^-T m, coefficient by coefficient. */
+/* Carry a covector by the map's linear part: B m = W A^-T m, coefficient by coefficient. */
 static void carry_covector(double (*out)[3], const window *w, const double *m) {
     int d = w->of->dimension;
     for (int k = 0; k <= w->degree; k++)
@@ -55,7 +57,7 @@ static void carry_covector(double (*out)[3], const window *w, const double *m) {
 }
 
 /* On a piece that is not rigid: numerator / |B m|, by squares. |B m| is below 2^503, so its square
- * is a double; the numerator's may be larger, and then the greatest double is. */
+ * is a double; a greater square of the numerator is replaced by the greatest double. */
 static double along_placed(const window *w, const double *m, const double *value) {
     double b[WINDOW_ROOM][3], top[SQUARE_ROOM], below[SQUARE_ROOM], least = INFINITY;
     double shortest = INFINITY;

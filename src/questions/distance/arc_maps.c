@@ -33,9 +33,10 @@ static int is_rigid(const point_map *map) {
     return rigid;
 }
 
-/* Weights vary by no more than this on an arc. */
+/* The coefficients of a weight on an arc differ by no more than this factor. */
 static const double MOST_VARIATION = 0x1p10;
-/* Arcs are no shorter than 2^-DEEPEST, and begin at multiples of their length that doubles hold. */
+/* An arc is no shorter than 2^-DEEPEST of its piece, and begins at a multiple of its length that a
+ * double holds. */
 enum { DEEPEST = 900, MOST_BITS = 52 };
 
 const carrier *arc_maps_tracing(const arc_maps *g, size_t index) {
@@ -88,7 +89,7 @@ static graze_status check_arc(graze_context *context, const arc *a, const carrie
     return GRAZE_OK;
 }
 
-/* Append an arc, which is left without maps. */
+/* Append an arc; the list takes the maps of `a`, which is left without them. */
 static graze_status keep_arc(arc_maps *g, graze_context *context, arc *a, ulong depth) {
     TRY(context_poll(context));
     TRY(array_grow(context, &g->arc, &g->arc_capacity, g->arc_count + 1, sizeof *g->arc,
@@ -116,7 +117,8 @@ static graze_status make_halves(arc_maps *g, graze_context *context, size_t piec
     return make_arcs(g, context, piece, rigid, &right);
 }
 
-/* Append the arcs of a part of a piece: itself or those of its halves. */
+/* Append the arcs of a part of a piece: the part itself or, if a weight varies too much, the arcs
+ * of its halves. */
 static graze_status make_arcs(arc_maps *g, graze_context *context, size_t piece, int rigid,
                               const dyadic_interval *part) {
     const motion_piece *of = &g->scene->motion->piece[piece];

@@ -1,4 +1,4 @@
-/* An arc's box is that of the solid's box, moved by maps in Bernstein form.
+/* An arc's box holds the images of the solid's box under the maps in Bernstein form.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/distance/distance.h"
@@ -12,13 +12,14 @@
 #include "input/solid/solid.h"
 #include "questions/distance/gap.h"
 
-/* Coefficients err by 2^-52 of themselves, and what is computed from them by a few roundings. */
+/* ERROR bounds the relative error of sums of coefficients: 2^-52 of each coefficient and a few
+ * roundings. */
 static const double ERROR = 0x1p-44;
-/* Coefficients below 2^-1000 are 0. */
+/* FLOOR bounds the errors of coefficients below 2^-1000, which are 0 here. */
 static const double FLOOR = 0x1p-900;
 
-/* Coordinate i of the image of S: the range of the middle of S's box, and what its other places
- * add. */
+/* Bound coordinate i of the images of S: by the range of the images of the box's middle, and half
+ * the box's extent. */
 static void bound_arc_coordinate(box *out, const carrier *map, int i, const box *b, double off) {
     int d = map->dimension, n = map->degree + 1;
     const double *row = map->entry + i * (d + 1) * n;
@@ -46,11 +47,11 @@ static int has_even_weight(const carrier *map) {
     double least = INFINITY;
     for (int k = 0; k <= map->degree; k++)
         least = smaller(least, map->weight[k]);
-    return least > 0x1p-12; /* the largest is less than 1 */
+    return least > 0x1p-12; /* the largest weight is less than 1 */
 }
 
-/* The box of S during an arc: everything, where the weight's coefficients say nothing.
- * @return 0 without memory */
+/* Set a box that holds S during an arc: all of space, if the weight's coefficients give no bound.
+ * @return 0 if memory runs out */
 static int bound_arc_world(box *out, const arc_maps *g, const arc *a) {
     const motion_piece *piece = &g->scene->motion->piece[a->piece];
     const graze_solid *solid = g->scene->solid;
@@ -70,7 +71,7 @@ static int bound_arc_world(box *out, const arc_maps *g, const arc *a) {
     return made;
 }
 
-/* The node of arcs [first, last), and those below it; 0 without memory. */
+/* Make the node of arcs [first, last) and the nodes below it; returns 0 if memory runs out. */
 static int make_arc_node(arc_tree *t, const arc_maps *g, uint32_t index, uint32_t first,
                          uint32_t last) {
     arc_node *here = &t->node[index];

@@ -1,5 +1,6 @@
-/* Cubes about a point that have one membership: the largest that is found by its size's exponent,
- * then by eighths. SPDX-License-Identifier: GPL-3.0-or-later
+/* Cubes about a point in which all points have one membership: the largest is sought by the
+ * exponent of its half width, then by eighths.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/distance/distance.h"
 
@@ -10,22 +11,23 @@
 #include "decide/scene/scene.h"
 #include "input/solid/solid.h"
 
-/* Cubes are smaller than 2^SIZE_ABOVE times the solid's box, and at least 2^-SIZE_BELOW times. */
+/* Half widths of cubes are less than 2^SIZE_ABOVE times the size of the solid's box, and at least
+ * 2^-SIZE_BELOW times. */
 enum { SIZE_ABOVE = 5, SIZE_BELOW = 52 };
 
-/* Sizes that are tried are multiples of 1 / SIZE_PARTS of a power of two. */
+/* The half widths tried are a power of two plus multiples of 1 / SIZE_PARTS of that power. */
 enum { SIZE_PARTS = 8 };
 
 typedef struct cube_search {
     cell_asker ask;
     anchors near;
     point_box cube;
-    double off; /* the point is no further from the centre in any coordinate */
+    double off; /* the point is at most this far from the centre in each coordinate */
     graze_pmc pmc;
     graze_status status;
 } cube_search;
 
-/* The centre is the double next to the point. */
+/* Set the centre to the point's coordinates, rounded down to doubles. */
 static void centre_cube(cube_search *s, const fmpq *point) {
     s->off = 0;
     for (int k = 0; k < s->ask.scene->motion->dimension; k++) {
@@ -37,12 +39,12 @@ static void centre_cube(cube_search *s, const fmpq *point) {
     }
 }
 
-/* How far the point is at least from the sides of the cube of a size. */
+/* A lower bound of the point's distance from the sides of the cube with a half width. */
 static double radius_of(const cube_search *s, double half) {
     return s->off > 0 ? nextafter(half - s->off, 0) : half;
 }
 
-/* Whether all points of the cube of a size have the point's membership. */
+/* Is it proved that all points of the cube with a half width have the point's membership? */
 static int has_one_pmc(cube_search *s, double half) {
     graze_pmc found = GRAZE_PMC_NONE;
     if (s->status || !(radius_of(s, half) > 0))
@@ -64,12 +66,12 @@ static int exponent_of_solid(const graze_scene *scene) {
     return size > 0 && isfinite(size) ? ilogb(size) : 0;
 }
 
-/* The largest radius that is found above one that is known. */
+/* The largest radius found; `known` if none above it is found. */
 static double search_radius(cube_search *s, double known) {
     int high = exponent_of_solid(s->ask.scene) + SIZE_ABOVE, low = high - SIZE_ABOVE - SIZE_BELOW;
     double best = 0;
     if (known > 0 && ilogb(known) >= low)
-        low = ilogb(known); /* at which a cube would tell nothing new */
+        low = ilogb(known); /* a cube of this size would tell nothing new */
     else if (has_one_pmc(s, ldexp(1, low)))
         best = ldexp(1, low);
     else

@@ -8,7 +8,8 @@
 #include "input/motion/motion.h"
 #include "input/solid/solid.h"
 
-/* Squares of sizes between these, and of what is much smaller, are doubles. */
+/* Squares of numbers between these bounds, and of much smaller ones, are in the range of doubles.
+ */
 static const double LEAST_DIAGONAL = 0x1p-300, MOST_DIAGONAL = 0x1p300;
 
 /* sqrt of a sum of squares, rounded down. */
@@ -21,7 +22,7 @@ static double length_down(const fmpq *low, const fmpq *high, int d) {
         fmpq_mul(side, side, side);
         fmpq_add(sum, sum, side);
     }
-    /* floor(sqrt(sum 4^k)) with k such that it has 60 to 62 places */
+    /* n = floor(sqrt(sum 4^k)), with k such that n has 60 to 62 bits */
     slong k = 61 - ((slong)fmpz_bits(fmpq_numref(sum)) - (slong)fmpz_bits(fmpq_denref(sum))) / 2;
     if (k >= 0)
         fmpq_mul_2exp(sum, sum, 2 * (ulong)k);
@@ -32,7 +33,8 @@ static double length_down(const fmpq *low, const fmpq *high, int d) {
     return ldexp(fmpz_get_d(n), (int)-k); /* FLINT cuts what a double has no place for */
 }
 
-/* Extend the box by the image of a vertex, but for the translation, which changes no side of it. */
+/* Extend the box by the image of a vertex, without the translation, which changes no length of the
+ * box's sides. */
 static void extend(fmpq *low, fmpq *high, const fmpq *map, const fmpq *vertex, int d, int first) {
     LOCAL(fmpq, value);
     for (int i = 0; i < d; i++) {

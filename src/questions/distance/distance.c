@@ -1,5 +1,6 @@
-/* The exact answer chooses the search: the least distance over all times, or the greatest over the
- * stays in the solid (for an unsweep outside it). SPDX-License-Identifier: GPL-3.0-or-later
+/* The exact answer chooses the search: the least distance over all times, or the greatest distance
+ * over the visits to the solid's interior (for an unsweep, to its exterior).
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/distance/distance.h"
 
@@ -18,7 +19,7 @@
 /* Contacts' times are narrowed to this many binary places, beyond those of the shortest arc. */
 enum { PLACES = 60 };
 
-/* Enclose a contact's time in its piece. */
+/* Enclose a contact's time, as a parameter of its piece. */
 static graze_status narrow_time(fmpq_t low, fmpq_t high, graze_context *context,
                                 const graze_time *time, ulong places) {
     HELD(algebraic, x);
@@ -36,7 +37,8 @@ typedef struct moment {
     double low, high;
 } moment;
 
-/* The last arc of a piece that begins at u or before, and doubles about v. */
+/* Find the last arc of a piece that begins at u or before, and doubles below and above its v at u.
+ */
 static size_t find_arc(double *low, double *high, graze_context *context, const arc_maps *base,
                        size_t piece, const fmpq_t u) {
     LOCAL_VEC(fmpq, from, 3);
@@ -112,7 +114,8 @@ static graze_status find_greatest(search *s, const graze_trace *trace, graze_sta
     return search_greatest(s, list, count);
 }
 
-/* The contact that ends the first visit, for a visit that no double is certain to be in. */
+/* The time of the contact that ends the first visit, if no double is certain to lie in any visit.
+ */
 static const graze_time *end_of_visit(const graze_trace *trace, graze_state wanted) {
     for (size_t k = 0; k < trace->contact_count; k++)
         if (trace->contact[k].left == wanted)
@@ -162,7 +165,7 @@ int distance_is_certain(const distance *found, double motion_error) {
     return found->low > motion_error || found->high < -motion_error;
 }
 
-/* From a piece's own parameter to the motion's. */
+/* Change a parameter of a piece to the motion's. */
 static void to_motion(fmpq_t time, const motion_piece *piece) {
     LOCAL(fmpq, length);
     fmpq_sub(length, piece->hi, piece->lo);

@@ -9,7 +9,7 @@
 #include "questions/distance/gap.h"
 #include "questions/distance/time_search.h"
 
-/* Squares that differ by less, relatively, may be equal but for rounding. */
+/* Squares with a smaller relative difference may be equal but for rounding. */
 static const double TIE = 0x1p-48;
 
 int stance_make(stance *out, const point_arc *of, double time) {
@@ -38,14 +38,15 @@ static void see_corners(double y[3][3], const stance *s, const double *corner) {
     }
 }
 
-/* The share of b in the place of the segment a b nearest to the origin. */
+/* The share of b in the place nearest to the origin of the segment from a to b. */
 static double share_of_edge(const double *a, const double *b) {
     double e[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]}, square = dot3(e, e);
     double share = square > 0 ? -dot3(a, e) / square : 0;
     return share > 0 ? smaller(share, 1) : 0;
 }
 
-/* Shares of the corners in the foot; -1 if it is not in the interior of the triangle. */
+/* Set the corners' shares in the origin's foot and the triangle's normal; returns 0 if the foot is
+ * not in the triangle's interior. */
 static int shares_of_face(double *share, double *normal, double y[3][3]) {
     double a[3], b[3];
     for (int i = 0; i < 3; i++) {
@@ -63,7 +64,8 @@ static int shares_of_face(double *share, double *normal, double y[3][3]) {
     return share[0] > 0 && share[1] > 0 && share[2] > 0;
 }
 
-/* Make n orthogonal to e, twice, as the first time leaves rounding of its own size. */
+/* Make n orthogonal to e, twice, since the first time may leave rounding errors as large as the
+ * result. */
 static void clear_along(double *n, const double *e) {
     double square = dot3(e, e);
     for (int round = 0; round < 2 && square > 0; round++) {
@@ -81,7 +83,8 @@ static double support(const double *n, double y[3][3], int count) {
     return -most / sqrt(dot3(n, n));
 }
 
-/* The foot of one edge: its share, the direction to the origin; the squared distance. */
+/* Find the foot of one edge: set the share of b and the direction from the foot to the origin, and
+ * return the squared distance. */
 static double foot_of_edge(double *share, double *n, const double *a, const double *b) {
     double e[3], s = share_of_edge(a, b);
     for (int i = 0; i < 3; i++) {
@@ -95,11 +98,12 @@ static double foot_of_edge(double *share, double *n, const double *a, const doub
     return square;
 }
 
-/* The nearest of the edges' feet; fills shares and the direction to the origin. Feet near a corner
- * are equally far in doubles: among them the one whose direction bounds more. */
+/* Find the nearest of the edges' feet, the corners' shares in it and the direction from it to the
+ * origin. Feet near a corner are equally far in doubles: the one whose direction proves the greater
+ * distance is taken. */
 static void foot_of_edges(double *share, double *n, double y[3][3], int count) {
     double best = INFINITY;
-    share[0] = 1; /* where no square is in the range */
+    share[0] = 1; /* if no square is finite, the foot is corner 0 */
     share[1] = share[2] = 0;
     for (int k = 0; k < (count == 3 ? 3 : 1); k++) {
         double s, m[3], square = foot_of_edge(&s, m, y[k], y[(k + 1) % count]);

@@ -10,7 +10,7 @@
 #define SLACK FILTER_SLACK
 #define FLOOR FILTER_FLOOR
 
-/* C(n, k), and C(2n, k). */
+/* `half` has C(n, k), `whole` C(2n, k). */
 typedef struct binomials {
     double half[SQUARE_ROOM], whole[SQUARE_ROOM];
 } binomials;
@@ -21,7 +21,7 @@ static void fill_binomials(double *out, int n) {
         out[k] = out[k - 1] * (n + 1 - k) / k;
 }
 
-/* The binomials for degree n; the 2n + 1 coefficients of a product are zero. */
+/* Set the binomials for degree n, and the 2n + 1 coefficients of a product to zero. */
 static void begin_product(binomials *b, double *out, int n) {
     fill_binomials(b->half, n);
     fill_binomials(b->whole, 2 * n);
@@ -57,11 +57,12 @@ void square_vectors(double *out, const double (*c)[3], int n) {
 typedef struct gap {
     int degree;
     double at[WINDOW_ROOM + 1][3], weight[WINDOW_ROOM + 1];
-    double stray, least, most_w; /* errors of a coordinate; the weight is at least this, and its
-                                    coefficients are off by no more than that */
+    double stray, least, most_w; /* error of a coordinate of `at`; lower bound of the weight; error
+                                    of a coefficient of the weight */
 } gap;
 
-/* The place against the point on a rigid piece, in the solid's space, to the degree of W. */
+/* Set the gap on a rigid piece, in the solid's space: the vector from place q to the trajectory,
+ * times W. */
 static void gap_rigid(gap *out, const window *w, const double *q) {
     int d = w->of->dimension;
     out->degree = w->degree;
@@ -75,7 +76,8 @@ static void gap_rigid(gap *out, const window *w, const double *q) {
     }
 }
 
-/* The gap on another piece, in the space of query points. */
+/* Set the gap on a piece that is not rigid, in the space of query points: the vector from place q
+ * to the query point, times the weight. */
 static void gap_placed(gap *out, const window *w, const double *q) {
     int d = w->of->dimension;
     const double *weight = w->place[d * (d + 1)];
@@ -102,7 +104,8 @@ static void gap_at(gap *out, const window *w, const double *q) {
         gap_placed(out, w, q);
 }
 
-/* From the gaps of the two ends to that of the moving place, one degree higher. */
+/* Combine the gaps of the places q0 and q1 into the gap of the place that moves from q0 to q1, one
+ * degree higher. */
 static void gap_join(gap *first, const gap *last) {
     int n = first->degree;
     for (int k = n + 1; k >= 0; k--) {
@@ -124,7 +127,8 @@ static double greatest(const gap *g) {
     return sqrt(most) * ROUNDED_UP;
 }
 
-/* Bound of the relative error of a quotient by errors of the weight and roundings of means. */
+/* 1 plus a bound of the relative error of a quotient, from errors of the weight and roundings of
+ * means. */
 static double weight_slack(const gap *g) {
     double most = 0;
     for (int k = 0; k <= g->degree; k++)
@@ -155,8 +159,8 @@ double gap_most(const window *w, const double *q0, const double *q1) {
     return out >= 0 ? out : INFINITY;
 }
 
-/* The way from a corner to the place, as the solid carries it, times the weight: to the degree of
- * gap_at. */
+/* The vector from a corner to the place q in the space of the gap, times the weight; its degree is
+ * that of gap_at. */
 static void lever(gap *out, const window *w, const double *q, const double *corner) {
     int d = w->of->dimension;
     double edge[3] = {0, 0, 0};
@@ -173,7 +177,8 @@ static void lever(gap *out, const window *w, const double *q, const double *corn
         }
 }
 
-/* squares += 2 min(0, at . levers of all corners); the greatest lever. */
+/* squares += 2 min(0, at . lever over all corners), coefficient by coefficient; returns the
+ * greatest length of a lever. */
 static double add_levers(double *squares, const window *w, const gap *g, const double *q0,
                          const double *q1, const double *corner, int count) {
     double worst[SQUARE_ROOM] = {0}, product[SQUARE_ROOM], longest = 0;

@@ -12,9 +12,10 @@
  * which pieces are rigid. */
 
 /**
- * The maps of a scene, made at the first call.
- * @return GRAZE_ESYSTEM; GRAZE_ELIMIT a number of solid or motion is beyond doubles, or a degree
- * beyond CARRIER_DEGREE, beyond SQUARED on a piece that is not rigid
+ * Give the maps of a scene, made at the first call.
+ * @return GRAZE_ESYSTEM; GRAZE_ECANCELED; GRAZE_ELIMIT a number of solid or motion is beyond
+ * doubles, a weight varies too much, or a degree is beyond CARRIER_DEGREE or, on a piece that is
+ * not rigid, beyond SQUARED
  */
 graze_status arc_maps_of(const arc_maps **out, graze_context *context, const graze_scene *scene);
 
@@ -23,20 +24,23 @@ const carrier *arc_maps_tracing(const arc_maps *g, size_t index);
 
 /* A point's trajectory on an interval of an arc, in Bernstein form with a bound of its errors. */
 
-/** Coordinates of the point; fails with GRAZE_ELIMIT past the range. */
+/** Make the trajectory of a point, with coordinates from `low` to `high`, on an arc.
+ * @return GRAZE_ELIMIT a coordinate is beyond CARRIER_REACH */
 graze_status point_arc_make(point_arc *out, graze_context *context, const arc_maps *base,
                             size_t index, const double *low, const double *high);
 
-/** The window [from, to] of a path, 0 <= from <= to <= 1; 0 if W is not certainly positive. */
+/** Make the window [from, to] of a trajectory, 0 <= from <= to <= 1; returns 0 if a weight is not
+ * certainly positive. */
 int window_make(window *out, const point_arc *of, double from, double to);
 
-/** c at the middle of a window's control polygon, near enough for guesses. */
+/** Set the middle point of the control polygon of c, near enough to c for guesses. */
 void window_trajectory(double *out, const window *w);
 
 /* Boxes of the world that hold the solid during arcs, in a tree over the arcs.
  *
  * A search begins with the arcs whose boxes are nearer than a distance that is reached
- * (proofs/distance.md C71). The tree is a function of the scene alone, and so is an answer. */
+ * (proofs/distance.md C71). The tree depends on the scene alone, so answers do not depend on
+ * earlier questions. */
 
 /** Arcs [first, last): S is in the box during all of them. An inner node has its children at
  * `child` and `child` + 1; a leaf, one arc, has child 0. */
@@ -51,23 +55,25 @@ typedef struct arc_tree {
     size_t count;
 } arc_tree;
 
-/** The tree over the arcs of `base`, borrowed; the first call makes it. @return GRAZE_ESYSTEM */
+/** Give the tree over the arcs of `base`, borrowed; the first call makes it. @return GRAZE_ESYSTEM
+ */
 graze_status arc_tree_of(const arc_tree **out, graze_context *context, const arc_maps *base);
 
-/** No place of S during the arcs of a node is nearer than this to a point of a box of d
- * coordinates. */
+/** A lower bound of the distance between S during the arcs of a node and the box from `low` to
+ * `high`, of d coordinates. */
 double arc_node_distance(const arc_node *n, const double *low, const double *high, int d);
 
 /* Bernstein coefficients of squares and products. */
 
-/** Degrees up to here have their products taken. */
+/** Products are taken of polynomials up to the degree SQUARED, and SQUARED + 1 along a moving
+ * place. */
 enum { SQUARED = 20, SQUARE_ROOM = 2 * SQUARED + 5 };
 
-/** A computed coefficient of a product errs by at most this times the greatest of each factor's
- * coefficients (proofs/distance.md C69). */
+/** A computed coefficient of a product errs by at most this times the greatest coefficient of each
+ * factor (proofs/distance.md C69). */
 #define SQUARE_ERROR (128 * UNIT_ROUNDING)
 
-/** Factors that change a number by more than the roundings of a short chain of operations do. */
+/** Factors that change a number by more than the rounding errors of a short chain of operations. */
 #define ROUNDED_DOWN (1 - 0x1p-48)
 #define ROUNDED_UP (1 + 0x1p-48)
 
@@ -81,7 +87,7 @@ void product_vectors(double *out, const double (*a)[3], const double (*c)[3], in
  * (proofs/distance.md C69, C70). */
 
 /** A lower bound of the distance to all places of a simplex during the window, by a place of the
- * simplex that moves linearly from q0 to q1 in the solid's frame. Exact if that place is the
+ * simplex that moves linearly from q0 to q1 in the solid's frame. It is close if that place is the
  * nearest one at all times of the window.
  */
 double gap_about(const window *w, const double *q0, const double *q1, const double *corner,

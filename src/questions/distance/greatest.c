@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Invariant (proofs/distance.md C72): at every time of the stretches that is in no window under way
- * or put aside the distance is at most s->high; s->low is exceeded or met at s->time. Nothing but
- * the end of the rounds depends on the tolerance.
+ * or put aside, the distance is at most s->high; at s->time the distance is at least s->low.
+ * Nothing but the end of the rounds depends on the tolerance.
  */
 #include "questions/distance/distance.h"
 
@@ -23,8 +23,8 @@ static const double *corners_of(const search *s, uint32_t simplex) {
     return s->base->scene->solid->corners.at + (size_t)simplex * d * d;
 }
 
-/* Ask the boundary at a time; simplices near other times limit the search. 0 if the window is
- * beyond doubles. */
+/* Find the distance to the boundary at a time; simplices nearest at other times, in `hint`, limit
+ * the search. Returns 0 if no stance can be made in doubles. */
 static int take_sample(time_sample *out, search *s, const stretch_of_time *of, const point_arc *p,
                        double time, const time_sample *hint, int hints) {
     stance at;
@@ -59,7 +59,7 @@ static int take_sample(time_sample *out, search *s, const stretch_of_time *of, c
     return 1;
 }
 
-/* No distance of the window is above this; the floor of its bounds. */
+/* An upper bound of the distance during the window; sets `floor` to search_floor of the window. */
 static double window_most(double *floor, search *s, const point_arc *p,
                           const time_sample *sample_of) {
     window w;
@@ -106,7 +106,7 @@ static graze_status cut_greatest(search *s, const stretch_of_time *of, const poi
     return GRAZE_OK;
 }
 
-/* Bound a window; `known` is the bound of the one that it is cut from. */
+/* Bound a window; `known` is the bound of the window that it is a half of. */
 static graze_status explore_greatest(search *s, const stretch_of_time *of, const point_arc *p,
                                      const time_sample *first, const time_sample *last,
                                      double known) {
@@ -134,7 +134,7 @@ static graze_status begin_stretch(search *s, const stretch_of_time *of) {
     return explore_greatest(s, of, &p, &first, &last, INFINITY);
 }
 
-/* One round: cut the windows aside whose bound is not near enough (s->step) to the one met. */
+/* Do one round: cut those windows put aside whose bound exceeds s->low by more than s->step. */
 static graze_status greatest_round(search *s) {
     FREED(window_aside, was, s->window);
     size_t count = s->window_count;

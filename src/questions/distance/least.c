@@ -1,9 +1,11 @@
-/* The least distance: windows of time with the nodes that may come nearer than is known.
+/* The least distance: windows of time are searched with the nodes that may come nearer than s->high
+ * in them.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Invariant (proofs/distance.md C71): every pair of a time and a place of the boundary is in a
- * window under way with a node on its list, or put aside with a bound, or no nearer than s->low;
- * s->high is reached. Nothing but the end of the rounds depends on the tolerance.
+ * window under way with a node on its list, or put aside with a bound, or no nearer than s->low; at
+ * s->time the distance is at most s->high. Nothing but the end of the rounds depends on the
+ * tolerance.
  */
 #include "questions/distance/distance.h"
 
@@ -16,15 +18,15 @@
 #include "questions/distance/gap.h"
 #include "questions/distance/time_search.h"
 
-/* Shorter windows are not cut. */
+/* Windows of this length or less are not cut. */
 static const double SHORTEST = 0x1p-48;
 
 typedef struct look {
     search *s;
     const window *w;
     const stance *mid;
-    stance *end;  /* two, at the window's ends, */
-    int has_ends; /* 1: made, 0: not needed so far, -1: beyond doubles */
+    stance *end;  /* room for two stances, at the window's ends */
+    int has_ends; /* 1: these stances are made, 0: not needed so far, -1: beyond doubles */
     double floor, travel;
     int out_of_memory;
 } look;
@@ -46,8 +48,8 @@ static void keep_pair(look *l, const pair_aside *pair) {
         l->out_of_memory = 1;
 }
 
-/* Drop a place that doubles bring no nearer, put one aside whose bound is good enough for the
- * round; 0 if it is neither. */
+/* Drop a place with a bound of s->high - floor or more; else put it aside if its bound is s->high -
+ * s->step or more. Returns 0 if the place is still to be searched. */
 static int leave_out(look *l, const place *p) {
     search *s = l->s;
     if (p->low >= s->high - l->floor) {
@@ -72,7 +74,7 @@ static void keep_place(look *l, const place *p) {
         l->out_of_memory = 1;
 }
 
-/* The bound from the places nearest at the window's ends. */
+/* Bound the distance to a simplex by its places that are nearest at the window's ends. */
 static double low_about(look *l, const double *corner) {
     const point_arc *p = l->w->of;
     foot first, last;
@@ -99,7 +101,7 @@ static double simplex_low(look *l, uint32_t simplex) {
 
 static void ask_node(look *l, place here);
 
-/* A place that has its bound is kept for shorter windows, or asked by its halves. */
+/* Keep a bounded place for shorter windows or, if it is large, ask its two children. */
 static void enter_node(look *l, const place *p) {
     const tree_node *node = &l->s->base->scene->solid->boxes.node[p->node];
     if (is_large(l, node)) {
@@ -110,7 +112,7 @@ static void enter_node(look *l, const place *p) {
     }
 }
 
-/* Bound a place, which is no nearer than what holds it. */
+/* Bound a place, which is no nearer than the larger place that contains it. */
 static void ask_node(look *l, place here) {
     const tree_node *node = &l->s->base->scene->solid->boxes.node[here.node];
     double g[3], low;
@@ -132,8 +134,8 @@ static void ask_node(look *l, place here) {
     enter_node(l, &here);
 }
 
-/* Ask the boundary at the middle of the window; a smaller distance is remembered. Returns whether
- * the left half is nearer to what is found. */
+/* Find the distance at the middle of the window, and keep it if it is less than s->high. Returns 1
+ * if the window's left end is nearer to the place found than its right end, or none is found. */
 static int ask_middle(search *s, const window *w, const stance *mid, double time, size_t first,
                       size_t count) {
     nearest found;
@@ -171,7 +173,7 @@ static graze_status explore_halves(search *s, const point_arc *p, double from, d
     return GRAZE_OK;
 }
 
-/* Bound the nodes of a list over a window; those that are not good enough stand at the end of the
+/* Bound the places of a list over a window; the places to be searched further are appended to the
  * list. */
 static graze_status bound_list(search *s, const point_arc *p, double from, double to, size_t first,
                                size_t count, int *left_first) {
@@ -192,7 +194,7 @@ static graze_status bound_list(search *s, const point_arc *p, double from, doubl
             here.state = PLACE_SEEN;
         if (made)
             ask_node(&l, here);
-        else /* a weight that may vanish on the window: cut it */
+        else /* a weight may vanish on the window: keep all places, so that it is cut */
             keep_place(&l, &here);
     }
     s->visits += made ? 0 : 1 + count;
@@ -201,7 +203,7 @@ static graze_status bound_list(search *s, const point_arc *p, double from, doubl
     return search_poll(s);
 }
 
-/* Go on in the halves of a window with what stands at the end of the list. */
+/* Go on in the halves of a window with the places from `first` to the end of the list. */
 static graze_status cut_least(search *s, const point_arc *p, double from, double to, size_t first,
                               int left_first) {
     if (s->list_count > first && to - from > SHORTEST && !search_is_over(s))
@@ -221,7 +223,8 @@ static graze_status explore_least(search *s, const point_arc *p, double from, do
     return GRAZE_OK;
 }
 
-/* Pairs of one window: those that the round asks for go on, the others stay aside. */
+/* Go on with those pairs of one window that the round asks for; of the others, those below s->high
+ * stay aside. */
 static graze_status resume_window(search *s, const pair_aside *pair, size_t count) {
     size_t mine = s->list_count;
     int small = 1;
@@ -242,7 +245,7 @@ static graze_status resume_window(search *s, const pair_aside *pair, size_t coun
         return GRAZE_OK;
     TRY(point_arc_make(&p, s->context, s->base, pair->arc, s->point_low, s->point_high));
     for (size_t k = mine; k < s->list_count && small; k++)
-        s->list[k].state = PLACE_NEW; /* of the halves */
+        s->list[k].state = PLACE_NEW; /* not looked at in the halves */
     TRY(small ? cut_least(s, &p, pair->from, pair->to, mine, 1)
               : explore_least(s, &p, pair->from, pair->to, mine, s->list_count - mine));
     s->list_count = mine;
@@ -253,8 +256,8 @@ static int same_window(const pair_aside *a, const pair_aside *b) {
     return a->arc == b->arc && a->from == b->from && a->to == b->to;
 }
 
-/* One round: go on with the pairs aside whose bound is below s->high - s->step. Of the others those
- * below s->high stay aside. */
+/* Do one round: go on with those pairs put aside whose bound is below s->high - s->step; of the
+ * others, those below s->high stay aside. */
 static graze_status least_round(search *s) {
     FREED(pair_aside, was, s->aside);
     size_t count = s->aside_count;

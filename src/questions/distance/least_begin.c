@@ -1,4 +1,4 @@
-/* A distance that is reached, in the arc that seems nearest, leaves few arcs.
+/* A distance reached in the arc that seems nearest rules out most of many arcs.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/distance/distance.h"
@@ -33,7 +33,7 @@ static graze_status bound_arc(pair_aside *out, search *s, size_t index) {
     return GRAZE_OK;
 }
 
-/* Whole arcs with the whole boundary, the nearest first. */
+/* Put aside all arcs, each with the whole boundary, the nearest first. */
 static graze_status begin_whole(search *s) {
     size_t count = s->base->arc_count;
     if (!array_reserve(&s->aside, &s->aside_capacity, count, sizeof *s->aside))
@@ -49,7 +49,7 @@ static double node_low(const search *s, const arc_node *n) {
     return arc_node_distance(n, s->point_low, s->point_high, s->base->scene->motion->dimension);
 }
 
-/* The arc to which the nearer child leads. */
+/* The arc that a descent by the nearer child at each node leads to. */
 static size_t nearest_arc(const search *s, const arc_tree *t) {
     const arc_node *here = t->node;
     while (here->child) {
@@ -59,7 +59,7 @@ static size_t nearest_arc(const search *s, const arc_tree *t) {
     return here->first;
 }
 
-/* Reach the distance in the middle of an arc. */
+/* Find the distance at the middle of an arc, and keep it if it is below s->high. */
 static graze_status reach_arc(search *s, size_t index) {
     point_arc path;
     stance at;
@@ -77,7 +77,7 @@ static graze_status reach_arc(search *s, size_t index) {
     return GRAZE_OK;
 }
 
-/* Put aside the arcs whose boxes are nearer than what is reached. */
+/* Put aside the arcs below a node whose boxes are nearer than s->high. */
 static graze_status add_arcs(search *s, const arc_tree *t, const arc_node *n) {
     double low = node_low(s, n);
     if (low >= s->high)
@@ -90,7 +90,7 @@ static graze_status add_arcs(search *s, const arc_tree *t, const arc_node *n) {
         return search_no_room(s);
     pair_aside *pair = &s->aside[s->aside_count++];
     *pair = (pair_aside){.place.low = low, .arc = n->first, .to = 1};
-    /* Until they are bounded, arcs have the distance of their box's middle here. */
+    /* Until the arc is bounded, `from` has the squared distance of its box's middle. */
     for (int i = 0; i < s->base->scene->motion->dimension; i++) {
         double off = n->world.low[i] / 2 + n->world.high[i] / 2 - s->point_low[i];
         pair->from += off * off;
@@ -98,7 +98,7 @@ static graze_status add_arcs(search *s, const arc_tree *t, const arc_node *n) {
     return GRAZE_OK;
 }
 
-/* Reach the distance in the arc aside whose box is about the nearest. */
+/* Find the distance at the middle of the arc put aside whose box's middle is nearest. */
 static graze_status reach_aside(search *s) {
     size_t best = 0;
     for (size_t k = 1; k < s->aside_count; k++)
@@ -107,7 +107,7 @@ static graze_status reach_aside(search *s) {
     return s->aside_count ? reach_arc(s, s->aside[best].arc) : GRAZE_OK;
 }
 
-/* Bound the arcs aside that are not too far. */
+/* Bound the arcs put aside that may be nearer than s->high; drop the others. */
 static graze_status bound_aside(search *s) {
     size_t kept = 0;
     for (size_t k = 0; k < s->aside_count; k++) {

@@ -1,4 +1,5 @@
-/* A descent, the nearer child first. SPDX-License-Identifier: GPL-3.0-or-later */
+/* The distance at one instant: a descent of the solid's tree, the nearer child first.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "questions/distance/distance.h"
 
 #include <math.h>
@@ -7,7 +8,7 @@
 #include "questions/distance/gap.h"
 #include "questions/distance/time_search.h"
 
-/* A tree over n simplices halves their number at each level. */
+/* Room for the nodes to be entered: each level of the tree halves the number of simplices. */
 enum { DEPTH = 80 };
 
 typedef struct descent {
@@ -24,7 +25,7 @@ static const graze_solid *solid_of(const descent *d) {
     return d->s->at.of->base->scene->solid;
 }
 
-/* Nodes and simplices that are no nearer than this are not entered. */
+/* Nodes with a bound of this or more are not entered. */
 static double cut_of(const descent *d) {
     return smaller(d->out->high, d->limit);
 }

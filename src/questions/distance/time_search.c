@@ -36,7 +36,7 @@ graze_status search_no_room(search *s) {
     return context_fail(s->context, GRAZE_ESYSTEM, "out of memory for a distance");
 }
 
-/* Bounds that come from squares are no closer than the root of FILTER_FLOOR. */
+/* Bounds that come from squares are no nearer to each other than the root of FILTER_FLOOR. */
 static const double LEAST_TOLERANCE = 0x1p-386;
 
 double search_floor(const window *w) {
@@ -47,7 +47,7 @@ double search_floor(const window *w) {
 }
 
 int search_is_done(const search *s, double low, double high) {
-    /* The decimals of a table are outside the doubles by less than this. */
+    /* Decimals in a table, rounded outward, exceed the doubles by less than this. */
     double more = 0x1p-50 * larger(fabs(low), fabs(high));
     return high - low + more <= s->tolerance;
 }

@@ -10,8 +10,8 @@
 /* Bounds of the distance to convex sets along a covector (proofs/distance.md C69). */
 
 /** A lower bound of the distance to all places of a convex set during the window, measured along
- * the covector m. 0 if m proves none.
- * @param m    3 numbers in the solid's space, any
+ * the covector m. 0 if m proves no bound.
+ * @param m 3 numbers in the solid's space, any
  * @param most at least m . v for all places v of the set, but for the stray
  */
 double gap_along(const window *w, const double *m, double most);
@@ -20,7 +20,7 @@ double gap_along(const window *w, const double *m, double most);
 double gap_box(const double *m, const box *b);
 double gap_corners(const double *m, const double *corner, int count, int dimension);
 
-/** 0 if the weight is not certainly positive. */
+/** Make the stance at a time v of the arc; returns 0 if a weight is not certainly positive. */
 int stance_make(stance *out, const point_arc *of, double time);
 
 /* The distance of the query point to the boundary at one instant. */
@@ -28,12 +28,12 @@ int stance_make(stance *out, const point_arc *of, double time);
 /** low <= d <= high for the distance d, at the instant, to the simplices below the nodes asked. */
 typedef struct nearest {
     double low, high;
-    uint32_t simplex; /* if `found`: a simplex whose distance is at most high */
+    uint32_t simplex; /* a simplex whose distance is at most high, if `found` */
     int found;
 } nearest;
 
-/** Search below some nodes of the solid's tree, leaving out nodes and simplices that are certainly
- * not nearer than `limit`: so low is at most the limit, and high may be infinite.
+/** Search below some nodes of the solid's tree, leaving out nodes that are certainly not nearer
+ * than `limit`: if all are, high is infinite and nothing is found.
  * @param visits counts the boxes and simplices asked
  */
 void nearest_boundary(nearest *out, const stance *s, const place *list, size_t count, double limit,
@@ -48,7 +48,7 @@ typedef struct pair_aside {
     double from, to;
 } pair_aside;
 
-/** A time, the simplex nearest then and the distance. */
+/** A time, the simplex that is nearest then, and its distance or more. */
 typedef struct time_sample {
     double time, high;
     uint32_t simplex;
@@ -62,8 +62,8 @@ typedef struct window_aside {
     double most;
 } window_aside;
 
-/** The distance that is sought lies in [low, high]; the bound that the sought kind of search can
- * show at a time is met at `time` of the arc. */
+/** The sought distance lies in [low, high]. At `time` of the arc `arc` the distance to the boundary
+ * is at most `high` if the least distance is sought, at least `low` if the greatest is. */
 typedef struct search {
     graze_context *context;
     const arc_maps *base;
@@ -72,10 +72,12 @@ typedef struct search {
     double low, high;
     size_t arc;
     double time;
-    int met;                /* greatest distance only: `time` is set, a double at which it is met */
-    size_t visits, counted; /* work so far, and what the context knows of it */
-    double step;            /* a round puts pairs aside that are so near to the bound that is met */
-    place *list;            /* least distance only: nodes of windows under way; pairs put aside: */
+    int met;                /* greatest distance only, 1: `time` is set */
+    size_t visits, counted; /* work so far, and the part of it reported to the context */
+    double step; /* a round puts aside pairs and windows whose bound is within this of the bound met
+                    at `time` */
+    place *list; /* least distance only: places of the windows under way, and in `aside` the pairs
+                    put aside */
     size_t list_count, list_capacity;
     pair_aside *aside;
     size_t aside_count, aside_capacity;
@@ -88,11 +90,12 @@ void search_begin(search *s, graze_context *context, const arc_maps *base, const
                   const double *high, double tolerance);
 void search_end(search *s);
 
-/** Is the work that one point may cost spent? Then the bounds found so far are taken. */
+/** Has the search done the work that one point may cost? If so, the bounds found so far are taken.
+ */
 int search_is_over(const search *s);
-/** Tell the context; GRAZE_ECANCELED. */
+/** Report the work since the last call to the context. @return GRAZE_ECANCELED */
 graze_status search_poll(search *s);
-/** The failure of a search without memory. */
+/** Fail with GRAZE_ESYSTEM, as memory has run out. */
 graze_status search_no_room(search *s);
 /** Bounds of a window are not brought nearer to each other than this. */
 double search_floor(const window *w);
@@ -102,13 +105,13 @@ int search_is_done(const search *s, double low, double high);
 /* The greatest distance to the boundary over stretches of time (proofs/distance.md C72). */
 
 /** A stretch [from, to] of one arc. Its times [sure_from, sure_to] certainly belong to a visit to
- * the interior; there are no such times if sure_from > sure_to. */
+ * the wanted state, I or, for an unsweep, O; no time is certain if sure_from > sure_to. */
 typedef struct stretch_of_time {
     size_t arc;
     double from, to, sure_from, sure_to;
 } stretch_of_time;
 
-/** @return GRAZE_ELIMIT, GRAZE_ECANCELED */
+/** @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM */
 graze_status search_greatest(search *s, const stretch_of_time *stretch, size_t count);
 
 /* The least distance to the boundary over the whole motion (proofs/distance.md C71). */

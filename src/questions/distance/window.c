@@ -10,7 +10,7 @@
 
 #define U UNIT_ROUNDING
 
-/* The coefficients on [from, to]; one, the value, for an instant. */
+/* Set the coefficients on [from, to]; for an instant, from = to, only one, the value. */
 static void restrict_to(double *out, const double *c, int n, double from, double to) {
     int most = from < to ? n : 0;
     for (int k = 0; k <= most; k++)
@@ -44,7 +44,7 @@ graze_status point_arc_make(point_arc *out, graze_context *context, const arc_ma
                                 j);
     }
     double most = 0,
-           off = 0; /* entries and coordinates are at most CARRIER_REACH: no sum overflows */
+           off = 0; /* no sum overflows: entries and coordinates are at most CARRIER_REACH */
     for (int i = 0; i < d; i++)
         for (int k = 0; k <= n; k++) {
             const double *entry = map->entry + i * (d + 1) * (n + 1) + k;
@@ -67,7 +67,7 @@ graze_status point_arc_make(point_arc *out, graze_context *context, const arc_ma
     return GRAZE_OK;
 }
 
-/* The linear part of the tracing map. */
+/* Restrict the linear part of the tracing map, and bound its error. */
 static void restrict_linear(window *w) {
     const point_arc *p = w->of;
     const carrier *map = arc_maps_tracing(p->base, p->arc);
@@ -82,7 +82,7 @@ static void restrict_linear(window *w) {
     w->linear_stray = FILTER_SLACK * (8 + 5 * n) * U * most + FILTER_FLOOR;
 }
 
-/* The placing map. */
+/* Restrict the placing map, and bound its errors and its weight. */
 static void restrict_place(window *w) {
     const point_arc *p = w->of;
     const carrier *map = &p->base->arc[p->arc].placing;

@@ -1,7 +1,8 @@
 /* The planes of germs, their common rays, and the cells around a ray.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * More planes than needed do no harm, so the coordinate planes are added: then there are rays.
+ * More planes than needed do no harm, so the coordinate planes are added: then the planes meet in
+ * rays.
  */
 #include "questions/topo/topo.h"
 
@@ -50,7 +51,7 @@ static graze_status add_vector(fmpz **list, size_t *count, size_t *capacity, gra
     return GRAZE_OK;
 }
 
-/* Add the plane with a normal, which is reduced in place; 0 adds none. */
+/* Add the plane with a normal, which is reduced in place; a zero normal adds no plane. */
 static graze_status add_border(borders *b, graze_context *context, fmpz *normal) {
     int d = b->dimension, sign = 0;
     direction_reduce(normal, d);
@@ -63,7 +64,7 @@ static graze_status add_border(borders *b, graze_context *context, fmpz *normal)
     return add_vector(&b->plane, &b->plane_count, &b->plane_capacity, context, normal, d);
 }
 
-/* Add a plane given in the germ's body, carried to directions about P. */
+/* Add a plane, given by its normal in the germ's body, as a plane of directions about P. */
 static graze_status add_body_border(borders *b, graze_context *context, const germ *g,
                                     const fmpz *normal) {
     int d = b->dimension;
@@ -109,7 +110,7 @@ static graze_status add_germ_borders(borders *b, graze_context *context, germ *g
         if (!side->has_later)
             continue;
         directions_cross(normal, side->e,
-                         side->later); /* of the plane along the edge and `later` */
+                         side->later); /* normal of the plane along the edge and `later` */
         TRY(add_body_border(b, context, g, normal));
     }
     return GRAZE_OK;
@@ -177,7 +178,8 @@ graze_status borders_of_cone(borders *b, int *refused, graze_context *context,
     return find_rays(b, refused, context);
 }
 
-/* Add the planes of `all` that contain a direction, and planes that make the others complete. */
+/* Add the planes of `all` that contain a direction, and the planes through it and the axes, so that
+ * two are independent. */
 static graze_status keep_planes_through(borders *b, graze_context *context, const borders *all,
                                         const fmpz *direction) {
     LOCAL_VEC(fmpz, normal, 6);
@@ -245,7 +247,7 @@ static int turn_about_ray(const fmpz *v, const fmpz *a, const fmpz *b) {
 }
 
 /* The direction that follows number `from` by angle, of `count` directions across the ray v. Two of
- * them are independent, and each has its opposite among them. */
+ * these directions are independent, and each has its opposite among them. */
 static size_t next_around(const fmpz *v, const fmpz *across, size_t count, size_t from) {
     size_t best = from;
     for (size_t k = 0; k < count; k++)

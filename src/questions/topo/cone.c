@@ -17,7 +17,7 @@
 #include "input/solid/solid.h"
 #include "questions/topo/cover.h"
 
-/* Does a facet in the plane contain the cone's point? The point is in the plane. */
+/* Does a facet in the plane contain the cone's point, which is in the plane? */
 static int plane_holds_point(const local_cone *cone, size_t plane) {
     int d = cone->dimension, found = 0;
     const plane_list *list = cone->planes;
@@ -33,7 +33,8 @@ static int plane_holds_point(const local_cone *cone, size_t plane) {
     return found;
 }
 
-/* Raise `nearest` for a plane off the point: the value of its form there, and its normal. */
+/* Raise `nearest` for a plane that misses the point; `value` is that of the plane's form at the
+ * point. */
 static void note_distance(local_cone *cone, const fmpz_t value, const fmpz *normal) {
     slong bits = FLINT_ABS(_fmpz_vec_max_bits(normal, cone->dimension));
     cone->nearest = FLINT_MAX(cone->nearest, bits + 3 - (slong)fmpz_bits(value));
@@ -80,9 +81,9 @@ int cone_cell_dimension(const local_cone *cone) {
     return cone->dimension - rank;
 }
 
-/* A point on the ray nearer than every plane off the cone's point. If a plane's form has the value
- * v at the cone's point, the ray meets it at |v| / |n . direction|, in units of the last
- * coordinate, and |n . direction| < 2^(2 + bits of n + bits of direction). */
+/* Set a point on the ray that is nearer than every plane that misses the cone's point. If a plane's
+ * form has the value v at the cone's point, the ray meets the plane at |v| / |n . direction|, in
+ * units of the last coordinate, and |n . direction| < 2^(2 + bits of n + bits of direction). */
 static void point_beside(fmpz *out, const local_cone *cone, const fmpz *direction) {
     slong d = cone->dimension, places = cone->nearest + FLINT_ABS(_fmpz_vec_max_bits(direction, d));
     _fmpz_vec_scalar_mul_2exp(out, cone->at, d + 1, (ulong)FLINT_MAX(places, 0));
@@ -169,11 +170,12 @@ static graze_status look_along(int *in_interior, int *in_cone, local_cone *cone,
     return GRAZE_OK;
 }
 
-/* The signs of u + s e change only at cuts, so each cut is asked and a number between each two. */
+/* The signs of u + s e change only at cuts, so the state is asked at each cut, between two
+ * successive cuts, and after the last one. */
 graze_status cone_sweep(int *in_interior, int *in_cone, local_cone *cone, graze_context *context,
                         const fmpz *ray, const fmpz *u, const fmpz *e) {
     slong d = cone->dimension, count = 1;
-    LOCAL_VEC(fmpq, cut, (slong)cone->count + 1); /* the first one is 0 */
+    LOCAL_VEC(fmpq, cut, (slong)cone->count + 1); /* the first cut is 0 */
     LOCAL_VEC(fmpz, a, 2);
     fmpz *b = a + 1;
     LOCAL(fmpq, between);

@@ -11,8 +11,8 @@
 #include "questions/topo/cover.h"
 #include "questions/topo/eliminate.h"
 
-/* A curve is factored if its degree squared times the bits of its coefficients is at most this,
- * which takes a tenth of a second. */
+/* A curve is factored, in a tenth of a second, if its degree squared times the bits of its largest
+ * coefficient is at most this. */
 enum { FACTORED = 100000 };
 
 /* The c of the line on which common factors are excluded. */
@@ -23,8 +23,8 @@ static ulong largest_bits(const fmpz_mpoly_t g) {
     return (ulong)FLINT_ABS(bits);
 }
 
-/* Is it certain that a curve has no common factor that depends on a variable with another curve, or
- * with its own derivative? */
+/* Is it certain that curve a has no common factor that depends on the variable with curve b or, if
+ * b is NULL, with the derivative of a? */
 static int is_coprime_in(const fmpz_mpoly_t a, const fmpz_mpoly_t b, int variable,
                          const fmpz_mpoly_ctx_t ring) {
     if (fmpz_mpoly_degree_si(a, variable, ring) < 1 ||

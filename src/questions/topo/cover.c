@@ -7,8 +7,8 @@
 #include "base/context/scope.h"
 #include "questions/topo/cover.h"
 
-/* Is u + s e a direction of the cone's cell for some s > 0, which means that u is opposite to e;
- * for e = 0, is u one? The first plane that e is not parallel to gives s = -p / q. */
+/* Is u opposite to e: is u + s e along the cone's cell for some s > 0? For e = 0: is u along the
+ * cell? The first plane that is not parallel to e gives s = -p / q. */
 static int is_opposite(const local_cone *cone, const fmpz *u, const fmpz *e) {
     slong d = cone->dimension;
     int sign = -1, has_s = 0;

@@ -15,7 +15,8 @@
 #include "input/motion/motion.h"
 #include "questions/topo/topo.h"
 
-/** 1 and the state of the directions with these signs against the planes, if it is kept; else 0. */
+/** Return 1 and set the state of the directions with these signs against the planes, if that state
+ * is kept; else return 0. */
 int cone_knows(graze_state *out, const local_cone *cone, const signed char *signs);
 
 /** Is one of the directions u + s e, for any s, in the cone's interior? */
@@ -66,8 +67,8 @@ void view_point(fmpq *out, const plane_view *view, const fmpq *xy);
 
 /* Cover of directions about the point by germs. */
 
-/** Add the cover of a direction of its body by one germ: by all sides or, if `keeping_edge`, only
- * by sides that keep the edge. */
+/** Add the cover of a direction u of the body by one germ: by the solid at the time and by all
+ * sides or, if `keeping_edge`, only the sides that keep the edge. */
 graze_status germ_cover_body(germ_cover *out, germ *g, graze_context *context, const fmpz *u,
                              int keeping_edge);
 
@@ -80,8 +81,8 @@ void directions_basis(fmpz *h, fmpz *k, const fmpz *v);
 
 /* Affine functions of a plane's coordinates whose coefficients are polynomials in time. */
 
-/** The function linear[0] x + linear[1] y + linear[2]; its coefficients are polynomials in time, at
- * most of the degree that pullback_reduce sets. */
+/** The function linear[0] x + linear[1] y + linear[2]; its coefficients are polynomials in time, of
+ * the degree that pullback_reduce sets or less. */
 typedef struct pullback_form {
     fmpz_poly_struct linear[3];
     slong degree;
@@ -160,8 +161,8 @@ typedef struct open_plane {
 } open_plane;
 
 /** Ways in which a germ may cover one side of the plane: way 0 by times on both sides of the
- * contact, way 1 + 2 s + part by times on side s of it alone (germ.side). Part 1 is the second half
- * of an edge of even order. */
+ * contact, way 1 + 2 s + part by times on side s of it alone (germ.side). Part 1 is used only for
+ * an edge met in even order, whose form has two parts. */
 enum { HALF_WAYS = 5 };
 
 /** Find how a germ covers places below the plane (sign -1) or above it (sign 1).
@@ -184,7 +185,7 @@ void plane_gap_init(plane_gap *gap);
 void plane_gap_clear(plane_gap *gap);
 
 /** Set a gap in the direction that b is in the chart; `along` is that direction times b's
- * denominator. The order remains 0 if the leading terms leave no room.
+ * denominator. The order is 0 if the leading terms leave no room.
  * @param item germs whose valid leading terms are consistent: each `above` term is at least each
  * `below` term */
 graze_status gap_set(plane_gap *gap, const open_plane *h, graze_context *context,
@@ -229,8 +230,8 @@ graze_status sides_add(germ *g, graze_context *context, const point_map *map, fm
 void signs_pull_back(fmpz_poly_t out, const point_map *map, const fmpz *normal,
                      const fmpz *direction);
 
-/** The state of the directions with given signs, one for each plane; some direction has them. The
- * state is B if the cone has too many cells. */
+/** The state of the directions with given signs, one for each plane, which some direction must
+ * have. The state is B if the cone has too many cells. */
 graze_status signs_state(graze_state *out, local_cone *cone, graze_context *context,
                          const signed char *signs);
 

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A facet's line n pulled back to a piece is f(x, y, u) = a(u) x + b(u) y + c(u). A common factor
- * of a, b and c has no root in [0, 1], where the map is invertible, and is divided out.
+ * of a, b and c is divided out; in E^2 it has no root in [0, 1], where the map is invertible.
  */
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
@@ -15,7 +15,7 @@
 #include "questions/topo/cover.h"
 #include "questions/topo/eliminate.h"
 
-/* Has a polynomial a root in [0, 1]? */
+/* Has a polynomial a root in [0, 1], the range of a piece's parameter? */
 static graze_status meets_piece(int *out, graze_context *context, const fmpz_poly_t p) {
     *out = fmpz_poly_is_zero(p);
     if (fmpz_poly_degree(p) < 1)
@@ -39,7 +39,7 @@ typedef struct curve_maker {
 
 static const char in_plane[] = "facets or edges come to lie in a plane through the point";
 
-/* The reason of a list that exceeds a bound: the number of curves, or a degree. */
+/* The reason if the scene has more curves than the bound. */
 static const char *too_many(const plane_view *view) {
     return view->dimension == 2 ? "the scene has more than the 100000 curves that are looked at"
                                 : "the scene has more curves in a plane than are looked at";
@@ -111,7 +111,7 @@ static graze_status add_common_zeros(curve_maker *m, const pullback_form *f,
     TRY(grid_resultant(curve, m->context, f, g, ring));
     if (!fmpz_mpoly_is_zero(curve, ring))
         return curves_append(m->list, m->context, curve);
-    m->refused = in_plane; /* both are the same function, which E^3 alone admits */
+    m->refused = in_plane; /* both are the same function, which is possible only in E^3 */
     return GRAZE_OK;
 }
 
@@ -153,7 +153,7 @@ static graze_status add_edge_path(curve_maker *m, const motion_piece *piece, siz
 static graze_status add_paths_of(curve_maker *m, const motion_piece *piece, size_t s) {
     const graze_solid *solid = m->scene->solid;
     size_t first = solid->cut.item[s].vertex[0];
-    /* Each vertex is the first one of some facet. */
+    /* Each vertex is the first vertex of some facet. */
     if (m->view->dimension == 2)
         return add_path(m, piece, solid->input.coordinates + 2 * first);
     for (int k = 0; k < 3 && !m->refused; k++)

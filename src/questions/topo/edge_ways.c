@@ -8,7 +8,7 @@
 #include "questions/topo/cover.h"
 #include "questions/topo/near.h"
 
-/* Ask about a normal of a line or plane that contains e, and about its opposite. */
+/* Do the lines along e through `normal` and through its opposite both meet the cone's interior? */
 static graze_status look_to_both_sides(int *out, germ *g, graze_context *context,
                                        const fmpz *normal, const fmpz *e) {
     slong d = g->cone.dimension;
@@ -20,7 +20,8 @@ static graze_status look_to_both_sides(int *out, germ *g, graze_context *context
     return GRAZE_OK;
 }
 
-/* Ask about each cell of the circle of directions around e, at a vertex of E^3. */
+/* Does the line along e through each cell of directions around e meet the cone's interior? For a
+ * vertex of E^3. */
 static graze_status look_about(int *out, germ *g, graze_context *context, const fmpz *e) {
     HELD(borders, b, 3);
     *out = 0;

@@ -1,5 +1,6 @@
-/* Resultants by Chinese remainders, modulo 62-bit primes; a bound of the coefficients gives their
- * number. SPDX-License-Identifier: GPL-3.0-or-later
+/* Resultants by Chinese remainders, modulo 62-bit primes; a bound of the coefficients gives the
+ * number of primes.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The bound: a coefficient is at most the greatest absolute value of the resultant on the unit
  * circle, and by Hadamard this is at most A^(deg b) B^(deg a), where A and B are the sums of the
@@ -43,7 +44,7 @@ void sliced_init_derivative(sliced_curve *out, const sliced_curve *s) {
         fmpz_poly_scalar_mul_si(out->coefficient + k - 1, s->coefficient + k, k);
 }
 
-/* Make a curve of a polynomial; it does not depend on the other variable. */
+/* Make a curve of a polynomial; the curve does not depend on the other variable. */
 static void sliced_init_constant(sliced_curve *out, const fmpz_poly_t f) {
     sliced_allocate(out, fmpz_poly_degree(f), fmpz_poly_degree(f));
     for (slong k = 0; k <= out->degree; k++)
@@ -89,7 +90,7 @@ static void reduced_curve_clear(reduced_curve *r) {
     nmod_poly_clear(r->at);
 }
 
-/* Evaluate a reduced curve; 0 if the degree drops there. */
+/* Evaluate a reduced curve at `at`; returns 0 if the degree drops there. */
 static int reduced_at(reduced_curve *r, ulong at) {
     nmod_poly_zero(r->at);
     for (slong k = r->degree; k >= 0; k--)
@@ -97,7 +98,8 @@ static int reduced_at(reduced_curve *r, ulong at) {
     return nmod_poly_degree(r->at) == r->degree;
 }
 
-/* The resultant modulo a prime from n values; 0 if a leading coefficient vanishes modulo it. */
+/* Find the resultant modulo a prime from n values; returns 0 if a leading coefficient vanishes
+ * modulo the prime. */
 static int resultant_modulo(nmod_poly_t out, const sliced_curve *a, const sliced_curve *b, slong n,
                             ulong prime) {
     ulong *at = flint_malloc((size_t)(2 * n) * sizeof *at), *value = at + n;

@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A germ is made at each time at which the trajectory changes its boundary cell, and at one time in
- * each interval between them that it spends on the boundary; at a few more if the solid turns
- * during the interval.
+ * each interval between these that the trajectory spends on the boundary; at two more if the solid
+ * turns during the interval.
  */
 #include "questions/topo/topo.h"
 
@@ -28,7 +28,7 @@ typedef struct germ_maker {
     germ_place at;
 } germ_maker;
 
-/* Set the linear part of the inverse map at a time, up to its positive weight. */
+/* Set `to_body` to the linear part of the tracing map at a time, up to a positive factor. */
 static void set_to_body(germ *g, const germ_maker *m, const fmpq_t u) {
     int d = m->at.map->dimension;
     LOCAL_VEC(fmpq, entry, d * d);
@@ -53,7 +53,7 @@ static void ways_from(fmpq_poly_struct *way, const germ_maker *m, const fmpz *x,
     }
 }
 
-/* Add the sides of a germ that are inside [0, 1], and the cover by both together. */
+/* Add the sides of a germ that are inside the piece, [0, 1], and set `exact`. */
 static graze_status add_sides(germ_maker *m, germ *g, const fmpz *x, const fmpq_t u) {
     int same_way = 0;
     LOCAL_VEC(fmpq_poly, way, 3);
@@ -109,13 +109,13 @@ static graze_status add_germ_at(germ_maker *m, const algebraic *time) {
     return GRAZE_OK;
 }
 
-/* Append a germ at a time `*u` between two times. */
+/* Append a germ at a rational time between two times, and give it as `u`. */
 static graze_status add_germ_between(fmpq_t u, germ_maker *m, algebraic *from, algebraic *to) {
     TRY(algebraic_between(u, m->at.context, from, to));
     return add_germ(m, u);
 }
 
-/* Append a turning stretch and two more germs in it. */
+/* Append a turning stretch, with the last germ at u inside it, and two more germs in it. */
 static graze_status add_turn(germ_maker *m, const fmpq_t u, algebraic *from, algebraic *to) {
     LOCAL(fmpq, v);
     HELD(algebraic, middle);
@@ -166,8 +166,8 @@ static graze_status add_contacts_of_piece(germ_maker *m) {
     return add_touches(m, &t);
 }
 
-/* Begin with a trajectory, for take_piece. The solid's complement sweeps the complement of an
- * unsweep (proofs/dangling.md C113). */
+/* Make a germ maker with a trajectory, which take_piece sets. The solid's complement sweeps the
+ * complement of an unsweep (proofs/dangling.md C113). */
 static germ_maker maker_of(germ_list *list, graze_context *context, const graze_scene *scene,
                            const plane_list *planes, trajectory *path) {
     return (germ_maker){list,
@@ -179,7 +179,7 @@ static germ_maker maker_of(germ_list *list, graze_context *context, const graze_
                          .path = path}};
 }
 
-/* Turn to another piece. */
+/* Go on with another piece. */
 static void take_piece(germ_maker *m, size_t piece, const fmpq *point) {
     m->at.map = motion_tracing(&m->scene->motion->piece[piece], m->scene->options.operation);
     trajectory_set(m->at.path, m->at.map, point);

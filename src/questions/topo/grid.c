@@ -3,9 +3,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The coefficients of time are linear in x and y. The discriminant of degree n is homogeneous in
- * them of degree 2 n - 2, the resultant of degrees n and m of degree n + m. Its values at (z_i,
- * z_j), with i + j at most its degree and z = 0, 1, -1, 2, -2, ..., determine it, by Newton's
- * divided differences, integers, first in y, then in x. The caller can cancel between two values.
+ * them of degree 2 n - 2, the resultant of degrees n and m of degree n + m. The values of either at
+ * (z_i, z_j), with i + j at most its degree and z = 0, 1, -1, 2, -2, ..., determine it, by Newton's
+ * divided differences, which are integers, first in y, then in x. The caller can cancel between two
+ * values.
  */
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
@@ -83,7 +84,7 @@ static slong node(slong k) {
     return k % 2 ? (k + 1) / 2 : -k / 2;
 }
 
-/* The polynomial in time at a place x, y. */
+/* Evaluate the form at a place x, y: a polynomial in time. */
 static void function_at(fmpz_poly_t out, const pullback_form *f, slong x, slong y) {
     LOCAL(fmpz_poly, part);
     fmpz_poly_scalar_mul_si(out, &f->linear[0], x);
@@ -99,8 +100,9 @@ static void multiply_by_power(fmpz_t out, const fmpz_t c, slong power) {
     fmpz_mul(out, out, p);
 }
 
-/* The determinant of Sylvester's matrix for degrees n and m, although the degrees may be lower
- * there: f lower by one gives a factor (-1)^m lead(g), g lower by one a factor lead(f). */
+/* The determinant of Sylvester's matrix for degrees n and m, for f and g that may have lower
+ * degrees: each degree that f lacks gives a factor (-1)^m lead(g), each that g lacks a factor
+ * lead(f). */
 static graze_status resultant_of_degrees(fmpz_t out, graze_context *context, const fmpz_poly_t f,
                                          slong n, const fmpz_poly_t g, slong m) {
     slong drop = n - fmpz_poly_degree(f), other = m - fmpz_poly_degree(g);
@@ -116,7 +118,7 @@ static graze_status resultant_of_degrees(fmpz_t out, graze_context *context, con
 }
 
 /* The discriminant for degree n: (-1)^(n (n - 1) / 2) Res(f, f') / lead(f). If f has the degree n -
- * 1: its own discriminant times lead(f)^2; a lower degree: 0. */
+ * 1, it is the discriminant of f times lead(f)^2; if the degree is lower, 0. */
 static graze_status discriminant_of_degree(fmpz_t out, graze_context *context, const fmpz_poly_t f,
                                            slong n) {
     slong degree = fmpz_poly_degree(f);

@@ -8,11 +8,12 @@
 #include "base/context/scope.h"
 #include "questions/topo/cover.h"
 
-/* A plane of a cone as an affine function value + r . place of places about the point, in powers of
- * the time since the contact. Of `value` two powers are kept; all powers before them are 0. */
+/* A plane of a cone as an affine function value + r . place of places about the point, expanded in
+ * powers of the time since the contact: of r the coefficients r0 and r1 are kept, of `value` two
+ * from a given power on; all before these are 0. */
 typedef struct plane_ways {
-    fmpq *value;     /* 2 rationals; behind them stand the normals */
-    fmpq *normal[2]; /* 3 each */
+    fmpq *value;     /* 2 rationals; the normals stand behind them */
+    fmpq *normal[2]; /* r0 and r1, 3 rationals each */
 } plane_ways;
 
 enum { WAYS_ENTRIES = 8 };
@@ -75,7 +76,8 @@ static void value_on(fmpq_t out, const fmpq *a, const fmpz *b) {
     }
 }
 
-/* Write a linear form on the plane, by its values at the basis, as a polynomial in b. */
+/* Write the linear form x -> normal . x on the plane as a polynomial in b, by its values at the
+ * basis. */
 static void linear_on_plane(fmpq_poly_t out, const open_plane *h, const fmpq *normal) {
     LOCAL(fmpq, value);
     fmpq_poly_zero(out);
@@ -92,9 +94,10 @@ void signed_power(fmpq_t out, const fmpq_t v, slong n) {
         fmpq_neg(out, out);
 }
 
-/* Set the form of a facet along the plane that a side meets with the order n = m + 1 >= 2. With o
- * the sign of f on the side, s the sign of the side's time and L = -o s r1 x, the form is o (m /
- * n)^m L^n / (n |g| (r0 N) |r0 N|^(m - 1)); it is valid where L is not negative. */
+/* Set the form of a facet along the plane that a side meets with the order n = m + 1 >= 2. With g
+ * the first kept coefficient of `value`, o the sign of g t^n on the side, s the sign of the side's
+ * time t and L = -o s r1 x, the form is o (m / n)^m L^n / (n |g| (r0 N) |r0 N|^(m - 1)); it is
+ * valid where L is not negative. */
 static int form_of_facet(half_germ *out, const open_plane *h, const germ *g,
                          const germ_side *side) {
     slong n = side->order;
@@ -133,8 +136,8 @@ static void combine_ways(fmpq *out, const fmpq_t a, const fmpq *p, const fmpq_t 
     }
 }
 
-/* Set the form -X L^m / ((r0 N) |r0 N|^(m - 1)), with X = -p x / b as `reach` and L = g X + r1 x as
- * `turn`. */
+/* Set the form -X L^m / ((r0 N) |r0 N|^(m - 1)), with X = -(r0 of p) x / (first value of p) as
+ * `reach` and L = g X + r1 x as `turn`; g, r0 and r1 are those of `both`. */
 static void form_of_ways(half_germ *out, const open_plane *h, const plane_ways *both,
                          const plane_ways *p, slong order) {
     LOCAL(fmpq, factor);
@@ -153,8 +156,9 @@ static void form_of_ways(half_germ *out, const open_plane *h, const plane_ways *
     fmpq_poly_scalar_div_fmpq(out->form, out->form, factor);
 }
 
-/* Set the form of an edge met with an order, from the combination of its two planes that does not
- * depend on time up to that order; 0 if the tangent plane of the edge's path is not the plane. */
+/* Set the form of an edge met with an order, from the combination of the edge's two planes that
+ * does not depend on time up to that order; returns 0 if the tangent plane of the edge's path is
+ * not the plane h. */
 static int form_of_edge(half_germ *out, const open_plane *h, const germ *g, size_t other,
                         slong order) {
     LOCAL_VEC(fmpz, across, 3);
@@ -191,7 +195,7 @@ static int form_of_edge_side(half_germ *out, const open_plane *h, const germ *g,
     return 1;
 }
 
-/* Is the germ's first facet, which holds the trajectory's place, parallel to the plane? */
+/* Is the germ's facet, which holds the trajectory's place, parallel to the plane? */
 static int is_along_plane(const open_plane *h, const germ *g) {
     LOCAL_VEC(fmpz, across, 3);
     for (int column = 0; column < 3; column++)
@@ -200,12 +204,12 @@ static int is_along_plane(const open_plane *h, const germ *g) {
     return directions_parallel(across, h->normal);
 }
 
-/* Has the germ two sides in one piece, of odd order? */
+/* Has the germ two sides, of odd order? */
 static int is_inner_of_odd_order(const germ *g) {
     return g->side_count == 2 && g->side[0].order % 2 == 1;
 }
 
-/* Set the order and the form that a way gives; 0 if it gives none. */
+/* Set the order and the form that a way gives; returns 0 if the way gives no form. */
 static int form_of_germ(half_germ *out, const open_plane *h, const germ *g, int way) {
     int cell = g->root || !g->has_time ? 0 : cone_cell_dimension(&g->cone);
     int s = (way - 1) / 2, turned = way > 0 && way % 2 == 0;
@@ -223,8 +227,8 @@ static int form_of_germ(half_germ *out, const open_plane *h, const germ *g, int 
                     : form_of_edge_side(out, h, g, other, &g->side[s], turned);
 }
 
-/* Does the interior of a germ's cone have a direction on one side of the plane? At an edge the
- * leading direction lies in the plane. */
+/* Does the interior of a germ's cone have a direction on one side of the plane: the normal or, at
+ * an edge, the normal plus a multiple of the leading direction, which lies in the plane? */
 static graze_status closes_side(int *out, const open_plane *h, graze_context *context, germ *g,
                                 int sign) {
     graze_state state = GRAZE_STATE_O;

@@ -25,8 +25,8 @@ static void divide_2exp(fmpq_t x, slong places) {
         fmpq_div_2exp(x, x, (ulong)places);
 }
 
-/* Try the place P + 2^-places (v + 2^-places w), for vectors about as long as the solid's width: is
- * it out? */
+/* Is the place P + r v + r^2 w / 8 out, with r about 2^-places times the solid's width, for v and w
+ * scaled to a length of about 1? */
 static graze_status try_place(hint_maker *m, const fmpz *v, const fmpz *w, ulong places) {
     LOCAL_VEC(fmpq, step, 2);
     fmpq *bend = step + 1;
@@ -42,7 +42,8 @@ static graze_status try_place(hint_maker *m, const fmpz *v, const fmpz *w, ulong
     return beyond_closed(&m->found, m->context, m->scene, m->out);
 }
 
-/* Try a direction, straight and bent to both sides of the plane. */
+/* Try a direction, straight and bent to both sides of the plane with the normal, if that is not 0.
+ */
 static graze_status look_along_both(hint_maker *m, const fmpz *v, const fmpz *normal,
                                     ulong places) {
     LOCAL_VEC(fmpz, bend, 3);
@@ -54,7 +55,8 @@ static graze_status look_along_both(hint_maker *m, const fmpz *v, const fmpz *no
     return GRAZE_OK;
 }
 
-/* Try the 26 directions with entries -1, 0, 1 and, if there is a plane, their projections to it. */
+/* Try the open direction, the 26 directions with entries -1, 0, 1 and, if there is a plane, the
+ * projections of these to the plane. */
 static graze_status look_about_point(hint_maker *m, const topo_finding *topo, ulong places) {
     LOCAL_VEC(fmpz, v, 12);
     fmpz *normal = v + 3, *in_plane = v + 6, *other = v + 9;

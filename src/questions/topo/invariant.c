@@ -1,5 +1,6 @@
-/* The common kernel of all normals about the point, which are functions of time: that of all their
- * coefficients. SPDX-License-Identifier: GPL-3.0-or-later
+/* The common kernel of all normals about the point, which are functions of time: it is the kernel
+ * of all their coefficients.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/topo/topo.h"
 
@@ -27,7 +28,8 @@ static void span_add_normal(direction_span *s, const point_map *map, const fmpz 
     }
 }
 
-/* 1 and a plane's normal about the point if the plane does not move and contains the trajectory. */
+/* Return 1 and set a plane's normal about the point if the plane does not move and contains the
+ * trajectory; else return 0. */
 static int plane_stays(fmpz *normal, const germ *g, size_t j, const fmpq *point) {
     LOCAL_VEC(fmpz, basis, 9);
     direction_span s = {0, basis};
@@ -41,7 +43,8 @@ static int plane_stays(fmpz *normal, const germ *g, size_t j, const fmpq *point)
     return stays;
 }
 
-/* Find the kernel of all normals; if there is a `step`, without unmoved planes across it. */
+/* Find a vector of the kernel of all normals; if `step` is not NULL, without the planes across
+ * `step` that stay (plane_stays). */
 static int find_kernel(fmpz *out, const germ_list *list, const fmpz *step, const fmpq *point) {
     LOCAL_VEC(fmpz, basis, 9);
     direction_span s = {0, basis};

@@ -25,12 +25,13 @@ typedef struct leading_maker {
     const fmpq *point;
     germ_list *germs;
     borders *borders;
-    int is_interior[BY_COUNT]; /* for all cells so far, by this kind of evidence and those before it
-                                */
-    direction_span open;       /* E^3: of the directions without a covered neighbourhood */
+    int is_interior[BY_COUNT]; /* 1: proved for all cells so far, by this kind of evidence and the
+                                  kinds before it */
+    direction_span open;       /* E^3: span of the directions without a covered neighbourhood */
 } leading_maker;
 
-/* Take a point of a ray as the witness, if the ray's reach is found and the point is out. */
+/* Take the point of a ray at its reach as the witness, if the reach is found and the point is out.
+ */
 static graze_status try_witness(leading_maker *m, const fmpz *direction) {
     slong d = m->borders->dimension;
     topo_finding *out = m->out;
@@ -76,8 +77,8 @@ static graze_status try_direction(leading_maker *m, const fmpz *direction) {
 }
 
 /* Decide `boundary`: the direction is not covered, so points near enough on its ray are out. For a
- * witness with short numbers, roundings of the direction are tried first, then a direction beside
- * it. */
+ * witness with short numbers, coarse roundings of the direction are tried first, each followed by a
+ * direction beside it. */
 static graze_status set_boundary(leading_maker *m, const fmpz *direction) {
     static const slong bits[] = {2, 4, 8, 16, 64, WORD_MAX};
     slong d = m->borders->dimension;
@@ -105,14 +106,14 @@ static void keep_open_direction(topo_finding *out, const fmpz *direction, int d)
     out->has_open = 1;
 }
 
-/* Add a direction without a covered neighbourhood to their span, in E^3. */
+/* In E^3: add a direction without a covered neighbourhood to the span of such directions. */
 static void note_open(leading_maker *m, const fmpz *direction) {
     if (m->borders->dimension == 3)
         direction_span_add(&m->open, direction);
 }
 
-/* Take a cell's cover into `is_interior`.
- * @param all_exact all full cells around it lie in exact cones */
+/* Take a cell's cover into `is_interior`; returns 0 if the cell has no covered neighbourhood.
+ * @param all_exact 1: all full cells around this cell lie in exact closed cones */
 static int note_cell(leading_maker *m, const germ_cover *cell, int all_exact) {
     for (int by = 0; by < BY_COUNT; by++)
         m->is_interior[by] =
@@ -121,8 +122,8 @@ static int note_cell(leading_maker *m, const germ_cover *cell, int all_exact) {
     return cell->open || cell->edge_way || all_exact;
 }
 
-/* Take a cell of dimension 2 beside a ray; if it is not covered its plane is the span of the ray
- * and a direction in it. */
+/* Take a cell of dimension 2 beside a ray. If the cell has no covered neighbourhood, the ray and a
+ * direction in the cell, which span the cell's plane, are noted as open. */
 static void note_between(leading_maker *m, const fmpz *ray, const fmpz *direction,
                          const germ_cover *cell, int all_exact) {
     if (note_cell(m, cell, all_exact))
@@ -131,7 +132,7 @@ static void note_between(leading_maker *m, const fmpz *ray, const fmpz *directio
     note_open(m, direction);
 }
 
-/* Take a full cell; `*here` is its cover. */
+/* Take a cell of full dimension into account; `*here` becomes its cover. */
 static graze_status look_at_full(germ_cover *here, leading_maker *m, const fmpz *direction) {
     TRY(germs_cover(here, m->germs, m->context, direction));
     if (!here->covered && m->germs->bounded)
@@ -143,7 +144,8 @@ static graze_status look_at_full(germ_cover *here, leading_maker *m, const fmpz 
     return GRAZE_OK;
 }
 
-/* Take the cells around ray r: the full ones, in E^3 those between two of them, and the ray. */
+/* Take into account the cells around ray r: those of full dimension, in E^3 also those of dimension
+ * 2 between these, and the ray itself. */
 static graze_status look_around(leading_maker *m, size_t r) {
     int d = m->borders->dimension, all_exact = 1;
     size_t step = d == 3 ? 2 : 1;
@@ -188,7 +190,7 @@ static graze_status look_at_second_order(int *covers, leading_maker *m) {
     return GRAZE_OK;
 }
 
-/* Take the cells around all rays, until one decides the point. */
+/* Take the cells around all rays, until one decides the point or nothing more can be decided. */
 static graze_status look_at_rays(leading_maker *m) {
     m->open.rank = m->out->has_open = 0;
     for (int by = 0; by < BY_COUNT; by++)

@@ -1,4 +1,4 @@
-/* Shifts curves to a point, splits them into parts, and bounds the radius by their events.
+/* Shifts curves to a point, splits them into parts, and bounds the square's size by their events.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A polynomial g with g(0, 0) = c not 0 has no zero where its other terms sum to less than |c| in
@@ -38,7 +38,7 @@ void places_below_roots(ulong *places, const fmpz_poly_t p) {
                             (ulong)(k - zeros), (ulong)length);
 }
 
-/* Has a polynomial no constant term? That would be the last one. */
+/* Has a polynomial no constant term? A constant term would be its last one. */
 static int passes_origin(const fmpz_mpoly_t g, const fmpz_mpoly_ctx_t ring) {
     ulong e[RING_VARIABLES];
     fmpz_mpoly_get_term_exp_ui(e, g, fmpz_mpoly_length(g, ring) - 1, ring);
@@ -96,8 +96,7 @@ static void on_diagonal(fmpz_poly_t out, const fmpz_mpoly_t g, int falling,
     fmpz_poly_struct *const images[] = {image + RING_X, image + RING_Y};
     fmpz_poly_set_coeff_si(image + RING_X, 1, 1);
     fmpz_poly_set_coeff_si(image + RING_Y, 1, falling ? -1 : 1);
-    (void)fmpz_mpoly_compose_fmpz_poly(out, g, images,
-                                       ring); /* it fails for huge exponents alone */
+    (void)fmpz_mpoly_compose_fmpz_poly(out, g, images, ring); /* it fails only for huge exponents */
 }
 
 /* Shrink the square below the common zeros of two curves. */
@@ -113,7 +112,8 @@ static graze_status stay_below_event(near_maker *m, const sliced_curve *a, const
 }
 
 /* Shrink the square below the events of a curve alone: roots of its leading coefficient, which is
- * the whole curve if that does not depend on the variable, and common zeros with its derivative. */
+ * the whole curve if the curve does not depend on the variable, and common zeros with its
+ * derivative. */
 static graze_status stay_below_turns(near_maker *m, const sliced_curve *a) {
     stay_below_roots(m, a->coefficient + a->degree);
     if (a->degree < 2 || m->refused)
@@ -179,7 +179,7 @@ graze_status near_make(near_curves *n, int *refused, graze_context *context, con
     return GRAZE_OK;
 }
 
-/* One curve on a side of the square, times a power of 2. */
+/* Restrict one curve to a side of the square, times a power of 2. */
 static void curve_on_side(fmpz_poly_t out, const fmpz_mpoly_t g, const near_curves *n, int axis,
                           int negative) {
     ulong degree = (ulong)fmpz_mpoly_degree_si(g, axis, n->through.ring);

@@ -16,14 +16,14 @@
 void finding_set(topo_finding *f, graze_topo position, graze_topo_level level);
 void finding_undecided(topo_finding *f, const char *reason);
 
-/** Append a germ on a piece; its other members are zeros. */
+/** Append a germ with the map of its piece; its other members are zeros. */
 graze_status germs_append(germ **out, germ_list *list, graze_context *context,
                           const point_map *map);
 
 /** Remove the last germ. */
 void germs_drop_last(germ_list *list);
 
-/** Append a turning stretch between two times, with the last germ inside it. */
+/** Append a turning stretch between two times; the list's last germ is at a time inside it. */
 graze_status germs_append_turn(germ_list *list, graze_context *context, const algebraic *from,
                                const algebraic *to);
 
@@ -32,16 +32,17 @@ graze_status germ_make_root(germ *g, graze_context *context, const algebraic *ti
 /** Free a germ's root. */
 void germ_drop_root(germ *g);
 
-/** Clear `bounded` for a reason. */
+/** Clear `bounded`, as germs are missing, and keep the reason, a static text. */
 void germs_leave_open(germ_list *list, const char *reason);
 
-/* Cover by a germ of the direction opposite to a leading direction, and of those along an edge. */
+/* How a germ covers the direction opposite to a leading direction, and the two directions along an
+ * edge. */
 
 /** Set `edge_way` of a germ's sides and `covers_edge` (proofs/topology.md C52). */
 graze_status edge_ways_find(germ *g, graze_context *context);
 
-/** The span of directions of E^3; rank 3 is all of space. `basis`: two of them and, once they
- * span a plane, their cross product. */
+/** The span of directions of E^3; rank 3 is all of space. `basis`: two of the directions and, once
+ * these span a plane, their cross product. */
 typedef struct direction_span {
     int rank;
     fmpz *basis; /* 9 integers */
@@ -52,12 +53,13 @@ void direction_span_add(direction_span *s, const fmpz *v);
 /* A direction of E^3 along which the cover by the contacts is invariant. */
 
 /** Find a direction about the point that is parallel to all planes of all contacts' cones at all
- * times of their pieces; 0 if there is none. E^3; the list is bounded. */
+ * times of their pieces; returns 0 if there is none. E^3 only; the list must be bounded. */
 int invariant_direction(fmpz *out, const germ_list *list);
 
-/** Find a direction parallel to all of these planes but the ones with the normal `step`, which do
- * not move and contain the trajectory throughout their pieces. Returns 1 if there are such planes
- * and the direction crosses them, else 0 with a zero `step` (proofs/topology.md C128). */
+/** Find a direction parallel to all planes of all contacts' cones but the ones with the normal
+ * `step`, which do not move and contain the trajectory throughout their pieces. Returns 1 if there
+ * are such planes and the direction crosses them, else 0 with a zero `step` (proofs/topology.md
+ * C128). */
 int invariant_beside_step(fmpz *out, fmpz *step, const germ_list *list, const fmpq *point);
 
 /* The level of leading directions: are all cells of the arrangement of borders covered? */
@@ -90,18 +92,19 @@ void near_curves_clear(near_curves *n);
 graze_status near_make(near_curves *n, int *refused, graze_context *context, const curve_list *all,
                        const fmpq *point);
 
-/** The product of `through` on a side of the square, as a polynomial in the coordinate along it.
- * The side is on the line x = r or, with `negative`, x = -r; with `axis` 1 on y = r or y = -r. */
+/** The product of the curves `through` on a side of the square, times a power of 2, as a polynomial
+ * in the coordinate along the side. The side is on the line x = r or, with `negative`, x = -r; with
+ * `axis` 1 on y = r or y = -r. */
 void near_side(fmpz_poly_t out, const near_curves *n, int axis, int negative);
 
-/* A ray from a point that is out up to some distance. */
+/* A ray from an `on` point, whose other points are out up to some distance. */
 
 /** Find a reach of a ray from an `on` point P of a sweep (proofs/closure.md C74): if P + s
  * direction is `out` for all small s > 0, it is `out` for 0 < s <= reach.
- * @param[out] found 0 if the ray meets facets in a special position or exceeds the limit `bits`;
- * another direction can be tried
- * @param[out] reach     positive, if found
- * @param direction      d integers, not all 0 */
+ * @param[out] found 0 if the ray meets facets in a special position, or the reach needs more
+ * halvings than the limit `bits`; another direction can be tried
+ * @param[out] reach positive, if found
+ * @param direction d integers, not all 0 */
 graze_status ray_find_reach(int *found, fmpq_t reach, graze_context *context,
                             const graze_scene *scene, const fmpq *point, const fmpz *direction);
 
@@ -118,9 +121,9 @@ typedef struct germ_place {
 } germ_place;
 
 /** Find a rational point that has the same signs against all planes of facets as the trajectory's
- * place.
+ * place at `time`.
  * @param[out] found 0 if no attempt succeeds
- * @param[out] x    d + 1 homogeneous integers, the last one positive
+ * @param[out] x d + 1 homogeneous integers, the last one positive
  * @param[out] near a rational time near `time` */
 graze_status place_find(int *found, fmpz *x, fmpq_t near, const germ_place *place, algebraic *time);
 

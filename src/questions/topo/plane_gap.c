@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * At x the leading terms have the height Q(x)^(1/m), of order 1 + 1/m in |x|, so a term with a
- * larger m is the larger one. A gap of order m lies between terms of order m, where those of
- * smaller orders count as 0.
+ * larger m is the larger one. A gap of order m lies between terms of order m; terms of smaller
+ * orders count as 0.
  */
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
@@ -61,7 +61,7 @@ void plane_gap_clear(plane_gap *gap) {
         fmpz_clear(gap->along + k);
 }
 
-/* The form of a germ at the direction of the gap. */
+/* Evaluate the form of a germ at the direction of the gap. */
 static void height_at(fmpq_t out, const half_germ *g, direction_chart chart, const fmpq_t b) {
     LOCAL(fmpq, scale);
     LOCAL(fmpq_poly, form);
@@ -113,8 +113,8 @@ static graze_status find_range(height_range *r, graze_context *context, slong or
     return GRAZE_OK;
 }
 
-/* Complete a range that lacks an end: its length becomes 1 plus the absolute value of the end that
- * it has, if any. */
+/* Complete a range that lacks an end: the range gets the length 1 plus the absolute value of its
+ * other end; without any end it becomes [0, 1]. */
 static void close_range(height_range *r) {
     LOCAL(fmpq, length);
     if (!r->has_low && !r->has_high)
@@ -127,8 +127,8 @@ static void close_range(height_range *r) {
         fmpq_sub(r->low, r->high, length);
 }
 
-/* Find a dyadic number k / 2^places whose signed power of this order lies between two numbers; 0 if
- * there is none. */
+/* Find a dyadic number k / 2^places whose signed power of this order lies between two numbers;
+ * returns 0 if there is none. */
 static int find_dyadic(fmpq_t out, slong order, const fmpq_t low, const fmpq_t high, ulong places) {
     int found = 0;
     LOCAL(fmpz, root);

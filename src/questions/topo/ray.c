@@ -4,8 +4,8 @@
  * A form at the place s of the ray, at time u, is at(u) + s slope(u). The facets that the place's
  * trajectory meets can change with s only at certain u: where a facet's form has a double root,
  * where it vanishes together with a side form, and at the ends of a piece. These u are finitely
- * many and do not depend on s. At each of them the form vanishes for s = -at / slope, and `reach`
- * is kept below all such s > 0 (proofs/closure.md C74).
+ * many and do not depend on s. At each such u the form vanishes for s = -at / slope, and `reach` is
+ * kept below all such s > 0 (proofs/closure.md C74).
  */
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
@@ -28,7 +28,8 @@
  * large. */
 enum { FEW_FACETS = 200, NEARER_PLACES = 10, FORMS = 4, PARTS = 5 };
 
-/* A form along the ray: both parts, their common factor, and both divided by it. */
+/* A form along the ray, at + s slope: these two polynomials in time, their common factor, and both
+ * divided by the factor. */
 typedef struct ray_form {
     fmpz_poly_struct *at, *slope, *common, *plain_at, *plain_slope;
 } ray_form;
@@ -39,7 +40,7 @@ typedef struct ray_maker {
     const point_map *map; /* of the piece */
     trajectory *path;
     fmpz *place;     /* the point: d + 1 homogeneous integers */
-    fmpz *direction; /* d integers, over the same denominator */
+    fmpz *direction; /* d integers, over the last entry of `place` */
     fmpq *reach;
     ulong places; /* halvings of the first reach so far */
     int special;
@@ -62,8 +63,8 @@ static int is_steady(const ray_form *f) {
     return fmpz_poly_length(f->plain_at) <= 1 && fmpz_poly_length(f->plain_slope) <= 1;
 }
 
-/* Keep `reach` below the s > 0 at which the form vanishes at a time, if there is one: before it the
- * form has the same sign as at s = 0. */
+/* Keep `reach` below the s > 0 at which the form vanishes at a time, if there is one: for smaller s
+ * the form has the same sign as at s = 0. */
 static graze_status stay_below(ray_maker *m, const ray_form *f, algebraic *time) {
     int sign = 0, slope = 0, there = 0;
     LOCAL(fmpz_poly, p);
@@ -89,7 +90,7 @@ static graze_status stay_below_all(ray_maker *m, const ray_form *form, algebraic
     return GRAZE_OK;
 }
 
-/* Do that with all forms at all roots of a polynomial in a window of time. */
+/* Keep `reach` below the zeros of all forms at the roots of a polynomial in a window of time. */
 static graze_status stay_below_at_roots(ray_maker *m, const ray_form *form, const fmpz_poly_t p,
                                         const dyadic_interval *window) {
     if (fmpz_poly_degree(p) < 1)
@@ -195,8 +196,8 @@ static graze_status stay_below_piece(ray_maker *m) {
     return GRAZE_OK;
 }
 
-/* Set the first reach, so that it is about as long as the solid is wide, or less if there are many
- * facets. */
+/* Set the first reach so that the ray up to it is about as long as the solid is wide, or shorter if
+ * there are many facets. */
 static void set_first_reach(fmpq_t reach, const graze_solid *solid, const fmpz *direction,
                             slong d) {
     int exponent = 0;

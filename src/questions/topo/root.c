@@ -43,7 +43,7 @@ int root_is_rational(fmpq_t out, const fmpz_poly_t minimal) {
     return 1;
 }
 
-/* The rational factor that makes one residue of another; 0 if there is none. */
+/* Find the rational factor that makes `residue` of `base`; returns 0 if there is none. */
 static int multiple_of(fmpq_t out, const fmpq_poly_t residue, const fmpq_poly_t base) {
     slong degree = fmpq_poly_degree(base);
     LOCAL(fmpq, lead);
@@ -55,8 +55,8 @@ static int multiple_of(fmpq_t out, const fmpq_poly_t residue, const fmpq_poly_t 
     return fmpq_poly_equal(multiple, residue);
 }
 
-/* Coprime integers proportional, by a positive factor, to the values of n polynomials at a time;
- * *rational is 0 if there are none. */
+/* Set coprime integers to a positive multiple of the values of n polynomials at a time; *rational
+ * is 0 if there are no such integers. */
 static graze_status ratio_of(int *rational, fmpz *out, slong n, const fmpz_poly_struct *p,
                              graze_context *context, algebraic *time, const fmpz_poly_t minimal) {
     int sign = 1;
@@ -84,7 +84,7 @@ static graze_status ratio_of(int *rational, fmpz *out, slong n, const fmpz_poly_
 }
 
 /* Differentiate the distances from the cone's planes until one is not 0 at the time; *order is the
- * number of derivatives, 0 if all vanish identically. */
+ * number of derivatives, or 0 if all distances vanish identically. */
 static graze_status find_order(slong *order, germ *g, const germ_place *place) {
     germ_root *root = g->root;
     int left = 1, sign = 0;
@@ -105,7 +105,8 @@ static graze_status find_order(slong *order, germ *g, const germ_place *place) {
     return GRAZE_OK;
 }
 
-/* A direction whose scalar products with the normals are given integers; 0 if there is none. */
+/* Find a direction whose scalar products with the cone's normals are given integers, times a
+ * positive factor; returns 0 if there is none. */
 static int direction_with_products(fmpz *out, const local_cone *cone, const fmpz *product) {
     slong d = cone->dimension, n = (slong)cone->count;
     LOCAL_VEC(fmpq, x, d);
@@ -180,7 +181,8 @@ static graze_status set_direction(int *rational, int *found, germ *g, const germ
     return GRAZE_OK;
 }
 
-/* Set both sides; they differ only in the sign of the direction. */
+/* Set both sides; if the order is odd, the direction before the time is opposite to that after it,
+ * else equal. */
 static void set_sides(germ *g, slong order) {
     int d = g->cone.dimension;
     g->side_count = 2;
@@ -205,7 +207,7 @@ static void make_exact(germ *g, const germ_place *place) {
     germ_drop_root(g);
 }
 
-/* Set all members but the cone. */
+/* Set all members but the cone; the root is dropped if they are exact. */
 static graze_status set_ways(int *found, germ *g, const germ_place *place,
                              const fmpz_poly_t minimal, const fmpq_t near) {
     int map_rational = 0, way_rational = 1;

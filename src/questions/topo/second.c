@@ -3,8 +3,8 @@
  *
  * Write a place near the point as x + z N, with x in the plane across N. A half germ of order m
  * with the form Q covers z < Q(x)^(1/m) below the plane, z > Q(x)^(1/m) above it, up to smaller
- * terms (cover.h). The plane's directions are covered if at each x the leading term of some
- * germ below exceeds that of some germ above.
+ * terms (cover.h). The plane's directions are covered if at each x the leading term of some germ
+ * below exceeds the leading term of some germ above.
  */
 #include "questions/topo/topo.h"
 
@@ -33,7 +33,8 @@ static void second_maker_clear(second_maker *m) {
     free(m->item);
 }
 
-/* Append the half of a germ below the plane (sign -1) or above it (sign 1), if this way gives one.
+/* Append the half of a germ below the plane (sign -1) or above the plane (sign 1), if this way
+ * proves a cover.
  */
 static graze_status add_half(second_maker *m, germ *g, int sign, int way) {
     int covers = 0;
@@ -95,8 +96,9 @@ static graze_status look_at_slope(int *out, int *sign, const second_maker *m, al
     return GRAZE_OK;
 }
 
-/* Look at a parameter at which a sign may change. The gap may lie in its direction alone; if it is
- * rational it is tried, although leading terms that are equal need not leave one. */
+/* Look at a parameter at which a sign may change. A gap may lie in this parameter's direction
+ * alone, so a rational parameter is tried for the gap, although equal leading terms need not leave
+ * one. */
 static graze_status look_at_end(int *out, const second_maker *m, algebraic *at) {
     int sign = 0;
     TRY(look_at_slope(out, &sign, m, at));
@@ -105,8 +107,8 @@ static graze_status look_at_end(int *out, const second_maker *m, algebraic *at) 
     return GRAZE_OK;
 }
 
-/* Set the gap at a parameter between two, a third of the way to a simple number: a direction with
- * larger numbers is seldom parallel to facets and edges. */
+/* Set the gap at a parameter between two, a third of the way from `low` to a simple number: a
+ * direction with larger numbers is seldom parallel to facets and edges. */
 static graze_status keep_gap(const second_maker *m, const fmpq_t low, algebraic *high) {
     LOCAL(fmpq, b);
     HELD(algebraic, first);

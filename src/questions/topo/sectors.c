@@ -83,7 +83,8 @@ static graze_status find_between(sector_list *out, graze_context *context,
     return GRAZE_OK;
 }
 
-/* Add rays all around: with the angles 4 atan(k / TURN_RAYS), and their opposites. */
+/* Add rays all around: with the angles 2 atan(4 k / TURN_RAYS) in the first quadrant, and these
+ * turned by one to three right angles. */
 static void add_turn_rays(fmpz *ray) {
     const slong n = TURN_RAYS / 4;
     for (slong k = 0; k < TURN_RAYS; k++) {
@@ -95,7 +96,7 @@ static void add_turn_rays(fmpz *ray) {
     }
 }
 
-/* Keep one ray of each direction and return the number of rays. */
+/* Keep one ray of each direction in a sorted list, and return the number of rays kept. */
 static size_t drop_equal_rays(fmpz *ray, size_t count) {
     size_t kept = 0;
     for (size_t k = 0; k < count; k++) {

@@ -10,7 +10,7 @@
 #include "input/motion/motion.h"
 #include "questions/topo/cover.h"
 
-/* Are two polynomials multiples of one another (0 is one of every polynomial)? */
+/* Are two polynomials multiples of one another (0 is a multiple of every polynomial)? */
 static int are_proportional(const fmpz_poly_t p, const fmpz_poly_t q) {
     if (fmpz_poly_is_zero(p) || fmpz_poly_is_zero(q))
         return 1;
@@ -21,7 +21,7 @@ static int are_proportional(const fmpz_poly_t p, const fmpz_poly_t q) {
     return fmpz_poly_equal(a, b);
 }
 
-/* An entry of a plane's normal, pulled back to directions about P, as a function of time. */
+/* Give an entry of a plane's normal, pulled back to directions about P, as a function of time. */
 static void pull_back_column(fmpz_poly_t out, const point_map *map, const fmpz *normal,
                              int column) {
     int d = map->dimension;
@@ -30,7 +30,8 @@ static void pull_back_column(fmpz_poly_t out, const point_map *map, const fmpz *
         fmpz_poly_scalar_addmul_fmpz(out, &map->entry[row * (d + 1) + column], normal + row);
 }
 
-/* Is a pulled back normal a constant vector times a function of time, `factor`? */
+/* Is a pulled back normal a constant vector times a function of time? `factor` is set to that
+ * function, up to a number. */
 static int keeps_direction(fmpz_poly_t factor, const point_map *map, const fmpz *normal) {
     int same = 1;
     LOCAL(fmpz_poly, p);
@@ -83,7 +84,8 @@ static void coefficients_at(fmpz *out, fmpq_poly_struct *way, slong k, int d) {
     direction_of_rationals(out, c, d);
 }
 
-/* Is a vector a direction of the cell? *planes is the number of planes that it is parallel to. */
+/* Is a vector along the cell? *planes is the number of the cone's planes that are parallel to the
+ * vector. */
 static int is_in_cell(size_t *planes, const local_cone *cone, const fmpz *v) {
     slong d = cone->dimension;
     LOCAL(fmpz, a);
@@ -95,7 +97,7 @@ static int is_in_cell(size_t *planes, const local_cone *cone, const fmpz *v) {
     return *planes == cone->count;
 }
 
-/* Find the first coefficient after the leading one that is not parallel to it. */
+/* Find the first coefficient after the leading one that is not parallel to the leading one. */
 static void find_later(germ_side *side, fmpq_poly_struct *way, slong length, int sign) {
     slong at = 0;
     for (slong k = side->order + 1; k < length && !at; k++) {
@@ -107,7 +109,8 @@ static void find_later(germ_side *side, fmpq_poly_struct *way, slong length, int
         _fmpz_vec_neg(side->later, side->later, 3);
 }
 
-/* The edge keeps its direction if that is parallel to its planes throughout the piece. */
+/* The edge keeps its direction if the direction at the germ's time is parallel to the edge's planes
+ * throughout the piece. */
 int edge_keeps_direction(const germ *g, const point_map *map) {
     LOCAL_VEC(fmpz, world, 9);
     fmpz *normal = world + 3;

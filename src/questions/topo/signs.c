@@ -1,8 +1,8 @@
 /* States of directions by their signs.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Each cell of the arrangement of a cone's planes has a rational direction. Once these have been
- * asked, the state of each vector of signs is known.
+ * Each cell of the arrangement of a cone's planes has a rational direction. Once the states of
+ * these directions have been asked, the state of each vector of signs is known.
  */
 #include "questions/topo/topo.h"
 
@@ -72,13 +72,13 @@ typedef struct root_sweep {
     germ *g;
     graze_context *context;
     size_t count;
-    fmpz_poly_struct *at, *way; /* each plane's values at u and along e, on the side 1 */
+    fmpz_poly_struct *at, *way; /* planes' values at u, and along e after the time */
     signed char *at_sign, *way_sign, *sign;
     plane_cut *cut; /* in order of s */
     size_t cut_count;
 } root_sweep;
 
-/* Set the values of the planes at a direction about the point, and the signs. */
+/* Set the planes' values at a direction about the point, and the signs of `at` and `way`. */
 static graze_status set_values(root_sweep *s, const fmpz *direction) {
     const local_cone *cone = &s->g->cone;
     for (size_t j = 0; j < s->count; j++) {
@@ -93,7 +93,7 @@ static graze_status set_values(root_sweep *s, const fmpz *direction) {
     return GRAZE_OK;
 }
 
-/* Is plane j crossed before plane k (-1), together with it (0), or after it (1)? Plane j is crossed
+/* Is plane j crossed before plane k (-1), together with k (0), or after k (1)? Plane j is crossed
  * at s = -at_j / way_j, times `side`. */
 static graze_status compare_crossing_places(int *out, root_sweep *s, int side, size_t j, size_t k) {
     LOCAL(fmpz_poly, a);
@@ -106,7 +106,7 @@ static graze_status compare_crossing_places(int *out, root_sweep *s, int side, s
     return GRAZE_OK;
 }
 
-/* Sort the planes that are crossed on a side by their places. */
+/* Sort the planes that are crossed on a side by the s of their crossings. */
 static graze_status order_crossings(root_sweep *s, int side) {
     s->cut_count = 0;
     for (size_t j = 0; j < s->count; j++) {
@@ -130,8 +130,8 @@ static graze_status order_crossings(root_sweep *s, int side) {
     return GRAZE_OK;
 }
 
-/* Ask the state at the cuts of a rank; rank -1 is before all cuts. Cuts suffice: the cone is
- * closed, so a place between two cuts is in it only if the cuts beside it are. */
+/* Ask the state at the cuts of a rank; rank -1 stands for the places before all cuts. Cuts suffice:
+ * the cone is closed, so a place between two cuts is in it only if the cuts beside it are. */
 static graze_status look_at_rank(int *covered, root_sweep *s, int side, int rank) {
     graze_state state = GRAZE_STATE_O;
     for (size_t j = 0; j < s->count; j++)
@@ -203,7 +203,7 @@ static graze_status look_between(int *covered, local_cone *cone, graze_context *
     return look_at_time(covered, cone, context, p, sign, &middle);
 }
 
-/* Ask the states at all roots inside the stretch and between them. */
+/* Ask the states at all roots inside the stretch, and between these and the stretch's ends. */
 static graze_status look_at_roots(int *covered, turning_stretch *t, local_cone *cone,
                                   graze_context *context, const fmpz_poly_struct *p,
                                   signed char *sign, algebraic_list *roots) {

@@ -1,13 +1,12 @@
 /* A few planes through a point of space, each examined as E^2 is.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * The planes are askew, so that facets seldom come to lie in one. If the contacts do not depend on
- * a direction, one plane across it decides (proofs/topology.md C54); if they depend on it only at a
- * step, two planes decide (C128).
+ * The planes are askew, so that facets seldom come to lie in one of them. If the contacts do not
+ * depend on a direction, one plane across it decides (proofs/topology.md C54); if they depend on it
+ * only at a step, two planes decide (C128).
  *
- * A path in a plane has the coordinates x = s^m, y = s^(m + 1) p / q. Inserted into a curve's
- * polynomial they give a polynomial in s; below its first positive root the path does not meet the
- * curve.
+ * A path in a plane has the coordinates x = s^m, y = s^(m + 1) p / q. A curve's polynomial along
+ * the path is a polynomial in s; below its first positive root the path does not meet the curve.
  */
 #include "questions/topo/topo.h"
 
@@ -66,8 +65,8 @@ static graze_status try_path(topo_finding *out, graze_context *context, const gr
     return GRAZE_OK;
 }
 
-/* Try to prove that the point is on the boundary: the path of its finding is `out` between some
- * place and the point (proofs/gaps.md C88). The view is the plane through the point along the
+/* Try to prove that the point is on the boundary: that the path of its finding is `out` from some
+ * place down to the point (proofs/gaps.md C88). The view is the plane through the point along the
  * finding's `open` and `across`; without success the finding is unchanged. */
 static graze_status path_decide(topo_finding *out, graze_context *context, const graze_scene *scene,
                                 const curve_list *curves, const plane_view *view) {
@@ -104,8 +103,9 @@ static graze_status look_in_plane(topo_finding *out, graze_context *context,
     return GRAZE_OK;
 }
 
-/* Find a direction that is parallel to all planes of all contacts at all times, but perhaps those
- * across a step. The direction is 0 if there is none; the step is 0 if it is not needed. */
+/* Find a direction that is parallel to all planes of all contacts at all times but perhaps the
+ * planes with the normal `step`. The direction is 0 if there is none; the step is 0 if no plane has
+ * to be left out. */
 static graze_status find_invariant(fmpz *out, fmpz *step, graze_context *context,
                                    const graze_scene *scene, const plane_list *planes,
                                    const fmpq *point) {
@@ -130,8 +130,8 @@ static int is_decided(const topo_finding *f) {
     return f->position == GRAZE_TOPO_INTERIOR || f->position == GRAZE_TOPO_BOUNDARY;
 }
 
-/* Decide by two planes through a line in the step's plane, which lean to either side of the step,
- * where the contacts do not depend on the direction (C128). */
+/* Decide by two planes through a line in the step's plane, one leaning to each side of it: on
+ * either side of the step the contacts do not depend on the direction `invariant` (C128). */
 static graze_status decide_beside_step(topo_finding *out, graze_context *context,
                                        const graze_scene *scene, const plane_list *planes,
                                        const fmpq *point, const fmpz *step, const fmpz *invariant) {

@@ -29,7 +29,7 @@ typedef struct square_maker {
     int axis, negative; /* the current side */
 } square_maker;
 
-/* Keep the square on which the witness lies. */
+/* Keep the square on whose border the witness lies. */
 static void set_square(square_maker *m) {
     topo_finding *out = m->out;
     out->has_witness = 1;
@@ -39,7 +39,8 @@ static void set_square(square_maker *m) {
         _fmpz_vec_set(out->along[k], m->view->along[k], m->view->dimension);
 }
 
-/* Classify the point of a side at the coordinate `along`. */
+/* Classify the point of the current side at the coordinate `along`; a point that is out proves the
+ * boundary. */
 static graze_status sample_at(square_maker *m, const fmpq_t along) {
     int beyond = 0;
     LOCAL_VEC(fmpq, sample, 2);

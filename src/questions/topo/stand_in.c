@@ -13,8 +13,8 @@
 #include "input/solid/solid.h"
 #include "questions/topo/near.h"
 
-/* The first attempt has an interval of width 2^-FIRST_PLACES about the time; each further one
- * doubles the exponent. */
+/* The first attempt narrows the time to an interval of width about 2^-FIRST_PLACES; each further
+ * attempt doubles the exponent. */
 enum { FIRST_PLACES = 40, ATTEMPTS = 10 };
 
 /* A rational time near an algebraic one, from an interval of width about 2^-places. */
@@ -37,7 +37,7 @@ typedef struct place_finder {
     int rank;
 } place_finder;
 
-/* Keep a plane, which contains the place, if its normal is independent of those kept. */
+/* Keep a plane, which contains the place, if its normal is independent of the normals kept. */
 static void keep_independent(place_finder *f, const fmpz *form) {
     int d = f->place->map->dimension;
     if (f->rank == d)

@@ -15,7 +15,7 @@ typedef struct scene_shares {
     plane_list planes;
     int has_curves;
     const char *refused;
-    ulong limit; /* at which the curves were refused */
+    ulong limit; /* limit `curve` with which the curves were made or refused */
     curve_list curves;
 } scene_shares;
 
@@ -39,8 +39,8 @@ static graze_status make_shares(scene_memo *memo, graze_context *context,
     return GRAZE_OK;
 }
 
-/* Make the curves. After a failure the next point tries again; after a refusal only with a higher
- * limit. */
+/* Make the curves. After a failure the next point tries again; after a refusal, it does so only
+ * with a higher limit. */
 static graze_status make_curves(scene_shares *s, graze_context *context, const graze_scene *scene) {
     HELD(plane_view, view);
     graze_status status =
@@ -54,7 +54,8 @@ static graze_status make_curves(scene_shares *s, graze_context *context, const g
     return status;
 }
 
-/* The shared data, with or without curves; it does not change until the scene ends. */
+/* Give the shared data, with or without curves. Planes, and curves once made, do not change until
+ * the scene ends. */
 static graze_status shares_of(const scene_shares **out, graze_context *context,
                               const graze_scene *scene, int with_curves) {
     scene_memo *memo = scene->memo;
@@ -90,7 +91,8 @@ graze_status topo_by_curves(topo_finding *out, graze_context *context, const gra
     return square_decide(out, context, scene, &s->curves, &view, point, GRAZE_LEVEL_CURVES);
 }
 
-/* Decide an `on` point relative to the closed sweep; for an unsweep, of the solid's complement. */
+/* Decide an `on` point relative to the closed sweep; for an unsweep, relative to the sweep of the
+ * solid's complement. */
 static graze_status decide_on(topo_finding *out, graze_context *context, const graze_scene *scene,
                               const fmpq *point) {
     const plane_list *planes;
@@ -105,7 +107,8 @@ static graze_status decide_on(topo_finding *out, graze_context *context, const g
     return topo_by_curves(out, context, scene, point);
 }
 
-/* Decide a point by its word; 0 for an `on` point, which the word does not decide. */
+/* Decide a point by the verdict of its word; returns 0 for an `on` point, which the word does not
+ * decide. */
 static int decide_by_word(topo_finding *out, graze_pmc pmc) {
     if (pmc == GRAZE_ON)
         return 0;

@@ -1,5 +1,5 @@
-/* topo: the position of an `on` point relative to the closed sweep, level by level, with a
- * witness.
+/* topo: decides where a point lies relative to the closed sweep, level by level, and gives a
+ * witness for a point of its boundary.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_QUESTIONS_TOPO_H
 #define GRAZE_QUESTIONS_TOPO_H
@@ -14,27 +14,27 @@
 
 /* The result about a point's position relative to the closed sweep. */
 
-/** Kinds of witnesses: a point on a ray, on the path P + s^order open + s^(order + 1) lift across,
- * or on a square about P. */
+/** Kinds of witnesses that P is on the boundary: a point that is out, on a ray from P, on the path
+ * P + s^order open + s^(order + 1) lift across, or on the border of a square about P. */
 typedef enum topo_witness { WITNESS_RAY, WITNESS_PATH, WITNESS_SQUARE } topo_witness;
 
-/** A result. `reason` is set only for an undecided point; `witness`, `reach`, `direction` and
- * `along` only if `has_witness`; `open` only if `has_open`. */
+/** A result. `reason` is "" unless the point is undecided; `witness`, `reach`, `direction` and
+ * `along` are set only if `has_witness`, `open` only if `has_open`. */
 typedef struct topo_finding {
     graze_topo position;
     graze_topo_level level;
     const char *reason; /* static */
     int has_witness;
-    fmpq witness[3];   /* a point that is `out` */
-    fmpq reach;        /* for a ray or path: the parameter of the witness; every point of a smaller
-                          positive one is `out` too */
+    fmpq witness[3]; /* a point that is `out` */
+    fmpq reach;      /* for a ray or path: the witness's parameter; all points with smaller positive
+                        parameters are `out` too */
     fmpz direction[3]; /* of the ray */
-    fmpz along[2][3];  /* for a square: `reach` is half its side; in E^3 it lies in the plane along
-                          these, whose lengths are the units */
+    fmpz along[2][3];  /* for a square: its sides run along these two vectors, and half a side is
+                          `reach` times the vector */
     int has_open;
-    fmpz open[3];   /* a direction that no contact covers to first order */
-    int has_across; /* all such directions lie in the plane across `across`; then `open` is one that
-                       leading terms do not cover */
+    fmpz open[3];   /* unless `has_across`: a direction that no contact covers to first order */
+    int has_across; /* 1: all directions without a covered neighbourhood lie in the plane with the
+                       normal `across`, and `open` is one that leading terms do not cover */
     fmpz across[3];
     slong order; /* of a path along `open` between the contacts; 0: none is known */
     fmpq lift;
@@ -56,8 +56,8 @@ graze_status topo_decide(topo_finding *out, graze_context *context, const graze_
                          const fmpq *point, const graze_trace *trace);
 
 /** Decide the position relative to the regularised unsweep, the closure of the unsweep's interior,
- * as topo_decide does. `on` points outside it are those of dangling parts (proofs/dangling.md
- * C113). */
+ * as topo_decide does. An `on` point outside this closure belongs to a dangling part
+ * (proofs/dangling.md C113). */
 graze_status topo_regular(topo_finding *out, graze_context *context, const graze_scene *scene,
                           const fmpq *point, const graze_trace *trace);
 
@@ -74,8 +74,8 @@ typedef struct local_cone {
     const plane_list *planes; /* of all facets */
     int dimension;
     fmpz *at;      /* the point: d + 1 homogeneous integers, the last one positive */
-    slong nearest; /* a direction with entries of b bits, times 2^-(nearest + b), in units of the
-                      last coordinate, reaches no plane off the point */
+    slong nearest; /* a step of 2^-(nearest + b) / (last coordinate) times a direction with entries
+                      of b bits reaches no plane that misses the point */
     size_t count;
     fmpz *normal; /* d integers each */
     size_t known, known_capacity;
@@ -94,7 +94,7 @@ void cone_clear(local_cone *cone);
 graze_status cone_state(graze_state *out, local_cone *cone, graze_context *context,
                         const fmpz *direction);
 
-/** The dimension of the cell of the facets' planes that holds the point. */
+/** The dimension of the boundary cell at the point: of the intersection of the cone's planes. */
 int cone_cell_dimension(const local_cone *cone);
 
 /** Is one of the directions u + s e, s >= 0, in the cone's interior, and is one in the cone?
@@ -104,8 +104,8 @@ graze_status cone_sweep(int *in_interior, int *in_cone, local_cone *cone, graze_
 
 /* Germs: a trajectory's contacts with the solid to first order. */
 
-/** The times just before or just after a contact, where the trajectory leaves the boundary cell
- * that it is in at the contact (proofs/topology.md C46, C51, C52). */
+/** One side of a contact: the times just before or just after it, in which the trajectory leaves
+ * the boundary cell of the contact (proofs/topology.md C46, C51, C52). */
 typedef struct germ_side {
     int sign;  /* 1 after the contact, -1 before it */
     fmpz e[3]; /* the trajectory's leading direction, modulo directions along the cell */
@@ -141,19 +141,19 @@ typedef struct germ {
     int covers_edge; /* d = 3: both directions of the cell, an edge, have covered neighbourhoods */
 } germ;
 
-/** Parts of a germ: all of it; the solid at the time itself; or, as the number of a side, the cover
- * by that side. */
+/** Parts of a germ: all of it; the solid at the time itself; the number of a side stands for the
+ * solid at the time and that side. */
 enum { GERM_WHOLE = -2, GERM_REST = -1 };
 
 /** An interval of time in which the solid turns and the trajectory remains in one boundary cell. */
 typedef struct turning_stretch {
-    size_t germ; /* at a time inside it */
+    size_t germ; /* index of a germ at a time inside the stretch */
     algebraic from, to;
 } turning_stretch;
 
 /** All germs of a point P. `bounded`: the germs and turning stretches cover every tangent direction
- * of the closed sweep at P (a limit of directions to its points that tend to P); else `reason`
- * names what may cover more. */
+ * of the closed sweep at P (a limit of directions from P to points of the sweep that tend to P);
+ * else `reason` names what may cover more. */
 typedef struct germ_list {
     size_t count, capacity;
     germ *item;
@@ -169,17 +169,17 @@ void germ_list_clear(germ_list *list);
 /** The planes of all facets of a scene, made at the first call and kept with the scene. */
 graze_status topo_planes(const plane_list **out, graze_context *context, const graze_scene *scene);
 
-/** Find the germs of all contacts of a point (proofs/topology.md C46), without ways
- * along edges. */
+/** Find the germs of all contacts of a point (proofs/topology.md C46); `edge_way` and `covers_edge`
+ * remain 0 until edge_ways_find. */
 graze_status germs_find(germ_list *list, graze_context *context, const graze_scene *scene,
                         const plane_list *planes, const fmpq *point);
 
 /** Append the germ at a rational time u of a piece, at which the trajectory is on the boundary,
- * with its sides in that piece; without ways along edges. */
+ * with its sides in that piece, as germs_find does. */
 graze_status germs_at(germ_list *list, graze_context *context, const graze_scene *scene,
                       const plane_list *planes, const fmpq *point, size_t piece, const fmpq_t u);
 
-/** out = a direction about P, in the body. */
+/** Carry a direction about P to directions of the body. */
 void germ_to_body(fmpz *out, const germ *g, const fmpz *direction);
 
 /* The central arrangement of the planes (E^2: lines) at which the cover of directions can change.
@@ -189,8 +189,8 @@ void germ_to_body(fmpz *out, const germ *g, const fmpz *direction);
 enum { BORDER_PLANES = 60, BORDER_RAYS = 3000 };
 
 /** An arrangement. `plane`: the planes' normals, d integers each, no two parallel; they span all
- * directions. `ray`: the rays in which d - 1 planes meet, each once; the closure of every cell has
- * one of them. */
+ * directions. `ray`: the rays in which d - 1 planes meet, each once; the closure of every cell
+ * contains at least one ray. */
 typedef struct borders {
     int dimension;
     size_t plane_count, plane_capacity, ray_count, ray_capacity;
@@ -219,37 +219,40 @@ void ray_cells_clear(ray_cells *cells);
 
 /* Cover of directions about the point by germs. */
 
-/** Statements about a direction; each is 1 if it is proved, `covered` is 0 if its opposite is. */
+/** Statements about a direction. A member is 1 if its statement is proved; `covered` is 0 only if
+ * it is proved that no germ covers the direction. */
 typedef struct germ_cover {
     int open;     /* the direction has a neighbourhood that is covered, to first order */
-    int edge_way; /* it has one by a trajectory's way through a pinch or along an edge */
-    int exact;    /* it lies in a closed cone that is covered */
-    int covered;  /* it lies in a closed cone that bounds the cover */
+    int edge_way; /* the direction has a covered neighbourhood by a trajectory's way through a pinch
+                     or along an edge */
+    int exact;    /* the direction lies in a closed cone that is covered */
+    int covered;  /* a germ may cover the direction: it lies in a closed cone that bounds the cover
+                   */
 } germ_cover;
 
 /** Find how all germs together cover a direction about the point. */
 graze_status germs_cover(germ_cover *out, germ_list *list, graze_context *context,
                          const fmpz *direction);
 
-/* A point that is out near a point with an undecided position: a hint, not a verdict. */
+/* A place that is out near a point whose position is undecided: a hint, not a verdict. */
 
 /** Classify places about a point of E^3, from the nearest distance to the farthest: in a few
  * directions, and in the finding's open direction and plane.
- * @param[out] found  1 if a place is out
+ * @param[out] found 1 if a place is out
  * @param[out] out 3 initialised rationals: a place that is out, of the nearest distance with one
- * @param[out] places the place's distance is about the solid's width times 2^-places; if none is
- * out, it belongs to the farthest distance tried */
+ * @param[out] places the place's distance is about the solid's width times 2^-places; if no place
+ * is out, `places` stands for the farthest distance tried */
 graze_status hint_find(int *found, fmpq *out, ulong *places, graze_context *context,
                        const graze_scene *scene, const fmpq *point, const topo_finding *topo);
 
 /* Sectors of directions about a point of E^2. */
 
-/** Whose cover of the directions is asked for, to first order. */
+/** The germs whose cover of directions is asked for, to first order. */
 typedef struct sector_question {
-    germ_list *list;       /* that of all of these together, */
-    germ *germ;            /* or, if it is not NULL, of a part */
-    int part;              /* of this germ, */
-    turning_stretch *turn; /* or, if it is not NULL, of this stretch */
+    germ_list *list;       /* ask about all of these together, unless: */
+    germ *germ;            /* if not NULL: ask about a part of this germ alone */
+    int part;              /* of `germ`: GERM_WHOLE, GERM_REST or a side */
+    turning_stretch *turn; /* if not NULL: ask about this stretch alone */
     int open;              /* 1: ask for the sectors that are not covered */
 } sector_question;
 
@@ -261,10 +264,11 @@ typedef struct sector_list {
     fmpz *ray;
 } sector_list;
 
-/** Zeros. */
+/** Free the rays and set the list to zeros. */
 void sectors_clear(sector_list *list);
-/** Find the sectors of a question. For a turning stretch they are approximate: they end at borders
- * of the germs or at one of TURN_RAYS more rays. */
+/** Find the sectors of a question. Those of turning stretches are approximate: they end at borders
+ * of the germs or at one of TURN_RAYS more rays. If there are too many borders, `out` stays as it
+ * was. */
 graze_status sectors_find(sector_list *out, graze_context *context, const sector_question *asked);
 
 /* Directions, as vectors of integers. */
@@ -278,7 +282,7 @@ int directions_parallel(const fmpz *a, const fmpz *b);
 /** Divide n integers by their greatest common divisor. */
 void direction_reduce(fmpz *v, slong n);
 
-/** Coprime integers in the ratio of n rationals, times a positive number. */
+/** Set coprime integers to n rationals times a positive number. */
 void direction_of_rationals(fmpz *out, const fmpq *x, slong n);
 
 #endif
