@@ -2,8 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * FLINT's modular arithmetic and CGAL's filters need rounding to nearest; under another mode FLINT
- * factors wrongly. Every public function that computes opens with
- *     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter();
+ * factors wrongly. Every public function that computes opens with IN_ENVIRONMENT() of scope.h.
  */
 #ifndef GRAZE_CONTEXT_ENVIRONMENT_H
 #define GRAZE_CONTEXT_ENVIRONMENT_H
@@ -18,8 +17,8 @@ typedef struct environment {
     mpfr_exp_t least, largest;
 } environment;
 
-/** Set the default environment for this thread: to nearest, no traps, subnormals kept, MPFR's whole
- * range. */
+/** Set the default environment for this thread: to nearest, no traps, subnormals kept, MPFR's
+ * default range of exponents. @return the host's settings, for environment_leave */
 environment environment_enter(void);
 
 /** Restore the host's settings. */
