@@ -45,7 +45,7 @@ static slong remainder_degree(uint64_t *a, slong n, const uint64_t *b, slong m) 
     return n;
 }
 
-/* It is enough that one of the leading coefficients survives. */
+/* The certificate holds if the prime does not divide both leading coefficients. */
 int polynomials_certainly_coprime(const fmpz_poly_t p, const fmpz_poly_t q) {
     uint64_t first[MODULAR_DEGREE + 1], second[MODULAR_DEGREE + 1];
     if (fmpz_poly_degree(p) > MODULAR_DEGREE || fmpz_poly_degree(q) > MODULAR_DEGREE)

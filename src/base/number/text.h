@@ -29,12 +29,13 @@ void text_integer(text *t, const fmpz_t value);
 void text_coefficients(text *t, const fmpz_poly_t p);
 /** An integer or a ratio in lowest terms. */
 void text_rational(text *t, const fmpq_t value);
-/** A user's text as Markdown shows it, in a cell of a table too: what Markdown or HTML would take
- * for its own is escaped, line breaks and other control bytes are blanks. */
+/** A user's text as Markdown shows it, in a cell of a table too: characters with a meaning in
+ * Markdown or HTML are escaped, line breaks and other control bytes become blanks. */
 void text_markdown(text *t, const char *string);
-/** A user's text as code within a line of Markdown; control bytes are blanks. */
+/** A user's text as code within a line of Markdown; control bytes become blanks. */
 void text_code(text *t, const char *string);
-/** Add a malloc'ed string and free it; NULL stands for memory that ran short. */
+/** Append a malloc'ed string and free it; NULL, the result of a failed allocation, sets `failed`.
+ */
 void text_owned(text *t, char *string);
 /** Hand the text over as a malloc'ed string and clear; NULL when memory ran short. */
 char *text_take(text *t);
