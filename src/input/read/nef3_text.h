@@ -67,7 +67,7 @@ typedef struct nef_sface {
 } nef_sface;
 
 typedef struct nef_volume {
-    nef_list shell; /* an sface of each */
+    nef_list shell; /* an sface of each shell */
     int mark;
 } nef_volume;
 
@@ -99,8 +99,8 @@ typedef struct nef {
     size_t list_count;
 } nef;
 
-/** Parse a text; counts, indices and marks are in range afterwards. Cleared by nef_clear also on
- * failure. */
+/** Parse a text; counts, indices and marks are in range afterwards. The caller calls nef_clear,
+ * after a failure too. */
 graze_status nef_parse(nef *out, graze_context *context, const char *path, const char *text,
                        size_t length);
 void nef_clear(nef *n);
@@ -111,7 +111,7 @@ graze_status nef_fail(const nef *n, graze_status status, const char *format, ...
 
 /* The links of a selective Nef complex. */
 
-/** GRAZE_EINPUT unless all links answer one another and the lists name each thing once. */
+/** Return GRAZE_EINPUT unless each link and its inverse agree and the lists name each item once. */
 graze_status nef_check_links(const nef *n);
 
 #endif

@@ -61,8 +61,8 @@ static graze_status read_position(wkt *w) {
     return GRAZE_OK;
 }
 
-/* The sum of x_i y_(i+1) - x_(i+1) y_i over part of a ring, by halves: so denominators meet late,
- * and long rings cost little more than reading them. */
+/* The sum of x_i y_(i+1) - x_(i+1) y_i over part of a ring, summed by halves, so that only few sums
+ * have large denominators and long rings cost little more than to read them. */
 static void area_sum(fmpq_t out, const soup *s, const uint32_t *ring, size_t n, size_t lo,
                      size_t hi) {
     LOCAL(fmpq, half);
