@@ -99,7 +99,8 @@ int common_map_is_orthogonal(calculation *c, const common_map *m) {
     return holds;
 }
 
-/* The weight and the linear part of a point map: w, and N or its transpose, times `factor`. */
+/* Set the weight and the linear part of a point map to w, and N or its transpose, times `factor`.
+ */
 static void scale_linear(calculation *c, point_map *out, const common_map *m, int transposed,
                          const fmpz_poly_t factor) {
     int d = m->dimension;
