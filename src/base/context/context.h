@@ -23,8 +23,8 @@ struct graze_context {
     context_place place;
     unsigned long limits[GRAZE_LIMIT_COUNT];
     graze_rounding rounding;
-    int exact_only;            /* the filter is off */
-    unsigned long work;        /* of the motion being read, as the limit `work` counts it */
+    int exact_only;     /* the filter is off */
+    unsigned long work; /* of the motion or curved solid being read, counted for the limit `work` */
     unsigned long exact_count; /* points whose answer needed the exact path */
     void *workspace;           /* buffers of the filter, reused from call to call */
     void (*workspace_free)(void *);
@@ -58,7 +58,8 @@ graze_status context_in(graze_context *context, graze_status status, const char 
 graze_status context_item(graze_context *context, graze_status status, const char *item,
                           size_t index, const char *field);
 
-/** Put the formatted text and ": " before the message; returns `status`. Only after a failure. */
+/** Put the formatted text and ": " before the message; returns `status`. To be called after a
+ * failure only. */
 graze_status context_at(graze_context *context, graze_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 

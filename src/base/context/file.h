@@ -21,7 +21,7 @@ extern "C" {
 graze_status file_read(char **text, size_t *length, unsigned char sha256[32],
                        graze_context *context, const char *path);
 
-/** The SHA-256 of bytes in memory. */
+/** Set `sha256` to the SHA-256 of `length` bytes in memory. */
 void file_sha256(unsigned char sha256[32], const char *text, size_t length);
 
 #ifdef __cplusplus

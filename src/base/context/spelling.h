@@ -11,8 +11,8 @@
  * and 31 if a word has more than 31 letters. */
 int near_distance(const char *a, const char *b);
 
-/** Set *best to `name` if it is at most two steps from `word`, at most one step for three letters,
- * and nearer to `word` than *best. *best is NULL at first. */
+/** Set *best to `name` if it is at most two steps from `word`, at most one step for each three
+ * letters of `name`, and nearer to `word` than *best. *best is NULL at first. */
 void near_take(const char **best, const char *word, const char *name);
 
 /** The nearest of some names to a word of `length` bytes, the first of equally near ones; NULL if

@@ -7,7 +7,7 @@
 #include <string.h>
 #include "base/context/scope.h"
 
-/* The least common multiple of the binomials C(n, 0) ... C(n, n) for the usual n. */
+/* The least common multiple of the binomials C(n, 0) ... C(n, n) for n = 0 to 24. */
 static const ulong COMMON_BINOMIAL[] = {
     1,        1,        2,        3,        12,        10,        60,        105,    280,
     252,      2520,     2310,     27720,    25740,     24024,     45045,     720720, 680680,

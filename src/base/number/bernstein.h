@@ -1,5 +1,5 @@
-/* Integer polynomials in the Bernstein basis of a dyadic interval (proofs: Descartes' rule on
- * Bernstein coefficients). SPDX-License-Identifier: GPL-3.0-or-later
+/* Integer polynomials in the Bernstein basis of a dyadic interval. SPDX-License-Identifier:
+ * GPL-3.0-or-later
  */
 #ifndef GRAZE_NUMBER_BERNSTEIN_H
 #define GRAZE_NUMBER_BERNSTEIN_H
@@ -44,8 +44,8 @@ void bernstein_split(fmpz *left, fmpz *right, const fmpz *c, slong degree);
 /** The number of sign changes in the sequence of coefficients, zeros left out. */
 slong bernstein_variations(const bernstein_form *form);
 
-/** The sign of all coefficients other than 0 if it is one: then it is p's on the open interval.
- * Else 0. p is not zero. */
+/** If all coefficients other than 0 have one sign, return this sign, which p then has on the open
+ * interval; else return 0. p is not zero. */
 int bernstein_one_sign(const bernstein_form *form);
 
 #endif

@@ -11,8 +11,9 @@
 #include "base/number/local.h"
 #include "base/number/refine.h"
 
-/* Bits by which the largest coefficient exceeds the error, beyond those of the degree; binary
- * places to begin with; and the least leap, to half the width. */
+/* SHARPNESS: bits by which the largest coefficient exceeds the error, beyond those of the degree.
+ * FIRST_PRECISION: binary places to begin with. LEAST_GAIN: gain of the least leap, to half the
+ * width. */
 enum { SHARPNESS = 8, FIRST_PRECISION = 32, LEAST_GAIN = 2 };
 
 /* An open interval that is still to be searched, or, with width 0, a point that is a root. */
@@ -30,7 +31,7 @@ typedef struct cluster {
     size_t count, capacity;
 } cluster;
 
-/* 2^(e n) p((low + (high - low) v) / 2^e) in powers of v. */
+/* Set `out` to 2^(e n) p((low + (high - low) v) / 2^e), in powers of v. */
 static void carry_to_unit(fmpz_poly_t out, const fmpz_poly_t p, const dyadic_interval *whole) {
     slong n = fmpz_poly_degree(p);
     LOCAL(fmpz, width);
@@ -148,8 +149,8 @@ static graze_status part_has_all(int *all, local_form *form, const cluster *c, p
 }
 
 /* Try to replace the interval by a part that has all its roots. A cluster of v roots, two of them
- * perhaps ends of the interval, has its middle near the one root of the derivative of order v - 1;
- * near it the values are 2^(v gain) times smaller. */
+ * perhaps ends of the interval, has its middle near the one root of the derivative of order v - 1.
+ * Near this middle p is about 2^(v gain) times smaller, so that v gain more places are needed. */
 static graze_status leap(int *done, const cluster *c, pending *at, slong variations) {
     slong n = fmpz_poly_degree(c->unit);
     slong v = variations + (at->low_sign == 0) + (at->high_sign == 0);

@@ -12,7 +12,8 @@
 enum { EXACT_HALVINGS = 32 };
 
 /** A search for the roots of `poly` in the interval `whole`, with the roots found so far in `list`.
- * Where two sign changes or more let it go on, all roots of `poly` in the open interval are simple.
+ * If the search goes on at two sign changes or more, all roots of `poly` in the open interval are
+ * simple.
  */
 typedef struct root_search {
     algebraic_list *list;

@@ -36,7 +36,7 @@ void json_text(json_writer *w, const char *key, const char *value);
 void json_count(json_writer *w, const char *key, unsigned long value);
 /** A number, given by its text, which is not checked. */
 void json_number(json_writer *w, const char *key, const char *digits);
-/** A double with 17 digits; null unless it is finite. */
+/** A double with 17 significant digits; null unless it is finite. */
 void json_double(json_writer *w, const char *key, double value);
 void json_bool(json_writer *w, const char *key, int value);
 /** An exact number, as a string. */

@@ -94,8 +94,8 @@ static slong width_exponent(const algebraic *x) {
     return (slong)fmpz_bits(width) - (slong)x->where.exponent;
 }
 
-/* Narrow the wider one of two intervals, so that both shrink to nothing. With both narrowed each
- * time, one of them would become far too short while the other one is still halved. */
+/* Narrow the wider one of two intervals, so that both shrink to nothing. If both were narrowed each
+ * time, one interval would become far too short while the other is still halved. */
 static graze_status narrow_wider(graze_context *context, algebraic *x, algebraic *y, int step,
                                  ulong *gain) {
     int second = width_exponent(y) > width_exponent(x);
@@ -121,8 +121,8 @@ graze_status algebraic_compare(int *out, graze_context *context, algebraic *x, a
 
 /* The dyadic number with the least exponent strictly between two rationals a < b, the least of them
  * if it is an integer. For any e with multiples of 2^-e between a and b, it is the one of them that
- * ends in the most zero bits. These follow from the highest bit in which the last multiple up to a
- * and the last one below b differ. */
+ * ends in the most zero bits. The highest bit in which the last multiple up to a and the last one
+ * below b differ tells how many. */
 static void simplest_dyadic(fmpq_t out, const fmpq_t a, const fmpq_t b) {
     LOCAL(fmpq, scaled);
     LOCAL(fmpz, before);
@@ -179,7 +179,8 @@ graze_status algebraic_places_between(ulong *out, graze_context *context, algebr
     return GRAZE_OK;
 }
 
-/* Merge order[0 ... middle - 1] and order[middle ... count - 1]; `spare` has room for the first. */
+/* Merge order[0 ... middle - 1] and order[middle ... count - 1]; `spare` has room for the first
+ * run. */
 static graze_status merge_runs(algebraic **order, size_t middle, size_t count, algebraic **spare,
                                graze_context *context) {
     size_t i = 0, j = middle, k = 0;

@@ -12,7 +12,7 @@ typedef struct random_stream {
     uint64_t state;
 } random_stream;
 
-/** The stream of one row: rows do not depend on each other, so any of them can be made alone. */
+/** Begin the stream of one row. Rows do not depend on each other, so any row can be made alone. */
 void random_seed(random_stream *r, uint64_t seed, uint64_t row);
 
 /** A number from 0 to n - 1, n >= 1; the bias is below n / 2^64. */

@@ -11,8 +11,8 @@
 
 /* Binary places of an interval's ends up to which Bernstein coefficients are cheap. */
 enum { COARSE = 63 };
-/* From degree LONG_DEGREE on the costs of the two ways to a sign are compared; SLOPE_WORK is the
- * measured ratio of their costs per step. */
+/* From degree LONG_DEGREE on the costs of the two ways to a sign are compared; SLOPE_WORK is a
+ * measured ratio of costs. */
 enum { LONG_DEGREE = 64, SLOPE_WORK = 32 };
 /* Binary places that the first secant is to gain in an interval around a guess. */
 enum { GUESS_GAIN = 32 };
@@ -43,8 +43,8 @@ static int sign_by_slope(const fmpz_poly_t q, const dyadic_interval *where) {
 }
 
 /* Bernstein coefficients of degree n take n^2 sums of numbers that are n times as long as the
- * interval's ends. Where q's own coefficients are short beside them, an interval so short that the
- * slope decides is found sooner. */
+ * interval's ends. If q's own coefficients are much shorter, it is faster to narrow the interval
+ * until the slope decides. */
 static int slope_is_cheaper(const fmpz_poly_t q, const dyadic_interval *where) {
     ulong n = (ulong)fmpz_poly_degree(q), bits = (ulong)FLINT_ABS(fmpz_poly_max_bits(q));
     ulong words = bits / FLINT_BITS + 1;

@@ -14,8 +14,8 @@
 enum { LONGEST = 60, GUESS_PLACES = 45, GUESS_DEGREE = 24, GUESS_STEPS = 20 };
 
 /* The fraction p / q of least denominator with a / b <= p / q <= c / d, all of them at least 0: the
- * least integer in there if there is one; else both ends have the integral part n, and p / q is
- * n + 1 / x with x that fraction between the remainders' reciprocals. */
+ * least integer in there if there is one; else both ends have the integral part n, and p / q is n +
+ * 1 / x, where x is the fraction of least denominator between d / (c - n d) and b / (a - n b). */
 static void simplest_between(slong *p, slong *q, slong a, slong b, slong c, slong d) {
     slong n = a / b, rest = a % b;
     if (rest == 0 || n < c / d) {

@@ -13,7 +13,8 @@ void vector_sub(fmpq *out, const fmpq *a, const fmpq *b, int dimension);
 /** out = (a + b) / 2; `out` may be a or b. */
 void vector_middle(fmpq *out, const fmpq *a, const fmpq *b, int dimension);
 int vector_is_zero(const fmpq *a, int dimension);
-/** The order of two points: by their first coordinates that differ. */
+/** The lexicographic order of two points: negative, 0 or positive if a is before, equal to or
+ * behind b. */
 int vector_compare(const fmpq *a, const fmpq *b, int dimension);
 void vector_set(fmpq *out, const fmpq *a, int dimension);
 /** out = a x b, in space; `out` is neither a nor b. */

@@ -81,7 +81,7 @@ graze_status csg_read_number(fmpq_t out, csg_reader *r, const json *value);
 /** `count` numbers. */
 graze_status csg_read_vector(fmpq *out, csg_reader *r, const json *value, size_t count);
 
-/** out = sum factor[i] x[i] - constant, over d polynomials. */
+/** out = sum factor[i] x[i] - constant, where x has a polynomial for each coordinate. */
 void csg_linear_form(fmpq_mpoly_t out, csg_reader *r, const fmpq *factor,
                      const fmpq_mpoly_struct *x, const fmpq_t constant);
 

@@ -16,7 +16,7 @@
 #include "input/csg/csg_reader.h"
 #include "input/motion/motion.h"
 
-/* An edge from low to high, or back. */
+/* An edge from point `low` to point `high`, or, if `back`, from `high` to `low`. */
 typedef struct edge {
     size_t low, high;
     int back;

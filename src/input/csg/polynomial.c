@@ -4,8 +4,9 @@
  * A point is in a polygon iff the ray downwards from it crosses an odd number of edges, that is,
  * iff it is in an odd number of strips: the strip of an edge is the set of points above the edge,
  * between the vertical lines through its ends. Where such a line is no boundary of the polygon, its
- * sign does not change the parity. For a revolved polygon the ray goes outwards from the axis, and
- * the strip of an edge is the part of a cone or a cylinder between the planes through its ends.
+ * sign does not change the parity. For a revolved polygon the ray goes from the point away from the
+ * axis, and the strip of an edge is the part of a cone or a cylinder inside the edge, between the
+ * planes through its ends.
  */
 #include "input/csg/csg.h"
 
@@ -68,7 +69,8 @@ graze_status csg_read_polynomial(size_t *node, csg_reader *r, const json *value)
     return csg_add_side(node, r, 0);
 }
 
-/* The nodes of the edges of a polygon, and its box; heights of a prism are the last coordinate. */
+/* The nodes of a polygon's edges and a box of the polygon, whose last coordinate has the heights of
+ * a prism. */
 typedef struct polygon_edges {
     size_t *node, count, capacity;
     int revolved; /* about the z axis: a point is its distance from the axis and its height */

@@ -39,7 +39,7 @@ int lines_differ(field *a, field *b, const char **x, const char **y);
  * not begin with the key. */
 int field_behind(field *out, field line, const char *key);
 
-/** The key and the value of a line `# key value`, without the blanks around them; either may be
+/** Set the key and the value of a line `# key value`, without the blanks around them; both may be
  * empty. */
 void field_note(field *key, field *value, field line);
 

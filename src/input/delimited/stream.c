@@ -1,4 +1,4 @@
-/* Lines out of a buffer that grows only for a long line.
+/* Reads lines through a buffer that grows only for a long line.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "input/delimited/delimited.h"

@@ -131,7 +131,8 @@ void common_map_forward(calculation *c, point_map *out, const common_map *m) {
     }
 }
 
-/* (N^T v, -N^T B) / (w v) is divided by what v and N^T B have in common (proofs/maps.md C90). */
+/* The point map is (N^T v, -N^T B) / (w v), reduced by the common factor of v and N^T B
+ * (proofs/maps.md C90). */
 void common_map_backward(calculation *c, point_map *out, const common_map *m) {
     int d = m->dimension;
     LOCAL(fmpz_poly, common);

@@ -47,9 +47,8 @@ graze_status draft_spread(draft *d, graze_context *context);
 graze_status draft_relative(draft *out, graze_context *context, const draft *moving,
                             const draft *frame);
 
-/** Append the motion `next`: its interval becomes [from, from + 1], and each of its positions is
- * combined with `end`, the last position of `out` ([IS] eq. 29). `end` becomes the new last
- * position.
+/** Append the motion `next`: its interval becomes [from, from + 1], and each of its maps is applied
+ * after `end`, the last map of `out` ([IS] eq. 29). `end` becomes the new last map.
  */
 graze_status draft_follow(draft *out, graze_context *context, const draft *next, slong from,
                           affine *end);

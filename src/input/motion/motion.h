@@ -81,7 +81,7 @@ typedef enum json_kind {
 typedef struct json {
     json_kind kind;
     size_t line; /* from 1 */
-    char *text;  /* token of a number, decoded bytes of a string; a NUL follows */
+    char *text;  /* token of a number or decoded bytes of a string, then a NUL; else NULL */
     size_t length;
     char *key; /* of a member of an object; a NUL follows, and may stand inside */
     size_t key_length;

@@ -1,4 +1,4 @@
-/* Motions from parsed JSON: the four forms, and those made of other motions.
+/* Motions from parsed JSON: the choice of one of four forms, and motions made of other motions.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "input/motion/motion.h"

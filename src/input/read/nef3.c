@@ -71,7 +71,7 @@ static size_t nef_corner(const nef *n, size_t e) {
     return n->halfedge[n->shalfedge[e].source].source;
 }
 
-/* out = normal . (x, y, z), without the plane's last coefficient. */
+/* out = normal . x, without the plane's last coefficient. */
 static void along_normal(fmpq_t out, const fmpz *plane, const fmpq *x) {
     LOCAL(fmpq, term);
     fmpq_zero(out);

@@ -9,7 +9,7 @@
 
 /* The reader of .nef3 files. */
 
-/** A selective Nef complex of CGAL: GRAZE_EILLEGAL unless it is bounded and regular closed. */
+/** Read a selective Nef complex of CGAL; GRAZE_EILLEGAL unless it is bounded and regular closed. */
 soup_reader read_nef3;
 
 /* A selective Nef complex as CGAL writes it, parsed and linked, for the stages of the .nef3

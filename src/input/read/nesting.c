@@ -28,7 +28,7 @@ static const fmpq *at(const soup *s, const ring *r, size_t k) {
     return s->coordinates + 2 * r->vertex[k % r->count];
 }
 
-/* The cross product (b - a) x (p - a); returns its sign. */
+/* Set `out` to the cross product (b - a) x (p - a) and return its sign. */
 static int ring_turn(fmpq_t out, const fmpq *a, const fmpq *b, const fmpq *p) {
     cross_rationals(out, a, b, p, 0, 1);
     return fmpq_sgn(out);

@@ -3,8 +3,8 @@
  *
  * The text is read twice, first for `v`, then for `f`, so that a facet may stand before its
  * vertices. A negative index counts back from the vertices above its line. Normals, textures,
- * groups and materials are passed over; curves, lines and points have no place in a boundary and
- * are refused.
+ * groups and materials are skipped; curves, lines and points do not belong to a boundary and are
+ * refused.
  */
 #include <flint/fmpq_vec.h>
 #include <string.h>

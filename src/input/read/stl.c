@@ -1,8 +1,8 @@
 /* STL, text and binary: triangles, whose corners become vertices where they are exactly equal.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Vertices are numbered in order of first appearance. Normals and attributes are passed over. A
- * binary file may begin with "solid" too, so its size decides: 84 + 50 n bytes for n triangles.
+ * Vertices are numbered in order of first appearance. Normals and attributes are skipped. A binary
+ * file may begin with "solid" too, so its size decides: 84 + 50 n bytes for n triangles.
  */
 #include <string.h>
 #include "base/context/scope.h"

@@ -1,9 +1,9 @@
 /* WKT: POLYGON and MULTIPOLYGON in the plane.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Every position is a vertex of its own, in order of appearance, but the closing one of a ring,
- * which repeats the first. Rings come in either orientation; turning one changes the order in its
- * cycle, never the numbers of vertices.
+ * Every position is a vertex of its own, in order of appearance, except the last one of a ring,
+ * which repeats the ring's first. Rings come in either orientation; turning one changes the order
+ * in its cycle, never the numbers of vertices.
  */
 #include "base/context/scope.h"
 #include "base/number/rational.h"
