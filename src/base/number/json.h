@@ -31,7 +31,7 @@ void json_line(json_writer *w, int indent);
 /** Begin a value that the caller appends to the text, which is returned. */
 text *json_begin(json_writer *w, const char *key);
 
-/** A string; NULL: null. */
+/** A string; null if `value` is NULL. */
 void json_text(json_writer *w, const char *key, const char *value);
 void json_count(json_writer *w, const char *key, unsigned long value);
 /** A number, given by its text, which is not checked. */

@@ -34,8 +34,8 @@ void local_form_clear(local_form *form);
 
 /**
  * Set a form to the coefficients on an interval of q, which has the form's degree.
- * @param precision the positive number of local_form is at least 2^precision; `error` depends on
- * the degree alone
+ * @param precision the positive number by which coefficients are multiplied is at least
+ * 2^precision; `error` depends on the degree alone
  * @return GRAZE_ECANCELED; `context` may be NULL
  */
 graze_status local_form_set(local_form *form, graze_context *context, const fmpz_poly_t q,

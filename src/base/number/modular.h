@@ -12,8 +12,8 @@
 enum { MODULAR_DEGREE = 127 };
 
 /**
- * 1 if p and q certainly have no common factor of positive degree; 0 says nothing.
- * Neither is zero. Any thread.
+ * 1 if p and q certainly have no common factor of positive degree; 0 says nothing. Neither is zero.
+ * Safe in any thread.
  */
 int polynomials_certainly_coprime(const fmpz_poly_t p, const fmpz_poly_t q);
 

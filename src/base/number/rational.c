@@ -125,8 +125,8 @@ static int append_digits(uint64_t *value, const char *digits, size_t count) {
     return 1;
 }
 
-/* value 10^shift in lowest terms: the denominator's only primes are 2 and 5. Returns 0 if the
- * integers might not fit into words. `out` is 0 before. */
+/* Set `out` to value * 10^shift in lowest terms; the denominator's only primes are 2 and 5. Returns
+ * 0 if the integers might not fit into words. `out` is 0 before. */
 static int set_scaled_word(fmpq_t out, uint64_t value, long shift) {
     enum { FIVES = 27, TENS = 19 }; /* 5^27 and 10^19 fit in 64 bits */
     if (shift > TENS || value == 0)
@@ -260,7 +260,8 @@ static char *put_integer(char *at, const fmpz_t value) {
     return at + count;
 }
 
-/* A digit is more than 3 bits; a first digit each, a sign, a slash and a NUL come on top. */
+/* A digit takes more than 3 bits; 5 bytes come on top, for a first digit of each integer, a sign, a
+ * slash and a NUL. */
 size_t rational_room(const fmpq_t value) {
     return (fmpz_bits(fmpq_numref(value)) + fmpz_bits(fmpq_denref(value))) / 3 + 5;
 }

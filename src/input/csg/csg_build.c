@@ -18,7 +18,7 @@
 #include "input/csg/csg_reader.h"
 
 enum { TERM_WORK = 4 };   /* work of a term, for each of its machine words */
-enum { LONG_WORDS = 64 }; /* at this number of words a common divisor doubles the work */
+enum { LONG_WORDS = 64 }; /* of a coefficient for which a common divisor doubles the work */
 
 void csg_build_begin(csg_builder *b, graze_context *context, csg *out, int dimension) {
     *out = (csg){.dimension = dimension};

@@ -75,7 +75,8 @@ graze_status csg_read_members(const json **out, csg_reader *r, const json *value
 /** Return GRAZE_EINPUT if the solid is plane, since the primitive exists in space alone. */
 graze_status csg_in_space(csg_reader *r, const json *value);
 
-/** Read a number as entry_number does, but a plain number token faster. */
+/** Read a number as entry_number does; a plain number token is read without the expression parser.
+ */
 graze_status csg_read_number(fmpq_t out, csg_reader *r, const json *value);
 
 /** `count` numbers. */

@@ -47,7 +47,7 @@ static void set_from(csg_reader *r, const fmpq *point) {
     }
 }
 
-/* f = |from|^2 - radius^2 */
+/* Add the ball |from|^2 - radius^2 <= 0. */
 static graze_status add_ball(size_t *node, csg_reader *r, const placed *p, const fmpq_t radius) {
     LOCAL(fmpq, square);
     LOCAL(fmpq, zero);
@@ -260,7 +260,7 @@ graze_status csg_read_cone(size_t *node, csg_reader *r, const json *value) {
     return add_bounded(node, r, &p);
 }
 
-/* |a|^2 (|y|^2 + R^2 - r^2)^2 - 4 R^2 (|a|^2 |y|^2 - (a . y)^2) */
+/* Set f = |a|^2 (|y|^2 + R^2 - r^2)^2 - 4 R^2 (|a|^2 |y|^2 - (a . y)^2), and enlarge the box. */
 static void set_torus(csg_reader *r, placed *p) {
     const fmpq_mpoly_ctx_struct *ring = r->build.ring;
     fmpq_mul(p->from, p->first, p->first);

@@ -168,8 +168,8 @@ typedef enum entry_fault { FAULT_NONE, FAULT_POLE, FAULT_SINGULAR } entry_fault;
 /** A part of a piece that is being made; u runs from 0 to 1 along the part. */
 typedef struct stretch {
     int dimension;
-    fmpq_t from, to;    /* in s, which runs from 0 to 1 along the piece as written */
-    fmpq_t lo, hi;      /* its ends in t */
+    fmpq_t from, to;    /* ends in s, which runs from 0 to 1 along the piece as written */
+    fmpq_t lo, hi;      /* ends in t */
     fmpz_poly_q_t t, s; /* t and s as functions of u */
     entry_fault fault;  /* an entry with this fault on the stretch is refused */
 } stretch;

@@ -17,7 +17,7 @@
  * its inverse are kept as point maps P -> N(u) (P, 1) / W(u) with integer polynomials in u
  * (proofs/claims.md C9). */
 
-/** dimension * (dimension + 1), at most. */
+/** The most entries of a point map, which has dimension * (dimension + 1). */
 enum { POINT_MAP_ENTRIES = 12 };
 
 /**

@@ -179,7 +179,7 @@ typedef struct keyframe {
     fmpq_t time;
     fmpq_t position[3];
     fmpq_t rotation[4]; /* w, x, y, z; in E^2 x = y = 0 */
-    int given;          /* bit k: member k is there */
+    int given;          /* bit k is set if the frame has member k */
     unsigned long row;  /* 0: none is given */
 } keyframe;
 

@@ -13,7 +13,7 @@
 #include "input/motion/affine.h"
 
 enum { OPERATION_WORK = 8 };    /* work of an operation, beside that of its result's words */
-enum { LONG_WORDS = 64 };       /* at this number of words a common divisor doubles the work */
+enum { LONG_WORDS = 64 };       /* of a coefficient for which a common divisor doubles the work */
 enum { ROOT_REFINEMENTS = 12 }; /* halvings of a root's interval, for a message */
 
 void quotients_init(quotients *q) {

@@ -62,7 +62,7 @@ static graze_status read_position(wkt *w) {
 }
 
 /* The sum of x_i y_(i+1) - x_(i+1) y_i over part of a ring, summed by halves, so that only few sums
- * have large denominators and long rings cost little more than to read them. */
+ * have large denominators and a long ring takes little more time than reading it. */
 static void area_sum(fmpq_t out, const soup *s, const uint32_t *ring, size_t n, size_t lo,
                      size_t hi) {
     LOCAL(fmpq, half);
