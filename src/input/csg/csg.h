@@ -26,8 +26,8 @@ typedef struct csg_surface {
     unsigned char (*power)[3]; /* of x, y, z; that of z is 0 in the plane */
 } csg_surface;
 
-/** The condition under which a node is true. CSG_SIGN: its operands are surfaces, and an odd number
- * of them is negative. CSG_ALL, CSG_ANY, CSG_ODD: its operands are nodes, and all, any, an odd
+/** The condition under which a node is true. CSG_SIGN: the operands are surfaces, and an odd number
+ * of them is negative. CSG_ALL, CSG_ANY, CSG_ODD: the operands are nodes, and all, any, or an odd
  * number of them are true.
  */
 typedef enum csg_operation { CSG_SIGN, CSG_ALL, CSG_ANY, CSG_ODD } csg_operation;

@@ -28,7 +28,8 @@ typedef struct csg_builder {
  * the limit `cells`, GRAZE_ECANCELED, GRAZE_ESYSTEM. */
 void csg_build_begin(csg_builder *b, graze_context *context, csg *out, int dimension);
 
-/** Add a primitive; the nodes CSG_SIGN that are added next belong to it. `name` may be NULL. */
+/** Add a primitive; the nodes CSG_SIGN that are added next belong to this primitive. `name` may be
+ * NULL. */
 graze_status csg_add_primitive(csg_builder *b, const char *kind, const char *name);
 
 /** Add a node for the set f <= 0 to the last primitive; f is not zero, of degree at most

@@ -46,7 +46,7 @@ void field_note(field *key, field *value, field line);
 /**
  * Take a field from the front of a line, with the blanks and quotes around it. A quote opens a
  * quoted field only if no more than blanks stand before it.
- * @param rest what is left of the line; its start is NULL after the last field
+ * @param rest the rest of the line; rest->start is NULL after the last field
  * @return 0 if a quoted field does not end before a comma or the line's end
  */
 int field_take(field *out, field *rest);
@@ -113,8 +113,8 @@ int stream_repeatable(const stream *s);
 int stream_ready(stream *s);
 
 /**
- * The next line without its end; borrowed until the next call. Its start is NULL at the end of the
- * file. While it waits for bytes, it calls the cancel callback.
+ * The next line without its end; borrowed until the next call. out->start is NULL at the end of the
+ * file. While the function waits for bytes, it calls the cancel callback.
  * @return GRAZE_ELIMIT the line is longer than the limit `line`; GRAZE_ESYSTEM reading failed;
  * GRAZE_ECANCELED
  */

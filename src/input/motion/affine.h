@@ -161,7 +161,7 @@ void common_map_backward(calculation *c, point_map *out, const common_map *m);
 /* The entries of a motion file: JSON values to functions, numbers and integers. */
 
 /** A fault of a motion: when it is found on a stretch, the stretch is read again to refuse the
- * entry that causes it.
+ * entry that causes the fault.
  */
 typedef enum entry_fault { FAULT_NONE, FAULT_POLE, FAULT_SINGULAR } entry_fault;
 
@@ -201,7 +201,7 @@ graze_status entry_no_root(graze_context *context, const json *where, const fmpz
 
 /**
  * Set the linear part and its denominator to the rotation of a quaternion w, x, y, z, of any
- * length; in E^2 x and y are zero. q is divided by the common factors of its numbers.
+ * length; in E^2 x and y are zero. The four polynomials q are divided by their common factors.
  * @param[in,out] out its dimension is set
  * @return GRAZE_EILLEGAL at `where` if the four vanish together at a t of the stretch [lo, hi]
  */
@@ -238,7 +238,7 @@ graze_status rotation_of(affine *out, graze_context *context, const json *where,
 /* Transforms of a motion file: JSON to affine maps over a stretch of a piece
  * (src/program/cli/formats.md, Motions). */
 
-/** Places in s at which the turns of a transform cut its piece, ascending, each once, from 0 to 1.
+/** Places in s at which the turns of a transform cut the piece, ascending, each once, from 0 to 1.
  */
 typedef struct cut_list {
     size_t count, capacity; /* places up to `capacity` are initialised */

@@ -17,9 +17,9 @@ soup_reader read_nef3;
  *
  * A vertex has a sphere map: its half-edges are the points of that map (svertices), shalfedges and
  * shalfloops its arcs and full circles, sfaces its regions. A facet's boundary runs along
- * shalfedges by `next`, one at each corner; a shalfloop in a facet is a vertex that only touches
- * it. A half-facet's plane has its volume on the positive side, and seen from there its outer
- * cycle runs counter-clockwise. */
+ * shalfedges by `next`, one at each corner; a shalfloop in a facet stands for a vertex that only
+ * touches the facet. The volume of a half-facet is on the positive side of its plane, and seen from
+ * that side the outer cycle runs counter-clockwise. */
 
 #define NEF_NONE SIZE_MAX
 
@@ -36,15 +36,16 @@ typedef struct nef_vertex {
 
 typedef struct nef_halfedge {
     size_t twin, source;
-    int isolated;    /* it lies in no facet */
-    size_t incident; /* a shalfedge that leaves it; if isolated, the sface around it */
+    int isolated;    /* the edge lies in no facet */
+    size_t incident; /* a shalfedge that leaves the half-edge; if isolated, the sface around the
+                        half-edge */
     int mark;
 } nef_halfedge;
 
 typedef struct nef_halffacet {
     size_t twin;
     nef_list cycle; /* a shalfedge of each boundary cycle */
-    nef_list loop;  /* shalfloops: vertices that touch it */
+    nef_list loop;  /* shalfloops: vertices that only touch the facet */
     size_t volume;
     int mark;
 } nef_halffacet;

@@ -53,7 +53,7 @@ graze_status soup_add_index(soup *s, graze_context *context, size_t vertex);
 
 /**
  * The cell that simplices call key[k] has the name name[k] in the input. Sorted by key, then by
- * name, each pair once; a cell that is no key has its own name only.
+ * name, each pair once; a cell that is no key has one name, itself.
  */
 typedef struct cell_names {
     size_t count;
