@@ -9,7 +9,8 @@
 #include <string.h>
 #include "base/context/context.h"
 
-/* Products of machine words between two polls: a few milliseconds. */
+/* Products of two machine words between two calls of the cancel callback; they take a few
+ * milliseconds. */
 enum { POLLED_WORK = 1 << 22 };
 
 /* The largest values keep every size Graze computes from a limit inside 64 bits, indices of
@@ -130,8 +131,8 @@ void graze_free(void *memory) {
     free(memory);
 }
 
-/* A message is one line: control bytes of quoted input are replaced. A character of UTF-8 that is
- * cut at the end is left out. */
+/* A message is one line: control bytes of quoted input are replaced. A message that fills its
+ * buffer loses the bytes of UTF-8 characters at its end, since the last one may be cut. */
 static void set_message(graze_context *context, const char *text) {
     size_t n = strnlen(text, CONTEXT_MESSAGE_SIZE - 1);
     for (size_t k = 0; k < n; k++) {

@@ -12,7 +12,7 @@ extern "C" {
 
 #define CONTEXT_MESSAGE_SIZE 2048
 
-/** Where the last failure is; see graze_place. */
+/** The place of the last failure, as graze_place describes it. */
 typedef struct context_place {
     char file[4096], item[32], field[256];
     size_t line, index;
@@ -23,53 +23,57 @@ struct graze_context {
     context_place place;
     unsigned long limits[GRAZE_LIMIT_COUNT];
     graze_rounding rounding;
-    int exact_only;            /* the filter is off */
-    unsigned long work;        /* of the motion being read, as the limit `work` counts it */
+    int exact_only;     /* the filter is off */
+    unsigned long work; /* of the motion or curved solid being read, counted for the limit `work` */
     unsigned long exact_count; /* points whose answer needed the exact path */
-    void *workspace;           /* memory that a later stage reuses from call to call */
+    void *workspace;           /* buffers of the filter, reused from call to call */
     void (*workspace_free)(void *);
     graze_cancel cancel;
     void *cancel_data;
-    unsigned long unpolled; /* work done since the last call of the callback */
+    unsigned long unpolled; /* work done since the last call of `cancel` */
 };
 
 /**
- * Record a message and hand the status back, so that a failing function ends in one line:
- * return context_fail(context, GRAZE_EINPUT, "...", ...). A message names the place, the fault and
- * what is expected, in one line without a full stop at its end. It forgets the place of the failure
- * before.
+ * Record a message and hand the status back, so that a failing function ends in one line: return
+ * context_fail(context, GRAZE_EINPUT, "...", ...). A message names the place, the fault and what is
+ * expected, in one line without a full stop at its end. The place of an earlier failure is
+ * forgotten.
  */
 graze_status context_fail(graze_context *context, graze_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/** context_fail at a place in a file: "file:line: " stands before the message, without a line (0)
- * "file: ". */
+/** context_fail at a place in a file: the message begins with "file:line: ", or with "file: " if
+ * `line` is 0. */
 graze_status context_fail_in(graze_context *context, graze_status status, const char *file,
                              size_t line, const char *format, ...)
     __attribute__((format(printf, 5, 6)));
 
-/** Put "file:line: " or, without a line (0), "file: " before the message of a failure on its way
- * up, and record the place; returns `status`. GRAZE_OK passes through. */
+/** Put "file:line: ", or "file: " if `line` is 0, before the message of a failed call and record
+ * the place; returns `status`. Nothing happens if it is GRAZE_OK. */
 graze_status context_in(graze_context *context, graze_status status, const char *file, size_t line);
 
-/** Put "item index, field: " before the message, without `item` or `field` (NULL) the rest of it,
- * and record the place; returns `status`. GRAZE_OK passes through. */
+/** Put "item index, field: " before the message of a failed call and record the place: "field: " if
+ * `item` is NULL, "item index: " if `field` is NULL. Returns `status`; nothing happens if it is
+ * GRAZE_OK. */
 graze_status context_item(graze_context *context, graze_status status, const char *item,
                           size_t index, const char *field);
 
-/** Put `where` and ": " before the message; returns `status`. */
+/** Put the formatted text and ": " before the message; returns `status`. To be called after a
+ * failure only. */
 graze_status context_at(graze_context *context, graze_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/** GRAZE_ELIMIT with a message that names the limit and its value; `what` is too large. */
+/** Fail with GRAZE_ELIMIT; the message says that `what` exceeds the limit and gives the limit's
+ * name and value. */
 graze_status context_limit(graze_context *context, graze_limit limit, const char *what);
 
-/** Call the cancel callback: GRAZE_OK, or GRAZE_ECANCELED with its message. */
+/** Call the cancel callback, if there is one. @return GRAZE_ECANCELED, with a message, if it asks
+ * to stop; else GRAZE_OK */
 graze_status context_poll(graze_context *context);
 
 /**
  * Count work of the exact arithmetic, in products of two machine words, and call the cancel
- * callback after some milliseconds of it. A context of NULL has no callback.
+ * callback after some milliseconds of work. A context of NULL has no callback.
  */
 graze_status context_work(graze_context *context, unsigned long work);
 

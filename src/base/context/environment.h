@@ -18,8 +18,8 @@ typedef struct environment {
     mpfr_exp_t least, largest;
 } environment;
 
-/** Set the default environment for this thread: to nearest, no traps, subnormals kept, MPFR's whole
- * range. */
+/** Set the default environment for this thread: to nearest, no traps, subnormals kept, MPFR's
+ * default range of exponents. @return the host's settings, for environment_leave */
 environment environment_enter(void);
 
 /** Restore the host's settings. */

@@ -15,13 +15,13 @@ extern "C" {
  * @param[out] text    malloc'ed, the caller's; a NUL stands after its last byte; NULL on failure
  * @param[out] length  bytes without that NUL
  * @param[out] sha256  of the bytes
- * @return GRAZE_ESYSTEM it cannot be opened or read, is a directory or a device, or memory is
- * short; GRAZE_ELIMIT more than the limit `bytes`; GRAZE_ECANCELED
+ * @return GRAZE_ESYSTEM the file cannot be opened or read, is a directory or a device, or memory is
+ * short; GRAZE_ELIMIT the file exceeds the limit `bytes`; GRAZE_ECANCELED
  */
 graze_status file_read(char **text, size_t *length, unsigned char sha256[32],
                        graze_context *context, const char *path);
 
-/** The SHA-256 of bytes in memory. */
+/** Set `sha256` to the SHA-256 of `length` bytes in memory. */
 void file_sha256(unsigned char sha256[32], const char *text, size_t length);
 
 #ifdef __cplusplus

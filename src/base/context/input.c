@@ -22,7 +22,7 @@ static graze_status fail_input(graze_context *context, const char *name, const c
     return context_fail_in(context, GRAZE_ESYSTEM, name, 0, "%s: %s", what, strerror(errno));
 }
 
-/* A device may never end, and opening one may move a tape. */
+/* Refuse directories and devices: a device may never end, and opening one may move a tape. */
 static graze_status check_file_kind(graze_context *context, const char *path,
                                     const struct stat *about) {
     int directory = S_ISDIR(about->st_mode);

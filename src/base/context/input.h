@@ -9,16 +9,16 @@
 /**
  * Open a file, a FIFO or another name of a pipe (/dev/fd/63, /dev/stdin) for reading, without
  * waiting.
- * @return GRAZE_ESYSTEM it cannot be opened, or is a directory or a device, also behind a link
+ * @return GRAZE_ESYSTEM the file cannot be opened, or is a directory or a device, or a link to one
  */
 graze_status input_open(int *fd, graze_context *context, const char *path);
 
-/** Open standard input. GRAZE_ESYSTEM: it is a directory. */
+/** Take standard input as the file. GRAZE_ESYSTEM if it is a directory. */
 graze_status input_standard(int *fd, graze_context *context);
 
 /**
- * Read at most `room` bytes. Until there are some, wait and call the cancel callback ten times a
- * second.
+ * Read at most `room` bytes. Wait until some bytes can be read, and call the cancel callback ten
+ * times a second.
  * @param[out] got  0 at the end
  * @param name      for the message
  * @return GRAZE_ESYSTEM, GRAZE_ECANCELED

@@ -18,7 +18,7 @@ static json_block *block_of(void *bytes) {
     return (json_block *)((char *)bytes - offsetof(json_block, bytes));
 }
 
-/* Point the neighbours of a block that is new or has moved to it. */
+/* Make the list's neighbours of a block point to it: the block is new, or realloc has moved it. */
 static void *link_in(json_memory *memory, json_block *block) {
     if (block->newer != NULL)
         block->newer->older = block;

@@ -3,12 +3,12 @@
  *
  * A local that must be cleared whatever happens is declared by one of these macros, which declare
  * and initialise at once, so that an early return needs no care. An output that its maker clears on
- * failure is a plain local, and no TRY stands between its making and its clear. None stands in a
- * function with goto, directly in the body of a switch, or between setjmp and longjmp: these pass
- * by the clearing, or the initialising. Such a local gives away what it holds by a function that
- * leaves it initialised and empty: a swap, text_take. Members of structures, elements of arrays,
- * and what a caller hands in keep their pairs of init and clear. src/check and the public headers
- * are ISO C and take none of this.
+ * failure is a plain local, and no TRY stands between its making and its clear. None of these
+ * locals stands in a function with goto, directly in the body of a switch, or between setjmp and
+ * longjmp, whose jumps would skip the initialising or the clearing. The contents of such a local
+ * are handed on by a function that leaves it initialised and empty: a swap, text_take. Members of
+ * structures, elements of arrays and arguments are initialised and cleared by calls. src/check and
+ * the public headers are ISO C and take none of this.
  */
 #ifndef GRAZE_SCOPE_H
 #define GRAZE_SCOPE_H
@@ -40,7 +40,8 @@
     __attribute__((cleanup(scope_mpfr))) mpfr_t name;                                              \
     mpfr_init2(name, precision)
 
-/** LOCAL_VEC(fmpq, v, n): `fmpq *v` of n entries, all 0; of polynomials `fmpz_poly_struct *v`. */
+/** LOCAL_VEC(fmpq, v, n): `fmpq *v` of n entries, all 0; for fmpz_poly, v is `fmpz_poly_struct *`.
+ */
 #define LOCAL_VEC(type, name, length)                                                              \
     __attribute__((cleanup(scope_##type##_vec))) scope_##type##s name##_held =                     \
         scope_##type##_vec_init(length);                                                           \
@@ -52,8 +53,8 @@
     __attribute__((cleanup(scope_##type))) scope_##type##_in name##_held;                          \
     type##_struct *name = scope_##type##_init(&name##_held, ring)
 
-/** HELD(text, t): a structure `text t` after text_init(&t), further arguments handed on; cleared by
- * text_clear. */
+/** HELD(text, t): a structure `text t` after text_init(&t), which takes further arguments of HELD;
+ * cleared by text_clear. */
 #define HELD(type, name, ...)                                                                      \
     __attribute__((cleanup(type##_clear))) type name;                                              \
     type##_init(&name, ##__VA_ARGS__)
@@ -64,7 +65,7 @@
 /** FREED(char, p, malloc(n)): `char *p`, freed at the end. */
 #define FREED(type, name, value) __attribute__((cleanup(scope_free))) type *name = value
 
-/** TRY(call): if it fails, the function returns its status. */
+/** TRY(call): if the call returns a status other than 0, the function returns this status. */
 #define TRY(call)                                                                                  \
     do {                                                                                           \
         __auto_type tried = (call);                                                                \
@@ -72,7 +73,7 @@
             return tried;                                                                          \
     } while (0)
 
-/** Graze's floating-point environment, to the end of the scope. */
+/** Enter Graze's floating-point environment; the host's returns at the end of the scope. */
 #define IN_ENVIRONMENT()                                                                           \
     __attribute__((cleanup(environment_leave), unused)) environment host = environment_enter()
 

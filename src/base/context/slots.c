@@ -7,7 +7,7 @@ enum { FIRST_SIZE = 128 };
 
 typedef struct slot {
     uint64_t hash;
-    size_t number; /* and 1, or 0: free */
+    size_t number; /* the number plus 1; 0 if the slot is free */
 } slot;
 
 uint64_t slots_mix(uint64_t key) {

@@ -1,5 +1,5 @@
-/* A hash table of numbers 0, 1, 2, ... in the order in which they came; whose keys they are is the
- * caller's. SPDX-License-Identifier: GPL-3.0-or-later
+/* A hash table of the numbers 0, 1, 2, ..., added in this order, each with the hash of a key. The
+ * caller keeps the keys and compares them. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_CONTEXT_SLOTS_H
 #define GRAZE_CONTEXT_SLOTS_H
@@ -7,9 +7,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/** Zeroed: empty. Equal keys have equal hashes. */
+/** A zeroed structure is an empty table. Equal keys must have equal hashes. */
 typedef struct slots {
-    struct slot *slot; /* with linear steps; at most half in use */
+    struct slot *slot; /* linear probing; at most half are in use */
     size_t size;       /* a power of two */
     size_t count;
 } slots;
@@ -21,11 +21,12 @@ typedef struct slots {
 uint64_t slots_mix(uint64_t key);
 
 /**
- * The numbers with a hash, one after another; SLOTS_NONE behind the last.
- * @param[in,out] at 0 for the first; then left alone
+ * Return the next number that was added with this hash; SLOTS_NONE after the last one.
+ * @param[in,out] at 0 before the first call; the caller does not change it afterwards
  */
 size_t slots_next(const slots *t, uint64_t hash, size_t *at);
-/** Add the number `count` with a hash; 0 when memory is short, then nothing has changed. */
+/** Add the number `count` with a hash, and increase `count`. @return 0 if memory is short, and then
+ * nothing has changed; else 1 */
 int slots_add(slots *t, uint64_t hash);
 void slots_clear(slots *t);
 

@@ -9,7 +9,7 @@ static int least(int a, int b) {
     return a < b ? a : b;
 }
 
-/* Words of other programs, and the names here. */
+/* Words of other programs, each with the word of Graze for the same thing. */
 static const char *const meant[][2] = {
     {"angle", "degrees"}, {"angles", "degrees"}, {"radius", "diameter"}, {"height", "length"}};
 

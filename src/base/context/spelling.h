@@ -1,4 +1,4 @@
-/* The name that was probably meant.
+/* Finds the name that a misspelt word probably means.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_CONTEXT_SPELLING_H
@@ -6,17 +6,17 @@
 
 #include <stddef.h>
 
-/** Letters to insert, leave out, change or exchange with the next one that make a word of another,
- * or 0 for another word of the same meaning, as angle for degrees; words of more than 31 letters
- * are far from all. */
+/** The least number of steps from `a` to `b`, each of which inserts, deletes or changes a letter or
+ * exchanges two neighbours. It is 0 if `a` is another program's word for `b`, as angle for degrees,
+ * and 31 if a word has more than 31 letters. */
 int near_distance(const char *a, const char *b);
 
-/** Take a name as *best if it is nearer to the word than the best one so far, and near: at most two
- * steps, one in three letters. *best is NULL at first. */
+/** Set *best to `name` if it is at most two steps from `word`, at most one step for each three
+ * letters of `name`, and nearer to `word` than *best. *best is NULL at first. */
 void near_take(const char **best, const char *word, const char *name);
 
-/** The nearest of some names to a word of `length` bytes, of equally near ones the first; NULL
- * where none is near. */
+/** The nearest of some names to a word of `length` bytes, the first of equally near ones; NULL if
+ * near_take would take none. */
 const char *near_among(const char *word, size_t length, const char *const *names, size_t count);
 
 #endif

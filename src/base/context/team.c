@@ -1,6 +1,7 @@
-/* A team takes indices in their order from one counter until one of them fails. All before that one
- * were taken too and are finished, so the failure told is the same for any number of threads. Only
- * the calling thread calls the cancel callback, the others look at a flag.
+/* The threads take indices in order from one counter until the work on an index fails. All smaller
+ * indices were taken before it and are finished, so the reported failure, at the least index, is
+ * the same for any number of threads. Only the calling thread calls the cancel callback; the others
+ * look at a flag.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "base/context/team.h"
@@ -25,7 +26,7 @@ typedef struct member {
     int number;
     pthread_t thread;
     graze_status status;
-    size_t index; /* that failed */
+    size_t index; /* taken last: the one that failed if `status` is not GRAZE_OK */
 } member;
 
 static void serve(member *m) {
@@ -53,7 +54,7 @@ static int is_canceled(void *data) {
     return __atomic_load_n((int *)data, __ATOMIC_RELAXED);
 }
 
-/* Signals stay with the caller's threads. */
+/* Start a thread with all signals blocked: the caller's threads receive them. */
 static int start_member(member *m, const graze_context *like) {
     sigset_t all, before;
     if (graze_context_create(&m->context))

@@ -34,15 +34,15 @@ void algebraic_set_dyadic(algebraic *x, const fmpz_t numerator, ulong exponent);
 /** 1 if the number is known to be rational and stands in `value`; 0 says nothing. */
 int algebraic_is_rational(const algebraic *x);
 
-/** The sign at the lower end of an interval of a polynomial g that divides that of a number
- * isolated there, if g vanishes at the number, else 0. The ends are no roots of g, and it has at
- * most that one root there, and a simple one. */
+/** The sign of g at the interval's lower end if g vanishes at the number isolated there, else 0. g
+ * divides the number's polynomial, does not vanish at the ends and has at most this one root
+ * between them, a simple one. */
 int algebraic_sign_before(const fmpz_poly_t g, const dyadic_interval *interval);
 
 /** low <= x <= high. */
 void algebraic_bounds(fmpq_t low, fmpq_t high, const algebraic *x);
 
-/** A list of numbers. Each item is initialised up to `capacity`; `count` are in use. */
+/** A list of numbers. The items up to `capacity` are initialised; the first `count` are in use. */
 typedef struct algebraic_list {
     size_t count, capacity;
     algebraic *item;
@@ -50,7 +50,7 @@ typedef struct algebraic_list {
 
 void algebraic_list_init(algebraic_list *list);
 void algebraic_list_clear(algebraic_list *list);
-/** One more number at the end; the pointer lives until the next append. */
+/** Append a number, which the caller sets; the pointer is valid until the next append. */
 algebraic *algebraic_list_append(algebraic_list *list);
 
 #endif

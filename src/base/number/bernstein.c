@@ -7,7 +7,7 @@
 #include <string.h>
 #include "base/context/scope.h"
 
-/* The least common multiple of the binomials C(n, 0) ... C(n, n) for the usual n. */
+/* The least common multiple of the binomials C(n, 0) ... C(n, n) for n = 0 to 24. */
 static const ulong COMMON_BINOMIAL[] = {
     1,        1,        2,        3,        12,        10,        60,        105,    280,
     252,      2520,     2310,     27720,    25740,     24024,     45045,     720720, 680680,
@@ -53,8 +53,9 @@ static ulong ceil_log(const fmpz_t x) {
     return bits > 0 && fmpz_val2(x) + 1 == bits ? bits - 1 : bits;
 }
 
-/* By C22 (b) a coefficient is a value of the polar form at the interval's ends: at most sum |p_i|
- * r^i in size, r the larger of 1 and the ends' sizes; and then 2^(e n) and the binomials' multiple.
+/* Bits of the coefficients: by C22 (b) each is a value of the polar form at the interval's ends, at
+ * most sum |p_i| r^i in absolute value, where r is the largest of 1 and the ends' absolute values.
+ * It is then multiplied by 2^(e n) and by `common`.
  */
 static ulong coefficient_bits(const fmpz_poly_t p, slong n, const dyadic_interval *interval,
                               const fmpz_t common) {
@@ -64,8 +65,8 @@ static ulong coefficient_bits(const fmpz_poly_t p, slong n, const dyadic_interva
            fmpz_bits(common);
 }
 
-/* b_j = sum_{i <= j} C(j, i) a_i / C(n, i): divide by the binomials under a common multiple of
- * theirs, then add up Pascal's triangle. */
+/* b_j = sum_{i <= j} C(j, i) a_i / C(n, i): multiply by a common multiple of the binomials, divide
+ * by each, then add as in Pascal's triangle. */
 void bernstein_form_init(bernstein_form *out, const fmpz_poly_t p, slong n,
                          const dyadic_interval *interval) {
     LOCAL(fmpz, common);
@@ -97,7 +98,7 @@ void bernstein_from_poly(fmpz *out, const fmpz_poly_t p, slong n, const dyadic_i
         wide_get_fmpz(out + i, &form.c, i);
 }
 
-/* Without the halvings of de Casteljau's averages: entry i of level k is 2^k times too large, so
+/* Sums replace the averages of de Casteljau's scheme: entry i of level k is 2^k times too large, so
  * the left half's coefficient k is scaled by 2^(n - k), the right half's coefficient n - k too. */
 void bernstein_split(fmpz *left, fmpz *right, const fmpz *c, slong degree) {
     _fmpz_vec_set(right, c, degree + 1);
@@ -111,7 +112,7 @@ void bernstein_split(fmpz *left, fmpz *right, const fmpz *c, slong degree) {
         fmpz_mul_2exp(right + i, right + i, (ulong)i);
 }
 
-/* All coefficients are equal: the polynomial is constant. */
+/* Whether all coefficients are equal, so that the polynomial is constant. */
 static int is_constant(const wide_vector *c) {
     size_t size = (size_t)c->limbs * sizeof *c->limb;
     slong i = 1;

@@ -1,5 +1,5 @@
-/* Integer polynomials in the Bernstein basis of a dyadic interval (proofs: Descartes' rule on
- * Bernstein coefficients). SPDX-License-Identifier: GPL-3.0-or-later
+/* Integer polynomials in the Bernstein basis of a dyadic interval. SPDX-License-Identifier:
+ * GPL-3.0-or-later
  */
 #ifndef GRAZE_NUMBER_BERNSTEIN_H
 #define GRAZE_NUMBER_BERNSTEIN_H
@@ -20,7 +20,7 @@ void common_binomial(fmpz_t out, slong n);
 void bernstein_from_poly(fmpz *out, const fmpz_poly_t p, slong degree,
                          const dyadic_interval *interval);
 
-/** Bernstein coefficients that share a width; every one is less than 2^bits in size. */
+/** Bernstein coefficients with one number of limbs; each is less than 2^bits in absolute value. */
 typedef struct bernstein_form {
     wide_vector c;
     ulong bits;
@@ -31,8 +31,8 @@ void bernstein_form_init(bernstein_form *out, const fmpz_poly_t p, slong degree,
                          const dyadic_interval *interval);
 void bernstein_form_clear(bernstein_form *form);
 
-/** The form becomes that of the left half, `right` a new one for the right half, both multiplied by
- * one positive integer. */
+/** Replace a form by that of the left half and make `right` a new form for the right half, both
+ * multiplied by one positive integer. */
 void bernstein_form_split(bernstein_form *form, bernstein_form *right);
 
 /**
@@ -41,11 +41,11 @@ void bernstein_form_split(bernstein_form *form, bernstein_form *right);
  */
 void bernstein_split(fmpz *left, fmpz *right, const fmpz *c, slong degree);
 
-/** Sign changes in the sequence, zeros left out. */
+/** The number of sign changes in the sequence of coefficients, zeros left out. */
 slong bernstein_variations(const bernstein_form *form);
 
-/** The one sign that p has on the open interval if no coefficient contradicts it, else 0. p not
- * zero. */
+/** If all coefficients other than 0 have one sign, return this sign, which p then has on the open
+ * interval; else return 0. p is not zero. */
 int bernstein_one_sign(const bernstein_form *form);
 
 #endif

@@ -11,11 +11,12 @@
 #include "base/number/local.h"
 #include "base/number/refine.h"
 
-/* Bits by which the largest coefficient exceeds the error, beyond those of the degree; binary
- * places to begin with; and the least leap, to half the width. */
+/* SHARPNESS: bits by which the largest coefficient exceeds the error, beyond those of the degree.
+ * FIRST_PRECISION: binary places to begin with. LEAST_GAIN: gain of the least leap, to half the
+ * width. */
 enum { SHARPNESS = 8, FIRST_PRECISION = 32, LEAST_GAIN = 2 };
 
-/* An open interval that is still to be searched, or a point that is a root: its width is zero. */
+/* An open interval that is still to be searched, or, with width 0, a point that is a root. */
 typedef struct pending {
     local_interval where;
     int low_sign, high_sign;
@@ -30,7 +31,7 @@ typedef struct cluster {
     size_t count, capacity;
 } cluster;
 
-/* 2^(e n) p((low + (high - low) v) / 2^e) in powers of v. */
+/* Set `out` to 2^(e n) p((low + (high - low) v) / 2^e), in powers of v. */
 static void carry_to_unit(fmpz_poly_t out, const fmpz_poly_t p, const dyadic_interval *whole) {
     slong n = fmpz_poly_degree(p);
     LOCAL(fmpz, width);
@@ -47,7 +48,7 @@ static void carry_to_unit(fmpz_poly_t out, const fmpz_poly_t p, const dyadic_int
     }
 }
 
-/* The interval in the polynomial's own variable. */
+/* Carry an interval from [0, 1] back to the polynomial's own variable. */
 static void carry_back(dyadic_interval *out, const cluster *c, const local_interval *x) {
     const dyadic_interval *whole = c->search->whole;
     LOCAL(fmpz, width);
@@ -61,7 +62,7 @@ static void carry_back(dyadic_interval *out, const cluster *c, const local_inter
     out->exponent = whole->exponent + x->places;
 }
 
-/* One more on the stack, all zero. */
+/* Push an entry on the stack; the caller sets all its members. */
 static pending *push_pending(cluster *c) {
     if (c->count == c->capacity) {
         size_t capacity = c->capacity ? 2 * c->capacity : 8;
@@ -73,7 +74,8 @@ static pending *push_pending(cluster *c) {
     return &c->stack[c->count++];
 }
 
-/* Coefficients known well enough for most of their signs to be certain. */
+/* Compute the coefficients on an interval to so many places that the largest exceeds the error by
+ * SHARPNESS bits and those of the degree. */
 static graze_status sharp_form(local_form *form, const cluster *c, pending *at) {
     graze_status status;
     for (;; at->precision *= 2) {
@@ -84,7 +86,8 @@ static graze_status sharp_form(local_form *form, const cluster *c, pending *at) 
     }
 }
 
-/* Whether the coefficients say that there is no root between two of the places of `at`. */
+/* Whether the coefficients show that there is no root between low and high, integers in units of
+ * 2^-places of `precise`. An empty interval has none. */
 static graze_status has_no_root(int *none, local_form *form, const cluster *c, const fmpz_t low,
                                 const fmpz_t high, int low_sign, int high_sign,
                                 const pending *precise) {
@@ -101,8 +104,8 @@ static graze_status has_no_root(int *none, local_form *form, const cluster *c, c
     return status;
 }
 
-/* The part of the interval, cut into 2^gain equal ones, that lies beside the guessed middle of the
- * cluster, two of them wide. */
+/* Cut the interval into 2^gain equal parts and take the two beside the guessed middle of the
+ * cluster, or, if the guess is an end of the interval, the one part there. */
 static void guess_part(pending *part, const local_form *form, const pending *at, slong order) {
     LOCAL(fmpz, end);
     part->where.places = at->where.places + at->gain;
@@ -119,8 +122,8 @@ static void guess_part(pending *part, const local_form *form, const pending *at,
     fmpz_add(part->where.low, part->where.low, end);
 }
 
-/* Whether all roots in the interval lie in the part, whose ends, where they are not the interval's
- * own, are none. The signs there become known. */
+/* Whether all roots in the interval lie in the part, and no end of the part is a root unless it is
+ * an end of the interval. Sets the signs at the part's ends. */
 static graze_status part_has_all(int *all, local_form *form, const cluster *c, pending *part,
                                  const pending *at) {
     graze_status status = GRAZE_OK;
@@ -146,8 +149,8 @@ static graze_status part_has_all(int *all, local_form *form, const cluster *c, p
 }
 
 /* Try to replace the interval by a part that has all its roots. A cluster of v roots, two of them
- * perhaps ends of the interval, has its middle near the one root of the derivative of order v - 1;
- * near it the values are 2^(v gain) times smaller. */
+ * perhaps ends of the interval, has its middle near the one root of the derivative of order v - 1.
+ * Near this middle p is about 2^(v gain) times smaller, so that v gain more places are needed. */
 static graze_status leap(int *done, const cluster *c, pending *at, slong variations) {
     slong n = fmpz_poly_degree(c->unit);
     slong v = variations + (at->low_sign == 0) + (at->high_sign == 0);
@@ -175,7 +178,8 @@ static graze_status leap(int *done, const cluster *c, pending *at, slong variati
     return status;
 }
 
-/* The interval on top of the stack becomes its halves, with the point between them if it is a root.
+/* Replace the interval on top of the stack by its halves and, if it is a root, the point between
+ * them.
  */
 static void halve_pending(cluster *c) {
     pending *top = &c->stack[c->count - 1];
@@ -209,7 +213,7 @@ static ulong places_allowed(const cluster *c) {
     return most > c->search->whole->exponent ? most - c->search->whole->exponent : 0;
 }
 
-/* Search the interval on top of the stack, in which there may be one root or more. */
+/* Shorten or halve the interval on top of the stack, in which there may be roots. */
 static graze_status search_further(cluster *c, slong variations) {
     pending *top = &c->stack[c->count - 1];
     ulong places = top->where.places, allowed = places_allowed(c);
@@ -225,7 +229,7 @@ static graze_status search_further(cluster *c, slong variations) {
     return GRAZE_OK;
 }
 
-/* Deal with the top of the stack. */
+/* Append the root of the interval on top of the stack and pop it, or search it further. */
 static graze_status step(cluster *c, local_form *form) {
     pending *top = &c->stack[c->count - 1];
     slong variations = 0;
@@ -247,7 +251,7 @@ static graze_status step(cluster *c, local_form *form) {
     return GRAZE_OK;
 }
 
-/* The interval is a whole multiple of 2^-places of the whole one. */
+/* Push the first interval, one of 2^places equal parts of the whole one. */
 static void push_first(cluster *c, const dyadic_interval *interval, int low_sign, int high_sign) {
     const dyadic_interval *whole = c->search->whole;
     pending *first = push_pending(c);

@@ -66,7 +66,7 @@ char *decimal_finite(int *finite, const fmpq_t value) {
     return out;
 }
 
-/* quotient, remainder of |value| * 10^shift, remainder over *divisor. */
+/* Divide with remainder: |value| * 10^shift = quotient + remainder / divisor. */
 static void scaled(fmpz_t quotient, fmpz_t remainder, fmpz_t divisor, const fmpq_t value,
                    slong shift) {
     LOCAL(fmpz, power);
@@ -106,7 +106,7 @@ char *decimal_of_rational(int *exact, const fmpq_t value, int digits) {
             fmpz_add_ui(quotient, quotient, 1);
     }
     char *figures = fmpz_get_str(NULL, 10, quotient);
-    /* Rounding up 99...9 gives one figure more, and the exponent with it. */
+    /* Rounding up 99...9 gives one figure more, and then the exponent grows by 1. */
     size_t count = strlen(figures);
     exponent += count > (size_t)digits;
     char *out =

@@ -14,14 +14,14 @@
 char *decimal_of_rational(int *exact, const fmpq_t value, int digits);
 
 /**
- * The finite decimal of a number in that form, all of its digits and no more, malloc'ed; NULL when
- * it has none or memory is out.
- * @param[out] finite 1 if it has one: the denominator divides a power of 10
+ * The finite decimal of a number with all its digits, laid out as by decimal_of_rational,
+ * malloc'ed; NULL if the number has none or memory is short.
+ * @param[out] finite 1 if there is one: the denominator divides a power of 10
  */
 char *decimal_finite(int *finite, const fmpq_t value);
 
-/** 0.DIGITS * 10^exponent in this form, without trailing zeros if `strip`; malloc'ed, NULL when out
- * of memory. */
+/** The number 0.DIGITS * 10^exponent, laid out as by decimal_of_rational, without trailing zeros if
+ * `strip`; malloc'ed, NULL when out of memory. */
 char *decimal_layout(int negative, const char *digits, size_t count, slong exponent, int strip);
 
 #endif

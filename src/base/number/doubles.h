@@ -15,7 +15,7 @@
 /** Bound of the error that underflow, and numbers too small to convert, add to a coefficient. */
 #define FILTER_FLOOR 0x1p-780
 
-/* fmax and fmin without the call. */
+/* The larger and the smaller of two numbers that are not NaN, inline. */
 static inline double larger(double a, double b) {
     return a > b ? a : b;
 }

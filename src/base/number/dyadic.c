@@ -1,12 +1,13 @@
-/* Values and signs of integer polynomials at dyadic numbers. Where an exact value would be long, it
- * is first known to a few binary places, then to more (proofs/separation.md C40).
+/* Values and signs of integer polynomials at dyadic numbers. A value that would be long is computed
+ * to a few binary places first, then to more (proofs/separation.md C40).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "base/number/dyadic.h"
 
 #include "base/context/scope.h"
 
-/* Bits of an exact value that cost less than looking for fewer. */
+/* An exact value of up to SHORT_VALUE bits costs less than approximations; these begin with
+ * FIRST_PLACES binary places. */
 enum { SHORT_VALUE = 8192, FIRST_PLACES = 64 };
 
 void dyadic_value(fmpq_t out, const fmpz_t numerator, ulong exponent) {
@@ -57,7 +58,7 @@ void dyadic_approximate(fmpz_t out, fmpz_t error, const fmpz_poly_t p, const fmp
         fmpz_mul_2exp(error, error, reach_of(numerator, exponent) * (ulong)(degree - 1));
 }
 
-/* The sign of a value that is not zero. */
+/* The sign of p at numerator / 2^exponent, which is not a root of p. */
 static int sign_by_places(const fmpz_poly_t p, const fmpz_t numerator, ulong exponent) {
     ulong lost = reach_of(numerator, exponent) * (ulong)fmpz_poly_degree(p);
     LOCAL(fmpz, value);
@@ -71,7 +72,7 @@ static int sign_by_places(const fmpz_poly_t p, const fmpz_t numerator, ulong exp
 }
 
 /* A root m / 2^e in lowest terms has 2^e dividing the leading coefficient, so a number with a
- * longer denominator is none. */
+ * longer denominator is not a root. */
 int dyadic_sign(const fmpz_poly_t p, const fmpz_t numerator, ulong exponent) {
     slong degree = fmpz_poly_degree(p);
     if (degree <= 0 || fmpz_is_zero(numerator))

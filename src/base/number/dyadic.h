@@ -30,8 +30,8 @@ void dyadic_value(fmpq_t out, const fmpz_t numerator, ulong exponent);
 void dyadic_evaluate(fmpz_t out, const fmpz_poly_t p, const fmpz_t numerator, ulong exponent);
 
 /**
- * 2^places p(numerator / 2^exponent), within `error` of it (proofs/separation.md C40).
- * @param[out] out, error initialised, neither the numerator
+ * Set `out` to within `error` of 2^places p(numerator / 2^exponent) (proofs/separation.md C40).
+ * @param[out] out, error initialised; neither is the numerator
  */
 void dyadic_approximate(fmpz_t out, fmpz_t error, const fmpz_poly_t p, const fmpz_t numerator,
                         ulong exponent, ulong places);

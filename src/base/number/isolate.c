@@ -1,6 +1,6 @@
 /* Isolation of the real roots of an integer polynomial in a closed interval, by bisection with
- * Descartes' rule on Bernstein coefficients (proofs/claims.md C24, C25, C29). The first
- * halvings are made with exact coefficients; what they leave goes to cluster.c.
+ * Descartes' rule on Bernstein coefficients (proofs/claims.md C24, C25, C29). The first halvings
+ * are made with exact coefficients; the intervals left go to cluster.c.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "base/number/isolate.h"
@@ -15,7 +15,8 @@
 static graze_status roots_inside(const root_search *s, bernstein_form *form,
                                  const dyadic_interval *interval);
 
-/* The roots of p / g, g being the common factor of p and its derivative. */
+/* Append the roots of poly / g in the interval; g is the common factor of poly and its derivative.
+ */
 static graze_status cluster_of_quotient(const root_search *s, const dyadic_interval *interval,
                                         const fmpz_poly_t g) {
     LOCAL(fmpz_poly, squarefree);
@@ -26,8 +27,9 @@ static graze_status cluster_of_quotient(const root_search *s, const dyadic_inter
                                dyadic_sign(squarefree, interval->high, interval->exponent));
 }
 
-/* Coefficients that are known to some places do not show a repeated root at an end of the
- * interval, which exact ones leave out: without repeated factors C42 ends. */
+/* Approximate coefficients, unlike exact ones, do not reveal a repeated root at an end of the
+ * interval. The search is certain to end without repeated factors (C42), so these are divided out.
+ */
 static graze_status search_cluster(const root_search *s, const dyadic_interval *interval, int low,
                                    int high) {
     LOCAL(fmpz_poly, derivative);
@@ -38,8 +40,9 @@ static graze_status search_cluster(const root_search *s, const dyadic_interval *
                                                      : root_search_cluster(s, interval, low, high);
 }
 
-/* Both halves and the point between them. Nothing of an empty half is kept while the other one is
- * searched. The form is that of the interval; it is spent. */
+/* Append the roots in both halves and at the point between them, ascending. The form of an empty
+ * right half is freed before the left one is searched. `form` is the interval's and is overwritten.
+ */
 static graze_status roots_in_halves(const root_search *s, bernstein_form *form,
                                     const dyadic_interval *interval) {
     TRY(algebraic_may_narrow(s->context, interval));
@@ -61,7 +64,7 @@ static graze_status roots_in_halves(const root_search *s, bernstein_form *form,
     return status;
 }
 
-/* Roots in the open interval, ascending. The form is that of the interval; it is spent. */
+/* Append the roots in the open interval, ascending. `form` is the interval's and is overwritten. */
 static graze_status roots_inside(const root_search *s, bernstein_form *form,
                                  const dyadic_interval *interval) {
     slong n = form->c.count - 1, variations = bernstein_variations(form);
@@ -78,8 +81,8 @@ static graze_status roots_inside(const root_search *s, bernstein_form *form,
     return roots_in_halves(s, form, interval);
 }
 
-/* Roots of a polynomial of degree two or more whose form has at most one sign change or that has no
- * repeated factor. */
+/* Append the roots in the closed interval. The polynomial, of degree two or more, has a form with
+ * at most one sign change, or no repeated factor. */
 static graze_status append_roots(const root_search *s, bernstein_form *form) {
     const dyadic_interval *whole = s->whole;
     int low_is_root = wide_sign(&form->c, 0) == 0;
@@ -104,7 +107,7 @@ static void append_linear_root(algebraic_list *list, const fmpz_poly_t p,
     fmpq_neg(x->value, x->value);
 }
 
-/* Roots of p / g, which has no repeated factor. */
+/* Append the roots of p / g, which has no repeated factor. */
 static graze_status append_roots_of_quotient(algebraic_list *list, graze_context *context,
                                              const fmpz_poly_t p, const fmpz_poly_t g,
                                              const dyadic_interval *interval) {
@@ -113,7 +116,7 @@ static graze_status append_roots_of_quotient(algebraic_list *list, graze_context
     return algebraic_roots(list, context, squarefree, interval);
 }
 
-/* Narrow a root's interval until it leaves another number out; *behind: it is greater. */
+/* Narrow the interval of x until it does not contain r; *behind becomes 1 if x > r, else 0. */
 static graze_status exclude(int *behind, graze_context *context, algebraic *x, const fmpq_t r) {
     ulong gain = FIRST_GAIN;
     for (int step = 0; !algebraic_is_rational(x); step++) {
@@ -126,7 +129,8 @@ static graze_status exclude(int *behind, graze_context *context, algebraic *x, c
     return GRAZE_OK;
 }
 
-/* One root more among those from number `first` on, whose intervals are to leave it out. */
+/* Insert a rational root in order among the roots of the list from index `first` on, and narrow
+ * their intervals until none contains it. */
 static graze_status insert_root(algebraic_list *list, graze_context *context, size_t first,
                                 const fmpq_t root) {
     size_t place = list->count;
@@ -144,7 +148,8 @@ static graze_status insert_root(algebraic_list *list, graze_context *context, si
     return GRAZE_OK;
 }
 
-/* If a fraction in part of the interval is a root, append it and all others. */
+/* If the fraction of least denominator in `part` is a root, append it and all other roots in the
+ * interval; *done becomes 1 then, else 0. */
 static graze_status roots_beside_fraction(int *done, algebraic_list *list, graze_context *context,
                                           const fmpz_poly_t p, const dyadic_interval *interval,
                                           const dyadic_interval *part) {
@@ -160,8 +165,8 @@ static graze_status roots_beside_fraction(int *done, algebraic_list *list, graze
     return GRAZE_OK;
 }
 
-/* Roots of a polynomial that may have repeated factors: a repeated root is one of the derivative,
- * and a fraction that is guessed there spares the common factor. */
+/* Append the roots of a polynomial that may have repeated factors. A repeated root is a root of the
+ * derivative too: if it can be guessed as a fraction, no common factor is computed. */
 static graze_status repeated_roots(algebraic_list *list, graze_context *context,
                                    const fmpz_poly_t p, const dyadic_interval *interval,
                                    bernstein_form *form) {
@@ -181,7 +186,7 @@ static graze_status repeated_roots(algebraic_list *list, graze_context *context,
                : append_roots(&(root_search){list, context, p, interval}, form);
 }
 
-/* Roots of a polynomial of degree two or more. */
+/* Append the roots of a polynomial of degree two or more. */
 static graze_status isolate_roots(algebraic_list *list, graze_context *context, const fmpz_poly_t p,
                                   const dyadic_interval *interval) {
     HELD(bernstein_form, form, p, fmpz_poly_degree(p), interval);

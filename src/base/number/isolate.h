@@ -8,7 +8,7 @@
 
 /**
  * Append all real roots of q in a closed interval, each once, ascending (proofs/claims.md C24,
- * C25). Without GRAZE_OK some may be missing.
+ * C25). After a failure some may be missing.
  * @param q not zero
  */
 graze_status algebraic_roots(algebraic_list *list, graze_context *context, const fmpz_poly_t q,

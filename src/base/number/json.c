@@ -35,7 +35,7 @@ static void put_string(text *out, const char *string) {
     text_put(out, "\"");
 }
 
-/* The line that json_line asked for. */
+/* Begin the line that json_line asked for, if it did. */
 static void put_asked_line(json_writer *w) {
     if (w->line)
         text_format(w->out, "\n%*s", w->line - 1, "");

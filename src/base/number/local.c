@@ -40,8 +40,8 @@ void local_form_clear(local_form *form) {
     fmpz_clear(form->error);
 }
 
-/* The last Taylor coefficient that the precision sees: those behind it add up to less than one
- * unit (C41). The width is less than 2^-narrow. */
+/* The index of the last Taylor coefficient that matters: the terms behind it add up to less than
+ * one unit of the precision (C41). The width is less than 2^-narrow. */
 static slong last_term(const fmpz_poly_t q, ulong narrow, ulong precision) {
     slong n = fmpz_poly_degree(q);
     ulong size = (ulong)FLINT_ABS(fmpz_poly_max_bits(q)) + FLINT_BIT_COUNT(n + 1);
@@ -85,7 +85,7 @@ static void take_differences(fmpz *s, slong n, slong last, const local_interval 
 }
 
 /* By C41 rounding costs 2 (n + 1) units in the Taylor coefficients and at most n + 1 with the
- * powers of the width, and the part left out one. */
+ * powers of the width, and the terms left out cost one. */
 graze_status local_form_set(local_form *form, graze_context *context, const fmpz_poly_t q,
                             const local_interval *x, ulong precision) {
     slong n = form->degree;
@@ -111,7 +111,8 @@ int local_form_is_sharp(const local_form *form, ulong bits) {
 }
 
 /* best[s] is the most changes with which the signs so far can end in - (s = 0) or + (s = 1). A
- * coefficient whose sign is not known may have either; as a zero it would change nothing. */
+ * coefficient whose sign is not known may have either sign; if it is zero, the count does not
+ * change. */
 slong local_form_variations(const local_form *form, int first, int last) {
     slong n = form->degree, never = -(n + 2), best[2] = {never, never};
     int any = 0;

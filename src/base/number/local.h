@@ -33,24 +33,26 @@ void local_form_init(local_form *form, slong degree);
 void local_form_clear(local_form *form);
 
 /**
- * The coefficients of q, of the form's degree, on an interval.
- * @param precision the multiple is at least 2^precision, and `error` depends on the degree alone
+ * Set a form to the coefficients on an interval of q, which has the form's degree.
+ * @param precision the positive number by which coefficients are multiplied is at least
+ * 2^precision; `error` depends on the degree alone
  * @return GRAZE_ECANCELED; `context` may be NULL
  */
 graze_status local_form_set(local_form *form, graze_context *context, const fmpz_poly_t q,
                             const local_interval *x, ulong precision);
 
-/** 1 if some coefficient is more than 2^bits times as large as the error. */
+/** 1 if bit lengths show that some coefficient is more than 2^bits times as large as the error. */
 int local_form_is_sharp(const local_form *form, ulong bits);
 
 /**
- * The most sign changes that the coefficients can have, given the exact signs of the first and the
- * last one; zeros left out.
+ * The most sign changes that the exact coefficients can have, zeros left out. `first` and `last`
+ * are the exact signs of the first and the last coefficient.
  */
 slong local_form_variations(const local_form *form, int first, int last);
 
-/** The nearest of the points 0 ... 2^gain of division of the interval to the root of the linear
- * function through the ends of the derivative of order `order` < degree: a guess. */
+/** Guess the middle of a cluster: of the points 0 ... 2^gain that divide the interval into equal
+ * parts, the one nearest to the root of the linear function with the end values of the derivative
+ * of order `order` < degree. */
 void local_form_center(fmpz_t out, const local_form *form, slong order, ulong gain);
 
 #endif

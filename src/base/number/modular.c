@@ -30,8 +30,8 @@ static slong load_residues(uint64_t *out, const fmpz_poly_t p) {
     return degree_below(out, degree);
 }
 
-/* Replace a by its remainder modulo b times a unit and return the remainder's degree. Each round
- * multiplies a by b's leading coefficient and takes a multiple of b away. */
+/* Replace a by a unit times the remainder of a modulo b, and return the degree of the remainder.
+ * Each round multiplies a by b's leading coefficient and takes a multiple of b away. */
 static slong remainder_degree(uint64_t *a, slong n, const uint64_t *b, slong m) {
     while (n >= m) {
         uint64_t lead = b[m], minus = PRIME - a[n];
@@ -45,7 +45,7 @@ static slong remainder_degree(uint64_t *a, slong n, const uint64_t *b, slong m) 
     return n;
 }
 
-/* It is enough that one of the leading coefficients survives. */
+/* The certificate holds if the prime does not divide both leading coefficients. */
 int polynomials_certainly_coprime(const fmpz_poly_t p, const fmpz_poly_t q) {
     uint64_t first[MODULAR_DEGREE + 1], second[MODULAR_DEGREE + 1];
     if (fmpz_poly_degree(p) > MODULAR_DEGREE || fmpz_poly_degree(q) > MODULAR_DEGREE)

@@ -1,4 +1,5 @@
-/* The order of real algebraic numbers: by refinement, equality by gcd; and numbers between two.
+/* Compares real algebraic numbers, by refinement, and equal ones by a gcd; finds dyadic numbers
+ * between two.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "base/number/order.h"
@@ -29,7 +30,7 @@ static int compare_with_rational(algebraic *x, const fmpq_t r) {
     return sign == 0 ? 0 : sign == x->low_sign ? 1 : -1;
 }
 
-/* The common part of two intervals that have one. */
+/* The intersection of two intervals, which is not empty. */
 static void intersect(dyadic_interval *out, const dyadic_interval *a, const dyadic_interval *b) {
     ulong exponent = FLINT_MAX(a->exponent, b->exponent);
     int low = compare_dyadics(a->low, a->exponent, b->low, b->exponent) > 0;
@@ -59,14 +60,14 @@ static int unite_if_equal(algebraic *x, algebraic *y) {
     return equal;
 }
 
-/* Both irrational, and given by the same data. */
+/* Whether two irrational numbers have one polynomial and one interval. */
 static int is_same(const algebraic *x, const algebraic *y) {
     return x->where.exponent == y->where.exponent && fmpz_equal(x->where.low, y->where.low) &&
            fmpz_equal(x->where.high, y->where.high) && fmpz_poly_equal(x->poly, y->poly);
 }
 
-/* Whether the intervals, or the numbers where they are rational, decide the order; then it is *out.
- * What is equal to a rational is rational afterwards. */
+/* Whether the intervals, or rational values, decide the order; if so, *out is the order. A number
+ * found equal to a rational one becomes rational. */
 static int order_is_known(int *out, algebraic *x, algebraic *y) {
     const dyadic_interval *a = &x->where, *b = &y->where;
     *out = 0;
@@ -83,7 +84,8 @@ static int order_is_known(int *out, algebraic *x, algebraic *y) {
     return *out != 0 || algebraic_is_rational(x) || is_same(x, y);
 }
 
-/* The width is at least half of 2^(what is returned), and less than that; of a rational, zero. */
+/* The integer e for which the interval's width is at least 2^(e - 1) and less than 2^e; WORD_MIN
+ * for a rational number. */
 static slong width_exponent(const algebraic *x) {
     if (algebraic_is_rational(x))
         return WORD_MIN;
@@ -92,8 +94,8 @@ static slong width_exponent(const algebraic *x) {
     return (slong)fmpz_bits(width) - (slong)x->where.exponent;
 }
 
-/* Narrow the wider one of two intervals, so that both shrink to nothing. With both narrowed each
- * time, one of them would become far too short while the other one is still halved. */
+/* Narrow the wider one of two intervals, so that both shrink to nothing. If both were narrowed each
+ * time, one interval would become far too short while the other is still halved. */
 static graze_status narrow_wider(graze_context *context, algebraic *x, algebraic *y, int step,
                                  ulong *gain) {
     int second = width_exponent(y) > width_exponent(x);
@@ -117,10 +119,10 @@ graze_status algebraic_compare(int *out, graze_context *context, algebraic *x, a
     return GRAZE_OK;
 }
 
-/* The dyadic number with the least exponent strictly between two rationals a < b, the least of
- * them if it is an integer. It is the multiple of 2^-e in between that ends in the most zeros, for
- * any e that has such multiples: where the binary digits of the multiple before the first
- * and of the last one part. */
+/* The dyadic number with the least exponent strictly between two rationals a < b, the least of them
+ * if it is an integer. For any e with multiples of 2^-e between a and b, it is the one of them that
+ * ends in the most zero bits. The highest bit in which the last multiple up to a and the last one
+ * below b differ tells how many. */
 static void simplest_dyadic(fmpq_t out, const fmpq_t a, const fmpq_t b) {
     LOCAL(fmpq, scaled);
     LOCAL(fmpz, before);
@@ -157,8 +159,8 @@ graze_status algebraic_between(fmpq_t out, graze_context *context, algebraic *x,
     return GRAZE_OK;
 }
 
-/* The dyadic number of least exponent between the outer ends of the intervals is the one looked for
- * once it is in neither of them; it is not x or y. */
+/* Narrow the intervals until the dyadic number of least exponent between their outer ends lies in
+ * neither: then no simpler one lies between x and y. It is not x or y, which are irrational. */
 graze_status algebraic_places_between(ulong *out, graze_context *context, algebraic *x,
                                       algebraic *y) {
     LOCAL_VEC(fmpq, low, 5);
@@ -177,7 +179,8 @@ graze_status algebraic_places_between(ulong *out, graze_context *context, algebr
     return GRAZE_OK;
 }
 
-/* Merge order[0 ... middle - 1] and order[middle ... count - 1]; `spare` has room for the first. */
+/* Merge order[0 ... middle - 1] and order[middle ... count - 1]; `spare` has room for the first
+ * run. */
 static graze_status merge_runs(algebraic **order, size_t middle, size_t count, algebraic **spare,
                                graze_context *context) {
     size_t i = 0, j = middle, k = 0;

@@ -12,10 +12,10 @@ typedef struct random_stream {
     uint64_t state;
 } random_stream;
 
-/** The stream of one row: rows do not depend on each other, so any of them can be made alone. */
+/** Begin the stream of one row. Rows do not depend on each other, so any row can be made alone. */
 void random_seed(random_stream *r, uint64_t seed, uint64_t row);
 
-/** 0 ... n - 1, n >= 1; the bias is below n / 2^64. */
+/** A number from 0 to n - 1, n >= 1; the bias is below n / 2^64. */
 size_t random_below(random_stream *r, size_t n);
 
 #endif

@@ -2,7 +2,7 @@
  * Numbers). SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A token is first read for its shape, the limit then acts on the counted digits, and only then is
- * a number made. Bounds in doubles are made from integers, so that no floating-point mode matters.
+ * a number made.
  */
 #include <flint/ulong_extras.h>
 #include <stdint.h>
@@ -14,7 +14,8 @@
 
 enum { EXPONENT_CAP = 2000000000, SHOWN = 40 };
 
-/* Where the parts of a token stand. `exponent` is held to +-EXPONENT_CAP, past every limit. */
+/* The parts of a token, as pointers into its text. `exponent` is cut to +-EXPONENT_CAP, which
+ * exceeds every limit. */
 typedef struct shape {
     int negative;
     const char *whole, *fraction, *denominator; /* denominator NULL unless a ratio */
@@ -33,7 +34,7 @@ static int is_sign_character(const char *p, const char *end) {
     return p < end && (*p == '+' || *p == '-');
 }
 
-/* The exponent after its `e`; the place after it, or NULL where there are no digits. */
+/* Read the exponent behind its `e`. Returns the place behind it, or NULL if it has no digits. */
 static const char *exponent_shape(long *exponent, const char *p, const char *end) {
     int negative = p < end && *p == '-';
     p += is_sign_character(p, end);
@@ -82,7 +83,8 @@ static unsigned long written_out(const shape *s) {
     return (unsigned long)(before > 0 ? before : 0) + (unsigned long)(behind > 0 ? behind : 0);
 }
 
-/* The integer of two runs of digits, one after the other. 0 when memory is short. */
+/* Set `out` to the integer with two runs of digits, one after the other. Returns 0 if memory is
+ * short. */
 static int set_digits(fmpz_t out, const char *a, size_t a_count, const char *b, size_t b_count) {
     char *digits = malloc(a_count + b_count + 1);
     if (digits == NULL)
@@ -113,7 +115,7 @@ static int set_decimal(fmpq_t out, const shape *s) {
     return 1;
 }
 
-/* Append a run of digits to `value`; 0 where the number no longer fits. */
+/* Append a run of digits to `value`; returns 0 if the number might not fit into 64 bits. */
 static int append_digits(uint64_t *value, const char *digits, size_t count) {
     for (size_t k = 0; k < count; k++) {
         if (*value > (UINT64_MAX - 9) / 10)
@@ -123,8 +125,8 @@ static int append_digits(uint64_t *value, const char *digits, size_t count) {
     return 1;
 }
 
-/* value 10^shift in lowest terms: the denominator's only primes are 2 and 5. 0 where the integers
- * are too long for this way. `out` is 0 before. */
+/* Set `out` to value * 10^shift in lowest terms; the denominator's only primes are 2 and 5. Returns
+ * 0 if the integers might not fit into words. `out` is 0 before. */
 static int set_scaled_word(fmpq_t out, uint64_t value, long shift) {
     enum { FIVES = 27, TENS = 19 }; /* 5^27 and 10^19 fit in 64 bits */
     if (shift > TENS || value == 0)
@@ -147,8 +149,8 @@ static int set_scaled_word(fmpq_t out, uint64_t value, long shift) {
     return 1;
 }
 
-/* The short tokens, which almost all are, by machine words; 0 where words are too short, and for
- * the denominator 0. `out` is 0 before. */
+/* Read a short token, as almost all are, in machine words. Returns 0 if words are too short, or the
+ * denominator is 0. `out` is 0 before. */
 static int set_short(fmpq_t out, const shape *s) {
     uint64_t value = 0, denominator = 0;
     if (!append_digits(&value, s->whole, s->whole_count))
@@ -207,7 +209,7 @@ graze_status rational_parse(fmpq_t out, graze_context *context, const char *text
     return status == GRAZE_OK ? status : context_at(context, status, "'%.*s%s'", shown, text, more);
 }
 
-/* |value| as a word, which it fits. */
+/* |value|, which fits into a word. */
 static uint64_t small_magnitude(const fmpz_t value) {
     if (fmpz_sgn(value) >= 0)
         return fmpz_get_ui(value);
@@ -233,7 +235,7 @@ int rational_is_canonical(const mpq_t value) {
     return (odd == denominator || numerator % 2 != 0) && (odd == 1 || numerator % 5 != 0);
 }
 
-/* The digits of a word, its last one before `end`; where they begin. */
+/* Write the digits of a word, the last one just before `end`. Returns where they begin. */
 static char *word_digits(char *end, uint64_t value) {
     do {
         *--end = (char)('0' + value % 10);
@@ -242,7 +244,7 @@ static char *word_digits(char *end, uint64_t value) {
     return end;
 }
 
-/* An integer at `at`, NUL behind it; where it ends. */
+/* Write an integer and a NUL to `at`. Returns the place of the NUL. */
 static char *put_integer(char *at, const fmpz_t value) {
     if (!fmpz_abs_fits_ui(value)) {
         fmpz_get_str(at, 10, value);
@@ -258,7 +260,8 @@ static char *put_integer(char *at, const fmpz_t value) {
     return at + count;
 }
 
-/* A digit is more than 3 bits; a first digit each, a sign, a slash and a NUL come on top. */
+/* A digit takes more than 3 bits; 5 bytes come on top, for a first digit of each integer, a sign, a
+ * slash and a NUL. */
 size_t rational_room(const fmpq_t value) {
     return (fmpz_bits(fmpq_numref(value)) + fmpz_bits(fmpq_denref(value))) / 3 + 5;
 }

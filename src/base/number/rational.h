@@ -10,7 +10,7 @@
 
 /**
  * Read one number token exactly, then round it as context->rounding says. Forms: integer, decimal,
- * decimal with exponent, ratio of two unsigned-denominator integers; sign + or -; `.5` and `5.`.
+ * decimal with exponent, ratio of an integer and an unsigned integer; sign + or -; `.5` and `5.`.
  * No blanks inside. The digits limit counts digits with the exponent written out.
  * @return GRAZE_EINPUT (message quotes the token, shortened), GRAZE_ELIMIT
  */
@@ -28,7 +28,8 @@ char *rational_text(const fmpq_t value);
 
 /** Bytes that rational_write may need for a value. */
 size_t rational_room(const fmpq_t value);
-/** Write the same text, with a NUL, where there is room for it. Returns its length. */
+/** Write the text of rational_text and a NUL into rational_room bytes. Returns the text's length.
+ */
 size_t rational_write(char *text, const fmpq_t value);
 
 #endif

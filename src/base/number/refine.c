@@ -60,8 +60,9 @@ static void secant_point(fmpz_t out, const algebraic *x, ulong gain) {
 }
 
 /* Whether the root is met at the point nearest to the secant's root or lies in a part beside it; if
- * so, that part is the new interval. Where the sign at the point is that at the lower end, the
- * point is not the upper end, so there is a part to its right; and the other way round. */
+ * so, that part is the new interval. If the sign at the point is that at the lower end, the point
+ * is not the upper end, so there is a part to its right; if it is that at the upper end, there is a
+ * part to its left. */
 static int follow_secant(algebraic *x, ulong gain) {
     HELD(dyadic_interval, part);
     LOCAL(fmpz, point);

@@ -5,11 +5,13 @@
 
 #include <math.h>
 
-/* Polynomials of higher degree are left undecided. Ends of up to PLACES binary places are doubles.
+/* Polynomials of higher degree are left undecided. Interval ends of up to PLACES binary places are
+ * exact as doubles.
  */
 enum { ROOTLESS_DEGREE = 16, PLACES = 50, LEAST_EXPONENT = -900 };
 
-/* The coefficient over 2^top, at most 1; 0 if it is less than 2^LEAST_EXPONENT. */
+/* The coefficient divided by 2^top, at most 1 in absolute value; 0 if that is below
+ * 2^LEAST_EXPONENT. */
 static double scaled_coefficient(const fmpz_t coefficient, slong top) {
     slong exponent;
     double mantissa = fmpz_get_d_2exp(&exponent, coefficient);
@@ -17,8 +19,8 @@ static double scaled_coefficient(const fmpz_t coefficient, slong top) {
     return exponent < LEAST_EXPONENT ? 0 : ldexp(mantissa, (int)exponent);
 }
 
-/* The value at the middle against what p can change by from there to the ends, and what rounding
- * may have changed it by. */
+/* p has no root if its value at the middle exceeds the most by which p can change from the middle
+ * to an end plus a bound of the rounding errors. */
 int certainly_rootless(const fmpz_poly_t p, const dyadic_interval *interval) {
     slong n = fmpz_poly_degree(p), top = FLINT_ABS(fmpz_poly_max_bits(p));
     if (n > ROOTLESS_DEGREE || interval->exponent > PLACES || fmpz_sgn(interval->low) < 0 ||

@@ -7,7 +7,7 @@
 #include "base/number/dyadic.h"
 
 /** 1 if p, not zero, certainly has no root in the interval (proofs/roots.md C92); 0 says nothing,
- * as of an interval that is not in [0, 1]. In any rounding mode. */
+ * and is the answer for an interval that is not in [0, 1]. Any rounding mode may be set. */
 int certainly_rootless(const fmpz_poly_t p, const dyadic_interval *interval);
 
 #endif

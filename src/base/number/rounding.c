@@ -3,7 +3,7 @@
  *
  * MPFR rounds by integer arithmetic, so the host's floating-point environment has no influence.
  */
-#include <mpfr.h> /* before FLINT 3, which declares functions of both only behind it */
+#include <mpfr.h> /* before FLINT 3, which declares functions that use MPFR only after it */
 
 #include <float.h>
 #include <flint/fmpq.h>
@@ -23,7 +23,7 @@ typedef struct binary_format {
 static const binary_format formats[] = {
     [GRAZE_ROUND_BINARY64] = {53, -1073, 1024}, [GRAZE_ROUND_BINARY32] = {24, -148, 128}};
 
-/* integer 2^shift, with a sign, as a rational. */
+/* Set `out` to integer * 2^shift, negated if `negative`. */
 static void set_scaled(fmpq_t out, const fmpz_t integer, slong shift, int negative) {
     fmpq_set_fmpz(out, integer);
     if (shift >= 0)

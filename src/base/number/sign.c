@@ -1,4 +1,4 @@
-/* The sign of a polynomial at a real algebraic number, by refinement; a zero, by gcd.
+/* The sign of a polynomial at a real algebraic number, by refinement, and by a gcd if it is 0.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "base/number/sign.h"
@@ -9,12 +9,12 @@
 #include "base/number/refine.h"
 #include "base/number/simplest.h"
 
-/* Digits of an interval's ends up to which Bernstein coefficients are cheap. */
+/* Binary places of an interval's ends up to which Bernstein coefficients are cheap. */
 enum { COARSE = 63 };
-/* From this degree on the two ways to a sign are weighed; the work of one beside the other's, as
- * measured. */
+/* From degree LONG_DEGREE on the costs of the two ways to a sign are compared; SLOPE_WORK is a
+ * measured ratio of costs. */
 enum { LONG_DEGREE = 64, SLOPE_WORK = 32 };
-/* Binary places that a secant through a guess's interval can be asked for. */
+/* Binary places that the first secant is to gain in an interval around a guess. */
 enum { GUESS_GAIN = 32 };
 
 /* Sign of q on the interval if its value at the lower end is more than q can change by on the way
@@ -43,8 +43,8 @@ static int sign_by_slope(const fmpz_poly_t q, const dyadic_interval *where) {
 }
 
 /* Bernstein coefficients of degree n take n^2 sums of numbers that are n times as long as the
- * interval's ends. Where q's own coefficients are short beside them, an interval so short that the
- * slope decides is found sooner. */
+ * interval's ends. If q's own coefficients are much shorter, it is faster to narrow the interval
+ * until the slope decides. */
 static int slope_is_cheaper(const fmpz_poly_t q, const dyadic_interval *where) {
     ulong n = (ulong)fmpz_poly_degree(q), bits = (ulong)FLINT_ABS(fmpz_poly_max_bits(q));
     ulong words = bits / FLINT_BITS + 1;
@@ -62,7 +62,8 @@ static int sign_on_interval(const fmpz_poly_t q, const algebraic *x) {
     return bernstein_one_sign(&form);
 }
 
-/* If q vanishes at the irrational x, reduce x's polynomial to the common factor. */
+/* Whether q vanishes at the irrational x; if so, x's polynomial becomes its common factor with q.
+ */
 static int vanishes_at(const fmpz_poly_t q, algebraic *x) {
     LOCAL(fmpz_poly, g);
     common_factor(g, x->poly, q);

@@ -6,7 +6,7 @@
 
 #include "base/number/algebraic.h"
 
-/** *out: sign of q at x: -1, 0, 1 (proofs/claims.md C27). */
+/** Set *out to the sign of q at x: -1, 0, 1 (proofs/claims.md C27). */
 graze_status algebraic_sign_at(int *out, graze_context *context, const fmpz_poly_t q, algebraic *x);
 
 #endif

@@ -8,13 +8,14 @@
 #include <math.h>
 #include "base/context/scope.h"
 
-/* Ends of intervals have fewer binary digits, and fewer of them are places; those around a guess
- * have GUESS_PLACES. Nothing of a higher degree is guessed. */
+/* Interval ends have fewer than LONGEST binary digits and fewer than LONGEST places; the ends
+ * around a guess have GUESS_PLACES. Guesses are made up to GUESS_DEGREE, in GUESS_STEPS steps at
+ * most. */
 enum { LONGEST = 60, GUESS_PLACES = 45, GUESS_DEGREE = 24, GUESS_STEPS = 20 };
 
 /* The fraction p / q of least denominator with a / b <= p / q <= c / d, all of them at least 0: the
- * least integer in there if there is one; else both ends have the integral part n, and p / q is
- * n + 1 / x with x that fraction between the remainders' reciprocals. */
+ * least integer in there if there is one; else both ends have the integral part n, and p / q is n +
+ * 1 / x, where x is the fraction of least denominator between d / (c - n d) and b / (a - n b). */
 static void simplest_between(slong *p, slong *q, slong a, slong b, slong c, slong d) {
     slong n = a / b, rest = a % b;
     if (rest == 0 || n < c / d) {
@@ -26,8 +27,8 @@ static void simplest_between(slong *p, slong *q, slong a, slong b, slong c, slon
     *p += n * *q;
 }
 
-/* The quotient of p by (b x - a), a and b coprime, if it divides p, else 0: then all coefficients
- * of the quotient are integers. */
+/* Divide p by b x - a, with a and b coprime. Returns 1 if it divides p, and then the quotient has
+ * integer coefficients; else 0. */
 static int divide_linear(fmpz_poly_t out, const fmpz_poly_t p, slong a, slong b) {
     slong n = fmpz_poly_degree(p);
     const fmpz numerator[] = {a};
@@ -71,7 +72,7 @@ int divide_by_simplest(fmpq_t root, fmpz_poly_t rest, int *empty, const fmpz_pol
     return divided;
 }
 
-/* Newton's method in doubles from the middle of [low, high], which is not left. */
+/* Newton's method in doubles from the middle of [low, high]; a step past an end stops there. */
 static double near_root(const fmpz_poly_t p, double low, double high) {
     double c[GUESS_DEGREE + 1] = {0}, x = 0.5 * (low + high);
     slong n = fmpz_poly_degree(p), top = FLINT_ABS(fmpz_poly_max_bits(p));

@@ -8,17 +8,18 @@
 
 /**
  * If the fraction of least denominator in an interval is a root, divide by its linear factor to its
- * full multiplicity. Intervals below 0, or with long ends, are not looked at.
+ * full multiplicity. Intervals with a negative end, or long ends, are not looked at.
  * @param[out] root the fraction
  * @param[out] rest the quotient, which does not vanish there
- * @param[out] empty the quotient certainly has no root in the interval
+ * @param[out] empty 1 if the quotient certainly has no root in the interval, else 0
  * @param p         of degree 1 or more
- * @return 1; or 0, and neither is set
+ * @return 1 if p was divided; else 0, and `root` and `rest` are not set
  */
 int divide_by_simplest(fmpq_t root, fmpz_poly_t rest, int *empty, const fmpz_poly_t p,
                        const dyadic_interval *interval);
 
-/** A short part of an interval in which a root may be, by a guess in doubles; 0 if there is none.
+/** Set `out` to a short part of an interval that may hold a root, by a guess in doubles. Returns 0
+ * if no guess is made.
  */
 int guess_interval(dyadic_interval *out, const fmpz_poly_t p, const dyadic_interval *interval);
 

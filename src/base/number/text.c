@@ -72,7 +72,7 @@ void text_markdown(text *t, const char *string) {
         }
 }
 
-/* The fence is longer than any run of its letter within. */
+/* The fences have one backquote more than the longest run of backquotes in the string. */
 void text_code(text *t, const char *string) {
     size_t longest = 0, run = 0;
     for (const char *at = string; *at; at++) {

@@ -21,20 +21,22 @@ int text_reserve(text *t, size_t length);
 void text_bytes(text *t, const char *bytes, size_t length);
 void text_put(text *t, const char *string);
 void text_format(text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
-/** A count in decimal digits. */
+/** Append a count in decimal digits. */
 void text_count(text *t, unsigned long value);
 /** An integer. */
 void text_integer(text *t, const fmpz_t value);
-/** The coefficients of a polynomial, the constant one first, with blanks between them. */
+/** Append the coefficients of a polynomial, the constant one first, with blanks between them. */
 void text_coefficients(text *t, const fmpz_poly_t p);
-/** An integer or a ratio in lowest terms. */
+/** Append an integer or a ratio in lowest terms. */
 void text_rational(text *t, const fmpq_t value);
-/** A user's text as Markdown shows it, in a cell of a table too: what Markdown or HTML would take
- * for its own is escaped, line breaks and other control bytes are blanks. */
+/** Append a user's text so that Markdown shows it as it is, in a cell of a table too: characters
+ * with a meaning in Markdown or HTML are escaped, line breaks and other control bytes become
+ * blanks. */
 void text_markdown(text *t, const char *string);
-/** A user's text as code within a line of Markdown; control bytes are blanks. */
+/** Append a user's text as code within a line of Markdown; control bytes become blanks. */
 void text_code(text *t, const char *string);
-/** Add a malloc'ed string and free it; NULL stands for memory that ran short. */
+/** Append a malloc'ed string and free it; NULL, the result of a failed allocation, sets `failed`.
+ */
 void text_owned(text *t, char *string);
 /** Hand the text over as a malloc'ed string and clear; NULL when memory ran short. */
 char *text_take(text *t);

@@ -69,7 +69,7 @@ void cross_integers(fmpz_t out, const fmpz *p, const fmpz *q, const fmpz *r, int
     fmpz_submul(out, a, b);
 }
 
-/* By integers over one denominator. */
+/* Computes with integers over one common denominator. */
 void cross_rationals(fmpq_t out, const fmpq *p, const fmpq *q, const fmpq *r, int i, int j) {
     const fmpq borrowed[] = {p[i], p[j], q[i], q[j], r[i], r[j]};
     LOCAL_VEC(fmpz, at, 8);

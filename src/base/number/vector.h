@@ -7,18 +7,20 @@
 #include <flint/fmpq.h>
 #include <flint/fmpq_mat.h>
 
-/** out = a + b, out = a - b; `out` may be either. */
+/** out = a + b, out = a - b; `out` may be a or b. */
 void vector_add(fmpq *out, const fmpq *a, const fmpq *b, int dimension);
 void vector_sub(fmpq *out, const fmpq *a, const fmpq *b, int dimension);
-/** out = (a + b) / 2; `out` may be either. */
+/** out = (a + b) / 2; `out` may be a or b. */
 void vector_middle(fmpq *out, const fmpq *a, const fmpq *b, int dimension);
 int vector_is_zero(const fmpq *a, int dimension);
-/** The order of two points: by their first coordinates that differ. */
+/** The lexicographic order of two points: negative, 0 or positive if a is before, equal to or
+ * behind b. */
 int vector_compare(const fmpq *a, const fmpq *b, int dimension);
 void vector_set(fmpq *out, const fmpq *a, int dimension);
-/** out = a x b, in space; `out` is neither. */
+/** out = a x b, in space; `out` is neither a nor b. */
 void vector_cross(fmpq *out, const fmpq *a, const fmpq *b);
-/** The image of a point under a homogeneous matrix of size d + 1; `out` is another vector. */
+/** The image of a point under an affine map, a homogeneous matrix of size d + 1; `out` is not
+ * `point`. */
 void vector_image(fmpq *out, const fmpq_mat_t map, const fmpq *point, int dimension);
 
 /** (q_i - p_i)(r_j - p_j) - (q_j - p_j)(r_i - p_i): twice the area of the triangle p, q, r in the

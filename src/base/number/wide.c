@@ -1,4 +1,5 @@
-/* Two's complement on top of GMP's unsigned limb kernels, which wrap around as it needs.
+/* Two's complement on top of GMP's unsigned limb kernels, which wrap around as two's complement
+ * does.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "base/number/wide.h"
@@ -56,8 +57,8 @@ void wide_addmul(wide_vector *v, slong i, slong j, const fmpz_t factor) {
             mpn_submul_1(to + k, from, v->limbs - k, digit[k]);
 }
 
-/* From the highest limb of the entry down, each is replaced by its multiple; the limbs above take
- * the rest in. */
+/* Multiply in place, from the highest limb down: each limb is replaced by the lowest one of its
+ * product, and the others are added to the limbs above. */
 static void mul_magnitude(mp_limb_t *entry, slong limbs, const mp_limb_t *factor, slong digits) {
     for (slong at = limbs - 1; at >= 0; at--) {
         mp_limb_t own = entry[at];

@@ -17,7 +17,7 @@ typedef struct wide_vector {
 
 /** Zeros, wide enough for every integer below 2^bits in size. */
 void wide_init(wide_vector *v, slong count, ulong bits);
-/** Copy the integers into a new vector of another width, at least the old one. */
+/** Copy the integers into a new vector whose entries have at least as many limbs. */
 void wide_init_wider(wide_vector *v, const wide_vector *narrow, ulong bits);
 void wide_clear(wide_vector *v);
 
@@ -36,7 +36,7 @@ static inline int wide_sign(const wide_vector *v, slong i) {
     return 0;
 }
 
-/** Entry i becomes the integer, which may be too large. */
+/** Entry i becomes the integer, reduced modulo 2^(64 limbs) if it is too large. */
 void wide_set_fmpz(wide_vector *v, slong i, const fmpz_t integer);
 void wide_get_fmpz(fmpz_t out, const wide_vector *v, slong i);
 /** Entry i becomes its sum with entry j. */

@@ -72,7 +72,7 @@ size_t csg_table_words(int free) {
     return free <= 6 ? 1 : (size_t)1 << (free - 6);
 }
 
-/* Word `at` of the table of free surface k: the patterns in which it is negative. */
+/* Word `at` of the truth table of "free surface k is negative". */
 static uint64_t variable_word(int k, size_t at) {
     static const uint64_t within[] = {0xaaaaaaaaaaaaaaaa, 0xcccccccccccccccc, 0xf0f0f0f0f0f0f0f0,
                                       0xff00ff00ff00ff00, 0xffff0000ffff0000, 0xffffffff00000000};

@@ -17,8 +17,8 @@
 /** Greatest degree of a polynomial that bounds a primitive. */
 enum { CSG_DEGREE = 4 };
 
-/** An irreducible polynomial of integers without a common factor, as terms in one order, the first
- * coefficient positive. */
+/** An irreducible polynomial with integer coefficients that have no common factor: its terms in a
+ * fixed order of monomials, the first coefficient positive. */
 typedef struct csg_surface {
     int degree;
     size_t count;
@@ -26,8 +26,9 @@ typedef struct csg_surface {
     unsigned char (*power)[3]; /* of x, y, z; that of z is 0 in the plane */
 } csg_surface;
 
-/** Truth of a node. CSG_SIGN: its operands are surfaces, and an odd number of them is negative.
- * CSG_ALL, CSG_ANY, CSG_ODD: its operands are nodes, and all, any, an odd number of them are true.
+/** The condition under which a node is true. CSG_SIGN: the operands are surfaces, and an odd number
+ * of them is negative. CSG_ALL, CSG_ANY, CSG_ODD: the operands are nodes, and all, any, or an odd
+ * number of them are true.
  */
 typedef enum csg_operation { CSG_SIGN, CSG_ALL, CSG_ANY, CSG_ODD } csg_operation;
 
@@ -40,20 +41,20 @@ typedef struct csg_node {
 
 /** A box that holds a set; low < high in each coordinate. */
 typedef struct csg_box {
-    int dimension; /* 0: none is known */
+    int dimension; /* 0: no box is known */
     fmpq low[3], high[3];
 } csg_box;
 
 void csg_box_init(csg_box *box);
 void csg_box_clear(csg_box *box);
 
-/** A primitive of the file, in its order. */
+/** A primitive; csg.primitive has the order of the file. */
 typedef struct csg_primitive {
     char *title;    /* such as `ball 2 "tip"` */
-    fmpq middle[3]; /* of a box that holds it; 0 where none is known */
+    fmpq middle[3]; /* the centre of a box that holds it; 0 if no box is known */
 } csg_primitive;
 
-/** Operands of a node are nodes before it; the last node is the solid. */
+/** The operands of a node, if not surfaces, are nodes before it; the last node is the solid. */
 typedef struct csg {
     int dimension;
     size_t surface_count, surface_capacity, node_count, node_capacity;
@@ -71,21 +72,23 @@ void csg_clear(csg *solid);
  * @param x coordinates, then their common denominator, positive */
 int csg_surface_sign(const csg_surface *surface, const fmpz *x, int dimension);
 
-/** Surfaces whose signs are free in a table of truth, at most; and words of such a table. */
+/** The most surfaces whose signs are free in a truth table, and the most 64-bit words of such a
+ * table. */
 enum { CSG_FREE_MOST = 12, CSG_TABLE_WORDS = 1 << (CSG_FREE_MOST - 6) };
 
-/** Words of the table of `free` surfaces, whose bits past 2^free are 0. */
+/** The number of 64-bit words of the truth table of `free` surfaces; its bits past 2^free are 0. */
 size_t csg_table_words(int free);
 
 /**
- * The expression over all signs of some surfaces: bit s of `out` is its truth where free surface k
- * is negative iff bit k of s is set.
+ * The truth table of the solid's expression over all signs of the free surfaces: bit s of `out` is
+ * its truth where, for each k, free surface k is negative iff bit k of s is set.
  * @param sign by surface: -1, 1, or 2 + k for free surface k
  * @param work room for node_count * csg_table_words(free) words
  */
 void csg_table(uint64_t *out, uint64_t *work, const csg *solid, const signed char *sign, int free);
 
-/** At least the root of a number that is not negative: the root itself if it is rational. */
+/** Set `out` to an upper bound of the square root of a number >= 0, or to the root if it is
+ * rational. */
 void csg_upper_root(fmpq_t out, const fmpq_t value);
 
 /* Curved solids of `.csg.json` files (src/program/cli/formats.md, Curved solids). */
@@ -98,7 +101,7 @@ void csg_upper_root(fmpq_t out, const fmpq_t value);
  */
 graze_status csg_read(csg *out, unsigned char sha256[32], graze_context *context, const char *path);
 
-/** As csg_read, from text, which messages call `name`. */
+/** As csg_read, from a text that messages call `name`. */
 graze_status csg_read_text(csg *out, graze_context *context, const char *name, const char *text,
                            size_t length);
 

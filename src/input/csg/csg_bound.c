@@ -1,9 +1,9 @@
 /* Boxes that hold the nodes of a curved solid, by its primitives.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * In the direction of a coordinate, a linear form g of the node's frame, a disk of radius R about
- * the axis a reaches R sqrt(|g|^2 - (g . a)^2 / |a|^2) from its centre, and a ball of radius r
- * along it r |g| further.
+ * A coordinate of the solid is a linear form g in the node's frame. In its direction a disk of
+ * radius R with normal a reaches R sqrt(|g|^2 - (g . a)^2 / |a|^2) from its centre, and the
+ * Minkowski sum of the disk with a ball of radius r reaches r |g| further.
  */
 #include "input/csg/csg.h"
 
@@ -12,7 +12,7 @@
 #include "base/context/scope.h"
 #include "input/csg/csg_reader.h"
 
-/* Bits of a root that is not rational. */
+/* Binary places of the bound of an irrational root. */
 enum { ROOT_BITS = 24 };
 
 void csg_upper_root(fmpq_t out, const fmpq_t value) {
@@ -30,7 +30,7 @@ void csg_upper_root(fmpq_t out, const fmpq_t value) {
     fmpq_canonicalise(out);
 }
 
-/* How far a disk and a ball along it reach in the direction of a form. */
+/* How far the Minkowski sum of a disk and a ball reaches in the direction of a form. */
 static void round_reach(fmpq_t out, const fmpq *form, const fmpq *axis, const fmpq_t ball,
                         const fmpq_t disk, int d) {
     LOCAL_VEC(fmpq, v, 3);

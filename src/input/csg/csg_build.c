@@ -1,8 +1,8 @@
 /* Builds curved solids: factors over Q, terms, equal surfaces.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * f <= 0 is true, on an open cell, iff an odd number of its factors of odd order, the constant
- * among them, is negative there (proofs/curved.md C94).
+ * f <= 0 is true on an open cell iff, of the constant factor and the factors of odd multiplicity of
+ * f, an odd number is negative there (proofs/curved.md C94).
  */
 #include "input/csg/csg.h"
 
@@ -17,8 +17,8 @@
 #include "base/context/scope.h"
 #include "input/csg/csg_reader.h"
 
-enum { TERM_WORK = 4 };   /* what a term costs, for each of its words */
-enum { LONG_WORDS = 64 }; /* at this number of words a common divisor doubles the work */
+enum { TERM_WORK = 4 };   /* work of a term, for each of its machine words */
+enum { LONG_WORDS = 64 }; /* of a coefficient for which a common divisor doubles the work */
 
 void csg_build_begin(csg_builder *b, graze_context *context, csg *out, int dimension) {
     *out = (csg){.dimension = dimension};
@@ -70,7 +70,7 @@ void csg_complement(csg_builder *b, size_t node) {
     b->out->node[node].complement ^= 1;
 }
 
-/* One more surface, of a factor's terms. */
+/* Append a surface with the terms of an irreducible factor. */
 static graze_status add_surface(csg_builder *b, const fmpz_mpoly_t factor) {
     csg *out = b->out;
     TRY(array_grow(b->context, &out->surface, &out->surface_capacity, out->surface_count + 1,
@@ -96,8 +96,8 @@ static graze_status add_surface(csg_builder *b, const fmpz_mpoly_t factor) {
     return GRAZE_OK;
 }
 
-/* Whether f has degree 1, or degree 2 and a matrix of rank 3 or more; then it is irreducible, as a
- * product of two linear forms has one of rank 2 or less. */
+/* Whether f has degree 1, or degree 2 and a matrix of rank 3 or more; then it is irreducible, since
+ * a product of two linear forms has a matrix of rank 2 or less. */
 static int is_plainly_irreducible(const csg_builder *b, const fmpz_mpoly_t f) {
     int d = b->out->dimension, rank;
     slong terms = fmpz_mpoly_length(f, b->ring->zctx);
@@ -120,7 +120,8 @@ static int is_plainly_irreducible(const csg_builder *b, const fmpz_mpoly_t f) {
     return rank >= 3;
 }
 
-/* Add the factors of odd order, `count` of them so far. */
+/* Append the factors of odd multiplicity as surfaces and their numbers to the `count` operands; a
+ * negative constant factor flips *negative. */
 static graze_status add_factors(size_t *operand, size_t *count, int *negative, csg_builder *b,
                                 const fmpz_mpoly_t f) {
     fmpz_mpoly_factor_t parts;
@@ -183,7 +184,7 @@ typedef struct numbered_surface {
     size_t number;
 } numbered_surface;
 
-/* Equal surfaces in the order of their numbers. */
+/* Order by surface, and equal surfaces by number. */
 static int compare_numbered(const void *left, const void *right) {
     const numbered_surface *a = left, *b = right;
     int order = compare_surfaces(&a->surface, &b->surface);

@@ -11,7 +11,7 @@
 #include "input/csg/csg_reader.h"
 #include "input/motion/motion.h"
 
-/* Keys of a node; behind those that have names here stand the primitives. */
+/* The keys of a node, in the order of key_names: those of primitives begin at FIRST_PRIMITIVE. */
 enum { NAME, AFFINE, UNION, INTERSECTION, DIFFERENCE, FIRST_PRIMITIVE, KEYS = 17 };
 
 static const char *const key_names[KEYS] = {
@@ -24,11 +24,12 @@ static csg_primitive_reader *const readers[KEYS - FIRST_PRIMITIVE] = {
     csg_read_cylinder,   csg_read_cone,       csg_read_torus,   csg_read_capsule,
     csg_read_polynomial, csg_read_polynomial, csg_read_polygon, csg_read_polyhedron};
 
-enum { DIGITS_A_LIMB = 20 }; /* more than a limb has */
+enum { DIGITS_A_LIMB = 20 }; /* at least the decimal digits of a limb */
 
 static graze_status read_node(size_t *node, csg_reader *r, const json *value);
 
-/* The nodes of an array; those of a difference after the first are taken away. */
+/* Read the nodes of an array as operands; those of a difference after the first are complemented.
+ */
 static graze_status read_operands(size_t *node, csg_reader *r, const json *value, int key) {
     graze_context *context = r->build.context;
     size_t least = key == DIFFERENCE ? 2 : 1;
@@ -55,7 +56,7 @@ static graze_status read_operands(size_t *node, csg_reader *r, const json *value
     return csg_add_node(node, &r->build, key == UNION ? CSG_ANY : CSG_ALL, part, value->count);
 }
 
-/* Rows of d + 1 numbers as an invertible matrix of size d + 1, and its inverse. */
+/* Read d rows of d + 1 numbers into a homogeneous matrix `map`, and set `out` to its inverse. */
 static graze_status read_map(fmpq_mat_t map, fmpq_mat_t out, csg_reader *r, const json *value) {
     int d = r->dimension;
     TRY(json_array(r->build.context, value, (size_t)d));
@@ -69,14 +70,16 @@ static graze_status read_map(fmpq_mat_t map, fmpq_mat_t out, csg_reader *r, cons
     return GRAZE_OK;
 }
 
-/* More digits than the limit allows; fmpz_sizeinbase is exact or one too large. */
+/* Whether an integer has more digits than the limit allows; fmpz_sizeinbase may be one too large.
+ */
 static int has_many_digits(const graze_context *context, const fmpz_t value) {
     size_t digits = context->limits[GRAZE_LIMIT_DIGITS];
     return (size_t)fmpz_size(value) > digits / DIGITS_A_LIMB &&
            fmpz_sizeinbase(value, 10) - 1 > digits;
 }
 
-/* GRAZE_ELIMIT at a value if a number of what comes of it is too long. */
+/* Return GRAZE_ELIMIT, with the place of `value`, if a number that was computed from it is too
+ * long. */
 static graze_status check_digits(csg_reader *r, const fmpq *x, slong count, const json *value,
                                  const char *what) {
     graze_context *context = r->build.context;
@@ -119,7 +122,7 @@ static graze_status read_affine(size_t *node, csg_reader *r, const json *value) 
     return status;
 }
 
-/* The name of a node, or NULL. */
+/* Read the name of a node; NULL if there is none. */
 static graze_status read_name(const char **out, csg_reader *r, const json *value) {
     *out = NULL;
     if (!value)
@@ -171,7 +174,7 @@ static graze_status read_node(size_t *node, csg_reader *r, const json *value) {
     return read_primitive(node, r, member[key], key, name);
 }
 
-/* The solid, with its box. */
+/* Read the solid and set its box. */
 static graze_status read_curved(csg_reader *r, const json *value) {
     size_t node;
     TRY(read_node(&node, r, value));

@@ -12,7 +12,8 @@
 #include "input/motion/motion.h"
 
 void csg_box_set(csg_box *to, const csg_box *from);
-/** Enlarge coordinate i of a box until it holds an interval; the caller sets the dimension. */
+/** Enlarge coordinate i of a box until it holds an interval, or set it to the interval if the box
+ * has dimension 0. The caller sets the dimension. */
 void csg_box_hold(csg_box *box, int i, const fmpq_t low, const fmpq_t high);
 
 /* A curved solid that grows: polynomials are factored to surfaces, nodes appended. */
@@ -23,11 +24,12 @@ typedef struct csg_builder {
     fmpq_mpoly_ctx_t ring; /* of the coordinates */
 } csg_builder;
 
-/** Begin with an empty solid. Functions after it return GRAZE_ELIMIT past the limit `cells` of
- * nodes or of operands, GRAZE_ECANCELED, GRAZE_ESYSTEM. */
+/** Begin with an empty solid. The functions below return GRAZE_ELIMIT if nodes or operands exceed
+ * the limit `cells`, GRAZE_ECANCELED, GRAZE_ESYSTEM. */
 void csg_build_begin(csg_builder *b, graze_context *context, csg *out, int dimension);
 
-/** Add a primitive; the signs added after it are its own. `name` may be NULL. */
+/** Add a primitive; the nodes CSG_SIGN that are added next belong to this primitive. `name` may be
+ * NULL. */
 graze_status csg_add_primitive(csg_builder *b, const char *kind, const char *name);
 
 /** Add a node for the set f <= 0 to the last primitive; f is not zero, of degree at most
@@ -35,7 +37,7 @@ graze_status csg_add_primitive(csg_builder *b, const char *kind, const char *nam
  */
 graze_status csg_add_sign(size_t *node, csg_builder *b, const fmpq_mpoly_t f);
 
-/** Add a node whose operands are nodes; each node is the operand of at most one. */
+/** Add a node whose operands are nodes; a node is an operand of at most one other node. */
 graze_status csg_add_node(size_t *node, csg_builder *b, csg_operation operation,
                           const size_t *operands, size_t count);
 
@@ -47,13 +49,14 @@ graze_status csg_build_finish(csg_builder *b);
 
 /* The state in which the nodes of a curved solid are read. */
 
-/** The frame of the node at hand: `coordinate` has the coordinates of a point in it as linear forms
- * of those in the solid's frame, `place` maps the other way. And room for polynomials. */
+/** A reader, with the frame of the node that is being read: `coordinate` expresses the node's
+ * coordinates as linear forms in the solid's, and `place` maps the node's frame to the solid's. The
+ * other polynomials are temporary. */
 typedef struct csg_reader {
     csg_builder build;
     int dimension;
     fmpq_mat_t place; /* from the frame of the node to that of the solid, homogeneous */
-    csg_box box;      /* a box of the last node, in the frame of the solid */
+    csg_box box;      /* holds the node read last; in the frame of the solid */
     fmpq_mpoly_struct coordinate[3];
     fmpq_mpoly_struct from[3];                /* the point minus a primitive's own point */
     fmpq_mpoly_struct square, along, f, term; /* |from|^2, axis . from, the polynomial, a summand */
@@ -62,24 +65,25 @@ typedef struct csg_reader {
 /** Read the value of a primitive's key, after csg_add_primitive. */
 typedef graze_status csg_primitive_reader(size_t *node, csg_reader *r, const json *value);
 
-/** A reader in the frame of the solid, and its builder; what it has built stays after the clear. */
+/** Begin a reader, in the frame of the solid, and its builder. csg_reader_clear keeps the solid. */
 void csg_reader_init(csg_reader *r, graze_context *context, csg *out, int dimension);
 void csg_reader_clear(csg_reader *r);
 
-/** The members of a primitive: the first `needed` of `count` must be there. */
+/** Get the `count` members of a primitive's object by name; the first `needed` must be there. */
 graze_status csg_read_members(const json **out, csg_reader *r, const json *value,
                               const char *const *names, size_t count, size_t needed);
 
-/** GRAZE_EINPUT in the plane, for a primitive of space. */
+/** Return GRAZE_EINPUT if the solid is plane, since the primitive exists in space alone. */
 graze_status csg_in_space(csg_reader *r, const json *value);
 
-/** Read a number as entry_number does; a plain number token is taken without an expression. */
+/** Read a number as entry_number does; a plain number token is read without the expression parser.
+ */
 graze_status csg_read_number(fmpq_t out, csg_reader *r, const json *value);
 
 /** `count` numbers. */
 graze_status csg_read_vector(fmpq *out, csg_reader *r, const json *value, size_t count);
 
-/** out = sum factor[i] x[i] - constant, over d polynomials. */
+/** out = sum factor[i] x[i] - constant, where x has a polynomial for each coordinate. */
 void csg_linear_form(fmpq_mpoly_t out, csg_reader *r, const fmpq *factor,
                      const fmpq_mpoly_struct *x, const fmpq_t constant);
 
@@ -101,8 +105,9 @@ void csg_bound_round(csg_reader *r, const fmpq *point, const fmpq *axis, const f
  * frame of the node at hand. */
 void csg_bound_corners(csg_reader *r, const fmpq *low, const fmpq *high);
 
-/** Replace the box of some nodes by a box of their union, or intersection, with another node. If
- * the interiors of two boxes are disjoint, the intersection is empty and the first box stays. */
+/** Let `box`, which holds a set, hold the union, or the intersection, of this set with the set that
+ * `other` holds. If the interiors of the boxes are disjoint, the intersection is empty and `box`
+ * stays. */
 void csg_bound_union(csg_box *box, const csg_box *other);
 void csg_bound_intersection(csg_box *box, const csg_box *other);
 

@@ -1,10 +1,11 @@
 /* Convex polyhedra of curved solids as intersections of half-spaces.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Faces are cut into fans. If no point is beyond the plane of a triangle, and each edge of a face
- * is one of another, in the other direction, then the triangles cover the boundary of the hull of
- * the points equally often everywhere, at least once: they lie in it, face outward, and their sum
- * has no boundary. So the hull is the intersection of the half-spaces of the triangles.
+ * Faces are cut into fans of triangles. If no point is beyond the plane of a triangle, and each
+ * edge of a face is also an edge of another face, in the other direction, then the triangles cover
+ * the boundary of the hull of the points equally often everywhere, at least once: they lie in it,
+ * face outward, and their sum has no boundary. So the hull is the intersection of the half-spaces
+ * of the triangles.
  */
 #include "input/csg/csg.h"
 
@@ -15,7 +16,7 @@
 #include "input/csg/csg_reader.h"
 #include "input/motion/motion.h"
 
-/* An edge from low to high, or back. */
+/* An edge from point `low` to point `high`, or, if `back`, from `high` to `low`. */
 typedef struct edge {
     size_t low, high;
     int back;
@@ -30,7 +31,7 @@ typedef struct faces {
     edge *edge;
     size_t edges;
     size_t *node, nodes;
-    int side;   /* of the planes on which the points are; 0: not known yet */
+    int side;   /* the side of all planes on which the points are; 0: not known yet */
     fmpq *form; /* 4: a plane n . x = c, and room for 6 more */
 } faces;
 
@@ -41,14 +42,14 @@ static int edge_order(const void *left, const void *right) {
     return a->high < b->high ? -1 : a->high > b->high;
 }
 
-/* The side of the plane at hand on which a point is. */
+/* The side of the plane f->form on which a point is; 0 if the point is in the plane. */
 static int plane_side(const faces *f, size_t point) {
     fmpq *value = f->form + 4;
     _fmpq_vec_dot(value, f->form, f->point + 3 * point, 3);
     return fmpq_cmp(value, f->form + 3);
 }
 
-/* Set the plane of three points; 0 if they are on a line. */
+/* Set f->form to the plane of three points; returns 0 if they are on a line. */
 static int set_plane(faces *f, size_t a, size_t b, size_t c) {
     fmpq *u = f->form + 4, *v = f->form + 7;
     vector_sub(u, f->point + 3 * b, f->point + 3 * a, 3);
@@ -58,8 +59,8 @@ static int set_plane(faces *f, size_t a, size_t b, size_t c) {
     return !(fmpq_is_zero(f->form) && fmpq_is_zero(f->form + 1) && fmpq_is_zero(f->form + 2));
 }
 
-/* Check that all points are on one side of the plane at hand, equal for all planes, and that the
- * corners of its face lie in it. */
+/* Check that the corners of the face lie in the plane f->form and that no point is on another side
+ * of it than f->side, which is common to all planes. */
 static graze_status check_plane(faces *f, const json *face) {
     graze_context *context = f->r->build.context;
     for (size_t k = 0; k < face->count; k++)
@@ -77,7 +78,7 @@ static graze_status check_plane(faces *f, const json *face) {
     return context_work(context, 8 * f->points);
 }
 
-/* The half-space of the plane at hand. */
+/* Add the half-space of the plane f->form that holds the points. */
 static graze_status add_plane(faces *f) {
     csg_linear_form(&f->r->f, f->r, f->form, f->r->coordinate, f->form + 3);
     return csg_add_side(&f->node[f->nodes++], f->r, f->side > 0);

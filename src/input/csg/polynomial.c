@@ -1,11 +1,12 @@
 /* Polynomials and polygons of curved solids.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * A point is in a polygon iff the vertical ray below it crosses an odd number of edges: over each
- * edge stands the set of points above it, between the vertical lines through its ends. Where these
- * lines bound nothing, flipping their sign does not change the parity. Where a polygon is revolved,
- * the ray goes from a point outwards, and inside each edge, between the planes through its ends, is
- * the part of a cone or a cylinder.
+ * A point is in a polygon iff the ray downwards from it crosses an odd number of edges, that is,
+ * iff it is in an odd number of strips: the strip of an edge is the set of points above the edge,
+ * between the vertical lines through its ends. Where such a line is no boundary of the polygon, its
+ * sign does not change the parity. For a revolved polygon the ray goes from the point away from the
+ * axis, and the strip of an edge is the part of a cone or a cylinder inside the edge, between the
+ * planes through its ends.
  */
 #include "input/csg/csg.h"
 
@@ -17,7 +18,7 @@
 #include "input/csg/csg_reader.h"
 #include "input/motion/motion.h"
 
-/* Powers from a key such as "2,0,1". */
+/* Read powers from a key such as "2,0,1". */
 static graze_status read_powers(ulong *out, csg_reader *r, const json *term) {
     int d = r->dimension, degree = 0, good = term->key_length == (size_t)(2 * d - 1);
     for (int i = 0; i < d && good; i++) {
@@ -68,10 +69,11 @@ graze_status csg_read_polynomial(size_t *node, csg_reader *r, const json *value)
     return csg_add_side(node, r, 0);
 }
 
-/* The nodes of the edges of a polygon, and its box; heights of a prism are the last coordinate. */
+/* The nodes of a polygon's edges and a box of the polygon, whose last coordinate has the heights of
+ * a prism. */
 typedef struct polygon_edges {
     size_t *node, count, capacity;
-    int revolved; /* about the z axis: points are distances from it, and heights */
+    int revolved; /* about the z axis: a point is its distance from the axis and its height */
     csg_box box;
 } polygon_edges;
 
@@ -85,8 +87,8 @@ static void polygon_edges_clear(polygon_edges *e) {
     csg_box_clear(&e->box);
 }
 
-/* Add the points on one side of the edge from p to q, f <= 0 of the reader, between the lines, or
- * planes, through p and q, which differ in coordinate `along`. */
+/* Add the strip of the edge from p to q: the set r->f <= 0 between the lines, or planes, through p
+ * and q, whose coordinates `along` differ. */
 static graze_status add_strip(polygon_edges *e, csg_reader *r, const fmpq *p, const fmpq *q,
                               int along) {
     const fmpq_mpoly_struct *x = &r->coordinate[e->revolved ? 2 : 0];
@@ -102,7 +104,7 @@ static graze_status add_strip(polygon_edges *e, csg_reader *r, const fmpq *p, co
     return csg_add_node(&e->node[e->count++], &r->build, CSG_ALL, part, 3);
 }
 
-/* The points above the edge from p to q. */
+/* Add the points above the edge from p to q, none if the edge is vertical. */
 static graze_status add_edge(polygon_edges *e, csg_reader *r, const fmpq *p, const fmpq *q) {
     const fmpq *left = fmpq_cmp(p, q) < 0 ? p : q, *right = left == p ? q : p;
     if (fmpq_equal(p, q))
@@ -185,7 +187,7 @@ static graze_status read_polygon_ring(polygon_edges *e, csg_reader *r, const jso
     return add(e, r, last, first);
 }
 
-/* The prism between two heights. */
+/* Replace the node of a polygon by its prism between two heights. */
 static graze_status extrude(size_t *node, polygon_edges *e, csg_reader *r, const json *value) {
     size_t part[3] = {*node, 0, 0};
     LOCAL_VEC(fmpq, height, 2);
@@ -202,7 +204,8 @@ static graze_status extrude(size_t *node, polygon_edges *e, csg_reader *r, const
     return csg_add_node(node, &r->build, CSG_ALL, part, 3);
 }
 
-/* Whether a polygon is revolved, and that it is a prism or revolved where it must be. */
+/* Set *revolved, and check that a polygon in space is either extruded or revolved, one in the plane
+ * neither. */
 static graze_status polygon_form(int *revolved, csg_reader *r, const json *value,
                                  const json *extruded, const json *turns) {
     graze_context *context = r->build.context;
@@ -221,7 +224,7 @@ static graze_status polygon_form(int *revolved, csg_reader *r, const json *value
     return GRAZE_OK;
 }
 
-/* Set the box to one of the revolved polygon. */
+/* Turn the box of a polygon into a box of the revolved polygon. */
 static void revolve_box(csg_box *box) {
     fmpq_swap(&box->low[1], &box->low[2]);
     fmpq_swap(&box->high[1], &box->high[2]);

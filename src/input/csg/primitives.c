@@ -1,8 +1,9 @@
 /* Primitives of curved solids as polynomial inequalities.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * With y the point minus a primitive's own point and a its axis, h = a . y / |a| is the height of y
- * and |y|^2 - h^2 the square of its distance from the axis; multiplied by |a|^2 all is polynomial.
+ * Let y be a point minus the primitive's own point, and a the primitive's axis. Then h = a . y /
+ * |a| is the height of y and |y|^2 - h^2 the square of its distance from the axis. The inequalities
+ * are multiplied by |a|^2, which makes their coefficients rational.
  */
 #include "input/csg/csg.h"
 
@@ -11,7 +12,7 @@
 #include "input/csg/csg_reader.h"
 #include "input/motion/motion.h"
 
-/* Numbers of a primitive; those that are not given stay as they are. */
+/* Numbers of a primitive; 0 until they are set. */
 typedef struct placed {
     fmpq *point, *axis; /* 3 each */
     fmpq *length2;      /* |axis|^2 */
@@ -28,7 +29,7 @@ static void placed_clear(placed *p) {
     _fmpq_vec_clear(p->point, 11);
 }
 
-/* A number that is positive. */
+/* Read a number that must be positive. */
 static graze_status read_size(fmpq_t out, csg_reader *r, const json *value) {
     TRY(csg_read_number(out, r, value));
     if (fmpq_sgn(out) <= 0)
@@ -46,7 +47,7 @@ static void set_from(csg_reader *r, const fmpq *point) {
     }
 }
 
-/* f = |from|^2 - radius^2 */
+/* Add the ball |from|^2 - radius^2 <= 0. */
 static graze_status add_ball(size_t *node, csg_reader *r, const placed *p, const fmpq_t radius) {
     LOCAL(fmpq, square);
     LOCAL(fmpq, zero);
@@ -56,7 +57,7 @@ static graze_status add_ball(size_t *node, csg_reader *r, const placed *p, const
     return csg_add_side(node, r, 0);
 }
 
-/* Where the height is at most (at least, if `other`) `bound` times the axis. */
+/* Add the half-space a . from <= bound |a|^2, or >= if `other`, for the axis a. */
 static graze_status add_cap(size_t *node, csg_reader *r, const placed *p, const fmpq_t bound,
                             int other) {
     LOCAL(fmpq, level);
@@ -65,7 +66,7 @@ static graze_status add_cap(size_t *node, csg_reader *r, const placed *p, const 
     return csg_add_side(node, r, other);
 }
 
-/* f = |a|^2 |from|^2 - factor (a . from)^2 - constant, of an axis a. */
+/* Set f = |a|^2 |from|^2 - factor (a . from)^2 - constant for the axis a. */
 static void set_about_axis(csg_reader *r, const placed *p, const fmpq_t factor,
                            const fmpq_t constant) {
     const fmpq_mpoly_ctx_struct *ring = r->build.ring;
@@ -76,7 +77,7 @@ static void set_about_axis(csg_reader *r, const placed *p, const fmpq_t factor,
     fmpq_mpoly_sub_fmpq(&r->f, &r->f, constant, ring);
 }
 
-/* f of the infinite cylinder of radius `first`. */
+/* Set f for the infinite cylinder of radius `first`. */
 static void set_cylinder(csg_reader *r, const placed *p) {
     LOCAL_VEC(fmpq, one, 2);
     fmpq *constant = one + 1;
@@ -86,7 +87,7 @@ static void set_cylinder(csg_reader *r, const placed *p) {
     set_about_axis(r, p, one, constant);
 }
 
-/* Point and axis, from which all else is measured. */
+/* Read the point and the axis; set r->from, r->square and r->along for them. */
 static graze_status read_placed_axis(placed *p, csg_reader *r, const json *point,
                                      const json *axis) {
     size_t d = (size_t)r->dimension;
@@ -115,7 +116,7 @@ static graze_status read_bounds(placed *p, csg_reader *r, const json *from, cons
     return GRAZE_OK;
 }
 
-/* The surface at hand, f, between the bounds that are given. */
+/* Add the set f <= 0 between those of the bounds `from` and `to` that are given. */
 static graze_status add_bounded(size_t *node, csg_reader *r, const placed *p) {
     size_t part[3], count = 1;
     TRY(csg_add_side(&part[0], r, 0));
@@ -126,8 +127,8 @@ static graze_status add_bounded(size_t *node, csg_reader *r, const placed *p) {
     return csg_add_node(node, &r->build, CSG_ALL, part, count);
 }
 
-/* Let the reader's box hold the disks at both bounds; their radius is `first`, of a cone that times
- * the height. */
+/* If both bounds are given, enlarge the reader's box until it holds the disks at them. Their radius
+ * is `first`, or, for a cone, `first` times the height. */
 static void bound_between(csg_reader *r, const placed *p, int cone) {
     LOCAL_VEC(fmpq, v, 5);
     fmpq *zero = v + 3, *square = v + 4;
@@ -259,7 +260,7 @@ graze_status csg_read_cone(size_t *node, csg_reader *r, const json *value) {
     return add_bounded(node, r, &p);
 }
 
-/* |a|^2 (|y|^2 + R^2 - r^2)^2 - 4 R^2 (|a|^2 |y|^2 - (a . y)^2) */
+/* Set f = |a|^2 (|y|^2 + R^2 - r^2)^2 - 4 R^2 (|a|^2 |y|^2 - (a . y)^2), and enlarge the box. */
 static void set_torus(csg_reader *r, placed *p) {
     const fmpq_mpoly_ctx_struct *ring = r->build.ring;
     fmpq_mul(p->from, p->first, p->first);

@@ -73,7 +73,8 @@ void field_note(field *key, field *value, field line) {
     *value = field_trimmed(*value);
 }
 
-/* The end of a field that begins at `at`; NULL if a quote in it is not closed or followed by more.
+/* The end of a field that begins at `at`; NULL if it opens a quote that is not closed, or if more
+ * than blanks follow the closing quote.
  */
 static const char *field_end(const char *at, const char *end, char separator) {
     while (at < end && is_blank(*at))

@@ -1,4 +1,4 @@
-/* Lines out of a buffer that grows only for a long line.
+/* Reads lines through a buffer that grows only for a long line.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "input/delimited/delimited.h"
@@ -13,7 +13,7 @@
 #include "base/context/input.h"
 #include "base/context/scope.h"
 
-/* Bytes of the buffer at first; less where there may be many streams. */
+/* Bytes of the buffer at first; fewer for a file that is reopened, since there may be many. */
 enum { BUFFER = 1 << 16, BUFFER_OF_MANY = 1 << 14 };
 
 static graze_status stream_no_memory(graze_context *context) {
@@ -75,7 +75,7 @@ static graze_status check_line_length(const stream *s, size_t length, unsigned l
     return context_in(s->context, status, s->name, line);
 }
 
-/* Room behind the unused bytes, which are part of one line. */
+/* Make room behind the unused bytes, which are the beginning of one line. */
 static graze_status make_line_room(stream *s) {
     memmove(s->buffer, s->buffer + s->from, s->to - s->from);
     s->to -= s->from;
@@ -126,7 +126,7 @@ int stream_ready(stream *s) {
     return 1;
 }
 
-/* A line of others as it is handed out. */
+/* Drop the CR at the end of a line and, in line 1, the byte order mark. */
 static field stripped(const stream *s, field line) {
     if (line.length && line.start[line.length - 1] == '\r')
         line.length--;

@@ -55,7 +55,8 @@ static const fmpz *constant_denominator(const fmpz_poly_q_struct *entry) {
     return fmpz_poly_get_coeff_ptr(fmpz_poly_q_denref(entry), 0);
 }
 
-/* A row of a times a column of b over the product of two common denominators, reduced once. */
+/* Set `out` to row i of a times column j of b, over the product of the common denominators of row
+ * and column, reduced once. */
 static void multiply_line(calculation *c, fmpz_poly_q_struct *out, const affine *a, int i,
                           const fmpz_t row, const affine *b, int j, const fmpz_t column) {
     int d = a->dimension;
@@ -84,7 +85,7 @@ static void multiply_line(calculation *c, fmpz_poly_q_struct *out, const affine 
     quotient_check(c, out);
 }
 
-/* Where every denominator is a number, most of the greatest common divisors can be spared. */
+/* If every denominator is a constant, most greatest common divisors need not be computed. */
 static void multiply_polynomials(calculation *c, affine *out, const affine *a, const affine *b) {
     int d = a->dimension;
     fmpz_t column[4];

@@ -37,7 +37,8 @@ void affine_determinant(calculation *c, fmpz_poly_q_t out, const affine *a) {
     }
 }
 
-/* The inverse of the linear part: the transpose of an orthogonal one, as of every rigid motion. */
+/* Invert the linear part. If it is orthogonal, as for every rigid motion, its transpose is the
+ * inverse. */
 static void invert_linear(calculation *c, affine *out, const affine *a, int orthogonal) {
     int d = a->dimension;
     LOCAL(fmpz_poly_q, determinant);
@@ -54,8 +55,8 @@ static void invert_linear(calculation *c, affine *out, const affine *a, int orth
     }
 }
 
-/* Minus row i of the inverse's linear part times the shift of a, over the product of two common
- * denominators, reduced once. */
+/* Set the shift in row i of the inverse: minus row i of the inverse's linear part times the shift
+ * of a, over the product of the common denominators of both, reduced once. */
 static void shift_back(calculation *c, affine *out, const affine *a, int i) {
     int d = a->dimension;
     fmpz_poly_q_struct *shift = affine_at(out, i, d);

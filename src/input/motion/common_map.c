@@ -99,7 +99,8 @@ int common_map_is_orthogonal(calculation *c, const common_map *m) {
     return holds;
 }
 
-/* The weight and the linear part of a point map: w, and N or its transpose, times `factor`. */
+/* Set the weight and the linear part of a point map to w, and N or its transpose, times `factor`.
+ */
 static void scale_linear(calculation *c, point_map *out, const common_map *m, int transposed,
                          const fmpz_poly_t factor) {
     int d = m->dimension;
@@ -130,7 +131,8 @@ void common_map_forward(calculation *c, point_map *out, const common_map *m) {
     }
 }
 
-/* (N^T v, -N^T B) / (w v) is divided by what v and N^T B have in common (proofs/maps.md C90). */
+/* The point map is (N^T v, -N^T B) / (w v), reduced by the common factor of v and N^T B
+ * (proofs/maps.md C90). */
 void common_map_backward(calculation *c, point_map *out, const common_map *m) {
     int d = m->dimension;
     LOCAL(fmpz_poly, common);

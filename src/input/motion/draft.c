@@ -75,7 +75,7 @@ graze_status draft_spread(draft *d, graze_context *context) {
     return c.status;
 }
 
-/* The part of a piece's map over [lo, hi], in a parameter of its own. */
+/* Set `out` to a piece's map over [lo, hi], with a parameter that runs from 0 to 1 there. */
 static void cut_map(calculation *c, affine *out, const draft_piece *piece, const fmpq_t lo,
                     const fmpq_t hi) {
     LOCAL_VEC(fmpq, span, 3);
@@ -91,7 +91,7 @@ static void cut_map(calculation *c, affine *out, const draft_piece *piece, const
         affine_substitute(c, out, &piece->map, low, high);
 }
 
-/* frame^-1 moving over [lo, hi], which lies in both pieces. */
+/* Append the piece frame^-1 moving over [lo, hi], which lies in both pieces. */
 static graze_status relative_piece(draft *out, graze_context *context, const draft_piece *moving,
                                    const draft_piece *frame, const fmpq_t lo, const fmpq_t hi) {
     draft_piece *piece;
@@ -156,7 +156,7 @@ graze_status draft_follow(draft *out, graze_context *context, const draft *next,
     return c.status;
 }
 
-/* The point map of the inverse of a, by its entries as quotients. */
+/* Set `out` to the point map of the inverse of a, computed with quotients. */
 static void invert_quotients(calculation *c, point_map *out, const affine *a) {
     HELD(affine, inverse, a->dimension);
     HELD(common_map, common);

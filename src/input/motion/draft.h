@@ -11,7 +11,7 @@
 /** M(t) for t = lo + (hi - lo) u, u in [0, 1]. */
 typedef struct draft_piece {
     fmpq_t lo, hi;
-    unsigned long row; /* the line of the log that it comes from; 0: none is given */
+    unsigned long row; /* the line of a log from which the piece comes; 0: none */
     int rigid;         /* a piece between key frames: `frame` has its rotation and shift */
     union {
         affine map;       /* unless rigid */
@@ -36,24 +36,24 @@ void draft_clear(draft *d);
 graze_status draft_append(draft_piece **out, graze_context *context, draft *d);
 /** draft_append for a rigid piece. */
 graze_status draft_append_rigid(draft_piece **out, graze_context *context, draft *d);
-/** Give every rigid piece its map: later steps take drafts without rigid pieces. */
+/** Replace the frame of every rigid piece by its map; draft_relative and draft_follow take no rigid
+ * pieces. */
 graze_status draft_spread(draft *d, graze_context *context);
 
-/** frame^-1 moving ([IS] eq. 7), cut at the breaks of both. Both motions are legal and have one
- * dimension and one interval of time.
+/** frame^-1 moving ([IS] eq. 7), cut at the breaks of both. Both motions are legal, have no rigid
+ * piece, and have the same dimension and the same interval of time.
  * @param[out] out empty
  */
 graze_status draft_relative(draft *out, graze_context *context, const draft *moving,
                             const draft *frame);
 
-/** Append the motion `next`: its interval becomes [from, from + 1], and each of its positions is
- * combined with `end`, the last position of `out` ([IS] eq. 29). `end` becomes the new last
- * position.
+/** Append the motion `next`: its interval becomes [from, from + 1], and each of its maps is applied
+ * after `end`, the last map of `out` ([IS] eq. 29). `end` becomes the new last map.
  */
 graze_status draft_follow(draft *out, graze_context *context, const draft *next, slong from,
                           affine *end);
 
-/** The motion of a legal draft, rigid or not; `out` is NULL on failure. */
+/** Set *out to the motion of a legal draft, with rigid pieces or without; to NULL on failure. */
 graze_status draft_finish(graze_motion **out, graze_context *context, const draft *d);
 
 /* Expressions in t and s: text to rational function (src/program/cli/formats.md, Motions). */
@@ -79,7 +79,7 @@ graze_status expression_value(fmpz_poly_q_t out, graze_context *context, const c
 
 /**
  * Read a MOTION and check that it is legal: pieces in order, no pole and no zero determinant on a
- * closed piece, continuous at the breaks; and so for every motion it is made of.
+ * closed piece, continuous at the breaks; the motions inside it are checked likewise.
  * @param[out] out  uninitialised; the caller clears it, also after a failure
  * @param dimension dimension of the motion around this one, or 0
  * @return GRAZE_EINPUT, GRAZE_EILLEGAL, GRAZE_ELIMIT with file, line and path; GRAZE_ECANCELED
@@ -89,7 +89,8 @@ graze_status motion_read_draft(draft *out, graze_context *context, const json *v
 
 /* Motions made of pieces and of keyframes, from parsed JSON. */
 
-/** Read a motion in the form of pieces, of keyframes; `out` is empty and has its dimension. */
+/** Read a motion given by pieces, or by keyframes; `out` is empty and has the motion's dimension.
+ */
 graze_status motion_read_pieces(draft *out, graze_context *context, const json *pieces);
 graze_status motion_read_keyframes(draft *out, graze_context *context, const json *keyframes);
 

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Invariant: `place` is the first byte not yet read. After the first failure in `calculation` every
- * function returns at once, its value meaningless.
+ * function returns at once, and its value has no meaning.
  */
 #include <string.h>
 #include "base/context/scope.h"
@@ -117,7 +117,8 @@ static void parse_bracket(parser *p, fmpz_poly_q_t out) {
     p->place++;
 }
 
-/* The length of a function's name that is not rational, or 0. */
+/* The length of the name at p->place if it is of a function or a constant that is not rational,
+ * else 0. */
 static int transcendental_length(const parser *p) {
     static const char *const names[] = {"sin", "cos", "tan", "sqrt", "exp", "log", "pi", "atan"};
     for (size_t k = 0; k < sizeof names / sizeof *names; k++) {

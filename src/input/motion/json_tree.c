@@ -23,7 +23,7 @@ typedef struct builder {
     json_memory memory;
     yajl_handle handle;
     json *open;
-    char *key; /* the last one, whose value is still to come if `keyed` */
+    char *key; /* the last key; its value is still to come if `keyed` */
     size_t key_length, key_room;
     int keyed;
     size_t depth, line, counted; /* lines are counted up to byte `counted` */
@@ -42,7 +42,7 @@ static int out_of_memory(builder *b) {
     return 0;
 }
 
-/* Copy bytes and a NUL to a place; the place behind them. */
+/* Copy bytes and a NUL to a place. Returns the place behind the NUL. */
 static char *keep_bytes(char *out, const char *bytes, size_t length) {
     if (length > 0)
         memcpy(out, bytes, length);
@@ -50,8 +50,8 @@ static char *keep_bytes(char *out, const char *bytes, size_t length) {
     return out + length + 1;
 }
 
-/* A new value under the open one, with its text if there are bytes; its key stands behind it, and
- * then the text. NULL when memory is short. */
+/* Append a value to the open one. Behind it in its block stand its key, if it has one, and its
+ * text, if there are bytes. Returns NULL if memory is short. */
 static json *append_value(builder *b, json_kind kind, const char *bytes, size_t length) {
     count_lines(b);
     size_t room = (b->keyed ? b->key_length + 1 : 0) + (bytes != NULL ? length + 1 : 0);
@@ -147,7 +147,7 @@ static int on_end(void *data) {
     return 1;
 }
 
-/* The message of yajl, up to the end of its line. */
+/* Fail with the message of yajl, up to its first full stop or line end. */
 static void syntax_error(builder *b, size_t length) {
     count_lines(b);
     unsigned char *words = yajl_get_error(b->handle, 0, (const unsigned char *)b->text, length);
@@ -158,7 +158,7 @@ static void syntax_error(builder *b, size_t length) {
                                 (char *)words);
 }
 
-/* All of what is read by yajl. */
+/* Let yajl read the whole text. */
 static void parse(builder *b, const char *text, size_t length) {
     static const yajl_callbacks callbacks = {
         .yajl_null = on_null,
@@ -212,7 +212,8 @@ void json_clear(json_document *document) {
     *document = (json_document){NULL, NULL};
 }
 
-/* The path from the root, written from its end; what does not fit is cut off at the front. */
+/* The path from the root to a value. If the buffer is too short, the front of the path is cut off.
+ */
 static const char *path_of(char buffer[PATH_SIZE], const json *value) {
     size_t start = PATH_SIZE - 1;
     buffer[start] = '\0';

@@ -1,4 +1,4 @@
-/* Checked motions: freed, and the values of their point maps.
+/* Checked motions: how they are freed, and the values of their point maps.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "input/motion/motion.h"

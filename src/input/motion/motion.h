@@ -1,4 +1,5 @@
-/* motion: a checked motion, as point maps both ways, of a motion file's JSON.
+/* motion: reads a motion file's JSON and checks the motion, which becomes point maps of itself and
+ * its inverse.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_INPUT_MOTION_H
 #define GRAZE_INPUT_MOTION_H
@@ -16,7 +17,7 @@
  * its inverse are kept as point maps P -> N(u) (P, 1) / W(u) with integer polynomials in u
  * (proofs/claims.md C9). */
 
-/** dimension * (dimension + 1), at most. */
+/** The most entries of a point map, which has dimension * (dimension + 1). */
 enum { POINT_MAP_ENTRIES = 12 };
 
 /**
@@ -32,7 +33,7 @@ typedef struct point_map {
 
 typedef struct motion_piece {
     fmpq_t lo, hi;     /* in the motion's parameter t; lo < hi */
-    unsigned long row; /* the line of the log that it comes from; 0: none is given */
+    unsigned long row; /* the line of a log from which the piece comes; 0: none */
     point_map forward; /* M(t) */
     point_map inverse; /* M(t)^-1 */
 } motion_piece;
@@ -47,14 +48,16 @@ struct graze_motion {
 
 /** The map that carries query points: M(t)^-1 for the sweep, M(t) for the unsweep. */
 const point_map *motion_tracing(const motion_piece *piece, graze_operation operation);
-/** The inverse of that map, which carries the standing solid's points to the query points' space.
+/** The inverse of motion_tracing's map: it carries points of the solid to the space of the query
+ * points.
  */
 const point_map *motion_placing(const motion_piece *piece, graze_operation operation);
 
 void point_map_init(point_map *map, int dimension);
 void point_map_clear(point_map *map);
 
-/** The affine map that a point map is at u: d*(d+1) rationals, initialised, row by row. */
+/** Set `out` to the affine map that a point map is at u: d*(d+1) initialised rationals, row by row.
+ */
 void point_map_at(fmpq *out, const point_map *map, const fmpq_t u);
 
 /** The sign of the determinant of an affine map as point_map_at gives it. */
@@ -73,14 +76,14 @@ typedef enum json_kind {
     JSON_OBJECT
 } json_kind;
 
-/** One value, in one block with its text and its key. Children stand in the order of the text; an
- * object's may repeat a key. */
+/** One value, in one block of memory with its text and its key. Children stand in the order of the
+ * text; an object's may repeat a key. */
 typedef struct json {
     json_kind kind;
     size_t line; /* from 1 */
-    char *text;  /* token of a number, decoded bytes of a string; a NUL follows */
+    char *text;  /* token of a number or decoded bytes of a string, then a NUL; else NULL */
     size_t length;
-    char *key; /* in an object; a NUL follows, one inside is possible */
+    char *key; /* of a member of an object; a NUL follows, and may stand inside */
     size_t key_length;
     size_t index; /* among its parent's children */
     struct json *parent, *first, *last, *next;
@@ -113,21 +116,22 @@ graze_status json_at(graze_context *context, graze_status status, const json *wh
 graze_status json_at_last(graze_context *context, graze_status status, const json *where);
 
 /**
- * Sort the members of an object by key: out[k] is the value of names[k], NULL where it is missing.
- * @return GRAZE_EINPUT not an object, an unknown key, a key twice
+ * Look up the members of an object by key: out[k] is the value of names[k], or NULL if the key is
+ * missing.
+ * @return GRAZE_EINPUT the value is no object, or has an unknown key or a key twice
  */
 graze_status json_members(const json **out, graze_context *context, const json *object,
                           const char *const *names, size_t count);
 
-/** GRAZE_EINPUT unless the value is an array, and of `count` entries where count is not 0. */
+/** Return GRAZE_EINPUT unless the value is an array, of `count` entries if `count` is not 0. */
 graze_status json_array(graze_context *context, const json *value, size_t count);
 
-/** The work of making a polynomial, taking all coefficients to be as long as the longest. */
+/** The work of making a polynomial, counted as if all coefficients were as long as the longest. */
 unsigned long polynomial_work(const fmpz_poly_t p);
 
-/** A number, as JSON number or as expression without t and s. */
+/** Read a number: a JSON number or an expression without t and s. */
 graze_status entry_number(fmpq_t out, graze_context *context, const json *value);
-/** A number that is an integer. */
+/** Read a number that must be an integer. */
 graze_status entry_integer(fmpz_t out, graze_context *context, const json *value);
 
 /* Motions from parsed JSON: pieces, keyframes, relative, sequence (src/program/cli/formats.md,
@@ -144,8 +148,8 @@ graze_status motion_from_text(graze_motion **out, graze_context *context, const 
 /* One motion seen from another. */
 
 /**
- * frame^-1 moving ([IS] eq. 7) over the times that both have.
- * @return GRAZE_EILLEGAL the dimensions differ, or there is no interval that both have;
+ * Set *out to frame^-1 moving ([IS] eq. 7), over the times at which both motions are defined.
+ * @return GRAZE_EILLEGAL the dimensions differ, or the motions have no interval of time in common;
  * GRAZE_ELIMIT
  */
 graze_status motion_relative(graze_motion **out, graze_context *context, const graze_motion *moving,
@@ -153,14 +157,14 @@ graze_status motion_relative(graze_motion **out, graze_context *context, const g
 
 /* A motion as the text of a motion file of plain pieces. */
 
-/** Pieces with a matrix each, whose entries are polynomials in t, or `(A)/(W)` with the piece's one
- * denominator W. */
+/** Write a motion as pieces with a matrix each. Its entries are polynomials in t, or `(A)/(W)` with
+ * one denominator W for the piece. */
 void motion_write(text *out, const graze_motion *motion);
-/** Begin a motion file: its dimension, and a list, "pieces" or "keyframes", in a new line if
- * `apart`. */
+/** Begin a motion file: write the dimension and open a list, "pieces" or "keyframes", on a new line
+ * if `apart`. */
 json_writer motion_begin(text *out, int dimension, const char *list, int apart);
-/** Begin a piece in a line of its own: times, row (0: none) and, within the transform, `kind`,
- * whose bracket is open. */
+/** Begin a piece on a line of its own: write its times and its row, unless that is 0, and open its
+ * transform and in it the member `kind` by `bracket`. */
 void motion_begin_piece(json_writer *w, int indent, const fmpq_t from, const fmpq_t to,
                         unsigned long row, const char *kind, char bracket);
 /** End the list of pieces, and the file. */

@@ -1,4 +1,4 @@
-/* Motions from parsed JSON: the four forms, and those made of other motions.
+/* Motions from parsed JSON: the choice of one of four forms, and motions made of other motions.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "input/motion/motion.h"
@@ -25,7 +25,7 @@ static graze_status read_motion_dimension(int *out, graze_context *context, cons
     return GRAZE_OK;
 }
 
-/* A motion inside another one, every piece with its map. */
+/* Read a motion inside another one, and give every piece its map. */
 static graze_status read_inner(draft *out, graze_context *context, const json *value,
                                int dimension) {
     TRY(motion_read_draft(out, context, value, dimension));

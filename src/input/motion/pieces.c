@@ -62,9 +62,9 @@ static graze_status check_joint(const draft_piece *before, const draft_piece *af
     return GRAZE_OK;
 }
 
-/* The map is illegal and the context says so. Some single entry has the same fault, as poles of a
- * product come from its factors and a zero of its determinant from theirs; reading the transform
- * once more finds it, and a message that names it. */
+/* The map is illegal and the context has a message. Some entry has the same fault, since a pole of
+ * a product is a pole of a factor, and a zero of its determinant one of a factor's determinant. The
+ * transform is read once more to find this entry and name it in the message. */
 static graze_status blame(affine *map, graze_context *context, const json *transform, stretch *part,
                           entry_fault fault) {
     part->fault = fault;
@@ -105,7 +105,7 @@ static graze_status read_transform(draft *out, graze_context *context, const jso
     return GRAZE_OK;
 }
 
-/* The interval of a piece, which must follow the pieces before it. */
+/* Read the interval of a piece, which must begin where the piece before it ends. */
 static graze_status read_interval(fmpq_t lo, fmpq_t hi, graze_context *context, const json *value,
                                   const draft *before) {
     char first[NUMBER_SIZE], last[NUMBER_SIZE];
@@ -127,7 +127,7 @@ static graze_status read_interval(fmpq_t lo, fmpq_t hi, graze_context *context, 
     return GRAZE_OK;
 }
 
-/* The line of a log; 0 where there is none. */
+/* Read the line of a log; 0 if there is none. */
 static graze_status read_row(unsigned long *out, graze_context *context, const json *value) {
     static const unsigned long most = 1000000000000000;
     *out = 0;
@@ -174,12 +174,12 @@ graze_status motion_read_pieces(draft *out, graze_context *context, const json *
 
 enum { TIME, POSITION, ROTATION, ROW, FRAME_KEYS };
 
-/* A frame's numbers; what is missing stays as it is. */
+/* The numbers of a keyframe; those that are not given keep the values of keyframe_init. */
 typedef struct keyframe {
     fmpq_t time;
     fmpq_t position[3];
     fmpq_t rotation[4]; /* w, x, y, z; in E^2 x = y = 0 */
-    int given;          /* bit k: member k is there */
+    int given;          /* bit k is set if the frame has member k */
     unsigned long row;  /* 0: none is given */
 } keyframe;
 
@@ -200,7 +200,7 @@ static void keyframe_clear(keyframe *frame) {
         fmpq_clear(frame->rotation[k]);
 }
 
-/* Every `step`th of the numbers from an array of `count`. */
+/* Read an array of `count` numbers into every `step`th entry of `out`. */
 static graze_status read_numbers(fmpq_t *out, graze_context *context, const json *value,
                                  size_t count, size_t step) {
     TRY(json_array(context, value, count));
@@ -228,7 +228,8 @@ static graze_status read_keyframe(keyframe *frame, graze_context *context, const
     return GRAZE_OK;
 }
 
-/* The lines through `count` pairs of numbers, over their least common denominator. */
+/* Set `out` to the linear polynomials with the values from[k] at 0 and to[k] at 1, all multiplied
+ * by the least common denominator of these numbers. */
 static void set_lines(fmpz_poly_struct *out, fmpz_t denominator, const fmpq_t *from,
                       const fmpq_t *to, int count) {
     LOCAL_VEC(fmpz, start, 3);
@@ -250,8 +251,8 @@ static void set_lines(fmpz_poly_struct *out, fmpz_t denominator, const fmpq_t *f
     }
 }
 
-/* No pole, no zero determinant and no jump can occur here: quaternion_rotation checks the rotation,
- * and the rest is linear between the frames. */
+/* Append the piece between two frames. No pole, no zero determinant and no jump can occur:
+ * quaternion_rotation checks the rotation, and the rest is linear between the frames. */
 static graze_status append_between(draft *out, graze_context *context, const json *where,
                                    const keyframe *from, const keyframe *to) {
     draft_piece *piece;

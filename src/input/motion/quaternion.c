@@ -6,7 +6,8 @@
 #include "base/context/scope.h"
 #include "input/motion/affine.h"
 
-/* Divide the four by their common factor, whose roots are where all four vanish. */
+/* Divide the four polynomials by their common factor, at whose roots all four vanish; refuse such a
+ * root between lo and hi. */
 static graze_status divide_numbers(graze_context *context, const json *where, fmpz_poly_struct q[4],
                                    const fmpq_t lo, const fmpq_t hi) {
     LOCAL(fmpz_poly, common);
@@ -19,7 +20,8 @@ static graze_status divide_numbers(graze_context *context, const json *where, fm
     return GRAZE_OK;
 }
 
-/* The diagonal of N and its denominator: the norm, and the norm less twice two of the squares. */
+/* Set the denominator w to the norm, and each diagonal entry of N to the norm less twice two of the
+ * squares. */
 static void set_diagonal(common_map *out, fmpz_poly_struct q[4]) {
     fmpz_poly_struct square[4];
     fmpz_poly_zero(out->w);
@@ -38,7 +40,8 @@ static void set_diagonal(common_map *out, fmpz_poly_struct q[4]) {
         fmpz_poly_clear(&square[k]);
 }
 
-/* The entries (i, j) and (j, i), i + 1 = j, of N: 2 (q_i q_j - w q_k) and 2 (q_i q_j + w q_k). */
+/* Set the entries of N at (i, j) and (j, i), j = i + 1 modulo 3, to 2 (q_i q_j - w q_k) and 2 (q_i
+ * q_j + w q_k). */
 static void set_pair(common_map *out, const fmpz_poly_struct q[4], int i) {
     int j = (i + 1) % 3, k = (i + 2) % 3;
     fmpz_poly_struct *minus = common_map_linear(out, i, j), *plus = common_map_linear(out, j, i);
@@ -61,8 +64,8 @@ static ulong halvings(const fmpz_poly_t p, ulong most) {
     return most;
 }
 
-/* N and its denominator have at most the factor 4 in common, as the numbers of the quaternion have
- * none (proofs/maps.md C91). */
+/* Divide N and w by their common factor, which is 1, 2 or 4, since the numbers of the quaternion
+ * have no common factor (proofs/maps.md C91). */
 static void divide_fours(common_map *out) {
     ulong twos = halvings(out->w, 2);
     int entries = out->dimension * out->dimension;

@@ -12,9 +12,9 @@
 #include "base/number/refine.h"
 #include "input/motion/affine.h"
 
-enum { OPERATION_WORK = 8 };    /* what an operation costs beside the words of its result */
-enum { LONG_WORDS = 64 };       /* at this number of words a common divisor doubles the work */
-enum { ROOT_REFINEMENTS = 12 }; /* narrow enough to be told in a message */
+enum { OPERATION_WORK = 8 };    /* work of an operation, beside that of its result's words */
+enum { LONG_WORDS = 64 };       /* of a coefficient for which a common divisor doubles the work */
+enum { ROOT_REFINEMENTS = 12 }; /* halvings of a root's interval, for a message */
 
 void quotients_init(quotients *q) {
     for (int k = 0; k < 4; k++)
@@ -130,7 +130,7 @@ void quotient_reduce(fmpz_poly_q_t a) {
     }
 }
 
-/* Is p a multiple of q by a number, or of a number q? 0 says nothing. */
+/* 1 if p is an integer times q, or q is an integer that divides p. 0 says nothing. */
 static int is_plain_multiple(const fmpz_poly_t p, const fmpz_poly_t q) {
     slong n = fmpz_poly_degree(p);
     const fmpz *lead = fmpz_poly_lead(q);
@@ -152,8 +152,8 @@ static int is_plain_multiple(const fmpz_poly_t p, const fmpz_poly_t q) {
     return holds;
 }
 
-/* Denominators of one motion are often multiples of one polynomial by numbers, or numbers: then no
- * divisor of polynomials is sought. */
+/* Denominators of one motion are often integers, or integer multiples of one polynomial: then no
+ * common divisor of polynomials is computed. */
 void polynomial_widen(fmpz_poly_t common, const fmpz_poly_t other) {
     if (is_plain_multiple(common, other))
         return;
@@ -214,8 +214,8 @@ void quotient_over(fmpz_poly_t out, const fmpz_poly_q_t a, const fmpz_poly_t com
     fmpz_poly_mul(out, out, fmpz_poly_q_numref(a));
 }
 
-/* From the exponent's highest bit down, so that no power above the wanted one is ever made and
- * the limits stop a large one after a few squarings. */
+/* The exponent's bits are taken from the highest down, so that no power above the result is ever
+ * made and the limits stop a large one after a few squarings. */
 void quotient_power(calculation *c, fmpz_poly_q_t out, const fmpz_poly_q_t a, const fmpz_t n) {
     LOCAL(fmpz_poly_q, one);
     LOCAL(fmpz_poly_q, base);

@@ -1,4 +1,5 @@
-/* Drafts of both motions over their common times. SPDX-License-Identifier: GPL-3.0-or-later */
+/* One motion relative to another, by drafts of both over their common times.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "input/motion/motion.h"
 
 #include <flint/fmpq_vec.h>
@@ -6,14 +7,14 @@
 #include "input/motion/affine.h"
 #include "input/motion/draft.h"
 
-/* The later start and the earlier end. */
+/* The interval common to both: the later start and the earlier end. */
 static void common_interval(fmpq_t lo, fmpq_t hi, const graze_motion *a, const graze_motion *b) {
     const fmpq *a_hi = a->piece[a->piece_count - 1].hi, *b_hi = b->piece[b->piece_count - 1].hi;
     fmpq_set(lo, fmpq_cmp(a->piece[0].lo, b->piece[0].lo) > 0 ? a->piece[0].lo : b->piece[0].lo);
     fmpq_set(hi, fmpq_cmp(a_hi, b_hi) < 0 ? a_hi : b_hi);
 }
 
-/* u of a piece at a time t. */
+/* The parameter u of a piece at the time t. */
 static void local_time(fmpq_t u, const motion_piece *piece, const fmpq_t t) {
     LOCAL(fmpq, width);
     fmpq_sub(u, t, piece->lo);
@@ -21,7 +22,8 @@ static void local_time(fmpq_t u, const motion_piece *piece, const fmpq_t t) {
     fmpq_div(u, u, width);
 }
 
-/* The forward map of a piece as an affine map of quotients, between two of its times. */
+/* Append the part of a piece between two of its times, with the forward map's entries as quotients.
+ */
 static graze_status add_cut(draft *out, graze_context *context, const motion_piece *piece,
                             const fmpq_t lo, const fmpq_t hi) {
     draft_piece *made;
@@ -46,7 +48,7 @@ static graze_status add_cut(draft *out, graze_context *context, const motion_pie
     return c.status;
 }
 
-/* The parts of a motion between two of its times. */
+/* Append the parts of a motion's pieces between two of its times. */
 static graze_status cut_out(draft *out, graze_context *context, const graze_motion *motion,
                             const fmpq_t lo, const fmpq_t hi) {
     for (size_t k = 0; k < motion->piece_count; k++) {

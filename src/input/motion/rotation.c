@@ -1,8 +1,9 @@
 /* Rotations: by the tangent of the half angle, by quarter turns, by a quaternion.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Each becomes a quaternion, whose length may be any. The angle n 2 atan(p/q) about the axis v has
- * the half angle of the complex number (q + ip)^n = a + ib, so its quaternion is (a |v|, b v).
+ * Each rotation becomes a quaternion of any length. Half the angle n 2 atan(p/q) is the argument of
+ * the complex number (q + ip)^n = a + ib, so the quaternion of the rotation by this angle about the
+ * axis v is (a |v|, b v).
  */
 #include "input/motion/motion.h"
 
@@ -20,7 +21,7 @@ static void norm_of(calculation *c, fmpz_poly_q_t out, fmpz_poly_q_t *v, int cou
     }
 }
 
-/* The four times the least common multiple of their denominators. */
+/* Multiply the four functions by the least common multiple of their denominators. */
 static void clear_denominators(calculation *c, fmpz_poly_struct out[4], fmpz_poly_q_t q[4]) {
     LOCAL(fmpz_poly, common);
     fmpz_poly_one(common);
@@ -48,8 +49,8 @@ graze_status rotation_of(affine *out, graze_context *context, const json *where,
     return c.status;
 }
 
-/* (a + ib)^n in place; n < 0 takes the conjugate, which differs by a positive factor alone. From
- * the highest bit down, as in quotient_power. */
+/* (a + ib)^n in place; for n < 0 the conjugate of (a + ib)^|n|, which is (a + ib)^n times a
+ * positive factor. The bits of n are taken from the highest down, as in quotient_power. */
 static void complex_power(calculation *c, fmpz_poly_q_t a, fmpz_poly_q_t b, const fmpz_t n) {
     LOCAL(fmpz_poly_q, base);
     LOCAL(fmpz_poly_q, turn);
@@ -78,7 +79,7 @@ static void complex_power(calculation *c, fmpz_poly_q_t a, fmpz_poly_q_t b, cons
         fmpz_poly_q_neg(b, b);
 }
 
-/* The axis v and its length, which must be a positive rational function on the stretch. */
+/* Read the axis v and its length, which must be a rational function, positive on the stretch. */
 static graze_status read_axis(fmpz_poly_q_t axis[3], fmpz_poly_q_t length, graze_context *context,
                               const json *value, const stretch *part) {
     TRY(entry_vector(axis, context, value, 3, part));
@@ -110,8 +111,8 @@ graze_status about_center(affine *out, graze_context *context, const json *cente
     return c.status;
 }
 
-/* Rotate by twice the angle of a + ib: about `axis` in E^3, where it must be given, and about
- * `center` where it is given. */
+/* Rotate by twice the argument of half[0] + i half[1], about `axis`, which must be given in E^3,
+ * and about `center` if it is given, else about the origin. */
 static graze_status rotate_about(affine *out, graze_context *context, const json *value,
                                  fmpz_poly_q_t half[2], const json *axis, const json *center,
                                  const stretch *part) {
@@ -176,7 +177,7 @@ graze_status rotation_quarters(fmpz_t out, graze_context *context, const json *v
 }
 
 /* With v = |n| s, in the part j <= v <= j + 1, the half angle is that of (1 + i)^j (1 + i (v - j)),
- * mirrored where n < 0; four quarters turn it by pi, which is no rotation. */
+ * negated if n < 0. Four quarters add pi to the half angle, which leaves the rotation as it is. */
 graze_status rotation_by_quarters(affine *out, graze_context *context, const json *value,
                                   const stretch *part) {
     const json *member[3];

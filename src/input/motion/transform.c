@@ -126,7 +126,7 @@ graze_status transform_cuts(cut_list *cuts, graze_context *context, const json *
     return collect_cuts(cuts, context, transform);
 }
 
-/* The row below an affine matrix, written out, can only be 0 ... 0 1. */
+/* Check row d + 1 of a matrix, if it is written out: it can only be 0 ... 0 1. */
 static graze_status check_last_row(graze_context *context, const json *row, const stretch *part) {
     int d = part->dimension;
     TRY(json_array(context, row, (size_t)d + 1));
@@ -192,13 +192,13 @@ static graze_status read_scale(affine *out, graze_context *context, const json *
     return GRAZE_OK;
 }
 
-/* The product of some steps that follow one another. */
+/* A product of consecutive steps of compose. */
 typedef struct run {
     size_t steps;
     affine map;
 } run;
 
-/* Make one run of the last two. */
+/* Join the last two runs into one. */
 static void join_runs(calculation *c, run *runs, size_t *count, const json *item) {
     run *earlier = runs + *count - 2, *later = earlier + 1;
     affine_multiply(c, &earlier->map, &later->map, &earlier->map);
@@ -209,8 +209,8 @@ static void join_runs(calculation *c, run *runs, size_t *count, const json *item
     --*count;
 }
 
-/* Runs of equal length are joined, as in a binary counter: of n steps whose product is long, each
- * then takes part in log n products that are that long in the end, and not in n. */
+/* Runs with equal numbers of steps are joined, as in a binary counter: each of n steps then takes
+ * part in about log n products instead of n, which matters if products grow long. */
 static graze_status compose_runs(affine *out, graze_context *context, const json *value,
                                  const stretch *part, run *runs) {
     calculation c = {context, GRAZE_OK};
@@ -234,7 +234,8 @@ static graze_status compose_runs(affine *out, graze_context *context, const json
 static graze_status read_compose(affine *out, graze_context *context, const json *value,
                                  const stretch *part) {
     TRY(json_array(context, value, 0));
-    /* Lengths are powers of two, each there once but for the run that has just come. */
+    /* The number of steps of each run is a power of two, and only the newest run may have as many
+     * as another. */
     size_t most = 2;
     for (size_t n = value->count; n > 0; n /= 2)
         most++;

@@ -1,4 +1,5 @@
-/* A motion as plain pieces: every entry a quotient of polynomials in the motion's own parameter.
+/* Writes a motion as plain pieces: every entry is a quotient of polynomials in the motion's own
+ * parameter.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "input/motion/motion.h"
@@ -22,7 +23,7 @@ static void in_time(fmpq_poly_t out, const fmpz_poly_t p, const motion_piece *pi
     fmpq_poly_compose(out, out, u);
 }
 
-/* c_0 + c_1*t - c_2*t^2, terms that are zero left out. */
+/* Write a polynomial such as c_0 + c_1*t - c_2*t^2, without terms that are zero. */
 static void write_poly(text *out, const fmpq_poly_t p) {
     LOCAL(fmpq, c);
     int first = 1;
@@ -45,7 +46,8 @@ static void write_poly(text *out, const fmpq_poly_t p) {
         text_put(out, "0");
 }
 
-/* entry / weight; the polynomials are first multiplied by `scale`. */
+/* Write entry / weight. Both polynomials are multiplied by `scale` unless the weight is constant.
+ */
 static void write_entry(text *out, const fmpz_poly_t entry, const fmpq_poly_t weight,
                         const fmpz_t scale, const motion_piece *piece) {
     int whole = fmpq_poly_length(weight) == 1;

@@ -48,7 +48,8 @@ static graze_status check_facets(const nef *n) {
     return GRAZE_OK;
 }
 
-/* Refuse a complex that is unbounded, not regular closed or empty. Its links are checked before. */
+/* Refuse a complex that is unbounded, not regular closed or empty. The caller has checked the
+ * links. */
 static graze_status check_solid(const nef *n) {
     static const char open[] = "is not marked; expected a closed set, with its boundary";
     static const char thin[] = "lies in no facet; expected a regular closed set";
@@ -70,7 +71,7 @@ static size_t nef_corner(const nef *n, size_t e) {
     return n->halfedge[n->shalfedge[e].source].source;
 }
 
-/* out = normal . (x, y, z), without the plane's last coefficient. */
+/* out = normal . x, without the plane's last coefficient. */
 static void along_normal(fmpq_t out, const fmpz *plane, const fmpq *x) {
     LOCAL(fmpq, term);
     fmpq_zero(out);
@@ -153,7 +154,7 @@ static graze_status add_cycle(soup *s, const nef *n, size_t entry) {
     return GRAZE_OK;
 }
 
-/* The facet whose outward half-facet is f; its outer cycle comes first. */
+/* Add the facet whose outward half-facet is f, its outer cycle first. */
 static graze_status add_facet(soup *s, const nef *n, size_t f) {
     const nef_halffacet *item = n->halffacet + f;
     const size_t *entry = n->list + item->cycle.first;

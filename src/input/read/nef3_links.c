@@ -1,8 +1,9 @@
-/* The links of a selective Nef complex: twins, cycles, ranges and lists must answer one another.
+/* Checks the links of a selective Nef complex: twins, cycles, ranges and lists must agree.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * After these checks `next` and `snext` are permutations whose orbits are the cycles of the facets
- * and sfaces that list them, each once, and every mark is its facet's or volume's.
+ * and sfaces that list them, each once. Marks of shalfedges and shalfloops are their facets' marks,
+ * those of sfaces their volumes'.
  */
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
@@ -22,7 +23,8 @@ static size_t owner(const nef *n, int part, size_t k) {
     return part == 0 ? n->halfedge[k].source : part == 1 ? centre(n, k) : n->sface[k].vertex;
 }
 
-/* A vertex's ranges hold half-edges, shalfedges and sfaces of its own, and all ranges hold all. */
+/* Check that each vertex's ranges hold half-edges, shalfedges and sfaces of this vertex alone, and
+ * that the ranges of all vertices hold all of them. */
 static graze_status check_vertices(const nef *n) {
     static const enum nef_kind kinds[3] = {NEF_HALFEDGE, NEF_SHALFEDGE, NEF_SFACE};
     size_t held[3] = {0, 0, 0}, loops = 0;
@@ -108,7 +110,7 @@ static graze_status check_shalfloop(const nef *n, size_t l) {
     return GRAZE_OK;
 }
 
-/* Tick off the orbit of shalfedge e; 0 if it was met before. */
+/* Mark the orbit of shalfedge e as met. Returns 0 if it was met before. */
 static int tick_orbit(const nef *n, unsigned char *met, size_t e, int on_sphere) {
     int fresh = !met[e];
     for (size_t k = e; !met[k]; k = on_sphere ? n->shalfedge[k].snext : n->shalfedge[k].next)
@@ -116,7 +118,8 @@ static int tick_orbit(const nef *n, unsigned char *met, size_t e, int on_sphere)
     return fresh;
 }
 
-/* Tick off a list of shalfloops, which name `home` as their facet or sface. */
+/* Mark a list of shalfloops as met. Returns 0 if one was met before or does not name `home` as its
+ * facet or sface. */
 static int tick_loops(const nef *n, unsigned char *met, nef_list list, size_t home, int on_sphere) {
     for (size_t k = 0; k < list.count; k++) {
         size_t l = n->list[list.first + k];
@@ -148,7 +151,7 @@ static int tick_points(const nef *n, unsigned char *met, nef_list list, size_t s
     return 1;
 }
 
-/* The first that was not met; `count` if all were. */
+/* The index of the first item that was not met; `count` if all were met. */
 static size_t first_left(const unsigned char *met, size_t count) {
     size_t k = 0;
     while (k < count && met[k])

@@ -1,7 +1,7 @@
 /* The text of a selective Nef complex: grammar, counts, indices in range.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Counts are held against the file's size before anything is allocated. Functions do nothing once
+ * Counts are compared with the file's size before anything is allocated. Functions do nothing once
  * n->status is a failure, so that an item is read by a plain sequence of calls.
  */
 #include <flint/fmpz_vec.h>
@@ -53,7 +53,7 @@ static long long integer(nef *n, const char *expected) {
     return n->status == GRAZE_OK ? value : 0;
 }
 
-/* An index of a kind; with `optional` also -2, which means none. */
+/* Read the index of an item of a kind; with `optional`, -2 is read as NEF_NONE. */
 static size_t reference(nef *n, enum nef_kind kind, int optional) {
     long long value = integer(n, "an index");
     if (n->status != GRAZE_OK || (optional && value == -2))
@@ -73,7 +73,7 @@ static int flag(nef *n, const char *expected) {
     return (int)value;
 }
 
-/* The indices before the mark that ends the list. */
+/* Read indices up to the comma or brace that ends their list. */
 static nef_list indices(nef *n, enum nef_kind kind) {
     nef_list list = {n->list_count, 0};
     for (;;) {
@@ -86,7 +86,7 @@ static nef_list indices(nef *n, enum nef_kind kind) {
     }
 }
 
-/* Read 4 integers into `out`, or past them where it is NULL. */
+/* Read 4 integers into `out`, or skip them if `out` is NULL. */
 static void integers(nef *n, fmpz *out) {
     LOCAL(fmpq, value);
     for (int k = 0; k < 4; k++) {
@@ -105,7 +105,7 @@ static void integers(nef *n, fmpz *out) {
     }
 }
 
-/* Four homogeneous integers as a point. */
+/* Read a point, given by four homogeneous coordinates. */
 static void homogeneous(nef *n, fmpq *point) {
     LOCAL_VEC(fmpz, h, 4);
     integers(n, h);
@@ -115,7 +115,7 @@ static void homogeneous(nef *n, fmpq *point) {
         fmpq_set_fmpz_frac(point + k, h + k, h + 3);
 }
 
-/* The number an item begins with is its place among its kind. */
+/* Check that an item begins with its index among the items of its kind, and a brace. */
 static void begin_item(nef *n, enum nef_kind kind, size_t index) {
     long long value = integer(n, "the number of an item");
     if (n->status == GRAZE_OK && (value < 0 || (size_t)value != index))
@@ -264,7 +264,7 @@ static void *zeroed(nef *n, size_t count, size_t size) {
     return memory;
 }
 
-/* Zeroed memory is initialised FLINT integers; a rational's denominator needs its 1. */
+/* Zeroed memory is valid as FLINT integers, but not as rationals, whose denominators begin as 1. */
 static void allocate(nef *n, size_t length) {
     const size_t *c = n->count;
     n->vertex = zeroed(n, c[NEF_VERTEX], sizeof *n->vertex);

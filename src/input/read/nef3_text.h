@@ -9,7 +9,7 @@
 
 /* The reader of .nef3 files. */
 
-/** A selective Nef complex of CGAL: GRAZE_EILLEGAL unless it is bounded and regular closed. */
+/** Read a selective Nef complex of CGAL; GRAZE_EILLEGAL unless it is bounded and regular closed. */
 soup_reader read_nef3;
 
 /* A selective Nef complex as CGAL writes it, parsed and linked, for the stages of the .nef3
@@ -17,9 +17,9 @@ soup_reader read_nef3;
  *
  * A vertex has a sphere map: its half-edges are the points of that map (svertices), shalfedges and
  * shalfloops its arcs and full circles, sfaces its regions. A facet's boundary runs along
- * shalfedges by `next`, one at each corner; a shalfloop in a facet is a vertex that only touches
- * it. A half-facet's plane has its volume on the positive side, and seen from there its outer
- * cycle runs counter-clockwise. */
+ * shalfedges by `next`, one at each corner; a shalfloop in a facet stands for a vertex that only
+ * touches the facet. The volume of a half-facet is on the positive side of its plane, and seen from
+ * that side the outer cycle runs counter-clockwise. */
 
 #define NEF_NONE SIZE_MAX
 
@@ -36,15 +36,16 @@ typedef struct nef_vertex {
 
 typedef struct nef_halfedge {
     size_t twin, source;
-    int isolated;    /* it lies in no facet */
-    size_t incident; /* a shalfedge that leaves it; if isolated, the sface around it */
+    int isolated;    /* the edge lies in no facet */
+    size_t incident; /* a shalfedge that leaves the half-edge; if isolated, the sface around the
+                        half-edge */
     int mark;
 } nef_halfedge;
 
 typedef struct nef_halffacet {
     size_t twin;
     nef_list cycle; /* a shalfedge of each boundary cycle */
-    nef_list loop;  /* shalfloops: vertices that touch it */
+    nef_list loop;  /* shalfloops: vertices that only touch the facet */
     size_t volume;
     int mark;
 } nef_halffacet;
@@ -67,7 +68,7 @@ typedef struct nef_sface {
 } nef_sface;
 
 typedef struct nef_volume {
-    nef_list shell; /* an sface of each */
+    nef_list shell; /* an sface of each shell */
     int mark;
 } nef_volume;
 
@@ -99,8 +100,8 @@ typedef struct nef {
     size_t list_count;
 } nef;
 
-/** Parse a text; counts, indices and marks are in range afterwards. Cleared by nef_clear also on
- * failure. */
+/** Parse a text; counts, indices and marks are in range afterwards. The caller calls nef_clear,
+ * after a failure too. */
 graze_status nef_parse(nef *out, graze_context *context, const char *path, const char *text,
                        size_t length);
 void nef_clear(nef *n);
@@ -111,7 +112,7 @@ graze_status nef_fail(const nef *n, graze_status status, const char *format, ...
 
 /* The links of a selective Nef complex. */
 
-/** GRAZE_EINPUT unless all links answer one another and the lists name each thing once. */
+/** Return GRAZE_EINPUT unless each link and its inverse agree and the lists name each item once. */
 graze_status nef_check_links(const nef *n);
 
 #endif

@@ -1,9 +1,10 @@
 /* Gathers rings of E^2 into polygons with holes.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Rings of a legal solid meet in finitely many points, so a ring lies in another iff a point of its
- * first edge does that is not on the other. Such a point is found among 1/2, 1/3, 1/4, ... of the
- * edge, since each edge of the other ring holds at most one of them.
+ * Rings of a legal solid meet in finitely many points, so a ring lies inside another iff some point
+ * of its first edge that is not on the other ring lies inside that ring. Such a point is found
+ * among the points at 1/2, 1/3, 1/4, ... of the edge, since each edge of the other ring holds at
+ * most one of them.
  */
 #include "input/read/read.h"
 
@@ -27,7 +28,7 @@ static const fmpq *at(const soup *s, const ring *r, size_t k) {
     return s->coordinates + 2 * r->vertex[k % r->count];
 }
 
-/* The cross product (b - a) x (p - a); returns its sign. */
+/* Set `out` to the cross product (b - a) x (p - a) and return its sign. */
 static int ring_turn(fmpq_t out, const fmpq *a, const fmpq *b, const fmpq *p) {
     cross_rationals(out, a, b, p, 0, 1);
     return fmpq_sgn(out);
@@ -59,7 +60,7 @@ static int between(const fmpq *x, const fmpq *a, const fmpq *b) {
     return fmpq_cmp(x, a) * fmpq_cmp(x, b) <= 0;
 }
 
-/* 1 inside, 0 outside, -1 on the ring. */
+/* Locate a point: 1 inside the ring, 0 outside, -1 on it. */
 static int locate(const soup *s, const ring *r, const fmpq *p) {
     int inside = 0;
     LOCAL(fmpq, cross);
@@ -110,7 +111,7 @@ static graze_status find_depths(ring *rings, size_t count, graze_context *contex
         for (size_t q = 0; q < count; q++)
             rings[r].depth += q != r && within(s, &rings[r], &rings[q]);
     }
-    /* The innermost ring around another is the deepest of those around it. */
+    /* The innermost ring around a hole is the deepest of the rings around it. */
     for (size_t r = 0; r < count; r++)
         for (size_t q = 0; rings[r].depth % 2 && q < count; q++)
             if (q != r && rings[q].depth + 1 == rings[r].depth && within(s, &rings[r], &rings[q]))
@@ -126,8 +127,8 @@ static graze_status add_ring(soup *s, graze_context *context, const ring *r) {
     return GRAZE_OK;
 }
 
-/* Outer rings in the order given, each followed by its holes. A hole without an outer ring, which
- * only crossing rings can bring about, stands as a polygon of its own. */
+/* Add polygons, by outer rings in the order given, each followed by its holes. A hole without an
+ * outer ring, which only crossing rings can bring about, stands as a polygon of its own. */
 static graze_status add_polygons(soup *s, graze_context *context, const ring *rings, size_t count) {
     for (size_t r = 0; r < count; r++) {
         if (rings[r].parent != r)

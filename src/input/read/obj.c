@@ -1,10 +1,10 @@
 /* OBJ: the vertices and polygons of a Wavefront file.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * The text is gone through twice, first for `v`, then for `f`, so that a facet may stand before its
+ * The text is read twice, first for `v`, then for `f`, so that a facet may stand before its
  * vertices. A negative index counts back from the vertices above its line. Normals, textures,
- * groups and materials are passed over; curves, lines and points have no place in a boundary and
- * are refused.
+ * groups and materials are skipped; curves, lines and points do not belong to a boundary and are
+ * refused.
  */
 #include <flint/fmpq_vec.h>
 #include <string.h>
@@ -26,7 +26,7 @@ static const char *const refused[] = {"l",    "p",     "vp",   "cstype", "deg", 
                                       "curv", "curv2", "surf", "parm",   "trim", "hole", "scrv",
                                       "sp",   "end",   "con",  "call",   "csh",  NULL};
 
-/* x y z, then nothing, or the weight w = 1, or a colour of three numbers. */
+/* Read x y z, followed by nothing, by the weight 1, or by a colour of three numbers. */
 static graze_status obj_vertex(soup *s, lines *l, fmpq *number) {
     size_t v = s->vertex_count;
     int count = 3;
@@ -49,7 +49,7 @@ static graze_status obj_vertex(soup *s, lines *l, fmpq *number) {
     return lines_at(l, soup_add_vertex(s, l->context, number));
 }
 
-/* Cut the part before the first slash off `rest`; what follows the slash stays. */
+/* Return the part of *rest before its first slash; *rest becomes the part behind the slash. */
 static token cut_token(token *rest, int *slash) {
     const char *p = memchr(rest->text, '/', rest->length);
     token head = {rest->text, p == NULL ? rest->length : (size_t)(p - rest->text)};
@@ -59,7 +59,7 @@ static token cut_token(token *rest, int *slash) {
     return head;
 }
 
-/* The index of v, v/vt, v//vn or v/vt/vn; 0 if it has no such form or is 0. */
+/* The index v of a corner v, v/vt, v//vn or v/vt/vn; 0 if the token has no such form or v is 0. */
 static long long obj_corner(token t) {
     long long v, other;
     int slash;

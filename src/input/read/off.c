@@ -1,9 +1,9 @@
 /* OFF: the counts, one line a vertex, one line a facet.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * The head may say that more than three coordinates stand on the line of a vertex: N a normal, C a
- * colour, ST a position in a texture. They and the colours behind a facet's indices are passed
- * over; `#` begins a comment.
+ * The head may declare further numbers behind the coordinates of a vertex: N a normal, C a colour,
+ * ST a position in a texture. These numbers and the colours behind a facet's indices are skipped;
+ * `#` begins a comment.
  */
 #include <flint/fmpq_vec.h>
 #include <string.h>
@@ -19,7 +19,7 @@ typedef struct columns {
     size_t further;              /* numbers behind the coordinates; 0 until the first vertex */
 } columns;
 
-/* The letters before OFF; 0 if there is one that is not read, or one twice. */
+/* Read the letters before OFF. Returns 0 if one is unknown or stands twice. */
 static int read_letters(columns *c, const char *text, size_t length) {
     size_t k = 0;
     while (k < length) {
@@ -69,8 +69,8 @@ static graze_status off_counts(lines *l, size_t *vertices, size_t *facets) {
     return GRAZE_OK;
 }
 
-/* Pass over what stands behind the coordinates of a vertex. A colour has 3 or 4 numbers, the same
- * number at every vertex. */
+/* Skip the numbers behind the coordinates of a vertex. A colour has 3 or 4 numbers, the same number
+ * at every vertex. */
 static graze_status pass_columns(columns *c, lines *l, size_t v) {
     size_t least = (c->normal ? 3u : 0u) + (c->texture ? 2u : 0u) + (c->colour ? 3u : 0u);
     size_t most = least + (c->colour ? 1u : 0u), count = 0;
@@ -108,7 +108,7 @@ static graze_status off_vertices(soup *s, columns *c, lines *l, fmpq *point, siz
     return GRAZE_OK;
 }
 
-/* Colours are none, one index of a colour map, or three or four components. */
+/* Skip the colour of a facet: nothing, an index of a colour map, or three or four components. */
 static graze_status pass_colours(lines *l, size_t f) {
     token t;
     size_t count = 0;

@@ -1,8 +1,8 @@
-/* PLY: vertices and faces out of a file's elements, as text or binary in either byte order.
+/* PLY: reads the vertices and faces of a file, which is text, or binary in either byte order.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Other elements and properties are passed over. As text every entry has a line of its own. Tokens
- * of coordinates are exact, whatever their declared type is.
+ * Other elements and properties are skipped. In a text file every entry has a line of its own.
+ * Tokens of coordinates are exact, whatever their declared type is.
  */
 #include <stdarg.h>
 #include <stdint.h>
@@ -19,7 +19,7 @@ enum { DETAIL_SIZE = 256 };
 typedef struct ply {
     soup *s;
     ply_header header;
-    lines l;                   /* text: stands in the body */
+    lines l;                   /* of a text file: the place in its body */
     const unsigned char *data; /* binary: the whole file */
     size_t at, size;
     const ply_element *element; /* being read */
@@ -213,7 +213,7 @@ static size_t header_length(const char *text, size_t length) {
     return at;
 }
 
-/* Stand behind the header: by its byte, and if the body is text by its line too. */
+/* Go to the byte behind the header and, in a text file, to the line there. */
 static graze_status begin_body(ply *p, const char *text, size_t header, size_t length) {
     size_t line = p->l.line;
     p->at = header;

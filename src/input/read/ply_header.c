@@ -136,7 +136,8 @@ static graze_status read_property(ply_header *h, lines *l) {
     return line_ends(l);
 }
 
-/* Every element has properties, and those Graze needs are there. */
+/* Check that there are vertices and faces with the properties that Graze needs, and that every
+ * element has properties. */
 static graze_status check_header(const ply_header *h, const lines *l) {
     int vertex = 0, face = 0;
     for (size_t k = 0; k < h->element_count; k++) {

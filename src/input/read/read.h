@@ -1,19 +1,20 @@
-/* read: a soup of an `.off`, `.obj`, `.ply`, `.stl`, `.nef3` or `.wkt` file.
+/* read: reads an `.off`, `.obj`, `.ply`, `.stl`, `.nef3` or `.wkt` file into a soup.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_INPUT_READ_H
 #define GRAZE_INPUT_READ_H
 
 #include "input/soup/soup.h"
 
-/* Polygons from rings of E^2: outer rings and holes, by how the rings lie in one another. */
+/* Polygons from rings of E^2: the nesting of the rings decides which are outer rings and holes. */
 
 /**
  * Append rings to a soup of E^2 as polygons: a ring inside an even number of others is an outer one
  * and is turned counter-clockwise, the others are holes of the innermost ring around them and are
- * turned clockwise. Rings that cross get some place; validation refuses them.
+ * turned clockwise. Rings that cross are placed anyhow; validation refuses them.
  * @param size  ring_count sizes, each at least 3
  * @param index the vertices of all rings, in range of the soup's vertices
- * @return GRAZE_EILLEGAL a ring has area zero, named as facet; GRAZE_ELIMIT; GRAZE_ESYSTEM
+ * @return GRAZE_EILLEGAL a ring has area zero; the message calls the ring a facet; GRAZE_ELIMIT;
+ * GRAZE_ESYSTEM
  */
 graze_status nesting_add_rings(soup *s, graze_context *context, const size_t *size,
                                size_t ring_count, const size_t *index);
@@ -25,28 +26,28 @@ graze_status nesting_add_rings(soup *s, graze_context *context, const size_t *si
 typedef graze_status soup_reader(soup *s, graze_context *context, const char *path,
                                  const char *text, size_t length);
 
-/** Facets or rings; OpenSCAD's .csg; .csg.json; no solid that is read. */
+/** A file of facets or rings; OpenSCAD's .csg; .csg.json; a file that is not read. */
 typedef enum format_kind { FORMAT_SOUP, FORMAT_SCAD, FORMAT_CURVED, FORMAT_NONE } format_kind;
 
-/** A format of solids, or of files that are taken for one. */
+/** A format of solids, or of other files that users take for solids. */
 typedef struct solid_format {
     const char *ending; /* of the file's name, in any case */
     format_kind kind;
-    int dimension;      /* of a soup; others say it */
+    int dimension;      /* of a soup; else 0 */
     soup_reader *read;  /* of a soup */
-    const char *advice; /* FORMAT_NONE: where a solid comes from; else why it is not mended, NULL
-                           for a mesh, which is */
+    const char *advice; /* FORMAT_NONE: how to get a format that is read; else why this one is not
+                           mended; NULL for a mesh */
 } solid_format;
 
-/** The format by the file's name; FORMAT_NONE if there is none. */
+/** The format by the ending of the file's name; one of kind FORMAT_NONE if it is not read. */
 const solid_format *format_of(const char *path);
 
 /**
- * Read a soup by the format. Number tokens are exact, and rounded as the context says. Fills
- * sha256.
+ * Read a soup in the format that the file's name says. Numbers are exact, then rounded as the
+ * context says. Sets s->sha256.
  * @param[out] s uninitialised; on failure nothing is left to clear
- * @return GRAZE_ESYSTEM the file cannot be read; GRAZE_EINPUT with file and line (or byte) and what
- * is expected; GRAZE_EILLEGAL no facets, or a .nef3 that is unbounded or not regular closed;
+ * @return GRAZE_ESYSTEM the file cannot be read; GRAZE_EINPUT the file is malformed or of no soup's
+ * format; GRAZE_EILLEGAL no facets, or a .nef3 that is unbounded or not regular closed;
  * GRAZE_ELIMIT
  */
 graze_status soup_read(soup *s, graze_context *context, const char *path);
@@ -54,7 +55,8 @@ graze_status soup_read(soup *s, graze_context *context, const char *path);
 /** As soup_read; the file may have no facets. */
 graze_status soup_read_any(soup *s, graze_context *context, const char *path);
 
-/** As soup_read, of a mesh that may be mended. */
+/** As soup_read; GRAZE_EINPUT for formats other than .off, .obj, .ply and .stl, which can be
+ * mended. */
 graze_status soup_read_mesh(soup *s, graze_context *context, const char *path);
 
 #endif

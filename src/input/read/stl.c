@@ -1,8 +1,8 @@
 /* STL, text and binary: triangles, whose corners become vertices where they are exactly equal.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Vertices are numbered in order of first appearance. Normals and attributes are passed over. A
- * binary file may begin with "solid" too, so its size decides: 84 + 50 n bytes for n triangles.
+ * Vertices are numbered in order of first appearance. Normals and attributes are skipped. A binary
+ * file may begin with "solid" too, so its size decides: 84 + 50 n bytes for n triangles.
  */
 #include <string.h>
 #include "base/context/scope.h"
@@ -30,7 +30,7 @@ static uint64_t stl_hash(const fmpq *point) {
     return hash ^ hash >> 29;
 }
 
-/* The vertex at m->point, or SLOTS_NONE. */
+/* The number of the vertex at m->point, or SLOTS_NONE. */
 static size_t find_vertex(const merger *m, uint64_t hash) {
     size_t at = 0, vertex;
     while ((vertex = slots_next(&m->positions, hash, &at)) != SLOTS_NONE) {
@@ -96,7 +96,7 @@ static graze_status stl_expect(lines *l, const char *word, size_t f) {
     return GRAZE_OK;
 }
 
-/* A facet behind its word "facet". */
+/* Read a facet from behind its word "facet". */
 static graze_status stl_facet(merger *m, lines *l) {
     size_t f = m->s->facet_count;
     token ignored;
@@ -117,7 +117,7 @@ static graze_status stl_facet(merger *m, lines *l) {
     return stl_expect(l, "endfacet", f);
 }
 
-/* One "solid ... endsolid"; both words may be followed by a name up to the line's end. */
+/* Read one "solid ... endsolid"; both words may be followed by a name up to the line's end. */
 static graze_status read_part(merger *m, lines *l) {
     token t;
     while (lines_token(l, &t)) {

@@ -17,7 +17,8 @@ static void find_stops(lines *l) {
         l->stops[(unsigned char)*c] = 1;
     for (const char *c = l->marks; *c != '\0'; c++)
         l->stops[(unsigned char)*c] = 1;
-    l->stops[(unsigned char)l->comment] = 1; /* without comments NUL, which no text has */
+    l->stops[(unsigned char)l->comment] =
+        1; /* if there are no comments this is NUL, which no text has */
     l->stops['\\'] = l->continued != 0;
 }
 
@@ -50,7 +51,8 @@ graze_status lines_start(lines *l, const char *text, size_t length) {
     return GRAZE_OK;
 }
 
-/* The bytes of a line's end at p that a backslash joins to the next line; 0 if there are none. */
+/* The length of a backslash and a line's end at p, which join the line to the next one; 0 if they
+ * are not there. */
 static size_t joined(const lines *l, const char *p) {
     if (!l->continued || *p != '\\')
         return 0;

@@ -35,7 +35,7 @@ typedef struct lines {
 void lines_begin(lines *l, const char *text, size_t length);
 
 /**
- * Begin a text, and look through it first.
+ * Begin a text, after a check of all its lines.
  * @return GRAZE_ELIMIT a line is too long; GRAZE_EINPUT a NUL byte or a lone carriage return
  */
 graze_status lines_start(lines *l, const char *text, size_t length);
@@ -60,16 +60,17 @@ graze_status lines_at(const lines *l, graze_status status);
  * their owner in messages. */
 graze_status lines_numbers(lines *l, fmpq *out, int count, const char *what, size_t index);
 
-/** Begin a facet of one cycle, whose indices follow. */
+/** Append a facet with one empty cycle; the caller adds its indices by soup_add_index. */
 graze_status facet_begin(soup *s, graze_context *context);
 
-/** A number of cells: a plain integer within the cells limit. `what` names them, in the plural. */
+/** Read a number of cells: a plain integer within the limit `cells`. `what` names the cells, in the
+ * plural. */
 graze_status lines_cells(lines *l, size_t *out, const char *what);
 
-/** The word, in any case. */
+/** Whether a token is the word, in upper or lower case. */
 int token_is(token t, const char *word);
 
-/** Is it an integer with or without sign? The value is held within +-10^18. */
+/** Whether a token is an integer, with or without sign. *out is its value, cut to +-10^18. */
 int token_integer(token t, long long *out);
 
 /** For messages: `%.*s` of the token, shortened. */
@@ -107,7 +108,7 @@ typedef enum ply_type {
     PLY_TYPE_COUNT
 } ply_type;
 
-/** The meaning of a property; one that has none for Graze is passed over. */
+/** The meaning of a property; values of PLY_PASSED are skipped. */
 typedef enum ply_role { PLY_X, PLY_Y, PLY_Z, PLY_INDICES, PLY_PASSED } ply_role;
 
 typedef struct ply_property {

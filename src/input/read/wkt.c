@@ -1,9 +1,9 @@
 /* WKT: POLYGON and MULTIPOLYGON in the plane.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Every position is a vertex of its own, in order of appearance, but the closing one of a ring,
- * which repeats the first. Rings come in either orientation; turning one changes the order in its
- * cycle, never the numbers of vertices.
+ * Every position is a vertex of its own, in order of appearance, except the last one of a ring,
+ * which repeats the ring's first. Rings come in either orientation; turning one changes the order
+ * in its cycle, never the numbers of vertices.
  */
 #include "base/context/scope.h"
 #include "base/number/rational.h"
@@ -61,8 +61,8 @@ static graze_status read_position(wkt *w) {
     return GRAZE_OK;
 }
 
-/* The sum of x_i y_(i+1) - x_(i+1) y_i over part of a ring, by halves: so denominators meet late,
- * and long rings cost little more than reading them. */
+/* The sum of x_i y_(i+1) - x_(i+1) y_i over part of a ring, summed by halves, so that only few sums
+ * have large denominators and a long ring takes little more time than reading it. */
 static void area_sum(fmpq_t out, const soup *s, const uint32_t *ring, size_t n, size_t lo,
                      size_t hi) {
     LOCAL(fmpq, half);

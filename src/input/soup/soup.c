@@ -21,7 +21,7 @@ static graze_status make_room(graze_context *context, void *items, size_t *capac
     return array_grow(context, items, capacity, count, size, "a solid");
 }
 
-/* Add an empty part at `end`, behind `count` parts whose offsets are in `start`. */
+/* Append an empty part, whose offset is `end`, to the `count` parts with offsets in `start`. */
 static graze_status add_part(graze_context *context, uint32_t **start, size_t *capacity,
                              size_t *count, size_t end) {
     TRY(make_room(context, start, capacity, *count + 2, sizeof **start));
@@ -46,7 +46,7 @@ void soup_clear(soup *s) {
     soup_init(s, s->dimension);
 }
 
-/* The cells limit and, now and then, the cancel callback. */
+/* Check the limit `cells` and, now and then, call the cancel callback. */
 static graze_status may_add(graze_context *context, size_t count, const char *what) {
     if (count >= context->limits[GRAZE_LIMIT_CELLS]) {
         return context_limit(context, GRAZE_LIMIT_CELLS, what);

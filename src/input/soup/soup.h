@@ -1,4 +1,5 @@
-/* soup: the boundary as a file or arrays give it: polygons, indices checked, geometry not yet.
+/* soup: the polygons of a boundary from a file or arrays; their indices are checked, their geometry
+ * is not.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_INPUT_SOUP_H
 #define GRAZE_INPUT_SOUP_H
@@ -31,14 +32,14 @@ typedef struct soup {
     size_t coordinate_capacity, index_capacity, cycle_capacity, facet_capacity;
 } soup;
 
-/** An empty soup; it grows by the functions below, which end with GRAZE_ELIMIT past what 32 bits
- * can number. Vertices and facets obey the cells limit. */
+/** An empty soup; it grows by the functions below. They return GRAZE_ELIMIT if an index exceeds 32
+ * bits, or if vertices or facets exceed the limit `cells`. */
 void soup_init(soup *s, int dimension);
 void soup_clear(soup *s);
 /** Append a vertex; `coordinates` are `dimension` canonical rationals, copied. */
 graze_status soup_add_vertex(soup *s, graze_context *context, const fmpq *coordinates);
-/** Append a facet without cycles, and to the last facet a cycle of vertices, whose numbers the
- * caller has checked. */
+/** soup_add_facet appends a facet without cycles. soup_add_cycle appends a cycle to the last facet;
+ * the caller has checked the numbers of its vertices. */
 graze_status soup_add_facet(soup *s, graze_context *context);
 graze_status soup_add_cycle(soup *s, graze_context *context, const size_t *vertex, size_t count);
 /** Append a vertex number to the last cycle, which soup_add_cycle may have begun with none. */
@@ -47,19 +48,20 @@ graze_status soup_add_index(soup *s, graze_context *context, size_t vertex);
 /* The input's names of boundary cells where a facet has several vertices at one position.
  *
  * A simplex has one vertex at each corner, even where several vertices of its facet share the
- * position, so the vertex or edge it gives (solid_cell) may be one name of several, or none of the
- * input's. */
+ * position, so the vertex or edge of the simplex (solid_cell) may have several names in the input,
+ * or none. */
 
 /**
- * The input's name of the cell that simplices call key[k] is name[k]. Sorted by key, then by name,
- * each pair once; a cell that is no key has its own name only.
+ * The cell that simplices call key[k] has the name name[k] in the input. Sorted by key, then by
+ * name, each pair once; a cell that is no key has one name, itself.
  */
 typedef struct cell_names {
     size_t count;
     graze_cell *key, *name; /* malloc'ed, one block each; NULL where count is 0 */
 } cell_names;
 
-/** The order of cells in reports: faces, edges, vertices, each by number. As qsort takes it. */
+/** The order of cells in reports: faces, edges, vertices, each by number. A comparison function for
+ * qsort. */
 int cell_compare(const void *a, const void *b);
 
 /** The input's names of a cell that a simplex gave, sorted; borrowed from the table or from the
