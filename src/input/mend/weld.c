@@ -2,7 +2,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Vertices that stay are further than the distance from each other. They lie in a hash table of
- * cells as wide as the distance, so that those near a point are in its cell or a neighbour.
+ * cells as wide as the distance, so that those within the distance of a point are in the point's
+ * cell or a neighbour of it.
  */
 #include <mpfr.h>
 #include <flint/fmpq.h>
@@ -83,7 +84,8 @@ static void square_of_distance(fmpq_t out, const fmpq *p, const fmpq *q) {
     _fmpq_vec_dot(out, way, way, 3);
 }
 
-/* Take the nearest vertex of one cell that stays, if it is nearer than all before. */
+/* Let the nearest staying vertex of a cell take the place of v, if it is nearer than those of other
+ * cells; of two at one distance the smaller number counts. */
 static void look_into_cell(welder *w, uint64_t hash, uint32_t v) {
     size_t at = 0, number;
     while ((number = slots_next(&w->table, hash, &at)) != SLOTS_NONE) {
