@@ -59,7 +59,7 @@ inline void make_common_point() {
     (void)copy;
 }
 
-/** Record a failed check of CGAL, without its place where memory for that runs out. */
+/** Record a failed check of CGAL, without its place in CGAL if memory for that runs out. */
 inline graze_status report_broken(graze_context *context, const CGAL::Failure_exception &broken) {
     try {
         return context_fail(context, GRAZE_EINTERNAL,

@@ -9,9 +9,9 @@
 #include <vector>
 
 /**
- * A piece as seen from a segment or point of it: the half plane (ray) from there through `toward`.
- * `crossing` is +1 if going counter-clockwise through it leads from inside the solid to outside,
- * -1 if from outside to inside.
+ * A piece as seen from a segment or point of it: the half plane from the segment (ray from the
+ * point) through `toward`. `crossing` is +1 if going counter-clockwise through it leads from inside
+ * the solid to outside, -1 if from outside to inside.
  */
 struct germ {
     std::uint32_t toward;
