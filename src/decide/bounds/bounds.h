@@ -75,14 +75,14 @@ _Static_assert(FLT_EVAL_METHOD == 0, "the filter's bounds are those of arithmeti
 /** Windows of time are counted in units of 2^-WINDOW_LEVELS of a piece. */
 enum { WINDOW_LEVELS = 24, WINDOW_WHOLE = 1 << WINDOW_LEVELS };
 
-/** The part [start, start + 2^(WINDOW_LEVELS - level)] of a piece, local parameter s in [0, 1].
- * Its Bernstein coefficients are the curve's at index * stride, X_0 ... X_(d-1) and W one after the
- * other. Or, of degree 0, several pieces: then there are no coefficients, nor their errors. Where
- * `bounded`, the piece lies in the set { from + s along + r : 0 <= s <= 1, |r_i| <= thick_i }, and
- * `inverse` is 1 / along, coordinate by coordinate (proofs/filter.md C34). */
+/** The part [start, start + 2^(WINDOW_LEVELS - level)] of a piece, local parameter s in [0, 1]. Its
+ * Bernstein coefficients are the curve's at index * stride, X_0 ... X_(d-1) and W one after the
+ * other. A span of degree 0 is several whole pieces and has no coefficients and no errors. If
+ * `bounded`, the curve on the span lies in the set { from + s along + r : 0 <= s <= 1, |r_i| <=
+ * thick_i }, and `inverse` is 1 / along, coordinate by coordinate (proofs/filter.md C34). */
 typedef struct span {
-    uint32_t piece; /* the first, for several */
-    uint32_t group; /* of degree 0: the course's */
+    uint32_t piece; /* of several pieces the first */
+    uint32_t group; /* of degree 0: its group of the course */
     uint32_t start;
     int level, degree;
     int lost;       /* its piece is beyond the filter; nothing below is set */
@@ -93,8 +93,8 @@ typedef struct span {
     double wide[3]; /* `thick` and all errors of a place of the chord against a corner */
     double
         far; /* bound of the distances of the set's places from corners, coordinate by coordinate */
-    double bend; /* bound of its distance from the chord; 0 if rounding dominates it: cutting would
-                    not make the span thinner */
+    double bend;     /* bound of the curve's distance from the chord; 0 if rounding dominates it:
+                      * cutting would not make the span thinner */
     double size[4];  /* greatest absolute coefficient of X_0 ... X_(d-1), W on the whole piece */
     double error[4]; /* of the coefficients of X_0 ... X_(d-1), W */
 } span;
@@ -128,8 +128,8 @@ void curve_init(curve *c);
 void curve_clear(curve *c);
 
 /** Set the curve that a course gives a point.
- * @param course, corners of the motion and of the solid, kept
- * @return 0 if the numbers are beyond the filter, or without memory */
+ * @param course, corners of the motion and of the solid, borrowed
+ * @return 0 if the numbers are beyond the filter, or if memory runs out */
 int curve_set(curve *c, const course *course, const filter_point *point, const corners *corners);
 
 /** Set the segment from a point to a point + direction, as a curve of degree 1.
@@ -170,14 +170,15 @@ const double *curve_coefficients(const curve *c, const span *piece, int i);
 int span_meets(const span *piece, const box *b);
 
 /** Test as span_meets does, and find the part [from, to] of the chord, parameters in [0, 1], whose
- * places, made thick, can be in the box. */
+ * places, enlarged by the thickness, can be in the box. */
 int span_window(double *from, double *to, const span *piece, const box *b);
 
 /** Is a span so thick that it meets many boxes that its curve misses? It is if the box, enlarged by
  * the thickness, has a much larger surface (in E^2: perimeter): the chance that a chord meets it is
  * proportional to that. 0 if a cut would not make the span thinner. */
 static inline int span_is_thick(const curve *c, const span *piece, const box *b) {
-    const double most = 1.2; /* measured: less cuts in vain, more tests long triangles in vain */
+    const double most = 1.2; /* measured: a smaller value cuts in vain, a larger one tests long
+                              * triangles in vain */
     double x = b->high[0] - b->low[0], y = b->high[1] - b->low[1], z = b->high[2] - b->low[2];
     double wx = x + 2 * piece->thick[0], wy = y + 2 * piece->thick[1], wz = z + 2 * piece->thick[2];
     if (piece->bend <= 0)
@@ -319,7 +320,8 @@ static inline void normal_of(normal *out, const double *v, double corner_error, 
         normal_space(out, v, corner_error);
 }
 
-/** The coordinate along which a simplex is projected; -1 if its size is not certain. */
+/** The coordinate along which a simplex is projected; -1 if it is not certain that the normal is
+ * not zero. */
 static inline int normal_axis(const normal *n, int dimension) {
     if (dimension == 2)
         return 0;
@@ -343,7 +345,7 @@ typedef enum chord_meeting {
 
 /**
  * @param corner d corners of d coordinates, outward oriented (validate.h)
- * @param corner_error each is within it of the exact coordinate */
+ * @param corner_error each coordinate of `corner` is within this of the exact one */
 chord_meeting chord_meets(const curve *c, const span *piece, const double *corner,
                           double corner_error);
 

@@ -87,12 +87,13 @@ static contact *append_timed(graze_trace *trace, graze_time *from, graze_time *t
     return added;
 }
 
-/* Whether a contact, or none, ends where a piece begins. */
+/* 1 if a contact ends where a piece begins; 0 for NULL. */
 static int ends_before(const contact *last, size_t piece) {
     return last && last->to && last->to->piece + 1 == piece && time_is_piece_end(last->to);
 }
 
-/* One maximal run of touches, from rank `from` to rank `to`, in a piece. */
+/* Add a maximal run of `count` touches from touch `first` on, which ends at rank `to`, as a
+ * contact. */
 static int add_run(graze_trace *trace, const graze_motion *motion, size_t piece, const touches *t,
                    size_t first, size_t count, size_t to) {
     const algebraic *u0 = &t->time.item[t->by_rank[t->item[first].from]];

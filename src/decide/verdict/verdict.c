@@ -94,8 +94,9 @@ int verdict_of_word(graze_verdict *out, const char *word, size_t length,
     return 1;
 }
 
-/* Membership where states are not decided (proofs/curved.md C125): by one certain state that
- * decides, else as `on` where none of the others can be that state. */
+/* Membership where states are not decided (proofs/curved.md C125): by a certain state that decides,
+ * if there is one; else `on` if a certain state is B and no undecided state can be the deciding
+ * one. */
 static graze_pmc pmc_of_certain(const graze_trace *trace, int unsweep) {
     const undecided_place *open = trace->undecided;
     if (strchr(trace->word, unsweep ? 'O' : 'I'))
