@@ -96,7 +96,8 @@ static void lay_block(layer *l, const block *b) {
     }
 }
 
-/* Divide a box into about `wanted` bricks with sides about equal; 0 if it is too long for that. */
+/* Divide a box into about `wanted` bricks with sides about equal; 0 if that takes more than 1024
+ * along an axis. */
 static int choose_bricks(interior *m, const box *all, size_t wanted) {
     double volume = 1;
     for (int k = 0; k < m->dimension; k++)

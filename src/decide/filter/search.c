@@ -29,15 +29,16 @@ static double distance_of(const searcher *s, const span *piece) {
     return sum;
 }
 
-/* The half to be searched first, 0 or 1: where one crossing is enough, the half nearer to the
- * solid.
+/* The half to be searched first, 0 or 1: the half nearer to the solid if one crossing may end the
+ * search, else the earlier one.
  */
 static uint32_t first_half(const searcher *s, uint32_t child) {
     const span *half = &s->curve->spans[child];
     return s->early && distance_of(s, half + 1) < distance_of(s, half);
 }
 
-/* End the search if the curve is in the state that ends it at the parameter `at` of a span. */
+/* End the search if at the parameter `at` of a span the curve is certainly in the state that ends
+ * it. */
 static void sample(const searcher *s, const span *piece, double at) {
     double place[4], off[4];
     box around;

@@ -22,7 +22,7 @@ candidate candidate_in(time_part part, uint32_t simplex, const meet_window *w);
 /** Make a crossing from a window of a part's parameter, rounded outward. */
 crossing crossing_in(time_part part, uint32_t simplex, const meet_window *w);
 
-/* Each of these appends to a list of the findings; 0 if memory runs out. */
+/* The next three functions append to a list of the findings; 0 if memory runs out. */
 int findings_add_crossing(findings *found, crossing item);
 int findings_add_window(findings *found, exact_window item);
 int findings_lose(findings *found, uint32_t piece);
@@ -56,7 +56,7 @@ typedef enum meeting {
 
 /**
  * @param corner d corners of d coordinates, outward oriented (validate.h)
- * @param corner_error each is within it of the exact coordinate */
+ * @param corner_error each coordinate of `corner` is within this of the exact one */
 meeting meet_simplex(meet_window *out, const curve *c, const span *piece, const double *corner,
                      double corner_error);
 
@@ -81,8 +81,8 @@ int crossing_is_alone(const curve *c, const span *piece, const graze_solid *soli
 int walls_hold_out(const cell_walls *walls, const graze_motion *motion, const graze_solid *solid,
                    const span *part, uint32_t simplex, unsigned mask);
 
-/** Bound, by coordinates, the distance of a point's trajectory from the centre's during a span; 0
- * if there is no bound. */
+/** Bound, by coordinates, the distance of the trajectory of any point of a cell from the centre's
+ * during a span; 0 if there is no bound. */
 int point_box_spread(double spread[3], const curve *memory, const point_box *points,
                      const span *part);
 
@@ -121,11 +121,11 @@ typedef struct early_end {
  */
 int search_curve(findings *out, early_end *early, curve *c, const graze_solid *solid);
 
-/* From the findings of a search to disjoint windows: what is not certainly apart is asked
- * together. */
+/* Disjoint windows from the findings of a search. */
 
-/** Make of crossings and candidates, in any order, disjoint windows and crossings in order of time:
- * what is not certainly apart is asked together (proofs/filter.md C37). 0 without memory. */
+/** Turn crossings and candidates, in any order, into disjoint windows and crossings in order of
+ * time: findings not certainly apart in time are put into one window (proofs/filter.md C37). 0
+ * without memory. */
 int findings_settle(findings *found);
 
 /** Locate a place in the solid by rays: I or O, or ABSENT if that is not certain.

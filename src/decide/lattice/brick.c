@@ -10,7 +10,7 @@
 #include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
 
-/* Cells with fewer points along each axis are not asked as cells. */
+/* Points of cells with fewer points than this along every axis are asked one by one. */
 enum { LEAST_SIDE = 2 };
 
 typedef struct bricklayer {
@@ -98,7 +98,8 @@ static void fill_part(bricklayer *b, const brick *part, graze_pmc pmc) {
     while (next_place(at, part));
 }
 
-/* Take a half of a part; bit k of `half` is its side along axis k. 0 if it is empty. */
+/* Take one of the eight parts into which halving along each axis cuts a part; bit k of `half` is
+ * its side along axis k. 0 if it is empty. */
 static int take_half(brick *out, const brick *part, int half) {
     *out = *part;
     for (int k = 0; k < 3; k++) {

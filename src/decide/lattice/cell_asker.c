@@ -1,4 +1,4 @@
-/* All contacts of a cell's points missed together, or all of its points joined with a place.
+/* Decides a cell if all its points miss the boundary, or if all are joined with an anchor.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "decide/lattice/lattice.h"
@@ -52,7 +52,8 @@ int cell_certain_times(piece_time when[CERTAIN_TIMES_MOST], const cell_asker *a,
                  : 0;
 }
 
-/* Those of the centre of a cell that have crossings; else nothing is changed. */
+/* Replace the anchors by those of a cell's centre, if certain times of the centre are found; else
+ * change nothing. */
 static void find_anchors(anchors *out, cell_asker *a, const point_box *points) {
     piece_time when[CERTAIN_TIMES_MOST];
     int count = cell_certain_times(when, a, points);
@@ -89,7 +90,8 @@ graze_pmc cell_decide(cell_asker *a, const point_box *points, anchors *near, int
     return cell_joins(a, points, near) ? cell_membership_proved(a) : GRAZE_PMC_NONE;
 }
 
-/* Decide a cell by the parts of the boundary that pass through it, where nothing else does. */
+/* Decide a cell through which the boundary passes: if a facet crosses all of it, or if no point of
+ * it is `on`. */
 static graze_status decide_passage(graze_pmc *pmc, cell_asker *a, const point_box *points) {
     const filter *f = &a->scene->filter;
     if (!point_box_begin(&a->tube, f, points))
