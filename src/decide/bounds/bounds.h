@@ -51,7 +51,7 @@ void carrier_clear(carrier *c);
  * by entry (proofs/filter.md C34); entry (i, j) is at i (d + 1) + j, the translation at j = d. */
 typedef struct piece_group {
     uint32_t child; /* groups at child and child + 1; 0: one piece, and nothing below is set */
-    uint32_t piece; /* the first */
+    uint32_t piece; /* the first one */
     int bounded;
     double first[POINT_MAP_ENTRIES], last[POINT_MAP_ENTRIES], off[POINT_MAP_ENTRIES];
 } piece_group;
