@@ -1,4 +1,4 @@
-/* bounds: trajectories in doubles with proved bounds of errors, held against simplices and boxes.
+/* bounds: trajectories in doubles with proved bounds of errors, and tests of them with simplices.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_DECIDE_BOUNDS_H
 #define GRAZE_DECIDE_BOUNDS_H
@@ -50,14 +50,15 @@ void carrier_clear(carrier *c);
  * time, is a mean of matrices first + s (last - first) + R with s in [0, 1] and |R| <= off, entry
  * by entry (proofs/filter.md C34); entry (i, j) is at i (d + 1) + j, the translation at j = d. */
 typedef struct piece_group {
-    uint32_t child; /* groups at child and child + 1; 0: one piece, and nothing below is set */
+    uint32_t child; /* groups at child and child + 1; 0: one piece, and only `piece` is set besides
+                     */
     uint32_t piece; /* the first one */
     int bounded;
     double first[POINT_MAP_ENTRIES], last[POINT_MAP_ENTRIES], off[POINT_MAP_ENTRIES];
 } piece_group;
 
 typedef struct course {
-    int dimension, degree; /* the largest of any piece */
+    int dimension, degree; /* degree: the largest of any piece */
     size_t piece_count, group_count;
     carrier *piece;
     piece_group *group; /* group 0 is the whole motion */
@@ -90,7 +91,8 @@ typedef struct span {
     int bounded;
     double from[3], along[3], inverse[3], thick[3];
     double end[3];  /* from + along, rounded */
-    double wide[3]; /* `thick` and all errors of a place of the chord against a corner */
+    double wide[3]; /* `thick` plus all errors of the difference of a place on the chord and a
+                     * corner */
     double
         far; /* bound of the distances of the set's places from corners, coordinate by coordinate */
     double bend;     /* bound of the curve's distance from the chord; 0 if rounding dominates it:
@@ -127,7 +129,7 @@ typedef struct curve {
 void curve_init(curve *c);
 void curve_clear(curve *c);
 
-/** Set the curve that a course gives a point.
+/** Set the curve on which a course carries a point.
  * @param course, corners of the motion and of the solid, borrowed
  * @return 0 if the numbers are beyond the filter, or if memory runs out */
 int curve_set(curve *c, const course *course, const filter_point *point, const corners *corners);
@@ -137,7 +139,8 @@ int curve_set(curve *c, const course *course, const filter_point *point, const c
 int curve_set_segment(curve *c, int dimension, const double *at, const double *error,
                       const double *direction, const corners *corners);
 
-/** Add a span for one whole piece; NULL if there are too many spans, or if memory runs out. */
+/** Find the span of one whole piece, cutting groups as needed; NULL if there are too many spans, or
+ * if memory runs out. Other pointers to spans become invalid. */
 const span *curve_piece(curve *c, size_t piece);
 
 /** Cut a span, unless it is cut, into halves or into two groups of pieces; 0 if there are too many

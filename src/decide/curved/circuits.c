@@ -98,7 +98,8 @@ static takings take_on_ridge(sign_germ *g, const circuit *c, const probe *on, in
 }
 
 /* Signs that phi takes if its quadratic form vanishes: those of its first terms along some
- * directions. A lowest form of odd degree below their number does not vanish along all of them. */
+ * directions. A lowest form of odd degree below the number of directions does not vanish along all
+ * of them. */
 static takings take_flat(sign_germ *g, probe *p, const taylor *of) {
     static const slong direction[8][2] = {{1, 0}, {0, 1}, {1, 1},  {1, -1},
                                           {1, 2}, {2, 1}, {1, -2}, {2, -1}};

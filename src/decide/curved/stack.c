@@ -4,7 +4,7 @@
  * In the frame of the solid members have integer coefficients, so the lines may be rational though
  * the point is not. A window around the point has no zero on its horizontal sides, none but the
  * point on the vertical line through it, and in its width branches meet at the abscissa of the
- * point alone. Then those in the window are the branches that end in the point (C126).
+ * point alone. Then the branches in the window are those that end in the point (C126).
  */
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_mpoly.h>

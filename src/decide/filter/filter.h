@@ -39,8 +39,9 @@ int candidates_append(candidates *list, candidate item);
 /** Sort by piece, simplex and time, and join windows of one simplex that touch. */
 void candidates_join(candidates *list);
 
-/** A certain crossing: at just one time of [from, to], parameters of the piece in [0, 1], the curve
- * goes through the relative interior of the simplex. `enters`: it goes from outside to inside. */
+/** A certain crossing: at just one time of [from, to] the curve goes through the relative interior
+ * of the simplex. Both are parameters of the piece, beyond [0, 1] by rounding at most. `enters`:
+ * the curve goes from outside to inside. */
 typedef struct crossing {
     double from, to;
     uint32_t piece, simplex;
@@ -93,7 +94,7 @@ typedef struct filter {
     const graze_solid *solid; /* borrowed */
     course course;
     brick_memo *bricks;
-    graze_state proves; /* one time at which the point is in this state decides the membership */
+    graze_state proves; /* the state that decides a membership if the point is in it at one time */
 } filter;
 
 /** Make the filter of a solid and a motion.

@@ -11,7 +11,7 @@ typedef struct searcher {
     curve *curve;
     const graze_solid *solid;
     early_end *early; /* NULL: all is to be found */
-    int failed;       /* without memory, or too many spans */
+    int failed;       /* memory ran out, or there are too many spans */
 } searcher;
 
 static time_part part_of(const span *piece) {
@@ -86,7 +86,8 @@ static int cut_and_descend(searcher *s, uint32_t node, uint32_t span_index) {
     return 1;
 }
 
-/* End the search with a certain crossing that is alone, if it may, or keep it; 0 without memory. */
+/* End the search with a certain crossing that is alone, if an early end is allowed, or keep the
+ * crossing; 0 if memory runs out. */
 static int take_crossing(searcher *s, const span *piece, uint32_t simplex, const meet_window *at) {
     if (s->early)
         s->early->met = crossing_is_alone(s->curve, piece, s->solid, simplex, at);

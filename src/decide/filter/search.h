@@ -37,7 +37,7 @@ typedef graze_state locate_function(void *data, const double middle[3]);
 /** Lay some bricks for each simplex, within fixed bounds, over the solid's box, and find their
  * states. No state is found if the solid's numbers are beyond the filter.
  * @param locate the state at a place in doubles, or ABSENT
- * @return 0 without memory */
+ * @return 0 if memory runs out */
 int interior_make(interior *out, const graze_solid *solid, locate_function *locate, void *data);
 void interior_clear(interior *m);
 
@@ -49,8 +49,8 @@ graze_state interior_state(const interior *m, const box *b);
 
 typedef enum meeting {
     MEET_NONE,     /* at no time of the closed span is the curve on the closed simplex */
-    MEET_CROSSING, /* at just one time it is: it crosses the simplex's relative interior */
-    MEET_ASK,      /* not certain; all times at which it is on the simplex lie in the window */
+    MEET_CROSSING, /* at just one time the curve is on it, and crosses its relative interior */
+    MEET_ASK,      /* not certain; all times at which the curve is on it lie in the window */
     MEET_CUT       /* as MEET_ASK, but halves of the span may decide */
 } meeting;
 
@@ -116,16 +116,16 @@ typedef struct early_end {
 } early_end;
 
 /** Find all certain crossings and candidates of a curve, unsorted.
- * @param early NULL: the search is complete; else `met` is set if it ends early
- * @return 0 without memory
+ * @param early NULL: the search is complete; else `met` is set to 1 if the search ends early
+ * @return 0 if memory runs out
  */
 int search_curve(findings *out, early_end *early, curve *c, const graze_solid *solid);
 
 /* Disjoint windows from the findings of a search. */
 
 /** Turn crossings and candidates, in any order, into disjoint windows and crossings in order of
- * time: findings not certainly apart in time are put into one window (proofs/filter.md C37). 0
- * without memory. */
+ * time: findings not certainly apart in time are put into one window (proofs/filter.md C37). 0 if
+ * memory runs out. */
 int findings_settle(findings *found);
 
 /** Locate a place in the solid by rays: I or O, or ABSENT if that is not certain.

@@ -22,7 +22,7 @@ typedef struct bricklayer {
     double low[3][BRICK_SIDE_PLANE], high[3][BRICK_SIDE_PLANE];
 } bricklayer;
 
-/* The cell that holds the points. */
+/* Make the cell that holds the points of a part. */
 static void make_cell(point_box *out, const bricklayer *b, const brick *points) {
     memset(out, 0, sizeof *out);
     for (int k = 0; k < b->dimension; k++) {
@@ -138,7 +138,7 @@ static graze_status decide_part(bricklayer *b, const brick *part, const anchors 
     return GRAZE_OK;
 }
 
-/* Coordinates of the brick's points. */
+/* Compute the coordinates of the brick's points, and bounds of them. */
 static void set_coordinates(bricklayer *b, const lattice *l) {
     for (int k = 0; k < b->dimension; k++) {
         size_t n = b->whole->end[k] - b->whole->first[k];

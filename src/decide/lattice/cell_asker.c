@@ -35,7 +35,7 @@ static graze_pmc membership_of_clear(const cell_asker *a, const point_box *point
     return state == GRAZE_STATE_I ? GRAZE_IN : state == GRAZE_STATE_O ? GRAZE_OUT : GRAZE_PMC_NONE;
 }
 
-/* All contacts of the centre; NULL if the filter cannot be used for it. */
+/* The filter's findings for the centre of a cell; NULL if the filter cannot be used for it. */
 static const findings *search_centre(const cell_asker *a, const point_box *points) {
     filter_workspace *w = filter_workspace_of(a->context);
     filter_point centre = centre_of(points);

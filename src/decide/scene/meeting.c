@@ -26,7 +26,8 @@ typedef struct finder {
     graze_status status;
 } finder;
 
-/* The simplices of the batch as a solid of their own; coordinates stay the soup's. */
+/* The simplices of the batch as a solid of their own; the coordinates are borrowed from the soup.
+ */
 static graze_status borrow_batch(soup *part, simplices *cut, const finder *f) {
     const soup *whole = &f->solid->input;
     size_t d = (size_t)whole->dimension;

@@ -14,12 +14,11 @@
 /* A scene: a solid, a motion of the same dimension, the options its answers depend on, and facts
  * decided about the pair.
  *
- * Invariant: solid and motion are borrowed and legal, their dimensions agree, and `ends` is
- * decided exactly, of a curved solid where it is decided. A scene never changes once made, but for
- * its memo. */
+ * Invariant: solid and motion are borrowed and legal, their dimensions agree, and `ends` is decided
+ * exactly, of a curved solid where it is decided. A scene never changes once made, but for memos
+ * under a lock. */
 
-/** A value that a later stage makes of a scene once and keeps: the only part that changes, under
- * the lock.
+/** A value that a later stage makes of a scene once and keeps; it is made under the lock.
  */
 typedef struct scene_memo {
     pthread_mutex_t lock;

@@ -44,7 +44,7 @@ int truths_all(const truths *m, const expression_tree *t);
 
 /* The surfaces of a curved solid in doubles: what its filter evaluates, and a tree of boxes. */
 
-/** The number of products of 1 to CSG_DEGREE of four coordinates: C(8, 4) - 1. */
+/** The number of products of 1 to CSG_DEGREE factors, each one of four coordinates: C(8, 4) - 1. */
 enum { PRODUCT_MOST = 69 };
 
 /** A product of homogeneous coordinates: its parent, a product of one degree less that stands

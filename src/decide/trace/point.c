@@ -10,7 +10,8 @@
 #include "base/context/scope.h"
 #include "input/validate/validate.h"
 
-/* Append the contacts with candidates, in any order, whose windows hold all their touches. */
+/* Append the contacts that the candidates of a piece make. The candidates come in any order, and
+ * their windows hold all their touches. */
 static graze_status trace_window(tracer *r, size_t piece, candidates *list, int opens) {
     const trajectory *c = tracer_exact(r, piece);
     if (!c)

@@ -170,9 +170,9 @@ typedef struct tracer {
     trace_detail detail;
     filter_workspace *workspace; /* NULL: no filter */
     filter_point near;
-    fmpz *homogeneous;       /* the point as d + 1 integers, the last one positive, and */
-    trajectory *exact;       /* its trajectories, one per piece; NULL until the first is needed */
-    unsigned char *is_exact; /* which of them are set */
+    fmpz *homogeneous;       /* the point as d + 1 integers, the last one positive; or NULL */
+    trajectory *exact;       /* trajectories, one per piece; NULL until the first is needed */
+    unsigned char *is_exact; /* by piece: 1 if its trajectory is set */
     candidates list;
     last_seen last;
 } tracer;
@@ -182,7 +182,8 @@ typedef struct tracer {
 void tracer_begin(tracer *r);
 void tracer_clear(tracer *r);
 
-/** The exact trajectory of a piece, owned by `r`; NULL without memory, which is reported. */
+/** The exact trajectory of a piece, owned by `r`; NULL if memory runs out, which the context
+ * reports. */
 const trajectory *tracer_exact(tracer *r, size_t piece);
 
 /** The span of the filter's curve that is a whole piece, valid until the curve is cut; NULL if the
@@ -275,12 +276,13 @@ graze_status contacts_name(graze_trace *trace, graze_context *context, const cel
  * compares two crossings that are neighbours. */
 
 /** Check a certain crossing in `piece`, which is later than all findings before it. @return
- * GRAZE_EINTERNAL if the state before it differs from the state found after the last exact window
+ * GRAZE_EINTERNAL if the state before the crossing differs from the state found after the last
+ * exact window
  */
 graze_status crosscheck_crossing(tracer *r, size_t piece, int enters);
 
-/** An exact window [from, to], in 2^-WINDOW_LEVELS of `piece`, whose ends within the piece are off
- * the boundary. @return as crosscheck_crossing */
+/** Check an exact window [from, to] of `piece`, in units of 2^-WINDOW_LEVELS, whose ends inside the
+ * piece are off the boundary. @return as crosscheck_crossing */
 graze_status crosscheck_window(tracer *r, size_t piece, uint32_t from, uint32_t to);
 
 /* The trace of a point. */

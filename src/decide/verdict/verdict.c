@@ -65,7 +65,8 @@ graze_verdict verdict_unsweep(const char *word, size_t length, unsigned long i, 
     return v;
 }
 
-/* Equal neighbours are merged, and between inside and outside lies the boundary. */
+/* 1 for a word: equal neighbours are merged, and the boundary lies between inside and outside, so
+ * every second letter is B. */
 static int alternates(const char *word, size_t length) {
     for (size_t k = 0; k < length; k++) {
         int is_b = word[k] == 'B';

@@ -207,7 +207,7 @@ static int angle_within(const half_angle *h, const fmpq_t f, const fmpq_t square
     return !bound_exceeds(error, tolerance);
 }
 
-/* The exact rational an MPFR number is. */
+/* The rational number that equals an MPFR number. */
 static void exact_value(fmpq_t out, const mpfr_t value) {
     LOCAL(mpz, digits);
     if (mpfr_zero_p(value)) {

@@ -32,8 +32,9 @@ void half_angle_clear(half_angle *h);
 void half_angle_dyadic(half_angle *out, const fmpq_t f, const fmpq_t square, slong bits);
 
 /**
- * w = 1 and c the first convergent of the continued fraction of tan(2 pi f) / L for which the bound
- * of half_angle_error is at most `tolerance` (radians, at least 2^-ANGLE_FINEST). |f| <= 1/8.
+ * Set w = 1 and c to the first convergent of the continued fraction of tan(2 pi f) / L for which
+ * the bound of half_angle_error is at most `tolerance` (radians, at least 2^-ANGLE_FINEST). |f| <=
+ * 1/8.
  */
 void half_angle_convergent(half_angle *out, const fmpq_t f, const fmpq_t square,
                            const fmpq_t tolerance);
@@ -42,8 +43,8 @@ void half_angle_convergent(half_angle *out, const fmpq_t f, const fmpq_t square,
  * 0 where both angles are 0. */
 void half_angle_error(mpfr_t out, const half_angle *h, const fmpq_t f, const fmpq_t square);
 
-/** An upper bound of the angle between the numbers w + i c L of two pairs, which is less than 180
- * degrees; it exceeds that angle by at most 2^(1 - ANGLE_SLACK). */
+/** An upper bound of the angle, less than 180 degrees, between the numbers w + i c L of two pairs;
+ * the bound exceeds the angle by at most 2^(1 - ANGLE_SLACK). */
 void half_angle_apart(mpfr_t out, const half_angle *from, const half_angle *to,
                       const fmpq_t square);
 
@@ -68,8 +69,7 @@ int bound_exceeds(const mpfr_t bound, const fmpq_t most);
 /** An upper bound of the square root of a number that is not negative. */
 void root_above(mpfr_t out, const fmpq_t square);
 
-/* Joints as the caller gives them, made ready: exact numbers, the axis's length, how far points
- * are. */
+/* Helpers for joints, and for the lines of a report. */
 
 /** Set out = value / divisor; the divisor is not 0. */
 void divide_by(fmpq_t out, const fmpq_t value, ulong divisor);

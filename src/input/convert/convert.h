@@ -1,4 +1,4 @@
-/* convert: a motion file of degrees, screws, joints or poses, with proved bounds of the error.
+/* convert: motion files made of degrees, screws, joints or poses, with proved bounds of the error.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_INPUT_CONVERT_H
 #define GRAZE_INPUT_CONVERT_H
@@ -79,19 +79,20 @@ const angle_order *angle_order_of(const char *machine);
 
 /** The caller's description of columns; all borrowed. */
 typedef struct pose_naming {
-    const char *const *ignored; /* names to pass over; `*` at an end stands for any end */
+    const char *const *ignored; /* names to pass over; a final `*` stands for any ending */
     size_t ignored_count;
     const char *columns;      /* NAME=COLUMN,..., COLUMN as in the file; NULL: none */
     const angle_order *order; /* of angles; NULL: there are none */
 } pose_naming;
 
-/** Poses that are taken, and where they stand. */
+/** The poses that are taken from a file or a text. */
 typedef struct pose_choice {
     pose_naming naming;
     int has_from, has_to;
     fmpq_t from, to;     /* first and last time, if has_from and has_to */
     fmpq_t scale;        /* factor of positions, positive */
-    unsigned long every; /* n >= 1: of these poses the first, each n-th after it, and the last */
+    unsigned long every; /* n >= 1: of the poses in time the first, each n-th after it, and the last
+                          */
     int numbered;        /* rows are numbered by poses, counting those that are not taken too */
     const char *text;    /* borrowed; read instead of the file, or NULL */
     size_t length;
@@ -99,7 +100,7 @@ typedef struct pose_choice {
 
 /* A motion through poses. */
 
-/** Poses from a file or a text. @param ways flags of graze/convert.h */
+/** Write a motion through the poses of a file or a text. @param ways flags of graze/convert.h */
 graze_status convert_poses(conversion *out, graze_context *context, const char *path,
                            const pose_choice *choice, unsigned ways, const fmpq_t tolerance);
 
@@ -122,13 +123,12 @@ void rotation_distance(fmpq_t out, const fmpq *rotation, const fmpq *matrix, int
 /* Milling tools, cylinders, balls and boxes as polyhedra inside and outside of them.
  *
  * A body of revolution about the z axis is the points (x, y, z) with (hypot(x, y), z) in its
- * profile: a flat bottom of radius `flat` at z = 0, an arc of radius `corner` about (flat,
- * corner), tangent to the bottom, up to a normal (cos b, sin b), a straight side across that
- * normal, and a flat top at `height`. -b is the taper, the angle of the side with the axis,
- * positive where the tool is wider above; b = 90 degrees is a ball without a side. All such bodies
- * are convex.
+ * profile: a flat bottom of radius `flat` at z = 0, an arc of radius `corner` about (flat, corner),
+ * tangent to the bottom, up to a normal (cos b, sin b), a straight side across that normal, and a
+ * flat top at `height`. -b is the taper, the angle of the side with the axis, positive where the
+ * tool is wider above; b = 90 degrees is a ball without a side. All such bodies are convex.
  *
- * The ring of corner k of profile point i is (r_i u_k, z_i), u_k the corners of a convex polygon
+ * Corner k of the ring of profile point i is (r_i u_k, z_i), u_k the corners of a convex polygon
  * about the circle's centre, so that four corners of neighbouring rings lie in a plane. */
 
 /** A body of revolution. Of b only rational bounds are known: `low` and `high` are points (cos,
@@ -178,13 +178,13 @@ void tool_pair_clear(tool_pair *p);
 
 /* Tools as curved solids, `.csg.json`. */
 
-/** Begin and end a file around one node, moved by `at` (NULL: not). */
+/** Begin and end a file around one node, moved by `at` (NULL: not moved). */
 void tool_csg_begin(text *out, const fmpq *at);
 void tool_csg_end(text *out, const fmpq *at);
 
 /** The node of a tool whose side has the normal `low`. */
 void tool_csg_write(text *out, const tool *s);
-/** The node of a box from the origin, of these sides. */
+/** Write the node of a box between the origin and the point `size`. */
 void tool_csg_write_box(text *out, const fmpq *size);
 
 /* Two polyhedra about a tool, within a tolerance. */
@@ -196,7 +196,7 @@ void tool_csg_write_box(text *out, const fmpq *size);
 graze_status tool_fit(tool_pair *out, fmpq_t square, graze_context *context, const tool *s,
                       const fmpq_t tolerance);
 
-/** Report both polyhedra and their distance from the shape. */
+/** Report the numbers of sides and rings, and the bound of the distance from the tool. */
 void tool_report(text *out, const tool_pair *p, const fmpq_t square);
 
 /* Polyhedra of tools, and boxes, as OFF. */
@@ -205,7 +205,7 @@ void tool_report(text *out, const tool_pair *p, const fmpq_t square);
  * times the corners of the pair. */
 void tool_write(text *out, const profile *p, const tool_pair *pair, const fmpq_t factor,
                 const fmpq *at);
-/** A box from the origin, of these sides. */
+/** Write a box between the origin and the point `size` as OFF, moved by `at` (NULL: not moved). */
 void tool_write_box(text *out, const fmpq *size, const fmpq *at);
 
 /* One turn to an angle in degrees. */

@@ -20,7 +20,7 @@
 typedef struct rounding_task {
     const graze_motion *motion;
     slong bits;   /* the grid's step is 2^-bits */
-    fmpq_t worst; /* change of an entry, at most */
+    fmpq_t worst; /* upper bound of the change of entries so far */
     int turned;   /* an entry of a linear part is changed */
     fmpq_poly_t from, to;
     fmpq_t value, change, bound;

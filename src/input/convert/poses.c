@@ -85,7 +85,8 @@ static void put_between(json_writer *w, const pose_list *list, const slerp_cours
     put_between(w, list, s, &middle, to, halvings - 1);
 }
 
-/* Poses and, where a tolerance is given, those between them that bring the way near SLERP. */
+/* Write the poses and, if a tolerance is given, poses between them that bring the motion near
+ * SLERP. */
 static graze_status put_keyframes(conversion *out, graze_context *context, const pose_list *list,
                                   const fmpq *tolerance) {
     slerp_course s = {.tolerance = tolerance};

@@ -10,7 +10,7 @@
 #include "input/convert/poses_list.h"
 #include "input/delimited/delimited.h"
 
-/* The first line, and where messages say it stands. */
+/* The first line of a file, and its place for messages. */
 typedef struct naming {
     graze_context *context;
     const char *source;

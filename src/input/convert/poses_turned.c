@@ -29,7 +29,7 @@ void pose_negate(pose *p) {
         fmpq_neg(p->quaternion + k, p->quaternion + k);
 }
 
-/* The square root of a rational number, exact if it is rational, else computed in doubles. */
+/* The square root of a rational number, exact if the root is rational, else computed in doubles. */
 static graze_status length_near(fmpq_t out, graze_context *context, const fmpq_t square) {
     if (fmpz_is_square(fmpq_numref(square)) && fmpz_is_square(fmpq_denref(square))) {
         fmpz_sqrt(fmpq_numref(out), fmpq_numref(square));
@@ -39,8 +39,8 @@ static graze_status length_near(fmpq_t out, graze_context *context, const fmpq_t
     return rational_from_double(out, context, sqrt(fmpq_get_d(square)));
 }
 
-/* An upper bound of the angle between the rotation of q = (w, -j, i, 0) and the one of the axis:
- * u = (2 w i, 2 w j, w^2 - i^2 - j^2) / |q|^2. */
+/* An upper bound of the angle between the rotation of q = (w, -j, i, 0), which turns e to u = (2 w
+ * i, 2 w j, w^2 - i^2 - j^2) / |q|^2, and the least rotation to the axis. */
 static void axis_error(mpfr_t out, const fmpq_t w, const fmpq *a, const fmpq_t square) {
     LOCAL_VEC(fmpq, u, 3);
     LOCAL_VEC(fmpq, norm, 3);

@@ -42,7 +42,8 @@ static int profile_is_convex(const profile *p) {
 }
 
 /* 1 if the polygon is convex about 0 and in the unit disc, and `stretch` times the polygon contains
- * the disc: the line through no side is nearer to 0 than 1 / stretch, that is |a x b| stretch >= |a
+ * the disc: the line through each side a b is at least 1 / stretch from 0, that is |a x b| stretch
+ * >= |a
  * - b|. */
 static int polygon_holds(const tool_pair *p) {
     LOCAL_VEC(fmpq, v, 3);

@@ -2,10 +2,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Every piece runs straight from one dyadic half angle to the next, in the plane of the complex
- * number w + i c L: the tangent of the half angle from the piece's middle is linear in s up to the
- * small difference of the two lengths. The pieces meet exactly. The number of pieces is doubled
- * until the bounds of all joints add up to the tolerance at most: the joints before and after one
- * keep distances, so errors of displacement add.
+ * number w + i c L: the tangent of the half angle from the piece's middle is linear in the piece's
+ * time up to the small difference of the two lengths. The pieces meet exactly. The number of pieces
+ * is doubled until the bounds of all joints add up to the tolerance at most: the joints before and
+ * after one keep distances, so errors of displacement add.
  */
 #include "input/convert/convert.h"
 

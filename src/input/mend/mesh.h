@@ -98,8 +98,8 @@ graze_status orient_facets(mesh *m, unsigned flags);
 
 /* T-junctions. */
 
-/** Split each edge that belongs to an odd number of facets at those ends of other edges of odd
- * number that lie strictly inside it. Facets keep their points. */
+/** An edge that belongs to an odd number of facets is open. Split each open edge at those ends of
+ * other open edges that lie strictly inside it. Facets keep their points. */
 graze_status split_edges(mesh *m);
 
 /** The ends of all edges that belong to an odd number of facets, each once. The caller frees

@@ -15,7 +15,7 @@
 #include "base/number/vector.h"
 #include "input/mend/mesh.h"
 
-enum { ENDS_COMPARED = 4096 }; /* each with all others at worst */
+enum { ENDS_COMPARED = 4096 }; /* each end is compared with all others */
 
 typedef struct welder {
     mesh *m;
@@ -66,7 +66,7 @@ static void find_cell(welder *w, const fmpq *p) {
     }
 }
 
-/* The hash of the cell, or of a neighbour. */
+/* The hash of the cell that is x, y, z cells beside the welder's cell. */
 static uint64_t cell_hash(const welder *w, int x, int y, int z) {
     static const ulong prime = (1UL << 61) - 1;
     const int step[3] = {x, y, z};
@@ -117,7 +117,7 @@ static graze_status weld_vertex(welder *w, uint32_t v) {
                : context_fail(w->m->context, GRAZE_ESYSTEM, "out of memory for vertices");
 }
 
-/* The line of the report: the solid is changed, and by how much. */
+/* Report the welded vertices, and that the solid is changed, and by how much. */
 static void report_welded(welder *w) {
     char digits[64];
     if (!w->welded.count)

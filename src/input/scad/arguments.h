@@ -62,7 +62,7 @@ size_t scad_next(const scad *file, size_t child);
 
 /* Arguments of the nodes of OpenSCAD's `.csg` files. */
 
-/** The node whose arguments are read, and where failures are told. */
+/** The node whose arguments are read, and the context that takes failures. */
 typedef struct scad_place {
     const scad *file;
     graze_context *context;
@@ -93,13 +93,13 @@ graze_status scad_list(field *out, const scad_place *p, field value);
 /** The number that a value is. */
 graze_status scad_number(fmpq_t out, const scad_place *p, field value);
 
-/** A list of exactly `count` numbers. */
+/** Read a list of exactly `count` numbers. */
 graze_status scad_vector(fmpq *out, const scad_place *p, field value, size_t count);
 
-/** The numbers of an argument that must be given, exactly `count`. */
+/** Read the numbers of an argument that must be given, exactly `count`. */
 graze_status scad_named_vector(fmpq *out, const scad_place *p, const char *name, size_t count);
 
-/** The number of an argument that must be given. */
+/** Read the number of an argument that must be given. */
 graze_status scad_named_number(fmpq_t out, const scad_place *p, const char *name);
 
 /** The items of an argument that must be given. */

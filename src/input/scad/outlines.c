@@ -52,7 +52,7 @@ static graze_status end_ring(rings *r, scad_writer *w) {
     return GRAZE_OK;
 }
 
-/* A ring of points by their numbers. */
+/* Read a ring of points by their numbers. */
 static graze_status read_path(rings *r, scad_writer *w, const scad_place *p, field path,
                               const fmpq *point, size_t count) {
     field rest, item;
@@ -185,7 +185,7 @@ static graze_status put_revolved(scad_writer *w, const scad_place *p, const fmpq
     return GRAZE_OK;
 }
 
-/* The cylinder over a circle about the origin. */
+/* Write the cylinder over a circle about the origin. */
 static void put_disk_prism(scad_writer *w, const scad_place *p, const fmpq_t radius) {
     LOCAL_VEC(fmpq, point, 6);
     fmpq *axis = point + 3;

@@ -35,7 +35,7 @@ typedef struct scad_writer {
 /** Begin a node in the line in which the file has it. `key` is its kind, whose value, an object or
  * a list as `bracket` says, stays open. */
 void scad_open(scad_writer *w, const scad_place *p, const char *key, char bracket);
-/** End a primitive, an object, and name it after its line. */
+/** Name a primitive after its line, and close its object. */
 void scad_end(scad_writer *w, const scad_place *p);
 
 /** Read an argument that must be a positive number. */

@@ -4,8 +4,8 @@
  * The ray leaves x in the direction of the first axis. Displaced by (0, e, e^2) with e positive and
  * infinitesimal it meets no vertex and no edge, and no plane parallel to it: every sign below that
  * is zero at x is decided by the first non-zero coefficient of the displacement. The signed number
- * of facets that the ray leaves through is the winding number at x (proofs/claims.md C6).
- * Doubles settle the triangles that the ray clearly passes or clearly crosses beyond x.
+ * of facets that the ray leaves through is the winding number at x (proofs/claims.md C6). Doubles
+ * settle the triangles that the ray clearly misses or clearly crosses beyond x.
  */
 #include "input/solid/solid.h"
 

@@ -60,7 +60,7 @@ typedef struct tree {
     tree_node *node;
 } tree;
 
-/** Build a tree over n >= 1 boxes; returns 0, or -1 without memory. */
+/** Build a tree over n >= 1 boxes; returns 0, or -1 if memory runs out. */
 int tree_build(tree *out, const box *boxes, size_t n);
 void tree_clear(tree *t);
 
@@ -119,7 +119,7 @@ static inline const slab *slab_below(const slabs *s, const tree_node *node) {
     return &s->item[node->slab];
 }
 
-/** Make and number the slabs of a tree over simplices with these corners; 0 without memory. */
+/** Make and number the slabs of a tree over simplices with these corners; 0 if memory runs out. */
 int slabs_make(slabs *out, tree *boxes, const corners *corners, int dimension);
 void slabs_clear(slabs *s);
 
@@ -270,7 +270,7 @@ void form_of_side(fmpz *out, const fmpq *const *vertex, const fmpz *plane, int k
 /** Sign of a form at a homogeneous point. */
 int form_sign(const fmpz *form, const fmpz *x, int dimension);
 
-/** The order of forms as lists of integers: negative, zero or positive. */
+/** Compare forms as lists of integers: negative, zero or positive. */
 int form_compare(const fmpz *a, const fmpz *b, int dimension);
 
 /* Location of points by the crossings of a ray. */
@@ -316,7 +316,7 @@ typedef struct plane_list {
  * Find the planes of `count` simplices, computing the form of each.
  * @param simplex their numbers, repetitions allowed; NULL for all simplices of the solid, `count`
  * of them
- * @return 0, or -1 without memory; then there is nothing to clear
+ * @return 0, or -1 if memory runs out; then there is nothing to clear
  */
 int planes_find(plane_list *out, const graze_solid *solid, const uint32_t *simplex, size_t count);
 

@@ -1,4 +1,4 @@
-/* Median splits along the widest axis of the boxes' centres.
+/* The tree is built by median splits along the axis on which the boxes' centres spread most.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "input/solid/solid.h"

@@ -26,7 +26,7 @@
 #include "input/validate/failure.hpp"
 
 typedef CGAL::Exact_predicates_exact_constructions_kernel Kernel;
-/** The exact number a Kernel::FT stands for. */
+/** The type of the exact number that a Kernel::FT stands for. */
 typedef Kernel::FT::ET Exact;
 
 /** CGAL throws at a failed check, and never writes, aborts or exits. Done once for the process. */

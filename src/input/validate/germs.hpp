@@ -16,7 +16,7 @@
 struct germ {
     std::uint32_t toward;
     std::uint32_t piece;
-    int drop; /* E^3: the coordinate dropped when the plane of the piece is looked at */
+    int drop; /* E^3: the coordinate that is dropped to project the piece's plane to E^2 */
     int crossing;
 };
 

@@ -19,7 +19,7 @@
 struct piece {
     simplex cell;
     std::uint32_t at[3]; /* the positions of its vertices */
-    std::int8_t drop;    /* the coordinate dropped when its plane is looked at in E^2 */
+    std::int8_t drop;    /* the coordinate that is dropped to project its plane to E^2 */
     std::int8_t facing;
     bool planar; /* cut out of a planar facet: its siblings are known not to overlap it */
 };

@@ -81,7 +81,7 @@ typedef struct loose_edges {
 
 /**
  * Cut the facets of a soup in E^3 into triangles. They may cross, overlap and be open; those
- * without area are left out, which changes the sums along no edge. Components are joined by whole
+ * without area are left out, which changes no sum along an edge. Components are joined by whole
  * edges.
  * @param[out] flat_count the number of facets without area, and of triangles of fans without area
  * @param flags GRAZE_SOLID_TRIANGULATE
@@ -94,8 +94,9 @@ graze_status validate_loose(simplices *out, loose_edges *edges, size_t *flat_cou
 /* The test whether a boundary meets its image under a map. */
 
 /**
- * Does any simplex of S touch any simplex of the image of S under the affine map? Both are closed
- * sets; the answer is exact. The caller tests whether one boundary lies inside the other solid.
+ * Does any simplex of S touch any simplex of the image of S under the affine map? Simplices are
+ * closed sets; the answer is exact. The caller tests whether one boundary lies inside the other
+ * solid.
  * @param map d*(d+1) rationals, row by row, invertible
  */
 graze_status boundaries_meet(int *out, graze_context *context, const soup *s, const simplices *cut,
