@@ -251,7 +251,7 @@ static graze_status find_places(ulong *m, graze_context *context, graze_time *ti
 }
 
 /* Find the widest interval of an irrational time from the roots of its minimal polynomial in the
- * same unit interval, none of which is dyadic (C28, C44). */
+ * same unit interval; no root is dyadic (C28, C44). */
 static graze_status find_widest_interval(graze_time *time, graze_context *context,
                                          time_family *family, slong factor, fmpq_t low,
                                          fmpq_t high) {

@@ -142,7 +142,7 @@ struct graze_solid {
     corners corners;
     slabs slabs;
     char note[256]; /* note on an unusual input; "" if none */
-    csg *curved;    /* the expression of a curved solid, of which only number, input.dimension and
+    csg *curved;    /* the expression of a curved solid, for which only number, input.dimension and
                      * input.sha256 are set besides; else NULL */
 };
 
