@@ -1,4 +1,4 @@
-/* bounds: trajectories in doubles with proved bounds of errors, and tests of them with simplices.
+/* bounds: trajectories in doubles with proved bounds of errors, tested against simplices and boxes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_DECIDE_BOUNDS_H
 #define GRAZE_DECIDE_BOUNDS_H
@@ -28,8 +28,8 @@ typedef struct carrier {
     int dimension, degree; /* degree >= 1 */
     double *entry;         /* coefficient k of entry (i, j) at (i (d + 1) + j)(degree + 1) + k */
     double *weight;        /* degree + 1 coefficients; behind the entries, freed with them */
-    struct carrier *half;  /* its two halves, if a weight is too small to divide by, recursively to
-                              some level; else NULL; freed with it */
+    struct carrier *half;  /* the two halves of the map, if a weight is too small to divide by,
+                            * recursively to some level; else NULL; freed with the carrier */
 } carrier;
 
 /** The filter divides by a coefficient of the weight only if it is greater than this. */
@@ -82,11 +82,11 @@ enum { WINDOW_LEVELS = 24, WINDOW_WHOLE = 1 << WINDOW_LEVELS };
  * `bounded`, the curve on the span lies in the set { from + s along + r : 0 <= s <= 1, |r_i| <=
  * thick_i }, and `inverse` is 1 / along, coordinate by coordinate (proofs/filter.md C34). */
 typedef struct span {
-    uint32_t piece; /* of several pieces the first */
-    uint32_t group; /* of degree 0: its group of the course */
+    uint32_t piece; /* the piece, or the first of several */
+    uint32_t group; /* for degree 0: the span's group of the course */
     uint32_t start;
     int level, degree;
-    int lost;       /* its piece is beyond the filter; nothing below is set */
+    int lost;       /* the piece is beyond the filter; nothing below is set */
     uint32_t child; /* the halves stand at child and child + 1; 0: not cut yet */
     int bounded;
     double from[3], along[3], inverse[3], thick[3];
@@ -98,12 +98,12 @@ typedef struct span {
     double bend;     /* bound of the curve's distance from the chord; 0 if rounding dominates it:
                       * cutting would not make the span thinner */
     double size[4];  /* greatest absolute coefficient of X_0 ... X_(d-1), W on the whole piece */
-    double error[4]; /* of the coefficients of X_0 ... X_(d-1), W */
+    double error[4]; /* errors of the coefficients of X_0 ... X_(d-1), W */
 } span;
 
 /** Bounds on a span for each coordinate of D = X - v W, for any corner v (proofs/filter.md C35). */
 typedef struct shift_bound {
-    double error; /* of each coefficient of D as it is computed */
+    double error; /* error of each coefficient of D as it is computed */
     double size;  /* |D| is at most this */
     double speed; /* |dD/ds| is at most this */
 } shift_bound;
@@ -343,7 +343,7 @@ static inline int normal_axis(const normal *n, int dimension) {
 typedef enum chord_meeting {
     CHORD_MISSES,  /* at no time of the closed span is the curve on the closed simplex */
     CHORD_PIERCES, /* all of the thick chord seems to go through the interior */
-    CHORD_NEAR     /* it is too thick to tell */
+    CHORD_NEAR     /* the chord is too thick to tell */
 } chord_meeting;
 
 /**

@@ -39,7 +39,7 @@ typedef struct stack {
     fmpz_mpoly_struct *curve;  /* the members, the horizontal sides, the vertical line */
     dyadic_interval window[2]; /* in x, in y */
     algebraic_list place[2];   /* x, y of the point, once they are found */
-    expression e;              /* its signs are those in the current sector */
+    expression e;              /* signs of the surfaces in the current sector */
     pullbacks at;              /* the members along a vertical line */
     int in, out;               /* the expression is true in some sector, false in some sector */
     graze_status status;

@@ -23,7 +23,7 @@ static const double LEAST_PIERCING = 1;
  * the trajectories of the cell's points are inside. */
 typedef struct near_simplex {
     uint32_t node, simplex;
-    int pierced;     /* it crosses the whole cell: all trajectories go through it */
+    int pierced;     /* the simplex crosses the whole cell: all trajectories go through it */
     unsigned inside; /* bits of side_of_contact */
 } near_simplex;
 

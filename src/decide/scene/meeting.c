@@ -18,7 +18,7 @@ typedef struct finder {
     graze_context *context;
     const graze_solid *solid;
     const fmpq *map;
-    double entry[12];    /* of the map, rounded */
+    double entry[12];    /* entries of the map, rounded */
     unsigned char *held; /* by simplex: 1 if it is in the batch */
     uint32_t *batch;
     size_t count, most;

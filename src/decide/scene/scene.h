@@ -33,8 +33,9 @@ struct graze_scene {
     filter filter;               /* for the operation of the options; unset for a curved solid */
     surface_filter *surfaces;    /* the filter of a curved solid, or NULL if beyond it */
     graze_ends ends;             /* whether S^0 and S^1 have a point in common */
-    unsigned char sha256[32];    /* of the canonical text of solid and motion, see scene_hash */
-    scene_memo *memo, *arc_maps; /* of topo and of distances */
+    unsigned char sha256[32];    /* hash of the canonical text of solid and motion, see scene_hash
+                                  */
+    scene_memo *memo, *arc_maps; /* the memo of topo, and the memo of distances */
 };
 
 /**

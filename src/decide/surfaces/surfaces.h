@@ -14,7 +14,7 @@
  * their values for all surfaces positive. */
 typedef struct expression_tree {
     const csg *solid;       /* borrowed */
-    uint32_t *first, *node; /* of surface k: node[first[k]] ... node[first[k + 1] - 1] */
+    uint32_t *first, *node; /* nodes of surface k: node[first[k]] ... node[first[k + 1] - 1] */
     uint32_t *parent;       /* UINT32_MAX of the root */
     uint32_t *count;        /* by node: the number of its true operands */
     unsigned char *is_true; /* by node */
@@ -104,7 +104,7 @@ typedef struct span_products {
 typedef struct surface_curve {
     const surface_filter *filter;
     const curve *curve;
-    size_t stride; /* of a product's coefficients */
+    size_t stride; /* number of coefficients kept for a product */
     size_t known, known_room, count, count_room, room;
     uint32_t *of_span; /* by span: 1 + its index in `products`; 0: it has none yet */
     span_products *products;

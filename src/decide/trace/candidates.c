@@ -20,7 +20,7 @@ typedef struct exact_span {
     box box;
     int bounded; /* what trajectory_bound returned */
     int broad;   /* the distance between the curves, not their length, makes the box wide */
-    bernstein_form *form; /* of each curve d + 1 polynomials to its degree; NULL once cut */
+    bernstein_form *form; /* d + 1 polynomials for each curve, to its degree; NULL once cut */
 } exact_span;
 
 typedef struct searcher {

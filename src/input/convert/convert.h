@@ -69,7 +69,7 @@ graze_status joints_measure(joint *joints, graze_context *context, const target 
 /** The rotation is about axis[2] first, then axis[1], then axis[0]; the axes are fixed in space. */
 typedef struct angle_order {
     const char *machine;
-    const char *name[3]; /* of the columns, the first of axis[0] */
+    const char *name[3]; /* names of the columns; name[k] belongs to axis[k] */
     int axis[3];         /* 0: x, 1: y, 2: z */
     int may_miss;        /* columns may be left out: their angles are 0 */
 } angle_order;
@@ -82,7 +82,7 @@ typedef struct pose_naming {
     const char *const *ignored; /* names to pass over; a final `*` stands for any ending */
     size_t ignored_count;
     const char *columns;      /* NAME=COLUMN,..., COLUMN as in the file; NULL: none */
-    const angle_order *order; /* of angles; NULL: there are none */
+    const angle_order *order; /* order of the angles; NULL: the poses have no angles */
 } pose_naming;
 
 /** The poses that are taken from a file or a text. */

@@ -65,7 +65,7 @@ typedef enum pose_form {
     POSES_OF_POSITIONS, /* no rotations */
     POSES_OF_QUATERNIONS,
     POSES_OF_MATRICES,
-    POSES_OF_AXES, /* of a tool: the least rotation from (0, 0, 1) */
+    POSES_OF_AXES, /* a tool's axis: the least rotation from (0, 0, 1) to it */
     POSES_OF_ANGLES
 } pose_form;
 
@@ -98,7 +98,7 @@ typedef struct pose {
     fmpq quaternion[4]; /* w, x, y, z. Rows with an axis or angles first have their three numbers
                          * here; their quaternions, and those of matrices, are computed after
                          * reading */
-    unsigned long line; /* in the file, from 1 */
+    unsigned long line; /* number of the line in the file, from 1 */
     unsigned long row;  /* row number of the pose's piece, which reports name: the value in the
                          * column of row numbers, or else the pose's number from 1, or its line */
 } pose;
@@ -106,7 +106,7 @@ typedef struct pose {
 typedef struct pose_list {
     const char *source; /* name of the file, borrowed */
     pose_form form;
-    const char *unit;   /* of `row`: line, pose, row */
+    const char *unit;   /* name of what `row` counts: line, pose, row */
     unsigned long rows; /* poses in the file, taken or not */
     size_t count;
     pose *item;
@@ -137,7 +137,7 @@ void pose_deviation(fmpq_t out, const pose *p);
 /** The way from one pose to the next, with sums and bounds over all ways so far. Only the tolerance
  * is set at first. */
 typedef struct slerp_course {
-    const fmpq *tolerance; /* of the angle between both rotations at one time; NULL: no halving */
+    const fmpq *tolerance; /* bound of the angle to SLERP at each time; NULL: no halving */
     int halvings;          /* how often this way is halved */
     size_t pieces;         /* number of pieces of all ways */
     double worst;          /* bound of the angle to SLERP on all ways, radians */

@@ -20,7 +20,7 @@ typedef struct reading {
     size_t capacity;
     unsigned long line;
     fields cut;     /* fields of that line */
-    char separator; /* of fields; '\0' before the first line */
+    char separator; /* byte between fields; '\0' before the first line */
     pose_columns columns;
     fmpq *before; /* the time of the row before */
     unsigned long line_before, in_time;

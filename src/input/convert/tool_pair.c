@@ -101,7 +101,7 @@ static void make_profiles(tool_pair *out, const tool *s, size_t pieces, slong bi
         add_arc_point(&out->out, s, direction + 2 * k, stretch);
     }
     if (!s->ball) {
-        int exponent = 0; /* of the radius: the grid of the top gets finer where the radius is small
+        int exponent = 0; /* exponent of the radius: a small radius gets a finer grid for the top
                            */
         frexp(fmpq_get_d(s->flat) + fmpq_get_d(s->corner), &exponent);
         bits = exponent < 0 ? bits - exponent : bits;

@@ -16,7 +16,7 @@
 #include "input/convert/poses_list.h"
 #include "input/motion/motion.h"
 
-enum { PIECE_WORK = 10000 }; /* of context_work, for the angles of a joint in a piece */
+enum { PIECE_WORK = 10000 }; /* units of context_work for the angles of a joint in a piece */
 
 void turn_fraction(fmpq_t out, const joint *j, unsigned long k, unsigned long n) {
     LOCAL(fmpz, factor);

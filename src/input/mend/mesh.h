@@ -9,13 +9,13 @@
 
 /* A mesh that is being mended: the facets of a soup, which change, and its vertices, which stay. */
 
-/** Facets, each one cycle of vertices. All members are zero while there are no facets. */
+/** Facets, each one cycle of vertices. All members are zero at first, without facets. */
 typedef struct facets {
     uint32_t *corner; /* of all facets */
     size_t corner_count, corner_capacity;
     size_t *start; /* count + 1 offsets into corner; NULL while there is none */
     size_t count, start_capacity;
-    size_t *origin; /* of each facet its number in the input */
+    size_t *origin; /* by facet: its number in the input */
     size_t origin_capacity;
 } facets;
 

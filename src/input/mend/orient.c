@@ -20,12 +20,12 @@ enum { SHELLS_MOST = 1000 };
 typedef struct orienter {
     mesh *m;
     unsigned flags;
-    size_t *shell;         /* of each facet: first an earlier facet of its shell or itself, later
-                            * the shell's number */
-    unsigned char *turned; /* of each facet: first 1 if it runs against that facet, later 1 if it is
-                            * to be reversed */
+    size_t *shell;         /* by facet: first an earlier facet of its shell or itself, later the
+                            * shell's number */
+    unsigned char *turned; /* by facet: first 1 if it runs against that facet, later 1 if it is to
+                            * be reversed */
     size_t shell_count;
-    graze_solid **solid; /* of each shell, facing outward; NULL: it bounds nothing */
+    graze_solid **solid; /* by shell: its solid, facing outward; NULL: it bounds nothing */
 } orienter;
 
 /* The first facet of the shell, and whether the facet runs against it. */

@@ -21,7 +21,7 @@ typedef struct splitter {
     mesh *m;
     mesh_side *side;
     size_t side_count;
-    uint32_t *end; /* of broken edges, by their first coordinate; each once */
+    uint32_t *end; /* ends of broken edges, sorted by the first coordinate; each once */
     size_t end_count;
     insertion *made;
     size_t made_count, made_capacity;

@@ -21,12 +21,12 @@ typedef struct welder {
     mesh *m;
     const fmpq *distance;
     fmpq *square;  /* of the distance */
-    fmpq *largest; /* of the squares of displacements */
+    fmpq *largest; /* largest square of a displacement */
     fmpq *nearest, *length;
     fmpz cell[3];
     slots table;
     uint32_t *stays; /* the vertex of each number in the table */
-    uint32_t *to;    /* of each vertex: the one that takes its place */
+    uint32_t *to;    /* by vertex: the vertex that takes its place */
     unsigned char *used;
     few welded;
 } welder;

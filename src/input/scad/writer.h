@@ -20,7 +20,7 @@ typedef struct scad_writer {
     graze_context *context;
     const scad_choice *choice;
     json_writer json;
-    size_t line;     /* in which the text written so far ends */
+    size_t line;     /* number of the line in which the text so far ends */
     const char *key; /* JSON key of the next node, NULL in a list */
     int dimension;   /* of the solid */
     scad_form form;

@@ -79,7 +79,7 @@ typedef struct skin {
     const soup *input;
     const simplices *cut;     /* none is degenerate */
     const double *low, *high; /* bounds of the coordinates, as in a solid */
-    const tree *boxes;        /* of the simplices; node_count 0 where there are none */
+    const tree *boxes;        /* tree over the simplices; node_count is 0 without simplices */
 } skin;
 
 /** Allocate bounds of all coordinates of a soup. The caller frees both arrays, also on failure,
@@ -200,7 +200,7 @@ typedef struct known_forms {
     fmpz form[16]; /* the plane's at 0, side k's at 4 (k + 1) */
 } known_forms;
 
-/** Forms that one thread keeps; all members are zero while there are none. */
+/** Forms that one thread keeps; all members are zero at first. */
 typedef struct form_memory {
     unsigned long solid; /* the number of the solid whose forms are kept */
     known_forms *entry;

@@ -16,7 +16,7 @@
 /** Thrown once the context holds the message; the guard returns the status. */
 struct failure {
     graze_status status;
-    const char *kind = nullptr; /* of an illegal solid: the same for faults of one kind */
+    const char *kind = nullptr; /* for an illegal solid: equal for faults of one kind */
 };
 
 /** Record a message that the solid is illegal, with GRAZE_EILLEGAL, and throw. */

@@ -31,7 +31,7 @@ typedef struct simplex {
 /** Sides of the input with both ends at one position, which are no edges. */
 typedef struct flat_sides {
     size_t count;
-    size_t facet, cycle; /* of the first one: its facet (E^2: polygon) and its cycle in the facet */
+    size_t facet, cycle; /* facet (E^2: polygon) of the first side, and cycle in the facet */
     uint32_t from, to;   /* its ends */
 } flat_sides;
 
