@@ -379,7 +379,7 @@ int common_place_is_near(const graze_solid *solid, const span *wide, uint32_t a,
  * none (proofs/judging.md C116). */
 int may_rest_inside(const graze_solid *solid, uint32_t a, uint32_t b);
 /** Find the corners of b that are corners of a too, as a mask; 0 unless it is certain that the
- * common points of both closed triangles are in the convex hull of these corners. */
+ * common points of both closed simplices are in the convex hull of these corners. */
 int common_corners(unsigned *of_b, const graze_solid *solid, uint32_t a, uint32_t b);
 
 #endif

@@ -109,7 +109,7 @@ void rows_put(text *out, axis_texts *a, const lattice *l, const unsigned char *p
 /** The state of one thread that asks for cells. */
 typedef struct cell_asker {
     graze_context *context;   /* borrowed */
-    const graze_scene *scene; /* borrowed; of a polyhedron */
+    const graze_scene *scene; /* borrowed; of a polygon or polyhedron */
     curve tube;
     size_t time; /* number of the time at which a cell was settled last (point_box_is_settled) */
 } cell_asker;

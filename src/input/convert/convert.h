@@ -35,8 +35,8 @@ typedef struct joint {
     int is_slide;
     fmpq_t degrees; /* angle of the whole motion; 0 for a slide */
     fmpq_t advance; /* way along the axis in the whole motion, in the unit of the coordinates */
-    fmpq axis[3];   /* not zero; (0, 0, 1) in the plane; of a slide the displacement of the whole
-                     * motion */
+    fmpq axis[3];   /* for a turn not zero, in the plane (0, 0, 1); for a slide the displacement of
+                     * the whole motion */
     fmpq center[3];
     int centered;  /* center is not the origin */
     fmpq_t square; /* square of the axis's length */
@@ -59,7 +59,7 @@ void joint_clear(joint *j);
  * degrees; joint 0 is applied first. The motion of every joint keeps distances, so a point within r
  * of the origin is at most r + e from an axis at distance e; a turn about that axis takes the point
  * to within r + 2 e + |advance| of the origin, and a slide to within r plus the slide's length.
- * @return GRAZE_EUSE an axis of length zero
+ * @return GRAZE_EUSE a turn has an axis of length zero
  */
 graze_status joints_measure(joint *joints, graze_context *context, const target *goal,
                             size_t count);
@@ -192,7 +192,8 @@ void tool_csg_write_box(text *out, const fmpq *size);
 /** Make both polyhedra within a tolerance, which is positive.
  * @param[out] out to be cleared by tool_pair_clear, after success only
  * @param[out] square as tool_pair_holds
- * @return GRAZE_EUSE the tolerance is too fine; GRAZE_ELIMIT, GRAZE_ECANCELED */
+ * @return GRAZE_EUSE the tolerance is too fine, or no polyhedra are found; GRAZE_ELIMIT,
+ * GRAZE_ECANCELED */
 graze_status tool_fit(tool_pair *out, fmpq_t square, graze_context *context, const tool *s,
                       const fmpq_t tolerance);
 

@@ -162,8 +162,9 @@ void slerp_report(text *t, const slerp_course *s, const char *unit);
  * Find the quaternions of a list of axes or angles, each with the sign that is nearer to the one
  * before.
  * @param[out] report the largest error
- * @param order       of angles
- * @return GRAZE_EINPUT an axis is zero or opposite to (0, 0, 1), or an error exceeds the tolerance
+ * @param order of angles
+ * @return GRAZE_EINPUT an axis is zero or opposite to (0, 0, 1), or an error exceeds the tolerance;
+ * GRAZE_ECANCELED
  */
 graze_status poses_turn(text *report, graze_context *context, pose_list *list,
                         const angle_order *order, const fmpq_t tolerance);

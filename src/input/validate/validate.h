@@ -115,7 +115,8 @@ graze_status boundaries_meet(int *out, graze_context *context, const soup *s, co
  * interiors of facets disjoint; around every segment (E^2: point) where more than two facet sides
  * meet, in and out alternate. The caller makes one side test per component.
  * @param flags GRAZE_SOLID_TRIANGULATE, VALIDATE_TRUST_CONTACTS
- * @return GRAZE_EILLEGAL naming facets, edges, vertices; GRAZE_ELIMIT; GRAZE_EINTERNAL
+ * @return GRAZE_EILLEGAL naming facets, edges, vertices; GRAZE_ELIMIT; GRAZE_ECANCELED;
+ * GRAZE_ESYSTEM; GRAZE_EINTERNAL
  */
 graze_status validate_soup(simplices *out, graze_context *context, const soup *s, unsigned flags);
 
