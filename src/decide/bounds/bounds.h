@@ -1,4 +1,4 @@
-/* bounds: trajectories in doubles with proved bounds of errors, held against simplices and boxes.
+/* bounds: trajectories in doubles with proved bounds of errors, tested against simplices and boxes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_DECIDE_BOUNDS_H
 #define GRAZE_DECIDE_BOUNDS_H
@@ -28,8 +28,8 @@ typedef struct carrier {
     int dimension, degree; /* degree >= 1 */
     double *entry;         /* coefficient k of entry (i, j) at (i (d + 1) + j)(degree + 1) + k */
     double *weight;        /* degree + 1 coefficients; behind the entries, freed with them */
-    struct carrier *half;  /* its two halves, if a weight is too small to divide by, recursively to
-                              some level; else NULL; freed with it */
+    struct carrier *half;  /* the two halves of the map, if a weight is too small to divide by,
+                            * recursively to some level; else NULL; freed with the carrier */
 } carrier;
 
 /** The filter divides by a coefficient of the weight only if it is greater than this. */
@@ -50,14 +50,15 @@ void carrier_clear(carrier *c);
  * time, is a mean of matrices first + s (last - first) + R with s in [0, 1] and |R| <= off, entry
  * by entry (proofs/filter.md C34); entry (i, j) is at i (d + 1) + j, the translation at j = d. */
 typedef struct piece_group {
-    uint32_t child; /* groups at child and child + 1; 0: one piece, and nothing below is set */
-    uint32_t piece; /* the first */
+    uint32_t child; /* groups at child and child + 1; 0: one piece, and only `piece` is set besides
+                     */
+    uint32_t piece; /* the first one */
     int bounded;
     double first[POINT_MAP_ENTRIES], last[POINT_MAP_ENTRIES], off[POINT_MAP_ENTRIES];
 } piece_group;
 
 typedef struct course {
-    int dimension, degree; /* the largest of any piece */
+    int dimension, degree; /* degree: the largest of any piece */
     size_t piece_count, group_count;
     carrier *piece;
     piece_group *group; /* group 0 is the whole motion */
@@ -75,33 +76,34 @@ _Static_assert(FLT_EVAL_METHOD == 0, "the filter's bounds are those of arithmeti
 /** Windows of time are counted in units of 2^-WINDOW_LEVELS of a piece. */
 enum { WINDOW_LEVELS = 24, WINDOW_WHOLE = 1 << WINDOW_LEVELS };
 
-/** The part [start, start + 2^(WINDOW_LEVELS - level)] of a piece, local parameter s in [0, 1].
- * Its Bernstein coefficients are the curve's at index * stride, X_0 ... X_(d-1) and W one after the
- * other. Or, of degree 0, several pieces: then there are no coefficients, nor their errors. Where
- * `bounded`, the piece lies in the set { from + s along + r : 0 <= s <= 1, |r_i| <= thick_i }, and
- * `inverse` is 1 / along, coordinate by coordinate (proofs/filter.md C34). */
+/** The part [start, start + 2^(WINDOW_LEVELS - level)] of a piece, local parameter s in [0, 1]. Its
+ * Bernstein coefficients are the curve's at index * stride, X_0 ... X_(d-1) and W one after the
+ * other. A span of degree 0 is several whole pieces and has no coefficients and no errors. If
+ * `bounded`, the curve on the span lies in the set { from + s along + r : 0 <= s <= 1, |r_i| <=
+ * thick_i }, and `inverse` is 1 / along, coordinate by coordinate (proofs/filter.md C34). */
 typedef struct span {
-    uint32_t piece; /* the first, for several */
-    uint32_t group; /* of degree 0: the course's */
+    uint32_t piece; /* the piece, or the first of several */
+    uint32_t group; /* for degree 0: the span's group of the course */
     uint32_t start;
     int level, degree;
-    int lost;       /* its piece is beyond the filter; nothing below is set */
+    int lost;       /* the piece is beyond the filter; nothing below is set */
     uint32_t child; /* the halves stand at child and child + 1; 0: not cut yet */
     int bounded;
     double from[3], along[3], inverse[3], thick[3];
     double end[3];  /* from + along, rounded */
-    double wide[3]; /* `thick` and all errors of a place of the chord against a corner */
+    double wide[3]; /* `thick` plus all errors of the difference of a place on the chord and a
+                     * corner */
     double
         far; /* bound of the distances of the set's places from corners, coordinate by coordinate */
-    double bend; /* bound of its distance from the chord; 0 if rounding dominates it: cutting would
-                    not make the span thinner */
+    double bend;     /* bound of the curve's distance from the chord; 0 if rounding dominates it:
+                      * cutting would not make the span thinner */
     double size[4];  /* greatest absolute coefficient of X_0 ... X_(d-1), W on the whole piece */
-    double error[4]; /* of the coefficients of X_0 ... X_(d-1), W */
+    double error[4]; /* errors of the coefficients of X_0 ... X_(d-1), W */
 } span;
 
 /** Bounds on a span for each coordinate of D = X - v W, for any corner v (proofs/filter.md C35). */
 typedef struct shift_bound {
-    double error; /* of each coefficient of D as it is computed */
+    double error; /* error of each coefficient of D as it is computed */
     double size;  /* |D| is at most this */
     double speed; /* |dD/ds| is at most this */
 } shift_bound;
@@ -127,9 +129,9 @@ typedef struct curve {
 void curve_init(curve *c);
 void curve_clear(curve *c);
 
-/** Set the curve that a course gives a point.
- * @param course, corners of the motion and of the solid, kept
- * @return 0 if the numbers are beyond the filter, or without memory */
+/** Set the curve on which a course carries a point.
+ * @param course, corners of the motion and of the solid, borrowed
+ * @return 0 if the numbers are beyond the filter, or if memory runs out */
 int curve_set(curve *c, const course *course, const filter_point *point, const corners *corners);
 
 /** Set the segment from a point to a point + direction, as a curve of degree 1.
@@ -137,7 +139,8 @@ int curve_set(curve *c, const course *course, const filter_point *point, const c
 int curve_set_segment(curve *c, int dimension, const double *at, const double *error,
                       const double *direction, const corners *corners);
 
-/** Add a span for one whole piece; NULL if there are too many spans, or if memory runs out. */
+/** Find the span of one whole piece, cutting groups as needed; NULL if there are too many spans, or
+ * if memory runs out. Other pointers to spans become invalid. */
 const span *curve_piece(curve *c, size_t piece);
 
 /** Cut a span, unless it is cut, into halves or into two groups of pieces; 0 if there are too many
@@ -170,14 +173,15 @@ const double *curve_coefficients(const curve *c, const span *piece, int i);
 int span_meets(const span *piece, const box *b);
 
 /** Test as span_meets does, and find the part [from, to] of the chord, parameters in [0, 1], whose
- * places, made thick, can be in the box. */
+ * places, enlarged by the thickness, can be in the box. */
 int span_window(double *from, double *to, const span *piece, const box *b);
 
 /** Is a span so thick that it meets many boxes that its curve misses? It is if the box, enlarged by
  * the thickness, has a much larger surface (in E^2: perimeter): the chance that a chord meets it is
  * proportional to that. 0 if a cut would not make the span thinner. */
 static inline int span_is_thick(const curve *c, const span *piece, const box *b) {
-    const double most = 1.2; /* measured: less cuts in vain, more tests long triangles in vain */
+    const double most = 1.2; /* measured: a smaller value cuts in vain, a larger one tests long
+                              * triangles in vain */
     double x = b->high[0] - b->low[0], y = b->high[1] - b->low[1], z = b->high[2] - b->low[2];
     double wx = x + 2 * piece->thick[0], wy = y + 2 * piece->thick[1], wz = z + 2 * piece->thick[2];
     if (piece->bend <= 0)
@@ -319,7 +323,8 @@ static inline void normal_of(normal *out, const double *v, double corner_error, 
         normal_space(out, v, corner_error);
 }
 
-/** The coordinate along which a simplex is projected; -1 if its size is not certain. */
+/** The coordinate along which a simplex is projected; -1 if it is not certain that the normal is
+ * not zero. */
 static inline int normal_axis(const normal *n, int dimension) {
     if (dimension == 2)
         return 0;
@@ -338,12 +343,12 @@ static inline int normal_axis(const normal *n, int dimension) {
 typedef enum chord_meeting {
     CHORD_MISSES,  /* at no time of the closed span is the curve on the closed simplex */
     CHORD_PIERCES, /* all of the thick chord seems to go through the interior */
-    CHORD_NEAR     /* it is too thick to tell */
+    CHORD_NEAR     /* the chord is too thick to tell */
 } chord_meeting;
 
 /**
  * @param corner d corners of d coordinates, outward oriented (validate.h)
- * @param corner_error each is within it of the exact coordinate */
+ * @param corner_error each coordinate of `corner` is within this of the exact one */
 chord_meeting chord_meets(const curve *c, const span *piece, const double *corner,
                           double corner_error);
 
@@ -374,7 +379,7 @@ int common_place_is_near(const graze_solid *solid, const span *wide, uint32_t a,
  * none (proofs/judging.md C116). */
 int may_rest_inside(const graze_solid *solid, uint32_t a, uint32_t b);
 /** Find the corners of b that are corners of a too, as a mask; 0 unless it is certain that the
- * common points of both closed triangles are in the convex hull of these corners. */
+ * common points of both closed simplices are in the convex hull of these corners. */
 int common_corners(unsigned *of_b, const graze_solid *solid, uint32_t a, uint32_t b);
 
 #endif

@@ -47,8 +47,8 @@ static inline void chord_place(double *at, const span *piece, double s, int d) {
         at[i] = piece->from[i] + s * piece->along[i];
 }
 
-/* The sign that the form of a side has on the whole window, by its values at both ends; 0: it has
- * both, or that is not certain. */
+/* The sign that the form of a side has on the whole window, by its values at both ends; 0 if it has
+ * both signs, or no certain one. */
 static inline int side_beyond(double first, double last, double bound) {
     return first > bound && last > bound ? 1 : first < -bound && last < -bound ? -1 : 0;
 }

@@ -60,7 +60,7 @@ static int lie_on_one_side(const graze_solid *solid, uint32_t a, uint32_t b, uns
     return 1;
 }
 
-/* Whether the set and the segment a b are certainly apart along m. */
+/* Whether the set of a span (bounds.h) and the segment a b are certainly apart along m. */
 static int are_apart_along(const double *m, const span *wide, const double *a, const double *b) {
     double first = 0, last = 0, length = 0, bound = 0;
     for (int i = 0; i < 3; i++) {

@@ -1,4 +1,5 @@
-/* Groups of pieces, each half as long as its parent, bounded by the matrices at their ends.
+/* Groups of pieces, each half as long as its parent, bounded by the segment between the matrices at
+ * their ends and the distance from it.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "decide/bounds/bounds.h"
@@ -10,8 +11,8 @@ static int entries_of(const course *c) {
     return c->dimension * (c->dimension + 1);
 }
 
-/* Matrix k of a piece's control polygon: its maps are means of these. 0 if there is none: its
- * weight is too small, or an entry beyond CARRIER_REACH. */
+/* Matrix k of a piece's control polygon: the matrices of its maps are means of these. 0 if there is
+ * no bound: its weight is too small, or an entry beyond CARRIER_REACH. */
 static int control_matrix(double *out, const carrier *piece, int entries, int k) {
     if (!piece->usable || !(piece->weight[k] > CARRIER_LEAST_WEIGHT))
         return 0;

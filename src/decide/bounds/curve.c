@@ -14,7 +14,7 @@
 #define SLACK FILTER_SLACK
 #define FLOOR FILTER_FLOOR
 
-/* A curve that needs more is left to the exact path. */
+/* A curve that needs more spans than these is left to the exact path. */
 enum { MOST_SPANS = 8192, SPANS_A_PIECE = 64 };
 
 void curve_init(curve *c) {
@@ -40,7 +40,7 @@ static int reserve_halves(curve *c) {
     return !c->out_of_memory;
 }
 
-/* The bounds follow from the coefficients and their errors. */
+/* Bound D = X - v W and its derivative by the coefficients and their errors. */
 shift_bound curve_shift(const curve *c, const span *piece) {
     int d = c->dimension, n = piece->degree;
     double error = 0, size = 0, steepest = 0;
@@ -108,7 +108,7 @@ static void bound_space(span *piece, const curve *c) {
         piece->thick[i] =
             SLACK * (off + 2 * (piece->error[i] + most * piece->error[d]) / least + 16 * U * most);
         piece->thick[i] += 16 * U * (c->corners->axis_reach[i] + most + piece->thick[i]);
-        /* Less than that is rounding, which no cut makes smaller. */
+        /* A smaller `off` is mostly rounding, which no cut makes smaller. */
         if (off > 0.5 * piece->thick[i])
             piece->bend = larger(piece->bend, off);
     }
@@ -170,7 +170,8 @@ static void set_piece(curve *c, size_t index, const carrier *map) {
     finish_whole(c, index, error);
 }
 
-/* The chord of several pieces, as thick as the means of their matrices ask (proofs/filter.md C34).
+/* Set the chord of several pieces, so thick that it holds the images of the point by all means of
+ * their matrices (proofs/filter.md C34).
  */
 static void bound_several(span *whole, const curve *c, const piece_group *g) {
     int d = c->dimension;

@@ -28,7 +28,8 @@ void pullback_halve(double *left, double *right, const double *x, int n) {
     }
 }
 
-/* The pullback at s; its error is that of the coefficients and of de Casteljau's scheme. */
+/* The value and the certain sign of the pullback at s; the error is that of the coefficients and of
+ * de Casteljau's scheme. */
 static int sign_on_span(const pullback *p, double s, double *value) {
     int n = p->degree;
     double row[PULLBACK_DEGREE + 1];

@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * With the coordinate planes the arrangement is essential, so each closed cell is spanned by rays
- * in which d - 1 planes meet, and the sum of those in a full cell is interior to it. A pattern of
- * the members alone is a union of such cells.
+ * in which d - 1 planes meet, and the sum of the rays in a closed cell with interior points is one
+ * of these. A pattern of the members alone is a union of such cells.
  */
 #include "base/context/scope.h"
 #include "decide/curved/arrangement.h"

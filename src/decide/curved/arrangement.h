@@ -8,10 +8,10 @@
 /* Expansions of polynomials that vanish at a point of the trajectory, over the field of a moment.
  *
  * With c = X / W and x = c + v / W, W^degree f(x) is a polynomial in v with coefficients in Z[u]:
- * the factors are positive and change no sign near the point. */
+ * the factor W^degree is positive and changes no sign. */
 
-/** Bound of an expansion's degree: that of a minor of the gradients of two surfaces; and the number
- * of terms of such a degree in three variables. */
+/** Bound of an expansion's degree, reached by a minor of the gradients of two surfaces; and the
+ * number of terms of at most this degree in three variables. */
 enum { TAYLOR_DEGREE = 2 * CSG_DEGREE - 2, TAYLOR_TERMS = 84 };
 
 /** The sum of coefficient[k] v^power[k]; powers are distinct and coefficients not zero. */
@@ -93,8 +93,9 @@ void germ_exclude(sign_germ *g, unsigned mask, unsigned want);
 /* Patterns near a point at which some members are singular: the members are like cones with this
  * apex. */
 
-/** Ask one direction in each open cell of the members' lowest forms. The patterns found there
- * occur; if all members are homogeneous at the point, no others do (proofs/curved.md C99, C129). */
+/** Note the patterns of signs along one direction in each open cell of the members' lowest forms.
+ * These patterns occur; if all members are homogeneous at the point, no others do (proofs/curved.md
+ * C99, C129). */
 void apex_ask(sign_germ *g);
 
 /* The central arrangement of the tangent planes of some surfaces: its open cells and its rays. */
@@ -114,22 +115,22 @@ void arrangement_init(arrangement *a, moment_field *f, const taylor *member, int
                       uint32_t mask);
 void arrangement_clear(arrangement *a);
 
-/** Does a ray lie in the closed cell that a pattern of the members in `mask` has? */
+/** Does a ray lie in the closed cell of a pattern of the members in `mask`? */
 int arrangement_in_cell(const arrangement *a, int ray, uint32_t mask, unsigned pattern);
 
 /** Has the pattern an open cell, in which each member's gradient has the pattern's sign? The sum of
  * the rays in the closed cell shows it. */
 int arrangement_has(const arrangement *a, uint32_t mask, unsigned pattern);
 
-/** out = a . b, a x b, of vectors of `dimension`, of three. */
+/** out = a . b, of vectors of `dimension` elements; out = a x b, of vectors of three. */
 void field_dot(value *out, moment_field *f, const value *a, const value *b, int dimension);
 void field_cross(value *out, moment_field *f, const value *a, const value *b);
 
 /* Circuits: minimal sets of surfaces with linearly dependent gradients. Their relation excludes
  * patterns of signs near the point. */
 
-/** Ask all circuits of the members in `smooth`, whose gradients are not zero (proofs/curved.md C96
- * to C98). */
+/** Note what the circuits of the members in `smooth`, whose gradients are not zero, say of the
+ * patterns (proofs/curved.md C96 to C98). */
 void circuits_ask(sign_germ *g, unsigned smooth);
 
 /* Probes: power series v(s), s > 0, from a point of the trajectory, along none, one or two

@@ -98,7 +98,8 @@ static takings take_on_ridge(sign_germ *g, const circuit *c, const probe *on, in
 }
 
 /* Signs that phi takes if its quadratic form vanishes: those of its first terms along some
- * directions. A lowest form of odd degree below their number does not vanish along all of them. */
+ * directions. A lowest form of odd degree below the number of directions does not vanish along all
+ * of them. */
 static takings take_flat(sign_germ *g, probe *p, const taylor *of) {
     static const slong direction[8][2] = {{1, 0}, {0, 1}, {1, 1},  {1, -1},
                                           {1, 2}, {2, 1}, {1, -2}, {2, -1}};
@@ -157,7 +158,8 @@ static void note_taking(sign_germ *g, const circuit *c, int e, taking known) {
         pattern_add(&g->seen, want);
 }
 
-/* Ask a circuit; its last member is no plane, if some member is none. */
+/* Note what a circuit says of the patterns. Its last member is not a plane unless all members are.
+ */
 static void ask_circuit(sign_germ *g, const circuit *c) {
     int last = c->sign[c->size - 1];
     takings t = is_linear(g, c) || c->size == g->dimension + 1 ? none
@@ -174,7 +176,8 @@ typedef struct minors {
     int parallel[CSG_FREE_MOST][CSG_FREE_MOST];
 } minors;
 
-/* The cross product of two members; in the plane its third coordinate alone is not 0. */
+/* The cross product of the gradients of two members; in the plane its third coordinate alone is not
+ * 0. */
 static void cross_members(value *out, const sign_germ *g, const minors *m, int i, int j) {
     field_cross(out, g->f, m->normal + 3 * i, m->normal + 3 * j);
 }

@@ -40,7 +40,8 @@ static void next_power(int p[3]) {
     }
 }
 
-/* Put the product of a monomial and a surface's polynomial, or of its derivative, into a column. */
+/* Put the product of a monomial and a surface's derivative along `axis`, or for AXES the surface's
+ * polynomial itself, into a column. */
 static void put_product(fmpz_mat_t system, slong row, slong column, const csg_surface *s, int axis,
                         const int q[3]) {
     for (size_t t = 0; t < s->count; t++) {

@@ -19,7 +19,7 @@ typedef struct finding_walk {
     word_builder *word;
     walker walker; /* begun with the first window */
     int walks;
-    graze_state state; /* of the gap in which the walk is */
+    graze_state state; /* state of the current gap */
 } finding_walk;
 
 static graze_state state_now(const finding_walk *f) {

@@ -1,5 +1,5 @@
-/* curved: the contacts and the word of a trajectory through a curved solid, by which signs occur
- * near a point.
+/* curved: the contacts and the word of a trajectory through a curved solid, by the patterns of
+ * signs that occur near its points.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_DECIDE_CURVED_H
 #define GRAZE_DECIDE_CURVED_H
@@ -10,7 +10,7 @@
 #include "decide/trace/trace.h"
 #include "input/csg/csg.h"
 
-/** An element: a polynomial in u, reduced by the modulus. */
+/** An element of a moment_field: a polynomial in u, reduced by the modulus. */
 typedef fmpq_poly_struct value;
 
 /** A set of patterns: bit s is pattern s, in which surface k is negative iff bit k of s is set. */
@@ -44,16 +44,17 @@ typedef struct expression {
     size_t room;
 } expression;
 
-/** Signs are 1 at first. @return GRAZE_ESYSTEM; expression_clear in either case */
+/** Begin with all signs 1; the caller calls expression_clear, also on failure. @return
+ * GRAZE_ESYSTEM */
 graze_status expression_init(expression *e, graze_context *context, const csg *solid);
 void expression_clear(expression *e);
 
 /** The asked surfaces on whose signs the expression depends. */
 typedef struct dependence {
-    graze_state state;   /* I or O if it does not depend on any sign, else ABSENT */
+    graze_state state;   /* I or O if the expression depends on no sign, else ABSENT */
     const size_t *asked; /* borrowed */
     size_t asked_count;
-    int too_many; /* it depends on more than CSG_FREE_MOST surfaces; nothing below is set */
+    int too_many; /* more than CSG_FREE_MOST surfaces are asked; nothing below is set */
     int count;
     size_t surface[CSG_FREE_MOST]; /* the surfaces it depends on */
     pattern_set truth;             /* patterns of their signs for which it is true */

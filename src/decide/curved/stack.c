@@ -4,7 +4,7 @@
  * In the frame of the solid members have integer coefficients, so the lines may be rational though
  * the point is not. A window around the point has no zero on its horizontal sides, none but the
  * point on the vertical line through it, and in its width branches meet at the abscissa of the
- * point alone. Then those in the window are the branches that end in the point (C126).
+ * point alone. Then the branches in the window are those that end in the point (C126).
  */
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_mpoly.h>
@@ -24,7 +24,8 @@
  * (degree^2 + LEAST_SIZE) times the bits over SIZE_BITS. */
 enum { PAIR_WORK = 8, LEAST_SIZE = 6, SIZE_BITS = 256 };
 
-/* Places of the height at first; the width has more, by a branch as flat as y^4 = x. */
+/* Binary places of the window's height at first; the width has FLATTEST times as many, for branches
+ * as flat as y^4 = x. */
 enum { FIRST_PLACES = 4, FLATTEST = CSG_DEGREE + 1 };
 
 typedef struct stack {
@@ -38,7 +39,7 @@ typedef struct stack {
     fmpz_mpoly_struct *curve;  /* the members, the horizontal sides, the vertical line */
     dyadic_interval window[2]; /* in x, in y */
     algebraic_list place[2];   /* x, y of the point, once they are found */
-    expression e;              /* its signs are those in a sector */
+    expression e;              /* signs of the surfaces in the current sector */
     pullbacks at;              /* the members along a vertical line */
     int in, out;               /* the expression is true in some sector, false in some sector */
     graze_status status;

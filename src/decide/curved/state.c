@@ -14,7 +14,8 @@ static void see_cells(sign_germ *g, unsigned smooth) {
             pattern_add(&g->seen, s);
 }
 
-/* Find the members that are negative, that vanish (`flat`) along a probe; its base vanishes. */
+/* Find the members that are negative along a probe, and those that vanish along it (`flat`), its
+ * base among them. */
 static void look_along_probe(unsigned *negative, unsigned *flat, sign_germ *g, probe *p,
                              unsigned base) {
     *negative = *flat = 0;

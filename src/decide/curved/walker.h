@@ -34,7 +34,7 @@ void moment_field_clear(moment_field *f);
 void field_set(value *out, const moment_field *f, const fmpz_poly_t p);
 void field_mul(value *out, moment_field *f, const value *a, const value *b);
 /** Count products of words, so that the caller can cancel every few milliseconds, and words of
- * results; beyond the limit `work` of these the status is GRAZE_ELIMIT, without a message. */
+ * results; if the words exceed the limit `work`, the status is GRAZE_ELIMIT, without a message. */
 void field_charge(moment_field *f, unsigned long products, unsigned long words);
 /** out += a b, out -= a b */
 void field_addmul(value *out, moment_field *f, const value *a, const value *b);
@@ -66,13 +66,13 @@ typedef struct pullbacks {
     algebraic_list time;
     algebraic **by_rank;
     size_t rank_count;
-    zero *zero; /* by rank */
+    zero *zero; /* sorted by rank */
     size_t zero_count, zero_capacity;
     size_t *slide; /* surfaces that contain the whole piece */
     size_t slide_count;
 } pullbacks;
 
-/** @return GRAZE_ESYSTEM; pullbacks_clear in either case */
+/** @return GRAZE_ESYSTEM; the caller calls pullbacks_clear, also on failure */
 graze_status pullbacks_init(pullbacks *p, graze_context *context, const csg *solid);
 void pullbacks_clear(pullbacks *p);
 
@@ -154,7 +154,7 @@ typedef struct walker {
                            motion */
 } walker;
 
-/** @return GRAZE_ESYSTEM; walker_clear in either case */
+/** @return GRAZE_ESYSTEM; the caller calls walker_clear, also on failure */
 graze_status walker_init(walker *w, tracer *r, word_builder *word);
 void walker_clear(walker *w);
 

@@ -1,7 +1,8 @@
 /* The simplices near the place of a crossing, tested for contacts in its window of time.
  * SPDX-License-Identifier: GPL-3.0-or-later
- * Nearly all simplices miss a box around the curve in the window; the tests of search.h show of the
- * others that the curve meets them at another time, or never. The bounds are those of
+ *
+ * Nearly all simplices miss a box around the curve in the window; for the others chord_meets and
+ * meet_simplex show that the curve meets them at another time, or never. The bounds are those of
  * proofs/membership.md (C56).
  */
 #include <math.h>

@@ -6,7 +6,7 @@
 #include "decide/filter/search.h"
 
 /* Bounds: the level to which parts of the time are cut, the number of simplices near one part, and
- * that of nodes visited for a cell. */
+ * the number of nodes visited for a cell. */
 enum { PASS_LEVELS = 20, PASS_NEAR = 64, PASS_VISITS = 30000 };
 
 /* The level of a span that is one time of a piece. */
@@ -26,16 +26,16 @@ static const double LEAST_FOR_NORMAL = 4;
  * the trajectories of the cell's points are inside. */
 typedef struct near_simplex {
     uint32_t node, simplex;
-    int pierced;     /* it crosses the whole cell: all trajectories go through it */
+    int pierced;     /* the simplex crosses the whole cell: all trajectories go through it */
     unsigned inside; /* bits of side_of_contact */
 } near_simplex;
 
 typedef struct near_simplices {
-    int count, overflow; /* 1: more simplices are near than there is room for */
+    int count, overflow; /* overflow is 1 if more simplices are near than there is room for */
     near_simplex item[PASS_NEAR];
 } near_simplices;
 
-/* On which sides of the time of a contact a trajectory is certainly inside; of an unsweep, inside
+/* On which sides of the time of a contact a trajectory is certainly inside; for an unsweep, inside
  * the complement. */
 enum side_of_contact { INSIDE_BEFORE = 1, INSIDE_AFTER = 2 };
 
@@ -269,7 +269,8 @@ static void pass_part(passing *p, uint32_t index, const near_simplices *around) 
 }
 
 /* Are contacts at a time between two pieces, or at an end of the motion, certain? The piece before
- * tells where points are inside before that time, the next piece where they are after it. */
+ * that time decides whether points are inside before it, the next piece whether they are inside
+ * after it. */
 static int joint_is_certain(passing *p, size_t joint) {
     size_t pieces = p->curve->course->piece_count;
     piece_time when = joint ? (piece_time){(uint32_t)(joint - 1), 1} : (piece_time){0, 0};

@@ -39,8 +39,9 @@ int candidates_append(candidates *list, candidate item);
 /** Sort by piece, simplex and time, and join windows of one simplex that touch. */
 void candidates_join(candidates *list);
 
-/** A certain crossing: at just one time of [from, to], parameters of the piece in [0, 1], the curve
- * goes through the relative interior of the simplex. `enters`: it goes from outside to inside. */
+/** A certain crossing: at just one time of [from, to] the curve goes through the relative interior
+ * of the simplex. Both are parameters of the piece, beyond [0, 1] by rounding at most. `enters`:
+ * the curve goes from outside to inside. */
 typedef struct crossing {
     double from, to;
     uint32_t piece, simplex;
@@ -93,7 +94,7 @@ typedef struct filter {
     const graze_solid *solid; /* borrowed */
     course course;
     brick_memo *bricks;
-    graze_state proves; /* one time at which the point is in this state decides the membership */
+    graze_state proves; /* the state that decides a membership if the point is in it at one time */
 } filter;
 
 /** Make the filter of a solid and a motion.
@@ -110,16 +111,17 @@ graze_status filter_lay_bricks(const filter *f, graze_context *context);
 
 /** Memory of one thread, reused from query to query. */
 typedef struct filter_workspace {
-    int set; /* `curve` is that of the point */
+    int set; /* 1 if `curve` is the trajectory of the current point */
     curve curve, ray;
     findings found, ray_found;
-    form_memory forms; /* of the solid in which a place was located last */
+    form_memory forms; /* forms of the solid that was asked about last */
     /* For a curved solid: products along the curve, and truths at the start of the motion. */
     surface_curve along;
     truths truths;
 } filter_workspace;
 
-/** The context's workspace, made at the first call; NULL if memory runs out. */
+/** The context's workspace, made at the first call and owned by the context; NULL if memory runs
+ * out. */
 filter_workspace *filter_workspace_of(graze_context *context);
 
 /** Forget the last point. */
@@ -129,10 +131,11 @@ void filter_begin(filter_workspace *w);
 int filter_set(filter_workspace *w, const filter *f, const filter_point *point);
 
 /** Search all pieces. The findings stand in the workspace until the next search.
- * @param[out] settled NULL; or 1 if the point is somewhere in the state that decides its
- * membership: then there are no findings. Else 0
- * @param bricks  used with `settled`: their states may settle the membership; NULL: crossings alone
- * @return 0 if the filter cannot be used for this point, or without memory: ask the exact search */
+ * @param[out] settled NULL, or set to 1 if the point is at some time in the state that decides its
+ * membership, and then there are no findings; else set to 0
+ * @param bricks used with `settled`: their states may settle the membership; NULL: crossings alone
+ * @return 0 if the filter cannot be used for this point, or if memory runs out: the exact search is
+ * asked */
 int filter_search(filter_workspace *w, int *settled, const interior *bricks, const filter *f,
                   const filter_point *point);
 
@@ -143,7 +146,7 @@ int filter_search(filter_workspace *w, int *settled, const interior *bricks, con
  * search the workspace holds the findings, in which `simplex` is the number of a surface, and in
  * `truths` the signs at the start of the motion.
  * @param exactly leave all times of a surface's findings to the exact path: windows of whole pieces
- * @return 0 if the filter cannot be used for this point, or without memory
+ * @return 0 if the filter cannot be used for this point, or if memory runs out
  */
 int surfaces_search(filter_workspace *w, const surface_filter *f, const filter_point *point,
                     int exactly);

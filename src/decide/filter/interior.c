@@ -40,7 +40,8 @@ static unsigned char *state_at(const interior *m, const size_t at[3]) {
     return m->state + (at[2] * m->count[1] + at[1]) * m->count[0] + at[0];
 }
 
-/* The state of a brick that has a side in common with the first or last brick of an empty block. */
+/* The state, if it is certain, of a brick that has a side in common with a brick of an empty block.
+ */
 static graze_state state_beside(const interior *m, const block *b) {
     for (int k = 0; k < m->dimension; k++)
         for (int up = 0; up < 2; up++) {
@@ -96,7 +97,8 @@ static void lay_block(layer *l, const block *b) {
     }
 }
 
-/* Divide a box into about `wanted` bricks with sides about equal; 0 if it is too long for that. */
+/* Divide a box into about `wanted` bricks with sides about equal; 0 if that takes more than 1024
+ * along an axis. */
 static int choose_bricks(interior *m, const box *all, size_t wanted) {
     double volume = 1;
     for (int k = 0; k < m->dimension; k++)

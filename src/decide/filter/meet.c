@@ -100,7 +100,7 @@ static int is_beside(const meeter *m, int drop) {
     return 0;
 }
 
-/* The body of sides_meet. */
+/* Judge the sides of a simplex as sides_meet describes. */
 static int judge_sides(unsigned *inside, const meeter *m, const meet_window *w) {
     int d = m->c->dimension, drop = normal_axis(&m->normal, d);
     *inside = 0;

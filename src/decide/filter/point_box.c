@@ -58,7 +58,8 @@ static int spread_over_piece(double spread[3], const carrier *map, const double 
     return 1;
 }
 
-/* The spread over a group of pieces; 0, and not used, for a group without bound: it is cut. */
+/* The spread over a group of pieces; for a group without bound it is set to 0 and not used, since
+ * the group is cut. */
 static void spread_over_group(double spread[3], const piece_group *g, int d, const double *half) {
     for (int i = 0; i < d; i++) {
         double sum = 0;

@@ -11,7 +11,7 @@ typedef struct searcher {
     curve *curve;
     const graze_solid *solid;
     early_end *early; /* NULL: all is to be found */
-    int failed;       /* without memory, or too many spans */
+    int failed;       /* memory ran out, or there are too many spans */
 } searcher;
 
 static time_part part_of(const span *piece) {
@@ -29,15 +29,16 @@ static double distance_of(const searcher *s, const span *piece) {
     return sum;
 }
 
-/* The half to be searched first, 0 or 1: where one crossing is enough, the half nearer to the
- * solid.
+/* The half to be searched first, 0 or 1: the half nearer to the solid if one crossing may end the
+ * search, else the earlier one.
  */
 static uint32_t first_half(const searcher *s, uint32_t child) {
     const span *half = &s->curve->spans[child];
     return s->early && distance_of(s, half + 1) < distance_of(s, half);
 }
 
-/* End the search if the curve is in the state that ends it at the parameter `at` of a span. */
+/* End the search if at the parameter `at` of a span the curve is certainly in the state that ends
+ * it. */
 static void sample(const searcher *s, const span *piece, double at) {
     double place[4], off[4];
     box around;
@@ -85,7 +86,8 @@ static int cut_and_descend(searcher *s, uint32_t node, uint32_t span_index) {
     return 1;
 }
 
-/* End the search with a certain crossing that is alone, if it may, or keep it; 0 without memory. */
+/* End the search with a certain crossing that is alone, if an early end is allowed, or keep the
+ * crossing; 0 if memory runs out. */
 static int take_crossing(searcher *s, const span *piece, uint32_t simplex, const meet_window *at) {
     if (s->early)
         s->early->met = crossing_is_alone(s->curve, piece, s->solid, simplex, at);

@@ -22,7 +22,7 @@ candidate candidate_in(time_part part, uint32_t simplex, const meet_window *w);
 /** Make a crossing from a window of a part's parameter, rounded outward. */
 crossing crossing_in(time_part part, uint32_t simplex, const meet_window *w);
 
-/* Each of these appends to a list of the findings; 0 if memory runs out. */
+/* The next three functions append to a list of the findings; 0 if memory runs out. */
 int findings_add_crossing(findings *found, crossing item);
 int findings_add_window(findings *found, exact_window item);
 int findings_lose(findings *found, uint32_t piece);
@@ -37,7 +37,7 @@ typedef graze_state locate_function(void *data, const double middle[3]);
 /** Lay some bricks for each simplex, within fixed bounds, over the solid's box, and find their
  * states. No state is found if the solid's numbers are beyond the filter.
  * @param locate the state at a place in doubles, or ABSENT
- * @return 0 without memory */
+ * @return 0 if memory runs out */
 int interior_make(interior *out, const graze_solid *solid, locate_function *locate, void *data);
 void interior_clear(interior *m);
 
@@ -49,14 +49,14 @@ graze_state interior_state(const interior *m, const box *b);
 
 typedef enum meeting {
     MEET_NONE,     /* at no time of the closed span is the curve on the closed simplex */
-    MEET_CROSSING, /* at just one time it is: it crosses the simplex's relative interior */
-    MEET_ASK,      /* not certain; all times at which it is on the simplex lie in the window */
+    MEET_CROSSING, /* at just one time the curve is on it, and crosses its relative interior */
+    MEET_ASK,      /* not certain; all times at which the curve is on it lie in the window */
     MEET_CUT       /* as MEET_ASK, but halves of the span may decide */
 } meeting;
 
 /**
  * @param corner d corners of d coordinates, outward oriented (validate.h)
- * @param corner_error each is within it of the exact coordinate */
+ * @param corner_error each coordinate of `corner` is within this of the exact one */
 meeting meet_simplex(meet_window *out, const curve *c, const span *piece, const double *corner,
                      double corner_error);
 
@@ -95,8 +95,8 @@ typedef enum part_use { PART_CUT, PART_LAST, PART_INSTANT } part_use;
 int cell_slab_takes(cell_slab *s, const curve *memory, const span *part, part_use use,
                     uint32_t simplex, unsigned mask);
 
-/** Bound, by coordinates, the distance of a point's trajectory from the centre's during a span; 0
- * if there is no bound. */
+/** Bound, by coordinates, the distance of the trajectory of any point of a cell from the centre's
+ * during a span; 0 if there is no bound. */
 int point_box_spread(double spread[3], const curve *memory, const point_box *points,
                      const span *part);
 
@@ -130,16 +130,16 @@ typedef struct early_end {
 } early_end;
 
 /** Find all certain crossings and candidates of a curve, unsorted.
- * @param early NULL: the search is complete; else `met` is set if it ends early
- * @return 0 without memory
+ * @param early NULL: the search is complete; else `met` is set to 1 if the search ends early
+ * @return 0 if memory runs out
  */
 int search_curve(findings *out, early_end *early, curve *c, const graze_solid *solid);
 
-/* From the findings of a search to disjoint windows: what is not certainly apart is asked
- * together. */
+/* Disjoint windows from the findings of a search. */
 
-/** Make of crossings and candidates, in any order, disjoint windows and crossings in order of time:
- * what is not certainly apart is asked together (proofs/filter.md C37). 0 without memory. */
+/** Turn crossings and candidates, in any order, into disjoint windows and crossings in order of
+ * time: findings not certainly apart in time are put into one window (proofs/filter.md C37). 0 if
+ * memory runs out. */
 int findings_settle(findings *found);
 
 /** Locate a place in the solid by rays: I or O, or ABSENT if that is not certain.

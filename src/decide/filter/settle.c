@@ -1,5 +1,5 @@
 /* Windows of time that touch are united, and crossings that touch a window or another crossing are
- * taken into windows, until no two things touch.
+ * taken into windows, until no two of them touch.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <math.h>
@@ -64,7 +64,7 @@ static int ask_for_crossing(findings *found, const crossing *c) {
 }
 
 /* Make candidates of the crossings that are not certainly apart, in time, from all windows and
- * other crossings; 1 if there was one, -1 without memory. */
+ * other crossings; 1 if there was one, -1 if memory runs out. */
 static int ask_for_meeting(findings *found) {
     size_t kept = 0, n = found->crossing_count, window = 0;
     crossing *c = found->crossing,

@@ -1,5 +1,5 @@
-/* Surfaces with a box by the tree, time and tree cut together; all others one by one. The signs of
- * Bernstein coefficients on a span decide, or those on its halves.
+/* Surfaces with a box are found by a descent of their tree, time and tree cut together; all others
+ * are searched one by one. The signs of Bernstein coefficients on a span or on its halves decide.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "decide/filter/search.h"

@@ -19,8 +19,8 @@ static int is_far(const graze_solid *solid, const double *at, const double *erro
     return 0;
 }
 
-/* A vector to a point well beyond the nearest side of the box, turned a little so that it is
- * parallel to no axis; `turn` chooses among several such turns. */
+/* Choose a vector to a point well beyond the box, for turn 0 mainly along the axis of the box's
+ * nearest side, for turn 1 along the next axis, tilted so that it is parallel to no axis. */
 static void choose_direction(double *direction, const graze_solid *solid, const double *at, int d,
                              int turn) {
     static const double tilt[3] = {0.0859375, -0.0561523, 0.0321045};

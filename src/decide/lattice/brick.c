@@ -10,7 +10,7 @@
 #include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
 
-/* Cells with fewer points along each axis are not asked as cells. */
+/* Points of cells with fewer points than this along every axis are asked one by one. */
 enum { LEAST_SIDE = 2 };
 
 typedef struct bricklayer {
@@ -22,7 +22,7 @@ typedef struct bricklayer {
     double low[3][BRICK_SIDE_PLANE], high[3][BRICK_SIDE_PLANE];
 } bricklayer;
 
-/* The cell that holds the points. */
+/* Make the cell that holds the points of a part. */
 static void make_cell(point_box *out, const bricklayer *b, const brick *points) {
     memset(out, 0, sizeof *out);
     for (int k = 0; k < b->dimension; k++) {
@@ -98,7 +98,8 @@ static void fill_part(bricklayer *b, const brick *part, graze_pmc pmc) {
     while (next_place(at, part));
 }
 
-/* Take a half of a part; bit k of `half` is its side along axis k. 0 if it is empty. */
+/* Take one of the eight parts into which halving along each axis cuts a part; bit k of `half` is
+ * its side along axis k. 0 if it is empty. */
 static int take_half(brick *out, const brick *part, int half) {
     *out = *part;
     for (int k = 0; k < 3; k++) {
@@ -137,7 +138,7 @@ static graze_status decide_part(bricklayer *b, const brick *part, const anchors 
     return GRAZE_OK;
 }
 
-/* Coordinates of the brick's points. */
+/* Compute the coordinates of the brick's points, and bounds of them. */
 static void set_coordinates(bricklayer *b, const lattice *l) {
     for (int k = 0; k < b->dimension; k++) {
         size_t n = b->whole->end[k] - b->whole->first[k];

@@ -71,7 +71,8 @@ static size_t brick_points(const brick *points) {
     return n;
 }
 
-/* Decide a brick that no thread is at. The lock is held, but not while that is done. */
+/* Decide a brick that no thread is deciding. The lock is held at the call and on return, but not
+ * during the decision. */
 static graze_status decide_brick(graze_context *context, bricks *b, size_t index,
                                  const brick *points) {
     brick_state *s = &b->state[index];
@@ -96,7 +97,7 @@ static graze_status decide_brick(graze_context *context, bricks *b, size_t index
     return status;
 }
 
-/* Copy what is known. The lock is held. */
+/* Copy memberships from a decided brick. The lock is held. */
 static void copy_row(unsigned char *pmc, const brick_state *s, const brick *points,
                      const size_t place[3], size_t count) {
     size_t at = 0;

@@ -1,4 +1,4 @@
-/* All contacts of a cell's points missed together, or all of its points joined with a place.
+/* Decides a cell if all its points miss the boundary, or if all are joined with an anchor.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "decide/lattice/lattice.h"
@@ -35,7 +35,7 @@ static graze_pmc membership_of_clear(const cell_asker *a, const point_box *point
     return state == GRAZE_STATE_I ? GRAZE_IN : state == GRAZE_STATE_O ? GRAZE_OUT : GRAZE_PMC_NONE;
 }
 
-/* All contacts of the centre; NULL if the filter cannot be used for it. */
+/* The filter's findings for the centre of a cell; NULL if the filter cannot be used for it. */
 static const findings *search_centre(const cell_asker *a, const point_box *points) {
     filter_workspace *w = filter_workspace_of(a->context);
     filter_point centre = centre_of(points);
@@ -52,7 +52,8 @@ int cell_certain_times(piece_time when[CERTAIN_TIMES_MOST], const cell_asker *a,
                  : 0;
 }
 
-/* Those of the centre of a cell that have crossings; else nothing is changed. */
+/* Replace the anchors by those of a cell's centre, if certain times of the centre are found; else
+ * change nothing. */
 static void find_anchors(anchors *out, cell_asker *a, const point_box *points) {
     piece_time when[CERTAIN_TIMES_MOST];
     int count = cell_certain_times(when, a, points);
@@ -111,7 +112,8 @@ static graze_status corners_differ(int *differ, cell_asker *a, const point_box *
     return GRAZE_OK;
 }
 
-/* Decide a cell by the parts of the boundary that pass through it, where nothing else does. */
+/* Decide a cell through which the boundary passes: if a facet crosses all of it, or if no point of
+ * it is `on`. */
 static graze_status decide_passage(graze_pmc *pmc, cell_asker *a, const point_box *points) {
     const filter *f = &a->scene->filter;
     int differ;

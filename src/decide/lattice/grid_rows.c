@@ -27,7 +27,7 @@ static void put_coordinate(text *out, const lattice *l, int k, size_t i) {
     text_rational(out, value);
 }
 
-/* Without memory there is no table. */
+/* Make the table of texts; there is none for a longer axis, or if memory runs out. */
 static void make_texts(axis_texts *a, const lattice *l) {
     size_t n = l->size[0];
     a->made = 1;
@@ -66,7 +66,7 @@ static void set_tails(row_tails *tails, const lattice *l, const size_t place[3])
     }
 }
 
-/* One row, whose first coordinate has number `i`. */
+/* Write one row, whose first coordinate has number `i`. */
 static void put_grid_row(text *out, const axis_texts *a, const lattice *l, size_t i,
                          const text *tail) {
     size_t start = a->end && i ? a->end[i - 1] : 0, length = a->end ? a->end[i] - start : 0;

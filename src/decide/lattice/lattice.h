@@ -16,7 +16,7 @@
 /** Coordinate i of axis k is (start + i step) / unit. Immutable once made. */
 typedef struct lattice {
     int dimension;
-    size_t size[3], count; /* 1 past the dimension */
+    size_t size[3], count; /* sizes past the dimension are 1 */
     fmpz start[3], step[3], unit[3];
 } lattice;
 
@@ -67,11 +67,11 @@ typedef struct bricks {
     size_t side, count[3];
     pthread_mutex_t lock;
     pthread_cond_t changed;
-    size_t kept; /* bricks before this one, along the last axis, are freed */
+    size_t kept; /* the first layer along the last axis that is kept; earlier ones are freed */
     brick_state *state;
 } bricks;
 
-/** @return 0 without memory; bricks_clear in any case */
+/** @return 0 if memory runs out. The caller calls bricks_clear, also on failure */
 int bricks_make(bricks *out, const graze_scene *scene, const lattice *l);
 void bricks_clear(bricks *b);
 
@@ -98,7 +98,7 @@ void axis_texts_init(axis_texts *a);
 void axis_texts_clear(axis_texts *a);
 
 /**
- * Add rows of points first, first + step, ...: coordinates and membership between commas.
+ * Add rows of points first, first + step, ...: coordinates and membership, separated by commas.
  * @param pmc a graze_pmc for each
  */
 void rows_put(text *out, axis_texts *a, const lattice *l, const unsigned char *pmc, size_t first,
@@ -109,9 +109,9 @@ void rows_put(text *out, axis_texts *a, const lattice *l, const unsigned char *p
 /** The state of one thread that asks for cells. */
 typedef struct cell_asker {
     graze_context *context;   /* borrowed */
-    const graze_scene *scene; /* borrowed; of a solid with facets */
+    const graze_scene *scene; /* borrowed; of a polygon or polyhedron */
     curve tube;
-    size_t time; /* the time at which the last cell was settled */
+    size_t time; /* number of the time at which a cell was settled last (point_box_is_settled) */
     int corners; /* 1: corners of cells are doubles, and cell_certain asks about them */
 } cell_asker;
 
@@ -125,7 +125,7 @@ void cell_asker_init(cell_asker *out, graze_context *context, const graze_scene 
 void cell_asker_clear(cell_asker *a);
 
 /** Are the points of a cell certainly joined with one of the anchors? Then they have the membership
- * that an anchor proves. The asker's tube is the cell's. */
+ * that an anchor proves. The caller has set the asker's tube to the cell. */
 int cell_joins(cell_asker *a, const point_box *points, const anchors *near);
 
 /** Find up to CERTAIN_TIMES_MOST times at which the centre of a cell is in the state that decides a
@@ -139,8 +139,8 @@ graze_pmc cell_membership_proved(const cell_asker *a);
 /** The common membership of all points of a cell; NONE if it is not certain that there is one
  * (proofs/cells.md C76).
  * @param[in,out] near anchors of a cell around this one; replaced by the cell's own, if it has some
- * @param smallest 1 if its points are asked next otherwise: then no anchors are sought, since a
- * search costs as much as a few points
+ * @param smallest 1 if the points of an undecided cell are asked one by one next: then no anchors
+ * are sought, since a search costs as much as a few points
  */
 graze_pmc cell_decide(cell_asker *a, const point_box *points, anchors *near, int smallest);
 

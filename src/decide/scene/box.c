@@ -20,8 +20,8 @@
 #include "input/solid/solid.h"
 
 enum { CORNERS = 8, POLYNOMIALS = 3 * CORNERS + 1, SIGNIFICANT_BITS = 12 };
-/* Levels of halves that are always allowed; no more than the stack holds; operations on words for
- * one unit of the limit `work`. */
+/* Levels of halves that are always allowed; the most levels, which the stack holds; operations on
+ * words for one unit of the limit `work`. */
 enum { FREE_DEPTH = 16, DEEPEST = 4096, WORDS_A_UNIT = 4 };
 
 /* The images of all corners on one interval of u: Bernstein coefficients, degree + 1 of each
@@ -35,11 +35,11 @@ typedef struct images {
 typedef struct search {
     graze_context *context;
     int dimension;
-    fmpq reached_low[3], reached_high[3]; /* attained by points of the set bounded */
+    fmpq reached_low[3], reached_high[3]; /* least and greatest values that are attained */
     fmpq low[3], high[3];                 /* bounds of the intervals done so far */
     fmpq_t slack;
     int depth;
-    double work; /* on words, so far */
+    double work; /* operations on words so far */
 } search;
 
 static void images_init(images *m, int dimension, slong degree) {
@@ -113,7 +113,7 @@ static int is_spent(search *s, const images *m) {
     return s->depth > FREE_DEPTH && (s->work > most || s->depth > DEEPEST);
 }
 
-/* Enclose the coordinates whose bit is set in `open` over the interval. */
+/* Bound the coordinates whose bit is set in `open` over the interval of `m`. */
 static graze_status enclose_coordinates(search *s, const images *m, unsigned open);
 
 static graze_status enclose_halves(search *s, const images *m, unsigned open) {

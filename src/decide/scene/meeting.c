@@ -18,7 +18,7 @@ typedef struct finder {
     graze_context *context;
     const graze_solid *solid;
     const fmpq *map;
-    double entry[12];    /* of the map, rounded */
+    double entry[12];    /* entries of the map, rounded */
     unsigned char *held; /* by simplex: 1 if it is in the batch */
     uint32_t *batch;
     size_t count, most;
@@ -26,7 +26,8 @@ typedef struct finder {
     graze_status status;
 } finder;
 
-/* The simplices of the batch as a solid of their own; coordinates stay the soup's. */
+/* The simplices of the batch as a solid of their own; the coordinates are borrowed from the soup.
+ */
 static graze_status borrow_batch(soup *part, simplices *cut, const finder *f) {
     const soup *whole = &f->solid->input;
     size_t d = (size_t)whole->dimension;

@@ -78,7 +78,7 @@ static graze_status meet_under(int *out, graze_context *context, const graze_sol
     return meeting_find(out, context, solid, rows);
 }
 
-/* Whether a polyhedron meets its image under a map. */
+/* Whether a polygon or polyhedron meets its image under a map. */
 static graze_status polyhedron_meets(int *out, graze_context *context, const graze_solid *solid,
                                      const fmpq_mat_t map, const fmpq_mat_t inverse) {
     TRY(meet_under(out, context, solid, map));

@@ -14,12 +14,11 @@
 /* A scene: a solid, a motion of the same dimension, the options its answers depend on, and facts
  * decided about the pair.
  *
- * Invariant: solid and motion are borrowed and legal, their dimensions agree, and `ends` is
- * decided exactly, of a curved solid where it is decided. A scene never changes once made, but for
- * its memo. */
+ * Invariant: solid and motion are borrowed and legal, their dimensions agree, and `ends` is decided
+ * exactly, of a curved solid where it is decided. A scene never changes once made, but for memos
+ * under a lock. */
 
-/** A value that a later stage makes of a scene once and keeps: the only part that changes, under
- * the lock.
+/** A value that a later stage makes of a scene once and keeps; it is made under the lock.
  */
 typedef struct scene_memo {
     pthread_mutex_t lock;
@@ -31,16 +30,18 @@ struct graze_scene {
     const graze_solid *solid;
     const graze_motion *motion;
     graze_options options;
-    filter filter;               /* for the operation of the options; not of a curved solid */
-    surface_filter *surfaces;    /* that of a curved solid; or NULL */
+    filter filter;               /* for the operation of the options; unset for a curved solid */
+    surface_filter *surfaces;    /* the filter of a curved solid, or NULL if beyond it */
     graze_ends ends;             /* whether S^0 and S^1 have a point in common */
-    unsigned char sha256[32];    /* of the canonical text of solid and motion, see scene_hash */
-    scene_memo *memo, *arc_maps; /* of topo and of distances */
+    unsigned char sha256[32];    /* hash of the canonical text of solid and motion, see scene_hash
+                                  */
+    scene_memo *memo, *arc_maps; /* the memo of topo, and the memo of distances */
 };
 
 /**
  * Fill a scene: dimensions, the ends, the hash, the filter. On success scene_clear frees it.
- * @return GRAZE_EILLEGAL the dimensions differ, or the ends meet where `overlap` rejects it
+ * @return GRAZE_EILLEGAL the dimensions differ, or the ends of a sweep meet, or may meet, where
+ * `overlap` rejects it
  */
 graze_status scene_make(graze_scene *out, graze_context *context, const graze_solid *solid,
                         const graze_motion *motion, const graze_options *options);
@@ -64,7 +65,8 @@ graze_status scene_box(fmpq *low, fmpq *high, graze_context *context, const graz
  * C103). */
 
 /**
- * Test whether the boxes are disjoint; else look for a point in the interior of both sets.
+ * Test whether the solid's box and its image are disjoint; else look for a point in the interior of
+ * the solid and of its image.
  * @param map, inverse homogeneous matrices
  * @return GRAZE_ESYSTEM, GRAZE_ECANCELED
  */
@@ -86,12 +88,13 @@ graze_status demand_check(graze_context *context, const graze_scene *scene, doub
 /* The hash that identifies a scene. */
 
 /**
- * SHA-256 of the scene's canonical text, line by line:
- * `d N`; `v X Y [Z]` for each vertex; for each facet `f` and the vertices of its cycles, cycles
- * parted by ` |`; where a facet's simplices lie in more than one plane (it was fanned) `t A B C`
- * for each of them; for each piece of the motion `p LO HI`, then `m` and the coefficients of each
- * entry of M in the piece's own parameter, row by row, then `w` and those of the weight. Numbers
- * are those in force: after rounding, in lowest terms.
+ * SHA-256 of the scene's canonical text, line by line: `d N`; `v X Y [Z]` for each vertex; for each
+ * facet `f` and the vertices of its cycles, cycles parted by ` |`; where a facet's simplices lie in
+ * more than one plane (it was fanned) `t A B C` for each of them; for each piece of the motion `p
+ * LO HI`, then `m` and the coefficients of each entry of M in the piece's own parameter, row by
+ * row, then `w` and those of the weight. A curved solid has, instead of `v`, `f` and `t`, for each
+ * surface `s` and its terms, coefficient and powers, and for each node of the expression `n`,
+ * operation, complement and operands. Numbers are those in force: after rounding, in lowest terms.
  */
 graze_status scene_hash(unsigned char out[32], graze_context *context, const graze_solid *solid,
                         const graze_motion *motion);

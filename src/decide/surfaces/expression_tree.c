@@ -13,7 +13,8 @@ static int is_true(const csg_node *node, size_t count) {
     return holds ^ node->complement;
 }
 
-/* Nodes by surface: their numbers are summed up, and each node is put before those that were. */
+/* List the nodes of each surface: the nodes are counted, the counts summed up, and the nodes put in
+ * from the last to the first. */
 static void list_nodes(expression_tree *t) {
     const csg *s = t->solid;
     for (size_t k = 0; k < s->node_count; k++)
@@ -94,7 +95,7 @@ void truths_flip(truths *m, const expression_tree *t, size_t surface) {
         uint32_t n = t->node[k];
         m->is_true[n] ^= 1;
         for (uint32_t up = t->parent[n]; up != UINT32_MAX; n = up, up = t->parent[n]) {
-            m->count[up] += m->is_true[n] ? 1 : UINT32_MAX; /* or one less */
+            m->count[up] += m->is_true[n] ? 1 : UINT32_MAX; /* adds 1 or takes 1 away */
             int now = is_true(&t->solid->node[up], m->count[up]);
             if (now == m->is_true[up])
                 break;

@@ -58,7 +58,7 @@ static void bound_quadric(box *out, const quadric *q, const fmpz_mat_t inverse,
         fmpz_mul(fmpq_denref(value), denominator, denominator);
         fmpq_canonicalise(value);
         rational_bounds(&below, &above, value);
-        /* Without a real point any box will do. */
+        /* If the quadric has no real point, any box will do. */
         double half = above > 0 ? sqrt(above) * (1 + 0x1p-50) : 0;
         out->low[i] = nextafter(-high - half, -INFINITY);
         out->high[i] = nextafter(-low + half, INFINITY);

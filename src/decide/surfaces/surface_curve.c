@@ -29,7 +29,7 @@ void surface_curve_clear(surface_curve *m) {
     free(m->at);
 }
 
-/* The index of a span's products, new ones if it has none yet; SIZE_MAX without memory. */
+/* The index of a span's products, new ones if it has none yet; SIZE_MAX if memory runs out. */
 static size_t products_of(surface_curve *m, uint32_t span_index) {
     if (!array_reserve(&m->of_span, &m->known_room, span_index + 1, sizeof *m->of_span))
         return SIZE_MAX;

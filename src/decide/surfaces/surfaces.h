@@ -10,11 +10,11 @@
 
 /* The expression of a curved solid as a tree, updated by one change of sign at a time. */
 
-/** The tree, with the parent of each node and the nodes of each surface; `count` and `is_true` hold
- * where all surfaces are positive. */
+/** The tree, with the parent of each node and the nodes of each surface; `count` and `is_true` have
+ * their values for all surfaces positive. */
 typedef struct expression_tree {
     const csg *solid;       /* borrowed */
-    uint32_t *first, *node; /* of surface k: node[first[k]] ... node[first[k + 1] - 1] */
+    uint32_t *first, *node; /* nodes of surface k: node[first[k]] ... node[first[k + 1] - 1] */
     uint32_t *parent;       /* UINT32_MAX of the root */
     uint32_t *count;        /* by node: the number of its true operands */
     unsigned char *is_true; /* by node */
@@ -44,17 +44,18 @@ int truths_all(const truths *m, const expression_tree *t);
 
 /* The surfaces of a curved solid in doubles: what its filter evaluates, and a tree of boxes. */
 
-/** The number of products of 1 to CSG_DEGREE of four coordinates: C(8, 4) - 1. */
+/** The number of products of 1 to CSG_DEGREE factors, each one of four coordinates: C(8, 4) - 1. */
 enum { PRODUCT_MOST = 69 };
 
-/** A product of homogeneous coordinates: that of its parent, whose degree is one less and which
- * stands before it in the list, and a coordinate; of degree 1 the coordinate alone. */
+/** A product of homogeneous coordinates: its parent, a product of one degree less that stands
+ * before it in the list, times a coordinate; for degree 1 the coordinate alone. */
 typedef struct product {
     unsigned char degree, parent, coordinate;
 } product;
 
 /** The homogeneous polynomial of a surface, scaled by a positive number so that the largest
- * coefficient is in [1/2, 1); each is within 2^-52 of itself, or below 2^-1000. */
+ * coefficient is in [1/2, 1); each coefficient has a relative error of at most 2^-52, or is below
+ * 2^-1000 and set to 0. */
 typedef struct surface_form {
     int degree, count;
     unsigned char *product; /* of each term */
@@ -76,7 +77,7 @@ typedef struct surface_filter {
     size_t boxed_count, open_count;
     expression_tree expression;
     double binomial[PULLBACK_DEGREE + 1][PULLBACK_DEGREE + 1];
-    double inverse[PULLBACK_DEGREE + 1][PULLBACK_DEGREE + 1]; /* of the binomials */
+    double inverse[PULLBACK_DEGREE + 1][PULLBACK_DEGREE + 1]; /* the reciprocals of the binomials */
 } surface_filter;
 
 /**
@@ -103,7 +104,7 @@ typedef struct span_products {
 typedef struct surface_curve {
     const surface_filter *filter;
     const curve *curve;
-    size_t stride; /* of a product's coefficients */
+    size_t stride; /* number of coefficients kept for a product */
     size_t known, known_room, count, count_room, room;
     uint32_t *of_span; /* by span: 1 + its index in `products`; 0: it has none yet */
     span_products *products;
@@ -121,7 +122,7 @@ int surface_sign_on(const surface_filter *filter, size_t surface, const span *pi
 /**
  * The pullback of a surface on a span that is a piece, or a part of one.
  * @param at room for PULLBACK_DEGREE + 1 coefficients
- * @return 0 if the numbers are beyond the filter, or without memory
+ * @return 0 if the numbers are beyond the filter, or if memory runs out
  */
 int surface_curve_pull_back(pullback *out, double *at, surface_curve *m, uint32_t span_index,
                             size_t surface);

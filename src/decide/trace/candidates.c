@@ -11,7 +11,8 @@
 #include "base/context/scope.h"
 #include "input/validate/validate.h"
 
-/* The piece [start, start + 2^(LEVELS - level)] of the curve. */
+/* The piece [start, start + 2^(WINDOW_LEVELS - level)] of the curve, in units of 2^-WINDOW_LEVELS.
+ */
 typedef struct exact_span {
     uint32_t start;
     int level;
@@ -19,7 +20,7 @@ typedef struct exact_span {
     box box;
     int bounded; /* what trajectory_bound returned */
     int broad;   /* the distance between the curves, not their length, makes the box wide */
-    bernstein_form *form; /* of each curve d + 1 polynomials to its degree; NULL once cut */
+    bernstein_form *form; /* d + 1 polynomials for each curve, to its degree; NULL once cut */
 } exact_span;
 
 typedef struct searcher {
@@ -92,7 +93,7 @@ static void add_span(searcher *s, uint32_t start, int level, bernstein_form *for
         bound_other(added, s);
 }
 
-/* The work of a cut: one sum of two integers for each place of the triangles. */
+/* Count the work of a cut: one sum of two integers for each place in de Casteljau's triangles. */
 static graze_status cut_work(const searcher *s, const bernstein_form *form) {
     ulong work = 0;
     for (int i = 0; i < polynomial_count(s); i++)

@@ -12,7 +12,7 @@ static void order_cells(contact *c) {
     c->cell_count = array_sort_once(c->cell, c->cell_count, sizeof *c->cell, cell_compare);
 }
 
-/* Add cells of touches to a contact, in order and each once; 0 without memory. */
+/* Add cells of touches to a contact, in order and each once; 0 if memory runs out. */
 static int add_cells(contact *c, const touch *item, size_t count) {
     if (!array_reserve(&c->cell, &c->cell_capacity, c->cell_count + count, sizeof *c->cell))
         return 0;
@@ -22,7 +22,7 @@ static int add_cells(contact *c, const touch *item, size_t count) {
     return 1;
 }
 
-/* Put the input's names in place of those of simplices; 0 without memory. */
+/* Replace the simplices' names of cells by the input's; 0 if memory runs out. */
 static int name_contact(contact *c, const cell_names *names) {
     size_t count = 0, n;
     for (size_t k = 0; k < c->cell_count; k++, count += n)
@@ -62,7 +62,7 @@ static int prolong(contact *last, graze_time *to) {
     return 1;
 }
 
-/* One more contact, all zero; NULL without memory. */
+/* Append a contact, all zero; NULL if memory runs out. */
 static contact *append_contact(graze_trace *trace) {
     if (!array_reserve(&trace->contact, &trace->contact_capacity, trace->contact_count + 1,
                        sizeof *trace->contact))
@@ -87,12 +87,13 @@ static contact *append_timed(graze_trace *trace, graze_time *from, graze_time *t
     return added;
 }
 
-/* Whether a contact, or none, ends where a piece begins. */
+/* 1 if a contact ends where a piece begins; 0 for NULL. */
 static int ends_before(const contact *last, size_t piece) {
     return last && last->to && last->to->piece + 1 == piece && time_is_piece_end(last->to);
 }
 
-/* One maximal run of touches, from rank `from` to rank `to`, in a piece. */
+/* Add a maximal run of `count` touches from touch `first` on, which ends at rank `to`, as a
+ * contact. */
 static int add_run(graze_trace *trace, const graze_motion *motion, size_t piece, const touches *t,
                    size_t first, size_t count, size_t to) {
     const algebraic *u0 = &t->time.item[t->by_rank[t->item[first].from]];

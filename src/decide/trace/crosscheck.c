@@ -31,6 +31,7 @@ graze_status crosscheck_window(tracer *r, size_t piece, uint32_t from, uint32_t 
     r->last = (last_seen){1, piece, GRAZE_STATE_ABSENT, to};
     if (!last.any || last.after == GRAZE_STATE_ABSENT)
         return GRAZE_OK;
-    /* No window closes the piece of a crossing that comes last in it. */
+    /* No window closes the piece of a crossing that comes last in it, so its end is off the
+     * boundary. */
     return expect_state(r, last.piece, last.piece == piece ? from : WHOLE, last.after);
 }

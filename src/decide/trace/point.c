@@ -10,7 +10,8 @@
 #include "base/context/scope.h"
 #include "input/validate/validate.h"
 
-/* Contacts in windows that hold all touches of the candidates, which come in any order. */
+/* Append the contacts that the candidates of a piece make. The candidates come in any order, and
+ * their windows hold all their touches. */
 static graze_status trace_window(tracer *r, size_t piece, candidates *list, int opens) {
     const trajectory *c = tracer_exact(r, piece);
     if (!c)
@@ -48,14 +49,14 @@ static graze_status trace_crossing(tracer *r, size_t piece, int enters) {
     return contacts_append_crossing(r->out, r->context, enters);
 }
 
-/* Nothing is met at the beginning of a piece. */
+/* Nothing is met at the beginning of a piece, so the contact before must not end there. */
 static graze_status trace_nothing(tracer *r, size_t piece) {
     touches none;
     touches_init(&none);
     return contacts_append(r->out, r->context, r->scene->motion, piece, &none, 1);
 }
 
-/* Where in the findings a trace has come. */
+/* The next crossing, window and lost piece of the findings. */
 typedef struct place_in {
     size_t crossing, window, lost;
 } place_in;
@@ -77,7 +78,7 @@ static size_t next_piece(const findings *found, const place_in *at) {
     return w && w->piece < piece ? w->piece : piece;
 }
 
-/* Crossings and windows of a piece in order of time. */
+/* Trace the crossings and windows of a piece in order of time. */
 static graze_status trace_findings(tracer *r, size_t piece, const findings *found, place_in *at) {
     const exact_window *window = next_window(found, at);
     int opens = !window || window->piece != piece || window->from > 0;
@@ -99,7 +100,7 @@ static graze_status trace_findings(tracer *r, size_t piece, const findings *foun
     return GRAZE_OK;
 }
 
-/* All that the filter found of a piece, with exact times. */
+/* Trace all that the filter found in a piece, with exact times. */
 static graze_status trace_all(tracer *r, size_t piece, const findings *found, place_in *at) {
     int kept = 1;
     r->list.count = 0;

@@ -71,7 +71,7 @@ graze_status time_between(size_t *piece, fmpq_t u, graze_context *context, graze
     }
     algebraic *high = after->piece == *piece ? &after->u : &one;
     TRY(algebraic_compare(&order, context, low, high));
-    /* Windows that were not apart would give one time twice, between which there is none. */
+    /* If windows were not apart, one time could be found twice, and no time is between both. */
     if (after->piece >= *piece && order < 0)
         return algebraic_between(u, context, low, high);
     return context_fail(context, GRAZE_EINTERNAL,
@@ -146,7 +146,7 @@ static void family_clear(time_family *family) {
     fmpz_poly_factor_clear(family->factors);
 }
 
-/* The work of a factorisation, which nothing interrupts, is told beforehand. */
+/* The work of a factorisation, which nothing interrupts, is counted beforehand. */
 static graze_status factor_family(time_family *family, graze_context *context,
                                   const graze_time *time) {
     if (family->factors->num > 0)
@@ -158,8 +158,8 @@ static graze_status factor_family(time_family *family, graze_context *context,
     return GRAZE_OK;
 }
 
-/* The factor that has the root: the polynomial has just this one, a simple one, between low and
- * high, and does not vanish there. It is the time's minimal polynomial. */
+/* The factor that has the root: between low and high the polynomial has this root alone, a simple
+ * one, and it vanishes at neither. It is the time's minimal polynomial. */
 static slong find_minimal_polynomial(graze_time *time, const time_family *family, const fmpq_t low,
                                      const fmpq_t high) {
     const fmpz_poly_struct *p = family->factors->p;
@@ -234,8 +234,9 @@ static graze_status find_itself(size_t *out, graze_context *context, graze_time 
     }
 }
 
-/* The least m at which the interval of the time holds no other root of the list: at that m, a
- * multiple of 2^-m lies between it and the one before it, and between it and the next. */
+/* The least m at which the interval of the time holds no other root of the list: at that m,
+ * multiples of 2^-m lie between the time and the root before it, and between the time and the next
+ * root. */
 static graze_status find_places(ulong *m, graze_context *context, graze_time *time,
                                 const algebraic_list *roots, fmpq_t low, fmpq_t high) {
     size_t own = 0;
@@ -249,8 +250,8 @@ static graze_status find_places(ulong *m, graze_context *context, graze_time *ti
     return GRAZE_OK;
 }
 
-/* An irrational number and the other roots of its minimal polynomial in the same unit interval: no
- * dyadic number is among them (C28, C44). */
+/* Find the widest interval of an irrational time from the roots of its minimal polynomial in the
+ * same unit interval; no root is dyadic (C28, C44). */
 static graze_status find_widest_interval(graze_time *time, graze_context *context,
                                          time_family *family, slong factor, fmpq_t low,
                                          fmpq_t high) {

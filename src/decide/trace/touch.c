@@ -20,12 +20,12 @@ typedef struct finder {
     const graze_solid *solid;
     const trajectory *c;
     const touch_filter *quick; /* or NULL */
-    const fmpz *plane;         /* of the candidates at hand */
-    uint32_t simplex;          /* whose sides are at hand: */
-    unsigned known;            /* the pullbacks of those in the mask, */
-    fmpz_poly_struct side[3];  /* made when first needed */
-    fmpq_t when;               /* a rational time, and the trajectory's place then; */
-    fmpz place[4];             /* zeros: none yet */
+    const fmpz *plane;         /* the plane of the current candidates */
+    uint32_t simplex;          /* the simplex whose sides are in `side` */
+    unsigned known;            /* mask of the sides that are computed */
+    fmpz_poly_struct side[3];  /* pullbacks of the sides */
+    fmpq_t when;               /* the rational time of `place` */
+    fmpz place[4];             /* the trajectory's place at `when`; zeros: none yet */
     graze_context *context;
     graze_status status; /* the first failure, which ends the search */
 } finder;
@@ -75,12 +75,12 @@ static form_memory *known_to(const finder *f) {
     return f->quick ? f->quick->forms : NULL;
 }
 
-/* Side k of a simplex in the plane at hand, perhaps in `room`. */
+/* The form of side k of a simplex in the current plane, in `room` or in the memory of forms. */
 static const fmpz *side_form(fmpz *room, const finder *f, uint32_t simplex, int k) {
     return known_side(room, known_to(f), f->solid, simplex, f->plane, k);
 }
 
-/* The pullback of side k of a simplex in the plane at hand. */
+/* The pullback of side k of a simplex in the current plane. */
 static const fmpz_poly_struct *side_pullback(finder *f, uint32_t simplex, int k) {
     if (knows_side(f, simplex, k))
         return &f->side[k];
@@ -92,8 +92,8 @@ static const fmpz_poly_struct *side_pullback(finder *f, uint32_t simplex, int k)
     return &f->side[k];
 }
 
-/* The sign of the same side at a rational time: that of its form at the place where the trajectory
- * is then, which all sides share. */
+/* The sign of side k at a rational time: that of its form at the trajectory's place, which is kept
+ * for the other sides. */
 static int side_at_place(finder *f, uint32_t simplex, int k, const fmpq_t time) {
     fmpz form[4] = {0, 0, 0, 0};
     if (fmpz_is_zero(f->place + f->c->dimension) || !fmpq_equal(f->when, time)) {
@@ -115,7 +115,8 @@ static int sign_of_side(finder *f, uint32_t simplex, int k, algebraic *time) {
     return sign;
 }
 
-/* The sides that are certain in doubles: 0 if the trajectory is beyond one of them. */
+/* Find, in doubles, a mask of sides that the trajectory is certain to be inside of; 0 if it is
+ * certain to be beyond a side. */
 static int sides_at(unsigned *inside, const finder *f, uint32_t simplex, const algebraic *time) {
     *inside = 0;
     if (!f->quick)
@@ -176,7 +177,7 @@ static int may_meet(const candidate *c, const algebraic *time) {
            dyadic_compare(to, WINDOW_LEVELS, low) >= 0;
 }
 
-/* One root of a plane's pullback against all candidates in that plane. */
+/* Find the touches of all candidates of a plane at one root of its pullback. */
 static void touch_at_root(finder *f, algebraic *root, const candidate *first, size_t count) {
     size_t time = SIZE_MAX;
     for (size_t k = 0; k < count && !finder_failed(f); k++) {
@@ -194,8 +195,8 @@ static int compare_windows(const void *left, const void *right) {
     return a->from < b->from ? -1 : a->from > b->from;
 }
 
-/* Roots of the plane's pullback in the union of the candidates' windows; `first` is reordered by
- * time. */
+/* Find the touches at the roots of a plane's pullback in the union of the candidates' windows;
+ * `first` is reordered by time. */
 static void touch_plane(finder *f, const fmpz_poly_t pullback, candidate *first, size_t count) {
     HELD(algebraic_list, roots);
     HELD(dyadic_interval, window);
@@ -225,8 +226,8 @@ static void cut_slide(algebraic_list *cuts, finder *f, const candidate *slide) {
     }
 }
 
-/* The trajectory stays in the simplex's plane. `cut` are its ordered cuts, each value once: the
- * cell is constant between two of them. */
+/* Find the touches of a trajectory in the simplex's plane. `cut` has the times of cut_slide in
+ * order, each once: the cell is constant between two of them. */
 static void touch_between(finder *f, const candidate *slide, algebraic **cut, size_t count) {
     unsigned zero;
     HELD(algebraic, sample);
@@ -260,7 +261,7 @@ static void touch_slide(finder *f, const candidate *slide) {
         touch_between(f, slide, order, kept);
 }
 
-/* The candidates in one plane. */
+/* Find the touches of the candidates in one plane. */
 static void touch_candidates(finder *f, candidate *first, size_t count) {
     LOCAL(fmpz_poly, pullback);
     trajectory_pullback(pullback, f->c, f->plane);

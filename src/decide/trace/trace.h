@@ -16,8 +16,8 @@
 
 /**
  * A time of the motion: piece `piece`, local parameter u in [0, 1]. In the motion's parameter it is
- * lo + (hi - lo) u. `poly`, `low`, `high` are its canonical form there, made once when the time is
- * needed: minimal polynomial, and the widest isolating dyadic interval (both ends the value
+ * lo + (hi - lo) u. `poly`, `low`, `high` are its canonical form in that parameter, made once when
+ * it is needed: minimal polynomial, and the widest isolating dyadic interval (both ends the value
  * itself when it is rational).
  */
 struct graze_time {
@@ -34,7 +34,7 @@ graze_time *time_create(const graze_motion *motion, size_t piece, const algebrai
 /** NULL is harmless. */
 void time_destroy(graze_time *time);
 
-/** Is a time t0; the end of its piece; t1? NULL is none of these. */
+/** Is a time t0? Is it the end of its piece? Is it t1? All return 0 for NULL. */
 int time_is_start(const graze_time *time);
 int time_is_piece_end(const graze_time *time);
 int time_is_end(const graze_time *time);
@@ -43,7 +43,8 @@ int time_is_end(const graze_time *time);
  * next one are one time. */
 size_t time_first_piece(const graze_time *time);
 
-/** A rational time u of a piece strictly between two times, one after the other. */
+/** Find a rational time strictly between two times, `before` earlier than `after`, as a piece and a
+ * parameter u. */
 graze_status time_between(size_t *piece, fmpq_t u, graze_context *context, graze_time *before,
                           graze_time *after);
 
@@ -81,8 +82,8 @@ struct graze_trace {
     contact *contact;
     char *word;
     undecided_place *undecided; /* the first one, of a curved solid; or NULL */
-    int settled; /* TRACE_PMC, TRACE_PMC_BESIDE: somewhere in the state that decides the membership;
-                    nothing above is set */
+    int settled; /* 1, for TRACE_PMC and TRACE_PMC_BESIDE only: the point is at some time in the
+                  * state that decides its membership; nothing above is set */
     graze_verdict verdict; /* filled by the verdict stage */
 };
 
@@ -93,18 +94,19 @@ typedef struct query_point {
 } query_point;
 
 /** Append a state to a word, unless it is the word's last one; I beside O is GRAZE_EINTERNAL. The
- * word, NULL before its first state, ends in NUL. @param what of a message about memory */
+ * word, NULL before its first state, ends in NUL. @param what names the word in a message about
+ * memory */
 graze_status word_append(char **word, size_t *length, size_t *capacity, graze_context *context,
                          graze_state state, const char *what);
 /** Set the states beside each contact and those at the ends of the motion from the word, in which
- * each B is the next contact's. */
+ * the letters B stand for the contacts in their order. */
 graze_status word_tell_contacts(graze_trace *trace, graze_context *context, size_t length);
 
 /** The part of a trace that is wanted. */
 typedef enum trace_detail {
     TRACE_CONTACTS,  /* contacts with times and cells */
     TRACE_WORD,      /* states and the word */
-    TRACE_PMC,       /* that a certain crossing or a brick is met, if so; else the word */
+    TRACE_PMC,       /* `settled` if a certain crossing or a brick is met; else the word */
     TRACE_PMC_BESIDE /* as TRACE_PMC, without bricks: for points near the sweep's boundary */
 } trace_detail;
 
@@ -143,9 +145,9 @@ void trajectory_at(fmpz *out, const trajectory *c, const fmpq_t u);
 
 /**
  * A box that holds a piece of the curve, from the Bernstein coefficients of its d + 1 polynomials
- * on the piece, all to the trajectory's degree. Past the range of doubles its ends are infinite.
+ * on the piece, all to the trajectory's degree. Past the range of doubles an end may be infinite.
  * @return 1; or 0, and a box of all space, where a coefficient of W is not positive
- *         (proofs/claims.md C23): then a smaller piece may have a smaller box
+ * (proofs/claims.md C23): then a smaller piece may have a smaller box
  */
 int trajectory_bound(box *out, const trajectory *c, const fmpz *bernstein);
 
@@ -156,8 +158,8 @@ int trajectory_bound(box *out, const trajectory *c, const fmpz *bernstein);
 typedef struct last_seen {
     int any;
     size_t piece;
-    graze_state after; /* of a certain crossing; ABSENT for an exact window */
-    uint32_t to;       /* the end of an exact window, in 2^-WINDOW_LEVELS */
+    graze_state after; /* the state after a certain crossing; ABSENT for an exact window */
+    uint32_t to;       /* the end of an exact window, in units of 2^-WINDOW_LEVELS */
 } last_seen;
 
 typedef struct tracer {
@@ -168,9 +170,9 @@ typedef struct tracer {
     trace_detail detail;
     filter_workspace *workspace; /* NULL: no filter */
     filter_point near;
-    fmpz *homogeneous;       /* the point as d + 1 integers, the last one positive, and */
-    trajectory *exact;       /* its trajectories, one per piece; NULL until the first is needed */
-    unsigned char *is_exact; /* which of them are set */
+    fmpz *homogeneous;       /* the point as d + 1 integers, the last one positive; or NULL */
+    trajectory *exact;       /* trajectories, one per piece; NULL until the first is needed */
+    unsigned char *is_exact; /* by piece: 1 if its trajectory is set */
     candidates list;
     last_seen last;
 } tracer;
@@ -180,11 +182,12 @@ typedef struct tracer {
 void tracer_begin(tracer *r);
 void tracer_clear(tracer *r);
 
-/** The exact trajectory of a piece, owned by `r`; NULL without memory, which is reported. */
+/** The exact trajectory of a piece, owned by `r`; NULL if memory runs out, which the context
+ * reports. */
 const trajectory *tracer_exact(tracer *r, size_t piece);
 
-/** The span of the filter's curve that is a whole piece, until the curve is cut; NULL if it cannot
- * be used. */
+/** The span of the filter's curve that is a whole piece, valid until the curve is cut; NULL if the
+ * filter cannot be used there. */
 const span *tracer_quick(tracer *r, size_t piece);
 
 /** The state at a rational time at which the trajectory is off the boundary. */
@@ -228,8 +231,8 @@ typedef struct touches {
     touch *item;
 } touches;
 
-/** The curve of the trajectory in doubles, and the span that is its whole piece; and forms of the
- * solid that are known. */
+/** The curve of the trajectory in doubles, its span that is the whole piece, and a memory of forms
+ * of the solid. */
 typedef struct touch_filter {
     const curve *curve;
     const span *piece;
@@ -273,12 +276,13 @@ graze_status contacts_name(graze_trace *trace, graze_context *context, const cel
  * compares two crossings that are neighbours. */
 
 /** Check a certain crossing in `piece`, which is later than all findings before it. @return
- * GRAZE_EINTERNAL if the state before it differs from the state found after the last exact window
+ * GRAZE_EINTERNAL if the state before the crossing differs from the state found after the last
+ * exact window
  */
 graze_status crosscheck_crossing(tracer *r, size_t piece, int enters);
 
-/** An exact window [from, to], in 2^-WINDOW_LEVELS of `piece`, whose ends within the piece are off
- * the boundary. @return as crosscheck_crossing */
+/** Check an exact window [from, to] of `piece`, in units of 2^-WINDOW_LEVELS, whose ends inside the
+ * piece are off the boundary. @return as crosscheck_crossing */
 graze_status crosscheck_window(tracer *r, size_t piece, uint32_t from, uint32_t to);
 
 /* The trace of a point. */
@@ -296,7 +300,7 @@ graze_status trace_point(graze_trace *out, graze_context *context, const graze_s
 
 /**
  * Fill the states beside the contacts of `r->out`, those at both ends, and the word. A certain
- * crossing knows the states beside it; a gap between two contacts that do not is located.
+ * crossing knows the states beside it; a gap without a certain crossing beside it is located.
  * @return GRAZE_EINTERNAL if two crossings disagree on the gap between them
  */
 graze_status word_read(tracer *r);

@@ -20,7 +20,7 @@ void trajectory_clear(trajectory *c) {
         fmpz_poly_clear(&c->x[i]);
 }
 
-/* sums = the polynomials times their factors, added. */
+/* sums = the sum of the polynomials times their factors. */
 static void sum_products(fmpz_poly_t sums, const fmpz_poly_struct *p, const fmpz *factor,
                          int count) {
     slong length = 0;
@@ -57,7 +57,8 @@ void trajectory_pullback(fmpz_poly_t out, const trajectory *c, const fmpz *form)
     sum_products(out, c->x, form, c->dimension + 1);
 }
 
-/* All polynomials are made homogeneous to one degree, so that the common factor drops out. */
+/* All polynomials are made homogeneous to one degree, so that all values have one factor, a power
+ * of u's denominator, which does not count. */
 void trajectory_at(fmpz *out, const trajectory *c, const fmpq_t u) {
     const fmpz *p = fmpq_numref(u), *q = fmpq_denref(u);
     LOCAL(fmpz, power);

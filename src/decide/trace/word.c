@@ -14,8 +14,8 @@ static graze_status locate_between(graze_state *out, tracer *r, graze_time *befo
     return tracer_locate(out, r, piece, sample);
 }
 
-/* Locate the gap between two contacts with times, or an end of the motion for NULL: that end is
- * itself off the boundary. */
+/* Locate the gap between two contacts with times. For NULL the gap reaches to an end of the motion,
+ * which is off the boundary and is located. */
 static graze_status locate_gap(graze_state *out, tracer *r, graze_time *before, graze_time *after) {
     if (before && after)
         return locate_between(out, r, before, after);
@@ -24,8 +24,8 @@ static graze_status locate_gap(graze_state *out, tracer *r, graze_time *before, 
     return tracer_locate(out, r, before ? r->scene->motion->piece_count - 1 : 0, end);
 }
 
-/* The state in the gap before contact `next` and after contact next - 1; either may not be there.
- * The crossings beside it know it; without them it is located. */
+/* The state in the gap before contact `next` and after contact next - 1; either contact may be
+ * missing. A certain crossing beside the gap knows the state; without one the gap is located. */
 static graze_status gap_state(graze_state *out, tracer *r, size_t next) {
     const contact *before = next > 0 ? &r->out->contact[next - 1] : NULL;
     const contact *after = next < r->out->contact_count ? &r->out->contact[next] : NULL;

@@ -65,7 +65,8 @@ graze_verdict verdict_unsweep(const char *word, size_t length, unsigned long i, 
     return v;
 }
 
-/* Equal neighbours are merged, and between inside and outside lies the boundary. */
+/* 1 for a word: equal neighbours are merged, and the boundary lies between inside and outside, so
+ * every second letter is B. */
 static int alternates(const char *word, size_t length) {
     for (size_t k = 0; k < length; k++) {
         int is_b = word[k] == 'B';
@@ -94,8 +95,9 @@ int verdict_of_word(graze_verdict *out, const char *word, size_t length,
     return 1;
 }
 
-/* Membership where states are not decided (proofs/curved.md C125): by one certain state that
- * decides, else as `on` where none of the others can be that state. */
+/* Membership where states are not decided (proofs/curved.md C125): by a certain state that decides,
+ * if there is one; else `on` if a certain state is B and no undecided state can be the deciding
+ * one. */
 static graze_pmc pmc_of_certain(const graze_trace *trace, int unsweep) {
     const undecided_place *open = trace->undecided;
     if (strchr(trace->word, unsweep ? 'O' : 'I'))

@@ -18,7 +18,8 @@
 graze_status classify_point(graze_trace *out, graze_context *context, const graze_scene *scene,
                             query_point point, trace_detail detail);
 
-/** The verdict alone; TRACE_PMC gives only its pmc. On failure `out` is as it was. */
+/** The verdict alone; TRACE_PMC and TRACE_PMC_BESIDE give only its pmc. On failure `out` is as it
+ * was. */
 graze_status classify_answer(graze_verdict *out, graze_context *context, const graze_scene *scene,
                              query_point point, trace_detail detail);
 /** The whole verdict alone; on failure `out` is as it was. */
@@ -35,8 +36,9 @@ graze_kind verdict_kind(graze_state left, graze_state right);
 /** Position case of [EI] Table 1 from the states at t0 and t1. */
 int verdict_case(graze_state first, graze_state last);
 
-/** The k of the rule: the number of components of the preimage of S that meet its interior; an
- * integer by parity (proofs/claims.md C10, C11). */
+/** The k of the rule: the number of components of the set of times at which the trajectory is in S,
+ * on which it is in the interior of S at some time; an integer by parity (proofs/claims.md C10,
+ * C11). */
 unsigned long verdict_k(graze_state first, graze_state last, unsigned long i);
 
 /** The verdict of a sweep from the states at t0 and t1 and the counts
@@ -48,8 +50,8 @@ graze_verdict verdict_sweep(graze_state first, graze_state last, unsigned long i
  * pmc, i and t are set. */
 graze_verdict verdict_unsweep(const char *word, size_t length, unsigned long i, unsigned long t);
 
-/** The verdict of a word, which need not end in NUL; 0 if it is no word: letters O, I, B, every
- * second one B. */
+/** The verdict of a word, which need not end in NUL; 0 if it is no word: a word has one letter or
+ * more of O, I, B, and every second one is B. */
 int verdict_of_word(graze_verdict *out, const char *word, size_t length,
                     const graze_options *options);
 

@@ -131,7 +131,7 @@ static void norm(fmpq_t out, const half_angle *h, const fmpq_t square) {
     fmpq_addmul(out, h->w, h->w);
 }
 
-/* (|z1| - |z0|) / min(|z0|, |z1|) = sqrt(larger / smaller norm) - 1, upwards. */
+/* | |z1| - |z0| | / min(|z0|, |z1|) = sqrt(larger / smaller norm) - 1, upwards. */
 static void mismatch(mpfr_t out, const half_angle *from, const half_angle *to,
                      const fmpq_t square) {
     LOCAL_VEC(fmpq, low, 2);
@@ -154,12 +154,12 @@ void half_angle_apart(mpfr_t out, const half_angle *from, const half_angle *to,
     add_slack(out);
 }
 
-/* With x = 2s - 1, h = b / 2 and T = tan h the argument exceeds the uniform one by
- * g(x) = atan(x T) - h x, an odd function. On [0, 1] it is not negative, and grows with h, since
- * its derivative by h is x ((1 + T^2) / (1 + x^2 T^2) - 1). Its maximum is where 1 + x^2 T^2 = T /
- * h; at a place that is d beside it g is less by at most T^3 d^2, as |g''| <= 2 T^3, and where T /
- * h - 1 loses all digits T^3 is below 2^-470. Both terms are between 0 and h, which serves where b
- * is so large that T is no small number. */
+/* With x = 2s - 1, h = b / 2 and T = tan h the argument exceeds the uniform one by g(x) = atan(x T)
+ * - h x, an odd function. On [0, 1] it is not negative, and grows with h, since its derivative by h
+ * is x ((1 + T^2) / (1 + x^2 T^2) - 1). Its maximum is where 1 + x^2 T^2 = T / h; at a place that
+ * is d beside it g is less by at most T^3 d^2, as |g''| <= 2 T^3, and where T / h - 1 loses all
+ * digits T^3 is below 2^-470. Both terms of g are between 0 and h, so b bounds 2 g where b is so
+ * large that T is no small number. */
 void angle_sway(mpfr_t out, const mpfr_t apart) {
     mpfr_t h, tangent, x;
     mpfr_set(out, apart, MPFR_RNDU);
@@ -180,10 +180,11 @@ void angle_sway(mpfr_t out, const mpfr_t apart) {
     mpfr_clears(h, tangent, x, (mpfr_ptr)0);
 }
 
-/* Lengths r0, r1: the curve of equal lengths is run through with
- * s' = s r1 / ((1 - s) r0 + s r1) in place of s, and
- * |s' - s| = s (1 - s) |r1 - r0| / ((1 - s) r0 + s r1) <= |r1 - r0| / (4 min(r0, r1)).
- * Both together, and twice for the whole angle; each argument is between those of z0 and z1. */
+/* For lengths r0 and r1 the argument is that for equal lengths at s' = s r1 / ((1 - s) r0 + s r1)
+ * in place of s, and |s' - s| = s (1 - s) |r1 - r0| / ((1 - s) r0 + s r1) <= |r1 - r0| / (4 min(r0,
+ * r1)). The bound adds both, doubled since the angle is twice the argument, and is at most 2
+ * `apart`, as each argument is between those of z0 and z1.
+ */
 void half_angle_sway(mpfr_t out, const half_angle *from, const half_angle *to,
                      const fmpq_t square) {
     mpfr_t apart, share;
@@ -206,7 +207,7 @@ static int angle_within(const half_angle *h, const fmpq_t f, const fmpq_t square
     return !bound_exceeds(error, tolerance);
 }
 
-/* The exact rational an MPFR number is. */
+/* The rational number that equals an MPFR number. */
 static void exact_value(fmpq_t out, const mpfr_t value) {
     LOCAL(mpz, digits);
     if (mpfr_zero_p(value)) {

@@ -32,8 +32,9 @@ void half_angle_clear(half_angle *h);
 void half_angle_dyadic(half_angle *out, const fmpq_t f, const fmpq_t square, slong bits);
 
 /**
- * w = 1 and c the first convergent of the continued fraction of tan(2 pi f) / L for which the bound
- * of half_angle_error is at most `tolerance` (radians, at least 2^-ANGLE_FINEST). |f| <= 1/8.
+ * Set w = 1 and c to the first convergent of the continued fraction of tan(2 pi f) / L for which
+ * the bound of half_angle_error is at most `tolerance` (radians, at least 2^-ANGLE_FINEST). |f| <=
+ * 1/8.
  */
 void half_angle_convergent(half_angle *out, const fmpq_t f, const fmpq_t square,
                            const fmpq_t tolerance);
@@ -42,16 +43,16 @@ void half_angle_convergent(half_angle *out, const fmpq_t f, const fmpq_t square,
  * 0 where both angles are 0. */
 void half_angle_error(mpfr_t out, const half_angle *h, const fmpq_t f, const fmpq_t square);
 
-/** An upper bound of the angle between the numbers w + i c L of two pairs, which is less than 180
- * degrees; it exceeds that angle by at most 2^(1 - ANGLE_SLACK). */
+/** An upper bound of the angle, less than 180 degrees, between the numbers w + i c L of two pairs;
+ * the bound exceeds the angle by at most 2^(1 - ANGLE_SLACK). */
 void half_angle_apart(mpfr_t out, const half_angle *from, const half_angle *to,
                       const fmpq_t square);
 
 /**
  * An upper bound, radians, of how far the angle 2 arg((1 - s) z0 + s z1), s in [0, 1], strays from
- * the uniform 2 ((1 - s) arg z0 + s arg z1), where z = w + i c L. angle_sway: for z0 and z1 of one
- * length and with the angle `apart` between them; half_angle_sway: for any two pairs. Proofs stand
- * in angle.c.
+ * the uniform 2 ((1 - s) arg z0 + s arg z1), where z = w + i c L. angle_sway: for z0 and z1 of
+ * equal length and with the angle `apart` between them; half_angle_sway: for any two pairs. Proofs
+ * stand in angle.c.
  */
 void angle_sway(mpfr_t out, const mpfr_t apart);
 void half_angle_sway(mpfr_t out, const half_angle *from, const half_angle *to, const fmpq_t square);
@@ -59,19 +60,18 @@ void half_angle_sway(mpfr_t out, const half_angle *from, const half_angle *to, c
 /** The multiple of 2^-bits nearest to a number, ties to even. */
 void round_to_grid(fmpq_t out, const mpfr_t value, slong bits);
 
-/** A rational number in MPFR's. */
+/** Round a rational number to an MPFR number. */
 void rational_to_mpfr(mpfr_t out, const fmpq_t value, mpfr_rnd_t round);
 
 /** Is a bound greater than a rational number? */
 int bound_exceeds(const mpfr_t bound, const fmpq_t most);
 
-/** An upper bound of the root of a number that is not negative. */
+/** An upper bound of the square root of a number that is not negative. */
 void root_above(mpfr_t out, const fmpq_t square);
 
-/* Joints as the caller gives them, made ready: exact numbers, the axis's length, how far points
- * are. */
+/* Helpers for joints, and for the lines of a report. */
 
-/** out = value / divisor, not 0. */
+/** Set out = value / divisor; the divisor is not 0. */
 void divide_by(fmpq_t out, const fmpq_t value, ulong divisor);
 
 /** Write a joint's center, if it has one. */
@@ -85,24 +85,25 @@ void put_fact(text *t, const char *name, const mpfr_t bound, const char *unit);
 void put_rational_fact(text *t, const char *name, const fmpq_t bound);
 
 /**
- * The bits a pair needs for an angle whose error moves no point by more than 1/8 of the tolerance,
- * shared by `count` joints.
+ * The bits a pair needs for an angle whose error moves no point by more than 1/8 of a joint's share
+ * of the tolerance, the tolerance / `count`.
  * @return GRAZE_EUSE the tolerance asks for more than ANGLE_FINEST bits
  */
 graze_status joint_bits(slong *bits, graze_context *context, const joint *j, const target *goal,
                         size_t count);
 
 /** Make both polyhedra with `sides` sides a ring and `pieces` pieces of the arc; coordinates of
- * directions are multiples of 2^-bits. tool_pair_clear in any case. */
+ * directions are multiples of 2^-bits. The caller clears `out` by tool_pair_clear. */
 void tool_pair_make(tool_pair *out, const tool *s, size_t sides, size_t pieces, slong bits);
 
 /* Decides whether two polyhedra hold a tool between them. */
 
 /**
  * Decide exactly whether the inner polyhedron is a convex part of the body, the body is a part of
- * the outer one, which is convex too, and no corner is further than `tolerance` from its partner:
- * then either is within `tolerance` of the body (proof in tool_check.c).
- * @param[out] square the largest square of the distance of partners
+ * the outer one, which is convex too, and no corner is further than `tolerance` from the corner of
+ * the same number of the other polyhedron: then each polyhedron is within `tolerance` of the body
+ * (proof in tool_check.c).
+ * @param[out] square the largest squared distance of corners of one number
  */
 int tool_pair_holds(fmpq_t square, const tool_pair *p, const tool *s, const fmpq_t tolerance);
 

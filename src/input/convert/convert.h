@@ -1,4 +1,4 @@
-/* convert: a motion file of degrees, screws, joints or poses, with proved bounds of the error.
+/* convert: motion files made of degrees, screws, joints or poses, with proved bounds of the error.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_INPUT_CONVERT_H
 #define GRAZE_INPUT_CONVERT_H
@@ -15,16 +15,18 @@
  * The result is a text in the form of a motion file, read and checked before it is handed out, and
  * a report of the approximations with proved bounds. */
 
-/** A motion file and its report in the making; for text_init and text_clear. */
+/** A motion file and its report while they are written; text_init and text_clear serve for both
+ * texts. */
 typedef struct conversion {
     text motion, report;
 } conversion;
 
 /* Motions whose positions are dyadic at dyadic places of their pieces. */
 
-/** A motion near another one: on pieces whose entries are polynomials their coefficients, in the
- * parameter that runs from 0 to 1 along the piece, become multiples of a power of two. No entry is
- * changed by more than the tolerance, which is positive, at any time. Other pieces are kept. */
+/** Write a motion near another one: on pieces whose entries are polynomials, the coefficients in
+ * the parameter that runs from 0 to 1 along the piece are rounded to multiples of a power of two.
+ * No entry is changed by more than the tolerance, which is positive, at any time. Other pieces are
+ * kept, and so are the positions where a rounded piece meets one of them. */
 graze_status convert_dyadic(conversion *out, graze_context *context, const graze_motion *motion,
                             const fmpq_t tolerance);
 
@@ -33,10 +35,11 @@ typedef struct joint {
     int is_slide;
     fmpq_t degrees; /* angle of the whole motion; 0 for a slide */
     fmpq_t advance; /* way along the axis in the whole motion, in the unit of the coordinates */
-    fmpq axis[3];   /* not zero; (0, 0, 1) in the plane; of a slide the vector of its whole way */
+    fmpq axis[3];   /* for a turn not zero, in the plane (0, 0, 1); for a slide the displacement of
+                     * the whole motion */
     fmpq center[3];
     int centered;  /* center is not the origin */
-    fmpq_t square; /* of the axis's length */
+    fmpq_t square; /* square of the axis's length */
     fmpq_t length; /* the length, where it is rational, else 0 */
     mpfr_t reach;  /* upper bound of the distance of points from the axis; 0 for a slide */
 } joint;
@@ -52,11 +55,11 @@ void joint_init(joint *j);
 void joint_clear(joint *j);
 
 /**
- * Complete joints whose degrees, axis and center are set and whose `advance` is the pitch, for 360
- * degrees; the first is applied first. The motion of every joint keeps distances, so a point within
- * r of the origin stays within r + 2 e of it under a turn about an axis at distance e, is never
- * further than r + e from that axis, and stays within r plus the way under a slide.
- * @return GRAZE_EUSE an axis of length zero
+ * Complete joints whose degrees, axis and center are set and whose `advance` is the pitch per 360
+ * degrees; joint 0 is applied first. The motion of every joint keeps distances, so a point within r
+ * of the origin is at most r + e from an axis at distance e; a turn about that axis takes the point
+ * to within r + 2 e + |advance| of the origin, and a slide to within r plus the slide's length.
+ * @return GRAZE_EUSE a turn has an axis of length zero
  */
 graze_status joints_measure(joint *joints, graze_context *context, const target *goal,
                             size_t count);
@@ -66,7 +69,7 @@ graze_status joints_measure(joint *joints, graze_context *context, const target 
 /** The rotation is about axis[2] first, then axis[1], then axis[0]; the axes are fixed in space. */
 typedef struct angle_order {
     const char *machine;
-    const char *name[3]; /* of the columns, the first of axis[0] */
+    const char *name[3]; /* names of the columns; name[k] belongs to axis[k] */
     int axis[3];         /* 0: x, 1: y, 2: z */
     int may_miss;        /* columns may be left out: their angles are 0 */
 } angle_order;
@@ -76,27 +79,28 @@ const angle_order *angle_order_of(const char *machine);
 
 /** The caller's description of columns; all borrowed. */
 typedef struct pose_naming {
-    const char *const *ignored; /* names to pass over; `*` at an end stands for any end */
+    const char *const *ignored; /* names to pass over; a final `*` stands for any ending */
     size_t ignored_count;
     const char *columns;      /* NAME=COLUMN,..., COLUMN as in the file; NULL: none */
-    const angle_order *order; /* of angles; NULL: there are none */
+    const angle_order *order; /* order of the angles; NULL: the poses have no angles */
 } pose_naming;
 
-/** Poses that are taken, and where they stand. */
+/** The poses that are taken from a file or a text. */
 typedef struct pose_choice {
     pose_naming naming;
     int has_from, has_to;
-    fmpq_t from, to;     /* times, where there are such ends */
+    fmpq_t from, to;     /* first and last time, if has_from and has_to */
     fmpq_t scale;        /* factor of positions, positive */
-    unsigned long every; /* n >= 1: of these poses the first, each n-th after it, and the last */
+    unsigned long every; /* n >= 1: of the poses in time the first, each n-th after it, and the last
+                          */
     int numbered;        /* rows are numbered by poses, counting those that are not taken too */
-    const char *text;    /* read in place of the file; NULL: the file is; borrowed */
+    const char *text;    /* borrowed; read instead of the file, or NULL */
     size_t length;
 } pose_choice;
 
 /* A motion through poses. */
 
-/** Poses from a file or a text. @param ways flags of graze/convert.h */
+/** Write a motion through the poses of a file or a text. @param ways flags of graze/convert.h */
 graze_status convert_poses(conversion *out, graze_context *context, const char *path,
                            const pose_choice *choice, unsigned ways, const fmpq_t tolerance);
 
@@ -119,18 +123,17 @@ void rotation_distance(fmpq_t out, const fmpq *rotation, const fmpq *matrix, int
 /* Milling tools, cylinders, balls and boxes as polyhedra inside and outside of them.
  *
  * A body of revolution about the z axis is the points (x, y, z) with (hypot(x, y), z) in its
- * profile: a flat bottom of radius `flat` at z = 0, an arc of radius `corner` about (flat,
- * corner), tangent to the bottom, up to a normal (cos b, sin b), a straight side across that
- * normal, and a flat top at `height`. -b is the taper, the angle of the side with the axis,
- * positive where the tool is wider above; b = 90 degrees is a ball without a side. All such bodies
- * are convex.
+ * profile: a flat bottom of radius `flat` at z = 0, an arc of radius `corner` about (flat, corner),
+ * tangent to the bottom, up to a normal (cos b, sin b), a straight side across that normal, and a
+ * flat top at `height`. -b is the taper, the angle of the side with the axis, positive where the
+ * tool is wider above; b = 90 degrees is a ball without a side. All such bodies are convex.
  *
- * The ring of corner k of profile point i is (r_i u_k, z_i), u_k the corners of a convex polygon
+ * Corner k of the ring of profile point i is (r_i u_k, z_i), u_k the corners of a convex polygon
  * about the circle's centre, so that four corners of neighbouring rings lie in a plane. */
 
 /** A body of revolution. Of b only rational bounds are known: `low` and `high` are points (cos,
- * sin) of the circle, low's angle the greater one, so that the body with `low` lies in it and the
- * one with `high` around it. They are equal where b is exact. */
+ * sin) of the circle, low's angle the greater one, so that the body with `low` lies in the tool and
+ * the body with `high` contains it. Both are equal if b is known exactly. */
 typedef struct tool {
     fmpq_t flat, corner, height;
     fmpq low[2], high[2];
@@ -149,7 +152,8 @@ typedef struct tool_numbers {
 void tool_numbers_init(tool_numbers *n);
 void tool_numbers_clear(tool_numbers *n);
 
-/** The body of these numbers, its tip at the origin, its axis z; of a ball the diameter counts.
+/** The body of these numbers, its tip at the origin, its axis z; of a ball only the diameter
+ * counts.
  * @return GRAZE_EUSE there is no such body */
 graze_status tool_take(tool *s, graze_context *context, const tool_numbers *given, int ball);
 
@@ -162,8 +166,8 @@ typedef struct profile {
 } profile;
 
 /** Both polyhedra. The inner one has as rings the inscribed polygon of the `sides` corners u_k, the
- * outer one the polygon of the corners stretch u_k. Their profiles have the same number of points,
- * each near its counterpart. */
+ * outer one the polygon with the corners u_k times `stretch`. Their profiles have the same number
+ * of points, each near its counterpart. */
 typedef struct tool_pair {
     profile in, out;
     size_t sides;
@@ -174,25 +178,26 @@ void tool_pair_clear(tool_pair *p);
 
 /* Tools as curved solids, `.csg.json`. */
 
-/** Begin and end a file around one node, moved by `at` (NULL: not). */
+/** Begin and end a file around one node, moved by `at` (NULL: not moved). */
 void tool_csg_begin(text *out, const fmpq *at);
 void tool_csg_end(text *out, const fmpq *at);
 
 /** The node of a tool whose side has the normal `low`. */
 void tool_csg_write(text *out, const tool *s);
-/** The node of a box from the origin, of these sides. */
+/** Write the node of a box between the origin and the point `size`. */
 void tool_csg_write_box(text *out, const fmpq *size);
 
 /* Two polyhedra about a tool, within a tolerance. */
 
-/** Make both within a tolerance, which is positive.
- * @param[out] out    for tool_pair_clear, on success alone
+/** Make both polyhedra within a tolerance, which is positive.
+ * @param[out] out to be cleared by tool_pair_clear, after success only
  * @param[out] square as tool_pair_holds
- * @return GRAZE_EUSE it is too fine; GRAZE_ELIMIT, GRAZE_ECANCELED */
+ * @return GRAZE_EUSE the tolerance is too fine, or no polyhedra are found; GRAZE_ELIMIT,
+ * GRAZE_ECANCELED */
 graze_status tool_fit(tool_pair *out, fmpq_t square, graze_context *context, const tool *s,
                       const fmpq_t tolerance);
 
-/** Report both polyhedra and their distance from the shape. */
+/** Report the numbers of sides and rings, and the bound of the distance from the tool. */
 void tool_report(text *out, const tool_pair *p, const fmpq_t square);
 
 /* Polyhedra of tools, and boxes, as OFF. */
@@ -201,7 +206,7 @@ void tool_report(text *out, const tool_pair *p, const fmpq_t square);
  * times the corners of the pair. */
 void tool_write(text *out, const profile *p, const tool_pair *pair, const fmpq_t factor,
                 const fmpq *at);
-/** A box from the origin, of these sides. */
+/** Write a box between the origin and the point `size` as OFF, moved by `at` (NULL: not moved). */
 void tool_write_box(text *out, const fmpq *size, const fmpq *at);
 
 /* One turn to an angle in degrees. */
@@ -210,7 +215,7 @@ void tool_write_box(text *out, const fmpq *size, const fmpq *at);
 graze_status convert_rotation(conversion *out, graze_context *context, const target *goal,
                               const joint *turn);
 
-/** Joints that all move uniformly, cut into pieces until they are near enough. */
+/** Convert joints that all move uniformly, cut into pieces until these are within the tolerance. */
 graze_status convert_joints(conversion *out, graze_context *context, const target *goal,
                             const joint *joints, size_t count);
 

@@ -2,11 +2,12 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * An entry sum c_k u^k of a piece, u from 0 to 1, is changed into one with the same or rounded
- * values at both ends and with rounded c_k for k from 2 up; c_1 is what the ends leave. With e_0
- * and e_1 the changes of the values at the ends and e_k that of c_k, the entry changes by
- * e_0 (1 - u) + e_1 u + sum e_k (u^k - u), so by at most max(|e_0|, |e_1|) + sum |e_k|: with g the
- * grid's step and n the degree, n g / 2 at most where n is 1 or more. Both pieces at a break point
- * round the same value, so the motion stays continuous; beside a piece that is kept it is kept too.
+ * values at both ends and with rounded c_k for k from 2 up; c_1 then follows from the values at
+ * both ends. With e_0 and e_1 the changes of the values at the ends and e_k that of c_k, the entry
+ * changes by e_0 (1 - u) + e_1 u + sum e_k (u^k - u), so by at most max(|e_0|, |e_1|) + sum |e_k|:
+ * with g the grid's step and n the degree, n g / 2 at most where n is 1 or more. Both pieces at a
+ * break point round the same value, so the motion stays continuous; beside a piece that is kept the
+ * value is kept too.
  */
 #include "input/convert/convert.h"
 
@@ -19,7 +20,7 @@
 typedef struct rounding_task {
     const graze_motion *motion;
     slong bits;   /* the grid's step is 2^-bits */
-    fmpq_t worst; /* change of an entry, at most */
+    fmpq_t worst; /* upper bound of the change of entries so far */
     int turned;   /* an entry of a linear part is changed */
     fmpq_poly_t from, to;
     fmpq_t value, change, bound;
@@ -41,7 +42,7 @@ static void round_dyadic(fmpq_t out, const fmpq_t value, slong bits) {
     fmpq_div_2exp(out, out, (ulong)bits);
 }
 
-/* Round task->value; task->change is by how much. */
+/* Round task->value, and set task->change to the absolute change. */
 static void round_value(rounding_task *task) {
     fmpq_set(task->change, task->value);
     round_dyadic(task->value, task->value, task->bits);

@@ -1,4 +1,4 @@
-/* Takes joints over and bounds how far from their axes points can come.
+/* Measures joints and bounds how far from their axes points can come.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "input/convert/convert.h"
@@ -60,8 +60,8 @@ static graze_status measure_axis(graze_context *context, joint *j, size_t index)
     return GRAZE_OK;
 }
 
-/* Bound the distance from the axis for points within `far` of the origin; `far` becomes that of
- * their images. */
+/* Bound the distance from the axis for points within `far` of the origin; `far` becomes a bound of
+ * the distance of their images from the origin. */
 static void set_reach(joint *j, mpfr_t far) {
     LOCAL_VEC(fmpq, along, 2);
     fmpq *apart = along + 1;
@@ -125,7 +125,7 @@ graze_status joint_bits(slong *bits, graze_context *context, const joint *j, con
     LOCAL_MPFR(ratio, ANGLE_BITS);
     mpq_init(tolerance);
     fmpq_get_mpq(tolerance, goal->tolerance);
-    mpfr_set_ui(ratio, 1, MPFR_RNDU); /* an advance is rounded likewise */
+    mpfr_set_ui(ratio, 1, MPFR_RNDU); /* at least 1: an advance is rounded on this grid too */
     mpfr_max(ratio, ratio, j->reach, MPFR_RNDU);
     mpfr_mul_ui(ratio, ratio, 32 * (unsigned long)count, MPFR_RNDU);
     mpfr_div_q(ratio, ratio, tolerance, MPFR_RNDU);

@@ -71,7 +71,8 @@ static void put_keyframe(json_writer *w, const pose *p, const pose_list *list) {
     json_close(w, '}');
 }
 
-/* Write the poses between two, by halving: first those before the middle, then it, then the rest.
+/* Write the poses between two, by halving: first those before the middle, then the middle, then the
+ * rest.
  */
 static void put_between(json_writer *w, const pose_list *list, const slerp_course *s,
                         const pose *from, const pose *to, int halvings) {
@@ -84,7 +85,8 @@ static void put_between(json_writer *w, const pose_list *list, const slerp_cours
     put_between(w, list, s, &middle, to, halvings - 1);
 }
 
-/* Poses and, where a tolerance is given, those between them that bring the way near SLERP. */
+/* Write the poses and, if a tolerance is given, poses between them that bring the motion near
+ * SLERP. */
 static graze_status put_keyframes(conversion *out, graze_context *context, const pose_list *list,
                                   const fmpq *tolerance) {
     slerp_course s = {.tolerance = tolerance};
@@ -124,8 +126,8 @@ static void put_matrices(text *t, const pose_list *list) {
     motion_end(&w);
 }
 
-/* Negate each quaternion whose negative is nearer to the one before, negated or not, unless signs
- * are kept. Report the poses of these quaternions, neighbours as a range. */
+/* Negate each quaternion whose negative is nearer to the one before it, which may have been negated
+ * itself; with `keep` change none. Report the poses of these quaternions, neighbours as a range. */
 static void take_ways(text *t, pose_list *list, int keep) {
     enum { NAMED = 10 };
     size_t count = 0, ranges = 0, length = 0;
@@ -181,7 +183,7 @@ static void report_poses(text *t, const pose_list *list, unsigned ways, const po
                       "normalised\n");
 }
 
-/* Quaternions of what the rows have for rotations. */
+/* Find the quaternions of rows that have rotations in any form. */
 static graze_status find_quaternions(conversion *out, graze_context *context, pose_list *list,
                                      const pose_choice *choice, unsigned ways,
                                      const fmpq_t tolerance) {

@@ -1,5 +1,5 @@
-/* The product of three rotations whose half angles are dyadic pairs near those asked for: angles
- * between rotations add up.
+/* Rotations by three angles: the product of three turns whose half angles are dyadic pairs near the
+ * given ones. The errors of the three turns add up.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "input/convert/convert.h"

@@ -10,7 +10,7 @@
 #include "input/convert/poses_list.h"
 #include "input/delimited/delimited.h"
 
-/* The first line, and where messages say it stands. */
+/* The first line of a file, and its place for messages. */
 typedef struct naming {
     graze_context *context;
     const char *source;
@@ -28,7 +28,8 @@ static graze_status misses(const naming *n, const char *what) {
                            what);
 }
 
-/* Check that the file has all or none of `count` columns from `first` on; *some: it has them. */
+/* Check that the file has all or none of `count` columns from `first` on; *some is 1 if it has all.
+ */
 static graze_status whole(const naming *n, int first, int count, int *some) {
     int missing = -1, found = 0;
     for (int k = first; k < first + count; k++) {
@@ -241,7 +242,7 @@ static int begins_number(field f) {
     return f.length && isdigit((unsigned char)*f.start);
 }
 
-/* The columns of rows without names. */
+/* Fix the columns of a file without names by their number. */
 static graze_status fix_by_number(const naming *n, char separator) {
     static const int tum[] = {POSE_TIME,           POSE_POSITION,       POSE_POSITION + 1,
                               POSE_POSITION + 2,   POSE_QUATERNION + 1, POSE_QUATERNION + 2,
@@ -266,7 +267,8 @@ static graze_status fix_by_number(const naming *n, char separator) {
     return GRAZE_OK;
 }
 
-/* Names that are not those of the columns, and those passed over unasked. */
+/* Report names of the file that differ from the columns' first names, and names passed over without
+ * the caller's wish. */
 static void report_names(text *report, const naming *n) {
     int told = 0;
     for (int k = 0; k < POSE_COLUMNS; k++) {

@@ -10,10 +10,10 @@
 #include "input/delimited/delimited.h"
 
 /**
- * The quaternion of three angles in degrees, and how far its rotation is from theirs.
- * @param[out] quaternion w, x, y, z, of any length; may be `degrees` too
- * @param[out] error      an upper bound of the angle between both rotations, radians, of
- *                        ANGLE_BITS; about 2^-bits
+ * The quaternion of three angles in degrees, and how far its rotation is from that of the angles.
+ * @param[out] quaternion w, x, y, z, of any length; may be the array `degrees`
+ * @param[out] error an upper bound of the angle between both rotations, radians, of ANGLE_BITS;
+ * about 2^-bits
  */
 void angles_rotation(fmpq *quaternion, mpfr_t error, const angle_order *order, const fmpq *degrees,
                      slong bits);
@@ -30,12 +30,13 @@ enum {
     POSE_BOTTOM = POSE_MATRIX + 12,
     POSE_AXIS = POSE_MATRIX + 16,
     POSE_ANGLE = POSE_AXIS + 3,
-    POSE_NANOSECONDS = POSE_ANGLE + 3, /* from here on exact, whatever rounds other numbers */
+    POSE_NANOSECONDS = POSE_ANGLE + 3, /* values of this and later columns are never rounded */
     POSE_ROW,
     POSE_COLUMNS
 };
 
-/** The first name of a column; that of an angle by the machine, NULL: any. */
+/** The first name of a column. Angles have the machine's names, or "an angle" if `order` is NULL.
+ */
 const char *pose_column_name(int column, const angle_order *order);
 
 /**
@@ -48,11 +49,13 @@ int pose_column_of(field name, const angle_order *order);
 /** Add `; did you mean NAME?` where a name that stands for no column is near to one that does. */
 void pose_name_meant(text *out, field name);
 
-/** Are a name of a file and one of these equal but for large and small letters? */
+/** 1 if a name in a file equals a known one, letters of either case being alike. */
 int pose_name_is(field name, const char *known);
-/** Has a name no meaning for a pose? Counters, frames, block numbers and feeds of tool paths. */
+/** 1 if a name means nothing for a pose: a counter, a frame, or a tool path's block number or feed.
+ */
 int pose_name_is_idle(field name);
-/** Is a name that of a message's stamp? Some logs have seconds in it, others nanoseconds. */
+/** 1 if a name is that of a message's stamp, which is in seconds in some logs, in nanoseconds in
+ * others. */
 int pose_name_is_stamp(field name);
 
 /* The columns of a list of poses, fixed by its first line. */
@@ -62,7 +65,7 @@ typedef enum pose_form {
     POSES_OF_POSITIONS, /* no rotations */
     POSES_OF_QUATERNIONS,
     POSES_OF_MATRICES,
-    POSES_OF_AXES, /* of a tool: the least rotation from (0, 0, 1) */
+    POSES_OF_AXES, /* a tool's axis: the least rotation from (0, 0, 1) to it */
     POSES_OF_ANGLES
 } pose_form;
 
@@ -92,27 +95,28 @@ graze_status pose_columns_fix(pose_columns *out, int *header, text *report, graz
 typedef struct pose {
     fmpq_t time;
     fmpq matrix[12];    /* rows of (linear part, position); with quaternions only the positions */
-    fmpq quaternion[4]; /* w, x, y, z; of an axis or angles these numbers at first. Quaternions of
-                       axes, angles and matrices are found later */
-    unsigned long line; /* in the file, from 1 */
-    unsigned long row;  /* number that its piece has and reports name: that in the column of row
-                       numbers, or the pose's own number from 1, or its line */
+    fmpq quaternion[4]; /* w, x, y, z. Rows with an axis or angles first have their three numbers
+                         * here; their quaternions, and those of matrices, are computed after
+                         * reading */
+    unsigned long line; /* number of the line in the file, from 1 */
+    unsigned long row;  /* row number of the pose's piece, which reports name: the value in the
+                         * column of row numbers, or else the pose's number from 1, or its line */
 } pose;
 
 typedef struct pose_list {
     const char *source; /* name of the file, borrowed */
     pose_form form;
-    const char *unit;   /* of `row`: line, pose, row */
-    unsigned long rows; /* of the file; some may not have been taken */
+    const char *unit;   /* name of what `row` counts: line, pose, row */
+    unsigned long rows; /* poses in the file, taken or not */
     size_t count;
     pose *item;
 } pose_list;
 
 /**
- * Read a file in one of the forms above, its fields between commas, semicolons or
- * blanks. Without times they are 0, 1, 2, ... Nanoseconds are added to times, and not rounded.
+ * Read a file or text in one of the forms above, its fields between commas, semicolons or blanks.
+ * Poses without times have the times 0, 1, 2, ... Nanoseconds are added to times, and not rounded.
  * `#` lines and blank lines are skipped.
- * @param[out] out    cleared by pose_list_clear, also after a failure
+ * @param[out] out cleared by pose_list_clear, also after a failure
  * @param[out] report lines on the columns
  * @return GRAZE_ESYSTEM, GRAZE_EINPUT with file, line and column, GRAZE_ELIMIT
  */
@@ -133,7 +137,7 @@ void pose_deviation(fmpq_t out, const pose *p);
 /** The way from one pose to the next, with sums and bounds over all ways so far. Only the tolerance
  * is set at first. */
 typedef struct slerp_course {
-    const fmpq *tolerance; /* of the angle between both rotations at one time; NULL: no halving */
+    const fmpq *tolerance; /* bound of the angle to SLERP at each time; NULL: no halving */
     int halvings;          /* how often this way is halved */
     size_t pieces;         /* number of pieces of all ways */
     double worst;          /* bound of the angle to SLERP on all ways, radians */
@@ -158,8 +162,9 @@ void slerp_report(text *t, const slerp_course *s, const char *unit);
  * Find the quaternions of a list of axes or angles, each with the sign that is nearer to the one
  * before.
  * @param[out] report the largest error
- * @param order       of angles
- * @return GRAZE_EINPUT an axis is zero or opposite to (0, 0, 1), or an error exceeds the tolerance
+ * @param order of angles
+ * @return GRAZE_EINPUT an axis is zero or opposite to (0, 0, 1), or an error exceeds the tolerance;
+ * GRAZE_ECANCELED
  */
 graze_status poses_turn(text *report, graze_context *context, pose_list *list,
                         const angle_order *order, const fmpq_t tolerance);
@@ -175,8 +180,8 @@ void pose_negate(pose *p);
 
 /* Joints that move uniformly. */
 
-/** Write the pieces of a chain cut into `pieces` equal parts of [0, 1], one text of `pieces`.
- * @param bits of each joint's angles, `count` of them
+/** Write the motion of a chain of `count` joints as `pieces` pieces on equal parts of [0, 1].
+ * @param bits the bits of each joint's angles
  * @return GRAZE_ECANCELED
  */
 graze_status chain_pieces(json_writer *out, graze_context *context, const target *goal,

@@ -48,7 +48,8 @@ void pose_nearest(double out[4], const double matrix[9], const double before[4])
     double k[4][4], v[4][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
     int best = 0;
     horn(k, matrix);
-    for (int rounds = 0; rounds < 12; rounds++) /* it converges quadratically: 6 are enough */
+    for (int rounds = 0; rounds < 12; rounds++) /* Jacobi's method converges quadratically: 6 are
+                                                 * enough */
         sweep(k, v);
     for (int i = 1; i < 4; i++)
         best = k[i][i] > k[best][best] ? i : best;

@@ -19,8 +19,8 @@ typedef struct reading {
     const pose_choice *choice;
     size_t capacity;
     unsigned long line;
-    fields cut;     /* of that line */
-    char separator; /* of fields; '\0' before the first line */
+    fields cut;     /* fields of that line */
+    char separator; /* byte between fields; '\0' before the first line */
     pose_columns columns;
     fmpq *before; /* the time of the row before */
     unsigned long line_before, in_time;
@@ -59,8 +59,8 @@ static void drop_pose(pose_list *list) {
     pose_clear(&list->item[--list->count]);
 }
 
-/* Where the value of a known column goes; nanoseconds, rows and the last row of a matrix go
- * nowhere.
+/* Where the value of a known column is stored; NULL for nanoseconds, row numbers and the last row
+ * of a matrix.
  */
 static fmpq *target_of(pose *p, int column) {
     if (column == POSE_TIME)
@@ -76,7 +76,7 @@ static fmpq *target_of(pose *p, int column) {
     return p->quaternion + (column - POSE_AXIS) % 3;
 }
 
-/* Beside seconds, nanoseconds are less than one. */
+/* Beside a column of seconds, nanoseconds must be less than one second. */
 static graze_status add_nanoseconds(const reading *r, pose *p, fmpq_t value) {
     int alone = r->columns.place[POSE_TIME] < 0;
     LOCAL(fmpq, unit);
@@ -143,7 +143,8 @@ static graze_status read_values(reading *r, pose *p) {
     return GRAZE_OK;
 }
 
-/* Keep or drop the pose read last; one that is only passed goes when the next one comes. */
+/* Keep or drop the pose read last; one that `every` passes over is dropped when the next one comes,
+ * so that the last one stays. */
 static void choose(reading *r) {
     const pose_choice *choice = r->choice;
     pose_list *list = r->list;

@@ -19,9 +19,10 @@
 #include "input/convert/angle.h"
 #include "input/convert/poses_list.h"
 
-enum { WAY_WORK = 10000, HALVINGS_MOST = 31 }; /* of context_work */
+enum { WAY_WORK = 10000, HALVINGS_MOST = 31 }; /* WAY_WORK counts as in context_work */
 
-/* Quaternions between poses are on the grid of 2^-bits, and lengths of all so near to 1. */
+/* Quaternions between poses are on the grid of 2^-bits; the lengths of all quaternions are about
+ * that near to 1. */
 static slong slerp_bits(const slerp_course *s) {
     return bits_within(s->tolerance) + 12;
 }
@@ -62,7 +63,7 @@ static graze_status find_halvings(mpfr_t bound, slerp_course *s, graze_context *
                : GRAZE_OK;
 }
 
-/* An upper bound of the angle off SLERP; both quaternions are in their plane. */
+/* Bound the angle to SLERP; `from` and `to` are the quaternions in the plane that they span. */
 static graze_status bound_way(slerp_course *s, graze_context *context, const half_angle *from,
                               const half_angle *to, const fmpq_t square, unsigned long row) {
     mpfr_t bound, apart;

@@ -29,7 +29,7 @@ void pose_negate(pose *p) {
         fmpq_neg(p->quaternion + k, p->quaternion + k);
 }
 
-/* The root of a square, or the double nearest to its double. */
+/* The square root of a rational number, exact if the root is rational, else computed in doubles. */
 static graze_status length_near(fmpq_t out, graze_context *context, const fmpq_t square) {
     if (fmpz_is_square(fmpq_numref(square)) && fmpz_is_square(fmpq_denref(square))) {
         fmpz_sqrt(fmpq_numref(out), fmpq_numref(square));
@@ -39,8 +39,8 @@ static graze_status length_near(fmpq_t out, graze_context *context, const fmpq_t
     return rational_from_double(out, context, sqrt(fmpq_get_d(square)));
 }
 
-/* An upper bound of the angle between the rotation of q = (w, -j, i, 0) and the one of the axis:
- * u = (2 w i, 2 w j, w^2 - i^2 - j^2) / |q|^2. */
+/* An upper bound of the angle between the rotation of q = (w, -j, i, 0), which turns e to u = (2 w
+ * i, 2 w j, w^2 - i^2 - j^2) / |q|^2, and the least rotation to the axis. */
 static void axis_error(mpfr_t out, const fmpq_t w, const fmpq *a, const fmpq_t square) {
     LOCAL_VEC(fmpq, u, 3);
     LOCAL_VEC(fmpq, norm, 3);
@@ -66,7 +66,7 @@ static void axis_error(mpfr_t out, const fmpq_t w, const fmpq *a, const fmpq_t s
     fmpq_mul(sum, sum, cross);
     root_above(out, sum);
     _fmpq_vec_dot(cross, u, a, 3);
-    if (fmpq_sgn(cross) <= 0) /* no bound: far from it */
+    if (fmpq_sgn(cross) <= 0) /* d is 90 degrees or more; 4 is above every angle */
         mpfr_set_ui(out, 4, MPFR_RNDU);
 }
 
@@ -76,7 +76,8 @@ static graze_status refuse_axis(graze_context *context, const pose_list *list, c
                            what);
 }
 
-/* L + k, where k < 0 as (i^2 + j^2) / (L - k), which loses no digits. */
+/* Find the quaternion (L + k, -j, i, 0). For k < 0, L + k is computed as (i^2 + j^2) / (L - k),
+ * which loses no digits. */
 static graze_status axis_rotation(mpfr_t error, graze_context *context, const pose_list *list,
                                   pose *p) {
     LOCAL_VEC(fmpq, a, 3);

@@ -60,9 +60,10 @@ static void set_normal(fmpq *out, const fmpq_t t) {
     fmpq_div(out + 1, out + 1, sum);
 }
 
-/* Normals of sides whose tapers are at most and at least the one in degrees: its half's tangent,
- * off by less than 2^-200, is taken to the grid and a step on. A wider taper makes a body around
- * the other one: its radius corner / cos A + (z - corner) tan A grows with A above the arc. */
+/* Find the normals of two sides, one with at most and one with at least the taper in degrees: the
+ * tangent of its half, off by less than 2^-200, is rounded to a grid and moved by one step each
+ * way, a taper of 0 by none. The body of the larger taper contains the other: the radius flat +
+ * corner / cos A + (z - corner) tan A grows with A above the arc. */
 static void bound_taper(tool *s, const fmpq_t degrees) {
     mpfr_t half, pi;
     mpfr_inits2(ANGLE_BITS, half, pi, (mpfr_ptr)0);
@@ -87,7 +88,8 @@ static void bound_taper(tool *s, const fmpq_t degrees) {
     mpfr_clears(half, pi, (mpfr_ptr)0);
 }
 
-/* The corners of the profile, where the side begins, and whether it reaches the top. */
+/* Check that the bottom's radius is not negative, that the side begins below the top, and that the
+ * side does not reach the axis up to the top. */
 static graze_status check_cutter(graze_context *context, const tool *s) {
     LOCAL_VEC(fmpq, end, 2);
     fmpq *rest = end + 1;

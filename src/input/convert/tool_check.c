@@ -27,7 +27,8 @@ static int turn_sign(const fmpq *a, const fmpq *b, const fmpq *c) {
     return fmpq_sgn(d);
 }
 
-/* Turns to the left at each point between; r > 0 there, r >= 0 at both ends, z rises. */
+/* 1 if the profile turns left at each inner point, r > 0 at inner points and r >= 0 at both ends,
+ * and z increases. */
 static int profile_is_convex(const profile *p) {
     int good = p->count > 1;
     for (size_t k = 0; k < p->count; k++) {
@@ -40,9 +41,10 @@ static int profile_is_convex(const profile *p) {
     return good;
 }
 
-/* The polygon is convex about 0 and in the unit disc, and `stretch` times it around that: the
- * middle of no side is nearer than 1 / stretch. A side's nearest point is at its middle or nearer,
- * so the line's distance is compared: |a x b| stretch >= |a - b|. */
+/* 1 if the polygon is convex about 0 and in the unit disc, and `stretch` times the polygon contains
+ * the disc: the line through each side a b is at least 1 / stretch from 0, that is |a x b| stretch
+ * >= |a
+ * - b|. */
 static int polygon_holds(const tool_pair *p) {
     LOCAL_VEC(fmpq, v, 3);
     int good = 1;
@@ -66,8 +68,8 @@ static int polygon_holds(const tool_pair *p) {
     return good;
 }
 
-/* Is the point in the profile of the smallest body? Above the arc's end the side bounds it, below
- * the arc where r > flat. */
+/* Is the point in the profile of the smallest body? The line of the side bounds the profile, unless
+ * it is a ball's, and up to the arc's end the disc of the arc bounds it where r > flat. */
 static int in_profile(const fmpq *at, const tool *s) {
     LOCAL_VEC(fmpq, v, 4);
     fmpq_sub(v, at, s->flat);
@@ -97,8 +99,9 @@ static int is_behind(const fmpq *n, const fmpq *a, const fmpq *v) {
     return fmpq_sgn(product) <= 0;
 }
 
-/* The largest body's profile is the hull of the bottom's, the arc and the top's points. The line
- * from a to b has the arc's disc inside where n (a - c) >= corner |n|. */
+/* Is the largest body's profile on the inner side of the line from a to b? The profile is the hull
+ * of the bottom's and the top's end points and the arc; the arc's disc about c is on the inner side
+ * if n (a - c) >= corner |n|. */
 static int edge_holds(const fmpq *a, const fmpq *b, const tool *s, const fmpq *top) {
     LOCAL_VEC(fmpq, v, 8);
     fmpq *n = v, *centre = v + 2, *bottom = v + 4;
@@ -140,7 +143,8 @@ static int profile_contains(const profile *p, const tool *s) {
     return good;
 }
 
-/* |stretch u R - u r|^2 + (Z - z)^2 is at most (stretch R - r)^2 + (Z - z)^2, as |u| <= 1. */
+/* The squared distance of two corners, |stretch u R - u r|^2 + (Z - z)^2, is at most (stretch R -
+ * r)^2 + (Z - z)^2, as |u| <= 1. */
 static void partner_distance(fmpq_t most, const tool_pair *p) {
     LOCAL_VEC(fmpq, d, 2);
     fmpq *e = d + 1;

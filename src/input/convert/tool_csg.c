@@ -56,8 +56,9 @@ static void put_side(text *out, const tool *s, const fmpq_t end) {
     }
 }
 
-/* A torus that meets itself about (0, 0, corner): (|x|^2 + flat^2 - corner^2)^2 is at most 4 flat^2
- * times the square distance from the axis; and the ball within. */
+/* Write a torus that meets itself, with x counted from its centre (0, 0, corner): (|x|^2 + flat^2 -
+ * corner^2)^2 is at most 4 flat^2 times the square distance from the axis; then the ball that fills
+ * it. */
 static void put_spindle(text *out, const tool *s) {
     LOCAL_VEC(fmpq, m, 3);
     fmpq *ring = m + 1, *ball = m + 2;
@@ -79,7 +80,7 @@ static void put_spindle(text *out, const tool *s) {
               m, ball);
 }
 
-/* The corner, and the cylinder that a flat bottom bounds. */
+/* Write the corner's ball or torus, and the cylinder above a flat bottom. */
 static void put_corner(text *out, const tool *s, const fmpq_t end) {
     if (fmpq_is_zero(s->corner))
         return;

@@ -46,7 +46,7 @@ static void put_rings(text *t, const profile *p, const tool_pair *pair, const fm
         }
 }
 
-/* A ring as a facet: the bottom, seen from below, or the top. */
+/* Write a ring as a facet: the bottom, seen from below, or the top. */
 static void put_ring_facet(text *t, size_t first, size_t sides, int top) {
     text_format(t, "%zu", sides);
     for (size_t k = 0; k < sides; k++)
@@ -54,7 +54,7 @@ static void put_ring_facet(text *t, size_t first, size_t sides, int top) {
     text_put(t, "\n");
 }
 
-/* The facets between two rings, whose first vertices are a and b. */
+/* Write the facets between two rings, whose first vertices are a and b. */
 static void put_belt(text *t, size_t a, size_t a_size, size_t b, size_t b_size, size_t sides) {
     for (size_t k = 0; k < sides; k++) {
         size_t n = (k + 1) % sides;

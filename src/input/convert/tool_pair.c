@@ -10,7 +10,7 @@
 
 static const double pi_near = 3.14159265358979323846;
 
-/* The multiple of 2^-bits towards 0 (way 0), or from there away (1). */
+/* Round a number to a multiple of 2^-bits: towards 0 if way is 0, away from 0 if it is 1. */
 static void snap_double(fmpq_t out, double value, slong bits, int way) {
     double scaled = ldexp(value, (int)bits);
     fmpz_set_d(fmpq_numref(out), way ? (value < 0 ? floor(scaled) : ceil(scaled)) : trunc(scaled));
@@ -25,8 +25,8 @@ static void snap_direction(fmpq *out, double angle, slong bits) {
     snap_double(out + 1, fabs(s) < 1e-15 ? 0 : s, bits, 0);
 }
 
-/* A dyadic number not below the largest 1 / |(a + b) / 2| of neighbours: stretched by it, the lines
- * through them leave the unit disc inside. */
+/* A dyadic number not below the largest 1 / |(a + b) / 2| of neighbours a, b: once the directions
+ * are multiplied by it, the unit disc is on the inner side of the lines through neighbours. */
 static void stretch_of(fmpq_t out, const fmpq *direction, size_t count, int closed, slong bits) {
     double most = 1;
     for (size_t k = 0; k + !closed < count; k++) {
@@ -101,7 +101,8 @@ static void make_profiles(tool_pair *out, const tool *s, size_t pieces, slong bi
         add_arc_point(&out->out, s, direction + 2 * k, stretch);
     }
     if (!s->ball) {
-        int exponent = 0; /* of the radius: the top's grid is as fine beside it */
+        int exponent = 0; /* exponent of the radius: a small radius gets a finer grid for the top
+                           */
         frexp(fmpq_get_d(s->flat) + fmpq_get_d(s->corner), &exponent);
         bits = exponent < 0 ? bits - exponent : bits;
         add_top(&out->in, s, s->low, bits, 0);

@@ -20,7 +20,7 @@ static void split_quarters(fmpq_t rest, fmpz_t quarters, const fmpq_t degrees) {
     fmpq_sub_fmpz(rest, rest, quarters);
 }
 
-/* The axis and the center, and the end of a turn's two objects. */
+/* Write the axis and the center, and close the two objects of a turn. */
 static void put_axis(json_writer *w, const joint *j, int dimension) {
     if (dimension == 3)
         json_point(w, "axis", j->axis, 3);
@@ -62,7 +62,7 @@ static void put_pieces(json_writer *w, const joint *j, int dimension, const fmpz
     json_ends(w, whole ? "]}}" : "}");
 }
 
-/* The axis's length is irrational: by a quaternion along the axis as it is. */
+/* Write a turn about an axis of irrational length by a quaternion along the axis as it is given. */
 static void put_quaternion(json_writer *w, const joint *j, const fmpq_t tangent) {
     LOCAL_VEC(fmpq, zero, 3);
     fmpq *one = zero + 1, *factor = zero + 2;
@@ -116,8 +116,8 @@ static void report_turn(text *t, const target *goal, const joint *j, const half_
     text_put(t, "speed: not uniform; as a screw or a joint the turn is uniform\n");
 }
 
-/* About an axis of irrational length and over 90 degrees the pieces of a uniform turn serve, which
- * then are as few as there are quarters. */
+/* Convert a turn by more than 90 degrees about an axis of irrational length as a uniform turn, in
+ * one piece for each 90 degrees begun. */
 static graze_status by_chain(conversion *out, graze_context *context, const target *goal,
                              const joint *turn) {
     slong bits;

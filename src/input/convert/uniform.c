@@ -2,10 +2,10 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Every piece runs straight from one dyadic half angle to the next, in the plane of the complex
- * number w + i c L: the tangent of the half angle from the piece's middle is linear in s up to the
- * small difference of the two lengths. The pieces meet exactly. The number of pieces is doubled
- * until the bounds of all joints add up to the tolerance at most: the joints before and after one
- * keep distances, so errors of displacement add.
+ * number w + i c L: the tangent of the half angle from the piece's middle is linear in the piece's
+ * time up to the small difference of the two lengths. The pieces meet exactly. The number of pieces
+ * is doubled until the bounds of all joints add up to the tolerance at most: the joints before and
+ * after one keep distances, so errors of displacement add.
  */
 #include "input/convert/convert.h"
 
@@ -16,7 +16,7 @@
 #include "input/convert/poses_list.h"
 #include "input/motion/motion.h"
 
-enum { PIECE_WORK = 10000 }; /* of context_work, for the angles of a joint in a piece */
+enum { PIECE_WORK = 10000 }; /* units of context_work for the angles of a joint in a piece */
 
 void turn_fraction(fmpq_t out, const joint *j, unsigned long k, unsigned long n) {
     LOCAL(fmpz, factor);
@@ -82,7 +82,8 @@ static void advance_factor(fmpq_t out, const joint *j, slong bits) {
     round_to_grid(out, value, bits + mpfr_get_exp(length));
 }
 
-/* An upper bound of |factor L - advance|: as |x^2 - a^2| / (x + a) for numbers of one sign. */
+/* An upper bound of |factor L - advance|: |x - a| = |x^2 - a^2| / (x + a) <= |x^2 - a^2| / a for x
+ * >= 0 and a > 0. */
 static void advance_error(mpfr_t out, const joint *j, slong bits) {
     LOCAL_VEC(fmpq, made, 2);
     fmpq *asked = made + 1;
@@ -126,7 +127,7 @@ static void put_turn(json_writer *w, const joint *j, int dimension, const half_a
     put_center(w, j, 3);
 }
 
-/* `factor` times the axis, run through as t goes from 0 to 1. */
+/* Write the translation by t times `factor` times the axis. */
 static void put_slide(json_writer *w, const joint *j, int dimension, const fmpq_t factor) {
     LOCAL(fmpq, way);
     json_line(w, 3);
@@ -187,8 +188,8 @@ graze_status chain_pieces(json_writer *out, graze_context *context, const target
     return GRAZE_OK;
 }
 
-/* Whether the first piece, which begins without a turn and so has the shortest numbers, leaves the
- * others their share of the limit `work`. */
+/* Check that the work for the first piece, times the number of pieces, is within the limit `work`.
+ * The first piece begins unturned and so has the shortest numbers. */
 static graze_status check_work(graze_context *context, const target *goal, const joint *joints,
                                const slong *bits, size_t count, unsigned long pieces) {
     graze_motion *motion = NULL;
@@ -207,7 +208,7 @@ static graze_status check_work(graze_context *context, const target *goal, const
 }
 
 /* The sum of all joints' errors of displacement, upwards, in the first `few` of the pieces; each
- * one's angle goes into `angles`. */
+ * joint's error of the angle goes into `angles`. */
 static graze_status total_error(mpfr_t out, mpfr_t *angles, graze_context *context,
                                 const joint *joints, const slong *bits, size_t count,
                                 unsigned long pieces, unsigned long few) {

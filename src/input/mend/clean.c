@@ -21,7 +21,7 @@ static int at_one_position(const mesh *m, uint32_t u, uint32_t v) {
     return fmpq_equal(p, q) && fmpq_equal(p + 1, q + 1) && fmpq_equal(p + 2, q + 2);
 }
 
-/* Name the first vertex at each position, and list the others that facets use. */
+/* Replace each vertex in facets by the first one at its position, and report those replaced. */
 static void merge_vertices(mesh *m, const uint32_t *order, uint32_t *first) {
     size_t n = m->input->vertex_count;
     few merged = {0, {NULL, 0, 0, 0}};
@@ -64,8 +64,8 @@ static int has_area(const mesh *m, const facets *f) {
     return 0;
 }
 
-/* Copy a facet with one corner of each run: the last, as a reader does, so that a fan begins at the
- * same corner. */
+/* Copy a facet, keeping the last one of corners that repeat each other, as a reader does, so that a
+ * fan begins at the same corner. */
 static graze_status copy_facet(facets *to, const mesh *m, size_t facet, int *repeated) {
     const facets *f = &m->now;
     TRY(facets_begin(to, m->context, f->origin[facet]));

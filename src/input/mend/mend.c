@@ -8,7 +8,7 @@
 #include "input/solid/solid.h"
 #include "input/soup/soup.h"
 
-/* The mesh as it is now, validated. */
+/* Make a solid of the mesh as it is now. */
 static graze_status try_mesh(graze_solid **out, const mesh *m, unsigned flags) {
     soup input;
     if (!m->now.count)

@@ -11,12 +11,12 @@
 
 /**
  * Make a legal solid of a mesh in E^3 by steps that move no point: equal vertices become one,
- * facets without area go, edges are split at vertices in their middle, and facets are turned round
- * if the mesh is not legal otherwise. If `weld`, a positive distance, is not NULL, vertices that
- * are no further from each other become one as well, which moves points.
- * @param[out] out    the solid; NULL on failure
+ * facets without area are dropped, edges are split at vertices in their middle, and facets are
+ * turned round if the mesh is not legal otherwise. If `weld`, a positive distance, is not NULL,
+ * vertices within that distance of each other are merged too (weld_vertices), which moves points.
+ * @param[out] out the solid; NULL on failure
  * @param[out] report a line for each thing that was done, initialised by the caller
- * @param input       taken over, also on failure; one cycle a facet
+ * @param input taken over, also on failure; one cycle a facet
  * @return GRAZE_EILLEGAL the mended mesh is not legal either; else as solid_create
  */
 graze_status mend_solid(graze_solid **out, text *report, graze_context *context, soup *input,

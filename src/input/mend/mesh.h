@@ -9,13 +9,13 @@
 
 /* A mesh that is being mended: the facets of a soup, which change, and its vertices, which stay. */
 
-/** Facets, each one cycle of vertices. Zeroed: none. */
+/** Facets, each one cycle of vertices. All members are zero at first, without facets. */
 typedef struct facets {
     uint32_t *corner; /* of all facets */
     size_t corner_count, corner_capacity;
     size_t *start; /* count + 1 offsets into corner; NULL while there is none */
     size_t count, start_capacity;
-    size_t *origin; /* of each facet its number in the input */
+    size_t *origin; /* by facet: its number in the input */
     size_t origin_capacity;
 } facets;
 
@@ -26,7 +26,8 @@ typedef struct mesh {
     text report; /* a line for each thing that was done */
 } mesh;
 
-/** Take the facets of a soup; mesh_clear in any case. */
+/** Copy the facets of a soup, which the mesh borrows. The caller calls mesh_clear, also on failure.
+ */
 graze_status mesh_init(mesh *m, graze_context *context, const soup *input);
 void mesh_clear(mesh *m);
 
@@ -37,7 +38,7 @@ graze_status facets_corner(facets *f, graze_context *context, uint32_t vertex);
 /** Take the last facet away. */
 void facets_drop_last(facets *f);
 void facets_clear(facets *f);
-/** Put other facets in place of the mesh's; they are taken over. */
+/** Free the mesh's facets and take over `f` instead. */
 void mesh_replace(mesh *m, facets *f);
 
 /** Three coordinates of a vertex. */
@@ -53,14 +54,16 @@ typedef struct mesh_side {
     int ascends;
 } mesh_side;
 
-/** The sides of all facets, malloc'ed, those of one edge together, by their ends. */
+/** List the sides of all facets, sorted by their ends, so that sides of one edge are together. The
+ * caller frees `*out`, also on failure. */
 graze_status mesh_sides(mesh_side **out, size_t *count, const mesh *m);
-/** The end of the sides that belong to the edge of side `first`. */
+/** The number after the last side that belongs to the same edge as side `first`. */
 size_t mesh_edge_end(const mesh_side *side, size_t count, size_t first);
 
 /** Make a soup of the facets of one component, with the vertices that they use.
- * @param component of each facet its component; those of `wanted` are taken; NULL: all facets
- * @param turned    of each facet whether its cycle is to be reversed; NULL: none is */
+ * @param component of each facet its component; the facets of component `wanted` are taken; NULL:
+ * all facets
+ * @param turned of each facet whether its cycle is to be reversed; NULL: none is */
 graze_status mesh_soup(soup *out, const mesh *m, const size_t *component, size_t wanted,
                        const unsigned char *turned);
 
@@ -70,14 +73,14 @@ typedef struct few {
     text names;
 } few;
 
-/** Add one, named as printf does. */
+/** Count one thing; the first few are named, in the format of printf. */
 void few_add(few *f, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /** Add the line `WHAT N THINGS: first, second, ...` if there are any, and clear. */
 void few_report(few *f, mesh *m, const char *what, const char *things);
 
 /* Equal vertices and facets without area. */
 
-/** Let facets name the first vertex at each position. */
+/** Replace each vertex in facets by the first vertex at the same position. */
 graze_status clean_vertices(mesh *m);
 /** Take away corners that repeat the one before them, and facets all of whose corners lie on one
  * line: the boundary has the same points without them. */
@@ -85,32 +88,34 @@ graze_status clean_facets(mesh *m);
 
 /* Orientation of facets. */
 
-/** Turn facets round so that facets at an edge of just two run along it in opposite senses, and
- * shells face outward, or inward if they lie inside an odd number of other shells. A shell that is
- * no legal boundary by itself is left as it is.
+/** Turn facets round so that two facets that alone share an edge run along it in opposite senses,
+ * and shells face outward, or inward if they lie inside an odd number of other shells. A shell that
+ * is no legal boundary by itself is left as it is.
  * @param flags GRAZE_SOLID_TRIANGULATE
- * @return GRAZE_EILLEGAL the facets of a shell cannot be oriented
+ * @return GRAZE_EILLEGAL the facets of a shell cannot be oriented, or there are too many shells
  */
 graze_status orient_facets(mesh *m, unsigned flags);
 
 /* T-junctions. */
 
-/** Split each edge that belongs to an odd number of facets at those ends of other such edges that
- * lie strictly inside it. Facets keep their points. */
+/** An edge that belongs to an odd number of facets is open. Split each open edge at those ends of
+ * other open edges that lie strictly inside it. Facets keep their points. */
 graze_status split_edges(mesh *m);
 
-/** The ends of all edges that belong to an odd number of facets, malloc'ed, each once. */
+/** The ends of all edges that belong to an odd number of facets, each once. The caller frees
+ * `*out`, also on failure. */
 graze_status split_open_ends(uint32_t **out, size_t *count, mesh *m);
 
 /* Vertices that are one within a distance. */
 
-/** Replace vertices in facets: a vertex that is no further than `distance`, a positive number, from
- * one before it that stays is replaced by the nearest such one; all others stay. The report has the
- * largest displacement, rounded up, at most `distance`. */
+/** Replace vertices in facets, in the order of their numbers: a vertex within `distance`, a
+ * positive number, of earlier vertices that stay is replaced by the nearest of these; all others
+ * stay. The report has the largest displacement, rounded up, at most `distance`. */
 graze_status weld_vertices(mesh *m, const fmpq_t distance);
 
-/** Where edges are left open and the ends of each are near those of others, compared with their
- * extent: add a line with a weld distance that may close the surface. It is found in doubles. */
+/** Add a line with a weld distance that may close the surface, if edges are left open and each end
+ * of them is near another end, compared with the extent of all ends. The distance is found in
+ * doubles. */
 graze_status weld_advise(mesh *m);
 
 #endif

@@ -1,10 +1,10 @@
 /* Orients the facets of a mesh.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Facets that share an edge of two facets make one shell; in it they run one way or all the other.
- * A shell that is legal by itself, in one of the two ways, is a solid. Shells of a legal solid do
- * not cross, so one is inside another if a point of it is, and it is turned by the number of those
- * it is inside of. Whether the result is legal is not decided here.
+ * Facets that share an edge of just two facets belong to one shell, which can be oriented in two
+ * ways. A shell that is legal by itself in one of them bounds a solid. Shells of a legal solid do
+ * not cross, so a shell is inside another if one of its points is; a shell inside an odd number of
+ * others is turned. Whether the result is legal is not decided here.
  */
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
@@ -14,16 +14,18 @@
 #include "input/solid/solid.h"
 #include "input/soup/soup.h"
 
-/* Each shell is looked at beside each other one. */
+/* The time grows with the square of the number of shells. */
 enum { SHELLS_MOST = 1000 };
 
 typedef struct orienter {
     mesh *m;
     unsigned flags;
-    size_t *shell;         /* of each facet: first a facet before it in its shell, then a number */
-    unsigned char *turned; /* of each facet: against that facet, then against the input */
+    size_t *shell;         /* by facet: first an earlier facet of its shell or itself, later the
+                            * shell's number */
+    unsigned char *turned; /* by facet: first 1 if it runs against that facet, later 1 if it is to
+                            * be reversed */
     size_t shell_count;
-    graze_solid **solid; /* of each shell, facing outward; NULL: it bounds nothing */
+    graze_solid **solid; /* by shell: its solid, facing outward; NULL: it bounds nothing */
 } orienter;
 
 /* The first facet of the shell, and whether the facet runs against it. */
@@ -36,7 +38,8 @@ static size_t root_of_part(const orienter *o, size_t facet, unsigned char *again
     return facet;
 }
 
-/* Join the shells of two facets; 0 if they are joined already, with other ways round. */
+/* Join the shells of two facets at an edge; 0 if they are one shell already, in which both facets
+ * run along the edge in the same sense. */
 static int join_facets(orienter *o, const mesh_side *a, const mesh_side *b) {
     unsigned char one, two, against = a->ascends == b->ascends;
     size_t first = root_of_part(o, a->facet, &one), second = root_of_part(o, b->facet, &two);
@@ -96,7 +99,8 @@ static void turn_shell(orienter *o, size_t shell) {
             o->turned[f] ^= 1;
 }
 
-/* Make a solid of one shell, turned if it is legal that way. */
+/* Make a solid of one shell as it is or else turned. If neither is legal, the shell has no solid
+ * and stays as it was. */
 static graze_status make_shell(orienter *o, size_t shell) {
     graze_status status = GRAZE_EILLEGAL;
     for (int turn = 0; turn < 2 && status == GRAZE_EILLEGAL; turn++) {
@@ -112,8 +116,8 @@ static graze_status make_shell(orienter *o, size_t shell) {
     return status == GRAZE_EILLEGAL ? GRAZE_OK : status;
 }
 
-/* Is a shell inside another? A vertex that is not on the other's boundary tells; where all are on
- * it, a point inside a facet does. */
+/* Is a shell inside another? A vertex of the shell that is not on the other's boundary decides; if
+ * all are on it, a point inside a facet does. */
 static int is_within_part(const graze_solid *shell, const graze_solid *other) {
     graze_state state = GRAZE_STATE_B;
     LOCAL_VEC(fmpz, x, 4);

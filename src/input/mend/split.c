@@ -1,9 +1,9 @@
 /* Splits edges at the vertices in their middle.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * In a closed surface each edge is run through an even number of times. Edges that are not are
- * broken; a broken edge that has the end of another one strictly inside it is split there in all
- * facets that have it.
+ * In a closed surface each edge has an even number of sides. An edge with an odd number is broken;
+ * a broken edge with an end of another broken one strictly inside it is split there in all its
+ * facets.
  */
 #define _GNU_SOURCE /* qsort_r */
 #include <stdlib.h>
@@ -11,7 +11,7 @@
 #include "base/context/scope.h"
 #include "input/mend/mesh.h"
 
-/* A vertex that goes into the side that begins at a corner. */
+/* A vertex to insert into the side that begins at `corner`. */
 typedef struct insertion {
     size_t corner;
     uint32_t vertex;
@@ -21,7 +21,7 @@ typedef struct splitter {
     mesh *m;
     mesh_side *side;
     size_t side_count;
-    uint32_t *end; /* of broken edges, by their first coordinate; each once */
+    uint32_t *end; /* ends of broken edges, sorted by the first coordinate; each once */
     size_t end_count;
     insertion *made;
     size_t made_count, made_capacity;

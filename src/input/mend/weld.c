@@ -2,7 +2,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Vertices that stay are further than the distance from each other. They lie in a hash table of
- * cells as wide as the distance, so that those near a point are in its cell or a neighbour.
+ * cells as wide as the distance, so that those within the distance of a point are in the point's
+ * cell or a neighbour of it.
  */
 #include <mpfr.h>
 #include <flint/fmpq.h>
@@ -14,18 +15,18 @@
 #include "base/number/vector.h"
 #include "input/mend/mesh.h"
 
-enum { ENDS_COMPARED = 4096 }; /* each with all others at worst */
+enum { ENDS_COMPARED = 4096 }; /* each end is compared with all others */
 
 typedef struct welder {
     mesh *m;
     const fmpq *distance;
     fmpq *square;  /* of the distance */
-    fmpq *largest; /* of the squares of displacements */
+    fmpq *largest; /* largest square of a displacement */
     fmpq *nearest, *length;
     fmpz cell[3];
     slots table;
     uint32_t *stays; /* the vertex of each number in the table */
-    uint32_t *to;    /* of each vertex: the one that takes its place */
+    uint32_t *to;    /* by vertex: the vertex that takes its place */
     unsigned char *used;
     few welded;
 } welder;
@@ -65,7 +66,7 @@ static void find_cell(welder *w, const fmpq *p) {
     }
 }
 
-/* The hash of the cell, or of a neighbour. */
+/* The hash of the cell that is x, y, z cells beside the welder's cell. */
 static uint64_t cell_hash(const welder *w, int x, int y, int z) {
     static const ulong prime = (1UL << 61) - 1;
     const int step[3] = {x, y, z};
@@ -83,7 +84,8 @@ static void square_of_distance(fmpq_t out, const fmpq *p, const fmpq *q) {
     _fmpq_vec_dot(out, way, way, 3);
 }
 
-/* Take the nearest vertex of one cell that stays, if it is nearer than all before. */
+/* Let the nearest staying vertex of a cell take the place of v, if it is nearer than those of other
+ * cells; of two at one distance the smaller number counts. */
 static void look_into_cell(welder *w, uint64_t hash, uint32_t v) {
     size_t at = 0, number;
     while ((number = slots_next(&w->table, hash, &at)) != SLOTS_NONE) {
@@ -115,7 +117,7 @@ static graze_status weld_vertex(welder *w, uint32_t v) {
                : context_fail(w->m->context, GRAZE_ESYSTEM, "out of memory for vertices");
 }
 
-/* The line of the report: the solid is changed, and by how much. */
+/* Report the welded vertices, and that the solid is changed, and by how much. */
 static void report_welded(welder *w) {
     char digits[64];
     if (!w->welded.count)

@@ -31,9 +31,10 @@ typedef struct scad_node {
     field name, arguments;
     size_t line;
     char mark;     /* `%`, `*` or `!`; 0 without one of these */
-    int absent;    /* no part of the solid, by a mark of its own or around it */
-    int empty;     /* a group without children, or an operation that leaves nothing of such */
-    int dimension; /* 2 or 3, 0 if it is empty */
+    int absent;    /* 1: no part of the solid, by its own mark, one around it, or `!` of a node
+                    * elsewhere */
+    int empty;     /* 1: it has no children, or an operation on empty children leaves nothing */
+    int dimension; /* 2 or 3; 0 if it holds no primitive */
     scad_role role;
     size_t parent, first, last, next; /* 0: none */
 } scad_node;
@@ -48,8 +49,8 @@ typedef struct scad {
 /**
  * Read the nodes of a text, which must outlive them.
  * @param[out] out cleared by scad_clear, also after a failure
- * @return GRAZE_EINPUT with the line: what OpenSCAD does not write, and nodes that are not taken;
- * GRAZE_EILLEGAL nothing is there; GRAZE_ELIMIT `depth`, `cells`; GRAZE_ESYSTEM
+ * @return GRAZE_EINPUT with the line: the text is not as OpenSCAD writes it, or has a node that is
+ * not taken; GRAZE_EILLEGAL the solid is empty; GRAZE_ELIMIT `depth`, `cells`; GRAZE_ESYSTEM
  */
 graze_status scad_parse(scad *out, graze_context *context, const char *source, const char *text,
                         size_t length);
@@ -61,7 +62,7 @@ size_t scad_next(const scad *file, size_t child);
 
 /* Arguments of the nodes of OpenSCAD's `.csg` files. */
 
-/** The node whose arguments are read, and where failures are told. */
+/** The node whose arguments are read, and the context that takes failures. */
 typedef struct scad_place {
     const scad *file;
     graze_context *context;
@@ -72,12 +73,12 @@ typedef struct scad_place {
 graze_status scad_fail(const scad_place *p, graze_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/** The next item of a list between commas.
- * @param[in,out] rest what follows it
+/** Take the next item of a list whose items stand between commas.
+ * @param[in,out] rest the list; afterwards the items behind this one
  * @return 0 at the end */
 int scad_item(field *item, field *rest);
 
-/** The value of an argument; that without a name for NULL.
+/** Find the value of the argument `name`, or of the argument without a name if `name` is NULL.
  * @return 0 if it is not given, or `undef` */
 int scad_value(field *out, const scad_place *p, const char *name);
 
@@ -86,25 +87,25 @@ int scad_value(field *out, const scad_place *p, const char *name);
  * $. */
 graze_status scad_known(const scad_place *p, const char *names);
 
-/** The items of a value in brackets. */
+/** Find the items of a list, whose value stands in brackets. */
 graze_status scad_list(field *out, const scad_place *p, field value);
 
 /** The number that a value is. */
 graze_status scad_number(fmpq_t out, const scad_place *p, field value);
 
-/** A list of exactly `count` numbers. */
+/** Read a list of exactly `count` numbers. */
 graze_status scad_vector(fmpq *out, const scad_place *p, field value, size_t count);
 
-/** The numbers of an argument that must be given, exactly `count`. */
+/** Read the numbers of an argument that must be given, exactly `count`. */
 graze_status scad_named_vector(fmpq *out, const scad_place *p, const char *name, size_t count);
 
-/** The number of an argument that must be given. */
+/** Read the number of an argument that must be given. */
 graze_status scad_named_number(fmpq_t out, const scad_place *p, const char *name);
 
 /** The items of an argument that must be given. */
 graze_status scad_named_list(field *out, const scad_place *p, const char *name);
 
-/** A number of one of `count` things, from 0. */
+/** Read a whole number from 0 to `count` - 1. */
 graze_status scad_index(size_t *out, const scad_place *p, field value, size_t count);
 
 /** Whether an argument is `true`. */

@@ -24,8 +24,8 @@ static graze_status write_sphere(scad_writer *w, const scad_place *p) {
     return GRAZE_OK;
 }
 
-/* A cylinder, or a cone whose apex is above if its first radius is greater. `low` is the height of
- * the bottom. */
+/* Write a cylinder, or a cone whose apex is above if its first radius is greater. `low` is the
+ * height of the bottom. */
 static void put_cylinder(scad_writer *w, const scad_place *p, const fmpq *height, const fmpq *low,
                          const fmpq *radius) {
     LOCAL_VEC(fmpq, v, 10);
@@ -74,7 +74,7 @@ static graze_status write_cylinder(scad_writer *w, const scad_place *p) {
     return GRAZE_OK;
 }
 
-/* The points of a face by their numbers. */
+/* Write a face, the numbers of its points. */
 static graze_status put_face(scad_writer *w, const scad_place *p, field face, size_t count) {
     field rest, item;
     TRY(scad_list(&rest, p, face));

@@ -22,8 +22,8 @@ void scad_map_clear(scad_map *m) {
     fmpq_clear(m->error);
 }
 
-/* Let a map be one of the plane, as OpenSCAD does. The third axis is scaled about as the plane is,
- * so that scad_turn sees a rotation where there is one. */
+/* Reduce a map to one of the plane, as OpenSCAD does. The third axis is scaled about as the plane
+ * is, so that scad_turn sees a rotation where there is one. */
 static void flatten(scad_map *m) {
     LOCAL(fmpq, square);
     for (int k = 0; k < 5; k++)
@@ -72,7 +72,7 @@ void scad_compose(fmpq *out, const fmpq *map, const scad_map *m) {
     }
 }
 
-/* At least a number, with few digits. */
+/* Round a number up to BOUND_BITS binary places. */
 static void round_up(fmpq_t x) {
     fmpz_mul_2exp(fmpq_numref(x), fmpq_numref(x), BOUND_BITS);
     fmpz_cdiv_q(fmpq_numref(x), fmpq_numref(x), fmpq_denref(x));

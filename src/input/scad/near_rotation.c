@@ -12,8 +12,8 @@
 /* Binary places of a quaternion, at most. */
 enum { QUATERNION_BITS = 52 };
 
-/* The mean square of the lengths of the columns; and whether the matrix is a rotation or
- * reflection, times its root. */
+/* Set `square` to the mean of the squared lengths of the rows; 1 if the matrix is a rotation or
+ * reflection times the root of `square`. */
 static int is_similar(fmpq_t square, const fmpq *matrix) {
     LOCAL_VEC(fmpq, v, 2);
     int similar = 1;
@@ -37,7 +37,8 @@ void scad_norm(fmpq_t out, const fmpq *matrix) {
     csg_upper_root(out, square);
 }
 
-/* The simplest number as near to the root of a square as the tolerance, times it. */
+/* Set `out` to the simplest rational number that differs from the root of `square` by at most the
+ * tolerance times the root. */
 static void set_scale(fmpq_t out, const fmpq_t square, const fmpq_t tolerance) {
     LOCAL_VEC(fmpq, v, 3);
     fmpq *low = v + 1, *high = v + 2;
@@ -48,7 +49,7 @@ static void set_scale(fmpq_t out, const fmpq_t square, const fmpq_t tolerance) {
     fmpq_simplest_between(out, low, high);
 }
 
-/* The rotation of a quaternion rounded to some binary places, negative if `other`. */
+/* The rotation of a quaternion rounded to some binary places, its negative if `other`. */
 static void set_rotation(fmpq *out, const double *quaternion, int places, int other) {
     LOCAL_VEC(fmpq, v, 4);
     for (int k = 0; k < 4; k++) {

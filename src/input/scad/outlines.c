@@ -10,7 +10,7 @@
 #include "input/scad/arguments.h"
 #include "input/scad/writer.h"
 
-/* Rings of points, after the map at hand. */
+/* Rings of points, to which the writer's map has been applied. */
 typedef struct rings {
     fmpq *point; /* 2 each */
     size_t count, capacity;
@@ -25,7 +25,7 @@ static void rings_clear(rings *r) {
     free(r->end);
 }
 
-/* (x, y) under the map at hand. */
+/* The image of (x, y) under the writer's map. */
 static void map_point(fmpq *out, const scad_writer *w, const fmpq *x) {
     for (int i = 0; i < 2; i++) {
         fmpq_mul(out + i, w->map + 3 * i, x);
@@ -52,7 +52,7 @@ static graze_status end_ring(rings *r, scad_writer *w) {
     return GRAZE_OK;
 }
 
-/* A ring of points by their numbers. */
+/* Read a ring of points by their numbers. */
 static graze_status read_path(rings *r, scad_writer *w, const scad_place *p, field path,
                               const fmpq *point, size_t count) {
     field rest, item;
@@ -144,7 +144,7 @@ static graze_status write_polygon(scad_writer *w, const scad_place *p) {
     return GRAZE_OK;
 }
 
-/* The radius of a circle after the map at hand, which must keep it one. */
+/* Multiply a circle's radius by the scale of the writer's map, which must keep it a circle. */
 static graze_status map_radius(fmpq_t out, const scad_writer *w, const scad_place *p) {
     const fmpq *m = w->map;
     LOCAL_VEC(fmpq, v, 3);
@@ -185,7 +185,7 @@ static graze_status put_revolved(scad_writer *w, const scad_place *p, const fmpq
     return GRAZE_OK;
 }
 
-/* The cylinder over a circle about the origin. */
+/* Write the cylinder over a circle about the origin. */
 static void put_disk_prism(scad_writer *w, const scad_place *p, const fmpq_t radius) {
     LOCAL_VEC(fmpq, point, 6);
     fmpq *axis = point + 3;

@@ -2,7 +2,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * NAME(ARGUMENTS); or NAME(ARGUMENTS) {NODES}, with a mark before the name. Invariant while
- * reading: `open` is the innermost node whose brace is not closed, `depth` the number of such ones.
+ * reading: `open` is the innermost node whose brace is not closed, `depth` the number of such
+ * nodes.
  */
 #include <ctype.h>
 #include <stdarg.h>
@@ -59,7 +60,7 @@ static graze_status limit_here(scan *s, graze_limit limit, const char *what) {
     return context_in(s->context, context_limit(s->context, limit, what), s->file->source, s->line);
 }
 
-/* The next byte that is no blank; 0 at the end, where a NUL stands too. */
+/* Go to the next byte that is no blank; 0 at the end of the text, and at a NUL byte. */
 static char next_byte(scan *s) {
     for (; s->at < s->length && isspace((unsigned char)s->text[s->at]); s->at++)
         s->line += s->text[s->at] == '\n';
@@ -74,7 +75,7 @@ static field scan_name(scan *s) {
     return name;
 }
 
-/* Scan arguments in parentheses; the first has been read. */
+/* Scan arguments in parentheses; the opening one has been read. */
 static graze_status scan_arguments(field *out, scan *s) {
     size_t start = s->at, line = s->line, round = 1;
     int quoted = 0;
@@ -159,7 +160,7 @@ static graze_status scan_nodes(scan *s) {
     return status;
 }
 
-/* Marks, and roles of what is part of the solid. */
+/* Apply the marks, and find the roles of the nodes that are part of the solid. */
 static graze_status take_parts(scad *file, graze_context *context) {
     for (size_t n = 1; n < file->count && !file->root; n++)
         if (file->node[n].mark == '!')
@@ -199,7 +200,7 @@ size_t scad_first(const scad *file, size_t node) {
     return child && file->node[child].absent ? scad_next(file, child) : child;
 }
 
-/* Whether a node is empty, and its dimension, by its children. */
+/* Find whether a node is empty, and its dimension, from its children. */
 static graze_status take_dimension(scad *file, graze_context *context, size_t k) {
     scad_node *n = &file->node[k];
     if (n->role >= SCAD_CUBE) {

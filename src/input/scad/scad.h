@@ -8,8 +8,9 @@
 /** Changes to a file that the caller allows. */
 typedef struct scad_choice {
     int smooth; /* a number of sides, $fn, stands for a round surface */
-    /* A linear part whose entries, over a scale, are as near as this to those of a rotation is
-     * replaced by that rotation times the scale; NULL: none is. */
+    /* A linear part whose entries, divided by a scale, differ from those of a rotation or
+     * reflection by at most this is replaced by the rotation or reflection times the scale; NULL:
+     * none is. */
     const fmpq *near_rotation;
 } scad_choice;
 
@@ -18,11 +19,11 @@ typedef struct scad_choice {
 /**
  * Write the solid of a text. Each node stands in the line in which the text has it, so messages on
  * what is written name lines of the text.
- * @param[out] out    initialised
+ * @param[out] out initialised
  * @param[out] report lines on rotations that were taken; initialised
- * @return GRAZE_EINPUT what OpenSCAD does not write, and nodes that are not taken; GRAZE_EILLEGAL
- * nothing is left of the solid, or a primitive has no interior, as a sphere of radius 0;
- * GRAZE_ELIMIT `depth`, `cells`; GRAZE_ECANCELED; GRAZE_ESYSTEM
+ * @return GRAZE_EINPUT the text is not as OpenSCAD writes it, or has a node that is not taken;
+ * GRAZE_EILLEGAL nothing is left of the solid, or a primitive has no interior, as a sphere of
+ * radius 0; GRAZE_ELIMIT `depth`, `cells`; GRAZE_ECANCELED; GRAZE_ESYSTEM
  */
 graze_status scad_write(text *out, text *report, graze_context *context, const char *source,
                         const char *bytes, size_t length, const scad_choice *choice);

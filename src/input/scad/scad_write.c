@@ -16,7 +16,8 @@
 
 static graze_status write_node(scad_writer *w, size_t node);
 
-/* The child of an operation after another one, or the first after 0, that is not empty. */
+/* The next child of an operation behind `child`, or from the first if `child` is 0, that is not
+ * empty; 0 if there is none. */
 static size_t operand_after(const scad *file, size_t node, size_t child) {
     do
         child = child ? scad_next(file, child) : scad_first(file, node);
@@ -24,7 +25,7 @@ static size_t operand_after(const scad *file, size_t node, size_t child) {
     return child;
 }
 
-/* The children of an operation; a single one stands for itself. */
+/* Write the children of an operation; a single child is written without the operation. */
 static graze_status write_operands(scad_writer *w, const scad_place *p) {
     static const char *const keys[] = {
         [SCAD_DIFFERENCE] = "difference", [SCAD_INTERSECTION] = "intersection"};
@@ -48,7 +49,7 @@ static graze_status write_operands(scad_writer *w, const scad_place *p) {
     return GRAZE_OK;
 }
 
-/* Rows of the matrix of a map, that of a prism keeps heights. */
+/* Write the rows of a map's matrix; within a prism the map keeps heights. */
 static void put_map_rows(scad_writer *w, const scad_map *m) {
     int d = w->dimension, flat = d == 3 && w->form == SCAD_PRISM;
     LOCAL_VEC(fmpq, row, 4);
@@ -90,13 +91,13 @@ static graze_status write_mapped(scad_writer *w, const scad_place *p) {
     return GRAZE_OK;
 }
 
-/* Let the map of what is revolved be the identity, or the reflection that keeps heights. */
+/* Set the writer's map to the identity, or for sign -1 to the reflection that keeps heights. */
 static void reset_map(scad_writer *w, int sign) {
     for (int k = 0; k < 6; k++)
         fmpq_set_si(w->map + k, k == 0 ? sign : k == 4, 1);
 }
 
-/* An interval that holds the first coordinates of an outline, after the map at hand. */
+/* Find an interval that holds the first coordinates of an outline after the writer's map. */
 static graze_status find_extent(fmpq *out, scad_writer *w, size_t node) {
     scad_place p = {w->file, w->context, node};
     scad_role role = w->file->node[node].role;
@@ -125,7 +126,8 @@ static graze_status find_extent(fmpq *out, scad_writer *w, size_t node) {
     return status;
 }
 
-/* The side of the axis on which an outline is, by a map that brings it to the right. */
+/* Set the writer's map to one that brings an outline to the right of the axis; refuse an outline on
+ * both sides. */
 static graze_status find_side(scad_writer *w, const scad_place *p) {
     LOCAL_VEC(fmpq, extent, 2);
     reset_map(w, 1);
@@ -210,7 +212,7 @@ static graze_status write_node(scad_writer *w, size_t node) {
 static void put_report(text *report, const scad_writer *w) {
     if (!w->choice->near_rotation)
         return;
-    fmpq_set_si(w->height, 101, 100); /* rounded to three digits it loses half a per cent at most */
+    fmpq_set_si(w->height, 101, 100); /* rounding to three digits takes away at most 0.5 % */
     fmpq_mul(w->moved, w->moved, w->height);
     text_put(report, "maps taken as rotations: ");
     text_count(report, w->turned);

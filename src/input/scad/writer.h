@@ -20,34 +20,35 @@ typedef struct scad_writer {
     graze_context *context;
     const scad_choice *choice;
     json_writer json;
-    size_t line;     /* of the text so far */
-    const char *key; /* of the node that is next, NULL in a list */
+    size_t line;     /* number of the line in which the text so far ends */
+    const char *key; /* JSON key of the next node, NULL in a list */
     int dimension;   /* of the solid */
     scad_form form;
-    fmpq *height; /* 2, of the prism */
-    fmpq *map;    /* 6, rows a b c of (a x + b y + c): from the frame of the node at hand to that of
-                     what is revolved; else the identity */
-    fmpq *reach, *moved; /* of the last node: no point of its primitives is further from the origin
-                            of its frame, or is moved further by rotations taken */
+    fmpq *height; /* 2: those of the prism's bottom and top */
+    fmpq *map;    /* 6, rows a b c of (a x + b y + c): within a revolution from the frame of the
+                   * current node to that of the outline revolved; else the identity */
+    fmpq *reach, *moved; /* bounds for the last node: how far points of its primitives are from the
+                          * origin of its frame, and how far rotations taken move them */
     size_t turned;       /* maps replaced by rotations */
 } scad_writer;
 
 /** Begin a node in the line in which the file has it. `key` is its kind, whose value, an object or
  * a list as `bracket` says, stays open. */
 void scad_open(scad_writer *w, const scad_place *p, const char *key, char bracket);
-/** End a primitive, an object, and name it after its line. */
+/** Name a primitive after its line, and close its object. */
 void scad_end(scad_writer *w, const scad_place *p);
 
 /** Read an argument that must be a positive number. */
 graze_status scad_size(fmpq_t out, const scad_place *p, const char *name);
 
-/** GRAZE_EINPUT if $fn asks for a number of sides, unless the caller takes that as round. */
+/** Return GRAZE_EINPUT if $fn asks for a number of sides, unless the choice is `smooth`. */
 graze_status scad_round(const scad_writer *w, const scad_place *p);
 
 /** Let `reach` be at least the distance of a point from the origin. */
 void scad_hold(fmpq_t reach, const fmpq *x, int dimension);
 
-/** The corners of a cube, or in the plane of a square; `low` is 0 before; `reach` is set. */
+/** Read the low and the high corner of a cube, or of a square in the plane; the caller sets `low`
+ * to 0. `reach` is raised to hold the box. */
 graze_status scad_box(fmpq *low, fmpq *high, scad_writer *w, const scad_place *p, int dimension);
 void scad_put_box(scad_writer *w, const scad_place *p, const fmpq *low, const fmpq *high,
                   int dimension);
@@ -59,21 +60,22 @@ graze_status scad_write_body(scad_writer *w, const scad_place *p);
 
 /* Maps of OpenSCAD's nodes. */
 
-/** A map: its linear part, 9 in rows, and its shift of 3; a node of the plane keeps z apart. */
+/** A map: its linear part, 9 in rows, and its shift of 3; in the map of a node of the plane, z
+ * depends on z alone. */
 typedef struct scad_map {
     fmpq *linear, *shift;
-    fmpq_t error; /* at least the norm of what a rotation that is taken changes */
+    fmpq_t error; /* at least the norm of the change, if a rotation is taken */
 } scad_map;
 
 void scad_map_init(scad_map *m);
 void scad_map_clear(scad_map *m);
 
 /** Read a multmatrix.
- * @param[out] turned whether a rotation is taken instead of its linear part */
+ * @param[out] turned 1 if a rotation is taken instead of the linear part */
 graze_status scad_map_read(scad_map *out, scad_writer *w, const scad_place *p, int *turned);
 
-/** The composition of a map of what is revolved, as scad_writer has it, with another one, which
- * acts first; `out` is not `map`. */
+/** Compose `map`, which has the form of scad_writer.map, with `m`, which acts first; `out` is not
+ * `map`. */
 void scad_compose(fmpq *out, const fmpq *map, const scad_map *m);
 
 /** Let `reach` and `moved` be those of the image of the last node. */
@@ -83,23 +85,25 @@ void scad_map_bounds(scad_writer *w, const scad_map *m);
 
 /**
  * Replace a linear part by a number times a rotation or reflection, if each entry divided by that
- * number is within the tolerance of the rotation's.
+ * number is within the tolerance of the rotation's entry.
  * @param[in,out] matrix 9 entries, rows
- * @param[out] error     at least the norm of the difference; 0 if none is taken
- * @return whether one is taken; not if the matrix is such a one itself
+ * @param[out] error at least the norm of the difference; 0 if none is taken
+ * @return 1 if the matrix is replaced; 0 if none is near enough, or if it is a rotation or
+ * reflection times a scale already
  */
 int scad_turn(fmpq *matrix, fmpq_t error, graze_context *context, const fmpq_t tolerance);
 
-/** At least the norm of a linear part, and no more for a rotation or reflection times a rational
- * number. */
+/** An upper bound of the norm of a linear part, equal to the norm for a rotation or reflection
+ * times a rational number. */
 void scad_norm(fmpq_t out, const fmpq *matrix);
 
 /* Primitives of the plane of OpenSCAD's files. */
 
-/** Write a square, a circle or a polygon in the form at hand; `reach` is set. */
+/** Write a square, a circle or a polygon in the writer's form; `reach` is set. */
 graze_status scad_write_outline(scad_writer *w, const scad_place *p);
 
-/** Ends of an interval that holds its first coordinates, after the map at hand. */
+/** Find the ends of an interval that holds the first coordinates of an outline after
+ * scad_writer.map. */
 graze_status scad_outline_extent(fmpq *low_high, scad_writer *w, const scad_place *p);
 
 #endif

@@ -8,7 +8,8 @@
 #include "input/soup/soup.h"
 #include "input/validate/validate.h"
 
-/* Bounds of the coordinates of the simplices' corners; other vertices do not count. */
+/* Set `error` and `reach` from the corners of the simplices; vertices of no simplex do not count.
+ */
 static void find_reach(corners *out, size_t d, const simplices *cut, const double *low,
                        const double *high) {
     for (size_t k = 0; k < cut->count; k++)

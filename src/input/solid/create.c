@@ -39,7 +39,7 @@ static unsigned long next_number(void) {
     return atomic_fetch_add(&made, 1) + 1;
 }
 
-/* All that follows from the soup. */
+/* Compute all members that follow from the soup. */
 static graze_status fill_solid(graze_solid *solid, graze_context *context, unsigned flags) {
     TRY(validate_soup(&solid->cut, context, &solid->input, flags));
     TRY(skin_bounds(&solid->low, &solid->high, context, &solid->input));
@@ -75,7 +75,7 @@ graze_status solid_is_another(graze_context *context, const char *path) {
                            "is not the file that was validated: its SHA-256 is another");
 }
 
-/* The solid of an expression, which it takes over (also on failure). */
+/* Make a solid of an expression. The function takes the expression over, also on failure. */
 static graze_status take_curved(graze_solid **out, graze_context *context, csg *given,
                                 const unsigned char sha256[32]) {
     graze_solid *solid = calloc(1, sizeof *solid);

@@ -1,8 +1,8 @@
 /* Plane and side forms from rational vertices.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * The vertices are multiplied by one common denominator w, so that all products are of integers;
- * a form c . X + m W through the scaled point w p becomes (w c) . X + m W for the point itself.
+ * The vertices are multiplied by one common denominator w, so that all products are of integers; a
+ * form c . X + m W through the scaled point w p becomes (w c) . X + m W through p.
  */
 #include "input/solid/solid.h"
 
@@ -18,7 +18,7 @@ typedef struct scaled_simplex {
     fmpz at[9]; /* coordinate i of vertex k at k * dimension + i */
 } scaled_simplex;
 
-/* Coordinate `dropped` is left out; -1 for none. */
+/* Scale the vertices, with coordinate `dropped` set to 0; -1 drops none. */
 static void scale(scaled_simplex *s, const fmpq *const *vertex, int dimension, int dropped) {
     fmpq borrowed[9]; /* the coordinates, 0 for those left out */
     for (int k = 0; k < dimension; k++)
@@ -38,7 +38,8 @@ static void scaled_clear(scaled_simplex *s) {
 }
 
 /* Complete coefficients c of the scaled coordinates to coprime integers of a form that vanishes at
- * the vertex p. Once c is coprime, all that the form can have in common divides `common`. */
+ * the vertex p. Once c is coprime, every common divisor of the form's coefficients divides
+ * `common`. */
 static void finish_forms(fmpz *c, const scaled_simplex *s, const fmpz *p) {
     int d = s->dimension;
     LOCAL(fmpz, g);

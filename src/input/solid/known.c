@@ -1,4 +1,5 @@
-/* A table with one place for a simplex, which the last one that needs it takes.
+/* A table in which a simplex's number modulo the table's size is its place; a simplex replaces
+ * another one there.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "input/solid/solid.h"
@@ -17,7 +18,7 @@ void form_memory_clear(form_memory *m) {
     *m = (form_memory){0, NULL};
 }
 
-/* The simplex's place; NULL without memory. */
+/* The simplex's place; NULL if allocation fails. */
 static known_forms *remembered_at(form_memory *m, const graze_solid *solid, uint32_t simplex) {
     if (m->solid != solid->number)
         form_memory_clear(m);

@@ -4,8 +4,8 @@
  * The ray leaves x in the direction of the first axis. Displaced by (0, e, e^2) with e positive and
  * infinitesimal it meets no vertex and no edge, and no plane parallel to it: every sign below that
  * is zero at x is decided by the first non-zero coefficient of the displacement. The signed number
- * of facets that the ray leaves through is the winding number at x (proofs/claims.md C6).
- * Doubles settle the triangles that the ray clearly passes or clearly crosses beyond x.
+ * of facets that the ray leaves through is the winding number at x (proofs/claims.md C6). Doubles
+ * settle the triangles that the ray clearly misses or clearly crosses beyond x.
  */
 #include "input/solid/solid.h"
 
@@ -21,13 +21,13 @@ typedef struct ray {
     const skin *of;
     const fmpz *x;
     box around;      /* holds x */
-    box reach;       /* and all that lies beyond it on the ray */
+    box reach;       /* holds x and the ray up to the last simplex */
     size_t skip;     /* a simplex that is not looked at, or SIZE_MAX */
     long winding;    /* facets left minus facets entered */
     int on_boundary; /* x lies in a simplex other than `skip` */
 } ray;
 
-/* Sign of a form at the displaced point. */
+/* Sign of a form at the displaced point; `at_x` is the sign at x. */
 static int displaced_sign(const fmpz *form, int at_x, int dimension) {
     if (at_x != 0)
         return at_x;
@@ -35,13 +35,14 @@ static int displaced_sign(const fmpz *form, int at_x, int dimension) {
     return sign != 0 || dimension == 2 ? sign : fmpz_sgn(form + 2);
 }
 
-/* The vector from x to a vertex along the last two axes, and how far each is off at most. */
+/* The last two coordinates of the vector from x to a vertex, and bounds of their errors. */
 typedef struct arrow {
     double y, z, off_y, off_z;
 } arrow;
 
-/* v - x lies within the two widths and the rounding of the subtraction, 2^-53 |value|, of `value`.
- * Factors larger than needed outweigh the rounding of the bound, the last term its underflow. */
+/* v - x differs from `value` by at most the two widths and the rounding of the subtraction, 2^-53
+ * |value|. Factors larger than needed outweigh the rounding of the bound, and the last term
+ * outweighs underflow. */
 static double separation(double *off, double low, double high, double x_low, double x_high) {
     double value = low - x_low;
     *off = 2 * ((high - low) + (x_high - x_low)) + 0x1p-51 * fabs(value) + 0x1p-1060;
@@ -69,10 +70,10 @@ static int turn(const arrow *a, const arrow *b) {
     return (value > bound) - (value < -bound);
 }
 
-/* Settle a triangle in doubles; 0 where that fails. Projected along the ray, x is outside it if it
- * lies on different sides of two edges, and strictly inside if it lies on the same side of all. In
- * that case the outward normal points along the ray iff the triangle turns to the left, and the
- * crossing is beyond x if the whole triangle is. */
+/* Settle a triangle in doubles; 0 if they do not decide. Projected along the ray, x is outside it
+ * if it lies on different sides of two edges, and strictly inside if it lies on the same side of
+ * all. In that case the outward normal points along the ray iff the triangle turns to the left, and
+ * the crossing is beyond x if the whole triangle is. */
 static int settle(ray *r, size_t simplex) {
     const uint32_t *v = r->of->cut->item[simplex].vertex;
     arrow to[3] = {arrow_to(r, v[0]), arrow_to(r, v[1]), arrow_to(r, v[2])};
@@ -174,9 +175,9 @@ static void weighted_point(fmpz *x, const graze_solid *solid, size_t simplex, ul
     fmpz_mul_ui(x + d, x + d, total);
 }
 
-/* The winding number outside a simplex that is not parallel to the ray, near a point of its
- * relative interior that lies on no other simplex. Such a point exists: the others meet it in
- * finitely many segments. */
+/* The winding number on the outer side of a simplex that is not parallel to the ray, near a point
+ * of its relative interior that lies on no other simplex. Such a point exists: the others meet this
+ * simplex in finitely many points or segments. */
 static long winding_outside(const graze_solid *solid, size_t simplex, int facing) {
     LOCAL_VEC(fmpz, x, solid->input.dimension + 1);
     skin boundary = solid_skin(solid);
@@ -225,7 +226,7 @@ graze_status solid_check_sides(const graze_solid *solid, graze_context *context)
         if (done[component])
             continue;
         int facing = solid_plane(plane, solid, s);
-        /* A closed boundary is not made of facets parallel to the ray alone. */
+        /* Every component has a facet that is not parallel to the ray, since it is closed. */
         if (fmpz_is_zero(plane))
             continue;
         done[component] = 1;

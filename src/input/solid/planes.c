@@ -1,4 +1,4 @@
-/* Planes are computed, sorted by their coefficients, and equal ones made one.
+/* Planes are computed and sorted by their coefficients, then equal ones are merged.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #define _GNU_SOURCE /* qsort_r */
@@ -12,7 +12,7 @@ static const fmpz *form_at(const plane_list *list, size_t k) {
     return list->form + k * (size_t)(list->dimension + 1);
 }
 
-/* Order entries by their forms, and those of equal forms by their numbers: all are different then,
+/* Order entries by their forms, and entries of equal forms by their numbers: no two compare equal,
  * so the order does not depend on whether qsort_r is stable. */
 static int compare_entries(const void *left, const void *right, void *list) {
     const plane_list *of = list;

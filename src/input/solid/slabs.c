@@ -1,5 +1,5 @@
-/* A slab's normal is the sum of those of its simplices, each by its size, and may be any vector: it
- * makes a slab thin, and not right.
+/* A slab's normal is the sum of the normals of its simplices, weighted by their size. The slab is
+ * right for any normal; a good normal makes it thin.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "input/solid/solid.h"
@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include "input/validate/validate.h"
 
-/* A node of more simplices is seldom flat; below one of fewer their own tests are as near, and half
- * of all nodes are such. */
+/* A node of more than SLAB_MOST simplices is seldom flat. At a node of fewer than SLAB_LEAST,
+ * testing the simplices themselves costs no more; half of all nodes are so small. */
 enum { SLAB_LEAST = 4, SLAB_MOST = 512 };
 
 typedef struct slab_maker {
@@ -37,7 +37,7 @@ static void add_normal(double *sum, const slab_maker *m, uint32_t simplex) {
     }
 }
 
-/* Widen a slab by the corners below a node. */
+/* Widen a slab until it holds the corners below a node. */
 static void hold_below(slab *s, const slab_maker *m, uint32_t index) {
     const tree_node *node = &m->boxes->node[index];
     int d = m->dimension;
@@ -75,7 +75,7 @@ static int has_slab(size_t count) {
     return count >= SLAB_LEAST && count <= SLAB_MOST;
 }
 
-/* How many simplices are below a node; `slabs` grows by how many slabs there are. */
+/* Count the simplices below a node, and add the number of nodes with a slab to `slabs`. */
 static size_t count_below(uint32_t *slabs, const tree *boxes, uint32_t index) {
     uint32_t child = boxes->node[index].child;
     size_t count =
@@ -84,8 +84,9 @@ static size_t count_below(uint32_t *slabs, const tree *boxes, uint32_t index) {
     return count;
 }
 
-/* Slabs of all inner nodes from one downwards; adds the normals of its simplices.
- * @return how many those are */
+/* Make the slabs of a node and of all inner nodes below, and add the normals of the node's
+ * simplices to `sum`.
+ * @return the number of these simplices */
 static size_t make_below(double *sum, slab_maker *m, uint32_t index) {
     tree_node *node = &m->boxes->node[index];
     double own[3] = {0, 0, 0};

@@ -43,8 +43,8 @@ void solid_side(fmpz *out, const graze_solid *solid, size_t simplex, const fmpz 
     skin_side(out, &s, simplex, plane, k);
 }
 
-/* Sides vanish in one place each: E^2 none or the vertex k; E^3 the edge k, or the vertex two edges
- * share. */
+/* In E^2 side k vanishes at vertex k. In E^3 side k vanishes on edge k, and two sides vanish at the
+ * vertex that their edges share. */
 graze_cell solid_cell(const graze_solid *solid, size_t simplex, unsigned zero) {
     const struct simplex *s = &solid->cut.item[simplex];
     if (solid->input.dimension == 2) {

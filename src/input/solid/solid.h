@@ -24,7 +24,7 @@
 typedef struct corners {
     double *at;
     double error, reach;
-    double axis_reach[3]; /* the same bound for each coordinate alone */
+    double axis_reach[3]; /* `reach` for each coordinate alone */
 } corners;
 
 /** The largest coordinate for the filter: products of larger ones might leave the range of doubles
@@ -60,7 +60,7 @@ typedef struct tree {
     tree_node *node;
 } tree;
 
-/** Build a tree over n >= 1 boxes; returns 0, or -1 without memory. */
+/** Build a tree over n >= 1 boxes; returns 0, or -1 if memory runs out. */
 int tree_build(tree *out, const box *boxes, size_t n);
 void tree_clear(tree *t);
 
@@ -79,14 +79,16 @@ typedef struct skin {
     const soup *input;
     const simplices *cut;     /* none is degenerate */
     const double *low, *high; /* bounds of the coordinates, as in a solid */
-    const tree *boxes;        /* of the simplices; node_count 0 where there are none */
+    const tree *boxes;        /* tree over the simplices; node_count is 0 without simplices */
 } skin;
 
-/** Bounds of all coordinates of a soup, malloc'ed, to be freed in any case. GRAZE_ESYSTEM. */
+/** Allocate bounds of all coordinates of a soup. The caller frees both arrays, also on failure,
+ * which is GRAZE_ESYSTEM. */
 graze_status skin_bounds(double **low, double **high, graze_context *context, const soup *input);
 
-/** The tree over the boxes of simplices; none where there are none. tree_clear in any case.
- * @param s all but the tree
+/** Build the tree over the boxes of the simplices; without simplices node_count is 0. The caller
+ * calls tree_clear, also on failure.
+ * @param s a skin whose tree is not yet used
  * @return GRAZE_ESYSTEM */
 graze_status skin_tree(tree *out, graze_context *context, const skin *s);
 
@@ -105,7 +107,8 @@ typedef struct slab {
     double normal[3], low, high;
 } slab;
 
-/** Slab 0 is all of space, for nodes with few or many simplices. `item` is NULL if corners.at is.
+/** Slab 0 is all of space, for nodes with few or many simplices. `item` is NULL if corners.at is
+ * NULL.
  */
 typedef struct slabs {
     slab *item;
@@ -116,30 +119,31 @@ static inline const slab *slab_below(const slabs *s, const tree_node *node) {
     return &s->item[node->slab];
 }
 
-/** Make and number the slabs of a tree over simplices with these corners; 0 without memory. */
+/** Make and number the slabs of a tree over simplices with these corners; 0 if memory runs out. */
 int slabs_make(slabs *out, tree *boxes, const corners *corners, int dimension);
 void slabs_clear(slabs *s);
 
 /* A validated solid for tracing, pictures and reports: immutable arrays of exact numbers and a
  * search tree.
  *
- * The boundary is cut into simplices (validate.h). Each lies in a plane (E^2: a line) and is cut
- * out of it by its d side forms. Large boundaries are asked about few of their
- * simplices, so forms are made when asked for; a form_memory keeps a few for a thread. */
+ * The boundary is cut into simplices (validate.h). Each simplex lies in a plane (E^2: a line) and
+ * is cut out of it by d side forms. Questions about a large boundary concern few simplices, so
+ * forms are computed on demand; a form_memory keeps some for a thread. */
 
 struct graze_solid {
     unsigned long number; /* no other solid of the process has had it; not 0 */
     soup input;
     simplices cut;
-    /* vertex_count * d bounds of the coordinates: low[i] <= coordinates[i] <= high[i]. They are
-     * equal where a coordinate is a double, subnormal ones left out, and at most few ulps apart;
+    /* vertex_count * d bounds of the coordinates: low[i] <= coordinates[i] <= high[i]. Both are
+     * equal where a coordinate is a double that is not subnormal, else a few ulps apart; one is
      * infinite past the range of doubles. */
     double *low, *high;
     tree boxes; /* of the simplices */
     corners corners;
     slabs slabs;
     char note[256]; /* note on an unusual input; "" if none */
-    csg *curved;    /* a curved solid: then of the above only number, dimension and hash are set */
+    csg *curved;    /* the expression of a curved solid, for which only number, input.dimension and
+                     * input.sha256 are set besides; else NULL */
 };
 
 /** The boundary of a solid that is not curved, as searches take it; borrowed. */
@@ -159,9 +163,9 @@ typedef enum solid_kind {
 
 solid_kind solid_kind_of(const graze_solid *solid);
 
-/** Whether a box that holds the solid is known: 1 unless it is curved. */
+/** 1 if a box that holds the solid is known. It always is for polygons and polyhedra. */
 int solid_bounded(const graze_solid *solid);
-/** That box: the least one, of a curved solid one that holds it. */
+/** A box that holds the solid, if solid_bounded is 1; the least one unless the solid is curved. */
 void solid_box(fmpq *low, fmpq *high, const graze_solid *solid);
 
 /**
@@ -172,31 +176,33 @@ void solid_box(fmpq *low, fmpq *high, const graze_solid *solid);
  */
 int solid_plane(fmpz *out, const graze_solid *solid, size_t simplex);
 
-/** Side form k < d of a simplex: not negative on the simplex. Its coefficient is 0 at the
+/** Side form k < d of a simplex: not negative on the simplex. The form's coefficient is 0 at the
  * coordinate in which the plane's normal is first not zero.
  * @param plane the simplex's plane form
  */
 void solid_side(fmpz *out, const graze_solid *solid, size_t simplex, const fmpz *plane, int k);
 
-/** The boundary cell of a simplex on which just the side forms vanish whose bit is set in `zero`,
- * named by the simplex's vertices; cut.names has the input's names (src/input/soup/soup.h). */
+/** The boundary cell of a simplex on which exactly the side forms vanish whose bits are set in
+ * `zero`. The simplex's vertices name the cell; cut.names has the input's names
+ * (src/input/soup/soup.h). */
 graze_cell solid_cell(const graze_solid *solid, size_t simplex, unsigned zero);
 
 /* Forms of the simplices that were asked for last, each made once.
  *
- * Degenerate points ask for the same few planes and sides again and again where a solid is small;
- * of a large one hardly any are asked for twice, and no more than some hundred are kept. */
+ * Degenerate points need the forms of the same few simplices of a small solid again and again. The
+ * simplices of a large solid are seldom asked about twice, and forms of at most 1024 are kept. */
 
-/** A simplex with the forms that are made, by the bits of `made`: bit 0 its plane, 1 + k side k. */
+/** A simplex with the forms computed so far: bit 0 of `made` is set for its plane, bit 1 + k for
+ * side k. */
 typedef struct known_forms {
     uint32_t simplex;
     unsigned made;
     fmpz form[16]; /* the plane's at 0, side k's at 4 (k + 1) */
 } known_forms;
 
-/** Memory of one thread; zeroed: empty. */
+/** Forms that one thread keeps; all members are zero at first. */
 typedef struct form_memory {
-    unsigned long solid; /* the number of the solid that it is of */
+    unsigned long solid; /* the number of the solid whose forms are kept */
     known_forms *entry;
 } form_memory;
 
@@ -208,10 +214,10 @@ void form_memory_clear(form_memory *m);
 void known_plane(fmpz *out, form_memory *m, const graze_solid *solid, uint32_t simplex);
 
 /**
- * As solid_side.
- * @param m    memory, or NULL for none
+ * Find a side form as solid_side does.
+ * @param m memory, or NULL for none
  * @param room 4 initialised integers
- * @return the form, in `room` or in the memory until its next use
+ * @return the form, in `room`, or in `m` and valid until the next call with `m`
  */
 const fmpz *known_side(fmpz *room, form_memory *m, const graze_solid *solid, uint32_t simplex,
                        const fmpz *plane, int k);
@@ -219,15 +225,16 @@ const fmpz *known_side(fmpz *room, form_memory *m, const graze_solid *solid, uin
 /* The image of a box under an affine map in doubles. */
 
 /** Find a box around the image of a box with centre c and half sides h: its centre is A c + b, its
- * half sides are |A| h, widened by more than all rounding (proofs/filter.md C34). If it has NaN, it
+ * half sides are |A| h, widened by more than all rounding (proofs/filter.md C34). A box with NaN
  * meets every box, since comparisons with NaN are false.
- * @param entry d*(d+1) entries, row by row, each within 2^-48 of its size of the exact one */
+ * @param entry d*(d+1) entries, row by row, each within 2^-48 of the exact one, relative to its
+ * absolute value */
 void box_image(box *out, const double *entry, int d, const box *of);
 
 /* Making a solid. */
 
-/** Make a solid of a soup, which it takes over (also on failure): validation, bounds,
- * tree, side tests. */
+/** Validate a soup and make a solid with bounds, tree and slabs of it. The function takes the soup
+ * over, also on failure. */
 graze_status solid_create(graze_solid **out, graze_context *context, soup *input, unsigned flags);
 
 /** Read a curved solid (csg_read). `sha256` is the hash that the file must have, or NULL. */
@@ -235,12 +242,12 @@ graze_status solid_create_curved(graze_solid **out, graze_context *context, cons
                                  const unsigned char *sha256);
 
 /** Read a curved solid from text (csg_read_text).
- * @param sha256 that of the file that the text is, or is made of */
+ * @param sha256 the hash of the file that holds the text, or from which the text was made */
 graze_status solid_create_curved_text(graze_solid **out, graze_context *context, const char *name,
                                       const char *text, size_t length,
                                       const unsigned char sha256[32]);
 
-/** GRAZE_EINPUT: a file is not the one that was validated. */
+/** Report that a file is not the one that was validated; returns GRAZE_EINPUT. */
 graze_status solid_is_another(graze_context *context, const char *path);
 
 /* Integer forms of simplices: the plane through one, and the sides that cut it out of its plane.
@@ -255,7 +262,7 @@ graze_status solid_is_another(graze_context *context, const char *path);
  */
 int form_of_plane(fmpz *out, const fmpq *const *vertex, int dimension);
 
-/** Side form k: zero on side k, positive at the opposite vertex. Its coefficient is 0 at the
+/** Side form k: zero on side k, positive at the opposite vertex. The form's coefficient is 0 at the
  * coordinate in which the plane's normal is first not zero.
  */
 void form_of_side(fmpz *out, const fmpq *const *vertex, const fmpz *plane, int k, int dimension);
@@ -263,15 +270,15 @@ void form_of_side(fmpz *out, const fmpq *const *vertex, const fmpz *plane, int k
 /** Sign of a form at a homogeneous point. */
 int form_sign(const fmpz *form, const fmpz *x, int dimension);
 
-/** The order of forms as lists of integers: negative, zero or positive. */
+/** Compare forms as lists of integers: negative, zero or positive. */
 int form_compare(const fmpz *a, const fmpz *b, int dimension);
 
 /* Location of points by the crossings of a ray. */
 
 /**
- * The signed crossings of one ray from a point, made generic by an infinitesimal displacement
- * (proofs/claims.md C6): the winding number where the surface closes, its parity where it
- * closes modulo 2 (proofs/mesh.md C114).
+ * The sum of the signed crossings of one ray from a point, made generic by an infinitesimal
+ * displacement (proofs/claims.md C6). On a closed surface the sum is the winding number; on one
+ * closed modulo 2 only the parity of the sum has a meaning (proofs/mesh.md C114).
  * @param[out] on 1 if x lies on a simplex
  * @param x d + 1 homogeneous integers, x[d] > 0
  */
@@ -280,13 +287,14 @@ long skin_winding(int *on, const skin *s, const fmpz *x);
 /**
  * Location of a point: I, B or O, by the winding number. `x` are d + 1 homogeneous integers, x[d] >
  * 0.
- * @return GRAZE_STATE_ABSENT if the crossings add up to neither, which only a fault of Graze causes
+ * @return GRAZE_STATE_ABSENT if the winding number is neither 0 nor 1, which only a fault of Graze
+ * causes
  */
 graze_state solid_locate(const graze_solid *solid, const fmpz *x);
 
 /**
  * One side test per component of the boundary: the winding number must be 1 on the inner side and 0
- * on the outer side of one facet of it; then it is so for all (proofs/claims.md C3, C4).
+ * on the outer side of one of its facets, and then is so at all of them (proofs/claims.md C3, C4).
  */
 graze_status solid_check_sides(const graze_solid *solid, graze_context *context);
 
@@ -305,22 +313,23 @@ typedef struct plane_list {
 } plane_list;
 
 /**
- * Find the planes of `count` simplices, each computed here.
+ * Find the planes of `count` simplices, computing the form of each.
  * @param simplex their numbers, repetitions allowed; NULL for all simplices of the solid, `count`
  * of them
- * @return 0, or -1 without memory; then there is nothing to clear
+ * @return 0, or -1 if memory runs out; then there is nothing to clear
  */
 int planes_find(plane_list *out, const graze_solid *solid, const uint32_t *simplex, size_t count);
 
-/** planes_find with the forms that a memory has, or with none for NULL. */
+/** planes_find that takes forms from `forms` and adds to them; NULL keeps none. */
 int planes_find_known(plane_list *out, form_memory *forms, const graze_solid *solid,
                       const uint32_t *simplex, size_t count);
 void planes_clear(plane_list *list);
 
 /* A solid as the text of an exact file. */
 
-/** In E^3 OFF: the vertices by their numbers, and the triangles the facets are cut into, those of a
- * facet together. In E^2 WKT: one MULTIPOLYGON, its rings turned as the soup has them. */
+/** In E^3 write OFF: the vertices in the order of their numbers, then the triangles into which the
+ * facets are cut, facet by facet. In E^2 write WKT: one MULTIPOLYGON with rings oriented as in the
+ * soup. */
 void solid_write(text *out, const graze_solid *solid);
 
 #endif

@@ -1,4 +1,4 @@
-/* Median splits along the widest axis of the boxes' centres.
+/* The tree is built by median splits along the axis on which the boxes' centres spread most.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "input/solid/solid.h"
@@ -51,7 +51,7 @@ static int widest_axis(const entry *first, size_t count) {
     return widest;
 }
 
-/* Quickselect: afterwards entry[nth] is what sorting by centre would put there. */
+/* Quickselect: afterwards list[nth] is the entry that sorting by centre would put there. */
 static void select_nth(entry *list, int axis, size_t first, size_t last, size_t nth) {
     while (first < last) {
         double pivot = list[first + (last - first) / 2].centre[axis];

@@ -18,7 +18,7 @@ class box_list {
         boxes_.reserve(capacity);
     }
 
-    /** The box of `count` points. */
+    /** Add the box of `count` points, with a number. */
     void add(const points &at, std::uint32_t number, const std::uint32_t *point, int count) {
         double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
         for (int j = 0; j < at.dimension(); j++) {

@@ -26,7 +26,7 @@
 #include "input/validate/failure.hpp"
 
 typedef CGAL::Exact_predicates_exact_constructions_kernel Kernel;
-/** The exact number a Kernel::FT stands for. */
+/** The type of the exact number that a Kernel::FT stands for. */
 typedef Kernel::FT::ET Exact;
 
 /** CGAL throws at a failed check, and never writes, aborts or exits. Done once for the process. */
@@ -59,7 +59,7 @@ inline void make_common_point() {
     (void)copy;
 }
 
-/** Record a failed check of CGAL, without its place where memory for that runs out. */
+/** Record a failed check of CGAL, without its place in CGAL if memory for that runs out. */
 inline graze_status report_broken(graze_context *context, const CGAL::Failure_exception &broken) {
     try {
         return context_fail(context, GRAZE_EINTERNAL,

@@ -38,7 +38,8 @@ struct side {
     std::uint32_t a, b;   /* positions */
 };
 
-/* How often a side, by positions with a < b, is run through, and which way in the balance. */
+/* A side, by positions a < b: how often it is run through, and how much more often from a to b than
+ * back; `from` and `to` are its ends in the last run. */
 struct use {
     int times = 0, balance = 0;
     std::size_t from = 0, to = 0;
@@ -215,7 +216,8 @@ void cut_planar_facet(graze_context *context, std::vector<piece> &out, const poi
         p.facing = static_cast<std::int8_t>(sense);
         p.planar = true;
         for (int k = 0; k < 3; k++) {
-            /* Clockwise facets take the corners 0, 2, 1; side k then is opposite corner other(k).
+            /* Clockwise facets take the corners 0, 2, 1; side k of the piece is opposite to the
+             * face's corner `opposite`.
              */
             const int corner = sense > 0 ? k : (3 - k) % 3;
             const int opposite = sense > 0 ? (k + 2) % 3 : (4 - k) % 3;

@@ -15,7 +15,7 @@ std::uint32_t position(const points &at, std::size_t v) {
     return at.position(static_cast<std::uint32_t>(v));
 }
 
-/* The corners of all cycles, one of each run. */
+/* The corners of all cycles; of successive corners at one position the last. */
 cycle vertices_of(const points &at, const soup &s, std::size_t facet) {
     cycle all;
     for (std::size_t c = s.facet_start[facet]; c < s.facet_start[facet + 1]; c++)
@@ -51,8 +51,8 @@ piece triangle(const points &at, std::size_t facet, std::size_t u, std::size_t v
     return p;
 }
 
-/* The first three vertices of the facet, in its order, that span its plane; false if all lie on one
- * line. */
+/* Find the plane of a facet by its first two vertices and the first one off their line; false if
+ * all lie on one line. */
 bool spans_plane(piece &plane, const points &at, std::size_t facet, const cycle &all) {
     for (std::size_t k = 2; k < all.size(); k++) {
         plane = triangle(at, facet, all[0], all[1], all[k]);
@@ -143,7 +143,7 @@ void cut_facet(graze_context *context, std::vector<piece> &out, const points &at
         cut_planar_facet(context, out, at, s, facet, plane);
 }
 
-/* The first facet that is not legal, with its message, and those of its kind. */
+/* The first facet that is not legal, with its message, and the facets with a fault of its kind. */
 class bad_facets {
   public:
     void take(const failure &found, const graze_context *context, std::size_t facet) {

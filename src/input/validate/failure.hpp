@@ -16,10 +16,10 @@
 /** Thrown once the context holds the message; the guard returns the status. */
 struct failure {
     graze_status status;
-    const char *kind = nullptr; /* of an illegal solid: the same for faults of one kind */
+    const char *kind = nullptr; /* for an illegal solid: equal for faults of one kind */
 };
 
-/** The solid is illegal: records the message and throws. */
+/** Record a message that the solid is illegal, with GRAZE_EILLEGAL, and throw. */
 [[noreturn]] inline void refuse(graze_context *context, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
@@ -50,8 +50,8 @@ class interruption {
     std::size_t calls_ = 0;
 };
 
-/** Names of faults in the order of their facets, and of those of one facet in the order in which
- * they came; the first few are kept. */
+/** Names of faults in the order of their facets, and for one facet in the order in which they are
+ * added; the first few are kept. */
 class fault_list {
   public:
     void add(std::size_t facet, const std::string &name) {

@@ -9,14 +9,14 @@
 #include <vector>
 
 /**
- * A piece as seen from a segment or point of it: the half plane (ray) from there through `toward`.
- * `crossing` is +1 if going counter-clockwise through it leads from inside the solid to outside,
- * -1 if from outside to inside.
+ * A piece as seen from a segment or point of it: the half plane from the segment (ray from the
+ * point) through `toward`. `crossing` is +1 if going counter-clockwise through it leads from inside
+ * the solid to outside, -1 if from outside to inside.
  */
 struct germ {
     std::uint32_t toward;
     std::uint32_t piece;
-    int drop; /* E^3: the coordinate dropped when the plane of the piece is looked at */
+    int drop; /* E^3: the coordinate that is dropped to project the piece's plane to E^2 */
     int crossing;
 };
 

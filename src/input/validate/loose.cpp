@@ -3,8 +3,8 @@
  *
  * Whole edges cancel first. What is left is summed along lines, since the sides of triangles may
  * lie on one another without being one edge, as at a corner in the middle of an edge: on each line
- * the ends of such edges are gone through in their order, and each part between two of them is an
- * edge that is run through by those that began before and end behind it.
+ * the ends of such edges are gone through in their order, and each part between two neighbouring
+ * ends is run through by the edges that begin before and end behind it.
  */
 #include "input/validate/validate.h"
 
@@ -23,14 +23,14 @@ struct passes {
 
 /* An end of an edge on its line: passes begin there, or end. */
 struct line_end {
-    std::size_t line; /* lines are one if they have one number */
+    std::size_t line; /* one number for all ends on one line */
     std::uint32_t position;
     bool begins;
     passes through;
 };
 
-/* A line. `at` has, of the two axes behind `axis`, the slopes over it, and the coordinates of the
- * line's point at 0 on it. */
+/* A line along which coordinate `axis` changes. `at` holds the slopes of the next two coordinates
+ * over that one, then the values of both where it is 0. */
 struct line {
     std::array<mpq_class, 4> at;
     int axis;
@@ -55,7 +55,7 @@ line line_through(const points &at, std::uint32_t u, std::uint32_t v) {
     return out;
 }
 
-/* An edge that whole edges leave open. */
+/* An edge that triangles run through more often one way than the other. */
 struct open_edge {
     std::uint32_t first, last; /* positions, in the order along the line */
     passes through;
@@ -112,7 +112,7 @@ std::vector<loose_edge> parts_left_open(const std::vector<line_end> &ends) {
         const line_end &e = ends[k];
         now.along = e.begins ? now.along + e.through.along : now.along - e.through.along;
         now.against = e.begins ? now.against + e.through.against : now.against - e.through.against;
-        /* All that run along a line end on it, so its last end leaves nothing open. */
+        /* Every edge on a line ends on it, so nothing is open behind the last end. */
         if (now.along == now.against || e.position == ends[k + 1].position)
             continue;
         loose_edge part = {e.position, ends[k + 1].position, now.along, now.against};

@@ -145,8 +145,8 @@ void outline::check_points() {
     }
 }
 
-/* The solid is on the left of an edge: counter-clockwise around its start the way leads in, around
- * its end out. */
+/* The solid is on the left of an edge: going counter-clockwise around its start, one comes through
+ * it into the solid, around its end out of the solid. */
 void outline::check_point(std::uint32_t vertex, const std::vector<std::uint32_t> &ends,
                           const std::vector<std::uint32_t> &through) {
     std::vector<germ> germs;
@@ -213,8 +213,8 @@ bool outline::middle_outside(const ring &outer, const piece &edge) const {
     return !odd;
 }
 
-/* A hole does not cross its outer ring, but may leave it where they touch: every run of edges
- * between two positions that more than one ring passes is tested by its first edge. */
+/* A hole does not cross its outer ring, but may leave it where they touch: every run of a hole's
+ * edges between two positions that edges pass more than once is tested by its first edge. */
 void outline::check_holes() {
     std::vector<std::uint8_t> passes(at_.count(), 0);
     for (const piece &e : edges_)

@@ -16,7 +16,7 @@
 
 namespace {
 
-/* Ends the search at the first common point. */
+/* Thrown to end the search at the first common point. */
 struct met {};
 
 /* Rationals, d for a point, that are cleared in the end. */
@@ -29,7 +29,7 @@ class rationals {
     }
     rationals(const rationals &) = delete;
     rationals &operator=(const rationals &) = delete;
-    /* Room for `count` more, all 0. */
+    /* Append `count` zeros; pointers of earlier calls become invalid. */
     fmpq *append(std::size_t count) {
         const std::size_t first = value_.size();
         value_.resize(first + count);
@@ -45,7 +45,7 @@ class rationals {
     std::vector<fmpq> value_;
 };
 
-/* d rows of d + 1 entries. */
+/* Apply a map of d rows of d + 1 entries to a point. */
 void apply(fmpq *out, const fmpq *map, const fmpq *x, std::size_t d) {
     for (std::size_t i = 0; i < d; i++) {
         fmpq_set(out + i, map + i * (d + 1) + d);
@@ -81,7 +81,7 @@ class box_around {
         }
         empty_ = false;
     }
-    /* Around the image of another box. */
+    /* Widen this box until it holds the image of another box. */
     void include_image(const box_around &box, const fmpq *map) {
         rationals place;
         fmpq *x = place.append(2 * d_);
@@ -154,7 +154,8 @@ std::vector<piece> collect(rationals &all, std::size_t &count, const soup &s, co
     return pieces;
 }
 
-/* Let pieces stand on positions, and box them. */
+/* Replace the points of pieces by their positions, orient the pieces in E^3, and add their boxes.
+ */
 void place(std::vector<piece> &pieces, box_list &boxes, const points &at) {
     for (std::uint32_t k = 0; k < pieces.size(); k++) {
         piece &p = pieces[k];

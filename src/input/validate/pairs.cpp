@@ -88,7 +88,8 @@ plane_signs signs_against(const points &at, const piece &plane, const piece &t) 
     return s;
 }
 
-/* The vertex alone on its side: the others are on the plane or beyond it. */
+/* The vertex alone on its side: the others are on the plane or beyond it. If there is none, a
+ * vertex on the plane, with the sign that the others lack. */
 int apex(const plane_signs &s, int &sign) {
     for (int k = 0; k < 3; k++) {
         const int next = s.sign[(k + 1) % 3], last = s.sign[(k + 2) % 3];
@@ -105,7 +106,7 @@ int apex(const plane_signs &s, int &sign) {
 }
 
 /* -1: the intervals the triangles cut out of the common line of their planes are disjoint, 0: they
- * have one end in common and no more, 1: they overlap. Neither triangle is off the other's plane.
+ * have one end in common and no more, 1: they overlap. Each triangle meets the other's plane.
  */
 int intervals(const points &at, const piece &s, const plane_signs &of_s, const piece &t,
               const plane_signs &of_t) {
@@ -178,8 +179,9 @@ bool coplanar_meet(const points &at, const piece &s, const piece &t) {
     return true;
 }
 
-/* A quick certificate that two triangles have a point in common at most: in the projection of s, a
- * side of s has the vertices of t beyond it, but for one that may lie on its line. */
+/* A quick certificate that two triangles have a point in common at most: in the projection of s,
+ * all vertices of t lie strictly beyond one side of s, but for one that may be an end of that side.
+ */
 bool beyond_a_side(const points &at, const piece &s, const piece &t) {
     for (int k = 0; k < 3; k++) {
         int rest = 0;
@@ -206,7 +208,7 @@ triangles neighbours_lie(const points &at, const piece &s, int lone_s, const pie
                                                                 : triangles::clear;
 }
 
-/* The vertex of s that t has not, if there is just one such. */
+/* The one vertex of s that t does not have; -1 if there is none or more than one. */
 int lone_vertex(const piece &s, const piece &t) {
     int lone = -1;
     for (int k = 0; k < 3; k++) {

@@ -19,7 +19,7 @@
 struct piece {
     simplex cell;
     std::uint32_t at[3]; /* the positions of its vertices */
-    std::int8_t drop;    /* the coordinate dropped when its plane is looked at in E^2 */
+    std::int8_t drop;    /* the coordinate that is dropped to project its plane to E^2 */
     std::int8_t facing;
     bool planar; /* cut out of a planar facet: its siblings are known not to overlap it */
 };
@@ -32,7 +32,8 @@ bool piece_orient(piece &p, const points &at);
 enum class segments { apart, share, touch, cross, overlap, same };
 
 /**
- * Segments a b and c d, different positions each, looked at with coordinate `drop` dropped.
+ * How segments a b and c d lie, each with ends at different positions, once coordinate `drop` is
+ * dropped.
  * @param[out] touching the end that rests inside the other segment, where the answer is touch
  */
 segments segments_lie(std::uint32_t &touching, const points &at, int drop, std::uint32_t a,
@@ -47,8 +48,8 @@ bool collinear_overlap(const points &at, std::uint32_t a, std::uint32_t b, std::
  * plane. */
 enum class triangles { clear, contact, cross, overlap };
 
-/** The sides along which two triangles are in contact; -1 for none. Such a side of one runs, for
- * a while, inside the other or along its side. */
+/** The sides along which two triangles are in contact; -1 for none. A part of such a side lies
+ * inside the other triangle or along a side of it. */
 struct contact_sides {
     int first, second;
 };

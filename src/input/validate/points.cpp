@@ -2,12 +2,12 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Signs are filtered. Each axis is divided by a power of two that brings it into [-1, 1]; the
- * double kept of a coordinate is within 2^-50 of that, so a difference of two of them, rounded in
- * any direction, is within DELTA = 2^-48 of the true one. With A_j bounding the true and the
- * computed differences along axis j, a 3 x 3 determinant of differences has six products; replacing
- * the entries costs at most 6 DELTA (A_1 A_2 + A_0 A_2 + A_0 A_1), and rounding its evaluation less
- * than 2^-46 A_0 A_1 A_2. The bounds below are larger by enough to be evaluated in doubles
- * themselves, and never smaller than 2^-145, so that no underflow matters, flushed or not.
+ * double kept of a coordinate is within 2^-50 of the quotient, so a difference of two of them,
+ * rounded in any direction, is within DELTA = 2^-48 of the true one. With A_j bounding the true and
+ * the computed differences along axis j, a 3 x 3 determinant of differences has six products;
+ * replacing the entries costs at most 6 DELTA (A_1 A_2 + A_0 A_2 + A_0 A_1), and rounding its
+ * evaluation less than 2^-46 A_0 A_1 A_2. The bounds below are larger by enough to be evaluated in
+ * doubles themselves, and never smaller than 2^-145, so that no underflow matters, flushed or not.
  */
 #include "input/validate/points.hpp"
 
@@ -18,7 +18,7 @@
 
 namespace {
 
-/* Longer common denominators than this many bits are not worth having. */
+/* Common denominators of more bits than this are not used. */
 constexpr flint_bitcnt_t COMMON_BITS = 4096;
 constexpr double DELTA = 0x1p-48;
 

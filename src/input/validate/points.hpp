@@ -2,7 +2,7 @@
  * orientation signs every test is made of.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * The rationals stay where they are; what is kept are ranks and doubles that settle most signs.
+ * The rationals are borrowed; ranks and doubles, which settle most signs, are computed once.
  */
 #ifndef GRAZE_VALIDATE_POINTS_HPP
 #define GRAZE_VALIDATE_POINTS_HPP

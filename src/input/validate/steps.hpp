@@ -11,7 +11,7 @@
 /** Refuse a soup whose vertices, cells, or the three sides of every cell, 32 bits cannot count. */
 void check_size(graze_context *context, const soup &s);
 
-/** Put pieces where C finds them. */
+/** Copy the cells of pieces and the number of components to `out`, in memory of malloc. */
 void hand_over(simplices *out, const std::vector<piece> &pieces, std::size_t components);
 
 /** Check the facets of a soup in E^3 one by one and cut them into triangles.
@@ -35,13 +35,14 @@ std::size_t check_outline(graze_context *context, std::vector<piece> &pieces, co
 
 /** Check the contacts between the triangles of a boundary, and number their components. With
  * `trust_contacts` only the balance of edges is looked at: (1) and (3) of the theorem in
- * validate.cpp are known, and components are joined by common edges alone, which makes them no
- * larger, so it holds for them too.
+ * validate.cpp are known, and triangles are joined by common edges alone. Components are then parts
+ * of the theorem's components, so it holds for them too.
  * @return the number of components */
 std::size_t check_surface(graze_context *context, std::vector<piece> &pieces, const points &at,
                           bool trust_contacts);
 
-/** The input's names of cells that the pieces, those of a facet together, do not have. */
+/** Find the input's names of cells that the pieces do not have. Pieces of one facet stand together.
+ */
 void name_cells(cell_names *out, const points &at, const soup &s, const std::vector<piece> &pieces);
 
 /* Components: pieces joined by common edges and contacts. */

@@ -19,7 +19,7 @@
 
 namespace {
 
-/* Illegal pairs of triangles that are counted. */
+/* Illegal pairs of triangles that are counted, at most. */
 constexpr std::size_t PAIRS_MOST = 1000;
 
 /* The side `side` of a triangle is in contact with the triangle `other` along a segment. */
@@ -94,7 +94,8 @@ std::pair<std::size_t, std::size_t> surface::uses_of(place first, place last) {
     return {std::max(along, against), std::min(along, against)};
 }
 
-/* Report the unbalanced edge of the first facet. */
+/* Join triangles at common edges, list unbalanced edges, and report the one with the first
+ * triangle. */
 void surface::check_balance() {
     place worst = edges_.end(), worst_last = edges_.end();
     for (place first = edges_.begin(), last; first != edges_.end(); first = last) {
@@ -166,7 +167,8 @@ bool surface::inside_edge(std::uint32_t v, const half_edge &e) const {
            (at_.rank(v, axis) < at_.rank(e.high, axis));
 }
 
-/* An edge A B on one side, A M and M B on the other: all three are unbalanced, and M is named. */
+/* Report a T-junction at a broken edge, if there is one: of an edge A B on one side and A M, M B on
+ * the other all three are unbalanced, and M is named. */
 void surface::report_junction(const half_edge &broken, const fault_list &alike) {
     interruption cancel(context_);
     for (const auto &[e, last] : unbalanced_) {
@@ -220,7 +222,7 @@ void surface::visit_pair(std::uint32_t i, std::uint32_t j) {
         contacts_.push_back({j, i, sides.second});
 }
 
-/* The text on further pairs of facets. */
+/* The part of a message that names further pairs of facets. */
 std::string surface::further_pairs() {
     fault_list list;
     if (bad_pairs_.size() == PAIRS_MOST)
@@ -312,7 +314,8 @@ void surface::check_edge(place first, place last, const std::vector<std::uint32_
     }
 }
 
-/* The part [from, to] of an edge low + x (high - low) that lies in a triangle of its plane. */
+/* The part [from, to] of an edge low + x (high - low) that lies in a triangle whose plane contains
+ * the edge; false if it is a point or empty. */
 bool surface::range_on(mpq_class &from, mpq_class &to, const half_edge &e,
                        std::uint32_t other) const {
     const piece &t = pieces_[other];

@@ -4,8 +4,8 @@
  *
  * In E^3 all triangles of a planar facet have one vertex at a position, those of a fan the last of
  * each run of vertices there, so the triangles' name of a corner is that of its own vertex or of
- * the last in its run. In E^2 an edge has its own two vertices, and only those that have a side
- * without length before them and behind them are named by none.
+ * the last in its run. In E^2 an edge has its own two vertices, and only a vertex between two sides
+ * without length is the end of no edge.
  */
 #include "input/validate/steps.hpp"
 

@@ -22,7 +22,7 @@
  * It follows that one side test per component, outer value 0, decides everything: then w is 0 or 1
  * everywhere, the solid is the closure of w = 1, and its boundary is the union of the pieces. In
  * E^3 contacts in isolated points need no look. Diagonals, made by cutting facets, are edges here.
- * With proofs: proofs/claims.md C2, C3, C4 and C7; C5 says that nothing legal is refused.
+ * Proofs: proofs/claims.md C2, C3, C4 and C7; C5 says that nothing legal is refused.
  */
 #include "input/validate/validate.h"
 

@@ -28,10 +28,10 @@ typedef struct simplex {
     uint8_t diagonal;   /* bit k set: side k is no input edge but was made by cutting the facet */
 } simplex;
 
-/** Sides of the input whose ends are one position: no edges. */
+/** Sides of the input with both ends at one position, which are no edges. */
 typedef struct flat_sides {
     size_t count;
-    size_t facet, cycle; /* of the first: its facet (E^2: polygon) and its cycle there */
+    size_t facet, cycle; /* facet (E^2: polygon) of the first side, and cycle in the facet */
     uint32_t from, to;   /* its ends */
 } flat_sides;
 
@@ -39,7 +39,7 @@ typedef struct simplices {
     size_t count;
     simplex *item; /* malloc'ed; those of one facet stand together */
     size_t component_count;
-    cell_names names; /* where simplices do not have all the input's names */
+    cell_names names; /* names of cells that the input has and the simplices lack */
     flat_sides flat;
 } simplices;
 
@@ -67,23 +67,23 @@ typedef struct loose_edge {
 enum { LOOSE_EDGES_KEPT = 8 };
 
 /**
- * Edges that do not close, and among them those with an odd number of triangles. Positions count,
- * not vertex numbers, and points of edges, not their ends: where one edge lies on two others that
- * meet in its middle they close (proofs/mesh.md C114). `forward` and `backward` leave out edges
- * that close as a whole.
+ * The number of edges that do not close, and of those among them with an odd number of triangles.
+ * Edges are compared by positions, not by vertex numbers, and point by point: an edge and two
+ * others that lie on it and meet in its middle close each other (proofs/mesh.md C114). `forward`
+ * and `backward` leave out edges that close as a whole.
  */
 typedef struct loose_edges {
     size_t odd_count, unbalanced_count;
-    /* The first by numbers: of the odd ones if there are any, else of the others. */
+    /* The first edges by their vertices: odd ones if there are any, else all. */
     size_t kept_count;
     loose_edge kept[LOOSE_EDGES_KEPT];
 } loose_edges;
 
 /**
  * Cut the facets of a soup in E^3 into triangles. They may cross, overlap and be open; those
- * without area are left out, which changes the sums along no edge. Components are joined by whole
+ * without area are left out, which changes no sum along an edge. Components are joined by whole
  * edges.
- * @param[out] flat_count facets without area, and such triangles of fans
+ * @param[out] flat_count the number of facets without area, and of triangles of fans without area
  * @param flags GRAZE_SOLID_TRIANGULATE
  * @return GRAZE_EILLEGAL a facet is not planar or not simple; GRAZE_ELIMIT; GRAZE_ECANCELED;
  * GRAZE_ESYSTEM; GRAZE_EINTERNAL
@@ -94,8 +94,9 @@ graze_status validate_loose(simplices *out, loose_edges *edges, size_t *flat_cou
 /* The test whether a boundary meets its image under a map. */
 
 /**
- * Does any simplex of S touch any simplex of the image of S under the affine map? Both are closed
- * sets; the answer is exact. The caller tests whether one boundary lies inside the other solid.
+ * Does any simplex of S touch any simplex of the image of S under the affine map? Simplices are
+ * closed sets; the answer is exact. The caller tests whether one boundary lies inside the other
+ * solid.
  * @param map d*(d+1) rationals, row by row, invertible
  */
 graze_status boundaries_meet(int *out, graze_context *context, const soup *s, const simplices *cut,
@@ -114,7 +115,8 @@ graze_status boundaries_meet(int *out, graze_context *context, const soup *s, co
  * interiors of facets disjoint; around every segment (E^2: point) where more than two facet sides
  * meet, in and out alternate. The caller makes one side test per component.
  * @param flags GRAZE_SOLID_TRIANGULATE, VALIDATE_TRUST_CONTACTS
- * @return GRAZE_EILLEGAL naming facets, edges, vertices; GRAZE_ELIMIT; GRAZE_EINTERNAL
+ * @return GRAZE_EILLEGAL naming facets, edges, vertices; GRAZE_ELIMIT; GRAZE_ECANCELED;
+ * GRAZE_ESYSTEM; GRAZE_EINTERNAL
  */
 graze_status validate_soup(simplices *out, graze_context *context, const soup *s, unsigned flags);
 
