@@ -15,7 +15,7 @@ static void append_end(algebraic_list *list, slong value) {
     algebraic_set_rational(algebraic_list_append(list), end);
 }
 
-/* The list's numbers in order, equal ones once. */
+/* Sort the roots into `point`; equal numbers stand there once. */
 static graze_status order_points(axis *x, graze_context *context) {
     size_t n = x->roots.count;
     x->point = malloc(n * sizeof *x->point);
