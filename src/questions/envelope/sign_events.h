@@ -202,7 +202,7 @@ graze_status singular_exists(int *out, const singular_view *v, algebraic *u);
  */
 graze_status singular_axis(axis *out, const singular_view *v);
 
-/* Facets on all of which g vanishes. */
+/* Facets with g = 0 at all of their points. */
 
 /** Set `still` of a facet. At single times at which g vanishes on all of the facet, note a finding
  * if theta is negative at a corner, or if another facet of a reflex edge has g not 0 at an end of
