@@ -63,8 +63,8 @@ word word_digits(word *w);
 /** Read a whole number token: `-12`, `0.1`, `1.5e-3`, `22/7`; returns 1, or 0 if w is none. Gives
  * up on more than MOST_DIGITS digits. */
 int number_read(mpq_t out, word w);
-/** Read a whole token as integer_read: an integer, as count_read: a count of at most nine digits;
- * 1, or 0 if it is none. */
+/** Read a whole token: integer_read an integer, count_read a count of at most nine digits. Returns
+ * 1, or 0 if the token is none. */
 int integer_read(mpz_t out, word w);
 int count_read(size_t *out, word w);
 
@@ -82,7 +82,7 @@ lines lines_open(const char *path);
  * of the file. */
 int lines_next(lines *l, word *out);
 
-/** A text being read: tokens. */
+/** A text that is read token by token. */
 typedef struct source {
     const char *path, *at, *end;
     size_t line;

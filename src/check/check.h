@@ -30,7 +30,7 @@ typedef struct table {
     size_t rows;
 } table;
 
-/** @param tells a note names the other columns on standard error */
+/** @param tells 1: a note on standard error names the columns that are not certified */
 table table_open(const char *path, const head *h, int tells);
 /** Read the next row of the table; if r is given, refutes the row unless it has the point of r and
  * what was found of it. */

@@ -70,7 +70,7 @@ static int disjoint(work *w) {
 }
 
 /* If an edge of a (d = 2: a vertex) lies in the plane of b and meets b's relative interior: on
- * which side of b is a? 1: outside, 2: inside, 3: an edge on each side, 0: no such edge. */
+ * which side of b is a? 1: outside, 2: inside, 3: both, by different edges, 0: no such edge. */
 static int resting_sides(work *w) {
     int d = w->d, at[3], out = 0;
     for (int k = 0; k < d; k++)
@@ -85,8 +85,8 @@ static int resting_sides(work *w) {
 }
 
 /* Add to sum[i], for each side i of b, 1 if a side of a runs along it in the same direction, -1 if
- * in the opposite one. In the plane sides are vertices: those at one end of both count 1, those at
- * different ends -1. */
+ * in the opposite one. In the plane sides are vertices: two at one position count 1 if both are the
+ * first or both the last of their segments, else -1. */
 static void add_sides(long *sum, const work *w) {
     int d = w->d, same[3][3]; /* same[i][k]: vertices i of b and k of a have one position */
     for (int i = 0; i < d; i++)

@@ -3,8 +3,8 @@
  *   PIECE = {"t": [NUMBER, NUMBER], ROW "transform": {"translate": [ENTRY, ...]}}
  *         | {"t": [NUMBER, NUMBER], ROW "transform": {"matrix": [[ENTRY, ...], ...]}}
  *   ROW = nothing | "row": COUNT,
- * ENTRY = A | (A)/(A); A = [-] TERM {(+|-) TERM}; TERM = NUMBER | [NUMBER*] t [^COUNT] NUMBERs and
- * ENTRYs stand in quotes or bare.
+ *   ENTRY = A | (A)/(A);  A = [-] TERM {(+|-) TERM};  TERM = NUMBER | [NUMBER*] t [^COUNT]
+ * NUMBERs and ENTRYs stand in quotes or bare.
  * SPDX-License-Identifier: MIT
  */
 #include "motion.h"

@@ -93,7 +93,7 @@ static void make_plane(simplex *f, const solid *s) {
 
 void solid_side(mpz_t *out, const solid *s, const simplex *f, int axis, int k) {
     int d = s->d, next = (k + 1) % d, ahead = d == 2 || mpz_sgn(f->plane[axis]) > 0;
-    int b = (axis + 1) % d, c = (axis + d - 1) % d; /* in the plane one number */
+    int b = (axis + 1) % d, c = (axis + d - 1) % d; /* b equals c in the plane */
     mpz_t *p = solid_vertex(s, f->v[ahead ? k : next]),
           *q = solid_vertex(s, f->v[ahead ? next : k]);
     mpz_set_ui(out[axis], 0);

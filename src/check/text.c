@@ -53,7 +53,7 @@ void source_fail(const source *f, const char *what) {
     give_up("%s:%zu: %s", f->path, f->line, what);
 }
 
-/* Pass over blanks and comments. */
+/* Skip blanks and comments; note in `first` whether a line ended among them. */
 static void skip_blanks(source *f) {
     int comment = 0;
     f->first = 0;

@@ -23,7 +23,7 @@ typedef struct trace {
 
     mpq_t from, at; /* the ends of the last interval; `at` is t0 before the first one */
     char *word;     /* the word that the row claims */
-    size_t length;  /* letters of `word` that the intervals so far have spelled */
+    size_t length;  /* number of letters of `word` that the intervals so far have spelled */
 
     /* The interval at hand. */
     mpz_t *beta;  /* n + 1 groups of d + 1 scaled Bernstein coefficients of x */

@@ -66,18 +66,18 @@ struct graze_boundary {
                            is on, sorted */
     size_t contact_count;
     unsigned long asked; /* number of contact points made; the budget counts them too */
-    size_t *work;        /* cells to look at */
+    size_t *work;        /* cells that are still to be examined */
     size_t work_count, work_capacity;
     unsigned reached; /* the level of the cells that the surface was made of */
-    int complete;     /* the budget lasted */
-    int closed;       /* the surface has no border */
+    int complete;     /* 1 if the budget lasted */
+    int closed;       /* 1 if the surface has no border */
     unsigned long missed;
     number_index vertices; /* keys: middles of the cells' edges on which vertices lie; values: the
                               pmc at the inner share */
     fmpq *shares;    /* two for each of `vertices`: of a point that is out, and of one that is not
                         (bisect.c) */
     size_t exact;    /* number of vertices that are exactly on the boundary */
-    size_t *corners; /* of the surface's faces, d each */
+    size_t *corners; /* vertices of the surface's faces, d each */
     size_t face_count, corner_capacity;
     cell_faces *patches; /* set if `sharp`, in the order of their faces */
     size_t patch_count, patch_capacity;
@@ -89,7 +89,7 @@ struct graze_boundary {
  * of points it classified. */
 typedef struct asker {
     const struct graze_boundary *boundary;
-    graze_context *context; /* of the call at work */
+    graze_context *context; /* context of the running call */
     fmpq point[3];
     unsigned long asked;
 } asker;

@@ -1,10 +1,10 @@
 /* Where tangent planes meet, verified by exact classification.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * The two planes that differ most, and the one of the others that is farthest from containing the
- * direction of their line, are intersected exactly. The common point is only a guess: it is taken
- * if it is on and a point next to it is out; else a pair of points near it, one out and one not, is
- * looked for by bisection along the sum of the normals.
+ * The two planes that differ most are intersected exactly and, in E^3, with a third one: the plane
+ * farthest from containing the direction of the line of the first two. The common point is only a
+ * guess: it is taken if it is on and a point next to it is out; else a pair of points near it, one
+ * out and one not, is looked for by bisection along the sum of the normals.
  */
 #include "questions/boundary/boundary.h"
 

@@ -31,8 +31,8 @@ graze_status lattice_classify(graze_pmc *out, graze_context *context, struct gra
 int sample_cell_mixed(const struct graze_boundary *b, const sample_cell *c, unsigned mask,
                       unsigned bits);
 
-/* A vertex's two points are 2^-21 of its edge apart. The longest edge is a cell's diagonal, so they
- * are within 2^-20 of the cell's longest side of one another.
+/* A vertex's two points are 2^-21 of its edge apart. The longest edge is a cell's diagonal, so the
+ * distance of the two points is less than 2^-20 of the cell's longest side.
  */
 enum { BISECT_BITS = 21 };
 

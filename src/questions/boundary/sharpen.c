@@ -43,7 +43,7 @@ typedef struct sharpening {
     fan *fans;
     size_t fan_count, fan_capacity;
     size_t *rims, rim_count, rim_capacity;
-    number_index places;                          /* of the fans' cells, in their order */
+    number_index places; /* places of the fans' cells, in the order of the fans */
     size_t *corners, face_count, corner_capacity; /* the new faces */
 } sharpening;
 

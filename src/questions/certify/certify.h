@@ -1,4 +1,4 @@
-/* certify: makes certificates, by whose hints `graze-check` proves rows.
+/* certify: makes certificates, whose hints let `graze-check` prove rows.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_QUESTIONS_CERTIFY_H
 #define GRAZE_QUESTIONS_CERTIFY_H

@@ -21,7 +21,8 @@ typedef struct control {
     box box;
 } control;
 
-/** Room for trajectories of a degree; 0 without memory. control_clear frees it. */
+/** Allocate room for trajectories of a degree, which control_clear frees; returns 0 if memory is
+ * short. */
 int control_init(control *out, slong degree);
 void control_clear(control *c);
 

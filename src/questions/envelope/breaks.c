@@ -1,8 +1,9 @@
-/* Findings at breaks, with contact on one side and then on the other. SPDX-License-Identifier:
- * GPL-3.0-or-later The envelope may not decompose if there is contact before the break and all g
- * are positive after it (turn = 1), or contact after it and all g are negative before it (turn =
- * -1). In both cases all g of the side without contact, times `turn`, are positive. Values at the
- * break are rational.
+/* Findings at breaks, with contact on one side and then on the other.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The envelope may not decompose if there is contact before the break and all g are positive after
+ * it (turn = 1), or contact after it and all g are negative before it (turn = -1). In both cases
+ * all g of the side without contact, times `turn`, are positive. Values at the break are rational.
  */
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>

@@ -1,5 +1,5 @@
-/* Lists the moments of events by the cells that the events name. SPDX-License-Identifier:
- * GPL-3.0-or-later */
+/* Lists the moments of events by the cells that the events name.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"

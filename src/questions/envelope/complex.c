@@ -148,7 +148,7 @@ static size_t facet_number(const cell_complex *c, const place_facet *wanted) {
     return (size_t)(found - c->facet);
 }
 
-/* State of locating cells one after another. */
+/* The state while cells are located one after another. */
 typedef struct locating {
     cell_complex *c;
     graze_context *context;

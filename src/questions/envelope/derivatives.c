@@ -1,4 +1,4 @@
-/* Phi_1 = -A^-1 (A' y + b'), and Phi_(k+1) = Delta Phi_k' - k Delta' Phi_k + Phi_k Phi_1.
+/* Computes Phi_1 = -A^-1 (A' y + b') and Phi_(k+1) = Delta Phi_k' - k Delta' Phi_k + Phi_k Phi_1.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <stdlib.h>

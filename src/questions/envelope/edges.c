@@ -30,7 +30,7 @@ typedef struct edge_finder {
     side *side;          /* sorted by ends; in E^2 the simplices */
     unsigned char *keep; /* of each simplex: bit k is 1 if its side k bounds a facet */
     size_t edge_capacity, inner_count, inner_capacity, corner_positions;
-    inner_vertex *inner; /* in the side at hand */
+    inner_vertex *inner; /* vertices within the side that is being cut */
 } edge_finder;
 
 static int compare_sides(const void *left, const void *right) {

@@ -69,7 +69,7 @@ graze_status events_watch(event_list *list, graze_context *context, const found_
     return GRAZE_OK;
 }
 
-/* The order of events at one time. */
+/* The order of events by time, then by kind, cells and signs. */
 static int compare_at_one_time(const void *left, const void *right) {
     const found_event *a = left, *b = right;
     if (a->time != b->time)

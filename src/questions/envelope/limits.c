@@ -26,7 +26,7 @@ typedef struct limit_finder {
     const place_list *places;
     size_t moment, piece; /* the piece after the moment */
     int is_break;
-    algebraic before, after; /* parameters of the pieces before and after */
+    algebraic before, after; /* parameters of the moment in the pieces before and after */
     size_t count, capacity;
     limit_place *item;
     numbers set;

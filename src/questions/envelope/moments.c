@@ -1,5 +1,5 @@
-/* Merges the times of events with the ends and breaks of the motion. SPDX-License-Identifier:
- * GPL-3.0-or-later */
+/* Merges the times of events with the ends and breaks of the motion.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"

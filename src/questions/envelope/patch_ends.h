@@ -42,8 +42,8 @@ static const graze_cell NO_CELL = {0, 0, 0};
 /** Would a finding with this reason replace the one that decides so far? */
 int judge_wants(const graze_envelope *e, graze_decomposable_reason reason);
 
-/** Note a finding at parameter u of a piece; it is kept only if judge_wants its reason. @param
- * facet, cell borrowed */
+/** Note a finding at parameter u of a piece; it is kept only if judge_wants its reason.
+ * @param facet, cell borrowed */
 graze_status judge_find(graze_envelope *e, graze_context *context, graze_decomposable_reason reason,
                         const graze_cell *facet, const graze_cell *cell, size_t piece,
                         const algebraic *u);
@@ -122,8 +122,8 @@ graze_status limits_find(graze_patches *p, graze_context *context, const place_l
 
 /* Velocities of all points of the body at one time. */
 
-/** c' and c'' of the trajectory through y are matrices of d rows and d + 1 columns applied to (y,
- * 1), times positive numbers. */
+/** `velocity` and `bend` are matrices of d rows and d + 1 columns. Applied to (y, 1) they give c'
+ * and c'' of the trajectory through y, times a positive number each. */
 typedef struct snapshot {
     const graze_envelope *e;
     int dimension;

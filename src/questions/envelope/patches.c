@@ -52,7 +52,7 @@ static graze_status add_patch(graze_patches *p, graze_context *context, const cu
                                 made->world, context, p->envelope, part, t);
 }
 
-/* Add the patches of a cell between two moments: its parts at a time between them. */
+/* Add the patches of a cell between two moments, from the cell's parts at one time between them. */
 static graze_status patches_between(graze_patches *p, graze_context *context, add_parts *find,
                                     size_t number, size_t from, size_t to) {
     HELD(contact_curve, curve, p->envelope->cells.dimension);
@@ -65,7 +65,7 @@ static graze_status patches_between(graze_patches *p, graze_context *context, ad
     return GRAZE_OK;
 }
 
-/* The patches of all cells of one kind. */
+/* Add the patches of all cells of one kind. */
 static graze_status patches_of_cells(graze_patches *p, graze_context *context, add_parts *find,
                                      add_moments *add, size_t count) {
     ZEROED(numbers, cuts);

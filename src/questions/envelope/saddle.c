@@ -159,9 +159,10 @@ static int run_reaches(const corner_view *v, const signed char *sign) {
     return 0;
 }
 
-/* Does the slice of a facet end on an edge at the vertex just before or after point `at`, at which
- * g of the facet is 0 at the vertex, and so come to the vertex? Edges along which g is 0 then do
- * not count (proofs/events.md C82). `own` is the position of the facet's sign. */
+/* At point `at` of the axis g of the facet is 0 at the vertex. Does the facet's slice end on an
+ * edge at the vertex just before or after this point, so that this end comes to the vertex? Edges
+ * along which g is 0 at the point do not count (proofs/events.md C82). `own` is the position of the
+ * sign of the facet's g at the vertex. */
 static int slice_comes(const corner_view *v, size_t facet, size_t own, size_t at) {
     const cell_complex *c = &v->e->cells;
     const signed char *here = signs_at(&v->s, at);

@@ -19,7 +19,7 @@ typedef struct time_gap {
     size_t piece, from, to;
 } time_gap;
 
-/* Gap `wanted` modulo the number of gaps. */
+/* Find the gap whose number is `wanted` modulo the number of gaps. */
 static time_gap find_time_gap(const graze_envelope *e, unsigned long wanted) {
     const event_list *list = &e->events;
     size_t inner = 0;

@@ -147,7 +147,8 @@ int enters_before(const graze_envelope *e, size_t facet, size_t vertex, size_t p
 graze_status inward_decide(int *out, const graze_envelope *e, graze_context *context, size_t vertex,
                            size_t piece, algebraic *u, const signed char *sign);
 
-/* Vertices that are not convex: events of saddles, and what reaches them. */
+/* Vertices where the solid is neither flat nor convex: `saddle` events, and slices and runs that
+ * reach them. */
 
 /** Gather `saddle` at a vertex, for all pairs of edges at the vertex that do not span the plane of
  * one of its facets (E^3). */
@@ -198,8 +199,8 @@ int singular_is_lasting(const singular_view *v);
 graze_status singular_exists(int *out, const singular_view *v, algebraic *u);
 
 /** Find the times at which the answer of singular_exists may change (proofs/events.md C80): between
- * neighbouring times the answer is constant. @param[out] out uninitialised; axis_clear in any case
- */
+ * neighbouring times the answer is constant.
+ * @param[out] out uninitialised; axis_clear in any case */
 graze_status singular_axis(axis *out, const singular_view *v);
 
 /* Facets with g = 0 at all of their points. */
@@ -212,7 +213,8 @@ graze_status gather_whole(graze_envelope *e, graze_context *context, size_t face
 /* A point of a facet that lies in no lower cell. */
 
 /** The middle of the facet's first simplex, or, if an edge or a vertex of the boundary passes
- * through it, another point in the interior of that simplex. @param[out] out d rationals */
+ * through it, another point in the interior of that simplex.
+ * @param[out] out d rationals */
 graze_status within_facet(fmpq *out, graze_context *context, const cell_complex *cells,
                           size_t facet);
 

@@ -12,8 +12,9 @@
 #include "questions/generate/charts.h"
 #include "questions/generate/strata.h"
 
-/* INSTANTS is the number of times, at multiples of 2^-TIME_BITS of a piece; TRIES is made for a
- * stratum in one row; after TRIAL_ROWS rows without a point a stratum is given up. */
+/* INSTANTS is the number of times, at multiples of 2^-TIME_BITS of a piece; TRIES is the number of
+ * tries for a stratum in one row; after TRIAL_ROWS trial rows without a point a stratum is given
+ * up. */
 enum { INSTANTS = 512, TIME_BITS = 10, TRIES = 200, TRIAL_ROWS = 24 };
 
 /* Random streams of the trials and of the times; no row of a table uses them. */

@@ -52,7 +52,8 @@ void specials_clear(specials *list);
 void special_velocity(fmpz_poly_t out, const graze_scene *scene, size_t piece, const fmpz *form,
                       const fmpq *y);
 
-/** Find the rational roots of a polynomial in (0, 1), at most SPECIAL_ROOTS; returns their number.
+/** Find the rational roots in (0, 1) of a polynomial and return their number; 0 if its degree is
+ * above SPECIAL_ROOTS.
  */
 enum { SPECIAL_ROOTS = 40 };
 int special_roots(fmpq *out, const fmpz_poly_t p);
@@ -65,7 +66,7 @@ const instant *stratum_instant(const struct graze_generator *g, graze_stratum st
  * GRAZE_ORDER_SLIDE if f is zero. f is overwritten by its derivatives. */
 int order_of_root(fmpz_poly_t f, const fmpq_t u);
 
-/** Whether a contact of this order belongs to the stratum. */
+/** Does a contact of this order belong to the stratum? */
 int stratum_takes_order(graze_stratum stratum, int order);
 
 /** 0 if the generator makes only points whose coordinates are doubles and this point is not one. */
