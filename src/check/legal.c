@@ -5,7 +5,7 @@
 
 enum { MOST_WEIGHTS = 40 };
 
-/* A simplex: its vertices, its edges from each to the next, its normal. */
+/* A simplex: its vertices, its edges from each vertex to the next, its normal. */
 typedef struct shape {
     mpz_t *vertex[3], *edge[3], *normal;
 } shape;

@@ -35,7 +35,7 @@ void motion_add(motion *m, const piece *next);
  * interval between neighbouring times. The times must go from t0 to t1 and contain all break
  * points. */
 void motion_check_signs(const motion *m, mpq_t *times, size_t count);
-/** Gives up on a degree or coefficients past the caps. */
+/** Give up if the degree or a coefficient of p exceeds its limit. */
 void motion_check_size(const poly *p);
 
 #endif

@@ -7,7 +7,7 @@
 
 static const size_t MOST_SCALED = (size_t)1 << 33; /* bits of all coordinates as integers, 1 GB */
 
-/* The positions that a file gives. */
+/* The coordinates read from a file so far. */
 typedef struct draft {
     source f;
     size_t count, room; /* of coordinates */

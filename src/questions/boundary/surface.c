@@ -16,7 +16,7 @@
 #include "input/validate/validate.h"
 #include "questions/boundary/sampling.h"
 
-/* A simplex's corners with those in `out` last. */
+/* A simplex's corners; those that are out come last. */
 typedef struct corner_simplex {
     uint32_t at[4][3];
     int corners, rest; /* number of corners, and of those that are not out */

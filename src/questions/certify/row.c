@@ -18,8 +18,8 @@
 
 enum { DEEPEST = 2000 };
 
-/* A time at which the trajectory is on the boundary and its state or cell changes: the root of q,
- * in u. */
+/* A time at which the trajectory is on the boundary and its state or cell changes: the root of q, a
+ * polynomial in u. */
 typedef struct event {
     fmpz_poly_t q;
     dyadic_interval at, known; /* `at`: the interval of the certificate; `known`: the one that

@@ -1,4 +1,5 @@
-/* Roots merged in order, with samples between them. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Merges roots in order and finds samples between them. SPDX-License-Identifier: GPL-3.0-or-later
+ */
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>

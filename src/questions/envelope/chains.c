@@ -1,10 +1,10 @@
-/* Chains by the ends that parts share. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Finds chains by the ends that parts share. SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "questions/envelope/patch_ends.h"
 
-/* An end of a part. */
+/* An end of a part, and the number of the part. */
 typedef struct chain_end {
     const fmpq *at;
     size_t part;

@@ -200,7 +200,8 @@ struct graze_patches {
 };
 
 /* The contact points of all cells at one time: the curve of contact. */
-/** Find the curve of contact at t, classify the middles of its parts, and chain the parts. */
+/** Find the curve of contact at t, classify the middles of its parts, and find its chains; in E^2
+ * each part is a chain. */
 graze_status contact_curve_make(graze_curve *out, graze_context *context, const graze_envelope *e,
                                 const fmpq_t t);
 /** Make a curve without parts, at time 0. */

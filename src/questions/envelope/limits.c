@@ -12,7 +12,7 @@
 #include "questions/envelope/patch_ends.h"
 
 /* A place where a patch ends at a moment, which is the parameter `u` of the motion's piece `piece`;
- * within an edge, `order` is that of the zeros of g at both ends of the edge. */
+ * on an edge, g has zeros of order `order` at both ends of the edge. */
 typedef struct limit_place {
     int is_edge;
     size_t cell, facet, patch, piece;
@@ -116,7 +116,8 @@ static graze_status is_same_place(int *out, limit_finder *f, const limit_place *
     return status;
 }
 
-/* Add to the set the patches that exist before and after the moment and end at the place `at`. */
+/* Add to the set the patches that last through the moment and have an end at the place `at` then.
+ */
 static graze_status add_passing(limit_finder *f, const limit_place *at) {
     for (size_t k = places_first(f->places, at->is_edge, at->cell); k < f->places->count; k++) {
         const patch_place *place = &f->places->item[k];

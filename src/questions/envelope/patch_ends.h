@@ -5,7 +5,7 @@
 
 #include "questions/envelope/sign_events.h"
 
-/* The times at which something may change, in order: ends of the motion, breaks, events. */
+/* Moments, in order: the ends and breaks of the motion and the times of events. */
 
 /** @param[out] out uninitialised; moments_clear in any case */
 graze_status moments_make(moment_list *out, graze_context *context, const graze_envelope *e);
@@ -66,7 +66,7 @@ int judge_is_still(const graze_envelope *e, size_t facet);
  * positions. Facets, corners and the positions of the solid's vertices must be set before. */
 graze_status edges_find(cell_complex *c, graze_context *context);
 
-/* Events and findings of facets, edges and vertices, each by the speeds at its ends. */
+/* Events and findings of facets, edges and vertices, by the signs of g at vertices. */
 
 /** Gather `reach` at a vertex of a facet, and `cusp` there on pieces all along which g is 0 at the
  * vertex. */

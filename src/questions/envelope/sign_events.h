@@ -54,9 +54,9 @@ int axis_one_sign(const fmpz_poly_struct *p);
 
 /* The signs of a few polynomials along a piece of the motion, and the events they make. */
 
-/** The points of the axis are the roots of the first `rooted` polynomials. The signs of polynomial
- * p are at[k * count + p] at point k of the axis, and before[k * count + p] between points k - 1
- * and k.
+/** The points of the axis are 0, 1 and the roots of the first `rooted` polynomials. The signs of
+ * polynomial p are at[k * count + p] at point k of the axis, and before[k * count + p] between
+ * points k - 1 and k.
  */
 typedef struct signs {
     size_t count, rooted;

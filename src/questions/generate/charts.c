@@ -50,7 +50,8 @@ static graze_status add_singular(charts *list, const flat *place, quadratic *q) 
 }
 
 /* Add the zeros of one factor. A linear factor adds a flat. A quadratic one adds a quadric if a
- * zero with a gradient is found on it, else its singular point if it has one. Others add nothing.
+ * zero with a gradient is found on it, else its singular point if it has one. A factor of higher
+ * degree adds nothing.
  */
 static graze_status add_factor_zeros(charts *list, const flat *place, const fmpq_mpoly_t factor) {
     slong degree = fmpq_mpoly_total_degree_si(factor, list->ring);

@@ -183,7 +183,7 @@ graze_status levels_find(struct graze_generator *g, graze_context *context) {
         for (int outward = 0; outward < 2; outward++) {
             level where = {top - k, outward};
             if (outward && !deepest)
-                continue; /* no point lies that deep */
+                continue; /* no `in` point is found in this or a larger decade */
             TRY(look_for(&found, context, g, where, &r));
             deepest |= found && !outward;
             if (found)
