@@ -1,4 +1,4 @@
-/* Arrays, integers in them, and the work that these take.
+/* Arrays, integers, and the count of work.
  * SPDX-License-Identifier: MIT
  */
 #include "base.h"

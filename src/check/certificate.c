@@ -40,7 +40,7 @@ static size_t want_count(certificate *c, const char *what) {
     return out;
 }
 
-/* The first word of the next line of the head. */
+/* Read the next line of the head; returns its first word. */
 static word head_key(certificate *c) {
     if (!next_line(c))
         fail(c, "the certificate ends in its head");
@@ -102,8 +102,8 @@ certificate certificate_open(const char *path) {
     return c;
 }
 
-/* The row's other claims are checked against its word at once; the word is checked against the
- * intervals when the row ends. */
+/* Begin a row. The row's other claims are compared with its word here; the word is compared with
+ * the intervals, at the latest when the row ends. */
 static void begin_row(certificate *c, trace *r) {
     r->row = c->row_count;
     r->line = c->l.line;
@@ -125,7 +125,7 @@ static void begin_row(certificate *c, trace *r) {
     want_end(c);
 }
 
-/* The next line claims the contact that was found: word by word. */
+/* Read the next line, which must claim the contact that was found, word by word. */
 static void read_contact(certificate *c) {
     if (!next_line(c))
         fail(c, "the certificate ends before a contact");
@@ -141,7 +141,8 @@ static void read_contact(certificate *c) {
     c->contact.length = 0;
 }
 
-/* O, I, B; one of O, I beside B; B between two of O, I, B. */
+/* Is the word a kind of interval? These are O, I, B; a B and an O or I, in either order; and a B
+ * between two of O, I, B. */
 static int is_kind(word w) {
     for (size_t k = 0; k < w.length; k++)
         if (w.at[k] != 'O' && w.at[k] != 'I' && w.at[k] != 'B')
@@ -182,7 +183,7 @@ static word next_first(certificate *c) {
     return want(c, "'row', 'complete' or an interval");
 }
 
-/* A row and its intervals; returns the first word of the line behind them. */
+/* Read a row and its intervals; returns the first word of the line that follows. */
 static word follow_row(certificate *c, trace *r, table *t, int tested) {
     if (tested)
         begin_row(c, r);

@@ -1,4 +1,4 @@
-/* Solid, motion, rows: the order in which graze-check goes.
+/* Checks solid, motion and rows, in this order.
  * SPDX-License-Identifier: MIT
  */
 #include "check.h"
@@ -7,14 +7,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* Follow the rows of one part; the number of all rows. */
+/* Test the rows of one part; returns the number of all rows. */
 static size_t follow(const task *work, const solid *s, const motion *m, certificate *c,
                      size_t part) {
     trace r;
     table t;
-    if (work->jobs > 1) { /* processes share the place in the file that is open */
+    if (work->jobs > 1) { /* processes would share the position in the open file */
         certificate own = certificate_open(work->path[2]);
-        own.h = c->h; /* the head that solid and motion were held to */
+        own.h = c->h; /* the head with which solid and motion were compared */
         *c = own;
     }
     if (work->path[3])
@@ -26,8 +26,8 @@ static size_t follow(const task *work, const solid *s, const motion *m, certific
     return c->row_count;
 }
 
-/* Part 0 is followed here, the others by processes of their own; the caller may have left this one
- * others, which are not waited for. */
+/* Test all parts: part 0 in this process, each other one in a child. Only these children are waited
+ * for, since the process may have inherited others. */
 static size_t follow_all(const task *work, const solid *s, const motion *m, certificate *c) {
     int worst = VERIFIED, status;
     pid_t *child = grow(NULL, work->jobs, sizeof *child);

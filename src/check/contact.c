@@ -1,4 +1,4 @@
-/* Contacts of a row: their times and cells, as the lines of a certificate say them.
+/* Contacts of a row: writes their times and cells as a certificate's lines do.
  * SPDX-License-Identifier: MIT
  */
 #include <stdarg.h>
@@ -6,7 +6,7 @@
 #include <string.h>
 #include "check.h"
 
-/* A face 0, a; an edge 1, a < b; a vertex 2, a. */
+/* A cell: {FACE, a}, {EDGE, a, b} with the vertices a < b, or {VERTEX, a}. */
 typedef struct cell {
     size_t part[3];
 } cell;
@@ -25,7 +25,8 @@ static void put(contact *c, const char *format, ...) {
     free(text);
 }
 
-/* The root of q in the last interval, a number if q is linear; or one of the interval's ends. */
+/* Write a time: if `at_root` the root of q in the last interval, as a number if q is linear; else
+ * `end`. */
 static void put_time(contact *c, const trace *r, const poly *q, int at_root, mpq_srcptr end) {
     mpq_t x;
     mpq_init(x);
@@ -44,12 +45,12 @@ static void put_time(contact *c, const trace *r, const poly *q, int at_root, mpq
     mpq_clear(x);
 }
 
-/* The cell of a simplex at which just the side forms with a bit in `zero` are zero. */
+/* The cell of a simplex on which exactly the side forms with a bit in `zero` are zero. */
 static cell cell_of(const solid *s, size_t simplex, unsigned zero) {
     const struct simplex *f = &s->simplex[simplex];
     size_t n = 0, v[3] = {0, 0, 0};
     for (int i = 0; i < s->d; i++) {
-        unsigned sides = 1u << i; /* that end in vertex i */
+        unsigned sides = 1u << i; /* the sides that end in vertex i */
         if (s->d == 3)
             sides |= 1u << (i + 2) % 3;
         if ((zero & ~sides) == 0)
@@ -70,8 +71,8 @@ static int compare_cells(const void *x, const void *y) {
     return order;
 }
 
-/* The cells met, each once, which the trace then forgets; in the plane with all vertices of a ring
- * that follow one another at a position. */
+/* Write the cells met, each once, and empty the trace's list of them. In the plane a vertex stands
+ * with all vertices of its ring that follow one another at the same position. */
 static void put_cells(contact *c, trace *r) {
     static const char *const format[] = {" face %zu", " edge %zu-%zu", " vertex %zu"};
     size_t count = 0, room = 0;
@@ -112,7 +113,7 @@ int contact_follow(contact *c, trace *r, word kind, const poly *q) {
     size_t end = c->length;
     put_time(c, r, q, at_root && last != 'B', last == 'B' ? r->at : r->from);
     if (c->length - end == length && memcmp(c->text + begin, c->text + end, length) == 0)
-        c->length = begin + length; /* both are one text */
+        c->length = begin + length; /* both times have the same text, so it is written once */
     put_cells(c, r);
     return 1;
 }

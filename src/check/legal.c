@@ -1,11 +1,11 @@
-/* Is the boundary that of a legal solid? proofs/certificate.md, claims K1 to K4.
+/* Tests whether the boundary is that of a legal solid: proofs/certificate.md, claims K1 to K4.
  * SPDX-License-Identifier: MIT
  */
 #include "solid.h"
 
 enum { MOST_WEIGHTS = 40 };
 
-/* A simplex: its vertices, its edges from each to the next, its normal. */
+/* A simplex: its vertices, its edges from each vertex to the next, its normal. */
 typedef struct shape {
     mpz_t *vertex[3], *edge[3], *normal;
 } shape;
@@ -26,8 +26,8 @@ static void load(shape *a, const solid *s, const simplex *f) {
         mpz_sub(a->edge[k / d][k % d], a->vertex[(k / d + 1) % d][k % d], a->vertex[k / d][k % d]);
 }
 
-/* Does n separate the relative interiors of the hulls of b and of `count` points p? So if its
- * values at p are at most those on b, or at least, but not both: then all are one. */
+/* Does n separate the relative interiors of b and of the hull of `count` points p? It does if its
+ * values at p are all at most, or all at least, those on b, unless all values are equal. */
 static int separates(work *w, mpz_t *n, mpz_t *const *p, int count) {
     int below = 1, above = 1, d = w->d;
     for (int k = 0; k < d; k++)
@@ -47,8 +47,8 @@ static int crossed_separates(work *w, mpz_t *u, mpz_t *v, mpz_t *const *p, int c
     return separates(w, w->n, p, count);
 }
 
-/* Points in the plane of b: does a normal within that plane separate, orthogonal to an edge of
- * either? */
+/* Does a normal within the plane of b, orthogonal to an edge of a or b, separate b from points p of
+ * this plane? */
 static int separated_within(work *w, mpz_t *const *p, int count) {
     if (w->d == 2)
         return separates(w, w->b.edge[0], p, count);
@@ -59,7 +59,7 @@ static int separated_within(work *w, mpz_t *const *p, int count) {
     return found;
 }
 
-/* The relative interiors of the two loaded simplices are disjoint: claim K1. */
+/* Are the relative interiors of the simplices a and b disjoint? Claim K1. */
 static int disjoint(work *w) {
     int d = w->d;
     mpz_t **p = w->a.vertex;
@@ -69,8 +69,8 @@ static int disjoint(work *w) {
     return found || separated_within(w, p, d);
 }
 
-/* On which side of b does a lie, if one of its edges (vertices) rests in b's relative interior? Bit
- * 1: outside, bit 2: inside. */
+/* If an edge of a (d = 2: a vertex) lies in the plane of b and meets b's relative interior: on
+ * which side of b is a? 1: outside, 2: inside, 3: both, by different edges, 0: no such edge. */
 static int resting_sides(work *w) {
     int d = w->d, at[3], out = 0;
     for (int k = 0; k < d; k++)
@@ -84,10 +84,11 @@ static int resting_sides(work *w) {
     return out;
 }
 
-/* For each side of b: how often a runs along it, less how often the other way. In the plane sides
- * are the vertices, the first one way and the second the other. */
+/* Add to sum[i], for each side i of b, 1 if a side of a runs along it in the same direction, -1 if
+ * in the opposite one. In the plane sides are vertices: two at one position count 1 if both are the
+ * first or both the last of their segments, else -1. */
 static void add_sides(long *sum, const work *w) {
-    int d = w->d, same[3][3]; /* vertex i of b and vertex k of a have one position */
+    int d = w->d, same[3][3]; /* same[i][k]: vertices i of b and k of a have one position */
     for (int i = 0; i < d; i++)
         for (int k = 0; k < d; k++) {
             same[i][k] = 1;
@@ -104,7 +105,7 @@ static void add_sides(long *sum, const work *w) {
         }
 }
 
-/* Claims K1 to K3 for one simplex, beside those near it. */
+/* Test claims K1 to K3 for one simplex and the simplices near it. */
 static void check_near(work *w, const solid *s, size_t number, const list *near) {
     const simplex *f = &s->simplex[number];
     long sum[3] = {0, 0, 0};
@@ -126,7 +127,8 @@ static void check_near(work *w, const solid *s, size_t number, const list *near)
         give_up("solid: edges (vertices) rest inside facet %zu on both of its sides", f->facet);
 }
 
-/* Claim K4 for one simplex, from its points with the weights 1 : k : k^2. */
+/* Test claim K4 for one simplex by a ray from a point of it that lies on no other, one with the
+ * weights 1 : k : k^2. */
 static void check_sides(const solid *s, const simplex *f) {
     mpz_t *x = integers(4);
     long sum = 0;

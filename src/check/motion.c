@@ -11,7 +11,8 @@ void motion_check_size(const poly *p) {
             give_up("the motion has a coefficient of more than %d bits", MOST_BITS);
 }
 
-/* Divide a map by a factor common to its entries and its weight, and by the weight's sign at x. */
+/* Divide a map's entries and weight by their common factor, and multiply them by -1 if the weight
+ * is then negative at x. */
 static void shorten(poly *map, const mpq_t x) {
     poly g = {0};
     mpz_t sign;
@@ -28,8 +29,8 @@ static void shorten(poly *map, const mpq_t x) {
     mpz_clear(sign);
 }
 
-/* M = (A | b) / h has the inverse (adj(A) h | - adj(A) b) / det A. Cyclic indices bring the signs
- * of cofactors. In the plane z stands still. */
+/* M = (A | b) / h has the inverse (adj(A) h | - adj(A) b) / det A. With cyclic indices the
+ * cofactors have the right signs. In the plane the map keeps z. */
 static void make_inverse(piece *p) {
     const poly *m = p->forward;
     for (int r = 0; r < 3; r++)
@@ -50,7 +51,7 @@ static void make_inverse(piece *p) {
     shorten(p->inverse, p->lo);
 }
 
-/* Both maps are the same at x: the products with the other's weight are. */
+/* Are both maps the same at x? They are if each entry of one times the other's weight agrees. */
 static int agree(const piece *p, const piece *q, const mpq_t x) {
     int same = 1;
     for (int k = 0; k < WEIGHT; k++) {
@@ -86,7 +87,7 @@ void motion_check_signs(const motion *m, mpq_t *times, size_t count) {
     for (size_t k = 1; k < count; k++)
         if (mpq_cmp(times[k - 1], times[k]) >= 0)
             refute("motion: the times of signs do not increase");
-    /* So each lo is before t1, and no piece is asked for past the last. */
+    /* The times increase, so each lo is before t1, and `piece` does not pass the last one. */
     for (size_t k = 0; k + 1 < count; k++) {
         mpq_srcptr lo = times[k], hi = times[k + 1];
         work_allow(STEP_WORK);

@@ -6,15 +6,15 @@
 
 #include "poly.h"
 
-/** Entry (i, k) of a map's 3 rows of 4 is at[4 i + k], that of its translation is at[4 i + 3]; all
- * are divided by the weight. In the plane z stands still. */
+/** Indices in a map: the entry in row i and column k of its 3 x 4 matrix has index 4 i + k, column
+ * 3 is the translation; entry WEIGHT divides all of them. In the plane the map keeps z. */
 enum { WEIGHT = 12, MAP = 13 };
 
 typedef struct piece {
     mpq_t lo, hi;
-    poly forward[MAP]; /* without a factor common to all; the weight is positive at lo or 0 */
-    poly inverse[MAP]; /* the same of its inverse */
-    poly det;          /* of the 3 by 3 part of `forward` */
+    poly forward[MAP]; /* entries without a common factor; the weight is positive or 0 at lo */
+    poly inverse[MAP]; /* the inverse map, reduced in the same way */
+    poly det;          /* determinant of the 3 x 3 part of `forward` */
 } piece;
 
 typedef struct motion {
@@ -23,17 +23,19 @@ typedef struct motion {
     piece *piece;
 } motion;
 
-/** Read a motion file of plain pieces, of this SHA-256. t0 < t1, order and continuity are tested;
- * poles and det by motion_check_signs. */
+/** Read a motion file of plain pieces, which must have this SHA-256. t0 < t1, the order of the
+ * pieces and continuity are tested here; that weight and determinant are not zero, by
+ * motion_check_signs. */
 motion motion_read(const char *path, const char *sha256);
 
-/** Take in the next piece; its lo, hi and `forward` are given, common factors included. Refutes
- * one that does not go on from the piece before it. */
+/** Append a piece with given lo, hi and `forward`, which may have common factors. Refutes a piece
+ * that does not continue the piece before it. */
 void motion_add(motion *m, const piece *next);
-/** The denominator and the determinant have one strict sign between neighbouring times, which go
- * from t0 to t1 and take in all break points; or refutes. */
+/** Refute the motion unless weight and determinant each have one strict sign on every closed
+ * interval between neighbouring times. The times must go from t0 to t1 and contain all break
+ * points. */
 void motion_check_signs(const motion *m, mpq_t *times, size_t count);
-/** Gives up on a degree or coefficients past the caps. */
+/** Give up if the degree or a coefficient of p exceeds its limit. */
 void motion_check_size(const poly *p);
 
 #endif

@@ -14,7 +14,7 @@ int word_is(word w, const char *text) {
     return w.length == strlen(text) && memcmp(w.at, text, w.length) == 0;
 }
 
-/* The first n bytes of w, taken off it. */
+/* Remove the first n bytes of w and return them. */
 static word take(word *w, size_t n) {
     word out = {w->at, n};
     *w = (word){w->at + n, w->length - n};
@@ -43,7 +43,7 @@ word word_digits(word *w) {
     return take(w, n);
 }
 
-/* The number whose digits are those of a and then those of b. */
+/* Read the number whose digits are those of a followed by those of b. */
 static void read_digits(mpz_t out, word a, word b) {
     if (a.length + b.length > MOST_DIGITS)
         give_up("'%.*s...' has more than %d digits", WORD(a), MOST_DIGITS);
@@ -55,7 +55,7 @@ static void read_digits(mpz_t out, word a, word b) {
     free(text);
 }
 
-/* 1 after a minus; a plus is passed over. */
+/* Remove a sign from w; returns 1 if it is a minus. */
 static int take_sign(word *w) {
     int minus = word_take(w, "-");
     if (!minus)
@@ -63,7 +63,8 @@ static int take_sign(word *w) {
     return minus;
 }
 
-/* An exponent may follow: its value, not much past MOST_DIGITS; 0 if it is none. */
+/* Read an exponent if one follows, else set 0; a value far beyond MOST_DIGITS is not computed in
+ * full. Returns 0 if an `e` is not followed by digits. */
 static int read_exponent(long *out, word *w) {
     *out = 0;
     if (!word_take(w, "eE"))
@@ -87,7 +88,7 @@ static void scale_by_ten(mpq_t out, long exponent) {
     mpz_clear(power);
 }
 
-/* Without its sign, not yet canonical. */
+/* Read a number without its sign; `out` is not yet canonical. Returns 0 if w is none. */
 static int read_positive(mpq_t out, word w) {
     word whole = word_digits(&w), part = {w.at, 0};
     long exponent;

@@ -75,7 +75,7 @@ void poly_make_primitive(poly *p) {
     mpz_clear(g);
 }
 
-/* a -= z t^(a->n - b->n) b, where that ends a's leading coefficient. */
+/* a -= z t^(a->n - b->n) b, with z such that a's leading coefficient becomes 0. */
 static void cancel_lead(poly *a, const poly *b, const mpz_t z) {
     size_t at = a->n - b->n;
     for (size_t k = 0; k < b->n; k++) {
@@ -112,7 +112,8 @@ void poly_common(poly *out, const poly *a, const poly *b) {
     content(common, b);
     poly_set(&x, a);
     poly_set(&y, b);
-    while (y.n > 0) { /* x becomes a primitive multiple of its remainder by y; then both swap */
+    while (y.n > 0) { /* x is replaced by the primitive part of its remainder by y; then x and y are
+                         swapped */
         while (x.n >= y.n) {
             mpz_set(lead, x.c[x.n - 1]);
             poly_scale(&x, y.c[y.n - 1]);
@@ -132,8 +133,8 @@ void poly_common(poly *out, const poly *a, const poly *b) {
 }
 
 /* With a = A/D, b = B/D and u = (A + B y) / (D (1 + y)), y from 0 to infinity: D^n (1+y)^n p(u) is
- * the sum of C(n, k) b_k D^n y^k. By Horner: r_n = p_n, r_i = r_(i+1) (A + B y) + p_i (D
- * (1+y))^(n-i). */
+ * the sum of C(n, k) b_k D^n y^k. Horner's scheme computes this polynomial in y: r_n = p_n, r_i =
+ * r_(i+1) (A + B y) + p_i (D (1+y))^(n-i). */
 void bernstein(mpz_t *out, const poly *p, size_t n, const mpq_t a, const mpq_t b) {
     mpz_t *binomial = integers(n + 1), *end = integers(5); /* A, B, D, D^step, p_i D^step */
     integers_of(end, (mpq_srcptr[]){a, b}, 2);

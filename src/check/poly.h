@@ -6,14 +6,16 @@
 
 #include "base.h"
 
-/** c[0] + c[1] t + ... + c[n-1] t^(n-1), c[n-1] not 0; n = 0 is zero. `room` are initialised. */
+/** c[0] + c[1] t + ... + c[n-1] t^(n-1), c[n-1] not 0; n = 0: the zero polynomial. `room`
+ * coefficients are initialised. */
 typedef struct poly {
     size_t n, room;
     mpz_t *c;
 } poly;
 
 void poly_clear(poly *p); /* a poly begins as {0} */
-/** At least n coefficients, new ones 0; poly_trim restores the invariant once they are written. */
+/** Extend p to at least n coefficients, the new ones 0. After writing them the caller restores the
+ * invariant by poly_trim. */
 void poly_extend(poly *p, size_t n);
 void poly_trim(poly *p);
 void poly_set(poly *out, const poly *p);
@@ -24,29 +26,29 @@ void poly_add_scaled(poly *out, const poly *a, const mpz_t z);
 void poly_scale(poly *p, const mpz_t z);
 /** Divide by the greatest common divisor of the coefficients. */
 void poly_make_primitive(poly *p);
-/** a /= b, which is not zero, if that is exact in Z[t]; 1 or 0. If b is primitive it is exact in
- * Z[t] if it is so over the rationals (Gauss). */
+/** Divide a by b, not zero, if that is exact in Z[t], and return 1; else return 0 and leave a. If b
+ * is primitive, a division that is exact over the rationals is exact in Z[t] (Gauss). */
 int poly_divide(poly *a, const poly *b);
-/** A common divisor. That it is the greatest matters to no proof: it shortens. */
+/** Set `out` to the greatest common divisor of a and b. Proofs use only that it divides both. */
 void poly_common(poly *out, const poly *a, const poly *b);
 
 /**
- * Scaled Bernstein coefficients C(n, k) b_k of p on [a, b], to degree n, all times one positive
- * integer that depends on n, a and b alone. `out` are n + 1.
+ * Set n + 1 integers to the scaled Bernstein coefficients C(n, k) b_k of p on [a, b], for degree n,
+ * all times one positive integer that depends only on n, a and b.
  */
 void bernstein(mpz_t *out, const poly *p, size_t n, const mpq_t a, const mpq_t b);
 
-/** Signs of one or more coefficients: the first, the last, the least, the greatest, and the number
- * of sign variations, zeros left out. */
+/** Signs of a sequence of coefficients: of the first, of the last, the least and the greatest sign,
+ * and the number of sign changes, zeros left out. */
 typedef struct signs {
     int first, last, least, most;
     size_t changes;
 } signs;
 
 signs signs_of(mpz_t *c, size_t count);
-/** Signs of the Bernstein coefficients of p on [a, b], to its own degree; p is not zero. */
+/** Signs of the Bernstein coefficients of p, not zero, on [a, b], for the degree of p. */
 signs poly_signs(const poly *p, const mpq_t a, const mpq_t b);
-/** 1 or -1 if all have this sign, else 0. */
+/** 1 or -1 if all coefficients have this sign, else 0. */
 int strict_sign(signs s);
 
 #endif

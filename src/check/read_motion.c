@@ -1,10 +1,10 @@
-/* Motion files of plain pieces, and nothing else, in this order:
+/* Reads motion files of plain pieces, which have exactly this form:
  *   {"dimension": D, "pieces": [PIECE, ...]}
  *   PIECE = {"t": [NUMBER, NUMBER], ROW "transform": {"translate": [ENTRY, ...]}}
  *         | {"t": [NUMBER, NUMBER], ROW "transform": {"matrix": [[ENTRY, ...], ...]}}
  *   ROW = nothing | "row": COUNT,
  *   ENTRY = A | (A)/(A);  A = [-] TERM {(+|-) TERM};  TERM = NUMBER | [NUMBER*] t [^COUNT]
- * NUMBERs and ENTRYs in quotes or bare.
+ * NUMBERs and ENTRYs stand in quotes or bare.
  * SPDX-License-Identifier: MIT
  */
 #include "motion.h"
@@ -33,7 +33,7 @@ static void multiply(poly *p, const poly *q) {
     *p = product;
 }
 
-/* A value without its quotes, or as it stands. */
+/* Read a value; quotes around it are removed. */
 static word value(source *f) {
     word w = token(f);
     (void)word_take(&w, "\"");
@@ -45,14 +45,14 @@ static void read_number(mpq_t out, source *f) {
         source_fail(f, "a number is expected");
 }
 
-/* Pass over blanks, then take one of these characters off an entry if it stands there. */
+/* Skip blanks, then remove one character if it is in `any`; returns 1 if it was, else 0. */
 static int take(word *w, const char *any) {
     while (word_take(w, " "))
         ;
     return word_take(w, any);
 }
 
-/* c t^power: 1, or 0 if none stands there. */
+/* Read a term c t^power; returns 1, or 0 if w does not begin with one. */
 static int read_term(mpq_t c, size_t *power, word *w) {
     word number = word_cut(w, "* )t");
     *power = 0;
@@ -86,7 +86,7 @@ static void add_term(fraction *out, const mpq_t c, size_t power, int minus) {
     mpz_clear(z);
 }
 
-/* out = A: a numerator over one integer. */
+/* Read a polynomial A of the grammar into `out`, whose denominator is an integer. */
 static int read_poly(fraction *out, word *w) {
     mpq_t c;
     size_t power;
@@ -130,7 +130,8 @@ static void read_entry(fraction *out, source *f) {
     fraction_clear(&bottom);
 }
 
-/* The entries over the least common multiple of their denominators; they are cleared. */
+/* Set `forward` to the entries over the least common multiple of their denominators, and clear the
+ * entries. */
 static void make_forward(piece *p, fraction *entry) {
     poly g = {0}, factor = {0}, *weight = &p->forward[WEIGHT];
     set_constant(weight, 1);
@@ -151,7 +152,8 @@ static void make_forward(piece *p, fraction *entry) {
     poly_clear(&factor);
 }
 
-/* d rows of d + 1, or their last column alone; what is not given is that of the identity. */
+/* Read a transform: d rows of d + 1 entries, or the last column alone; the other entries are those
+ * of the identity. */
 static void read_transform(fraction *entry, source *f, int d) {
     for (int k = 0; k < WEIGHT; k++) {
         set_constant(&entry[k].num, k / 4 == k % 4);
@@ -175,7 +177,7 @@ static void read_transform(fraction *entry, source *f, int d) {
     token_want(f, "] }");
 }
 
-/* Up to the transform; the line of a log, which may stand there, changes nothing. */
+/* Read up to the transform. A `row`, the number of a line in a log, is skipped. */
 static void pass_row(source *f) {
     word key = token(f);
     if (word_is(key, "\"row\"")) {

@@ -1,4 +1,4 @@
-/* OFF and WKT; facets of more than three corners become the fan of their first one.
+/* Reads OFF and WKT; a facet of more than three corners becomes the fan of its first corner.
  * SPDX-License-Identifier: MIT
  */
 #include <stdlib.h>
@@ -7,14 +7,14 @@
 
 static const size_t MOST_SCALED = (size_t)1 << 33; /* bits of all coordinates as integers, 1 GB */
 
-/* The positions that a file gives. */
+/* The coordinates read from a file so far. */
 typedef struct draft {
     source f;
     size_t count, room; /* of coordinates */
     mpq_t *x;
 } draft;
 
-/* A sum or a product of a and b follows. */
+/* Count the work of a sum or a product of a and b, which follows. */
 static void work_on_fractions(mpq_srcptr a, mpq_srcptr b) {
     work_on(mpq_numref(a), mpq_numref(b));
     work_on(mpq_numref(a), mpq_denref(b));
@@ -34,7 +34,7 @@ static void add_simplex(solid *s, size_t a, size_t b, size_t c, size_t facet) {
     s->simplex[s->count++] = (simplex){.v = {a, b, c}, .facet = facet};
 }
 
-/* Integer coordinates, and a 1 behind those of each vertex. */
+/* Make integers of the coordinates, with a 1 behind those of each vertex. */
 static void take_positions(solid *s, draft *in) {
     size_t d = (size_t)s->d;
     mpz_init_set_ui(s->scale, 1);
@@ -60,7 +60,8 @@ static void take_positions(solid *s, draft *in) {
     free(in->x);
 }
 
-/* The next token, which must begin a line or go on with one. */
+/* Read the next token, which must be the first of a line if `first` is 1, and must not be if it is
+ * 0. */
 static word off_token(draft *in, int first, const char *what) {
     word w = token(&in->f);
     if (w.length == 0 || in->f.first != first)
@@ -100,7 +101,7 @@ static void read_off(solid *s, draft *in) {
         source_fail(&in->f, "text follows the last facet");
 }
 
-/* sum += or -= a b, as `add` is mpq_add or mpq_sub. */
+/* sum += a b if `add` is mpq_add, sum -= a b if it is mpq_sub. */
 static void add_product(mpq_t sum, mpq_srcptr a, mpq_srcptr b,
                         void (*add)(mpq_ptr, mpq_srcptr, mpq_srcptr)) {
     mpq_t term;
@@ -112,7 +113,8 @@ static void add_product(mpq_t sum, mpq_srcptr a, mpq_srcptr b,
     mpq_clear(term);
 }
 
-/* Twice the area of positions [first, end), which are closed: the last is the first. */
+/* The sign of the area of the ring of positions [first, end); the last position repeats the first.
+ */
 static int ring_sign(const draft *in, size_t first, size_t end) {
     mpq_t sum;
     mpq_init(sum);
@@ -150,7 +152,7 @@ static void read_ring(solid *s, draft *in, int outer, size_t polygon) {
         refute("solid: a ring of polygon %zu has no area", polygon);
     for (size_t k = first; k < last; k++) {
         size_t next = k + 1 < last ? k + 1 : first;
-        int skip = same_position(in, k, next); /* a side without length is none */
+        int skip = same_position(in, k, next); /* a side of length 0 is left out */
         s->twin = room_for(s->twin, k, &s->twin_room, sizeof *s->twin);
         s->twin[k] = skip ? next : k;
         if (!skip)
@@ -184,7 +186,8 @@ static void read_wkt(solid *s, draft *in) {
         source_fail(&in->f, "text follows the last ')'");
 }
 
-/* One more piece of the fan of a facet: in the plane of the one before, and turned the same way. */
+/* Test one more piece of the fan of a facet: it must lie in the plane of the piece before it, and
+ * be turned the same way. */
 static void check_fan(const solid *s, const simplex *before, const simplex *f) {
     mpz_t value;
     mpz_init(value);

@@ -1,4 +1,4 @@
-/* Forms, boxes and the tree of a solid's simplices, and the ray.
+/* Forms, boxes and the tree of a solid's simplices, and crossings of a ray.
  * SPDX-License-Identifier: MIT
  */
 #include "solid.h"
@@ -7,9 +7,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Bounds of x / w, w > 0. The mantissas are cut off, which loses less than 2^-51 each; the margin
- * is 2^-46, and more than what is lost of a number next to 0. Past the range of doubles the last
- * one is a bound. */
+/* Bounds of x / w, w > 0. Truncation of the mantissas changes each by less than 2^-51 of itself;
+ * the margin is 2^-46 of the quotient and 2^-1000, more than is lost near 0. Beyond the range of
+ * doubles the largest double is a bound. */
 static void ratio_bounds(double *low, double *high, const mpz_t x, const mpz_t w) {
     long ex, ew;
     double mx = mpz_get_d_2exp(&ex, x), mw = mpz_get_d_2exp(&ew, w), m = mx / mw;
@@ -64,7 +64,8 @@ int form_value(mpz_t out, mpz_t *form, mpz_t *x, int n) {
     return mpz_sgn(out);
 }
 
-/* The normal (q - p) x (r - p), in the plane (q - p) x e_3; then the constant. */
+/* Make the plane form: the normal (q - p) x (r - p), in the plane (q - p) x e_3, then the constant.
+ */
 static void make_plane(simplex *f, const solid *s) {
     int d = s->d;
     mpz_t *p = solid_vertex(s, f->v[0]), *q = solid_vertex(s, f->v[1]),
@@ -92,7 +93,7 @@ static void make_plane(simplex *f, const solid *s) {
 
 void solid_side(mpz_t *out, const solid *s, const simplex *f, int axis, int k) {
     int d = s->d, next = (k + 1) % d, ahead = d == 2 || mpz_sgn(f->plane[axis]) > 0;
-    int b = (axis + 1) % d, c = (axis + d - 1) % d; /* in the plane one number */
+    int b = (axis + 1) % d, c = (axis + d - 1) % d; /* b equals c in the plane */
     mpz_t *p = solid_vertex(s, f->v[ahead ? k : next]),
           *q = solid_vertex(s, f->v[ahead ? next : k]);
     mpz_set_ui(out[axis], 0);
@@ -123,7 +124,8 @@ static int compare_keys(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-/* Fill a node and those below it with n simplices; halves along the longest side. */
+/* Build the subtree of n simplices at node `at`; they are split in halves along the box's longest
+ * side. */
 static void build(solid *s, size_t at, simplex *f, size_t n) {
     box all = box_empty;
     int axis = 0;
@@ -152,7 +154,8 @@ void list_add(list *l, size_t item) {
     l->item[l->count++] = item;
 }
 
-/* Collect from the n simplices from `first` on, those of node `at`. */
+/* List the simplices whose boxes meet b, among the n simplices of node `at`, which begin at
+ * `first`. */
 static void near_below(list *out, const solid *s, const box *b, size_t at, size_t first, size_t n) {
     if (!boxes_meet(&s->node[at], b))
         return;
@@ -169,8 +172,8 @@ void solid_near(list *out, const solid *s, const box *b) {
     near_below(out, s, b, 0, 0, s->count);
 }
 
-/* Is x, or if `displaced` the line through it along the axis, displaced by (e, e^2), on the inner
- * side of all side forms? `side` is scratch, d + 2. */
+/* Is x on the inner side of all side forms? If `displaced`, x stands for the line through x along
+ * the axis, displaced by the infinitesimals (e, e^2). `side` is scratch, d + 2. */
 static int is_within(const solid *s, const simplex *f, mpz_t *x, int axis, int displaced,
                      mpz_t *side) {
     int d = s->d, within = 1;

@@ -1,4 +1,4 @@
-/* A golden table held to what was certified.
+/* Compares a golden table with the certified rows.
  * SPDX-License-Identifier: MIT
  */
 #include <string.h>
@@ -10,8 +10,8 @@ static _Noreturn void differs(const table *t, const char *what) {
 
 enum { KEYS = 9 };
 
-/* A line `# KEY VALUE` is held to the certificate if its key is one of these; `seen` has a bit for
- * each. */
+/* Compare a line `# KEY VALUE` with the certificate if KEY is one of these keys; bit k of `seen` is
+ * set for key k. */
 static void check_line(const table *t, word line, unsigned *seen) {
     const head *h = t->h;
     const char *const keys[KEYS][2] = {{"contract", "1"},
@@ -41,7 +41,7 @@ static word next_cell(word *rest) {
     return out;
 }
 
-/* The next cells are these, which commas part. */
+/* Read the next cells of a row; are they the expected ones, which are separated by commas? */
 static int cells_are(word *rest, const char *expected) {
     word cells = word_of(expected);
     int same = 1;
@@ -52,7 +52,7 @@ static int cells_are(word *rest, const char *expected) {
     return same;
 }
 
-/* Certified columns stand first; the note names all others. */
+/* Refute the table unless the certified columns come first; the note names all others. */
 static void check_columns(const table *t, word rest, int tells) {
     if (!cells_are(&rest, t->h->dimension == 2 ? "x,y" : "x,y,z") ||
         !cells_are(&rest, t->h->unsweep ? "pmc,word" : "pmc,class,definition,case,i,t,word"))
@@ -108,7 +108,7 @@ void table_row(table *t, const trace *r) {
     t->rows++;
 }
 
-/* The count of undecided positions, of the column topo. */
+/* Is this the line with the number of undecided positions, which the column topo adds? */
 static int is_undecided_line(word line) {
     static const char key[] = "# undecided ";
     return line.length >= sizeof key && memcmp(line.at, key, sizeof key - 1) == 0;

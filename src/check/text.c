@@ -1,4 +1,4 @@
-/* Files, their lines, their tokens.
+/* Reads files, their lines and their tokens.
  * SPDX-License-Identifier: MIT
  */
 #include "base.h"
@@ -13,7 +13,8 @@ lines lines_open(const char *path) {
     return l;
 }
 
-/* The bytes before `stop` or the end of the file; 0 if there is neither. */
+/* Read the bytes before the next `stop` or the end of the file; returns 0 if the file was already
+ * at its end. */
 static int read_up_to(lines *l, word *out, int stop, size_t most) {
     size_t n = 0;
     int c;
@@ -52,7 +53,7 @@ void source_fail(const source *f, const char *what) {
     give_up("%s:%zu: %s", f->path, f->line, what);
 }
 
-/* Pass over blanks and comments. */
+/* Skip blanks and comments; note in `first` whether a line ended among them. */
 static void skip_blanks(source *f) {
     int comment = 0;
     f->first = 0;

@@ -5,19 +5,20 @@
 
 #include <string.h>
 
-/* Before, at and after the root. */
+/* Places: before, at and after the root. */
 enum { LEFT, MID, RIGHT, PLACES };
-/* The sign of a polynomial there, if it is not known; 0 before or after says that it is the zero
- * polynomial. */
+/* Stands for a sign that is not known. The sign 0 before or after the root says that the polynomial
+ * is zero. */
 enum { UNKNOWN = 2 };
 
 /* The interval at hand. */
 typedef struct claim {
     mpq_srcptr a, b;
-    char letter[PLACES]; /* O, I or B; 0: the interval has no such side, or no root */
+    char letter[PLACES]; /* O, I or B at each place; 0 where the interval has no such side, or no
+                            root */
     const poly *q;
-    int q_sign[PLACES]; /* of q on the sides */
-    int held[PLACES];   /* some simplex holds the trajectory there, for certain */
+    int q_sign[PLACES]; /* signs of q before and after the root */
+    int held[PLACES];   /* 1 if some simplex certainly holds the trajectory at the place */
 } claim;
 
 static _Noreturn void fail(const trace *r, const char *what) {
@@ -47,7 +48,7 @@ static void keep_cell(trace *r, const simplex *f, unsigned zero) {
     list_add(&r->met, 8 * simplex + zero);
 }
 
-/* X_i = scale (N_i0 P_0 + ... + N_i3 P_d), W = weight P_d. */
+/* Make the trajectory in x: X_i = scale (N_i0 P_0 + ... + N_i3 P_d), W = weight P_d. */
 static void make_trajectory(trace *r) {
     const piece *m = &r->m->piece[r->piece];
     const poly *map = r->unsweep ? m->forward : m->inverse;
@@ -76,12 +77,13 @@ void trace_start(trace *r, word claimed) {
     make_trajectory(r);
 }
 
-/* The d + 1 coefficients number k of the trajectory. */
+/* Control point k of the trajectory: coefficient k of each of its d + 1 polynomials. */
 static mpz_t *control_point(const trace *r, size_t k) {
     return r->beta + k * ((size_t)r->m->d + 1);
 }
 
-/* The interval lies in one piece; its coefficients, and the simplices near it: test L1. */
+/* Refute an interval that does not lie in one piece; make its coefficients and list the simplices
+ * near it: test L1. */
 static void enclose(trace *r, const claim *c) {
     int d = r->m->d;
     box b = box_empty;
@@ -115,8 +117,8 @@ static mpz_t *side_form(trace *r, const simplex *f, int k) {
     return r->form;
 }
 
-/* Tests L2 and L3. If neither succeeds, `all` has the signs of the side forms and, last, of the
- * plane's. */
+/* Does test L2 or L3 clear the simplex? If not, `all` has the signs of the pullbacks of the side
+ * forms and, last, of the plane form. */
 static int cleared(trace *r, const simplex *f, signs *all) {
     int d = r->s->d, clear;
     all[d] = pullback_signs(r, f->plane);
@@ -128,8 +130,9 @@ static int cleared(trace *r, const simplex *f, signs *all) {
     return clear;
 }
 
-/* The signs of a form's pullback f, whose coefficients' are `all`. f = q^e g, e as large as can be:
- * the signs of g and of q give them. Without a root: at the beginning, within, and at the end. */
+/* Find the signs of a form's pullback f; `all` are those of its coefficients. With a root, f = q^e
+ * g with e as large as possible, and the signs of q and g give those of f before, at and after the
+ * root. Without a root the places are the beginning, the inside and the end of the interval. */
 static void form_signs(int *out, const trace *r, const claim *c, mpz_t *form, signs all) {
     out[LEFT] = all.first;
     out[MID] = all.least >= 0 ? all.most : all.most <= 0 ? all.least : UNKNOWN;
@@ -149,8 +152,8 @@ static void form_signs(int *out, const trace *r, const claim *c, mpz_t *form, si
     poly_clear(&f);
 }
 
-/* Meet a simplex that is not cleared: tests L4 and L5 on the sides that must be free of it, and the
- * places and cells in which it holds the trajectory. */
+/* Test a simplex that is not cleared: L4 and L5 where the letter is O or I; also note the places
+ * and cells in which the simplex holds the trajectory. */
 static void meet(trace *r, claim *c, const simplex *f, const signs *all) {
     int sign[PLACES], off[PLACES], on[PLACES];
     unsigned zero[PLACES] = {0, 0, 0};
@@ -179,7 +182,8 @@ static void meet(trace *r, claim *c, const simplex *f, const signs *all) {
     }
 }
 
-/* All simplices near the trajectory are cleared; at contacts, on the sides that must be free. */
+/* Refute the claim unless all near simplices are cleared; at a contact, those that are not must
+ * pass `meet`. */
 static void check_near(trace *r, claim *c) {
     for (size_t k = 0; k < r->near.count; k++) {
         const simplex *f = &r->s->simplex[r->near.item[k]];
@@ -193,8 +197,8 @@ static void check_near(trace *r, claim *c) {
     }
 }
 
-/* Where the letter is B a simplex must hold the trajectory; at a root not if a side is B, whose
- * limit it is, or if the letters differ (K12). */
+/* Refute the claim unless a simplex holds the trajectory at each place with the letter B. At a root
+ * this follows, and is not needed, if a side is B or if the letters of both sides differ (K12). */
 static void check_held(const trace *r, const claim *c) {
     char left = c->letter[LEFT], right = c->letter[RIGHT];
     int implied = c->q && (left == 'B' || right == 'B' || (left && right && left != right));
@@ -203,8 +207,8 @@ static void check_held(const trace *r, const claim *c) {
             fail(r, "no facet holds the trajectory where it is said to be on the boundary");
 }
 
-/* q has just one root in the open interval, a simple one, and none at its ends: one sign change
- * (proofs/claims.md C24). */
+/* Refute the claim unless q has exactly one root in the open interval, a simple one, and none at
+ * the ends, as one sign change proves (proofs/claims.md C24). */
 static void isolate(const trace *r, claim *c) {
     if (c->q->n < 2 || c->q->n > r->n + 1)
         fail(r, "the polynomial's degree is not that of a divisor");
@@ -215,7 +219,7 @@ static void isolate(const trace *r, claim *c) {
         fail(r, "the interval does not isolate one root of the polynomial");
 }
 
-/* q = t - e for an end e of the interval. */
+/* Set q to a multiple of t - e for the end e of the interval at which the root is. */
 static void root_at_end(poly *q, claim *c) {
     mpq_srcptr e = c->letter[LEFT] ? c->b : c->a;
     poly_extend(q, 2);
@@ -226,21 +230,22 @@ static void root_at_end(poly *q, claim *c) {
     c->q_sign[RIGHT] = 1;
 }
 
-/* The state where the trajectory is off the boundary, at an end of the interval at hand, by one ray
- * (proofs/claims.md C6). The control points at both ends are on the trajectory. */
+/* Test the state I or O at an end of the interval by one ray (proofs/claims.md C6). The first and
+ * the last control point are on the trajectory. */
 static void check_state(const trace *r, char state, size_t control) {
     long sum;
     if (!solid_ray(&sum, r->s, control_point(r, control), 0, NULL) || sum != (state == 'I'))
         fail(r, "the state between two contacts is not what is claimed");
 }
 
-/* The letter found last; 0 before the first. */
+/* The last letter of the word that was spelled; 0 before the first. */
 static char last_letter(const trace *r) {
     return r->length ? r->word[r->length - 1] : '\0';
 }
 
-/* The letters of an interval go on with the word; the state of each stretch off the boundary is
- * found at the end that it has of the interval in which it begins. */
+/* Compare an interval's letters with the next ones of the word; a letter equal to the one before it
+ * counts once. The state of a new letter I or O is tested where the interval begins if it is the
+ * first letter, else where the interval ends. */
 static void add_letters(trace *r, word kind) {
     for (size_t k = 0; k < kind.length; k++) {
         char letter = kind.at[k];
@@ -253,7 +258,8 @@ static void add_letters(trace *r, word kind) {
     }
 }
 
-/* Letters at the places of a kind; without a root there are none, or all are B. */
+/* Set the letters at the places of a kind. The kinds O and I have none, the kind B has B at all
+ * places. */
 static void set_letters(char *letter, word kind) {
     char first = kind.at[0], last = kind.at[kind.length - 1];
     if (kind.length == 1 && first != 'B')

@@ -1,4 +1,4 @@
-/* Counts, case, class of a word: proofs/claims.md C10, C12, C14, C15, C20.
+/* Finds counts, case and class of a word: proofs/claims.md C10, C12, C14, C15, C20.
  * SPDX-License-Identifier: MIT
  */
 #include <string.h>
@@ -8,7 +8,8 @@ static int column(char state) {
     return state == 'O' ? 0 : state == 'B' ? 1 : 2;
 }
 
-/* An inner contact is an intersection iff its sides differ; one at an end iff its germ is I. */
+/* Count intersections i and tangencies t. A contact between two states is an intersection iff they
+ * differ; one at an end of the word iff the state beside it is I. */
 static void count(unsigned long *i, unsigned long *t, const char *states) {
     for (const char *at = states; *at; at++) {
         char left = at > states ? at[-1] : 0, right = at[1];

@@ -1,12 +1,12 @@
 /* Bisection of the edges that the surface crosses.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * A vertex has an edge of its own, from a lattice point that is out to one that is not. Shares of
- * the edge count from the former, 0, to the latter, 1. The interval of shares always goes from a
- * point that is out to one that is not, both classified exactly, and is cut until it is no longer
- * than 2^-BISECT_BITS. The boundary of a polyhedral sweep often meets an edge in a simple fraction,
- * which is looked for on the way: a point that is `on` with one next to it that is out ends the
- * search, and the vertex is on the boundary itself.
+ * Each vertex lies on an edge of its own, from a lattice point that is out, at share 0, to one that
+ * is not, at share 1. The interval of shares always goes from a point that is out to one that is
+ * not, both classified exactly, and is cut until it is no longer than 2^-BISECT_BITS. The boundary
+ * of a polyhedral sweep often meets an edge in a simple fraction, so simple fractions are tried
+ * too: a point that is on with a point next to it that is out ends the search, and the vertex is
+ * exactly on the boundary.
  *
  * The vertex is strictly between the ends of its edge, so that the surface is a manifold, without
  * degenerate faces, wherever the boundary passes.
@@ -23,16 +23,16 @@
 typedef struct bisection {
     struct graze_boundary *surface; /* each of its vertices is placed by one member of a team */
     asker *asker;
-    int64_t from[3], step[3]; /* in lattice units: the end that is out, and the way to the other */
+    int64_t from[3], step[3]; /* the end that is out, the vector to the other; in lattice units */
     fmpq *outside, *inside;   /* shares */
-    fmpq *share, *width;      /* the share to ask for; room to compute in */
+    fmpq *share, *width;      /* the share to classify; room to compute in */
     fmpq *gap;                /* 2^-BISECT_BITS */
     graze_pmc pmc;            /* at `inside` */
 } bisection;
 
-/* Set the end that is out, and the way to the other one, of the edge with a middle; return the
- * answer at the other end. The edge runs along the axes on which the middle is halfway between two
- * corners of cells. */
+/* Set the end that is out and the vector to the other end, for the edge with the given middle;
+ * return the pmc at the other end. The edge runs along the axes on which the middle is halfway
+ * between corners of cells. */
 static graze_pmc edge_of(int64_t from[3], int64_t step[3], const struct graze_boundary *b,
                          uint64_t middle) {
     uint32_t half = 1u << (b->depth - b->reached), end[2][3] = {{0, 0, 0}, {0, 0, 0}};
@@ -63,7 +63,8 @@ static void point_at(fmpq *out, const struct graze_boundary *b, const int64_t fr
     }
 }
 
-/* Ask at x->share and keep the part of the interval that goes from out to not out. */
+/* Classify the point at x->share and keep the part of the interval that goes from out to not out.
+ */
 static graze_status ask_share(bisection *x) {
     asker *a = x->asker;
     graze_pmc pmc;
@@ -83,7 +84,7 @@ static int is_narrow(bisection *x) {
     return fmpq_cmp(x->width, x->gap) <= 0;
 }
 
-/* Where the inner point is on: ask next to it, towards the outside. */
+/* If the inner point is on, classify the point next to it towards the outside. */
 static graze_status try_beside(bisection *x) {
     if (x->pmc != GRAZE_ON || is_narrow(x))
         return GRAZE_OK;
@@ -91,8 +92,8 @@ static graze_status try_beside(bisection *x) {
     return ask_share(x);
 }
 
-/* Ask at the simplest fraction of the interval without a 32nd of it at either end; if it is on, ask
- * beside it too. */
+/* Classify the point at the simplest fraction in the interval without a 32nd at each end. If the
+ * inner point is then on, classify the point beside it too. */
 static graze_status try_simplest(bisection *x) {
     LOCAL_VEC(fmpq, low, 2);
     fmpq *high = low + 1;
@@ -105,7 +106,8 @@ static graze_status try_simplest(bisection *x) {
     return try_beside(x);
 }
 
-/* Cut the interval [0, 1]: each fifth time at a simple fraction, else in the middle. */
+/* Cut the interval [0, 1] until it is narrow: each fifth time at a simple fraction, else in the
+ * middle. */
 static graze_status bisect(bisection *x) {
     TRY(try_beside(x));
     for (int step = 1; !is_narrow(x); step++) {
@@ -120,8 +122,8 @@ static graze_status bisect(bisection *x) {
     return GRAZE_OK;
 }
 
-/* The share of the vertex: `inside` if it is on and not the end of the edge, else the middle of
- * both. */
+/* The share of the vertex: `inside` if the point there is on and is not the end of the edge, else
+ * the mean of both shares. */
 static void vertex_share(fmpq_t out, const fmpq_t outside, const fmpq_t inside, int on) {
     if (on && !fmpq_is_one(inside)) {
         fmpq_set(out, inside);
@@ -131,7 +133,7 @@ static void vertex_share(fmpq_t out, const fmpq_t outside, const fmpq_t inside, 
     }
 }
 
-/* The work of a team: `data` is an array of bisections, one a member. */
+/* Place one vertex, as work of a team: `data` is an array of bisections, one for each member. */
 static graze_status bisect_vertex_edge(void *data, graze_context *context, int member,
                                        size_t index) {
     bisection *x = (bisection *)data + member;

@@ -11,7 +11,7 @@
 #include "input/solid/solid.h"
 #include "questions/boundary/sampling.h"
 
-/* The caller's box, or the scene's with a margin. */
+/* Set the box: the caller's, or the scene's with a margin. */
 static graze_status set_box(struct graze_boundary *b, graze_context *context, const fmpq *low,
                             const fmpq *high) {
     if (!low)

@@ -11,7 +11,8 @@
 #include "questions/boundary/sampling.h"
 #include "questions/generate/generate.h"
 
-/* The bits of the coordinates in turn, so that a cell is an interval of places. */
+/* The place of a cell: the bits of its coordinates interleaved (Morton code), so that the places
+ * within a larger cell form an interval. */
 static uint64_t place_of(const uint32_t at[3], int dimension, unsigned bits) {
     uint64_t out = 0;
     for (unsigned bit = bits; bit-- > 0;)
@@ -34,7 +35,7 @@ int sample_cell_has_contact(const struct graze_boundary *b, const sample_cell *c
     return low < b->contact_count && b->contacts[low] - first < (uint64_t)1 << below;
 }
 
-/* The smallest cell that holds a point; 0 if it is outside the box. */
+/* Find the smallest cell that holds a point; returns 0 if the point is outside the box. */
 static int cell_of(uint32_t at[3], const struct graze_boundary *b, const fmpq *point) {
     LOCAL(fmpq, share);
     LOCAL(fmpz, whole);
@@ -66,7 +67,7 @@ static graze_status ask(graze_context *context, struct graze_boundary *b, const 
     return GRAZE_OK;
 }
 
-/* The points of the generator's first rows. */
+/* Make and classify the points of the generator's first rows. */
 static graze_status ask_rows(graze_context *context, struct graze_boundary *b,
                              const graze_generator *generator, unsigned long count) {
     b->contacts = malloc(count * sizeof *b->contacts);

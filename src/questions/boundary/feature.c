@@ -1,10 +1,10 @@
 /* Where tangent planes meet, verified by exact classification.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * The two planes that differ most, and of the others the one farthest from containing their common
- * direction, are intersected exactly. The point is good only as a guess: it is taken if it is on
- * with a point that is out next to it, or if bisection along the sum of the normals finds such a
- * pair of points near it.
+ * The two planes that differ most are intersected exactly and, in E^3, with a third one: the plane
+ * farthest from containing the direction of the line of the first two. The common point is only a
+ * guess: it is taken if it is on and a point next to it is out; else a pair of points near it, one
+ * out and one not, is looked for by bisection along the sum of the normals.
  */
 #include "questions/boundary/boundary.h"
 
@@ -16,14 +16,14 @@
 #include "base/number/vector.h"
 #include "questions/boundary/sampling.h"
 
-/* Normals that differ more have a smaller inner product; a third one is this far from the plane of
- * the two others. */
+/* Two unit normals of a feature have an inner product below EDGE_COSINE; a third one has at least
+ * the sine CORNER_SINE against the plane of these two. */
 #define EDGE_COSINE 0.95
 #define CORNER_SINE 0.3
 
 typedef struct selection {
     const tangent *plane[3];
-    int count; /* d or, for an edge of E^3, 2; less: no feature */
+    int count; /* number of planes: d or, for an edge of E^3, 2; 0: no feature */
 } selection;
 
 int feature_between(const tangent *a, const tangent *b) {
@@ -58,7 +58,7 @@ static void select_third(selection *s, const tangent *const *list, size_t count)
     }
 }
 
-/* A row of the system: normal x = value. */
+/* Set a row of the linear system: normal . x = value. */
 static void put_row(fmpq_mat_t a, fmpq_mat_t right, int row, const fmpq *normal,
                     const fmpq_t value) {
     for (slong k = 0; k < fmpq_mat_ncols(a); k++)
@@ -66,7 +66,8 @@ static void put_row(fmpq_mat_t a, fmpq_mat_t right, int row, const fmpq *normal,
     fmpq_set(fmpq_mat_entry(right, row, 0), value);
 }
 
-/* The common point of the planes; with two in E^3 that of the line nearest to the reference. */
+/* Find the common point of the planes; for two planes in E^3 the point of their line that is
+ * nearest to the reference. */
 static int meet_planes(fmpq *out, const selection *s, int d, const fmpq *reference) {
     LOCAL_VEC(fmpq, along, 3);
     LOCAL(fmpq, value);
@@ -88,7 +89,8 @@ static int meet_planes(fmpq *out, const selection *s, int d, const fmpq *referen
     return solved;
 }
 
-/* A direction in doubles, scaled to one cell along the axis on which it is longest. */
+/* Set `way` to a direction given in doubles, scaled to the length of one cell along the axis on
+ * which it is longest, measured in cells. */
 static void outward(fmpq *way, const struct graze_boundary *b, const double *direction) {
     enum { UNIT = 1024 };
     LOCAL_VEC(fmpq, share, 2);
@@ -116,8 +118,8 @@ static void set_points(feature *out, int d, const fmpq *base, const fmpq *way, c
     }
 }
 
-/* A base that is on: a point that is out next to it, along the sum of the normals or one of them.
- * The distance is 2^-BISECT_BITS of a cell. */
+/* Confirm a base that is on: look for a point that is out, 2^-BISECT_BITS of a cell away from it
+ * along the sum of the normals or along one of them. */
 static graze_status confirm_on(feature *out, asker *a, const selection *s, const fmpq *base,
                                fmpq *way) {
     const struct graze_boundary *b = a->boundary;
@@ -136,7 +138,8 @@ static graze_status confirm_on(feature *out, asker *a, const selection *s, const
     return GRAZE_OK;
 }
 
-/* Bisection between the base and a point at most 2^-4 of a cell away, the nearest first. */
+/* Bisect between the base and a point beside it along `way`, 2^-13, then 2^-8, then 2^-4 of a cell
+ * away. */
 static graze_status bisect_from(feature *out, asker *a, graze_pmc pmc, const fmpq *base,
                                 const fmpq *way) {
     const struct graze_boundary *b = a->boundary;

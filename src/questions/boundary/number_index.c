@@ -1,4 +1,4 @@
-/* Finds keys by their mixed bits, which are different for different keys.
+/* Finds keys by their hashes; different keys have different hashes.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/boundary/boundary.h"
@@ -19,7 +19,8 @@ size_t number_index_find(const number_index *t, uint64_t key) {
 }
 
 int number_index_add(number_index *t, uint64_t key, unsigned char value) {
-    size_t values = t->capacity; /* and more: its entries are the smaller ones */
+    size_t values = t->capacity; /* the true room is at least this: entries of `value` are smaller
+                                    than those of `key` */
     if (!array_reserve(&t->value, &values, t->count + 1, sizeof *t->value) ||
         !array_reserve(&t->key, &t->capacity, t->count + 1, sizeof *t->key) ||
         !slots_add(&t->places, slots_mix(key)))

@@ -1,9 +1,10 @@
 /* Bisection along lines of any direction.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Beside a point of the boundary, 2^-7 of a cell away along other axes than the one it was found
- * along, other points of it are looked for within 2^-5 of a cell. The normal of the plane through
- * all is near the boundary's, if that is smooth there; what is built on it is verified.
+ * A boundary point was found along one axis. From places 2^-7 of a cell beside it along the other
+ * axes, further boundary points are looked for within 2^-5 of a cell. The normal of the plane
+ * through all these points is near that of the boundary if the boundary is smooth there; results
+ * built on it are verified.
  */
 #include "questions/boundary/boundary.h"
 
@@ -26,7 +27,7 @@ int probe_in_cell(const struct graze_boundary *b, const sample_cell *c, const fm
     return inside;
 }
 
-/* The answer at base + share way. */
+/* Classify the point base + share way. */
 static graze_status ask_on_line(graze_pmc *out, asker *a, const fmpq *base, const fmpq *way,
                                 const fmpq_t share) {
     for (int k = 0; k < a->boundary->dimension; k++) {
@@ -81,7 +82,7 @@ static int main_axis(const struct graze_boundary *b, const fmpq *way) {
     return best;
 }
 
-/* way = 2^-bits of a cell along an axis, up or down it. */
+/* Set `way` to 2^-bits of a cell along an axis, upward or downward. */
 static void axis_step(fmpq *way, const struct graze_boundary *b, int axis, unsigned bits,
                       int down) {
     for (int k = 0; k < b->dimension; k++)
@@ -91,7 +92,8 @@ static void axis_step(fmpq *way, const struct graze_boundary *b, int axis, unsig
         fmpq_neg(way + axis, way + axis);
 }
 
-/* The way from `inside` to a boundary point beside it along an axis; *found = 0 without one. */
+/* Find the vector from `inside` to a boundary point beside it along an axis; *found becomes 0 if
+ * there is none. */
 static graze_status find_beside(fmpq *out, int *found, asker *a, const fmpq *inside,
                                 const fmpq *way, int axis) {
     const struct graze_boundary *b = a->boundary;

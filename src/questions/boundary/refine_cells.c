@@ -1,11 +1,11 @@
-/* Cuts cells, one level after the other, so that a budget that runs out leaves a whole level.
+/* Cuts cells, one level after the other, so that a whole level is left if the budget runs out.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * All cells are cut to the coarse level; from there on a cell is cut if its corners and centre are
- * not all of one pmc or if it holds a contact point. Where a face of a cell of the level at hand
- * has both corners that are `out` and others, the neighbour there must be of this level too: then
- * every edge of the level between `out` and the rest has all its cells, and the surface no border
- * inside the box.
+ * All cells are cut down to the coarse level; from there on a cell is cut if its corners and centre
+ * do not all have the same pmc or if it holds a contact point. If some corners of a cell's face are
+ * out and others are not, the neighbour at this face is cut to the cell's level too. So each edge
+ * of this level from a point that is out to one that is not has all its cells, and the surface has
+ * no border inside the box.
  */
 #include "questions/boundary/boundary.h"
 
@@ -35,7 +35,8 @@ static sample_cell child_of(const struct graze_boundary *b, const sample_cell *c
     return out;
 }
 
-/* Cut a leaf whose corners the budget allows, and hand its parts to the work. */
+/* Cut a leaf if the budget allows the corners of its parts, and put the parts into the list of
+ * work. */
 static graze_status split_cell(graze_context *context, struct graze_boundary *b, size_t index) {
     unsigned parts = 1u << b->dimension;
     TRY(context_poll(context));
@@ -71,7 +72,7 @@ static graze_status is_of_interest(int *out, graze_context *context, struct graz
     return GRAZE_OK;
 }
 
-/* Cut what is above the place of a cell of the level `target`. */
+/* Cut cells until the cell `at` of the level `target` exists. */
 static graze_status reach(graze_context *context, struct graze_boundary *b, const uint32_t at[3],
                           unsigned target) {
     size_t index = 0;

@@ -1,4 +1,4 @@
-/* Rims from the sides of faces that no other face of the patch has.
+/* Finds rims: the sides of faces that belong to one face of the patch only.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/boundary/boundary.h"
@@ -6,12 +6,13 @@
 #include "input/solid/solid.h"
 #include "questions/boundary/sampling.h"
 
-/* Directed edges with a marker; of the patch's faces, then of its rim alone. */
+/* Directed edges: sides of the patch's faces while these are added, and in the end those of the rim
+ * alone. */
 typedef struct edge_list {
     size_t from[RIM_MOST], to[RIM_MOST], count;
 } edge_list;
 
-/* Add an edge, or take away the one that runs the other way. */
+/* Add an edge, or remove the opposite one if that is in the list. */
 static void toggle_edge(edge_list *l, size_t from, size_t to) {
     for (size_t k = 0; k < l->count; k++) {
         if (l->from[k] != to || l->to[k] != from)
@@ -25,7 +26,8 @@ static void toggle_edge(edge_list *l, size_t from, size_t to) {
     l->to[l->count++] = to;
 }
 
-/* The edge that begins at a vertex, `count` without one; *several if there is more than one. */
+/* The edge that begins at a vertex, `count` if there is none; *several becomes 1 if there is more
+ * than one. */
 static size_t edge_from(const edge_list *l, size_t vertex, int *several) {
     size_t found = l->count;
     for (size_t k = 0; k < l->count; k++) {
@@ -37,7 +39,8 @@ static size_t edge_from(const edge_list *l, size_t vertex, int *several) {
     return found;
 }
 
-/* In E^2 a vertex that ends no edge; in E^3 any. */
+/* The edge at which the rim begins: in E^2 one at whose beginning no other ends; in E^3 the first
+ * in the list. */
 static size_t first_edge(const edge_list *l, int dimension) {
     for (size_t k = 0; k < l->count && dimension == 2; k++) {
         int ends = 0;
@@ -78,7 +81,8 @@ int rim_run_at(rim_run *out, const struct graze_boundary *b, const sample_cell *
     int before = 0, in = 0;
     *out = (rim_run){0, 0};
     for (size_t k = 0; k <= count; k++) {
-        /* the edge from `last` to k; the first is looked at twice, to know what is before it */
+        /* the edge from `last` to k; that from count - 1 to 0 comes first and again last, to give
+         * `before` */
         size_t to = k % count;
         in = key_coordinate(b->vertices.key[vertex[last]], axis) == place &&
              key_coordinate(b->vertices.key[vertex[to]], axis) == place;

@@ -1,20 +1,21 @@
-/* Fans of faces about features in the place of patches.
+/* Replaces patches by fans of faces about features.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Where the patch of a cell has one rim, a simple closed polygon on the sides of the cell, and the
- * cell has a feature strictly inside, the faces from the feature to the rim's edges take the
- * patch's place. From a point inside a convex cell every point of its sides is seen just once, so
- * they meet nowhere but at the feature, and none is degenerate. The rim is as it was, so the
- * surface stays a manifold.
+ * cell has a feature strictly inside, the faces from the feature to the rim's edges replace the
+ * patch. From a point inside a convex cell each point of the cell's sides is seen in a direction of
+ * its own, so the new faces have no common points except on common edges and the feature, and none
+ * is degenerate. The rim does not change, so the surface stays a manifold.
  *
  * Let two such cells have a side in common, features p and q, and let the rims pass that side in
- * one run, from u to v. Where the surface bends between u and v, the faces at the run give way to
- * p q u and p q v, and with them a vertex in the midst of the run. The segment p q meets the side
- * in one inner point r, and the side is convex, so in both cells it is as if the run went from u
- * over r to v: still a simple polygon on the sides. So edges of the sweep become edges of the
- * surface.
+ * one run, from u to v. Where the surface bends between u and v, the faces at the run are replaced
+ * by p q u and p q v, and vertices inside the run disappear. The segment p q meets the side in one
+ * inner point r, and the side is convex, so in both cells the faces are those of a rim whose run
+ * goes from u over r to v: still a simple polygon on the sides. Thus edges of the sweep become
+ * edges of the surface.
  *
- * In E^2 the way from the first to the last vertex of a patch goes over the feature.
+ * In E^2 the segments of a patch are replaced by two: from its first vertex to the feature, and
+ * from there to its last vertex.
  */
 #include "questions/boundary/boundary.h"
 
@@ -30,19 +31,19 @@
 
 /* A patch that is replaced by a fan about its feature; fan k has feature k. */
 typedef struct fan {
-    size_t patch, first, count; /* of its rim in `rims` */
+    size_t patch, first, count; /* `first`, `count`: of its rim in `rims` */
 } fan;
 
 typedef struct sharpening {
     struct graze_boundary *boundary;
     graze_context *context;
-    size_t count;         /* of the vertices at first */
-    tangent *tangents;    /* of each vertex, found where `asked` is 1 */
+    size_t count;         /* number of vertices before sharpening */
+    tangent *tangents;    /* of each vertex, found if its `asked` is 1 */
     unsigned char *asked; /* of each vertex: 1 if its tangent is wanted */
     fan *fans;
     size_t fan_count, fan_capacity;
     size_t *rims, rim_count, rim_capacity;
-    number_index places;                          /* of the fans' cells, in their order */
+    number_index places; /* places of the fans' cells, in the order of the fans */
     size_t *corners, face_count, corner_capacity; /* the new faces */
 } sharpening;
 
@@ -55,7 +56,7 @@ static size_t apex_of(const sharpening *s, size_t fan_index) {
     return s->boundary->vertices.count + fan_index;
 }
 
-/* Keep a fan; the feature is left empty. */
+/* Add a fan about a feature, which moves to the boundary's features: `f` is left empty. */
 static graze_status keep_fan(sharpening *s, size_t patch, const rim *r, feature *f) {
     struct graze_boundary *b = s->boundary;
     static const char what[] = "the surface";
@@ -75,7 +76,7 @@ static graze_status keep_fan(sharpening *s, size_t patch, const rim *r, feature 
     return GRAZE_OK;
 }
 
-/* The work of a team: the tangent of a vertex, where one is asked for. */
+/* Find the tangent of one vertex, if it is wanted, as work of a team. */
 static graze_status know_tangent(void *data, graze_context *context, int member, size_t vertex) {
     sharpening *s = data;
     asker *a = &s->boundary->askers[member];
@@ -147,7 +148,7 @@ static graze_status keep_patch(sharpening *s, size_t patch) {
     return GRAZE_OK;
 }
 
-/* The fan of the cell on the other side, or fan_count. */
+/* The number of the fan of the neighbouring cell on one side; fan_count if that cell has none. */
 static size_t neighbour(const sharpening *s, const sample_cell *c, int axis, int upper) {
     uint32_t at[3], last = upper ? (1u << c->level) - 1 : 0;
     memcpy(at, c->at, sizeof at);
@@ -157,8 +158,8 @@ static size_t neighbour(const sharpening *s, const sample_cell *c, int axis, int
     return number_index_find(&s->places, lattice_key(at));
 }
 
-/* A side of a fan's cell through which the fans of both cells are joined: the run of its rim and
- * the other fan. */
+/* Is a fan joined to another one through this side of its cell? If so, set the run of its rim in
+ * the side and the number of the other fan. */
 static int is_joined(rim_run *run, size_t *other, const sharpening *s, const fan *f, int axis,
                      int upper) {
     const size_t *vertex = s->rims + f->first;

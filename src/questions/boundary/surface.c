@@ -2,10 +2,11 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Each cell of the level reached is cut into d! simplices along the diagonal from its lowest to its
- * highest corner, alike in all cells, so that neighbours share the cuts of their common side. A
- * simplex's edges between `out` and the rest each have a point of the boundary; a point of each
- * spans one segment (d = 2), or one or two triangles (d = 3), which `out` lies to the right or on
- * the outer side of. Here vertices are the middles; bisect.c moves them along their edges.
+ * highest corner, alike in all cells, so that neighbours share the cuts of their common side. Each
+ * edge of a simplex from a corner that is out to one that is not has a point of the boundary. One
+ * such point on each of these edges gives one segment (d = 2), with `out` on its right, or one or
+ * two triangles (d = 3), with `out` on their outer side. Here vertices are the middles of edges;
+ * bisect.c moves them along the edges.
  */
 #include "questions/boundary/boundary.h"
 
@@ -15,7 +16,7 @@
 #include "input/validate/validate.h"
 #include "questions/boundary/sampling.h"
 
-/* A simplex's corners with those in `out` last. */
+/* A simplex's corners; those that are out come last. */
 typedef struct corner_simplex {
     uint32_t at[4][3];
     int corners, rest; /* number of corners, and of those that are not out */
@@ -53,8 +54,8 @@ static int face_side(uint32_t (*face)[3], const uint32_t out[3], int dimension) 
     return value > 0 ? 1 : -1;
 }
 
-/* One face of d points, turned so that in space `out` is where its normal points, in the plane on
- * its right. */
+/* Add a face of d points, turned so that the point `out` lies on the side of its normal (d = 3), or
+ * on its right (d = 2). */
 static graze_status add_face(graze_context *context, struct graze_boundary *b, uint32_t (*face)[3],
                              const uint32_t out[3]) {
     size_t d = (size_t)b->dimension, index[3];
@@ -74,7 +75,8 @@ static void middle(uint32_t out[3], const corner_simplex *s, int i, int j) {
         out[k] = (s->at[i][k] + s->at[j][k]) / 2;
 }
 
-/* The faces of one simplex: with r of its corners in the rest, r (d + 1 - r) middles. */
+/* Add the faces of one simplex: if r of its corners are not out, their vertices are r (d + 1 - r)
+ * middles. */
 static graze_status add_faces(graze_context *context, struct graze_boundary *b,
                               const corner_simplex *s) {
     uint32_t point[4][3];
@@ -97,7 +99,8 @@ static graze_status add_faces(graze_context *context, struct graze_boundary *b,
     return add_face(context, b, point, out);
 }
 
-/* The simplex that goes along the axes in the order of `order`. */
+/* Add the faces of the simplex whose corners go from the cell's lowest to its highest one along the
+ * axes in the order `order`. */
 static graze_status cut_simplex(graze_context *context, struct graze_boundary *b,
                                 const sample_cell *c, const int order[3]) {
     corner_simplex s = {.corners = b->dimension + 1};
@@ -121,7 +124,8 @@ static int at_border(const struct graze_boundary *b, const sample_cell *c) {
     return border;
 }
 
-/* Has a mixed cell corners on the border of the box that are not out? Then the surface ends there.
+/* Has the cell, whose corners are out and not out, a corner on the border of the box that is not
+ * out? Then the surface ends there.
  */
 static int ends_at_border(const struct graze_boundary *b, const sample_cell *c) {
     uint32_t last = 1u << (b->depth + 1);
@@ -136,7 +140,7 @@ static int ends_at_border(const struct graze_boundary *b, const sample_cell *c) 
     return 0;
 }
 
-/* The faces that follow are those of a cell. */
+/* Begin the patch of a cell: the faces that are added next belong to it. */
 static graze_status begin_patch(graze_context *context, struct graze_boundary *b, size_t index) {
     TRY(array_grow(context, &b->patches, &b->patch_capacity, b->patch_count + 1, sizeof *b->patches,
                    "the cells of a boundary"));

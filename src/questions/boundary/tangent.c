@@ -1,10 +1,10 @@
-/* Tangent planes from the contacts of a vertex that is on.
+/* Guesses tangent planes, for vertices that are on from their contacts.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * A boundary point of the sweep is touched by a facet, whose plane is carried to the point, or by
- * an edge, which sweeps a surface whose plane holds the edge and the velocity (E^2: an edge, or a
- * vertex). The map P -> A P + b that carries points to the solid's frame takes the normal n there
- * to A^T n.
+ * A boundary point of the sweep is touched by a facet, whose plane then is the tangent plane, or by
+ * an edge, which sweeps a surface whose tangent plane holds the edge and the velocity (E^2: an
+ * edge, or a vertex). If P -> A P + b carries points to the solid's frame, a normal n in that frame
+ * becomes A^T n.
  */
 #include "questions/boundary/boundary.h"
 
@@ -21,7 +21,8 @@
 #include "questions/boundary/sampling.h"
 #include "questions/distance/distance.h"
 
-/* The sum of the cross products of an outer cycle's neighbours: twice its area along the normal. */
+/* Set `out` to a facet's normal, twice as long as the area of its outer cycle: the sum of the cross
+ * products of neighbouring vertices. */
 static void facet_normal(fmpq *out, const soup *s, size_t facet) {
     uint32_t cycle = s->facet_start[facet];
     size_t from = s->cycle_start[cycle], end = s->cycle_start[cycle + 1];
@@ -34,7 +35,7 @@ static void facet_normal(fmpq *out, const soup *s, size_t facet) {
     }
 }
 
-/* A multiple of the trajectory's velocity. */
+/* Set `out` to a multiple of the velocity of a point's trajectory. */
 static void velocity(fmpq *out, const point_map *map, const fmpq_t u, const fmpq *point) {
     int d = map->dimension;
     LOCAL_VEC(fmpq, w, 3);
@@ -54,7 +55,7 @@ static void velocity(fmpq *out, const point_map *map, const fmpq_t u, const fmpq
     }
 }
 
-/* The normal in the solid's frame, zero where the contact gives none. */
+/* Find the normal in the solid's frame; zero if the cell gives none. */
 static void body_normal(fmpq *out, const graze_scene *scene, const graze_cell *cell,
                         const point_map *map, const fmpq_t u, const fmpq *point) {
     const soup *s = &scene->solid->input;
@@ -77,7 +78,7 @@ static void body_normal(fmpq *out, const graze_scene *scene, const graze_cell *c
     }
 }
 
-/* The parameter of a time's piece, exact where it is rational. */
+/* Find the parameter u of a time in its piece, exactly if the time is rational. */
 static graze_status parameter_of(fmpq_t u, graze_context *context, const graze_time *time) {
     const motion_piece *piece = &time->motion->piece[time->piece];
     LOCAL(fmpq, length);
@@ -88,7 +89,7 @@ static graze_status parameter_of(fmpq_t u, graze_context *context, const graze_t
     return GRAZE_OK;
 }
 
-/* The normal that a contact's highest cell gives, zero where there is none. */
+/* Find the normal that a contact's first cell gives; zero if that gives none. */
 static graze_status contact_normal(fmpq *out, graze_context *context, const graze_scene *scene,
                                    const contact *c, const fmpq *point) {
     const point_map *map =

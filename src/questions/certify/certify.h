@@ -1,4 +1,4 @@
-/* certify: the hints of a certificate by which `graze-check` proves a row.
+/* certify: makes certificates, whose hints let `graze-check` prove rows.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_QUESTIONS_CERTIFY_H
 #define GRAZE_QUESTIONS_CERTIFY_H
@@ -20,21 +20,21 @@ typedef struct certifier {
 } certifier;
 
 /**
- * @param flags those the solid was read with, and GRAZE_CERTIFY_TIMES
- * @return GRAZE_EUSE the scene was not read from files, or under a rounding, or triangulated;
- * GRAZE_EILLEGAL, GRAZE_ELIMIT: the solid, once cut
+ * @param flags the flags with which the solid was read, and GRAZE_CERTIFY_TIMES
+ * @return GRAZE_EUSE the scene was not read from files, numbers are rounded, or the solid was
+ * triangulated; GRAZE_EILLEGAL, GRAZE_ELIMIT: `cut` is not legal, or too large
  */
 graze_status certifier_make(certifier *out, graze_context *context, const graze_scene *scene,
                             unsigned flags);
 void certifier_clear(certifier *c);
 
-/** The certificate's head. */
+/** Write the certificate's head. */
 graze_status certify_head(text *out, graze_context *context, const certifier *c);
 
 /* The certificate of one row (proofs/certificate.md). */
 
-/** The lines of one row; `trace` is that of its point, with the contacts' times and cells
- * where they are wanted. */
+/** Write the lines of one row; `trace` is the trace of its point, with times and cells of contacts
+ * if the certificate has contacts. */
 graze_status certify_row(text *out, graze_context *context, const certifier *c, const fmpq *point,
                          const graze_trace *trace);
 

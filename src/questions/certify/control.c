@@ -1,13 +1,13 @@
-/* Simplices cleared in doubles: most of those near a piece of a trajectory, so that few exact forms
- * are made. SPDX-License-Identifier: GPL-3.0-or-later
+/* Clears simplices in doubles: most of those near a piece of a trajectory, so that few exact forms
+ * are needed. SPDX-License-Identifier: GPL-3.0-or-later
  *
- * A Bernstein coefficient of a form's pullback is the form at a control point x_k / w_k times
- * w_k > 0. Let M bound all coordinates, which are known within 2^-48 M, and L >= 2^-40 M all
- * differences of them. The differences are then known within 2^-46 M; a 2 x 2 determinant of them
- * within 4.1 * 2^-46 M L, and roundings of 2^-49 M L, together less than 2^-43 M L; and the 3 x 3
- * determinant, three products of such a one, at most 2.1 L^2, and a difference, within
- * 3 (2^-43.8 + 2.1 * 2^-46 + 2^-49) M L^2 and roundings of 2^-47 M L^2, less than 2^-41 M L^2.
- * A number further from 0 than these bounds, doubled, has its sign.
+ * A Bernstein coefficient of a form's pullback is the form at a control point x_k / w_k times w_k >
+ * 0. Let M bound all coordinates, which are known within 2^-48 M, and L >= 2^-40 M all differences
+ * of them. The differences are then known within 2^-46 M; a 2 x 2 determinant of them within 4.1 *
+ * 2^-46 M L, and roundings of 2^-49 M L, together less than 2^-43 M L; and the 3 x 3 determinant, a
+ * sum of three products of a 2 x 2 determinant, at most 2.1 L^2, and a difference, is known within
+ * 3 (2^-43.8 + 2.1 * 2^-46 + 2^-49) M L^2 and roundings of 2^-47 M L^2, less than 2^-41 M L^2. If a
+ * computed determinant is further from 0 than twice these bounds, its sign is right.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -16,10 +16,10 @@
 #include "input/validate/validate.h"
 #include "questions/certify/prove.h"
 
-/* The range of M: beyond it powers of M might leave the range of doubles. */
+/* The range of M: outside of it, powers of M might leave the range of doubles. */
 static const double SMALLEST = 0x1p-200, LARGEST = 0x1p200;
 
-/* A simplex: its edges from corner 0, and bounds of determinants. */
+/* A simplex: its edges from corner 0, its normal, and bounds for the errors of determinants. */
 typedef struct frame {
     double edge[2][3], normal[3];
     double area_error, volume_error;
@@ -61,13 +61,13 @@ void control_set(control *out, const trajectory *c, const fmpz *bernstein) {
     out->count = (size_t)n;
 }
 
-/* The determinant of columns i + 1, i + 2 of two rows. */
+/* The 2 x 2 determinant of columns i + 1 and i + 2 (mod 3) of the rows a and b. */
 static double minor_of(const double *a, const double *b, int i) {
     int j = (i + 1) % 3, k = (i + 2) % 3;
     return a[j] * b[k] - a[k] * b[j];
 }
 
-/* 0 where the bounds would not hold. */
+/* Set the frame of a simplex; returns 0 if the bounds would not hold. */
 static int make_frame(frame *out, const control *c, const graze_solid *solid,
                       const double *corner) {
     double reach = solid->corners.reach, far = 0;
@@ -89,7 +89,7 @@ static int make_frame(frame *out, const control *c, const graze_solid *solid,
     return 1;
 }
 
-/* Has the plane form certainly one strict sign at all control points? */
+/* Does the plane form certainly have one strict sign at all control points? */
 static int plane_clears(const frame *f, const control *c, const double *corner) {
     int sign = 0;
     for (size_t k = 0; k < c->count; k++) {
@@ -111,8 +111,8 @@ static int is_flat(const frame *f, const graze_solid *solid, int i) {
                                          (f->edge[0][k] == 0 && f->edge[1][k] == 0));
 }
 
-/* The first coordinate in which the normal is not zero, which side forms leave out; 3 if it is not
- * certain. */
+/* The first coordinate in which the normal is not zero: the one that side forms leave out. Returns
+ * 3 if it is not certain which one that is. */
 static int find_axis(const frame *f, const graze_solid *solid) {
     for (int i = 0; i < 3; i++)
         if (fabs(f->normal[i]) > f->area_error)

@@ -1,5 +1,5 @@
-/* A certificate's head: what it is about, with facets cut as graze-check cuts them, and times
- * between which the motion's signs are plain.
+/* A certificate's head: hashes, options, and times between which the motion's weight and
+ * determinant have one strict sign. Cuts facets as graze-check cuts them.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/certify/certify.h"
@@ -32,8 +32,9 @@ static graze_status add_fan(soup *out, graze_context *context, const soup *in, s
     return GRAZE_OK;
 }
 
-/* The fans of a legal solid's facets, planar ones, make up the same boundary or are refused: where
- * a piece turns the other way it overlaps others, or has no area. */
+/* Make a solid of the fans of a legal solid's facets. If all facets are planar, the fans make up
+ * the same boundary or are refused: a triangle that is turned the other way overlaps others, or has
+ * no area. */
 static graze_status make_cut(graze_solid **out, graze_context *context, soup *cut) {
     graze_status status = solid_create(out, context, cut, 0);
     soup_init(cut, 3); /* the solid has taken it over */
@@ -45,7 +46,7 @@ static graze_status make_cut(graze_solid **out, graze_context *context, soup *cu
 }
 
 /* The solid with every facet of more than three corners cut into the fan of its first one, as
- * graze-check cuts facets; *out is NULL where there is none. */
+ * graze-check cuts facets; *out is NULL if there is no such facet. */
 static graze_status certify_cut(graze_solid **out, graze_context *context,
                                 const graze_solid *solid) {
     const soup *in = &solid->input;
@@ -87,7 +88,7 @@ void certifier_clear(certifier *c) {
     c->cut = NULL;
 }
 
-/* The determinant of the linear part of a point map without its weight. */
+/* The determinant of the linear part of a point map, not divided by the weight. */
 static void find_det(fmpz_poly_t out, const point_map *m) {
     int d = m->dimension;
     LOCAL(fmpz_poly, a);
@@ -109,8 +110,8 @@ static void find_det(fmpz_poly_t out, const point_map *m) {
     }
 }
 
-/* The upper ends of the parts of an interval on which both have one sign. Both have no root there,
- * so the parts end (proofs/claims.md C23). */
+/* Halve an interval until weight and determinant have one sign on each part, and write the parts'
+ * upper ends. As neither has a root on the interval, the halving ends (proofs/claims.md C23). */
 static void put_signs(text *out, const motion_piece *piece, const fmpz_poly_t det,
                       const dyadic_interval *at) {
     if (prove_one_sign(piece->forward.weight, at) && prove_one_sign(det, at)) {

@@ -1,4 +1,4 @@
-/* The checker's tests, foreseen on polynomials of FLINT.
+/* The checker's tests, run beforehand on polynomials of FLINT.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <flint/fmpz_vec.h>
@@ -13,7 +13,8 @@
 
 enum { UNKNOWN = 2 };
 
-/* Signs before, at and after the root, or UNKNOWN; 0 before or after: the polynomial is zero. */
+/* The signs of a polynomial before, at and after the root, or UNKNOWN. 0 before or after the root
+ * says that it is the zero polynomial. */
 typedef struct profile {
     int left, mid, right;
 } profile;
@@ -48,7 +49,8 @@ static void add_near(enclosure *e, uint32_t simplex) {
         e->out_of_memory = 1;
 }
 
-/* With this number of near simplices a shorter interval is cheaper; it grows by levels. */
+/* The most near simplices for which a proof is tried: with more of them a shorter interval is
+ * cheaper. The number grows as intervals become shorter. */
 static size_t many(const enclosure *e) {
     return (size_t)48 << (e->at.exponent < 60 ? e->at.exponent / 2 : 30);
 }
@@ -65,7 +67,8 @@ static void search(enclosure *e, const box *b, size_t index) {
     search(e, b, node->child + 1);
 }
 
-/* A simplex that a proof failed at is likely to fail the next one, on a part of the interval. */
+/* The simplex at which the last proof failed is likely to fail the next proof too, on a part of the
+ * interval. */
 static void put_suspect_first(enclosure *e) {
     for (size_t k = 1; k < e->count; k++)
         if (e->near[k] == e->suspect) {
@@ -79,8 +82,9 @@ static int suspect_at(enclosure *e, size_t k) {
     return 0;
 }
 
-/* The checker's boxes may be wider than ours by 2^-46 of a coordinate: look for more than it will
- * find. Returns 0 where a coefficient of the weight is not positive, or simplices are many. */
+/* Find the simplices near an interval. The checker's boxes may be wider by 2^-46 of a coordinate,
+ * so a margin of 2^-40 is added to find all that it will find. Returns 0 if a coefficient of the
+ * weight is not positive, there are too many simplices, or memory is short. */
 static int enclose(enclosure *e, const dyadic_interval *at) {
     box b;
     dyadic_interval_set(&e->at, at);
@@ -128,7 +132,7 @@ static const fmpz *prove_plane(enclosure *e, size_t k) {
     return e->plane;
 }
 
-/* A side of the simplex whose plane is at hand. */
+/* The form of a side of near simplex k, whose plane is in e->plane. */
 static const fmpz *side_of(enclosure *e, size_t k, int side) {
     return known_side(e->side, e->forms, e->solid, e->near[k], e->plane, side);
 }
@@ -176,7 +180,8 @@ int prove_isolated(const fmpz_poly_t q, const dyadic_interval *at) {
     return ends && changes == 1;
 }
 
-/* Signs of q beside its one root in the interval; +1 after it where the root is the lower end. */
+/* The signs of q before and after its one root in the interval. If the root is the lower end, the
+ * sign after it is found at the upper end. */
 static void prove_signs_beside(int *left, int *right, const enclosure *e, const root_claim *claim) {
     int rising = dyadic_sign(claim->q, claim->left ? e->at.low : e->at.high, e->at.exponent) *
                  (claim->left ? -1 : 1);
@@ -184,7 +189,8 @@ static void prove_signs_beside(int *left, int *right, const enclosure *e, const 
     *right = rising;
 }
 
-/* Without a root: at the beginning of the interval, within it, at its end. */
+/* The profile of a claim without a root: signs at the beginning of the interval, within it, at its
+ * end. */
 static profile slide_profile(enclosure *e, const fmpz *form) {
     int least = 1, most = -1, sign = 0;
     profile out = {0, 0, 0};
@@ -225,15 +231,16 @@ static profile profile_of(enclosure *e, const root_claim *claim, const fmpz *for
     return out;
 }
 
-/* The places at which a profile has one of two signs, as bits: 1 before, 2 at, 4 after the root. */
+/* The places at which a profile has the sign `sign` or `other`, as a sum: 1 before, 2 at, 4 after
+ * the root. */
 static unsigned places(profile p, int sign, int other) {
     return (p.left == sign || p.left == other ? 1u : 0) |
            (p.mid == sign || p.mid == other ? 2u : 0) |
            (p.right == sign || p.right == other ? 4u : 0);
 }
 
-/* Add to `holds` the places where the simplex holds the trajectory. Returns 0 if it is not cleared
- * where it must be. */
+/* Add to `holds` the places where simplex k holds the trajectory. Returns 0 if it is not cleared
+ * beside the root where the letter is not B or, with cells, if it is unknown whether it is met. */
 static int meet(unsigned *holds, enclosure *e, const root_claim *claim, size_t k) {
     profile p = profile_of(e, claim, prove_plane(e, k));
     unsigned in = places(p, 0, 0), out = places(p, 1, -1);
@@ -249,7 +256,8 @@ static int meet(unsigned *holds, enclosure *e, const root_claim *claim, size_t k
     return !(sides & ~slid & ~out) && !(told & ~in & ~out);
 }
 
-/* One simplex holds the trajectory on the interval, and it is known of each where it does. */
+/* Does a simplex hold the trajectory on the interval, and is it known for each near simplex where
+ * it does? */
 static int prove_cells(enclosure *e) {
     root_claim claim = {'B', 'B', NULL};
     unsigned holds = 0;

@@ -1,5 +1,5 @@
-/* One row: the events of each piece of the motion, intervals around them, and the gaps between them
- * cut until the checker's tests succeed.
+/* One row: finds the events of each piece of the motion and intervals around them, and cuts the
+ * gaps between these until the checker's tests succeed.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/certify/certify.h"
@@ -18,13 +18,14 @@
 
 enum { DEEPEST = 2000 };
 
-/* A time at which the trajectory is on the boundary and its state or cell changes: the root of q,
- * in u. */
+/* A time at which the trajectory is on the boundary and its state or cell changes: the root of q, a
+ * polynomial in u. */
 typedef struct event {
     fmpz_poly_t q;
-    dyadic_interval at, known; /* what is hinted; what isolates the time from the start */
+    dyadic_interval at, known; /* `at`: the interval of the certificate; `known`: the one that
+                                  isolates the time from the start */
     int place;                 /* -1: u = 0; 1: u = 1; else 0 */
-    int irreducible;           /* q is known to be so */
+    int irreducible;           /* q is known to be irreducible */
 } event;
 
 typedef struct piece_row {
@@ -36,7 +37,8 @@ typedef struct piece_row {
     enclosure *e;
     size_t count;
     event *event;
-    char *gap; /* count + 1 letters: before the first event, between two, after the last */
+    char *gap; /* count + 1 state letters: before the first event, between two events, after the
+                  last */
 } piece_row;
 
 static graze_status row_no_memory(graze_context *context) {
@@ -45,7 +47,8 @@ static graze_status row_no_memory(graze_context *context) {
 
 /* ------------------------------------------------------------------------------------- events */
 
-/* Make q irreducible, so that it divides each pullback that is 0 at the time; 1 if it changed. */
+/* Replace q by its irreducible factor with the root, which divides each pullback that is 0 at the
+ * time. Returns 1 if the degree fell. */
 static int find_factor(event *v) {
     slong degree = fmpz_poly_degree(v->q);
     LOCAL(fmpz_poly_factor, factors);
@@ -83,7 +86,8 @@ static void event_set(event *v, const algebraic *time) {
     v->place = fmpq_is_zero(time->value) ? -1 : fmpq_is_one(time->value) ? 1 : 0;
 }
 
-/* The letter between ranks r and r + 1: B, or what one location finds. */
+/* Find the letter, I or O, between two neighbouring times by locating one point. NULL for `from`
+ * stands for u = 0, NULL for `to` for u = 1. */
 static graze_status find_gap(char *out, piece_row *r, algebraic *from, algebraic *to) {
     LOCAL(fmpq, u);
     if (from && to)
@@ -135,7 +139,7 @@ static graze_status find_events(piece_row *r) {
     for (size_t k = 0; k < r->count && r->with->with_contacts; k++)
         if (!r->event[k].irreducible)
             (void)find_factor(
-                &r->event[k]); /* contacts have the polynomial that the trace gives them */
+                &r->event[k]); /* contacts are written with the irreducible polynomial */
     return find_gaps(r);
 }
 
@@ -148,7 +152,7 @@ static void halve(dyadic_interval *at, int upper) {
     dyadic_interval_swap(at, upper ? &right : &left);
 }
 
-/* Both halves of two neighbouring quarters: the middle half. */
+/* Reduce an interval to its middle half. */
 static void keep_middle(dyadic_interval *at) {
     LOCAL(fmpz, width);
     fmpz_sub(width, at->high, at->low);
@@ -159,7 +163,7 @@ static void keep_middle(dyadic_interval *at) {
     at->exponent += 2;
 }
 
-/* Sign of a / 2^i - b / 2^j. */
+/* The sign of a / 2^i - b / 2^j. */
 static int compare_ends(const fmpz_t a, ulong i, const fmpz_t b, ulong j) {
     LOCAL_VEC(fmpz, x, 2);
     fmpz *y = x + 1;
@@ -168,7 +172,8 @@ static int compare_ends(const fmpz_t a, ulong i, const fmpz_t b, ulong j) {
     return fmpz_cmp(x, y);
 }
 
-/* At most half of the interval, around the time. */
+/* Reduce `at` to one half that holds the time: the lower, the upper or, if the time is the
+ * midpoint, the middle half. */
 static void narrow(event *v) {
     if (v->place) {
         halve(&v->at, v->place > 0);
@@ -192,13 +197,13 @@ static int precedes(const event *v, const event *w) {
     return compare_ends(v->at.high, v->at.exponent, w->at.low, w->at.exponent) < 0;
 }
 
-/* Strictly inside [0, 1], but for the end that is the time itself. */
+/* Is `at` strictly inside (0, 1), except at an end that is the time itself? */
 static int is_inside(const event *v) {
     return (v->place == -1 || fmpz_sgn(v->at.low) > 0) &&
            (v->place == 1 || compare_ends(v->at.high, v->at.exponent, &(fmpz){1}, 0) < 0);
 }
 
-/* Why no interval could be proved. */
+/* Fail because no interval could be proved: memory is short, or the intervals became too short. */
 static graze_status too_deep(const piece_row *r) {
     if (r->e->out_of_memory)
         return row_no_memory(r->context);
@@ -206,7 +211,8 @@ static graze_status too_deep(const piece_row *r) {
                         "a part of a trajectory cannot be certified in %d halvings", DEEPEST);
 }
 
-/* Narrow each event until it is alone and the claim about it can be proved. */
+/* Narrow the interval of each event until it is apart from the others and the claim about it can be
+ * proved. */
 static graze_status place_events(piece_row *r) {
     for (size_t k = 0; k < r->count; k++)
         for (int n = 0; !is_inside(&r->event[k]) ||
@@ -227,7 +233,8 @@ static graze_status place_events(piece_row *r) {
         event *v = &r->event[k];
         root_claim claim = {r->gap[k], r->gap[k + 1], v->q};
         if (v->place && (claim.left == 'B' || claim.right == 'B'))
-            continue; /* the interval of the slide claims this end too */
+            continue; /* the interval of the slide contains this end, so it needs no claim of its
+                         own */
         for (int n = 0; !prove_root(r->e, &v->at, claim); n++) {
             if (n > DEEPEST)
                 return too_deep(r);
@@ -250,7 +257,7 @@ static void put_event(piece_row *r, const event *v, char left, char right) {
     row_lines_put(r->lines, kind, v->at.high, v->at.exponent, v->place ? NULL : v->q);
 }
 
-/* Claim a letter on [low, high] / 2^exponent, in as few parts as halving gives. */
+/* Write claims of one letter on an interval, which is halved until each part can be proved. */
 static graze_status put_gap(piece_row *r, char letter, const dyadic_interval *at, int depth) {
     if (letter == 'B' ? prove_slide(r->e, at) : prove_clear(r->e, at)) {
         const char kind[2] = {letter, 0};
@@ -265,7 +272,7 @@ static graze_status put_gap(piece_row *r, char letter, const dyadic_interval *at
     return put_gap(r, letter, &right, depth + 1);
 }
 
-/* [from, to] as a dyadic interval. */
+/* Set a dyadic interval to [from / 2^i, to / 2^j]. */
 static void join(dyadic_interval *out, const fmpz_t from, ulong i, const fmpz_t to, ulong j) {
     ulong e = i > j ? i : j;
     fmpz_mul_2exp(out->low, from, e - i);

@@ -25,7 +25,7 @@ void row_lines_clear(row_lines *l) {
     text_clear(&l->opened);
 }
 
-/* u in the motion's parameter. */
+/* Write the time t of the parameter u = numerator / 2^exponent of a piece. */
 static void line_number(text *out, const motion_piece *piece, const fmpz_t numerator,
                         ulong exponent) {
     LOCAL_VEC(fmpq, t, 2);
@@ -37,7 +37,7 @@ static void line_number(text *out, const motion_piece *piece, const fmpz_t numer
     text_rational(out, t);
 }
 
-/* q in the motion's parameter, primitive: u = (t - lo) / (hi - lo). */
+/* Set `out` to q as a primitive polynomial in t, by u = (t - lo) / (hi - lo). */
 static void to_parameter(fmpz_poly_t out, const motion_piece *piece, const fmpz_poly_struct *q) {
     LOCAL_VEC(fmpq, width, 2);
     fmpq *shift = width + 1;
@@ -60,7 +60,8 @@ static void line_poly(text *out, const fmpz_poly_t q) {
     text_coefficients(out, q);
 }
 
-/* The root of q in [l->start, end]: a number if q is linear. */
+/* Write the root of q in [l->start, end]: as a number if q is linear, else with the interval and q.
+ */
 static void line_root(text *out, const row_lines *l, const char *end, const fmpz_poly_t q) {
     if (fmpz_poly_degree(q) == 1) {
         LOCAL(fmpq, root);
@@ -83,7 +84,8 @@ static void line_cells(text *out, const contact *c) {
     }
 }
 
-/* The contact of an interval with a B: its beginning is kept, its end is written. */
+/* Follow the contact of an interval whose kind has a B: keep the time at which it begins; when it
+ * ends, write its line. */
 static void follow_contact(row_lines *l, const char *kind, const char *end, const fmpz_poly_t q) {
     size_t n = strlen(kind);
     char first = kind[0], last = kind[n - 1];

@@ -1,4 +1,5 @@
-/* Roots merged in order, with samples between them. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Merges roots in order and finds samples between them. SPDX-License-Identifier: GPL-3.0-or-later
+ */
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,7 +16,7 @@ static void append_end(algebraic_list *list, slong value) {
     algebraic_set_rational(algebraic_list_append(list), end);
 }
 
-/* The list's numbers in order, equal ones once. */
+/* Sort the roots into `point`; equal numbers stand there once. */
 static graze_status order_points(axis *x, graze_context *context) {
     size_t n = x->roots.count;
     x->point = malloc(n * sizeof *x->point);

@@ -1,21 +1,23 @@
-/* Breaks, one side after the other. SPDX-License-Identifier: GPL-3.0-or-later
+/* Findings at breaks, with contact on one side and then on the other.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
  * The envelope may not decompose if there is contact before the break and all g are positive after
- * it (turn = 1), or contact after it and all g are negative before it (turn = -1): so all g of the
- * side without contact, times `turn`, are positive. Values at the break are rational.
+ * it (turn = 1), or contact after it and all g are negative before it (turn = -1). In both cases
+ * all g of the side without contact, times `turn`, are positive. Values at the break are rational.
  */
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "questions/envelope/patch_ends.h"
 
-/* Two pieces that meet, the one with contact and the other one. */
+/* Two pieces that meet at a break: the one that is searched for contact, and the other. */
 typedef struct meeting_pieces {
     graze_envelope *e;
     size_t contact, other;
     int turn; /* 1: contact before the break */
 } meeting_pieces;
 
-/* g at the break, on the side of contact or on the other one, times `turn`. */
+/* g at the break times `turn`, by the piece with contact or, if `other`, by the other piece. */
 static void break_value(fmpz_t out, const meeting_pieces *m, int other, size_t facet,
                         size_t vertex) {
     LOCAL(fmpz_poly, g);
@@ -33,7 +35,7 @@ static int break_sign(const meeting_pieces *m, int other, size_t facet, size_t v
     return fmpz_sgn(value);
 }
 
-/* The sign of g times `turn` next to the break on the side of contact. */
+/* The sign of g times `turn` next to the break, within the piece with contact. */
 static int sign_beside(const meeting_pieces *m, size_t facet, size_t vertex) {
     int sign = 0, flip = m->turn;
     LOCAL(fmpz_poly, g);
@@ -66,7 +68,8 @@ static int is_vertex_bad(const meeting_pieces *m, size_t vertex) {
     return all && low <= 0 && high >= 0;
 }
 
-/* The sign at a place on [0, 1] of a linear function on an edge, by its values at both ends. */
+/* The sign, `lambda` of the way along an edge, of a linear function with the values `at` at the
+ * ends. */
 static int sign_along(const fmpz at[2], const fmpq_t lambda) {
     LOCAL_VEC(fmpq, value, 2);
     fmpq *rest = value + 1;
@@ -78,8 +81,8 @@ static int sign_along(const fmpz at[2], const fmpq_t lambda) {
     return fmpq_sgn(value);
 }
 
-/* Is there a place on the edge at which the first two of four functions have different signs and
- * the last two are positive? Between zeros one place stands for all. */
+/* Is there a place on the edge at which the first two of four linear functions have opposite signs
+ * and the last two are positive? One place between neighbouring zeros is tested for all. */
 static int has_place(const fmpz *f) {
     LOCAL_VEC(fmpq, place, 6);
     slong count = 1;
@@ -102,7 +105,8 @@ static int has_place(const fmpz *f) {
     return found;
 }
 
-/* A convex edge has two planes; facets of one plane have one g. */
+/* Is the break bad at some point of a convex edge? The edge has two planes; facets in one plane
+ * have the same g. */
 static int is_edge_bad(const meeting_pieces *m, size_t edge) {
     const cell_complex *c = &m->e->cells;
     const cell_edge *e = &c->edge[edge];
@@ -118,8 +122,8 @@ static int is_edge_bad(const meeting_pieces *m, size_t edge) {
     return has_place(value);
 }
 
-/* Does a slice of the facet end on the edge, at the break, where g of the other side is positive?
- * In E^2 the slice itself. */
+/* Does the facet's slice at the break end on the edge at a point where g of the other piece, times
+ * `turn`, is positive? In E^2 that end is the slice itself. */
 static int is_slice_bad(const meeting_pieces *m, size_t facet, size_t edge) {
     const cell_edge *e = &m->e->cells.edge[edge];
     LOCAL_VEC(fmpz, u, 4);
@@ -134,7 +138,8 @@ static int is_slice_bad(const meeting_pieces *m, size_t facet, size_t edge) {
     return ends && fmpz_sgn(u) * sign > 0;
 }
 
-/* A slice that ends so on an edge; or all of a facet that slides up to the break or from it. */
+/* Is is_slice_bad true of an edge of the facet? If g is 0 on the whole facet all along the piece:
+ * is g of the other piece, times `turn`, positive at a vertex of the facet? */
 static int is_facet_bad(const meeting_pieces *m, size_t facet) {
     const cell_complex *c = &m->e->cells;
     int bad = 0, still = m->e->still[m->contact * c->facet_count + facet];

@@ -1,4 +1,5 @@
-/* Moments by the cells that their events name. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Lists the moments of events by the cells that the events name.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
@@ -18,8 +19,8 @@ static int compare_cell_events(const void *left, const void *right) {
     return order ? order : a->moment < b->moment ? -1 : a->moment > b->moment;
 }
 
-/* A `reach` concerns facet, vertex, and the edges of both; a saddle or meet its cell; else the
- * facet.
+/* A `reach` is listed under its facet, its vertex and the pair of both, a `saddle` or `meet` under
+ * its cell, any other event under its facet.
  */
 static void list_event(cell_event_list *list, const found_event *event, size_t moment) {
     int by_cell = event->kind == GRAZE_EVENT_SADDLE || event->kind == GRAZE_EVENT_MEET;
@@ -58,7 +59,7 @@ graze_status cuts_start(numbers *cuts, graze_context *context, const moment_list
     return GRAZE_OK;
 }
 
-/* Add the moments of one key. */
+/* Add the moments of all events of one pair (first, second). */
 static graze_status add_moments(numbers *cuts, graze_context *context, const cell_event_list *list,
                                 const graze_cell *first, const graze_cell *second) {
     cell_event key = {*first, *second, 0};

@@ -1,10 +1,10 @@
-/* Chains by the ends that parts share. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Finds chains by the ends that parts share. SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
 #include "base/context/scope.h"
 #include "base/number/vector.h"
 #include "questions/envelope/patch_ends.h"
 
-/* An end of a part. */
+/* An end of a part, and the number of the part. */
 typedef struct chain_end {
     const fmpq *at;
     size_t part;
@@ -36,7 +36,7 @@ static int is_segment(const curve_part *p) {
     return p->facts.kind == GRAZE_CURVE_SLICE || p->facts.kind == GRAZE_CURVE_RUN;
 }
 
-/* The ends of all segments, in order of place. */
+/* List the ends of all segments, sorted by position. */
 static size_t list_ends(chain_end *end, const graze_curve *c) {
     size_t count = 0;
     for (size_t k = 0; k < c->count; k++)
@@ -48,7 +48,8 @@ static size_t list_ends(chain_end *end, const graze_curve *c) {
     return count;
 }
 
-/* Join parts at common ends; `form` of a part: the worst at its ends. */
+/* Join parts at common ends. `form` of a part becomes the worse of the forms at its two ends:
+ * closed, open, branching. */
 static void join_ends(graze_curve *c, size_t *parent, const chain_end *end, size_t count) {
     for (size_t first = 0, next; first < count; first = next) {
         for (next = first + 1; next < count && compare_chain_ends(&end[first], &end[next]) == 0;
@@ -63,7 +64,7 @@ static void join_ends(graze_curve *c, size_t *parent, const chain_end *end, size
     }
 }
 
-/* Join a whole facet with all parts that end in it. */
+/* Join a part that is a whole facet with all segments that end in that facet. */
 static void join_whole(graze_curve *c, size_t *parent, const cell_complex *cells, size_t part) {
     size_t facet = c->part[part].number;
     c->part[part].facts.form = GRAZE_CHAIN_BRANCHING;

@@ -1,5 +1,5 @@
-/* Facets of simplices, vertices by position, and what lies in what, by location of each cell's
- * middle. SPDX-License-Identifier: GPL-3.0-or-later
+/* Makes facets of simplices, identifies vertices by position, and finds the facets that contain an
+ * edge or a vertex by locating a point of it. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
@@ -16,7 +16,7 @@ static graze_status no_room_for_cells(graze_context *context) {
     return context_fail(context, GRAZE_ESYSTEM, "out of memory for the cells of a boundary");
 }
 
-/* A vertex of the input, to be sorted by position. */
+/* A vertex of the input and its coordinates, to be sorted by position. */
 typedef struct position {
     const fmpq *at;
     size_t vertex;
@@ -28,7 +28,7 @@ static int compare_positions(const void *left, const void *right) {
     return vector_compare(a->at, b->at, a->dimension);
 }
 
-/* The corners of all simplices, each vertex once. */
+/* List the corners of all simplices, each vertex once; `seen` is zeros before. */
 static size_t list_corners(position *out, const cell_complex *c, size_t *seen) {
     const simplices *cut = &c->solid->cut;
     size_t d = (size_t)c->dimension, n = 0;
@@ -42,7 +42,8 @@ static size_t list_corners(position *out, const cell_complex *c, size_t *seen) {
     return n;
 }
 
-/* Number the positions of the corners: number[v] of a vertex, zeros before. */
+/* Number the positions of the corners: number[v] becomes that of vertex v. `number` is zeros
+ * before. */
 static graze_status number_positions(size_t *number, cell_complex *c, graze_context *context) {
     size_t d = (size_t)c->dimension;
     FREED(position, sorted, malloc(c->solid->input.vertex_count * sizeof *sorted));
@@ -82,7 +83,7 @@ static int compare_cell_facets(const void *left, const void *right) {
     return order;
 }
 
-/* The facet of one simplex. */
+/* Set a facet that consists of one simplex. */
 static void set_facet(cell_facet *f, const cell_complex *c, size_t simplex) {
     int d = c->dimension;
     memset(f, 0, sizeof *f);
@@ -100,7 +101,8 @@ static void clear_facet(cell_facet *f) {
     _fmpz_vec_zero(f->normal, 3);
 }
 
-/* Merge the facets of single simplices, sorted, into facets; their simplices go into `order`. */
+/* Merge equal ones among the sorted facets of single simplices, and list the simplices in `order`.
+ */
 static void merge_facets(cell_complex *c, size_t count) {
     for (size_t k = 0; k < count; k++) {
         size_t simplex = c->facet[k].first;
@@ -134,7 +136,7 @@ static graze_status find_facets(cell_complex *c, graze_context *context) {
     return GRAZE_OK;
 }
 
-/* The number of a facet that a place names. */
+/* The number of the facet with a place_facet's name and form. */
 static size_t facet_number(const cell_complex *c, const place_facet *wanted) {
     cell_facet key;
     memset(&key, 0, sizeof key);
@@ -146,7 +148,7 @@ static size_t facet_number(const cell_complex *c, const place_facet *wanted) {
     return (size_t)(found - c->facet);
 }
 
-/* State of locating cells one after another. */
+/* The state while cells are located one after another. */
 typedef struct locating {
     cell_complex *c;
     graze_context *context;
@@ -154,7 +156,8 @@ typedef struct locating {
     size_t done, used, capacity;
 } locating;
 
-/* Locate a point of the next cell: its name, kind and facets. */
+/* Locate a point of the next cell: set the cell's name and kind, and append its facets to the list.
+ */
 static graze_status locate_next(graze_cell *name, place_kind *kind, locating *l, const fmpq *at) {
     ZEROED(neighborhood, found);
     TRY(neighborhood_locate(&found, l->context, l->c->solid, at));
@@ -209,8 +212,8 @@ static graze_status locate_edges(cell_complex *c, graze_context *context) {
     return GRAZE_OK;
 }
 
-/* The lists of `count` keys from pairs (key, item), items ascending: key_of(edge, j) for j = 0 up
- * to the number of keys of an edge. */
+/* List the edges of each of `count` keys, ascending. The keys of an edge are its two vertices if
+ * `by_vertex`, else the facets that contain it. */
 static graze_status invert_edges(cell_lists *out, graze_context *context, const cell_complex *c,
                                  size_t count, int by_vertex) {
     size_t total = by_vertex ? 2 * c->edge_count : c->edge_facets.start[c->edge_count];
@@ -235,8 +238,8 @@ static graze_status invert_edges(cell_lists *out, graze_context *context, const 
     return GRAZE_OK;
 }
 
-/* Vertices that rest within a facet: those in it that end no edge in it. `seen` of a facet: 1 + the
- * last vertex that ends one. */
+/* List, or if `count` only count, for each facet the vertices in it that end no edge in it.
+ * seen[facet] is 1 + the last vertex that was found to end an edge in the facet. */
 static void list_lone_vertices(cell_lists *out, const cell_complex *c, size_t *seen, int count) {
     for (size_t v = 0; v < c->vertex_count; v++) {
         for (size_t i = c->vertex_edges.start[v]; i < c->vertex_edges.start[v + 1]; i++) {

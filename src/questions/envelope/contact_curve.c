@@ -1,4 +1,5 @@
-/* All parts of a curve, their middles and chains. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Finds all parts of a curve, classifies their middles, and chains them.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* Phi_1 = -A^-1 (A' y + b'), and Phi_(k+1) = Delta Phi_k' - k Delta' Phi_k + Phi_k Phi_1.
+/* Computes Phi_1 = -A^-1 (A' y + b') and Phi_(k+1) = Delta Phi_k' - k Delta' Phi_k + Phi_k Phi_1.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <stdlib.h>
@@ -23,8 +23,8 @@ static void add_field_product(fmpz_poly_struct *out, const fmpz_poly_struct *a,
     fmpz_poly_add(out, out, product);
 }
 
-/* -A^-1 (N' W - N W'), N the forward map's entries and W its weight, over the inverse's weight
- * times W^2. */
+/* Phi_1 = -A^-1 (N' W - N W') for the entries N and the weight W of the forward map; Delta is W^2
+ * times the inverse map's weight. */
 static void set_velocity(derivatives *f, const motion_piece *piece) {
     const point_map *to = &piece->forward, *back = &piece->inverse;
     int d = f->dimension, columns = d + 1;
@@ -40,7 +40,7 @@ static void set_velocity(derivatives *f, const motion_piece *piece) {
     fmpz_poly_mul(&f->delta, &f->delta, back->weight);
 }
 
-/* Divide Phi_1 and Delta by what all have in common; Delta stays positive. */
+/* Divide Phi_1 and Delta by the common divisor of all their polynomials; Delta stays positive. */
 static void reduce_velocity(derivatives *f) {
     int n = f->dimension * (f->dimension + 1);
     LOCAL(fmpz_poly, common);
@@ -58,7 +58,7 @@ static void reduce_velocity(derivatives *f) {
         fmpz_poly_div(&f->entry[0][k], &f->entry[0][k], common);
 }
 
-/* Phi_(k+1) of Phi_k, k >= 1. */
+/* Set Phi_(k+1) from Phi_k, k >= 1. */
 static void set_next(derivatives *f, int k) {
     int d = f->dimension, columns = d + 1;
     LOCAL(fmpz_poly, slope);
@@ -77,7 +77,7 @@ static void set_next(derivatives *f, int k) {
         }
 }
 
-/* Phi_k of a vertex's homogeneous integers. */
+/* Apply entry k of the field, Phi_(k+1), to a vertex's homogeneous integers. */
 static void set_vertex(fmpz_poly_struct *out, const derivatives *f, int k, const fmpz *x) {
     int d = f->dimension;
     for (int i = 0; i < d; i++)

@@ -1,4 +1,5 @@
-/* Sides of simplices that bound facets, cut at the vertices in them and where they cross.
+/* Edges: sides of simplices that bound facets, cut at vertices that lie in them and where two of
+ * them cross.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <flint/fmpq_vec.h>
@@ -27,9 +28,9 @@ typedef struct edge_finder {
     graze_context *context;
     size_t side_count;
     side *side;          /* sorted by ends; in E^2 the simplices */
-    unsigned char *keep; /* of each simplex: bit k for a side k that bounds a facet */
+    unsigned char *keep; /* of each simplex: bit k is 1 if its side k bounds a facet */
     size_t edge_capacity, inner_count, inner_capacity, corner_positions;
-    inner_vertex *inner; /* in the side at hand */
+    inner_vertex *inner; /* vertices within the side that is being cut */
 } edge_finder;
 
 static int compare_sides(const void *left, const void *right) {
@@ -52,14 +53,15 @@ static void list_edge_sides(edge_finder *f) {
     qsort(f->side, f->side_count, sizeof *f->side, compare_sides);
 }
 
-/* Have the sides of one edge, entries first to end - 1, one facet on both sides? Then it is none.
+/* Do entries first to end - 1, the sides between two vertices, belong to two simplices of one
+ * facet? Then they are no edge of the boundary.
  */
 static int is_diagonal(const edge_finder *f, size_t first, size_t end) {
     return f->c->dimension == 3 && end - first == 2 &&
            f->c->facet_of[f->side[first].simplex] == f->c->facet_of[f->side[first + 1].simplex];
 }
 
-/* Leave one entry for each edge. */
+/* Keep one entry for each edge; drop the sides within a facet. */
 static void keep_edges(edge_finder *f) {
     size_t kept = 0;
     for (size_t first = 0, end; first < f->side_count; first = end) {
@@ -96,7 +98,7 @@ static int is_within(const fmpq_t x) {
     return fmpq_sgn(x) > 0 && fmpz_cmp(fmpq_numref(x), fmpq_denref(x)) < 0;
 }
 
-/* Take a vertex if it lies within the side. */
+/* Add a vertex to `inner` if it lies within the side. */
 static graze_status try_inner_vertex(edge_finder *f, const side *e, size_t vertex) {
     int d = f->c->dimension;
     if (vertex == e->u || vertex == e->v)
@@ -118,8 +120,8 @@ static graze_status try_inner_vertex(edge_finder *f, const side *e, size_t verte
     return GRAZE_OK;
 }
 
-/* The index of the corner at a point; if none is there, `corner_positions`, at which the crossings
- * begin. */
+/* The index of the corner at a point; `corner_positions`, the index of the first crossing, if no
+ * corner is there. */
 static size_t corner_at_point(const edge_finder *f, const fmpq *point) {
     size_t low = 0, high = f->corner_positions;
     while (low < high) {
@@ -134,7 +136,7 @@ static size_t corner_at_point(const edge_finder *f, const fmpq *point) {
     return found ? low : f->corner_positions;
 }
 
-/* The number of a crossing: that of the vertex there, or a new one. */
+/* The number of a crossing: the number of the vertex at that point, or a new one. */
 static graze_status number_crossing(size_t *out, edge_finder *f, const fmpq *point) {
     cell_complex *c = f->c;
     int d = c->dimension;
@@ -151,7 +153,8 @@ static graze_status number_crossing(size_t *out, edge_finder *f, const fmpq *poi
 }
 
 /* Find the point in which two segments cross, *lambda of the way along the first; 0 if their lines
- * do not meet in one point, or if it is not inside both. `v`: room for 12 numbers. */
+ * do not meet in one point, or if that point is not inside both segments. `v`: room for 12 numbers.
+ */
 static int meet_within(fmpq_t lambda, fmpq *v, const cell_complex *c, const side *e, size_t p,
                        size_t q) {
     int d = c->dimension, found = 0;
@@ -177,7 +180,7 @@ static int meet_within(fmpq_t lambda, fmpq *v, const cell_complex *c, const side
     return found;
 }
 
-/* Take the point in which another edge crosses the side. */
+/* Add to `inner` the point in which the edge from p to q crosses the side, if there is one. */
 static graze_status try_crossing(edge_finder *f, const side *e, size_t p, size_t q) {
     int d = f->c->dimension;
     if (p == e->u || p == e->v || q == e->u || q == e->v)

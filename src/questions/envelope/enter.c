@@ -1,8 +1,10 @@
-/* The simplices of a facet about a vertex. SPDX-License-Identifier: GPL-3.0-or-later
+/* Decides whether a slice goes on from a vertex, by the simplices of the facet that hold the
+ * vertex. SPDX-License-Identifier: GPL-3.0-or-later
  *
- * A slice goes on from a vertex into a triangle that holds the vertex if g has both signs at its
- * corners or vanishes at all of them, or along a side of it that two triangles of the facet share.
- * Where coplanar facets meet, it may go on along the flat edge between them.
+ * A slice goes on from a vertex into a triangle that holds the vertex if g has both signs at the
+ * triangle's corners or vanishes at all of them, or along a side that the triangle shares with
+ * another one of the facet. Where coplanar facets meet, the slice may go on along the flat edge
+ * between them.
  */
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
@@ -10,7 +12,8 @@
 #include "input/validate/validate.h"
 #include "questions/envelope/patch_ends.h"
 
-/* The sign of g of a facet at a vertex, at point k of an axis or before it. */
+/* A facet at point k of a piece's axis or, if `before`, between points k - 1 and k: where signs of
+ * g are asked for. */
 typedef struct moment {
     const graze_envelope *e;
     graze_context *context;
@@ -30,8 +33,8 @@ static graze_status sign_at(int *out, const moment *m, size_t vertex) {
     return GRAZE_OK;
 }
 
-/* Does the slice go on into a triangle that holds the vertex, or along a side of it? g = 0 at just
- * two corners: the vertex is in the side between them. */
+/* Does the slice go on from the vertex into a triangle that holds it, or along a side of the
+ * triangle? If g is 0 at just two corners, the vertex lies in the side between these. */
 static graze_status enters_simplex(int *out, const moment *m, size_t simplex) {
     const cell_complex *c = &m->e->cells;
     const size_t *corner = c->corner + simplex * 3;
@@ -50,8 +53,8 @@ static graze_status enters_simplex(int *out, const moment *m, size_t simplex) {
     return GRAZE_OK;
 }
 
-/* Does g vanish along a flat edge at the vertex, beside which the facet goes on? In E^2 such an
- * edge is the facet's own. */
+/* Does g vanish along an edge at the vertex, in the facet, whose local cone is a half-space? In E^2
+ * every cell_edge of the facet is one. */
 static graze_status goes_along_flat_edge(int *out, const moment *m, size_t vertex) {
     const cell_complex *c = &m->e->cells;
     for (size_t j = c->vertex_edges.start[vertex]; j < c->vertex_edges.start[vertex + 1] && !*out;

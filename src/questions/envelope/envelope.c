@@ -1,11 +1,13 @@
-/* Cells, fields, and what is gathered of each cell. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Makes cells and fields, and gathers events and findings of each cell.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "questions/envelope/patch_ends.h"
 
-/* Roots are sought of minors and products of these functions: many for each facet. Facets and
- * pieces, whose number the file fixes, are not counted. */
+/* Refuse a piece whose polynomials demand too much work. For each facet, roots of many minors and
+ * products of these polynomials are sought; numbers of facets and pieces, which the files fix, do
+ * not count. */
 static graze_status check_demand(graze_context *context, const derivatives *field) {
     enum { FUNCTIONS = 128 };
     double demand = 0;

@@ -11,11 +11,13 @@
 #include "input/solid/solid.h"
 #include "questions/contact/contact.h"
 
-/* The cells of a solid's boundary by position: facets, edges, vertices, and which lies in which.
+/* The cells of a solid's boundary, identified by position: facets, edges, vertices, and which of
+ * them contains which.
  *
- * Where parts touch, edges are cut: an edge's relative interior holds no vertex and crosses no
- * other edge, so the facets that contain it are the same all along it. In E^2 a facet is an edge
- * of the input, and the edges here are the parts of it between vertices. */
+ * Where parts of the boundary touch, edges are cut: an edge's relative interior holds no vertex and
+ * crosses no other edge, so a facet that contains one point of it contains the whole edge. In E^2 a
+ * facet is an edge of the input, and a cell_edge is a part of a facet between neighbouring
+ * vertices. */
 
 /** A facet of the input; a facet that is not planar gives one cell_facet for each of its planes. */
 typedef struct cell_facet {
@@ -43,14 +45,15 @@ typedef struct cell_lists {
     size_t *start, *item;
 } cell_lists;
 
-/** Facets in the order of names and forms, vertices in that of positions, crossings last. */
+/** Facets are sorted by name, then by form; vertices by position, but those where edges cross come
+ * last. */
 typedef struct cell_complex {
     const graze_solid *solid;
     int dimension;
     size_t facet_count, vertex_count, edge_count;
     cell_facet *facet;
     cell_vertex *vertex;
-    fmpq *at; /* d coordinates of each vertex, `vertex_capacity` of them initialised */
+    fmpq *at; /* d coordinates of each vertex; initialised for `vertex_capacity` vertices */
     size_t vertex_capacity;
     cell_edge *edge;
     size_t *order;    /* simplices, facet by facet */
@@ -64,8 +67,9 @@ typedef struct cell_complex {
 
 enum { FIELD_ORDERS = 3 };
 
-/** `vertex` has, for each vertex of the cells and each order, Phi_k (X, W) for its homogeneous
- * integers: d polynomials. */
+/** Derivatives of trajectories on one piece of the motion (sign_events.h). For each vertex of the
+ * cells and each k, `vertex` has Phi_k applied to the vertex's homogeneous integers: d polynomials.
+ */
 typedef struct derivatives {
     const cell_complex *cells;
     int dimension;
@@ -74,7 +78,7 @@ typedef struct derivatives {
     fmpz_poly_struct *vertex;
 } derivatives;
 
-/** An event; `time` is a number in the list of times once they are in order. */
+/** An event. events_finish sets `time`, its index in the `time` of the event_list. */
 typedef struct found_event {
     graze_event_kind kind;
     graze_cell facet, other, cell;
@@ -83,7 +87,7 @@ typedef struct found_event {
     algebraic u;
 } found_event;
 
-/** Times ascending, each once, owned. */
+/** Events, and their times: ascending, each once, owned by the list. */
 typedef struct event_list {
     const graze_motion *motion;
     size_t count, capacity, time_count;
@@ -93,17 +97,17 @@ typedef struct event_list {
 
 /* The envelope: cells, velocity fields, events, finding. */
 
-/** The finding that decides whether the envelope decomposes: that with the least reason, of several
- * the first. */
+/** The finding that decides whether the envelope decomposes: among those with the least reason, the
+ * one found first. */
 typedef struct finding {
     graze_decomposable_reason reason;
     graze_cell facet, cell;
     graze_time *time; /* or NULL; owned */
 } finding;
 
-/** `field` has one entry for each piece of the motion. `is_break`, entry k: two different pieces
- * meet at the beginning of piece k. `still`, entry piece * facet_count + facet: g vanishes at all
- * points of the facet, at all times of the piece. */
+/** `field` has one entry for each piece of the motion. Entry k of `is_break` is 1 if the motion has
+ * a break at the beginning of piece k. Entry piece * facet_count + facet of `still` is 1 if g
+ * vanishes at all points of the facet at all times of the piece. */
 struct graze_envelope {
     const graze_scene *scene;
     cell_complex cells;
@@ -114,15 +118,15 @@ struct graze_envelope {
     finding found;
 };
 
-/** An end of a part: a vertex, or a point within an edge where g of a facet vanishes. Their
- * numbers, SIZE_MAX for none. */
+/** An end of a part: a vertex, or a point within an edge where g of a facet vanishes. The members
+ * are the numbers of these cells, SIZE_MAX where there is none. */
 typedef struct part_end {
     size_t vertex, edge, facet;
 } part_end;
 
 /** A part of the curve of contact: `a` and `b` are its ends, d rationals each, equal for a single
- * point; for a whole facet both are a point within it. `number` is that of the part's facet, edge
- * or vertex. */
+ * point; for a whole facet both are a point within it. `number` is the number of the facet, edge or
+ * vertex that contains the part. */
 typedef struct curve_part {
     graze_curve_part facts;
     fmpq *a, *b;
@@ -139,21 +143,22 @@ struct graze_curve {
 typedef graze_curve contact_curve;
 
 /** Moments (times) ascending, each once; the first and the last are the ends of the motion. `hard`
- * are the numbers of the moments that are ends or breaks of the motion; `of_event` has for each
- * time of the envelope's list of events the number of its moment.  `own` are times made here. */
+ * has the numbers of the moments that are ends or breaks of the motion, `of_event` for each time of
+ * the envelope's events the number of its moment. `own` are the times that this list frees; the
+ * envelope owns the others. */
 typedef struct moment_list {
     size_t count, own_count, hard_count;
     graze_time **time, **own;
     size_t *hard, *of_event;
 } moment_list;
 
-/** An event of one cell or of two at a moment. */
+/** An event at a moment, under one cell (`second` is 0) or under a facet and a vertex in it. */
 typedef struct cell_event {
     graze_cell first, second;
     size_t moment;
 } cell_event;
 
-/** In the order of cells, then of moments. */
+/** Entries sorted by cells, then by moments. */
 typedef struct cell_event_list {
     size_t count;
     cell_event *item;
@@ -161,9 +166,9 @@ typedef struct cell_event_list {
 
 /* Patches and joints. */
 
-/** A patch between the moments with the numbers `from` and `to`. `number` is that of its facet,
- * edge or vertex. Its sample is a contact at time t: `body` in the solid's frame, `world` in that
- * of the query points. */
+/** A patch between the moments with the numbers `from` and `to`. `number` is the number of its
+ * facet, edge or vertex. Its sample is a contact at time t: `body` in the solid's frame, `world` in
+ * the frame of the query points. */
 typedef struct patch {
     graze_patch facts;
     size_t number, from, to;
@@ -173,15 +178,16 @@ typedef struct patch {
 } patch;
 
 /** A joint: patches that meet at `cell` between the moments `from` and `to`, or at one moment if
- * they are equal. Entries first to first + count - 1 of `member` are the patches' numbers. */
+ * `from` equals `to`. Their numbers are entries first to first + count - 1 of `member` in
+ * graze_patches. */
 typedef struct patch_joint {
     graze_cell cell;
     graze_chain_form form;
     size_t from, to, first, count;
 } patch_joint;
 
-/** Patches in the order of facets, edges, vertices, then of time; `changes` are the events by the
- * cells whose events they are. */
+/** Patches of facets come first, then those of edges, then of vertices; those of one cell in order
+ * of time. `changes` lists the events by cell. */
 struct graze_patches {
     const graze_envelope *envelope;
     moment_list moments;
@@ -194,10 +200,11 @@ struct graze_patches {
 };
 
 /* The contact points of all cells at one time: the curve of contact. */
-/** Find the curve of contact at t, classify the middles of its parts, and chain the parts. */
+/** Find the curve of contact at t, classify the middles of its parts, and find its chains; in E^2
+ * each part is a chain. */
 graze_status contact_curve_make(graze_curve *out, graze_context *context, const graze_envelope *e,
                                 const fmpq_t t);
-/** Begin without parts, at the time 0. */
+/** Make a curve without parts, at time 0. */
 void contact_curve_init(graze_curve *c, int dimension);
 void contact_curve_clear(graze_curve *c);
 
@@ -216,11 +223,11 @@ void patches_clear(graze_patches *p);
 
 /* Single contact points spread over times and cells. */
 
-/** Make contact `index` of a seed: its time lies in one gap between events after another, by
- * index; the time in the gap, a part of the curve of contact and a point of the part are drawn at
+/** Make contact `index` of a seed. Successive indices take successive gaps between the times of
+ * events; the time in the gap, a part of the curve of contact and a point of that part are drawn at
  * random.
  * @param[out] out uninitialised; site_clear after GRAZE_OK and *found
- * @param found    0: there is no contact at that time
+ * @param found 0: there is no contact at the time drawn
  */
 graze_status sample_make(graze_site *out, int *found, graze_context *context,
                          const graze_envelope *e, unsigned long seed, unsigned long index);

@@ -1,4 +1,4 @@
-/* Events in order of exact times. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Collects events and sorts them by exact times. SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stddef.h>
 #include <stdlib.h>
 #include "base/context/array.h"
@@ -31,7 +31,7 @@ graze_status events_add(event_list *list, graze_context *context, const found_ev
     return GRAZE_OK;
 }
 
-/* Whether the signs along a line of places differ, SIGN_NONE left out. */
+/* Do the signs at several places differ? SIGN_NONE is left out. */
 static int signs_differ(const int *sign, int count) {
     int first = SIGN_NONE;
     for (int k = 0; k < count; k++) {
@@ -69,7 +69,7 @@ graze_status events_watch(event_list *list, graze_context *context, const found_
     return GRAZE_OK;
 }
 
-/* The order of events at one time. */
+/* The order of events by time, then by kind, cells and signs. */
 static int compare_at_one_time(const void *left, const void *right) {
     const found_event *a = left, *b = right;
     if (a->time != b->time)
@@ -95,7 +95,7 @@ static graze_status add_event_time(event_list *list, graze_context *context, siz
     return GRAZE_OK;
 }
 
-/* Number the times of the events of one piece, `where` pointers to them. */
+/* Number the times of the events of one piece; `where` points to their parameters u. */
 static graze_status number_times(event_list *list, graze_context *context, algebraic **where,
                                  size_t count, size_t piece) {
     TRY(algebraic_sort(where, count, context));

@@ -1,8 +1,8 @@
-/* Items of the gathering. SPDX-License-Identifier: GPL-3.0-or-later
+/* Events and findings at vertices and edges of facets. SPDX-License-Identifier: GPL-3.0-or-later
  *
- * On an edge u v of a facet g and theta are linear, so the slice ends there at (g_u v - g_v u) /
- * (g_u - g_v) where g_u g_v < 0, and a function f that is linear along the edge has there the sign
- * of (g_u f_v - g_v f_u) sgn g_u (proofs/events.md C78).
+ * On an edge u v of a facet, g and theta are linear. So if g_u g_v < 0 the slice ends on the edge
+ * at (g_u v - g_v u) / (g_u - g_v), and at this point a function f that is linear along the edge
+ * has the sign of (g_u f_v - g_v f_u) sgn g_u (proofs/events.md C78).
  */
 #include "base/context/scope.h"
 #include "questions/envelope/patch_ends.h"
@@ -28,13 +28,13 @@ static int corner_g(const signed char *sign) {
     return sign[CORNER_G];
 }
 
-/* The sign of theta at a corner that is always on the slice. */
+/* The sign of theta at the vertex, watched where g is 0 there all along the piece. */
 static int corner_theta(const signed char *sign) {
     return sign[CORNER_THETA];
 }
 
-/* Note findings at a corner: theta not positive there while it is on the slice, or a slice that
- * reaches a vertex which is not convex. */
+/* Note findings at a vertex of the facet: theta is not positive there while g = 0; or the slice
+ * reaches the vertex and the solid is neither flat nor convex there. */
 static graze_status judge_corner(graze_envelope *e, graze_context *context, size_t facet,
                                  size_t vertex, size_t piece, const signs *s) {
     const cell_vertex *v = &e->cells.vertex[vertex];
@@ -92,8 +92,8 @@ static int slice_turn(const signed char *sign) {
     return slice_ends(sign) ? sign[SLICE_TURN] * sign[SLICE_U] : SIGN_NONE;
 }
 
-/* Note findings at an edge: theta not positive where the slice ends, or a slice that reaches an
- * edge which is not convex. */
+/* Note findings at an edge: theta is not positive where the slice ends on it; or the slice reaches
+ * the edge and the solid is neither flat nor convex there. */
 static graze_status judge_slice(graze_envelope *e, graze_context *context, size_t facet,
                                 size_t edge, size_t piece, const signs *s) {
     const cell_edge *side = &e->cells.edge[edge];
@@ -114,8 +114,8 @@ static graze_status judge_slice(graze_envelope *e, graze_context *context, size_
     return GRAZE_OK;
 }
 
-/* Have two functions one strict sign, the same, all the time? Then they become 0: no slice ends
- * between them. */
+/* Have both functions the same strict sign at all times of the piece, by a cheap test? Then the
+ * slice never ends between the two vertices, and both become 0. */
 static int drop_if_apart(fmpz_poly_struct *a, fmpz_poly_struct *b) {
     int sign = axis_one_sign(a);
     if (!sign || axis_one_sign(b) != sign)
@@ -125,7 +125,8 @@ static int drop_if_apart(fmpz_poly_struct *a, fmpz_poly_struct *b) {
     return 1;
 }
 
-/* The polynomials of a slice on a piece; 0, and zeros, if it never ends on the edge. */
+/* Set the polynomials of a slice on a piece. Returns 0 and leaves zeros if a cheap test shows that
+ * the slice never ends on the edge. */
 static int set_slice(signs *s, const derivatives *f, size_t facet, const cell_edge *edge) {
     derivatives_velocity(&s->p[SLICE_U], f, facet, edge->u);
     derivatives_velocity(&s->p[SLICE_V], f, facet, edge->v);
@@ -161,14 +162,16 @@ graze_status gather_slice(graze_envelope *e, graze_context *context, size_t face
 
 enum { MEET_1U, MEET_1V, MEET_2U, MEET_2V, MEET_R, MEET_SIGNS };
 
-/* The sign of the second facet's g where the slice of the first ends, both slices ending there. */
+/* The sign of the second facet's g where the slice of the first ends on the edge; SIGN_NONE unless
+ * both slices end on it. */
 static int meet_sign(const signed char *sign) {
     return sign[MEET_1U] * sign[MEET_1V] < 0 && sign[MEET_2U] * sign[MEET_2V] < 0
                ? sign[MEET_R] * sign[MEET_1U]
                : SIGN_NONE;
 }
 
-/* Does a slice of either facet cross the edge where the other's g is not 0? */
+/* Does the slice of one facet meet the edge at a point where g of the other facet is not 0? A facet
+ * is `still` if g is 0 on all of it. */
 static int crosses_edge(const signed char *sign, int first_still, int second_still) {
     int any_first = sign[MEET_1U] || sign[MEET_1V], any_second = sign[MEET_2U] || sign[MEET_2V];
     int ends = sign[MEET_1U] * sign[MEET_1V] < 0 || sign[MEET_2U] * sign[MEET_2V] < 0;
@@ -176,8 +179,8 @@ static int crosses_edge(const signed char *sign, int first_still, int second_sti
            (second_still && any_first);
 }
 
-/* The polynomials of two facets at an edge; all 0 if the edge is not reflex and a slice of one of
- * them never ends there. */
+/* Set the polynomials of two facets at an edge; all are 0 if the edge is not reflex and a cheap
+ * test shows that one of the slices never ends on it. */
 static void set_meet(signs *s, const derivatives *f, const cell_edge *side, size_t first,
                      size_t second) {
     derivatives_velocity(&s->p[MEET_1U], f, first, side->u);

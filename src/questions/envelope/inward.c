@@ -1,9 +1,9 @@
-/* A rational direction in the cell of the facets' planes that holds the velocity.
+/* Replaces the velocity by a rational direction that has its signs against the facets' planes.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * The state of a direction depends on its signs against the planes of the facets alone
- * (proofs/claims.md C1). A rational velocity near the true one is brought into the planes that hold
- * that one; near enough its other signs are right.
+ * The state of a direction depends only on its signs against the planes of the facets
+ * (proofs/claims.md C1). A rational velocity near the true one is projected into the planes that
+ * hold the true one; if it is near enough, its other signs are right.
  */
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
@@ -13,7 +13,7 @@
 #include "questions/envelope/sign_events.h"
 #include "questions/topo/topo.h"
 
-/* Subtract from v its part along the vector b. */
+/* Subtract from v its orthogonal projection onto b. */
 static void drop_part(fmpq *v, const fmpq *b, int d) {
     LOCAL_VEC(fmpq, part, 2);
     fmpq *length = part + 1;
@@ -26,7 +26,7 @@ static void drop_part(fmpq *v, const fmpq *b, int d) {
     }
 }
 
-/* The velocity's direction at a rational parameter, without its parts along the normals of the
+/* The direction of the vertex's velocity at a rational parameter, projected into the planes of the
  * facets whose sign is 0. */
 static void velocity_near(fmpq *w, const graze_envelope *e, size_t vertex, size_t piece,
                           const fmpq_t u, const signed char *sign) {
@@ -51,7 +51,7 @@ static void velocity_near(fmpq *w, const graze_envelope *e, size_t vertex, size_
     }
 }
 
-/* Have the values -n w of the vertex's facets the given signs? */
+/* Has -n w the given sign for the normal n of each of the vertex's facets? */
 static int has_speed_signs(const fmpq *w, const graze_envelope *e, size_t vertex,
                            const signed char *sign) {
     const cell_complex *c = &e->cells;

@@ -1,4 +1,4 @@
-/* Joints between moments: of each vertex and edge, which patches end at one place.
+/* Joints between moments: finds at each vertex and edge the patches that end at one place.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <flint/fmpq_vec.h>
@@ -6,7 +6,8 @@
 #include "base/context/scope.h"
 #include "questions/envelope/patch_ends.h"
 
-/* The places of one vertex or edge, between two moments; its joints begin at `first_joint`. */
+/* The places of one vertex or edge, between two moments. `first_joint` is the number of this cell's
+ * first joint. */
 typedef struct joining {
     graze_patches *p;
     graze_context *context;
@@ -20,7 +21,8 @@ static int is_active(const joining *j, const patch_place *place) {
     return item->from <= j->from && j->to <= item->to;
 }
 
-/* Shape of the set's patches together: slices, runs and whole facets count. */
+/* The form of the joint of the set's patches: a slice or a run counts once, a whole facet as more
+ * than two, a point not. */
 static graze_chain_form form_of(const joining *j) {
     int surfaces = 0;
     for (size_t k = 0; k < j->set.count; k++) {
@@ -33,7 +35,8 @@ static graze_chain_form form_of(const joining *j) {
                                                                  : GRAZE_CHAIN_BRANCHING;
 }
 
-/* Extend a joint of the set that lasts until now, if there is one; else 0. */
+/* Extend the joint of these patches that ends at moment `from`, if there is one; returns 0 if there
+ * is none. */
 static int extends_joint(const joining *j) {
     for (size_t k = j->first_joint; k < j->p->joint_count; k++) {
         patch_joint *old = &j->p->joint[k];
@@ -50,7 +53,7 @@ static int extends_joint(const joining *j) {
     return 0;
 }
 
-/* Add a joint of the set if it has more than one patch or, in E^3, one slice or run. */
+/* Add a joint of the set if the set has two or more patches or, in E^3, one slice or run. */
 static graze_status emit_set(joining *j) {
     const cell_complex *c = &j->p->envelope->cells;
     numbers_sort(&j->set);
@@ -70,7 +73,7 @@ static graze_status join_at_vertex(joining *j) {
     return emit_set(j);
 }
 
-/* Whole facets with all of the edge. */
+/* Join whole facets that contain the edge with runs along all of it. */
 static graze_status join_along_edge(joining *j) {
     int whole = 0;
     j->set.count = 0;
@@ -82,7 +85,7 @@ static graze_status join_along_edge(joining *j) {
     return whole ? emit_set(j) : GRAZE_OK;
 }
 
-/* How far along the edge g of a facet vanishes, from 0 to 1. */
+/* The place on the edge where g of a facet vanishes: 0 at vertex u, 1 at v. */
 static void place_along(fmpq_t out, const snapshot *s, size_t edge, size_t facet) {
     const cell_complex *c = &s->e->cells;
     size_t d = (size_t)s->dimension;
@@ -93,7 +96,8 @@ static void place_along(fmpq_t out, const snapshot *s, size_t edge, size_t facet
     fmpq_div(out, out, other);
 }
 
-/* Patches that end at the place of entry `first`; `done` marks theirs. */
+/* Add the joint of the patches that end at the place of entry `first`; mark their entries in
+ * `done`. */
 static graze_status join_at_place(joining *j, const snapshot *s, size_t first,
                                   unsigned char *done) {
     LOCAL_VEC(fmpq, here, 2);
@@ -126,8 +130,8 @@ static graze_status join_within_edge(joining *j) {
     return GRAZE_OK;
 }
 
-/* The moments at which joints of the cell may change: ends of its patches; of an edge all that
- * concern it. */
+/* Find the moments at which joints of the cell may change: those at which its patches begin or end,
+ * and for an edge also all moments of its events. */
 static graze_status find_cuts(joining *j) {
     j->cuts.count = 0;
     for (size_t k = 0; k < j->count; k++) {

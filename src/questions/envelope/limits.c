@@ -1,8 +1,9 @@
 /* Limits of the places where patches end. SPDX-License-Identifier: GPL-3.0-or-later
  *
  * A patch ends on an edge u v at u + lambda (v - u), lambda = g_u / (g_u - g_v). At a moment lambda
- * tends to 0 if g_u has a zero of higher order there than g_v, to 1 if of lower order, and if both
- * are of order k, to the same expression of the derivatives of order k.
+ * tends to 0 if the zero of g_u has a higher order than that of g_v, to 1 if it has a lower one. If
+ * both have order k, lambda tends to the same expression with the derivatives of order k in place
+ * of g_u and g_v.
  */
 #include <stdlib.h>
 #include "base/context/array.h"
@@ -11,7 +12,7 @@
 #include "questions/envelope/patch_ends.h"
 
 /* A place where a patch ends at a moment, which is the parameter `u` of the motion's piece `piece`;
- * within an edge, `order` is that of the zeros of g at both ends of the edge. */
+ * on an edge, g has zeros of order `order` at both ends of the edge. */
 typedef struct limit_place {
     int is_edge;
     size_t cell, facet, patch, piece;
@@ -25,7 +26,7 @@ typedef struct limit_finder {
     const place_list *places;
     size_t moment, piece; /* the piece after the moment */
     int is_break;
-    algebraic before, after; /* parameters of the pieces before and after */
+    algebraic before, after; /* parameters of the moment in the pieces before and after */
     size_t count, capacity;
     limit_place *item;
     numbers set;
@@ -40,7 +41,7 @@ static void derived_g(fmpz_poly_t out, const limit_finder *f, const limit_place 
         fmpz_poly_derivative(out, out);
 }
 
-/* The order of the zero of g at one end of the edge. */
+/* The order of the zero that g at one end of the edge has at the moment: 0 if g is not 0. */
 static graze_status zero_order(slong *out, const limit_finder *f, const limit_place *at, int at_v) {
     int sign = 0;
     LOCAL(fmpz_poly, g);
@@ -54,7 +55,7 @@ static graze_status zero_order(slong *out, const limit_finder *f, const limit_pl
     return GRAZE_OK;
 }
 
-/* Replace a place on an edge by the end of the edge to which it tends, if it tends to one. */
+/* Replace a place on an edge by an end of the edge if the place tends to that end at the moment. */
 static graze_status take_limit(const limit_finder *f, limit_place *at) {
     const cell_edge *edge = &f->p->envelope->cells.edge[at->cell];
     slong at_u = 0, at_v = 0;
@@ -68,8 +69,8 @@ static graze_status take_limit(const limit_finder *f, limit_place *at) {
     return GRAZE_OK;
 }
 
-/* Set the place to which an end of a patch tends at the moment; at a break, for a patch that ends
- * then, by the piece before it. */
+/* Set the place to which an end of a patch tends at the moment. If the moment is a break and the
+ * patch ends at it, the piece before the break is used, else the piece after. */
 static graze_status place_at_moment(limit_place *out, limit_finder *f, const patch_place *place) {
     int earlier = f->is_break && f->p->item[place->patch].to == f->moment;
     *out = (limit_place){
@@ -81,7 +82,8 @@ static graze_status place_at_moment(limit_place *out, limit_finder *f, const pat
     return place->is_edge ? take_limit(f, out) : GRAZE_OK;
 }
 
-/* *out: the sign of a_u b_v - a_v b_u for two places on one edge; 0 if they coincide. */
+/* *out becomes the sign of a_u b_v - a_v b_u for two places a and b on one edge: 0 if they
+ * coincide. */
 static graze_status compare_within(int *out, limit_finder *f, const limit_place *a,
                                    const limit_place *b) {
     LOCAL_VEC(fmpz_poly, at, 4); /* 0 a_u, 1 a_v, 2 b_v, 3 b_u */
@@ -94,7 +96,7 @@ static graze_status compare_within(int *out, limit_finder *f, const limit_place 
         fmpz_poly_sub(at, at, at + 1);
         return algebraic_sign_at(out, f->context, at, a->u);
     }
-    for (int k = 0; k < 4; k++) /* at a break, where parameters are 1 and 0 */
+    for (int k = 0; k < 4; k++) /* at a break, where the parameters are 1 (before) and 0 (after) */
         fmpz_poly_evaluate_fmpq(value + k, at + k, k < 2 ? a->u->value : b->u->value);
     fmpq_mul(value, value, value + 2);
     fmpq_mul(value + 1, value + 1, value + 3);
@@ -114,7 +116,8 @@ static graze_status is_same_place(int *out, limit_finder *f, const limit_place *
     return status;
 }
 
-/* Add the patches that go on at the place of `at`. */
+/* Add to the set the patches that last through the moment and have an end at the place `at` then.
+ */
 static graze_status add_passing(limit_finder *f, const limit_place *at) {
     for (size_t k = places_first(f->places, at->is_edge, at->cell); k < f->places->count; k++) {
         const patch_place *place = &f->places->item[k];
@@ -134,8 +137,8 @@ static graze_status add_passing(limit_finder *f, const limit_place *at) {
     return GRAZE_OK;
 }
 
-/* Add the joint at the place of entry `first`; the entries at that place are then marked by piece
- * SIZE_MAX. */
+/* Add the joint at the place of entry `first`, if two or more patches meet there. Entries at that
+ * place get the piece SIZE_MAX, a mark that they are done. */
 static graze_status join_limits(limit_finder *f, size_t first) {
     const cell_complex *c = &f->p->envelope->cells;
     limit_place at = f->item[first];
@@ -159,7 +162,7 @@ static graze_status join_limits(limit_finder *f, size_t first) {
                      GRAZE_CHAIN_NONE, f->moment, f->moment, &f->set);
 }
 
-/* A patch's end, by the moment at which the patch begins or ends. */
+/* A place where a patch ends, with the moment at which the patch begins or ends. */
 typedef struct dated_place {
     size_t moment, place;
 } dated_place;
@@ -181,7 +184,7 @@ static void begin_moment(limit_finder *f, size_t moment) {
     f->count = 0;
 }
 
-/* Add the joints of one moment; the list has the ends of the patches that begin or end then. */
+/* Add the joints of one moment; the list has the places of all patches that begin or end at it. */
 static graze_status join_moment(limit_finder *f, const dated_place *list, size_t count) {
     begin_moment(f, list->moment);
     for (size_t k = 0; k < count; k++) {
@@ -197,8 +200,8 @@ static graze_status join_moment(limit_finder *f, const dated_place *list, size_t
     return context_work(f->context, 1000);
 }
 
-/* List all ends of patches with the moments at which their patches begin and end, but for the ends
- * of the motion; return their number. */
+/* List all places with the moments at which their patches begin and end, except the ends of the
+ * motion; return the number of entries. */
 static size_t date_places(dated_place *out, const graze_patches *p, const place_list *places) {
     size_t count = 0;
     for (size_t k = 0; k < places->count; k++) {

@@ -1,4 +1,5 @@
-/* Times of events merged with those of breaks. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Merges the times of events with the ends and breaks of the motion.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
@@ -15,7 +16,8 @@ static void append_event_time(moment_list *list, const event_list *events, size_
     list->time[list->count++] = events->time[k];
 }
 
-/* An end of a piece, which may be the time of event `*next`. */
+/* Append the end u = 0 or 1 of a piece as a hard moment. If time `*next` of the events is this end,
+ * that time is taken. */
 static graze_status append_boundary(moment_list *list, graze_context *context,
                                     const event_list *events, size_t *next, size_t piece, slong u) {
     list->hard[list->hard_count++] = list->count;

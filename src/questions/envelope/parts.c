@@ -1,7 +1,7 @@
 /* Parts of the curve of contact. SPDX-License-Identifier: GPL-3.0-or-later
  *
- * A slice is cut at the vertices and edges that it meets; a segment between two of them is within
- * the facet if its middle is. On an edge contact changes at zeros of g only (proofs/events.md C79).
+ * A slice is cut where it meets vertices and edges; a segment between two such points is within the
+ * facet if its middle is. Along an edge, contact changes only at zeros of g (proofs/events.md C79).
  */
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
@@ -18,7 +18,7 @@ typedef struct slice_point {
     part_end end;
 } slice_point;
 
-/* Add a part between two points, which are copied. */
+/* Add a part between the points a and b, which are copied. */
 static graze_status add_curve_part(graze_curve *c, graze_context *context, graze_curve_kind kind,
                                    const graze_cell *cell, size_t number, const slice_point *a,
                                    const slice_point *b) {
@@ -75,7 +75,7 @@ static void slice_points_clear(slice_points *list) {
     free(list->item);
 }
 
-/* Add the vertices that rest within the facet and lie on its slice. */
+/* Add the facet's lone vertices that lie on its slice. */
 static graze_status meet_lone_vertices(slice_points *list, graze_context *context,
                                        const snapshot *s, size_t facet) {
     const cell_lists *lone = &s->e->cells.lone_vertices;
@@ -87,8 +87,8 @@ static graze_status meet_lone_vertices(slice_points *list, graze_context *contex
     return GRAZE_OK;
 }
 
-/* Add the points in which the slice meets the edges of its facet and the vertices that rest within
- * it; *off becomes 1 unless g is 0 at all ends of the edges. */
+/* Add the points in which the slice meets the facet's edges and its lone vertices. *off becomes 1
+ * unless g is 0 at all ends of the edges. */
 static graze_status meet_edges(slice_points *list, int *off, graze_context *context,
                                const snapshot *s, size_t facet) {
     const cell_complex *c = &s->e->cells;
@@ -119,7 +119,7 @@ static int compare_slice_points(const void *left, const void *right) {
     return vector_compare(a->at, b->at, 3);
 }
 
-/* The order of places; points at one place are in descending order of their facets. */
+/* Order of points by position, at equal positions by facet, descending. */
 static int compare_edge_points(const void *left, const void *right) {
     const slice_point *a = left, *b = right;
     int order = compare_slice_points(a, b);
@@ -193,7 +193,8 @@ static graze_status add_whole(graze_curve *c, graze_context *context, const snap
                           &within, &within);
 }
 
-/* The segments between the points of a slice that are within the facet. */
+/* Add the segments between neighbouring points of a slice that lie within the facet and not along
+ * an edge. */
 static graze_status add_segments(graze_curve *c, graze_context *context, const snapshot *s,
                                  size_t facet, slice_points *list) {
     const cell_complex *cells = &s->e->cells;
@@ -225,8 +226,8 @@ graze_status parts_of_facet(graze_curve *c, graze_context *context, const snapsh
     return GRAZE_OK;
 }
 
-/* Is a point of the boundary a contact? The signs of g of its facets tell; where it is neither
- * convex nor reflex nor flat, its site does. */
+/* Is a point of the boundary a contact? The signs of g of its facets decide if the local cone is
+ * flat, convex or reflex; else the site of the point decides. */
 static graze_status is_contact_point(int *out, graze_context *context, const snapshot *s,
                                      place_kind kind, const size_t *facet, size_t count,
                                      const fmpq *at) {
@@ -271,8 +272,8 @@ static graze_status cut_edge(slice_points *list, graze_context *context, const s
     return GRAZE_OK;
 }
 
-/* Add the runs between the points of an edge, joined where the point between two of them is a
- * contact; and the points within it that are contacts beside no run. */
+/* Add the runs of an edge, where two runs become one if the point between them is a contact. Add
+ * also the points within the edge that are contacts but touch no run. */
 static graze_status add_runs(graze_curve *c, graze_context *context, const snapshot *s, size_t edge,
                              const slice_points *list) {
     const cell_complex *cells = &s->e->cells;

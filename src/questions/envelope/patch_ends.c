@@ -18,7 +18,7 @@ static graze_status add_end(place_list *list, graze_context *context, const part
                : add_patch_place(list, context, 1, end->edge, end->facet, patch);
 }
 
-/* A whole facet ends in all its edges, in E^2 in its vertices. */
+/* Add the places of a whole facet: all its edges; in E^2 the vertices of its edges. */
 static graze_status add_border_places(place_list *list, graze_context *context,
                                       const cell_complex *c, size_t facet, size_t patch) {
     for (size_t j = c->facet_edges.start[facet]; j < c->facet_edges.start[facet + 1]; j++) {
@@ -33,7 +33,8 @@ static graze_status add_border_places(place_list *list, graze_context *context,
     return GRAZE_OK;
 }
 
-/* A run from one end of its edge to the other ends along all of the edge too. */
+/* Add the places of a patch. A run between both ends of its edge has, besides its ends, all of the
+ * edge as a place. */
 static graze_status add_patch_places(place_list *list, graze_context *context,
                                      const cell_complex *c, const patch *item, size_t patch) {
     const part_end *a = &item->end[0], *b = &item->end[1];

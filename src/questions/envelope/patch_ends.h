@@ -5,7 +5,7 @@
 
 #include "questions/envelope/sign_events.h"
 
-/* The times at which something may change, in order: ends of the motion, breaks, events. */
+/* Moments, in order: the ends and breaks of the motion and the times of events. */
 
 /** @param[out] out uninitialised; moments_clear in any case */
 graze_status moments_make(moment_list *out, graze_context *context, const graze_envelope *e);
@@ -17,20 +17,20 @@ graze_status moments_between(fmpq_t out, graze_context *context, const moment_li
 
 /* Connected parts of a curve. */
 
-/** Set chain and form of all parts (E^3). */
+/** Set `chain` and `form` of all parts of a curve (E^3). */
 graze_status chains_find(graze_curve *c, graze_context *context, const cell_complex *cells);
 
-/* Makes the cells of a boundary. */
+/* The cells of a boundary. */
 
 /** @param[out] out uninitialised; complex_clear in any case */
 graze_status complex_make(cell_complex *out, graze_context *context, const graze_solid *solid);
 void complex_clear(cell_complex *c);
 
 /**
- * The curve at a time of the motion that is neither an end nor a break.
- * Its parts have no verdict and no chain.
+ * Find the curve of contact at a time of the motion that is neither an end nor a break. Trim,
+ * orientation and chain of its parts are not set.
  * @param[out] out uninitialised; contact_curve_clear after GRAZE_OK
- * @return GRAZE_EINPUT the time is not such a one
+ * @return GRAZE_EINPUT the time is an end or a break of the motion or outside it
  */
 graze_status contact_curve_find(graze_curve *out, graze_context *context, const graze_envelope *e,
                                 const fmpq_t t);
@@ -39,57 +39,62 @@ graze_status contact_curve_find(graze_curve *out, graze_context *context, const 
 
 static const graze_cell NO_CELL = {0, 0, 0};
 
-/** Would a finding with this reason take the place of the one that decides so far? */
+/** Would a finding with this reason replace the one that decides so far? */
 int judge_wants(const graze_envelope *e, graze_decomposable_reason reason);
 
-/** A finding at a point of a piece's parameter. @param facet, cell borrowed */
+/** Note a finding at parameter u of a piece; it is kept only if judge_wants its reason.
+ * @param facet, cell borrowed */
 graze_status judge_find(graze_envelope *e, graze_context *context, graze_decomposable_reason reason,
                         const graze_cell *facet, const graze_cell *cell, size_t piece,
                         const algebraic *u);
-/** A finding before point k of an axis. */
+/** Note a finding between points k - 1 and k of an axis. */
 graze_status judge_find_before(graze_envelope *e, graze_context *context,
                                graze_decomposable_reason reason, const graze_cell *facet,
                                const graze_cell *cell, size_t piece, const axis *x, size_t k);
 
-/** Is point k of an axis a time before and after which the motion is one function? */
+/** Is point k of an axis neither an end nor a break of the motion? */
 int judge_is_inner(const graze_envelope *e, size_t piece, const axis *x, size_t k);
-/** Is it the common end of two different pieces? */
+/** Is point k of an axis a break of the motion? */
 int judge_is_break(const graze_envelope *e, size_t piece, const axis *x, size_t k);
 
-/** Does g of a facet vanish on all of it, on all of the motion? */
+/** Does g vanish at all points of a facet at all times of the motion? */
 int judge_is_still(const graze_envelope *e, size_t facet);
 
 /* The edges of a boundary by position, cut where parts touch. */
 
-/** Fill `edge` but for names and kinds, and append crossings of edges to the vertices' positions.
- * Facets, corners and positions of the solid's vertices are there. */
+/** Fill `edge` except for names and kinds, and append the crossings of edges to the vertices'
+ * positions. Facets, corners and the positions of the solid's vertices must be set before. */
 graze_status edges_find(cell_complex *c, graze_context *context);
 
-/* Events and findings of facets, edges and vertices, each by the speeds at its ends. */
+/* Events and findings of facets, edges and vertices, by the signs of g at vertices. */
 
-/** `reach` at a vertex of a facet, and `cusp` where the slice ends at it all the time. */
+/** Gather `reach` at a vertex of a facet, and `cusp` there on pieces all along which g is 0 at the
+ * vertex. */
 graze_status gather_corner(graze_envelope *e, graze_context *context, size_t facet, size_t vertex);
-/** `theta` and `turn` where the slice of a facet ends on an edge in it; in E^2 the slice itself. */
+/** Gather `cusp` and `turn` where the slice of a facet ends on an edge in the facet; in E^2 that
+ * end is the slice itself. */
 graze_status gather_slice(graze_envelope *e, graze_context *context, size_t facet, size_t edge);
-/** `meet` of two facets of an edge; whether a slice of either crosses it, if it is reflex. */
+/** Gather `meet` of two facets of an edge; if the edge is reflex, note a finding where a slice of
+ * either facet crosses it. */
 graze_status gather_meet(graze_envelope *e, graze_context *context, size_t edge, size_t first,
                          size_t second);
 
 /* Patches that meet, where and when. */
 
-/** Find the joints of patches that are complete (proofs/events.md C85). */
+/** Find the joints (proofs/events.md C85); all patches must have been found before. */
 graze_status joints_find(graze_patches *p, graze_context *context);
 
 /* Where patches end: vertices, and points of edges where g of a facet vanishes. */
 
-/** A place where a patch ends: a vertex; a point within an edge where g of `facet` vanishes; or,
- * with the facet SIZE_MAX, all of an edge. */
+/** A place where a patch ends: a vertex; a point within an edge where g of `facet` vanishes; or, if
+ * `is_edge` and `facet` is SIZE_MAX, all of an edge. */
 typedef struct patch_place {
     int is_edge;
     size_t cell, facet, patch;
 } patch_place;
 
-/** Vertices before edges, both by number, then patches; each pair of place and patch once. */
+/** Places at vertices before those on edges, both sorted by number of the cell, then by patch; each
+ * pair of place and patch once. */
 typedef struct place_list {
     size_t count, capacity;
     patch_place *item;
@@ -98,26 +103,27 @@ typedef struct place_list {
 /** @param[out] out zeros; place_list_clear in any case */
 graze_status places_make(place_list *out, graze_context *context, const graze_patches *p);
 void place_list_clear(place_list *list);
-/** The index of the first place of a cell, or where it would stand. */
+/** The index of the first place of a cell, or the index at which one would be inserted. */
 size_t places_first(const place_list *list, int is_edge, size_t cell);
 
-/** Add a patch to those that meet. */
+/** Add a patch to a set of patches that meet. */
 graze_status members_add(numbers *set, graze_context *context, size_t patch);
 
-/** Add a joint of the patches in a set, which is in order. */
+/** Add a joint of the patches in a sorted set. */
 graze_status joint_add(graze_patches *p, graze_context *context, const graze_cell *cell,
                        graze_chain_form form, size_t from, size_t to, const numbers *set);
 
 /* Patches that meet at a moment. */
 
-/** Add the joints at moments within the motion: of patches that begin or end then, by the limits of
- * the places where they end, with those that go on there (proofs/events.md C85). */
+/** Add the joints at moments within the motion: patches that begin or end at a moment meet where
+ * the limits of their ends coincide, with each other and with patches that go on there
+ * (proofs/events.md C85). */
 graze_status limits_find(graze_patches *p, graze_context *context, const place_list *places);
 
 /* Velocities of all points of the body at one time. */
 
-/** c' and c'' of the trajectory through y are matrices of d rows and d + 1 columns applied to (y,
- * 1), times positive numbers. */
+/** `velocity` and `bend` are matrices of d rows and d + 1 columns. Applied to (y, 1) they give c'
+ * and c'' of the trajectory through y, times a positive number each. */
 typedef struct snapshot {
     const graze_envelope *e;
     int dimension;
@@ -126,23 +132,25 @@ typedef struct snapshot {
 } snapshot;
 
 /** @param[out] out uninitialised; snapshot_clear in any case
- * @return GRAZE_EINPUT the time is not within the motion, or is a break of it */
+ * @return GRAZE_EINPUT the time is an end or a break of the motion or outside it */
 graze_status snapshot_make(snapshot *out, graze_context *context, const graze_envelope *e,
                            const fmpq_t t);
 void snapshot_clear(snapshot *s);
 
-/** g of a facet at a point of the body times a positive number, the same for all points. */
+/** g of a facet at point y of the body, times a positive number that is the same for all points. */
 void snapshot_g(fmpq_t out, const snapshot *s, size_t facet, const fmpq *y);
 int snapshot_g_sign(const snapshot *s, size_t facet, const fmpq *y);
-/** The sign of theta. */
+/** The sign of theta of a facet at point y. */
 int snapshot_theta_sign(const snapshot *s, size_t facet, const fmpq *y);
 
-/** Where a function that is `a` at p and `b` at q, of different signs, vanishes between them. */
+/** The zero between p and q of an affine function that is `a` at p and `b` at q; the signs of a and
+ * b differ. */
 void snapshot_zero(fmpq *out, const fmpq_t a, const fmpq_t b, const fmpq *p, const fmpq *q, int d);
 
 /* The contact points of facets, edges and vertices at one time, cell by cell. */
 
-/** Add the slice of a facet within its relative interior; or the whole facet, if g = 0 on it. */
+/** Add the slice within the facet's relative interior; or the whole facet, if g = 0 on all of it.
+ */
 graze_status parts_of_facet(graze_curve *c, graze_context *context, const snapshot *s,
                             size_t facet);
 /** Add the runs of an edge and the single contacts in its relative interior (E^3). */
@@ -150,23 +158,24 @@ graze_status parts_of_edge(graze_curve *c, graze_context *context, const snapsho
 /** Add a vertex if it is a contact. */
 graze_status parts_add_vertex(graze_curve *c, graze_context *context, const snapshot *s,
                               size_t vertex);
-/** Add a vertex if it is a contact and no end of a part that is there. */
+/** Add a vertex if it is a contact and not the end of a part added before. */
 graze_status parts_of_vertex(graze_curve *c, graze_context *context, const snapshot *s,
                              size_t vertex);
 
 /** Classify the middle of a part at time t.
  * @param[out] body d rationals: the middle
- * @param[out] world as many: its place among the query points; or NULL */
+ * @param[out] world d rationals: the middle in the frame of the query points; or NULL */
 graze_status parts_look_at_middle(graze_trim *trim, graze_orientation *orientation, fmpq *body,
                                   fmpq *world, graze_context *context, const graze_envelope *e,
                                   const curve_part *part, const fmpq_t t);
 
 /** Is a point in the facet, its border included? */
 int parts_facet_holds(const cell_complex *c, size_t facet, const fmpq *at);
-/** Is a point of a simplex's plane, d + 1 homogeneous integers, in the simplex? `plane`: of
- * solid_plane. */
+/** Is the point x of the simplex's plane, d + 1 homogeneous integers, in the closed simplex?
+ * `plane` is the form from solid_plane. */
 int parts_simplex_holds(const cell_complex *c, size_t simplex, const fmpz *plane, const fmpz *x);
-/** Have two triangles of a facet both of these vertices as corners: a side within the facet? */
+/** Do two triangles of the facet have both vertices as corners? Then the side between a and b lies
+ * within the facet. */
 int parts_side_is_inner(const cell_complex *c, size_t facet, size_t a, size_t b);
 
 #endif

@@ -1,5 +1,5 @@
-/* Patches cell by cell: the parts of the curve of contact at one time between two moments that
- * concern the cell. SPDX-License-Identifier: GPL-3.0-or-later
+/* Patches, cell by cell. Between neighbouring moments of a cell its patches are its parts of the
+ * curve of contact at one time. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <flint/fmpq_vec.h>
 #include <stdlib.h>
@@ -9,15 +9,16 @@
 #include "decide/bounds/bounds.h"
 #include "questions/envelope/patch_ends.h"
 
-/* Functions of a kind of cell: they add a cell's parts at a time, and the moments that concern it.
+/* Functions for one kind of cell: one adds a cell's parts at a time, the other the moments at which
+ * these may change.
  */
 typedef graze_status add_parts(graze_curve *c, graze_context *context, const snapshot *s,
                                size_t number);
 typedef graze_status add_moments(numbers *cuts, graze_context *context, const cell_event_list *list,
                                  const cell_complex *c, size_t number);
 
-/* The cell that an end is named by: its vertex; the edge on which a slice ends; the facet whose
- * slice bounds a run. Single points and whole facets have none. */
+/* The cell that names an end of a part: the vertex there, else the edge on which a slice ends or
+ * the facet whose slice bounds a run. The ends of points and whole facets have no name. */
 static graze_cell end_name(const cell_complex *c, graze_curve_kind kind, const part_end *end) {
     return kind == GRAZE_CURVE_POINT || kind == GRAZE_CURVE_WHOLE ? (graze_cell){0, 0, 0}
            : end->vertex != SIZE_MAX                              ? c->vertex[end->vertex].name
@@ -51,7 +52,7 @@ static graze_status add_patch(graze_patches *p, graze_context *context, const cu
                                 made->world, context, p->envelope, part, t);
 }
 
-/* Add the patches of a cell between two moments: its parts at a time between them. */
+/* Add the patches of a cell between two moments, from the cell's parts at one time between them. */
 static graze_status patches_between(graze_patches *p, graze_context *context, add_parts *find,
                                     size_t number, size_t from, size_t to) {
     HELD(contact_curve, curve, p->envelope->cells.dimension);
@@ -64,7 +65,7 @@ static graze_status patches_between(graze_patches *p, graze_context *context, ad
     return GRAZE_OK;
 }
 
-/* The patches of all cells of one kind. */
+/* Add the patches of all cells of one kind. */
 static graze_status patches_of_cells(graze_patches *p, graze_context *context, add_parts *find,
                                      add_moments *add, size_t count) {
     ZEROED(numbers, cuts);

@@ -1,4 +1,5 @@
-/* Vertices that are not convex. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Events and findings at vertices where the solid is neither flat nor convex.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
 #include "input/soup/soup.h"
@@ -18,8 +19,8 @@ static void ray_of(fmpz *out, const cell_complex *c, size_t edge, size_t vertex)
     }
 }
 
-/* The normal of the plane of two edges at a vertex, the edge of the lower name first; 0 if they are
- * parallel, or the plane is that of a facet there. */
+/* Set the normal of the plane of two edges at a vertex: their cross product, the edge with the
+ * lower name first. Returns 0 if they are parallel, or span the plane of a facet at the vertex. */
 static int span_plane(fmpz *normal, const cell_complex *c, size_t vertex, size_t first,
                       size_t second) {
     LOCAL_VEC(fmpz, ray, 6);
@@ -66,8 +67,8 @@ graze_status saddle_gather(graze_envelope *e, graze_context *context, size_t ver
     return GRAZE_OK;
 }
 
-/* A vertex on one piece. The signs are those of g of its facets there, then, edge by edge, those of
- * g of the edge's facets at its other end. */
+/* A vertex on one piece. `s` has the signs of g of the vertex's facets at the vertex, then, edge by
+ * edge, the signs of g of the edge's facets at the edge's other end. */
 typedef struct corner_view {
     graze_envelope *e;
     graze_context *context;
@@ -79,8 +80,8 @@ static size_t facets_at(const cell_complex *c, size_t vertex) {
     return c->vertex_facets.start[vertex + 1] - c->vertex_facets.start[vertex];
 }
 
-/* An edge at the vertex and one of the edge's facets, and the position of their sign in
- * corner_view. next_pair sets one pair after another; 0 at the end. */
+/* An edge at the vertex, one of the edge's facets, and the position of their sign in corner_view.
+ * next_pair sets the next pair; it returns 0 after the last. */
 typedef struct corner_pair {
     size_t position, edge, facet;
 } corner_pair;
@@ -134,7 +135,8 @@ static size_t facet_place(const cell_complex *c, size_t vertex, size_t facet) {
     return j - c->vertex_facets.start[vertex];
 }
 
-/* Does a run on a convex edge reach the vertex, by signs at one place? */
+/* Does a run on a convex edge reach the vertex, by the signs at one point of the axis or between
+ * two? */
 static int run_reaches(const corner_view *v, const signed char *sign) {
     const cell_complex *c = &v->e->cells;
     corner_pair p = {.position = facets_at(c, v->vertex) - 1, .edge = SIZE_MAX};
@@ -157,9 +159,10 @@ static int run_reaches(const corner_view *v, const signed char *sign) {
     return 0;
 }
 
-/* Does the slice of a facet end on an edge at the vertex just before or after point `at`, at which
- * g of the facet is 0 at the vertex, and so come to the vertex? Edges along which g is 0 then do
- * not count (proofs/events.md C82). `own` is the position of the facet's sign. */
+/* At point `at` of the axis g of the facet is 0 at the vertex. Does the facet's slice end on an
+ * edge at the vertex just before or after this point, so that this end comes to the vertex? Edges
+ * along which g is 0 at the point do not count (proofs/events.md C82). `own` is the position of the
+ * sign of the facet's g at the vertex. */
 static int slice_comes(const corner_view *v, size_t facet, size_t own, size_t at) {
     const cell_complex *c = &v->e->cells;
     const signed char *here = signs_at(&v->s, at);
@@ -195,8 +198,8 @@ static graze_status slice_reaches(int *out, const corner_view *v, size_t k, int 
     return GRAZE_OK;
 }
 
-/* Does the velocity or its opposite lead into the solid, at point k or before it? At a reflex
- * vertex it does unless g is 0 of all facets there. */
+/* Does the vertex's velocity or its opposite lead into the solid, at point k or, if `before`,
+ * between points k - 1 and k? At a reflex vertex one of them does unless g of all facets is 0. */
 static graze_status leads_in(int *out, const corner_view *v, size_t k, int before) {
     const cell_complex *c = &v->e->cells;
     const signed char *sign = before ? signs_before(&v->s, k) : signs_at(&v->s, k);

@@ -1,4 +1,4 @@
-/* Contact points by chance. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Draws contact points at random. SPDX-License-Identifier: GPL-3.0-or-later */
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/order.h"
@@ -12,13 +12,14 @@ static int is_inner_time(const graze_time *time) {
            (!fmpq_is_zero(time->u.value) && !fmpq_is_one(time->u.value));
 }
 
-/* The numbers of times before and after a gap of the motion; those of ends of pieces are SIZE_MAX.
+/* A gap: an interval of a piece between the times with the numbers `from` and `to`; SIZE_MAX stands
+ * for an end of the piece.
  */
 typedef struct time_gap {
     size_t piece, from, to;
 } time_gap;
 
-/* Gap `wanted` modulo the number of gaps. */
+/* Find the gap whose number is `wanted` modulo the number of gaps. */
 static time_gap find_time_gap(const graze_envelope *e, unsigned long wanted) {
     const event_list *list = &e->events;
     size_t inner = 0;
@@ -43,7 +44,8 @@ static time_gap find_time_gap(const graze_envelope *e, unsigned long wanted) {
     return gap;
 }
 
-/* A rational parameter in a gap: between its ends, and by chance nearer to one of them. */
+/* Draw a rational parameter strictly between the ends of a gap; up to three random halvings may
+ * move it towards one of them. */
 static graze_status pick_parameter(fmpq_t out, graze_context *context, const graze_envelope *e,
                                    const time_gap *gap, random_stream *r) {
     HELD(algebraic, low);
@@ -64,7 +66,7 @@ static graze_status pick_parameter(fmpq_t out, graze_context *context, const gra
     return GRAZE_OK;
 }
 
-/* A point of a part by chance, not one of its ends if it has two. */
+/* Draw a point of a part, strictly between its ends if these differ. */
 static void pick_point(fmpq *out, const curve_part *part, int d, random_stream *r) {
     LOCAL_VEC(fmpq, lambda, 2);
     fmpq *step = lambda + 1;

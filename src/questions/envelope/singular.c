@@ -8,15 +8,16 @@ static graze_status exists_before(int *out, const singular_view *v, const axis *
     return singular_exists(out, v, &u);
 }
 
-/* Is point k of the axis the end of a piece before another one? It is looked at as the beginning of
- * the next one. */
+/* Is point k of the axis the end of a piece that another piece follows? Such a time is examined as
+ * the beginning of the next piece. */
 static int is_joint(const graze_envelope *e, size_t piece, const axis *x, size_t k) {
     return k + 1 == x->count && piece + 1 < e->piece_count;
 }
 
-/* Add the times of a piece at which the facet has a singular point and has none just before or just
- * after, or the reverse; if the determinant vanishes at instants alone, those at which it has one.
- * `*past`: whether it has one just before the piece; then, just before its end. */
+/* Add the times of a piece at which the facet has a singular point but not just before or just
+ * after, or the reverse. If the determinant is 0 only at single times, add those at which the facet
+ * has one. `*past` says whether it has one just before the piece; it is set to the answer just
+ * before the piece's end. */
 static graze_status watch_points(graze_envelope *e, const singular_view *v, axis *x, int *past) {
     const graze_cell *name = &e->cells.facet[v->facet].name;
     found_event what = {.kind = GRAZE_EVENT_SINGULAR,

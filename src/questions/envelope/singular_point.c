@@ -1,7 +1,7 @@
-/* g, theta and the third derivative are linear on the facet's plane. By their values at the corners
- * of one triangle, barycentric coordinates of a common zero are the kernel of a 3 x 3 matrix of
- * polynomials (proofs/events.md C80). Its determinant vanishes where there is one; where it
- * vanishes all the time, the zero is a point that moves, or a line.
+/* g, theta and the third derivative are affine on the facet's plane. The barycentric coordinates of
+ * a common zero span the kernel of the 3 x 3 matrix of their values at the corners of one triangle,
+ * polynomials in time (proofs/events.md C80). If a common zero exists, the determinant is 0; if
+ * that is 0 at all times, the common zero is a point that moves, or a line.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "base/context/scope.h"
@@ -13,7 +13,7 @@ static void derivative_at(fmpz_poly_struct *out, const singular_view *v, int row
     derivatives_along(out, &v->e->field[v->piece], row + 1, v->facet, vertex);
 }
 
-/* The minors of rows a and b: their cross product. */
+/* The minors of the rows a and b: the cross product. */
 static void set_minors(fmpz_poly_struct *out, const fmpz_poly_struct *a,
                        const fmpz_poly_struct *b) {
     LOCAL(fmpz_poly, second);
@@ -79,13 +79,13 @@ int singular_is_lasting(const singular_view *v) {
     return fmpz_poly_is_zero(v->p + SINGULAR_DETERMINANT);
 }
 
-/* The products of two rows: pair 0, 1 or 2. */
+/* The cross product of two rows: pair 0, 1 or 2. */
 static const fmpz_poly_struct *minors_of(const singular_view *v, int pair) {
     return v->p + SINGULAR_ROWS + 3 * pair;
 }
 
-/* A point of the facet's plane, by its barycentric coordinates in the first triangle: four
- * homogeneous ones. `point` is zeros. */
+/* The four homogeneous coordinates of a point of the facet's plane, from its barycentric
+ * coordinates in the first triangle. `point` is zeros before. */
 static void set_point(fmpz_poly_struct *point, const singular_view *v,
                       const fmpz_poly_struct *weight) {
     for (int i = 0; i < 4; i++)
@@ -94,7 +94,7 @@ static void set_point(fmpz_poly_struct *point, const singular_view *v,
                                          v->e->cells.vertex[corners_at(v, 0)[k]].x + i);
 }
 
-/* The form of side k of a triangle at a homogeneous point. */
+/* The value of the form of a simplex's side k at a homogeneous point. */
 static void side_at(fmpz_poly_struct *out, const singular_view *v, size_t simplex, int k,
                     const fmpz_poly_struct *point) {
     LOCAL_VEC(fmpz, form, 8);
@@ -111,7 +111,8 @@ static int is_shared_side(const singular_view *v, size_t j, int k) {
     return parts_side_is_inner(&v->e->cells, v->facet, corner[k], corner[(k + 1) % 3]);
 }
 
-/* Is a homogeneous point in the interior of triangle j, or within a side that another one has? */
+/* Is a homogeneous point in the interior of triangle j, or in the relative interior of a side that
+ * another triangle of the facet shares? */
 static graze_status is_point_in_triangle(int *out, const singular_view *v, algebraic *u, size_t j,
                                          const fmpz_poly_struct *point) {
     int zeros = 0;
@@ -128,8 +129,8 @@ static graze_status is_point_in_triangle(int *out, const singular_view *v, algeb
     return GRAZE_OK;
 }
 
-/* Is the point of these barycentric coordinates at u in the facet's relative interior? The
- * coordinates are those in the facet's first triangle. */
+/* Is the point in the facet's relative interior at u? `weight` are its barycentric coordinates in
+ * the facet's first triangle. */
 static graze_status is_in_facet(int *out, const singular_view *v, algebraic *u,
                                 const fmpz_poly_struct *weight) {
     LOCAL_VEC(fmpz_poly, point, 4);
@@ -144,7 +145,7 @@ static graze_status is_in_facet(int *out, const singular_view *v, algebraic *u,
     return GRAZE_OK;
 }
 
-/* Do the three values not all vanish at u? */
+/* Is at least one of three polynomials not 0 at u? */
 static graze_status is_nonzero(int *out, const singular_view *v, algebraic *u,
                                const fmpz_poly_struct *p) {
     *out = 0;
@@ -154,8 +155,8 @@ static graze_status is_nonzero(int *out, const singular_view *v, algebraic *u,
     return GRAZE_OK;
 }
 
-/* Does the zero line of a row at u meet the interior of triangle j, or a side that another one has
- * all along? */
+/* Does the zero line of a row at u meet the interior of triangle j, or contain a side that another
+ * triangle of the facet shares? */
 static graze_status is_line_in_triangle(int *out, const singular_view *v, algebraic *u, int row,
                                         size_t j) {
     int sign[3] = {0, 0, 0};
@@ -199,7 +200,7 @@ graze_status singular_exists(int *out, const singular_view *v, algebraic *u) {
     return GRAZE_OK;
 }
 
-/* The first pair of rows that is not always parallel; 3 if there is none. */
+/* The first pair of rows that are not parallel at all times; 3 if all pairs are. */
 static int first_pair(const singular_view *v) {
     for (int pair = 0; pair < 3; pair++)
         for (int k = 0; k < 3; k++)
@@ -208,8 +209,8 @@ static int first_pair(const singular_view *v) {
     return 3;
 }
 
-/* The sides of all triangles that no other one has, at the point that moves: `out` has 9 for each
- * triangle. */
+/* The forms of the sides that no other triangle shares, at the common zero of a pair of rows, which
+ * moves with time. `out` has room for 9 polynomials a triangle. */
 static void fill_sides(fmpz_poly_struct *out, const singular_view *v, int pair) {
     LOCAL_VEC(fmpz_poly, point, 4);
     set_point(point, v, minors_of(v, pair));
@@ -219,7 +220,7 @@ static void fill_sides(fmpz_poly_struct *out, const singular_view *v, int pair) 
                 side_at(out + 9 * j + k, v, triangle_at(v, j), k, point);
 }
 
-/* The three functions at the corners of all triangles. */
+/* The three affine functions at the corners of all triangles. */
 static void fill_corners(fmpz_poly_struct *out, const singular_view *v) {
     for (size_t j = 0; j < triangle_count(v); j++)
         for (int k = 0; k < 9; k++)

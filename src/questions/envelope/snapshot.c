@@ -1,4 +1,4 @@
-/* Fields at a rational time. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Evaluates velocity fields at a rational time. SPDX-License-Identifier: GPL-3.0-or-later */
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "questions/envelope/patch_ends.h"
@@ -8,7 +8,8 @@ static void evaluate_entries(fmpq *out, const fmpz_poly_struct *entry, int count
         fmpz_poly_evaluate_fmpq(out + k, entry + k, u);
 }
 
-/* Set u of a piece at t; 0 if t is not in it, or an end of the motion or a break. */
+/* Set the parameter u of a piece at time t. Returns 0 if t is not in the piece, or if it is an end
+ * or a break of the motion. */
 static int parameter_within(fmpq_t u, const graze_envelope *e, size_t piece, const fmpq_t t) {
     const motion_piece *p = &e->scene->motion->piece[piece];
     if (fmpq_cmp(t, p->lo) < 0 || fmpq_cmp(t, p->hi) >= 0 ||
@@ -49,7 +50,7 @@ void snapshot_clear(snapshot *s) {
     _fmpq_vec_clear(s->bend, s->dimension * (s->dimension + 1));
 }
 
-/* n times the matrix applied to (y, 1). */
+/* n . (matrix (y, 1)) for the outward normal n of a facet. */
 static void speed_along_normal(fmpq_t out, const snapshot *s, const fmpq *matrix, size_t facet,
                                const fmpq *y) {
     int d = s->dimension;

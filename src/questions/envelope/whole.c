@@ -1,10 +1,12 @@
-/* Facets whose g vanishes all over at single times. SPDX-License-Identifier: GPL-3.0-or-later */
+/* Findings at single times at which g vanishes on all of a facet.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/context/scope.h"
 #include "base/number/sign.h"
 #include "input/validate/validate.h"
 #include "questions/envelope/patch_ends.h"
 
-/* The common divisor of g at the corners of one simplex of the facet: 0 if g vanishes all the time.
+/* The common divisor of the polynomials g at the corners of one simplex of the facet; 0 if all of
+ * them are zero.
  */
 static void find_common(fmpz_poly_t out, const graze_envelope *e, size_t facet, size_t piece) {
     const cell_complex *c = &e->cells;
@@ -17,7 +19,7 @@ static void find_common(fmpz_poly_t out, const graze_envelope *e, size_t facet, 
     }
 }
 
-/* Is theta of the facet negative at a corner, at a point? */
+/* Is theta of the facet negative at one of its corners at parameter u? */
 static graze_status is_theta_negative(int *out, const graze_envelope *e, graze_context *context,
                                       size_t facet, size_t piece, algebraic *u) {
     const cell_complex *c = &e->cells;
@@ -34,7 +36,7 @@ static graze_status is_theta_negative(int *out, const graze_envelope *e, graze_c
     return GRAZE_OK;
 }
 
-/* Does g of another facet of the edge not vanish at one of its ends? */
+/* Is g of another facet of the edge different from 0 at an end of the edge, at parameter u? */
 static graze_status moves_across(int *out, const graze_envelope *e, graze_context *context,
                                  size_t facet, size_t edge, size_t piece, algebraic *u) {
     const cell_complex *c = &e->cells;

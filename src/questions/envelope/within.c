@@ -1,10 +1,11 @@
-/* Points on a conic: a line meets it twice at most, so finitely many vertices and edges leave one.
+/* Tries points on a conic: a line meets it at most twice, so finitely many vertices and edges
+ * cannot hold all of them.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "base/context/scope.h"
 #include "questions/envelope/sign_events.h"
 
-/* The point in the interior of the facet's first simplex of barycentric weights 1, s, s^2. */
+/* The point in the interior of the facet's first simplex with the barycentric weights 1, s, s^2. */
 static void point_within(fmpq *out, const cell_complex *c, size_t facet, slong s) {
     int d = c->dimension;
     const size_t *corner = c->corner + c->order[c->facet[facet].first] * (size_t)d;

@@ -1,4 +1,4 @@
-/* Charts of surfaces, of pairs of them, and of each with its normal velocity.
+/* Charts of surfaces, of intersections of two, and of points where the normal velocity is zero.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/generate/generate.h"
@@ -12,12 +12,13 @@
 #include "input/solid/solid.h"
 #include "questions/generate/charts.h"
 
-/* Surfaces, pairs of surfaces, lines with surfaces, and surfaces at instants, that are looked at.
+/* The most surfaces, pairs of surfaces, pairs of a line and a surface, and pairs of a surface and
+ * an instant that are searched.
  */
 enum { MOST_SURFACES = 400, MOST_PAIRS = 400, MOST_CORNERS = 1500, MOST_TOUCHES = 240 };
-/* Components of normals of planes that may cut circles from a surface of degree 4; further planes
- * through points of these circles, or anywhere; planes in all; and lines of one
- * surface at one time. */
+/* REACH bounds the components of normals of planes that may cut circles from a surface of degree 4;
+ * FURTHER planes go through points of these circles or of the box; MOST_SECTIONS is the number of
+ * planes in all, LINES that of lines of one surface at one time. */
 enum { REACH = 4, FURTHER = 24, MOST_SECTIONS = 4000, LINES = 6 };
 
 /* State of a survey. */
@@ -25,7 +26,7 @@ typedef struct surveyor {
     atlas *out;
     graze_context *context;
     fmpq_mpoly_struct *polynomial; /* by surface */
-    size_t *order, count;          /* surfaces as they come in the file, each once */
+    size_t *order, count;          /* surfaces in the order of the file, each once */
     int sections;                  /* planes tried so far */
     fmpq_mpoly_struct *linear, *term;
     random_stream random;
@@ -41,7 +42,8 @@ static void polynomial_of(fmpq_mpoly_t out, const csg_surface *s, const fmpq_mpo
     fmpq_mpoly_reduce(out, ring);
 }
 
-/* Surfaces in the order of the primitives, so that neighbours are often of one body. */
+/* List surfaces in the order of the primitives, so that neighbours in the list often belong to one
+ * body. */
 static graze_status order_surfaces(surveyor *s) {
     const csg *solid = s->out->solid;
     FREED(char, seen, calloc(solid->surface_count + 1, 1));
@@ -75,7 +77,7 @@ static void plane_through(surveyor *s, const slong *normal, const fmpq *point) {
     }
 }
 
-/* The middle of the first primitive that has a surface. */
+/* The middle of the first primitive that has the given surface. */
 static const fmpq *surface_middle(const csg *solid, size_t surface) {
     for (size_t n = 0; n < solid->node_count; n++)
         for (size_t k = 0; k < solid->node[n].count && solid->node[n].operation == CSG_SIGN; k++)
@@ -92,8 +94,8 @@ static void draw_in_box(fmpq *point, surveyor *s) {
     flat_clear(&all.place);
 }
 
-/* Sections by planes through points of the sections found so far, parallel to those that cut such
- * ones. */
+/* Add sections by planes parallel to those that found some, through points of the sections found so
+ * far or, every second time, of the box. */
 static graze_status add_parallel_sections(surveyor *s, const fmpq_mpoly_struct *p, size_t first,
                                           slong (*normal)[3], size_t normals) {
     charts *faces = &s->out->faces;
@@ -110,8 +112,9 @@ static graze_status add_parallel_sections(surveyor *s, const fmpq_mpoly_struct *
     return GRAZE_OK;
 }
 
-/* Add conics of a surface of degree 3 or 4, such as circles of a torus. Planes with short normals
- * cut it through the middle of its primitive, then planes parallel to those that found some. */
+/* Add conics of a surface of degree 3 or 4, such as circles of a torus. It is cut by planes with
+ * short normals through the middle of its primitive, then by planes parallel to those that gave
+ * conics. */
 static graze_status add_conics(surveyor *s, const fmpq_mpoly_struct *p, size_t surface) {
     enum { SIDE = 2 * REACH + 1, ALL = SIDE * SIDE * SIDE };
     charts *faces = &s->out->faces;
@@ -145,7 +148,7 @@ static graze_status survey_faces(surveyor *s) {
     return GRAZE_OK;
 }
 
-/* Survey intersections of two surfaces, those near each other in the file first. */
+/* Search intersections of two surfaces; pairs near each other in the file come first. */
 static graze_status survey_pairs(surveyor *s, charts *to) {
     int left = MOST_PAIRS;
     for (size_t apart = 1; apart < s->count && left > 0; apart++)
@@ -162,7 +165,7 @@ static graze_status survey_apexes(surveyor *s) {
     return GRAZE_OK;
 }
 
-/* Where edges that are straight meet further surfaces. */
+/* Add vertices where straight edges meet surfaces. */
 static graze_status survey_corners(surveyor *s) {
     int left = MOST_CORNERS;
     for (size_t e = 0; e < s->out->edges.count && left > 0; e++) {
@@ -175,8 +178,8 @@ static graze_status survey_corners(surveyor *s) {
     return GRAZE_OK;
 }
 
-/* The normal velocity at a time, for points of a surface: the sum of each derivative of p times
- * that coordinate's velocity. */
+/* The normal velocity at an instant for points of the surface p = 0: the sum over the coordinates
+ * of the derivative of p times the coordinate's velocity. */
 static void normal_velocity(fmpq_mpoly_t out, surveyor *s, const fmpq_mpoly_struct *p,
                             const instant *at) {
     const fmpq_mpoly_ctx_struct *ring = s->out->ring;
@@ -190,7 +193,7 @@ static void normal_velocity(fmpq_mpoly_t out, surveyor *s, const fmpq_mpoly_stru
             fmpq_mpoly_scalar_mul_fmpz(s->term, s->term, row + j, ring);
             fmpq_mpoly_add(s->linear, s->linear, s->term, ring);
         }
-        /* Velocities are those of homogeneous coordinates. */
+        /* Row i and the weight's row are velocities of homogeneous coordinates. */
         fmpq_mpoly_gen(s->term, i, ring);
         fmpq_mpoly_scalar_mul_fmpz(s->term, s->term, at->carried[0] + d * (d + 1) + d, ring);
         fmpq_mpoly_sub(s->linear, s->linear, s->term, ring);
@@ -200,7 +203,7 @@ static void normal_velocity(fmpq_mpoly_t out, surveyor *s, const fmpq_mpoly_stru
     }
 }
 
-/* Where lines of a cylinder or a cone are touched. */
+/* Add points on lines of a cylinder or a cone where the normal velocity is zero. */
 static graze_status add_ruled(surveyor *s, size_t surface, const fmpq_mpoly_t velocity) {
     const charts *faces = &s->out->faces;
     size_t k = 0;
@@ -217,7 +220,8 @@ static graze_status add_ruled(surveyor *s, size_t surface, const fmpq_mpoly_t ve
     return GRAZE_OK;
 }
 
-/* Where the surfaces are touched at instants: at many where there are few surfaces. */
+/* Add points where the normal velocity is zero at an instant; the fewer the surfaces, the more
+ * instants are used. */
 static graze_status survey_touches(surveyor *s, const instant *instants, size_t count) {
     int left = MOST_TOUCHES;
     IN_RING(fmpq_mpoly, velocity, s->out->ring);

@@ -1,4 +1,4 @@
-/* Common zeros by factors and remainders of division.
+/* Finds common zeros by factors and by remainders of division.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/generate/generate.h"
@@ -12,8 +12,8 @@
 #include "base/context/scope.h"
 #include "questions/generate/charts.h"
 
-/* Points of flats are drawn with coordinates that are multiples of 1/256 of the box, lines through
- * a zero of a quadric with components from -16 to 16. */
+/* Parameters of flats are drawn as multiples of 1/256 of the box's sides; lines through a zero of a
+ * quadric have directions with components from -16 to 16. */
 enum { PARTS = 256, REACH = 16 };
 
 void charts_clear(charts *list) {
@@ -37,7 +37,7 @@ static graze_status append_chart(charts *list, const flat *place, const quadrati
     return GRAZE_OK;
 }
 
-/* A point where a quadratic polynomial and its gradient are zero, if there is one. */
+/* Add the point where a quadratic polynomial and its gradient are zero, if there is one. */
 static graze_status add_singular(charts *list, const flat *place, quadratic *q) {
     HELD(flat, point, place->dimension);
     if (quadratic_center(q) && fmpq_is_zero(q->value)) {
@@ -50,7 +50,8 @@ static graze_status add_singular(charts *list, const flat *place, quadratic *q) 
 }
 
 /* Add the zeros of one factor. A linear factor adds a flat. A quadratic one adds a quadric if a
- * zero with a gradient is found on it, else its singular point if it has one. Others add nothing.
+ * zero with a gradient is found on it, else its singular point if it has one. A factor of higher
+ * degree adds nothing.
  */
 static graze_status add_factor_zeros(charts *list, const flat *place, const fmpq_mpoly_t factor) {
     slong degree = fmpq_mpoly_total_degree_si(factor, list->ring);
@@ -90,7 +91,7 @@ graze_status charts_add_section(charts *list, const flat *place, const fmpq_mpol
     return GRAZE_OK;
 }
 
-/* The zeros of p where a linear polynomial is zero. */
+/* Add the zeros of p on the plane where a linear polynomial is zero. */
 static graze_status add_plane_section(charts *list, const fmpq_mpoly_t linear,
                                       const fmpq_mpoly_t p) {
     HELD(flat, part, list->dimension);
@@ -98,7 +99,7 @@ static graze_status add_plane_section(charts *list, const fmpq_mpoly_t linear,
     return charts_add_section(list, &part, p);
 }
 
-/* The zeros of p where a linear factor of q is zero. */
+/* Add the zeros of p where a linear factor of q is zero. */
 static graze_status add_sections(charts *list, const fmpq_mpoly_t p, const fmpq_mpoly_t q) {
     IN_RING(fmpq_mpoly_factor, parts, list->ring);
     if (!fmpq_mpoly_is_zero(q, list->ring) && fmpq_mpoly_factor(parts, q, list->ring))
@@ -108,7 +109,8 @@ static graze_status add_sections(charts *list, const fmpq_mpoly_t p, const fmpq_
     return GRAZE_OK;
 }
 
-/* The zeros of `low` where a linear factor of the remainder of dividing `high` by it is zero. */
+/* Add the zeros of `low` where a linear factor of the remainder of `high` divided by `low` is zero.
+ */
 static graze_status add_remainder(charts *list, const fmpq_mpoly_t high, const fmpq_mpoly_t low) {
     IN_RING(fmpq_mpoly, quotient, list->ring);
     IN_RING(fmpq_mpoly, rest, list->ring);
@@ -116,8 +118,8 @@ static graze_status add_remainder(charts *list, const fmpq_mpoly_t high, const f
     return add_sections(list, low, rest);
 }
 
-/* Common zeros of two irreducible polynomials: one of them is linear, or a factor of a remainder of
- * dividing one by the other is. */
+/* Add common zeros of two irreducible polynomials, if one of them is linear or the remainder of
+ * dividing one by the other has a linear factor. */
 static graze_status add_pair(charts *list, const fmpq_mpoly_t p, const fmpq_mpoly_t q) {
     slong of_p = fmpq_mpoly_total_degree_si(p, list->ring);
     slong of_q = fmpq_mpoly_total_degree_si(q, list->ring);
@@ -158,8 +160,8 @@ static void side_size(fmpq_t out, const fmpq_t low, const fmpq_t high) {
         fmpq_div_2exp(out, out, (ulong)-bits);
 }
 
-/* A component of a direction; those of kind 0 are from -1 to 1, to meet points with short
- * coordinates too. */
+/* Draw a component of a direction. Components of kind 0 are -1, 0 or 1, so that points with short
+ * coordinates are found too. */
 static slong draw_component(random_stream *r, size_t kind) {
     return kind == 0 ? (slong)random_below(r, 3) - 1
                      : (slong)random_below(r, 2 * REACH + 1) - REACH;

@@ -1,4 +1,5 @@
-/* Draws a point of a surface and a time, and asks the exact path whether it is a contact.
+/* Draws a point of a surface and a time, and traces the point exactly to see whether it is a
+ * contact then.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/generate/generate.h"
@@ -19,17 +20,17 @@
 #include "questions/generate/charts.h"
 #include "questions/generate/strata.h"
 
-/* One draw: a body point, a time, and what is there. */
+/* One draw: a body point y, a time, and the solid near y. */
 typedef struct touchpoint {
     graze_context *context;
     const struct graze_generator *g;
     const instant *when;
     instant own; /* set if `when` points to it */
     fmpq *y;
-    dependence at;  /* the surfaces that matter at y */
+    dependence at;  /* the surfaces on whose signs the solid near y depends */
     int isolated;   /* a singular point of an intersection */
     int kind;       /* dimension of the cell of y; -1: y is not on the boundary */
-    size_t surface; /* one that matters at y */
+    size_t surface; /* one of the surfaces of `at` */
     fmpz *form;     /* its tangent plane, positive outside; all 0 at an apex */
     graze_sample *made;
 } touchpoint;
@@ -82,8 +83,8 @@ static void tangent_plane(fmpz *form, const csg_surface *s, const fmpq *y, int d
     _fmpq_vec_get_fmpz_vec_fmpz(form, common, plane, d + 1);
 }
 
-/* Draw a piece and a rational time in it at which the normal velocity of y, on a surface, is zero;
- * 0 if there is none. */
+/* Draw a piece and a rational time in it at which y, a point of the surface, has normal velocity
+ * zero; returns 0 if the piece has none. */
 static int draw_time(touchpoint *p, size_t surface, random_stream *r) {
     const graze_scene *scene = p->g->scene;
     size_t piece = random_below(r, scene->motion->piece_count);
@@ -99,8 +100,8 @@ static int draw_time(touchpoint *p, size_t surface, random_stream *r) {
     return found > 0;
 }
 
-/* Draw a point of a surface and a time at which its normal velocity is zero: by half a point of the
- * atlas's touches, which have their times, else a point of a face and then a time. */
+/* Draw a point of a surface and a time at which its normal velocity is zero: with probability 1/2 a
+ * point of the atlas's touches, which have their times, else a point of a face and then a time. */
 static int draw_tangency(touchpoint *p, random_stream *r) {
     const chart *from;
     const atlas *a = p->g->atlas;
@@ -146,7 +147,7 @@ static int draw_touch(touchpoint *p, graze_stratum stratum, random_stream *r) {
     }
 }
 
-/* Find the surfaces through y on whose signs it depends what is inside near y. */
+/* Find the surfaces through y on whose signs the solid near y depends. */
 static graze_status find_dependence(touchpoint *p) {
     const csg *solid = p->g->atlas->solid;
     int d = solid->dimension;
@@ -203,8 +204,8 @@ static int kind_fits(graze_stratum stratum, int kind, int d) {
     }
 }
 
-/* Choose one of the surfaces, and turn its tangent plane outwards: to the side of the surface that
- * is outside under the first signs of the others with which its two sides differ. */
+/* Choose one of the surfaces and turn its tangent plane outwards. The outer side is found for the
+ * first signs of the other surfaces under which the two sides of this one differ. */
 static void choose_surface(touchpoint *p, random_stream *r) {
     int k = (int)random_below(r, (size_t)p->at.count), facing = 0;
     const csg *solid = p->g->atlas->solid;
@@ -229,7 +230,7 @@ static graze_status order_of_contact(int *order, const touchpoint *p, const fmpq
     return GRAZE_OK;
 }
 
-/* The sign of a time of contact minus that of the instant. */
+/* The sign of the difference: a contact's time minus the time of the instant. */
 static graze_status compare_times(int *out, const touchpoint *p, graze_time *time) {
     HELD(algebraic, u);
     algebraic_set_rational(&u, p->when->u);
@@ -241,7 +242,8 @@ static graze_status compare_times(int *out, const touchpoint *p, graze_time *tim
     return GRAZE_OK;
 }
 
-/* The contact's primitive that has the surface; the number of primitives if none has it. */
+/* The primitive that has the surface and is a cell of the contact; the number of primitives if
+ * there is none. */
 static size_t touched_primitive(const touchpoint *p, const contact *c) {
     const csg *solid = p->g->atlas->solid;
     for (size_t n = 0; n < solid->node_count; n++)
@@ -253,8 +255,8 @@ static size_t touched_primitive(const touchpoint *p, const contact *c) {
     return solid->primitive_count;
 }
 
-/* Trace the point: does it have a contact with a primitive of the surface at the time, and no state
- * that is undecided? */
+/* Trace the point: does it have a contact with a primitive of the surface at the time of the draw,
+ * and a decided answer? */
 static graze_status confirm(int *made, sample *out, const touchpoint *p) {
     graze_trace trace;
     graze_status status = GRAZE_OK;

@@ -41,7 +41,7 @@ void flat_point(fmpq *out, const flat *f, const fmpq *s) {
     }
 }
 
-/* The coefficient of parameter j, or with j = -1 the constant. */
+/* The coefficient of parameter j in a linear polynomial; the constant if j = -1. */
 static void linear_coefficient(fmpq_t out, const fmpq_mpoly_t linear, int j,
                                const fmpq_mpoly_ctx_t ring) {
     ulong power[3] = {0, 0, 0};
@@ -50,7 +50,7 @@ static void linear_coefficient(fmpq_t out, const fmpq_mpoly_t linear, int j,
     fmpq_mpoly_get_coeff_fmpq_ui(out, linear, power, ring);
 }
 
-/* The parameter whose coefficient is the largest. */
+/* The parameter whose coefficient has the largest absolute value. */
 static int find_pivot(const fmpq *h, int count) {
     int pivot = 0;
     LOCAL_VEC(fmpq, size, 2);
@@ -76,7 +76,7 @@ void flat_coordinates(fmpq_mpoly_struct *const *out, const flat *f, const fmpq_m
     }
 }
 
-/* With s_pivot = -(constant + sum h_j s_j) / h_pivot the others are the parameters. */
+/* The equation gives s_pivot = -(constant + sum h_j s_j) / h_pivot; the other parameters remain. */
 void flat_cut(flat *f, const fmpq_mpoly_t linear, const fmpq_mpoly_ctx_t ring) {
     LOCAL_VEC(fmpq, h, 4);
     fmpq *constant = h + 3;

@@ -12,14 +12,16 @@
 #include "questions/generate/charts.h"
 #include "questions/generate/strata.h"
 
-/* Times drawn from, tries for one row, and rows tried before a stratum is given up. */
+/* INSTANTS is the number of times, at multiples of 2^-TIME_BITS of a piece; TRIES is the number of
+ * tries for a stratum in one row; after TRIAL_ROWS trial rows without a point a stratum is given
+ * up. */
 enum { INSTANTS = 512, TIME_BITS = 10, TRIES = 200, TRIAL_ROWS = 24 };
 
-/* Rows of trials and of times: streams that no row of the table has. */
+/* Random streams of the trials and of the times; no row of a table uses them. */
 static const uint64_t TRIAL_STREAM = UINT64_C(1) << 63, TIME_STREAM = UINT64_C(3) << 62;
 
-/* Times at random multiples of 2^-10 inside random pieces; the first ones simple, so that even few
- * tries meet simple points. */
+/* Make times at random multiples of 2^-10 inside random pieces. The first eighth are multiples of
+ * 1/4, so that even few tries find points with short coordinates. */
 static graze_status make_instants(struct graze_generator *g, graze_context *context) {
     g->instants = malloc(INSTANTS * sizeof *g->instants);
     if (!g->instants)
@@ -42,7 +44,7 @@ static graze_status make_instants(struct graze_generator *g, graze_context *cont
     return GRAZE_OK;
 }
 
-/* The start of every piece, and the end of the last. */
+/* List the start of every piece, and the end of the last one. */
 static graze_status list_joints(struct graze_generator *g, graze_context *context) {
     size_t pieces = g->scene->motion->piece_count;
     g->joints = malloc((pieces + 1) * sizeof *g->joints);
@@ -56,7 +58,8 @@ static graze_status list_joints(struct graze_generator *g, graze_context *contex
     return GRAZE_OK;
 }
 
-/* Drop a point that has no answer; contacts that stay where they are have one. */
+/* Drop a point that has no answer. Contacts that are not displaced were traced before and have one.
+ */
 static graze_status keep_decided(int *made, sample *out, graze_context *context,
                                  const struct graze_generator *g) {
     graze_verdict found = {.pmc = GRAZE_PMC_NONE};
@@ -173,8 +176,8 @@ static graze_stratum draw_stratum(const struct graze_generator *g, random_stream
     return (graze_stratum)stratum;
 }
 
-/* Where a stratum makes no point for this row, another one is drawn; one of them made one in a
- * trial.
+/* If the stratum that is drawn makes no point for this row, a stratum is drawn again; the loop
+ * ends, as each stratum with a weight made a point in a trial.
  */
 graze_status generator_sample(sample *out, graze_context *context, const struct graze_generator *g,
                               uint64_t row) {

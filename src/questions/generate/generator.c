@@ -1,4 +1,4 @@
-/* Samples, and the points and orders that are wanted.
+/* Names of strata, samples, and tests of the points and orders that a stratum takes.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/generate/generate.h"
@@ -82,7 +82,7 @@ int stratum_takes_order(graze_stratum stratum, int order) {
     }
 }
 
-/* A binary64 number, and not at the ends of the exponent's range. */
+/* Is x a binary64 number that is not near the ends of the exponent's range? */
 static int is_double(const fmpq_t x) {
     const fmpz *p = fmpq_numref(x), *q = fmpq_denref(x);
     if (fmpz_is_zero(p))

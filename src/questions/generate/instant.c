@@ -11,7 +11,8 @@
 #include "input/motion/motion.h"
 #include "questions/generate/strata.h"
 
-/* The derivative of p of an order at a / b, times b^degree: b[n] is b^n. */
+/* The derivative of p of the given order at a / b, times a power of the denominator; b[n] is the
+ * n-th power of it. */
 static void evaluate(fmpz_t out, const fmpz_poly_struct *p, const fmpz_t a, const fmpz *b,
                      slong degree, slong order) {
     LOCAL(fmpz, c);
@@ -25,7 +26,8 @@ static void evaluate(fmpz_t out, const fmpz_poly_struct *p, const fmpz_t a, cons
     }
 }
 
-/* The derivative of a point map of an order at a / b, its weight's row last, times a power of b. */
+/* The derivative of a point map of the given order at u, times a power of u's denominator; the
+ * weight's row is last. */
 static void evaluate_rows(fmpz *out, const point_map *map, const fmpq_t u, slong order) {
     int d = map->dimension, entries = d * (d + 1);
     slong degree = fmpz_poly_degree(map->weight);
@@ -52,7 +54,7 @@ static void multiply(fmpz *out, const fmpz *a, const fmpz *b, int size) {
         }
 }
 
-/* The derivatives of the tracing map times the placing map. */
+/* Set `carried`: the derivatives of the tracing map times the placing map. */
 static void carry(instant *i, const point_map *tracing, const point_map *placing) {
     int size = i->dimension + 1;
     LOCAL_VEC(fmpz, place, size * size);
@@ -65,7 +67,8 @@ static void carry(instant *i, const point_map *tracing, const point_map *placing
     }
 }
 
-/* Numbers as doubles, scaled by one power of 2; 0 if one of them is too small beside another. */
+/* Set doubles to the numbers, all scaled by one power of 2; returns 0 if a number is too small
+ * beside the largest. */
 static int scale_to_doubles(double *out, const fmpz *numbers, int count) {
     slong largest = 0, exponent;
     for (int k = 0; k < count; k++)

@@ -1,5 +1,5 @@
-/* Displaces contacts by a length of the decade that is drawn, and asks the distance itself whether
- * the point is where it should be.
+/* Displaces contacts by a length in the decade that is drawn, and computes the signed distance to
+ * see whether the displaced point lies in the decade.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/generate/generate.h"
@@ -14,11 +14,13 @@
 #include "questions/distance/distance.h"
 #include "questions/generate/strata.h"
 
-/* Lengths are 1 + 8 (j / 64)^2 times the power of ten; places are multiples of a power of two that
- * is at most 2^-15 of the length; the enclosure is as narrow as 2^-8 of it. */
+/* Lengths are 1 + 8 (j / 64)^2 times the power of ten; coordinates are multiples of a power of two
+ * that is at most 2^-15 of the length; the enclosure of the distance is no wider than 2^-8 of the
+ * length. */
 enum { STEPS = 64, PLACE_BITS = 16, WIDTH_BITS = 8 };
 
-/* Decades from the diagonal's down that are looked for, and tries for one. */
+/* The number of decades below that of the diagonal that are searched, and the number of tries for
+ * one level. */
 enum { DECADES_DOWN = 9, LEVEL_TRIES = 150 };
 
 /* 10^decade */
@@ -31,7 +33,7 @@ static void power_of_ten(fmpq_t out, int decade) {
         fmpq_inv(out, out);
 }
 
-/* A length in the decade, small ones more often. */
+/* Draw a length in the decade; small ones are drawn more often. */
 static graze_status draw_length(double *out, graze_context *context, int decade, random_stream *r) {
     slong j = 1 + (slong)random_below(r, STEPS - 1);
     LOCAL_VEC(fmpq, length, 2);
@@ -64,7 +66,8 @@ static void round_to_places(fmpq_t x, long places) {
         fmpq_mul_2exp(x, x, (ulong)-places);
 }
 
-/* Move a point by a length along a direction, near enough: the distance is asked afterwards. */
+/* Move a point by about `length` along a direction and round it; the distance is computed
+ * afterwards. */
 static graze_status move_along(fmpq *point, graze_context *context, const fmpq *normal, int d,
                                double length) {
     double n[3] = {0, 0, 0}, size = 0;
@@ -88,7 +91,7 @@ static graze_status move_along(fmpq *point, graze_context *context, const fmpq *
     return GRAZE_OK;
 }
 
-/* Trace a point; with a positive length enclose its distance too, to 2^-8 of the length. */
+/* Trace a point; if `length` is positive, enclose its distance too, to 2^-8 of `length`. */
 static graze_status measure(graze_pmc *pmc, distance *found, graze_context *context,
                             const graze_scene *scene, const fmpq *point, double length) {
     graze_trace trace;
@@ -114,8 +117,8 @@ static int is_in_decade(const distance *found, graze_context *context, int decad
            fmpq_cmp(greatest, to) < 0;
 }
 
-/* Displace the point of a contact: is it `on`, and is the displaced point on the side that is
- * wanted, certainly in the decade? */
+/* Displace the point of a contact. *made becomes 1 if the contact is `on`, and the displaced point
+ * is on the wanted side and certainly in the decade. */
 static graze_status place_beside(int *made, sample *out, graze_context *context,
                                  const struct graze_generator *g, const fmpq *normal, level where,
                                  random_stream *r) {
@@ -180,7 +183,7 @@ graze_status levels_find(struct graze_generator *g, graze_context *context) {
         for (int outward = 0; outward < 2; outward++) {
             level where = {top - k, outward};
             if (outward && !deepest)
-                continue; /* no point lies that deep */
+                continue; /* no `in` point is found in this or a larger decade */
             TRY(look_for(&found, context, g, where, &r));
             deepest |= found && !outward;
             if (found)

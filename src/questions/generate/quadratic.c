@@ -1,4 +1,4 @@
-/* Zeros on lines whose discriminant is a square.
+/* Finds rational zeros on lines: where the discriminant is a square.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/generate/generate.h"
@@ -9,8 +9,9 @@
 #include "base/number/vector.h"
 #include "questions/generate/charts.h"
 
-/* The numbers of a quadratic; the largest components of directions, in two variables and in three;
- * places beside the centre, on an axis at up to 16 eighths. */
+/* NUMBERS of a quadratic's array; REACH_PLANE and REACH_SPACE, the largest components of directions
+ * in two and three variables; places beside the centre lie on an axis at up to BESIDE eighths (1 /
+ * PARTS) on both sides. */
 enum { NUMBERS = 16, REACH_PLANE = 8, REACH_SPACE = 4, BESIDE = 16, PARTS = 8 };
 
 void quadratic_init(quadratic *q) {
@@ -57,7 +58,7 @@ static void apply_form(fmpq *out, const quadratic *q, const fmpq *v) {
         _fmpq_vec_dot(out + i, q->form + 3 * i, v, q->count);
 }
 
-/* Start from start + v. */
+/* Move the start to start + v. */
 static void move_start(quadratic *q, const fmpq *v) {
     LOCAL_VEC(fmpq, image, 4);
     apply_form(image, q, v);
@@ -69,7 +70,7 @@ static void move_start(quadratic *q, const fmpq *v) {
     }
 }
 
-/* Move the start by v with slope + 2 form v = 0. */
+/* The start moves by the v that solves slope + 2 form v = 0. */
 int quadratic_center(quadratic *q) {
     LOCAL(fmpq_mat, form, q->count, q->count);
     LOCAL(fmpq_mat, slope, q->count, 1);
@@ -97,7 +98,8 @@ static void restrict_to_line(fmpq *square, fmpq *first, const quadratic *q, cons
     _fmpq_vec_dot(first, q->slope, v, q->count);
 }
 
-/* A rational root of a x^2 + b x + value, in x[2]; x has room for 4 numbers. */
+/* Set x[2] to a rational root of a x^2 + b x + value, the polynomial at start + x v; returns 0
+ * without one. x has room for 4 numbers. */
 static int root_on_line(fmpq *x, const quadratic *q, const fmpq *v) {
     fmpq *a = x, *b = x + 1, *root = x + 2;
     restrict_to_line(a, b, q, v);
@@ -122,7 +124,8 @@ static int root_on_line(fmpq *x, const quadratic *q, const fmpq *v) {
     return 1;
 }
 
-/* Start from a zero on the line through the start along v, if one is found that has a gradient. */
+/* Move the start to a zero on the line through the start along v, if a zero is found there whose
+ * gradient is not zero. */
 static int take_zero_along(quadratic *q, const fmpq *v) {
     LOCAL_VEC(fmpq, x, 7);
     fmpq *step = x + 4;
@@ -140,7 +143,8 @@ static int take_zero_along(quadratic *q, const fmpq *v) {
     return found;
 }
 
-/* Try the lines along directions of small integers; the last of these that is not zero is positive.
+/* Try the lines through the start along directions of small integers, of v and -v only one: that
+ * whose last component that is not zero is positive.
  */
 static int search_lines(quadratic *q, int reach) {
     LOCAL_VEC(fmpq, v, 3);
@@ -155,7 +159,7 @@ static int search_lines(quadratic *q, int reach) {
     return found;
 }
 
-/* Try the lines along axes through places that lie on another axis beside the start. */
+/* Try lines parallel to an axis through places beside the start on another axis. */
 static int search_beside(quadratic *q) {
     LOCAL_VEC(fmpq, v, 3);
     int found = 0;
@@ -183,7 +187,8 @@ int quadratic_find_zero(quadratic *q) {
     return search_lines(q, q->count == 2 ? REACH_PLANE : REACH_SPACE) || search_beside(q);
 }
 
-/* The axis of a cylinder: the direction that the form maps to 0. */
+/* Find the axis of a cylinder: the direction that the form maps to 0, and along which the slope is
+ * 0. */
 static int cylinder_axis(fmpq *out, const quadratic *q) {
     LOCAL_VEC(fmpq, image, 4);
     int found = 0;

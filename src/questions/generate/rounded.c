@@ -9,13 +9,15 @@
 #include "decide/verdict/verdict.h"
 #include "questions/generate/strata.h"
 
-/* Doubles on both sides of the coordinates of a point; the same one twice stays as it is. */
+/* Doubles on both sides of each coordinate of a point; low[i] equals high[i] for a coordinate that
+ * stays as it is. */
 typedef struct neighbours {
-    int d, moved; /* moved: coordinates that have two of them */
+    int d, moved; /* moved: number of coordinates with low[i] < high[i] */
     double low[3], high[3];
 } neighbours;
 
-/* Half an ulp of a point's largest coordinate, or of 1: how far from 0 the neighbours of 0 are. */
+/* The distance from 0 of the neighbours of a coordinate 0: 2^-53 times the point's largest
+ * coordinate, or 2^-53 at the origin. */
 static double step_from_zero(const double *nearest, int d) {
     double largest = 0;
     for (int i = 0; i < d; i++)
@@ -23,7 +25,8 @@ static double step_from_zero(const double *nearest, int d) {
     return (largest > 0 ? largest : 1) * (DBL_EPSILON / 2);
 }
 
-/* The neighbours of one coordinate; of a double that is to stay the double itself. */
+/* Set the neighbours of one coordinate; both are the coordinate itself if it is a double that
+ * `stays`. */
 static graze_status find_neighbours(neighbours *out, int i, graze_context *context, const fmpq_t x,
                                     double nearest, double step, int stays) {
     LOCAL(fmpq, rounded);
@@ -51,7 +54,7 @@ static graze_status point_neighbours(neighbours *out, graze_context *context, co
     return GRAZE_OK;
 }
 
-/* Set a point to the neighbours that `choice` tells: bit i is the number of coordinate i's. */
+/* Set coordinate i of a point to high[i] if bit i of `choice` is 1, else to low[i]. */
 static graze_status choose_neighbours(fmpq *point, graze_context *context, const neighbours *n,
                                       size_t choice) {
     for (int i = 0; i < n->d; i++)
@@ -59,8 +62,8 @@ static graze_status choose_neighbours(fmpq *point, graze_context *context, const
     return GRAZE_OK;
 }
 
-/* Go through the choices from a random one on until the answer is the one wanted; without it the
- * last one is kept. */
+/* Go through the choices from a random one on until the point is on the wanted side; if none is,
+ * the last choice is kept. */
 static graze_status take_side(sample *out, graze_context *context, const struct graze_generator *g,
                               const neighbours *n, random_stream *r) {
     size_t choices = (size_t)1 << n->d, first = random_below(r, choices);

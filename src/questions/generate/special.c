@@ -1,4 +1,5 @@
-/* Normal velocities as polynomials in time, at the vertices of one simplex per plane.
+/* Finds times at which the normal velocity is zero at all vertices of a simplex, one simplex a
+ * plane, by polynomials in time.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/generate/generate.h"
@@ -16,7 +17,8 @@
 #include "input/validate/validate.h"
 #include "questions/generate/strata.h"
 
-/* Planes times pieces looked at, and special instants kept. */
+/* The most pairs of a plane and a piece that are searched, and the most special instants that are
+ * kept. */
 enum { MOST_PAIRS = 4000, MOST_SPECIALS = 512 };
 
 void special_velocity(fmpz_poly_t out, const graze_scene *scene, size_t piece, const fmpz *form,
@@ -70,7 +72,8 @@ int special_roots(fmpq *out, const fmpz_poly_t p) {
     return count;
 }
 
-/* The rational roots of g, the common part of the vertices' normal velocities. */
+/* Append the rational roots in (0, 1) of g, the greatest common divisor of the vertices' normal
+ * velocities. */
 static graze_status append_common_roots(specials *out, graze_context *context,
                                         const graze_scene *scene, size_t piece, size_t simplex,
                                         const fmpz_poly_t g) {
@@ -99,7 +102,7 @@ static graze_status look_at(specials *out, graze_context *context, const graze_s
     return GRAZE_OK;
 }
 
-/* The first simplex of every plane, in the order of the simplices. */
+/* Search the first simplex of each plane, in the order of the simplices. */
 static graze_status look_at_planes(specials *out, graze_context *context, const graze_scene *scene,
                                    const plane_list *planes, uint32_t *plane_from) {
     size_t pieces = scene->motion->piece_count, seen = 0;

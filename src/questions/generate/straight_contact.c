@@ -14,14 +14,14 @@
 #include "input/validate/validate.h"
 #include "questions/generate/strata.h"
 
-/* Weights of points are multiples of 1/256. */
+/* Barycentric weights of points are multiples of 1/256. */
 enum { PARTS = 256 };
 
 /* One draw: where and when a body point touches. */
 typedef struct touchpoint {
     const instant *when;
     size_t simplex;
-    unsigned zero; /* the sides it lies on */
+    unsigned zero; /* bits of the simplex's sides on which y lies */
     fmpq *y;
 } touchpoint;
 
@@ -31,7 +31,7 @@ static const fmpq *simplex_corner(const struct graze_generator *g, size_t simple
            solid->cut.item[simplex].vertex[k] * (size_t)solid->input.dimension;
 }
 
-/* y = sum of weight[k] corner k, over `total`. */
+/* y = the sum of weight[k] times corner k of the simplex; the weights have the sum 1. */
 static void combine(fmpq *y, const struct graze_generator *g, size_t simplex, const fmpq *weight) {
     int d = g->scene->solid->input.dimension;
     for (int i = 0; i < d; i++) {
@@ -41,9 +41,9 @@ static void combine(fmpq *y, const struct graze_generator *g, size_t simplex, co
     }
 }
 
-/* A body point in the relative interior of a simplex, of one of its input edges, or at a corner.
- * Only `dimension` - 1 and less make sense for `cell_dimension`. Returns 0 where the side drawn is
- * no edge of the input. */
+/* Draw a body point in the relative interior of a simplex, of one of its input edges, or at a
+ * corner, as `cell_dimension` says, which is at most d - 1. Returns 0 if the side drawn is no edge
+ * of the input. */
 static int draw_on_cell(touchpoint *p, const struct graze_generator *g, random_stream *r,
                         int cell_dimension) {
     const graze_solid *solid = g->scene->solid;
@@ -75,8 +75,8 @@ static int draw_on_cell(touchpoint *p, const struct graze_generator *g, random_s
     return 1;
 }
 
-/* Derivative of order k of the plane's pullback for the body point at each corner, times a positive
- * number that is the same for all: affine over the simplex. */
+/* The derivatives of order k of the plane's pullback for the body points at the corners, times one
+ * positive number. The derivative is affine over the simplex. */
 static void corner_pullbacks(fmpq *out, const touchpoint *p, const struct graze_generator *g,
                              int k) {
     int d = p->when->dimension;
@@ -94,13 +94,13 @@ static void corner_pullbacks(fmpq *out, const touchpoint *p, const struct graze_
     }
 }
 
-/* A place between the ends of a line, in parts. */
+/* Draw a place between the ends of a segment, in 256ths. */
 static slong draw_place(random_stream *r) {
     return 1 + (slong)random_below(r, PARTS - 1);
 }
 
-/* A point where the affine function with these corner values vanishes, strictly inside the simplex:
- * between two points of its sides, at a random place. */
+/* Draw a point strictly inside the simplex where the affine function with these corner values
+ * vanishes: in E^3 between two zeros on its sides, at a random place. */
 static int draw_on_line(touchpoint *p, const struct graze_generator *g, random_stream *r,
                         const fmpq *value) {
     int d = p->when->dimension, found = 0;
@@ -131,8 +131,8 @@ static int draw_on_line(touchpoint *p, const struct graze_generator *g, random_s
     return enough;
 }
 
-/* The one point of a triangle where two affine functions vanish, if it lies strictly inside: its
- * weights are the cross product of their corner values. */
+/* Find the point where two affine functions vanish; returns 0 unless it lies strictly inside the
+ * triangle. Its weights are the cross product of the functions' corner values. */
 static int draw_on_point(touchpoint *p, const struct graze_generator *g, const fmpq *f,
                          const fmpq *h) {
     LOCAL_VEC(fmpq, weight, 3);
@@ -166,14 +166,15 @@ static int order_at(const struct graze_generator *g, const touchpoint *p, const 
     return order_of_root(f, p->when->u);
 }
 
-/* Draw a point of a face that is in contact at all of its points at one time or, if `slides`,
- * during a whole piece. */
+/* Draw a point of a simplex all of whose points are in contact at one time or, if `slides`, during
+ * a whole piece; returns 0 if the special that is drawn is of the other kind. */
 static int draw_special(touchpoint *p, const struct graze_generator *g, random_stream *r,
                         int slides) {
     if (g->special.count == 0)
         return 0;
     const special *s = &g->special.item[random_below(r, g->special.count)];
-    /* A slide is entered at any time of its piece. */
+    /* The list has a slide at one time of its piece, u = 1/2, though it lasts all along the piece.
+     */
     if (s->slides != slides)
         return 0;
     p->simplex = s->simplex;
@@ -202,14 +203,14 @@ static int draw_tangent(touchpoint *p, const struct graze_generator *g, random_s
     return drawn;
 }
 
-/* Cells of all dimensions, faces most often. */
+/* Draw a point of a cell of any dimension, of a face most often. */
 static int draw_anywhere(touchpoint *p, const struct graze_generator *g, random_stream *r) {
     int d = g->scene->motion->dimension;
     size_t choice = random_below(r, 4);
     return draw_on_cell(p, g, r, choice < 2 ? d - 1 : choice == 2 && d == 3 ? 1 : 0);
 }
 
-/* A time and a body point for a stratum of contacts. */
+/* Draw a time and a body point for a stratum of contacts. */
 static int draw_contact(touchpoint *p, const struct graze_generator *g, graze_stratum stratum,
                         random_stream *r) {
     int d = g->scene->motion->dimension;

@@ -8,7 +8,8 @@
 #include "questions/generate/charts.h"
 #include "questions/generate/strata.h"
 
-/* Random points are multiples of 1/2^20 of the box. */
+/* Coordinates of random points are multiples of 2^-20 of the box's sides. Displacements are 2^-k, k
+ * = LEAST + STEP j with j < STEPS; STEP is 1 for `near`. */
 enum {
     BOX_BITS = 20,
     MISS_LEAST = 8,
@@ -18,8 +19,8 @@ enum {
     NEAR_STEPS = 8
 };
 
-/* Displace by 2^-k along the outward normal, scaled to largest coordinate 1; among doubles along
- * the axis of that coordinate. */
+/* Displace by 2^-k along the outward normal, scaled so that its largest coordinate is 1 in size; if
+ * only doubles are made, along the axis of that coordinate alone. */
 static void displace(sample *s, const struct graze_generator *g, const fmpq *normal, int outward,
                      int k) {
     int d = g->scene->motion->dimension, widest = 0;
@@ -63,7 +64,7 @@ graze_status stratum_contact(int *made, sample *out, fmpq *normal, graze_context
     return GRAZE_OK;
 }
 
-/* A contact of a stratum, and displaced by 2^-k where k is not 0. */
+/* Try once for a contact of a stratum, displaced by 2^-k to a random side if k is not 0. */
 static graze_status try_contact(int *made, sample *out, graze_context *context,
                                 const struct graze_generator *g, graze_stratum stratum,
                                 random_stream *r, int k) {

@@ -11,12 +11,12 @@
 #include "input/validate/validate.h"
 #include "questions/generate/generate.h"
 
-/* One rational time of a motion with what is needed to make contacts at it: where body points are,
- * and how fast they leave their facets.
+/* One rational time of a motion with the data for making contacts at that time: where body points
+ * are, and how fast they leave their facets.
  *
  * For a point P and a facet's plane form n, F(u) = n . (X, W)(u) is the pullback along P's
- * trajectory. At a fixed u it and its derivatives are affine in P, so in the body point y with P =
- * M(u) y: F(u) = 0 for y on the facet, and F'(u) = 0 there says that the normal velocity of y
+ * trajectory. At a fixed u, F and its derivatives are affine in P, so also in the body point y with
+ * P = M(u) y: F(u) = 0 for y on the facet, and F'(u) = 0 there says that the normal velocity of y
  * vanishes. */
 
 void instant_init(instant *i, const graze_scene *scene, size_t piece, const fmpq_t u);
@@ -33,82 +33,87 @@ void instant_move(fmpq *out, const instant *i, const fmpq *y);
  */
 void instant_pullback(fmpz *out, const instant *i, const fmpz *form, int k);
 
-/** The gradient by P of the pullback of a plane form, times a positive number: an outward normal of
- * the moved facet if the form is positive outside. */
+/** The gradient by P of the pullback of a plane form, times a positive number. If the form is
+ * positive outside, the gradient is an outward normal of the moved facet. */
 void instant_normal(fmpq *out, const instant *i, const fmpz *form);
 
-/* Facets in contact at all of their points at one time, which a search at sampled times would miss.
+/* Facets all of whose points are in contact at one time; a search at sampled times would miss that
+ * time.
  */
 
-/** Look for such facets among the planes of the solid: all planes, or if there are too many,
- * planes evenly spread among them. Facets whose time is irrational are not found.
+/** Look for such facets among the planes of the solid: all planes, or if there are too many, planes
+ * evenly spread among them. Facets whose time of contact is irrational are not found.
  */
 graze_status specials_find(specials *out, graze_context *context, const graze_scene *scene);
 void specials_clear(specials *list);
 
-/** The derivative by u of the pullback of a plane form along the trajectory of P = M(u) y, at u
- * itself: zero where the normal velocity of y is zero. */
+/** The derivative by u of the pullback of a plane form along the trajectory of the point P that is
+ * M(u) y at this same u, as a polynomial in u: zero where the normal velocity of y is zero. */
 void special_velocity(fmpz_poly_t out, const graze_scene *scene, size_t piece, const fmpz *form,
                       const fmpq *y);
 
-/** Find the rational roots of a polynomial in (0, 1), at most SPECIAL_ROOTS; returns their number.
+/** Find the rational roots in (0, 1) of a polynomial and return their number; 0 if its degree is
+ * above SPECIAL_ROOTS.
  */
 enum { SPECIAL_ROOTS = 40 };
 int special_roots(fmpq *out, const fmpz_poly_t p);
 
-/** A time for a contact of a stratum; NULL if there is none. */
+/** Draw a time for a contact of a stratum; NULL if the motion has none. */
 const instant *stratum_instant(const struct graze_generator *g, graze_stratum stratum,
                                random_stream *r);
 
-/** The order of a contact by its pullback, at the time u: the multiplicity of the root, or that of
- * a slide. f is differentiated. */
+/** The order of a contact at u, from its pullback f: the multiplicity of the root u, or
+ * GRAZE_ORDER_SLIDE if f is zero. f is overwritten by its derivatives. */
 int order_of_root(fmpz_poly_t f, const fmpq_t u);
 
-/** Whether a contact of this order belongs to the stratum. */
+/** Does a contact of this order belong to the stratum? */
 int stratum_takes_order(graze_stratum stratum, int order);
 
-/** 0 if the generator keeps to points whose coordinates are doubles, and this point is none. */
+/** 0 if the generator makes only points whose coordinates are doubles and this point is not one. */
 int sample_is_kept(const sample *s, const struct graze_generator *g);
 
 /* Query points of one stratum. */
 
-/** The stream that the search for levels draws from: no row of a table has it. */
+/** The random stream of the search for levels; no row of a table uses it. */
 #define LEVEL_STREAM (UINT64_C(5) << 61)
 
 /** Try once for a contact of a stratum.
  * @param[out] made 0 if this try made none
  * @param[out] normal d rationals, an outward normal of the moved facet; may be NULL
- * @return of a polyhedron GRAZE_OK; else GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM */
+ * @return GRAZE_OK for a polyhedron; for a curved solid also GRAZE_ELIMIT, GRAZE_ECANCELED,
+ * GRAZE_ESYSTEM */
 graze_status stratum_contact(int *made, sample *out, fmpq *normal, graze_context *context,
                              const struct graze_generator *g, graze_stratum stratum,
                              random_stream *r);
 
-/** Try once for a point of a stratum but `level` and `rounded`; as stratum_contact. */
+/** Try once for a point of any stratum except `level` and `rounded`; `made` and status as in
+ * stratum_contact. */
 graze_status stratum_try(int *made, sample *out, graze_context *context,
                          const struct graze_generator *g, graze_stratum stratum, random_stream *r);
 
 /* Query points whose signed distance lies in a stated decade, on a stated side. */
 
 /**
- * Find the decades of |s| that the scene has points of, on each side: those of `in` points from the
- * largest down to 1e-9 of the diagonal, and the same ones of `out` points. Those among them that no
- * try finds are the missing ones.
- * @return GRAZE_ELIMIT the scene is beyond what distances are computed for; GRAZE_ECANCELED,
+ * Find the levels of the scene: from the largest decade of |s| in which an `in` point is found down
+ * to 1e-9 of the diagonal, on both sides. Levels among these in which no try finds a point become
+ * the missing ones.
+ * @return GRAZE_ELIMIT the scene is too large for computing distances; GRAZE_ECANCELED,
  * GRAZE_ESYSTEM
  */
 graze_status levels_find(struct graze_generator *g, graze_context *context);
 
 /** Try once for a point of one of the generator's levels: the point of a contact, displaced along
- * the normal, whose enclosure of s lies in the decade. *made is 0 if this try made none. */
+ * the normal, such that an enclosure of its s lies in the decade. *made is 0 if this try made none.
+ */
 graze_status level_try(int *made, sample *out, graze_context *context,
                        const struct graze_generator *g, random_stream *r);
 
 /* Query points within an ulp of a contact. */
 
-/** Try once for a point whose coordinates are doubles next to those of a contact's point: for a
- * coordinate that is no double one of its two neighbours, for a double itself or the double before
- * or behind it. Among such points one on a side that is drawn, inside or outside, is taken, if
- * there is one; the sample has its exact answer.
+/** Try once for a point whose coordinates are doubles next to the coordinates of a contact. A
+ * coordinate that is no double becomes one of its two neighbours; a double stays or becomes the
+ * double before or after it. Among these points one on a randomly drawn side, inside or outside, is
+ * taken if there is one, else any; `pmc` of the sample is the exact answer.
  * @param[out] made 0 if this try made none
  * @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM, GRAZE_EINTERNAL
  */
@@ -117,16 +122,17 @@ graze_status rounded_try(int *made, sample *out, graze_context *context,
 
 /* Query points that touch a polyhedron or a polygon. */
 
-/** As stratum_contact, which is 0 if this try made none. */
+/** Try once for a contact of a stratum as in stratum_contact; 0 if this try made none. */
 int straight_contact(sample *out, fmpq *normal, const struct graze_generator *g,
                      graze_stratum stratum, random_stream *r);
 
 /* Normal velocities of a simplex's corners at an instant, in doubles. */
 
 /**
- * Whether the first derivative of the pullback of a simplex's plane certainly has one sign at all
- * its corners, and so nowhere on the simplex the value 0 (proofs/doubles.md C64).
- * @return 0 if it has not, or that is not certain
+ * Is it certain that the first derivative of the pullback of a simplex's plane has one strict sign
+ * at all corners of the simplex, so that it vanishes nowhere on the simplex (proofs/doubles.md
+ * C64)?
+ * @return 0 if the signs differ, or if that is not certain
  */
 int velocity_has_one_sign(const instant *i, const graze_solid *solid, size_t simplex);
 

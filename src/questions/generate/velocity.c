@@ -29,7 +29,7 @@ static approximate carry_corner(const instant *i, int row, const double *corner,
     return out;
 }
 
-/* The velocity of a corner against the plane through the simplex's first corner. */
+/* The normal velocity of a corner against the simplex's plane, through its first corner. */
 static approximate corner_velocity(const instant *i, const normal *n, const double *first,
                                    const double *corner, double error) {
     int d = i->dimension;
