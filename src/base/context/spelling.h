@@ -6,7 +6,7 @@
 
 #include <stddef.h>
 
-/** The least number of steps from `a` to `b`, each of which inserts, deletes or changes a letter or
+/** The least number of steps from `a` to `b`. A step inserts, deletes or changes a letter or
  * exchanges two neighbours. It is 0 if `a` is another program's word for `b`, as angle for degrees,
  * and 31 if a word has more than 31 letters. */
 int near_distance(const char *a, const char *b);

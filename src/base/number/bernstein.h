@@ -1,6 +1,5 @@
-/* Integer polynomials in the Bernstein basis of a dyadic interval. SPDX-License-Identifier:
- * GPL-3.0-or-later
- */
+/* Integer polynomials in the Bernstein basis of a dyadic interval.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_NUMBER_BERNSTEIN_H
 #define GRAZE_NUMBER_BERNSTEIN_H
 

@@ -74,7 +74,7 @@ static pending *push_pending(cluster *c) {
     return &c->stack[c->count++];
 }
 
-/* Compute the coefficients on an interval to so many places that the largest exceeds the error by
+/* Compute the coefficients on an interval to the places at which the largest exceeds the error by
  * SHARPNESS bits and those of the degree. */
 static graze_status sharp_form(local_form *form, const cluster *c, pending *at) {
     graze_status status;

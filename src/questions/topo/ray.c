@@ -156,7 +156,7 @@ static graze_status stay_below_simplex(ray_maker *m, const candidate *near) {
     LOCAL_VEC(fmpz, form, 2 * (d + 1));
     fmpz *side = form + d + 1;
     LOCAL_VEC(fmpz_poly, part, FORMS * PARTS);
-    ray_form f[FORMS] = {{NULL}};
+    ray_form f[FORMS] = {{.at = NULL}};
     HELD(dyadic_interval, window);
     fmpz_set_ui(window.low, near->from);
     fmpz_set_ui(window.high, near->to);
