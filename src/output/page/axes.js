@@ -1,7 +1,7 @@
 // Axes: round numbers along the sides of a view of the plane, or along edges of a box in space.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** About `count` round numbers from low to high. */
+/** About `wanted` round numbers from low to high. */
 function ticks(low, high, wanted) {
   const rough = (high - low) / Math.max(1, wanted), power = Math.pow(10, Math.floor(Math.log10(rough)));
   const step = [1, 2, 5, 10].map((k) => k * power).find((s) => s >= rough * 0.999);
