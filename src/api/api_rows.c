@@ -12,7 +12,7 @@
 #include "decide/verdict/verdict.h"
 #include "output/report/report.h"
 
-/* Do the columns behind the verdict go with each other and with the form? */
+/* Check that the columns behind the verdict go with each other and with the form of rows. */
 static graze_status check_sets(graze_context *context, const char *function,
                                const graze_row_options *shown) {
     int known = shown->columns == GRAZE_COLUMNS_ALL || shown->columns == GRAZE_COLUMNS_PMC;
@@ -52,7 +52,8 @@ graze_status api_rows(graze_row_options *out, graze_context *context, const char
                       "motion_error must be positive and finite beside a width sdf, or 0");
 }
 
-/* Positions and distances are those of polyhedra; no part of a sweep dangles. */
+/* Refuse positions and distances of curved solids, and `regular` of a sweep, no part of which
+ * dangles. */
 static graze_status check_scene(graze_context *context, const graze_scene *scene,
                                 const graze_row_options *shown) {
     if (shown->topo || shown->regular || shown->sdf > 0)
