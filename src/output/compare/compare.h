@@ -253,10 +253,10 @@ struct graze_comparison {
     matrix confusion;
     int grouped[GROUPING_COUNT]; /* 1: the golden table has the column */
     tally tallies[GROUPING_COUNT];
-    unsigned long met;            /* disagreements met */
-    size_t shown, shown_capacity; /* disagreements kept to be shown, and room for them */
-    size_t shown_alone;           /* those of `shown` that are missing or extra rows */
-    int by_depth;                 /* 1: the deepest wrong rows come first */
+    unsigned long met; /* disagreements met */
+    /* Disagreements kept to be shown, room for them, and how many are missing or extra rows. */
+    size_t shown, shown_capacity, shown_alone;
+    int by_depth; /* 1: the deepest wrong rows come first */
     disagreement *disagreements;
 };
 
