@@ -90,7 +90,7 @@ static graze_status begin_shape(fmpq *at, text *made, graze_context *context, co
     for (int k = 0; k < 3; k++)
         text_init(made + k);
     if (shape->kind > GRAZE_SHAPE_CUTTER)
-        return api_misuse(context, name, "the kind is that of no shape");
+        return api_misuse(context, name, "the kind is not a graze_shape_kind");
     if (box ? !shape->box : !shape->diameter || (!ball && !shape->length))
         return api_misuse(context, name, "a box has three sides, other shapes diameter and length");
     for (int k = 0; k < 3 && shape->at; k++)
