@@ -173,8 +173,8 @@ GRAZE_API GRAZE_CHECKED graze_status graze_curve_row(char **out, graze_context *
                                                      const graze_curve *curve, size_t index);
 
 /** A patch: a cell of the solid over a maximal interval of time in which the cell carries contact
- * and no event concerns it. The cell is a facet, of which a segment of the slice or all is in
- * contact, an edge with a run or a single point, or a vertex. Times are borrowed from the
+ * and no event concerns it. The cell is a facet with a segment of its slice or in contact as a
+ * whole, an edge with a run or a single point, or a vertex. Times are borrowed from the
  * graze_patches. */
 typedef struct graze_patch {
     graze_curve_kind kind;

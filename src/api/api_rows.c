@@ -52,8 +52,8 @@ graze_status api_rows(graze_row_options *out, graze_context *context, const char
                       "motion_error must be positive and finite beside a width sdf, or 0");
 }
 
-/* Refuse positions and distances of curved solids, and `regular` of a sweep, no part of which
- * dangles. */
+/* Refuse positions and distances of curved solids, and `regular` of a sweep, which has no dangling
+ * part. */
 static graze_status check_scene(graze_context *context, const graze_scene *scene,
                                 const graze_row_options *shown) {
     if (shown->topo || shown->regular || shown->sdf > 0)

@@ -15,10 +15,10 @@
 /* Rows of values: binary rows, from which tables with one type for each column are made.
  *
  * A row has, in this order: its coordinates, each the nearest double; codes of 32 bits for pmc,
- * class, definition (0 for ext), case, i and t, as far as the table has these columns; its word, if
- * the table has one; the further columns, if any, as one comma-joined text; the answers behind
- * them, each a double or a word. A text is its length and its bytes. Values are as in memory,
- * without gaps. */
+ * class, definition (0 for ext), case, i and t, for those of these columns that the table has; its
+ * word, if the table has one; the further columns, if any, as one comma-joined text; the answers
+ * behind them, each a double or a word. A text is its length and its bytes. Values are as in
+ * memory, without gaps. */
 
 /** The double nearest to a rational, ties to even. GRAZE_EINPUT: the rational is past binary64. */
 graze_status values_nearest(double *out, graze_context *context, const fmpq_t value);

@@ -37,8 +37,8 @@ int load_takes(const graze_solid *solid, const char *path, const char *what, uns
                     what, words[kinds - 1]);
 }
 
-/* Refuse positions and distances of curved solids, and --regular for a sweep, no part of which
- * dangles. */
+/* Refuse positions and distances of curved solids, and --regular for a sweep, which has no dangling
+ * part. */
 static int check_rows(const graze_solid *solid, const scene_options *o) {
     const char *straight = o->rows.topo      ? "--topo"
                            : o->rows.regular ? "--regular"

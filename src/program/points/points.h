@@ -305,7 +305,7 @@ int distinct_wants(distinct *d, graze_stratum stratum);
 /** Add a point of a stratum; 1 if it differs from all points before it. Points are compared as they
  * are written, by hashes of 64 bits: an equal hash counts as an equal point. */
 int distinct_add(distinct *d, graze_stratum stratum, const char *point, size_t length);
-/** Were so many points in succession repeated ones that further tries are useless? */
+/** Were the last points all repeated ones, enough of them to make further tries useless? */
 int distinct_is_over(const distinct *d);
 void distinct_clear(distinct *d);
 

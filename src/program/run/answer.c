@@ -83,7 +83,7 @@ static graze_status write_answers(answerer *a, row_run *r, size_t n) {
                                     a->texts, task->rows);
 }
 
-/* Write rows of a grid with pmc alone, of which many are decided together. */
+/* Write rows of a grid with pmc alone. Many of its points are decided together. */
 static graze_status write_members(answerer *a, row_run *r, unsigned long first) {
     const row_source *from = &a->task.source;
     struct row_text *table = &r->out[RESULT_TABLE];

@@ -52,8 +52,8 @@ void record_close(record_file *f);
 /* The table or the certificate that a run writes: begun anew, or continued where an earlier run
  * was interrupted.
  *
- * A continued file is passed over as far as its record counts it; the bytes behind are compared
- * with those that this run makes. Nothing in the file changes until its end is reached; an
+ * The bytes of a continued file that its record counts are passed over; the bytes behind are
+ * compared with those that this run makes. Nothing in the file changes until its end is reached; an
  * incomplete last line is written anew. */
 
 typedef struct result {
