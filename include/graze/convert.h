@@ -106,10 +106,9 @@ typedef struct graze_pose_options {
     size_t ignored_count;
     mpq_srcptr scale;    /**< positive factor of positions; NULL: 1 */
     mpq_srcptr from, to; /**< only poses at these times and between; NULL: no such end */
-    unsigned long
-        every;        /**< keep of these poses the first, every `every`-th and the last; 0: all */
-    const char *text; /**< the `length` bytes to read; then `path` is only a name for messages.
-                           NULL: read the file */
+    unsigned long every; /**< keep of these the first, every `every`-th and the last; 0: all */
+    const char *text;    /**< the `length` bytes to read; then `path` is only a name for messages.
+                              NULL: read the file */
     size_t length;
     const char *columns; /**< NAME=COLUMN,...: the file's COLUMN is read as NAME; NULL: columns have
                              the names of the file */

@@ -300,13 +300,12 @@ typedef enum graze_pmc {
 /** Class of a point against a sweep. Zero is never an answer. */
 typedef enum graze_class {
     GRAZE_CLASS_NONE = 0,
-    GRAZE_REGULAR = 1,       /**< Definition 5 */
-    GRAZE_FOLD = 2,          /**< Definition 6 (10) */
-    GRAZE_FOLD_BOUNDARY = 3, /**< Definition 7 (11) */
-    GRAZE_BOUNDARY = 4,      /**< Definition 8 */
-    GRAZE_EXTERIOR = 5,      /**< Definition 9 */
-    GRAZE_CLASS_UNDECIDED =
-        6 /**< a state is not decided; pmc may be decided, other members are 0 */
+    GRAZE_REGULAR = 1,        /**< Definition 5 */
+    GRAZE_FOLD = 2,           /**< Definition 6 (10) */
+    GRAZE_FOLD_BOUNDARY = 3,  /**< Definition 7 (11) */
+    GRAZE_BOUNDARY = 4,       /**< Definition 8 */
+    GRAZE_EXTERIOR = 5,       /**< Definition 9 */
+    GRAZE_CLASS_UNDECIDED = 6 /**< a state is undecided; pmc may be decided, the rest is 0 */
 } graze_class;
 
 /** Answer for one point. */

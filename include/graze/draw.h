@@ -32,7 +32,7 @@ typedef struct graze_draw_options {
     size_t point_count;       /**< number of points whose trajectories are drawn */
     const char *const *names; /**< a name for each point, UTF-8 */
     const char *const *strata;  /**< .html: for each point NULL or a group to filter by; the array
-                                   may  be NULL */
+                                   may be NULL */
     const char *const *answers; /**< .html: for each point a candidate's answer where it is wrong,
                                    else NULL; the array may be NULL */
     int surface;                /**< .html: level of the sweep's surface (graze_boundary_options,

@@ -37,10 +37,9 @@ typedef enum graze_decomposable {
 /** Reason for the answer to decomposable. Zero is never an answer. */
 typedef enum graze_decomposable_reason {
     GRAZE_REASON_NONE = 0,
-    GRAZE_REASON_THETA = 1,  /**< no: theta < 0 on a slice */
-    GRAZE_REASON_REFLEX = 2, /**< no: a slice crosses a reflex edge (E^2: reaches a corner) */
-    GRAZE_REASON_BREAK =
-        3, /**< no: at a break, contact on one side, entry into the solid on the other */
+    GRAZE_REASON_THETA = 1,   /**< no: theta < 0 on a slice */
+    GRAZE_REASON_REFLEX = 2,  /**< no: a slice crosses a reflex edge (E^2: reaches a corner) */
+    GRAZE_REASON_BREAK = 3,   /**< no: a break has contact on one side, entry on the other */
     GRAZE_REASON_VERTEX = 4,  /**< no: a slice or run reaches a vertex and enters the solid there */
     GRAZE_REASON_PIECES = 5,  /**< undecided: the motion has a break */
     GRAZE_REASON_ZERO = 6,    /**< undecided: theta is not positive on a closed slice */

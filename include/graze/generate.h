@@ -32,7 +32,7 @@ typedef enum graze_stratum {
     GRAZE_STRATUM_MISS = 11,    /**< a point of face, edge, vertex, start or end, displaced by 2^-k,
                                    k from 8 to 96 */
     GRAZE_STRATUM_LEVEL = 12,   /**< beside an `on` contact; the signed distance is in a random
-                                   decade,   which its enclosure proves; default weight 0 */
+                                   decade, which its enclosure proves; default weight 0 */
     GRAZE_STRATUM_ROUNDED = 13, /**< a contact of a stratum from `face` to `slide`, with its
                                    coordinates replaced by neighbouring doubles, on a random side
                                    where such a point exists; default weight 0 */

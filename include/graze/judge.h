@@ -203,12 +203,10 @@ typedef struct graze_mesh_points {
     size_t count;            /**< how many points; up to 10^9 */
     unsigned long long seed; /**< of generated points, which are of all strata (graze/generate.h) */
     graze_rationals points;  /**< 3 count canonical rationals; NULL: points are generated */
-    graze_on_as
-        on_as;   /**< how the mesh's answer `on`, that of points on its triangles, is judged */
-    size_t show; /**< disagreements to keep (graze/compare.h) */
-    int threads; /**< up to 1024; 0 is 1: the caller's own */
-    const char *solid,
-        *motion; /**< file names for the commands that explain disagreements, or NULL */
+    graze_on_as on_as;       /**< how the mesh's `on`, the answer on its triangles, is judged */
+    size_t show;             /**< disagreements to keep (graze/compare.h) */
+    int threads;             /**< up to 1024; 0 is 1: the caller's own */
+    const char *solid, *motion; /**< file names for commands in the report, or NULL */
 } graze_mesh_points;
 
 /**

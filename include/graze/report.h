@@ -114,10 +114,9 @@ GRAZE_API GRAZE_CHECKED graze_status graze_report_point(char **out, graze_contex
                                                         const graze_row_options *options);
 /** Totals over rows. */
 typedef struct graze_row_totals {
-    unsigned long
-        undecided;      /**< rows with an undecided position relative to the closed sweep or, for a
-                             curved solid, an undecided word (with GRAZE_COLUMNS_PMC: pmc) */
-    unsigned long wide; /**< rows with an enclosure wider than was asked for */
+    unsigned long undecided; /**< rows with an undecided position or, of a curved solid, an
+                                undecided word (with GRAZE_COLUMNS_PMC: pmc) */
+    unsigned long wide;      /**< rows with an enclosure wider than was asked for */
 } graze_row_totals;
 
 /**

@@ -27,14 +27,11 @@ typedef enum graze_topo {
 typedef enum graze_topo_level {
     GRAZE_LEVEL_NONE = 0, /**< none decides it */
     GRAZE_LEVEL_WORD = 1, /**< the word: `in`, `out`, or `on` for an unsweep (semantics.md 6) */
-    GRAZE_LEVEL_FIRST_ORDER = 2, /**< leading directions at the contacts (topology.md C46) */
-    GRAZE_LEVEL_CURVES = 3,      /**< curves near the point, in the plane (topology.md C49, C50) */
-    GRAZE_LEVEL_CLOSED_CONES =
-        4, /**< leading directions and closed cones that are covered exactly (C46, C51) */
-    GRAZE_LEVEL_EDGES =
-        5, /**< leading directions, and ways through pinches and along edges (C52) */
-    GRAZE_LEVEL_SECTION =
-        6, /**< a section across a direction on which no contact depends (C54, C128) */
+    GRAZE_LEVEL_FIRST_ORDER = 2,  /**< leading directions at the contacts (topology.md C46) */
+    GRAZE_LEVEL_CURVES = 3,       /**< curves near the point, in a plane (topology.md C49, C50) */
+    GRAZE_LEVEL_CLOSED_CONES = 4, /**< closed cones of the contacts, covered exactly (C46, C51) */
+    GRAZE_LEVEL_EDGES = 5,        /**< level 4 with ways through pinches and along edges (C52) */
+    GRAZE_LEVEL_SECTION = 6,      /**< across a direction on which no contact depends (C54, C128) */
     GRAZE_LEVEL_LEADING_TERMS = 7 /**< both sides of a plane, by leading terms (C55, gaps.md C88) */
 } graze_topo_level;
 

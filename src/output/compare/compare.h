@@ -239,14 +239,13 @@ struct graze_comparison {
     char *explain_options;     /* of `graze explain`, with a blank before each */
     unsigned long rows, agree, wrong, undecided, missing, extra;
     unsigned long column_wrong[COLUMN_COUNT];
-    unsigned long wrong_as[CONVENTIONS]; /* rows that each convention would call wrong */
-    unsigned long golden_on,
-        answered_on; /* answered rows whose golden or candidate's answer is `on` */
-    unsigned long undecided_answers[3]; /* undecided rows by the candidate's answer */
-    unsigned long undecided_by_motion;  /* rows that the motion error leaves undecided */
-    unsigned long open;                 /* golden rows with no decided answer that is judged */
-    unsigned long of_pmc;               /* golden rows with pmc as their only decided answer */
-    int of_mesh;                        /* 1: the candidate is a mesh */
+    unsigned long wrong_as[CONVENTIONS];  /* rows that each convention would call wrong */
+    unsigned long golden_on, answered_on; /* answered rows: golden `on`; candidate says `on` */
+    unsigned long undecided_answers[3];   /* undecided rows by the candidate's answer */
+    unsigned long undecided_by_motion;    /* rows that the motion error leaves undecided */
+    unsigned long open;                   /* golden rows with no decided answer that is judged */
+    unsigned long of_pmc;                 /* golden rows with pmc as their only decided answer */
+    int of_mesh;                          /* 1: the candidate is a mesh */
     unsigned long apart; /* undecided rows: points on the mesh whose golden answer is in or out */
     errors values;
     depths depth; /* of wrong rows */

@@ -26,8 +26,7 @@ typedef struct operands {
     int count, repeated_count;
     char **item;
     const char **repeated;
-    const char
-        *output; /* --output of a command whose table has no OUTPUT: the file for what it prints */
+    const char *output; /* --output of a command without its own: the file for what it prints */
 } operands;
 
 typedef struct command {
