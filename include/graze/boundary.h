@@ -14,13 +14,13 @@ typedef struct graze_boundary graze_boundary;
 
 /** Options of a sampling (rule 6). Pointers are borrowed. */
 typedef struct graze_boundary_options {
-    size_t size;             /**< sizeof(graze_boundary_options) */
-    unsigned coarse;         /**< every cell is cut at least to this level, 2^coarse along each axis
-                              */
-    unsigned depth;          /**< no cell is cut further than this level, 0 to 19 */
-    unsigned long budget;    /**< points that may be classified, contact points included */
-    unsigned long contacts;  /**< contact points to make; cells with one that is `on` are cut */
-    unsigned long long seed; /**< of the contact points */
+    size_t size;     /**< sizeof(graze_boundary_options) */
+    unsigned coarse; /**< every cell is cut at least to this level, which has 2^coarse cells along
+                        each axis */
+    unsigned depth;  /**< no cell is cut further than this level, 0 to 19 */
+    unsigned long budget;      /**< points that may be classified, contact points included */
+    unsigned long contacts;    /**< contact points to make; cells with one that is `on` are cut */
+    unsigned long long seed;   /**< of the contact points */
     graze_rationals low, high; /**< corners of a box, d canonical rationals each; NULL: a little
                                     more than graze_scene_box */
     int middles;               /**< 1: each vertex stays in the middle of its edge between two
