@@ -16,7 +16,7 @@ extern "C" {
 /** Source of the certificates of one scene. It never changes: threads may share it. */
 typedef struct graze_certifier graze_certifier;
 
-/** Rows give the times and the boundary cells of their contacts too. */
+/** Rows also give the times of the contacts and the boundary cells met. */
 #define GRAZE_CERTIFY_TIMES 0x10000u
 
 /**
@@ -24,8 +24,9 @@ typedef struct graze_certifier graze_certifier;
  * .wkt, without rounding: graze-check reads no others (graze_solid_text writes one). The scene is
  * borrowed and must outlive the certifier.
  * @param flags those of the call that read the solid, and perhaps GRAZE_CERTIFY_TIMES
- * @return GRAZE_EUSE a NULL handle, a rounding, flags, or a scene not read from files;
- * GRAZE_EILLEGAL a facet that is not the fan of its first corner; GRAZE_ELIMIT
+ * @return GRAZE_EUSE a NULL handle, a rounding, an unknown flag, or a scene not read from files;
+ * GRAZE_EILLEGAL a facet that the fan of triangles about its first corner does not fill;
+ * GRAZE_ELIMIT
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_certifier_create(graze_certifier **out,
                                                             graze_context *context,
@@ -55,7 +56,7 @@ GRAZE_API GRAZE_CHECKED graze_status graze_certificate_row(char **out, graze_con
  * for graze_free too; this and `table_length` are NULL where no table is wanted
  * @param[out] table_length bytes of that text
  * @param[out] done   number of points: n, or on failure the index of the point that failed
- * @param[out] totals what the table's rows say together, or NULL
+ * @param[out] totals totals over the rows of the table, or NULL
  * @param points      n*d canonical rationals, point after point; may be NULL if n is 0
  * @param texts       n of them, one for each row of the table, or NULL
  * @param options     of the table's rows, not GRAZE_COLUMNS_PMC; NULL: the defaults

@@ -28,15 +28,16 @@ typedef enum graze_on_as {
 
 /** Columns with the answers of a candidate. */
 typedef enum graze_candidate_has {
-    GRAZE_HAS_COLUMNS = 0, /**< those of pmc, class, i, t, word that it has */
+    GRAZE_HAS_COLUMNS = 0, /**< the columns among pmc, class, i, t, word that the candidate has */
     GRAZE_HAS_SDF = 1      /**< the column sdf: negative inside, 0 `on`. Its sign is judged, and its
                                 value where the golden table has sdf_low and sdf_high */
 } graze_candidate_has;
 
 /** Rows whose values are judged. */
 typedef enum graze_truth {
-    GRAZE_TRUTH_PSEUDO = 0, /**< all: s, the least signed distance to a position of the solid */
-    GRAZE_TRUTH_OUTSIDE = 1 /**< `out` alone, where s is the distance to the sweep */
+    GRAZE_TRUTH_PSEUDO = 0, /**< all rows; the value is s, the least signed distance to a position
+                               of the solid */
+    GRAZE_TRUTH_OUTSIDE = 1 /**< `out` rows alone, where s is the distance to the sweep */
 } graze_truth;
 
 /** Options of a comparison (rule 6). All pointers are borrowed. */
@@ -47,10 +48,10 @@ typedef struct graze_compare_options {
     graze_candidate_has has;
     size_t show; /**< number of disagreements to keep, each with the command that explains it: the
                       deepest wrong rows, at most two of a stratum, then rows that are missing or
-                      extra; the first ones where distances are not known */
+                      extra; where distances are not known, the first rows that disagree */
     const char *solid, *motion; /**< file names for those commands, or NULL */
-    int transient;     /**< 1: the tables are gone when the report is read: it has the rows that
-                            disagree, and names neither files nor lines of them */
+    int transient;     /**< 1: the tables will be gone when the report is read, so the report has
+                            the rows that disagree, and names neither files nor their lines */
     graze_truth truth; /**< with GRAZE_HAS_SDF */
     const char *sdf_tolerance; /**< a number from 0 up: values that miss the enclosure by more are
                                     wrong. NULL: values are reported, not judged. Signs have no
@@ -58,10 +59,10 @@ typedef struct graze_compare_options {
     const char *motion_error;  /**< a positive number: enclosures are widened by it; rows whose sign
                                     is not certain then are undecided (proofs/distance.md C73). Only
                                     pmc and sdf are compared. NULL: none */
-    const graze_scene *scene;  /**< of the golden table: the signed distances of at most 1000 wrong
-                                    rows are enclosed in it, to 1e-13 of the diagonal, and those
-                                    kept are of these. NULL: a table with sdf_low and sdf_high alone
-                                  has  them */
+    const graze_scene *scene;  /**< scene of the golden table, in which the signed distances of at
+                                    most 1000 wrong rows are enclosed to 1e-13 of the diagonal; the
+                                    wrong rows kept are among these. NULL: only columns sdf_low and
+                                    sdf_high of the table give distances */
 } graze_compare_options;
 
 /** Counts of rows: rows = agree + wrong + undecided + missing; `extra` rows are in the candidate
@@ -69,7 +70,7 @@ typedef struct graze_compare_options {
  */
 typedef struct graze_comparison_counts {
     unsigned long rows, agree, wrong, undecided, missing, extra;
-    unsigned long wrong_as[4]; /**< rows that are wrong under each graze_on_as */
+    unsigned long wrong_as[4]; /**< how many rows are wrong under each graze_on_as */
     int has_no_on;             /**< 1: golden rows are `on`, and the candidate never answers it */
 } graze_comparison_counts;
 
@@ -84,24 +85,24 @@ typedef struct graze_comparison graze_comparison;
 /**
  * Compare a candidate's table with a golden one, row by row. Rows are matched by the column `id` if
  * both tables have it (numbers by value), in any order; else by the point, rounded as the context
- * says; where that leaves rows of both without a counterpart, the same number in each, by order, if
- * the points differ by no more than rounding explains, and by order alone where the candidate has
- * no points. Missing rows and extra rows are counted; hashes in the `#` lines of both tables must
- * agree. Tables in the same order are streamed: at most 1000 rows of each are in memory, else the
- * candidate's, and with rounding at most 160 MB of digests of golden points. Pipes are read once,
- * which takes the same order.
- * Tables of graze contact are compared where both are such tables: the key of a row is its time and
- * its point (bx, by, bz, else x, y, z), rows stand in any order, those of one key in theirs, and
- * the candidate's are all in memory. Each column is judged that both have; options but show, solid,
- * motion, transient are for classify alone.
+ * says. If equally many rows of each table then lack a counterpart, these are matched by order,
+ * provided that their points differ by no more than rounding explains. A candidate without points
+ * is matched by order alone. Missing rows and extra rows are counted; hashes in the `#` lines of
+ * both tables must agree. Tables in the same order are streamed: at most 1000 rows of each are in
+ * memory. In another order all rows of the candidate are, and with rounding at most 160 MB of
+ * digests of golden points. A pipe is read only once, so its rows must be in the same order. Two
+ * tables of graze contact are compared too: the key of a row is its time and its point (bx, by, bz,
+ * else x, y, z); rows may stand in any order, rows with equal keys are matched in order, and all
+ * rows of the candidate are in memory. Each column that both tables have is judged; of the options
+ * only show, solid, motion and transient have an effect.
  * @param golden    file name of a whole table of graze classify or graze contact (last line `#
  * complete N`), or `-`
  * @param candidate file name of a CSV table with a column line, or `-`; `#` lines are optional
  * @param options   may be NULL for the defaults
  * @return GRAZE_EUSE; GRAZE_ESYSTEM a file cannot be read; GRAZE_EINPUT a table is incomplete,
  * lacks columns, has another order, another scene or another kind of rows, has an unknown answer,
- * an option is no such number, or rounding makes golden points with different answers equal;
- * GRAZE_ELIMIT; GRAZE_ECANCELED
+ * an option is not a number as described above, or rounding makes golden points with different
+ * answers equal; GRAZE_ELIMIT; GRAZE_ECANCELED
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_compare(graze_comparison **out, graze_context *context,
                                                    const char *golden, const char *candidate,
@@ -113,8 +114,9 @@ GRAZE_API void graze_comparison_destroy(graze_comparison *comparison);
 GRAZE_API graze_comparison_counts graze_comparison_count(const graze_comparison *comparison);
 /** A disagreement that was kept. Texts are borrowed from the comparison. */
 typedef struct graze_disagreement {
-    unsigned long row;                         /**< of the golden table, from 0; of a row that only
-                                                    the candidate has the number of those before it */
+    unsigned long row; /**< number in the golden table, from 0; for a row that
+                            only the candidate has, the number of golden
+                            rows before it */
     unsigned long golden_line, candidate_line; /**< in the files; 0: no such row */
     const char *point;                         /**< coordinates with blanks between */
     const char *golden, *candidate;            /**< answers as `pmc=on i=0`; NULL: no such row */

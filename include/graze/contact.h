@@ -18,12 +18,14 @@ extern "C" {
 /** First-order role of a site. Zero is never an answer. */
 typedef enum graze_role {
     GRAZE_ROLE_NONE = 0,
-    GRAZE_ROLE_CONTACT = 1, /**< the positions next to t leave some direction about P uncovered */
+    GRAZE_ROLE_CONTACT = 1, /**< the solid, at times next to t, leaves some direction about P
+                                   uncovered */
     GRAZE_ROLE_EGRESS = 2,  /**< no contact, all facets move outward */
     GRAZE_ROLE_INGRESS = 3, /**< no contact, all facets move inward */
-    GRAZE_ROLE_HIDDEN = 4   /**< no contact, neither of these */
+    GRAZE_ROLE_HIDDEN = 4   /**< no contact, neither egress nor ingress */
 } graze_role;
-/** Contacts and interior times of the trajectory of P other than t. Zero is never an answer. */
+/** Where the trajectory of P is at times other than t: in the solid's interior, or in contact with
+ * its boundary. Zero is never an answer. */
 typedef enum graze_trim {
     GRAZE_TRIM_NONE = 0,
     GRAZE_TRIM_SLIDES = 1, /**< never in the interior; the contact at t is an interval */
@@ -47,7 +49,8 @@ typedef enum graze_orientation {
 typedef struct graze_site_facts {
     graze_cell cell; /**< lowest cell that contains y */
     graze_role role;
-    int on_slice; /**< 1: y is in one facet's interior, g = 0, t no break: the next three hold */
+    int on_slice; /**< 1: y is in one facet's interior, g = 0 and t is no break. Only then do theta,
+                     order and orientation mean something */
     int theta;    /**< sign of theta: -1, 0, 1 */
     int order;    /**< order of the contact with the facet's plane, or GRAZE_ORDER_VANISHES */
     graze_orientation orientation;
@@ -83,22 +86,22 @@ GRAZE_API const char *graze_orientation_name(graze_orientation orientation);
 GRAZE_API GRAZE_CHECKED graze_status graze_site_create(graze_site **out, graze_context *context,
                                                        const graze_scene *scene, const mpq_t time,
                                                        graze_rationals point);
-/** As graze_site_create, of the point y = M(time)^-1 P. */
+/** As graze_site_create, for y = M(time)^-1 P, where P is `world`. */
 GRAZE_API GRAZE_CHECKED graze_status graze_site_create_at(graze_site **out, graze_context *context,
                                                           const graze_scene *scene,
                                                           const mpq_t time, graze_rationals world);
 /**
- * As graze_site_create, at the point nearest to y, of equally near ones the lexicographically
- * first, of the contact set of a cell at that time; y need not be on the boundary. Distances are
- * those of the solid's frame. If the set is empty the site has y as given, the cell and zeros for
- * other facts, no near times, no trace and no facets.
+ * As graze_site_create, but the site is the point of the contact set of `cell` at that time that is
+ * nearest to y, of equally near ones the lexicographically first; y need not be on the boundary.
+ * Distances are those of the solid's frame. If the set is empty the site has y as given, the cell
+ * and zeros for other facts, no near times, no trace and no facets.
  * @param cell in E^3 a face, edge or vertex, in E^2 an edge or vertex
  * @return also GRAZE_EINPUT: the solid has no such cell, or more than two facets meet along an edge
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_site_snap(graze_site **out, graze_context *context,
                                                      const graze_scene *scene, const mpq_t time,
                                                      graze_rationals point, graze_cell cell);
-/** As graze_site_snap, of the point y = M(time)^-1 P. */
+/** As graze_site_snap, for y = M(time)^-1 P, where P is `world`. */
 GRAZE_API GRAZE_CHECKED graze_status graze_site_snap_at(graze_site **out, graze_context *context,
                                                         const graze_scene *scene, const mpq_t time,
                                                         graze_rationals world, graze_cell cell);
@@ -117,16 +120,16 @@ GRAZE_API void graze_site_point(mpq_t *body, mpq_t *world, const graze_site *sit
 /** Time nearest to t, t excepted, at which the trajectory of P is in the solid; t itself if there
  * are such times as near as one likes; of two the earlier. NULL: there is none. Borrowed. */
 GRAZE_API const graze_time *graze_site_near(const graze_site *site);
-/** The nearest time in the closure of the times at which P is in the solid's interior. */
+/** As graze_site_near, with the closure of the times at which P is in the solid's interior. */
 GRAZE_API const graze_time *graze_site_near_in(const graze_site *site);
 /** Trace of P, borrowed; NULL for NULL and where a cell has no contact. */
 GRAZE_API const graze_trace *graze_site_trace(const graze_site *site);
-/** Number of facets through y times the sides of t; 0 for NULL. */
+/** Number of pairs of a facet through y and a side of t; 0 for NULL. */
 GRAZE_API size_t graze_site_germ_count(const graze_site *site);
 /**
- * Facet and side `index`, zeros past the end. With n the facet's outward normal of coprime
- * integers, the speed g = n A^-1 (A' y + b'), the drift g_t, its derivative by t at fixed y, and
- * theta, the second derivative of n c.
+ * Pair `index` of a facet and a side of t, zeros past the end. With n the facet's outward normal of
+ * coprime integers, `speed` is g = n A^-1 (A' y + b'), `drift` is g_t, the derivative of g by t at
+ * fixed y, and `theta` is the second derivative by t of n c, c the trajectory of P.
  * @param[out] speed, drift, theta initialised; unchanged past the end
  */
 GRAZE_API graze_site_germ graze_site_germ_at(mpq_t speed, mpq_t drift, mpq_t theta,

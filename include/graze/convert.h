@@ -21,7 +21,8 @@ typedef struct graze_joint {
     graze_joint_kind kind;
     mpq_srcptr degrees;     /**< turn: its angle, counter-clockwise, of any size */
     mpq_srcptr pitch;       /**< turn in E^3: way along the axis per 360 degrees; NULL: 0 */
-    graze_rationals axis;   /**< turn in E^3: its direction, not 0; slide: its way; d rationals */
+    graze_rationals axis;   /**< turn in E^3: direction of its axis, not 0; slide: displacement
+                                 from t = 0 to 1; d rationals */
     graze_rationals center; /**< turn: a point on the axis, d rationals; NULL: the origin */
 } graze_joint;
 
@@ -34,7 +35,8 @@ typedef struct graze_joint {
  * @param dimension   2 or 3
  * @param turn        one joint, a turn without pitch
  * @param tolerance   positive: largest distance of a final position from the one asked for
- * @param radius      not negative: for points at most that far from the origin at t = 0
+ * @param radius      not negative: the tolerance holds for points at most this far from the origin
+ * at t = 0
  * @return GRAZE_EUSE also for an axis of length 0, or a tolerance too fine for the radius;
  * GRAZE_ELIMIT
  */
@@ -54,16 +56,16 @@ GRAZE_API GRAZE_CHECKED graze_status graze_motion_write_joints(
     char **json, char **report, graze_context *context, int dimension, const graze_joint *joints,
     size_t count, mpq_srcptr tolerance, mpq_srcptr radius);
 
-/** Take matrices as affine maps, and interpolate every entry linearly. */
+/** Take matrices as affine maps, not as rotations, and interpolate every entry linearly. */
 #define GRAZE_POSES_AFFINE 1u
 
 /**
  * Make a motion file in E^3 through poses from a CSV file with a column line: qw, qx, qy, qz with
- * or without x, y, z; or m00 to m23 with or without m30 to m33; with or without t (then the times
- * are 0, 1, 2, ...); in the forms of graze_motion_write_pose_list too. Other columns are errors.
- * Numbers are rounded as the context says. A
- * quaternion gets the sign that is nearer to the one before, for the short way; a matrix becomes
- * the quaternion of the nearest rotation in binary64. Position and quaternion are interpolated
+ * or without x, y, z; or m00 to m23 with or without m30 to m33; with or without t (without t the
+ * times are 0, 1, 2, ...). Files in the forms of graze_motion_write_pose_list are read too. Other
+ * columns are errors. Numbers are rounded as the context says. Of the two signs of a quaternion the
+ * one nearer to the quaternion before is taken, for the short way; a matrix becomes the quaternion
+ * of the nearest rotation in binary64. Position and quaternion are interpolated
  * linearly; the report bounds how far that is from SLERP.
  * @param[out] json   text of the file for graze_free
  * @param[out] report text for graze_free; may be NULL
@@ -77,20 +79,21 @@ GRAZE_API GRAZE_CHECKED graze_status graze_motion_write_poses(char **json, char 
                                                               const char *path,
                                                               mpq_srcptr tolerance, unsigned flags);
 
-/** Change signs of quaternions where that makes the way from a pose to the next one shorter, as
- * without this flag. */
+/** Change signs of quaternions where that makes the way from a pose to the next one shorter. This
+ * is the default too. */
 #define GRAZE_POSES_SHORTEST 2u
 
-/** Give pieces, as their `row`, the number of the pose that they lead to, counted from 1 with those
- * that are not taken, and name poses by it in the report; else it is the line of the file. A column
- * `row` goes before both. */
+/** Give each piece, as its `row`, the number of the pose that it leads to, counted from 1 over all
+ * poses of the file; the report names poses by this number. Without this flag `row` is the line of
+ * the pose in the file. A column `row` overrides both. */
 #define GRAZE_POSES_NUMBERED 4u
 
-/** Keep signs of quaternions, also where they ask for more than half a turn between two poses. */
+/** Keep the signs of quaternions as given, also where that means more than half a turn from one
+ * pose to the next. */
 #define GRAZE_POSES_LONG 8u
 
-/** Between poses the rotation is SLERP's, up to an angle of `tolerance` in radians at each time:
- * the way is cut at further poses. The report has a proved bound. */
+/** Insert further poses until the rotation between poses is within `tolerance`, an angle in
+ * radians, of SLERP at each time. The report has a proved bound. */
 #define GRAZE_POSES_SLERP 16u
 
 /** Options of a motion through poses (rule 6). All pointers are borrowed. */
@@ -103,22 +106,23 @@ typedef struct graze_pose_options {
     size_t ignored_count;
     mpq_srcptr scale;    /**< positive factor of positions; NULL: 1 */
     mpq_srcptr from, to; /**< only poses at these times and between; NULL: no such end */
-    unsigned long every; /**< of these the first, each so manieth and the last; 0: all */
-    const char *text;    /**< read these `length` bytes in place of the file, whose path is a name
-                              for messages; NULL: the file */
+    unsigned long every; /**< keep of these the first, every `every`-th and the last; 0: all */
+    const char *text;    /**< the `length` bytes to read; then `path` is only a name for messages.
+                              NULL: read the file */
     size_t length;
-    const char *columns; /**< NAME=COLUMN,...: names of the file's columns; NULL: as they are */
-    const char *angles;  /**< the machine of three angles in degrees: "kuka", "fanuc", "staubli",
-                              "kawasaki", "cnc" or "rpy"; NULL: there are none */
+    const char *columns; /**< NAME=COLUMN,...: the file's COLUMN is read as NAME; NULL: columns have
+                             the names of the file */
+    const char *angles;  /**< the convention of three angles in degrees: "kuka", "fanuc", "staubli",
+                              "kawasaki", "cnc" or "rpy"; NULL: there are no angles */
 } graze_pose_options;
 
 /**
- * Make a motion file in E^3 through poses, as graze_motion_write_poses does, with more choice.
- * Columns may have the names of other programs too, such as timestamp, tx or position.x; in place
- * of quaternions stand the axis of a tool, i, j, k, for the least rotation from (0, 0, 1), or three
- * angles, or nothing (formats.md, Lists of poses). Fields stand between commas, semicolons or
- * blanks. Without a line of names, rows are those of TUM (time tx ty tz qx qy
- * qz qw between blanks) or matrices row by row (12 or 16 numbers).
+ * Make a motion file in E^3 through poses, as graze_motion_write_poses does, with more options.
+ * Columns may have the names of other programs too, such as timestamp, tx or position.x. Instead of
+ * a quaternion a row may give the axis of a tool, i, j, k (the least rotation from (0, 0, 1) is
+ * taken), or three angles, or no orientation (formats.md, Lists of poses). Commas, semicolons or
+ * blanks separate fields. Without a line of names, rows are those of TUM (time tx ty tz qx qy qz qw
+ * with blanks) or matrices row by row (12 or 16 numbers).
  * @param options NULL for the defaults
  * @return as graze_motion_write_poses
  */
@@ -133,7 +137,8 @@ graze_motion_write_pose_list(char **json, char **report, graze_context *context,
  * @param[out] json   text of the file for graze_free
  * @param[out] report text for graze_free; may be NULL
  * @param tolerance   positive: largest change of an entry of the matrix at any time
- * @return GRAZE_EUSE; GRAZE_EILLEGAL the motion near it is not legal; GRAZE_ELIMIT, GRAZE_ESYSTEM
+ * @return GRAZE_EUSE; GRAZE_EILLEGAL the motion that results is not legal; GRAZE_ELIMIT,
+ * GRAZE_ESYSTEM
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_motion_write_dyadic(char **json, char **report,
                                                                graze_context *context,
@@ -141,8 +146,8 @@ GRAZE_API GRAZE_CHECKED graze_status graze_motion_write_dyadic(char **json, char
                                                                mpq_srcptr tolerance);
 
 /**
- * The coordinate box of a solid where it stands in its file, exactly; of a curved solid one that
- * holds it.
+ * The exact bounding box of a solid along the axes of its own coordinates; for a curved solid a box
+ * that contains it.
  * @param[out] low, high d initialised rationals each
  * @return GRAZE_EUSE a NULL argument; GRAZE_EINPUT no box is known (graze_solid_bounded)
  */
@@ -151,8 +156,8 @@ GRAZE_API GRAZE_CHECKED graze_status graze_solid_box(mpq_t *low, mpq_t *high,
                                                      const graze_solid *solid);
 
 /**
- * Write a solid as an exact file, which graze_solid_read and graze-check read: in E^3 OFF, its
- * facets cut into triangles (one with holes too), in E^2 WKT. It bounds the same points; vertices
+ * Write a solid as an exact file, which graze_solid_read and graze-check read: in E^3 OFF, with
+ * all facets cut into triangles, in E^2 WKT. The written solid is the same set of points; vertices
  * keep their numbers, facets do not.
  * @param[out] out text for graze_free; NULL on failure
  * @return GRAZE_EUSE a NULL argument; GRAZE_ESYSTEM
@@ -168,16 +173,17 @@ typedef enum graze_shape_kind {
     GRAZE_SHAPE_CUTTER = 3    /**< a milling tool: its tip in the origin, its axis z */
 } graze_shape_kind;
 
-/** A shape. All numbers are canonical and borrowed; those of other kinds are not looked at. */
+/** A shape. All numbers are canonical and borrowed; members for other kinds are ignored. */
 typedef struct graze_shape {
     graze_shape_kind kind;
     graze_rationals box; /**< box: its sides, positive */
     mpq_srcptr diameter; /**< positive; cutter: where its corner is widest, corner 0: at its tip */
     mpq_srcptr length;   /**< cylinder, cutter: its height, positive */
-    mpq_srcptr corner;  /**< cutter: radius of its corner, half the diameter: a ball end; NULL: 0 */
+    mpq_srcptr corner;  /**< cutter: radius of its corner, where half the diameter gives a ball end;
+                             NULL: 0 */
     mpq_srcptr taper;   /**< cutter: degrees between its side and the axis, positive where it is
                              wider above; NULL: 0 */
-    graze_rationals at; /**< moved by these; NULL: not */
+    graze_rationals at; /**< vector by which the shape is moved; NULL: 0 */
 } graze_shape;
 
 /**
@@ -186,7 +192,7 @@ typedef struct graze_shape {
  * written. A box is exact. Numbers are finite decimals where the shape's are.
  * @param[out] inside, outside, report texts for graze_free; each may be NULL
  * @param tolerance positive; may be NULL for a box
- * @return GRAZE_EUSE also for a shape that there is not, or a tolerance too fine; GRAZE_ELIMIT
+ * @return GRAZE_EUSE also for numbers that give no shape, or a tolerance too fine; GRAZE_ELIMIT
  * (`cells`); GRAZE_ECANCELED
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_solid_write_shape(char **inside, char **outside,
@@ -195,11 +201,11 @@ GRAZE_API GRAZE_CHECKED graze_status graze_solid_write_shape(char **inside, char
                                                              mpq_srcptr tolerance);
 
 /**
- * Write a shape itself as a `.csg.json` file (graze/curved.h). A taper that is not 0 is rational,
- * and less than the one given by at most 10^-9 degrees.
+ * Write a shape itself as a `.csg.json` file (graze/curved.h). The slope of the side is rational,
+ * so a taper other than 0 becomes less than the one given, by at most 10^-9 degrees.
  * @param[out] out    text for graze_free; NULL on failure
  * @param[out] report text for graze_free: what is not exact; may be NULL
- * @return GRAZE_EUSE also for a shape that there is not
+ * @return GRAZE_EUSE also for numbers that give no shape
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_solid_write_exact_shape(char **out, char **report,
                                                                    graze_context *context,
@@ -208,8 +214,9 @@ GRAZE_API GRAZE_CHECKED graze_status graze_solid_write_exact_shape(char **out, c
 /** How OpenSCAD's `.csg` files are taken. Zeros: as they stand. */
 typedef struct graze_scad_options {
     size_t size;              /**< sizeof(graze_scad_options) */
-    int smooth;               /**< spheres, cylinders, circles and what is revolved are round, also
-                                   with a number of sides, $fn; else they are refused with one */
+    int smooth;               /**< 1: spheres, cylinders, circles and solids of revolution are round
+                                   even if $fn gives a number of sides; 0: with $fn they are
+                                   refused */
     mpq_srcptr near_rotation; /**< positive: a multmatrix is taken as a number times a rotation if
                                  each entry of its linear part, divided by that number, is within
                                  this of the rotation's; borrowed. NULL: as it stands */
@@ -218,8 +225,8 @@ typedef struct graze_scad_options {
 /**
  * Write the solid of an OpenSCAD file, `.csg`, as a `.csg.json` file (graze/curved.h). Without
  * options graze_solid_read reads such files itself.
- * @param[out] out    text for graze_free, each node in the line in which the file has it; NULL on
- * failure
+ * @param[out] out    text for graze_free, with each node on the line on which the file has it; NULL
+ * on failure
  * @param[out] report text for graze_free: with `near_rotation` how many maps are taken as rotations
  * and how far they move a point at most, which is proved; may be NULL
  * @param options may be NULL
@@ -230,19 +237,19 @@ GRAZE_API GRAZE_CHECKED graze_status graze_scad_text(char **out, char **report,
                                                      const graze_scad_options *options);
 
 /**
- * Mend a mesh that bounds no solid by steps that move no point: equal vertices become one,
- * facets without area go, edges are split at vertices in their middle, and, where it is not legal
+ * Mend a mesh that bounds no solid. Without `weld` no point moves: equal vertices become one,
+ * facets without area go, edges are split at vertices inside them, and, if the mesh is not legal
  * yet, facets are turned round. The result is validated as graze_solid_read does. A weld moves
- * vertices: the largest displacement, rounded up, stands in the report.
+ * vertices: the report has the largest displacement, rounded up.
  * @param[out] out    text of an OFF file of triangles for graze_free; NULL on failure
  * @param[out] report text for graze_free: a line for each kind of thing that was done, with the
  * first few numbers of the input's facets and vertices, empty if nothing was; also on
  * GRAZE_EILLEGAL, unless the file has no facet. May be NULL
  * @param path        a file in .off, .obj, .ply or .stl
- * @param weld        positive: a vertex becomes the nearest one before it that stays, where that is
- * no further away, in units of the file; NULL: none
+ * @param weld        positive, in units of the file: a vertex is merged with the nearest earlier
+ * vertex that stays, if that is at most this far away; NULL: none
  * @param flags       0 or GRAZE_SOLID_TRIANGULATE
- * @return as graze_solid_read; GRAZE_EILLEGAL is what is left after mending
+ * @return as graze_solid_read; GRAZE_EILLEGAL the mended mesh is still not a legal solid
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_solid_mend(char **out, char **report,
                                                       graze_context *context, const char *path,

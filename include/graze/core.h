@@ -48,8 +48,9 @@ typedef enum graze_limit {
     GRAZE_LIMIT_BYTES = 7,  /**< `bytes`, 4*10^9: bytes of a solid or motion file */
     GRAZE_LIMIT_BITS = 8,   /**< `bits`, 100000: binary places of an interval around a root */
     GRAZE_LIMIT_WORK = 9,   /**< `work`, 10^8: coefficients computed while a motion is read, pieces
-                                 times degree; one of w 64-bit words counts as w + w^2/64; and
-                                 the rules of a curved solid for one point, see formats.md */
+                                 times degree, where a coefficient of w 64-bit words counts as w +
+                                 w^2/64; also steps of the rules of a curved solid for one point,
+                                 see formats.md */
     GRAZE_LIMIT_CURVE = 10, /**< `curve`, 20: degree in time of the curves by which a position
                                  relative to the closed sweep is decided in the plane */
     GRAZE_LIMIT_COUNT = 11
@@ -66,7 +67,7 @@ typedef enum graze_rounding {
 typedef struct graze_place {
     const char *file;  /**< the file, named as in the message */
     size_t line;       /**< its line, from 1 */
-    const char *item;  /**< kind of what `index` counts, such as "vertex" or "point" */
+    const char *item;  /**< kind of the things that `index` counts, such as "vertex" or "point" */
     size_t index;      /**< counted as in the message: items of arrays and solids from 0 */
     const char *field; /**< a coordinate, a column, or a path in JSON */
 } graze_place;
@@ -79,9 +80,11 @@ typedef int (*graze_cancel)(void *data);
 GRAZE_API GRAZE_CHECKED graze_status graze_context_create(graze_context **out);
 /** Free a context. NULL is allowed; handles made with the context stay valid. */
 GRAZE_API void graze_context_destroy(graze_context *context);
-/** Message of the last failure, one line; "" if none. Borrowed until the next call with it. */
+/** Message of the last failure, one line; "" if none. Borrowed until the next call with the
+ * context. */
 GRAZE_API const char *graze_context_message(const graze_context *context);
-/** Place of the last failure, if the message names one. Borrowed likewise. */
+/** Place of the last failure, if the message names one. Its strings are borrowed until the next
+ * call with the context. */
 GRAZE_API graze_place graze_context_place(const graze_context *context);
 /** Set a limit, from 1 to a bound that keeps sizes within machine words.
  * @return GRAZE_EUSE an unknown limit, or a value out of range */
@@ -91,12 +94,12 @@ GRAZE_API GRAZE_CHECKED graze_status graze_context_set_limit(graze_context *cont
 /** The value of a limit; 0 for an unknown one. */
 GRAZE_API unsigned long graze_context_limit(const graze_context *context, graze_limit limit);
 /** Round every number token that is read with this context from now on. Solids, motions and points
- * of one comparison are read under one rounding.
+ * of one comparison must all be read under the same rounding.
  * @return GRAZE_EUSE an unknown rounding */
 GRAZE_API GRAZE_CHECKED graze_status graze_context_set_rounding(graze_context *context,
                                                                 graze_rounding rounding);
 /** Use the certified floating-point filter (1, the default) or the exact path alone (0). Both give
- * the same answers; the exact path is slower and checks the filter. */
+ * the same answers; the exact path alone is slower, and serves to check the filter. */
 GRAZE_API void graze_context_set_filter(graze_context *context, int on);
 /** Number of points classified with this context that needed the exact path. */
 GRAZE_API unsigned long graze_context_exact_count(const graze_context *context);
@@ -227,9 +230,10 @@ GRAZE_API size_t graze_motion_piece_count(const graze_motion *motion);
 
 /* --------------------------------------------------------------------------------------- scene */
 
-/** Treatment of scenes whose S^0 and S^1 meet, which [EI] excludes. */
+/** Treatment of scenes whose S^0 and S^1 meet, a case that [EI] excludes. */
 typedef enum graze_overlap { GRAZE_OVERLAP_EXTEND = 0, GRAZE_OVERLAP_REJECT = 1 } graze_overlap;
-/** Definitions 6 and 7, or 10 and 11 in their place ([EI] appendix A). */
+/** Definitions of the fold classes: 6 and 7 (separate), or 10 and 11 (combined, [EI] appendix A).
+ */
 typedef enum graze_folds { GRAZE_FOLDS_SEPARATE = 0, GRAZE_FOLDS_COMBINED = 1 } graze_folds;
 /** Set that points are classified against: sweep, or unsweep ([IS] eqs 12, 13, 35). */
 typedef enum graze_operation { GRAZE_SWEEP = 0, GRAZE_UNSWEEP = 1 } graze_operation;
@@ -238,7 +242,8 @@ typedef enum graze_operation { GRAZE_SWEEP = 0, GRAZE_UNSWEEP = 1 } graze_operat
 typedef struct graze_options {
     size_t size;               /**< sizeof(graze_options) */
     graze_operation operation; /**< sweep or unsweep */
-    graze_overlap overlap;     /**< extend: nine cases; reject: GRAZE_EILLEGAL if S^0 meets S^1 */
+    graze_overlap overlap;     /**< extend: points get one of nine cases; reject: GRAZE_EILLEGAL
+                                  if S^0 meets S^1 */
     graze_folds folds;         /**< Definitions 6, 7 or 10, 11 */
 } graze_options;
 
@@ -271,9 +276,9 @@ GRAZE_API graze_ends graze_scene_ends(const graze_scene *scene);
 /** Options in force; zeros for NULL. `out->size` is set before the call. */
 GRAZE_API void graze_scene_options(graze_options *out, const graze_scene *scene);
 /**
- * A box with dyadic corners that contains the sweep (or unsweep): the images of the coordinate box
- * of the solid, enlarged by at most about 2^-11 of its longest side; by more where the limit `work`
- * ends the search.
+ * A box with dyadic corners that contains the sweep (or unsweep). It is the bounding box of all
+ * images of the solid's coordinate box, enlarged by at most about 2^-11 of its own longest side, or
+ * by more where the limit `work` ends the search.
  * @param[out] low, high d initialised rationals each
  * @return GRAZE_EUSE, GRAZE_ECANCELED; GRAZE_ELIMIT a common denominator is too near 0
  */
@@ -290,7 +295,7 @@ typedef enum graze_pmc {
     GRAZE_ON = 2,
     GRAZE_OUT = 3,
     GRAZE_PMC_UNDECIDED = 4 /**< a state of the trajectory through a curved solid is not decided,
-                                 and the others do not tell (proofs/curved.md C125) */
+                                 and the decided states do not give pmc (proofs/curved.md C125) */
 } graze_pmc;
 /** Class of a point against a sweep. Zero is never an answer. */
 typedef enum graze_class {
@@ -300,7 +305,7 @@ typedef enum graze_class {
     GRAZE_FOLD_BOUNDARY = 3,  /**< Definition 7 (11) */
     GRAZE_BOUNDARY = 4,       /**< Definition 8 */
     GRAZE_EXTERIOR = 5,       /**< Definition 9 */
-    GRAZE_CLASS_UNDECIDED = 6 /**< a state is not decided; pmc may be, and the rest is 0 */
+    GRAZE_CLASS_UNDECIDED = 6 /**< a state is undecided; pmc may be decided, the rest is 0 */
 } graze_class;
 
 /** Answer for one point. */
@@ -319,7 +324,8 @@ GRAZE_API const char *graze_pmc_name(graze_pmc pmc);
  * "undecided", else "none". Static. */
 GRAZE_API const char *graze_class_name(graze_class class_);
 
-/** Answers wanted. For pmc alone the search ends at one time that is certainly inside. */
+/** Answers wanted. For pmc alone the search ends as soon as the point is certainly inside the solid
+ * at one time. */
 typedef enum graze_columns { GRAZE_COLUMNS_ALL = 0, GRAZE_COLUMNS_PMC = 1 } graze_columns;
 
 /**
@@ -351,12 +357,12 @@ typedef enum graze_state {
     GRAZE_STATE_I = 'I',
     GRAZE_STATE_B = 'B',
     GRAZE_STATE_O = 'O',
-    GRAZE_STATE_UNDECIDED = '?' /**< of a curved solid, where the rules end */
+    GRAZE_STATE_UNDECIDED = '?' /**< the rules for curved solids do not decide the state */
 } graze_state;
-/** Kind of a contact: [EI] Definitions 3 and 4 at the ends of the motion, else the states on both
- * sides. */
+/** Kind of a contact, which the states on both sides of it tell; at the ends of the motion [EI]
+ * Definitions 3 and 4 do. */
 typedef enum graze_kind { GRAZE_INTERSECTION = 1, GRAZE_TANGENCY = 2 } graze_kind;
-/** Kind of a boundary cell. E^2 has edges and vertices only; a curved solid primitives alone. */
+/** Kind of a boundary cell. E^2 has edges and vertices only; a curved solid has primitives only. */
 typedef enum graze_cell_kind {
     GRAZE_CELL_FACE = 1,
     GRAZE_CELL_EDGE = 2,
@@ -404,23 +410,24 @@ GRAZE_API size_t graze_trace_contact_count(const graze_trace *trace);
 /** Contact `index`, in order of time; zero past the end. */
 GRAZE_API graze_contact graze_trace_contact(const graze_trace *trace, size_t index);
 
-/** 1 and the value of a rational time; 0 for another, `out` unchanged. `out` is initialised. */
+/** Set `out`, which is initialised, to a rational time and return 1; return 0 for an irrational
+ * time, with `out` unchanged. */
 GRAZE_API int graze_time_rational(mpq_t out, const graze_time *time);
 /** Degree of the minimal polynomial, 1 for a rational; 0 for NULL. */
 GRAZE_API int graze_time_degree(const graze_time *time);
 /** Coefficient k of the minimal polynomial in the parameter of the motion: primitive, leading
  * coefficient positive; 0 beyond the degree. `out` is initialised. */
 GRAZE_API void graze_time_coefficient(mpz_t out, const graze_time *time, int k);
-/** The widest dyadic interval (j/2^m, (j+1)/2^m) that isolates an irrational time; a rational time
- * twice. `low` and `high` are initialised; unchanged for NULL. */
+/** The widest dyadic interval (j/2^m, (j+1)/2^m) that isolates an irrational time; for a rational
+ * time both bounds are the time. `low` and `high` are initialised; unchanged for NULL. */
 GRAZE_API void graze_time_interval(mpq_t low, mpq_t high, const graze_time *time);
 /** The time as a decimal of `digits` significant digits, 1 to 1000, correctly rounded, ties to
  * even; text for graze_free. A rational equal to such a decimal has no trailing zeros.
  * @return GRAZE_EUSE, GRAZE_ESYSTEM */
 GRAZE_API GRAZE_CHECKED graze_status graze_time_decimal(char **out, graze_context *context,
                                                         const graze_time *time, int digits);
-/** The `row` of the first piece of the motion that has the time, its ends included (formats.md,
- * pieces); 0: it has none, or NULL. */
+/** The `row` (formats.md, pieces) of the first piece of the motion whose closed interval holds the
+ * time; 0 if this piece has no row, and for NULL. */
 GRAZE_API unsigned long graze_time_row(const graze_time *time);
 
 #ifdef __cplusplus

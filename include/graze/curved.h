@@ -1,10 +1,11 @@
 /* graze/curved.h - curved solids: Boolean expressions over polynomial inequalities.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * graze_solid_read reads `.csg.json` files (formats.md, Curved solids). Scenes of such solids have
- * graze_classify, traces and the reports of points. Functions that make something else of a solid
- * or a scene fail with GRAZE_EINPUT. What is not decided is GRAZE_CLASS_UNDECIDED, and
- * GRAZE_PMC_UNDECIDED where the states that are decided do not tell the membership.
+ * graze_solid_read reads `.csg.json` files (formats.md, Curved solids). Scenes of such solids serve
+ * graze_classify, traces, the reports of points and, in E^3, graze_compare_mesh; where a box is
+ * known (graze_solid_bounded) also boxes, grids, generators and pictures. Other functions fail with
+ * GRAZE_EINPUT. A point with an undecided state has GRAZE_CLASS_UNDECIDED, and GRAZE_PMC_UNDECIDED
+ * where the decided states do not give its membership.
  */
 #ifndef GRAZE_CURVED_H
 #define GRAZE_CURVED_H
@@ -34,18 +35,19 @@ GRAZE_API const char *graze_solid_primitive(const graze_solid *solid, size_t ind
 GRAZE_API size_t graze_solid_surface_count(const graze_solid *solid);
 
 /** Whether a box of the solid is known, which graze_solid_box, graze_scene_box and grids need: 1
- * for a polyhedron; for a curved solid by its primitives, where these are bounded; 0 for NULL. */
+ * for a polyhedron or polygon, and for a curved solid that its primitives bound; 0 for NULL. */
 GRAZE_API int graze_solid_bounded(const graze_solid *solid);
 
 /**
  * The first place where the rules leave a state of a trace undecided.
- * @param[out] out its time, which is that of `from` and `to`, and the primitives on which the state
- *                 depends there; other members zero. Borrowed from the trace. Unchanged for 0
+ * @param[out] out `from` and `to` are the time of that place, `cells` the primitives on which the
+ *                 state depends there; other members zero. Borrowed from the trace. Unchanged if
+ *                 the result is 0
  * @return 1; 0 if all states are decided, or for NULL
  */
 GRAZE_API int graze_trace_undecided(graze_contact *out, const graze_trace *trace);
-/** Why the state there is undecided, in one line; "" if all states are decided, or for NULL.
- * Static. */
+/** Why the state at the place of graze_trace_undecided is not decided, in one line; "" if all
+ * states are decided, or for NULL. Static. */
 GRAZE_API const char *graze_trace_reason(const graze_trace *trace);
 
 #ifdef __cplusplus

@@ -22,8 +22,8 @@ typedef struct graze_enclosure {
     double time; /**< double nearest to a time at which the signed distance to the solid is at most
                     high; for an unsweep at least low; for `on` that of a contact */
     graze_pmc pmc; /**< the exact answer */
-    int wide; /**< 1: high - low is more than the tolerance, as doubles near s resolve no more, or
-                 the work for one point has a limit */
+    int wide; /**< 1: high - low is more than the tolerance, because doubles near s are too coarse,
+                 or because the work for one point has reached its limit */
 } graze_enclosure;
 
 /**
@@ -33,9 +33,9 @@ typedef struct graze_enclosure {
  * failed on are zero
  * @param points    n*d canonical rationals, point after point; may be NULL if n is 0
  * @param tolerance greatest width wanted, positive and finite
- * @return GRAZE_EUSE; GRAZE_ELIMIT, also for numbers of solid, motion or point beyond 2^200 and
- * degrees beyond 32, beyond 20 on a piece that is not rigid; GRAZE_ECANCELED; GRAZE_ESYSTEM;
- * GRAZE_EINTERNAL
+ * @return GRAZE_EUSE; GRAZE_ELIMIT, also for numbers of solid, motion or point beyond 2^200, and
+ * for a degree beyond 32, or beyond 20 on a piece that is not rigid; GRAZE_ECANCELED;
+ * GRAZE_ESYSTEM; GRAZE_EINTERNAL
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_distances(graze_enclosure *out, graze_context *context,
                                                      const graze_scene *scene,
@@ -48,7 +48,7 @@ GRAZE_API GRAZE_CHECKED graze_status graze_distances_doubles(graze_enclosure *ou
                                                              const double *points, size_t n,
                                                              double tolerance);
 /**
- * The diagonal of the box of S^0's corners, rounded down: what relative tolerances are relative to.
+ * The diagonal of the box of S^0's corners, rounded down: the unit of relative tolerances.
  * @return GRAZE_EUSE; GRAZE_ELIMIT if it is not between 2^-300 and 2^300; GRAZE_ECANCELED
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_scene_diagonal(double *out, graze_context *context,

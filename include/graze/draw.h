@@ -13,29 +13,32 @@ extern "C" {
 /** Meaning of the colours of cells. */
 typedef enum graze_draw_by {
     GRAZE_DRAW_BY_CLASS = 0,   /**< the class of the centre; for an unsweep pmc */
-    GRAZE_DRAW_BY_DISTANCE = 1 /**< bands of its signed distance, with level lines */
+    GRAZE_DRAW_BY_DISTANCE = 1 /**< bands of the centre's signed distance, with level lines */
 } graze_draw_by;
 
 /** Options of a picture (rule 6). All pointers are borrowed. */
 typedef struct graze_draw_options {
-    size_t size;                /**< sizeof(graze_draw_options) */
-    const char *title;          /**< a line above the picture, UTF-8, at most 512 bytes, or NULL */
-    unsigned long grid;         /**< cells along the longer side; 0: 240, or 360 for a wide box */
-    unsigned long times;        /**< number of positions of S, 2 to 64, evenly spaced; 0: 5 */
-    graze_rationals low, high;  /**< corners of the box, d rationals each; NULL: around the scene */
-    int plane_axis;             /**< E^3: the plane in which this coordinate, 0 to 2, ... */
-    graze_rationals plane;      /**< ... has this value; NULL: z in the middle of the box */
-    double view[3];             /**< E^3: direction to the viewer; all 0: (2, -3, 2) */
-    graze_rationals points;     /**< point_count points, d canonical rationals each */
-    size_t point_count;         /**< number of points whose trajectories are drawn */
-    const char *const *names;   /**< a name for each point, UTF-8 */
-    const char *const *strata;  /**< .html: for each point a group to filter by, or NULL; or NULL */
-    const char *const *answers; /**< .html: for each point on which a candidate is wrong its answer,
-                                     else NULL; or NULL */
+    size_t size;               /**< sizeof(graze_draw_options) */
+    const char *title;         /**< a line above the picture, UTF-8, at most 512 bytes, or NULL */
+    unsigned long grid;        /**< cells along the longer side; 0: 240, or 360 for a wide box */
+    unsigned long times;       /**< number of positions of S, 2 to 64, evenly spaced; 0: 5 */
+    graze_rationals low, high; /**< corners of the box, d rationals each; NULL: around the scene */
+    int plane_axis;            /**< E^3: number, 0 to 2, of the coordinate that is constant in the
+                                    plane of the cells */
+    graze_rationals plane;    /**< value of this coordinate; NULL: the plane is that of the z in the
+                                   middle of the box */
+    double view[3];           /**< E^3: direction to the viewer; all 0: (2, -3, 2) */
+    graze_rationals points;   /**< point_count points, d canonical rationals each */
+    size_t point_count;       /**< number of points whose trajectories are drawn */
+    const char *const *names; /**< a name for each point, UTF-8 */
+    const char *const *strata;  /**< .html: for each point NULL or a group to filter by; the array
+                                   may be NULL */
+    const char *const *answers; /**< .html: for each point a candidate's answer where it is wrong,
+                                   else NULL; the array may be NULL */
     int surface;                /**< .html: level of the sweep's surface (graze_boundary_options,
                                      depth), 1 to 19; 0: 5, in E^2 8; -1: none */
-    graze_draw_by by;           /**< pictures: by distance 120 cells, or 180 for a wide box, where
-                                     grid is 0 */
+    graze_draw_by by;           /**< pictures: meaning of colours; by distance, grid 0 gives 120
+                                     cells, or 180 for a wide box */
     graze_rationals normal;     /**< E^3: three rationals, not all 0: the plane of the cells is
                                      normal . x = *plane, or with plane NULL through the middle of
                                      the box, and plane_axis has no effect; NULL: plane_axis */
@@ -45,19 +48,19 @@ typedef struct graze_draw_options {
 GRAZE_API unsigned graze_class_colour(graze_class class_);
 /**
  * Draw a scene. Square cells have the colour of the class of their centres, which are rationals and
- * classified exactly; over them, outlines of S at some times of the motion. In E^3 the centres are
- * in a plane, where regions of classes have contours between them that exact bisection finds to
- * 1/32 of a pixel, and a view of the positions of S is beside it. In a plane that is not one of the
- * axes' they are squares to within 2^-49, and centres are rational points of it. Points are drawn
+ * classified exactly; outlines of S at some times of the motion lie over them. In E^3 the centres
+ * are in a plane; contours between regions of classes are found by exact bisection to 1/32 of a
+ * pixel, and a view of the positions of S is beside the plane. In an oblique plane the cells are
+ * square to within 2^-49, and their centres are rational points of the plane. Points are drawn
  * with their inverted trajectories through the standing S; contacts are marked by kind and cell.
  * For an unsweep, colours show pmc and positions are those of the inverse motion. By distance, the
- * side of each centre is exact, and such a contour is between the set and `out`; distances are
- * within 1/64 of a cell's side, level lines interpolated between centres.
+ * sign at each centre is exact, and the contour of E^3 is that between the set and `out`; distances
+ * are within 1/64 of a cell's side, and level lines are interpolated between centres.
  *
  * A page of HTML shows the same scene in a browser, without a network: S at a time that a slider
  * chooses, the surface of the sweep as graze_boundary_create samples it, the points by class, the
- * trajectory of the one that is clicked on, and the sentences of `graze explain` for it. It begins
- * with the first point that has an entry in `answers`. `grid`, `plane`, `normal` and
+ * trajectory of the one that is clicked on, and the sentences of `graze explain` for that point.
+ * The page opens with the first point that has an entry in `answers`. `grid`, `plane`, `normal` and
  * `view` have no effect.
  * @param file    the picture to write: .svg, .html, or .png and .pdf, which need libgraze-png;
  * `-.svg`, and so on, is standard output

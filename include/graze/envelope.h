@@ -15,11 +15,12 @@
 extern "C" {
 #endif
 
-/** Kinds of change at an event. Zero is never an answer. */
+/** Kinds of change at an event, each with the quantity whose sign graze_event gives before and
+ * after. Zero is never an answer. */
 typedef enum graze_event_kind {
     GRAZE_EVENT_NONE = 0,
     GRAZE_EVENT_SADDLE = 1, /**< det(velocity, two edge rays) at a vertex that is not convex */
-    GRAZE_EVENT_REACH = 2,  /**< the slice of a facet reaches a vertex in it: g there */
+    GRAZE_EVENT_REACH = 2,  /**< the slice of a facet reaches a vertex of the facet: g there */
     GRAZE_EVENT_MEET = 3,   /**< slices of two facets end at one point of an edge: g of one there */
     GRAZE_EVENT_CUSP = 4,   /**< the envelope has a cusp where a slice ends: theta there */
     GRAZE_EVENT_TURN = 5,   /**< the end of a slice turns back on its edge: g_t there */
@@ -33,18 +34,18 @@ typedef enum graze_decomposable {
     GRAZE_DECOMPOSABLE_NO = 2,
     GRAZE_DECOMPOSABLE_UNDECIDED = 3 /**< neither is proved */
 } graze_decomposable;
-/** Why. Zero is never an answer. */
+/** Reason for the answer to decomposable. Zero is never an answer. */
 typedef enum graze_decomposable_reason {
     GRAZE_REASON_NONE = 0,
-    GRAZE_REASON_THETA = 1,  /**< no: theta < 0 on a slice */
-    GRAZE_REASON_REFLEX = 2, /**< no: a slice crosses a reflex edge (E^2: reaches a corner) */
-    GRAZE_REASON_BREAK = 3, /**< no: at a break, contact on one side, into the solid on the other */
+    GRAZE_REASON_THETA = 1,   /**< no: theta < 0 on a slice */
+    GRAZE_REASON_REFLEX = 2,  /**< no: a slice crosses a reflex edge (E^2: reaches a corner) */
+    GRAZE_REASON_BREAK = 3,   /**< no: a break has contact on one side, entry on the other */
     GRAZE_REASON_VERTEX = 4,  /**< no: a slice or run reaches a vertex and enters the solid there */
     GRAZE_REASON_PIECES = 5,  /**< undecided: the motion has a break */
     GRAZE_REASON_ZERO = 6,    /**< undecided: theta is not positive on a closed slice */
     GRAZE_REASON_REACHES = 7, /**< undecided: a slice or run reaches a reflex edge or a vertex that
                                  is not convex */
-    GRAZE_REASON_POSITIVE = 8 /**< yes: none of these */
+    GRAZE_REASON_POSITIVE = 8 /**< yes: none of the other reasons holds */
 } graze_decomposable_reason;
 
 /** A sign that is not there: before the motion begins, after it ends, or for `singular`. */
@@ -60,10 +61,10 @@ typedef struct graze_event {
     int before, after;      /**< signs next to the event: -1, 0, 1, or GRAZE_SIGN_ABSENT */
 } graze_event;
 
-/** Whether the envelope decomposes, and why: the cell, facet and time of the first thing that says
- * so, of kind 0 or NULL where it is about no cell or time. */
+/** Whether the envelope decomposes, and why. `facet`, `cell` and `time` are those at which the
+ * reason was first found; kind 0 or NULL where the reason has no cell or time. */
 typedef struct graze_envelope_facts {
-    size_t facets, edges, vertices; /**< by position, edges cut where parts touch */
+    size_t facets, edges, vertices; /**< counts by position; edges are cut where parts touch */
     graze_decomposable decomposable;
     graze_decomposable_reason reason;
     graze_cell facet, cell;
@@ -80,22 +81,22 @@ typedef enum graze_curve_kind {
     GRAZE_CURVE_POINT = 3, /**< a point of an edge or a vertex alone */
     GRAZE_CURVE_WHOLE = 4  /**< a whole facet */
 } graze_curve_kind;
-/** Shape of a connected part (E^3). Zero: one point, or E^2. */
+/** Shape of a chain, a connected set of parts (E^3). Zero: one point, or E^2. */
 typedef enum graze_chain_form {
     GRAZE_CHAIN_NONE = 0,
-    GRAZE_CHAIN_CLOSED = 1,   /**< two parts at every end */
-    GRAZE_CHAIN_OPEN = 2,     /**< one part alone at some end, nowhere more than two */
-    GRAZE_CHAIN_BRANCHING = 3 /**< more than two parts at some end, or a whole facet */
+    GRAZE_CHAIN_CLOSED = 1,   /**< two parts meet at every end */
+    GRAZE_CHAIN_OPEN = 2,     /**< some end has one part alone, none more than two */
+    GRAZE_CHAIN_BRANCHING = 3 /**< more than two parts meet at some end, or one is a whole facet */
 } graze_chain_form;
 
 /** A part of a curve. Signs of theta are those of a slice at its ends. */
 typedef struct graze_curve_part {
     graze_curve_kind kind;
     graze_cell cell;
-    int theta_a, theta_b;          /**< -1, 0, 1, or GRAZE_SIGN_ABSENT but for slices */
+    int theta_a, theta_b;          /**< -1, 0, 1; GRAZE_SIGN_ABSENT unless it is a slice */
     graze_orientation orientation; /**< at the middle of a slice within a facet */
     graze_trim trim;               /**< at the middle; of a whole facet at a point within */
-    size_t chain;                  /**< its number, from 0 */
+    size_t chain;                  /**< number of its chain, from 0 */
     graze_chain_form form;
 } graze_curve_part;
 
@@ -123,7 +124,7 @@ GRAZE_API void graze_envelope_destroy(graze_envelope *envelope);
 GRAZE_API graze_envelope_facts graze_envelope_get(const graze_envelope *envelope);
 /** Number of events; 0 for NULL. */
 GRAZE_API size_t graze_envelope_event_count(const graze_envelope *envelope);
-/** Event `index`, in order of time, equal times in that of kinds; zero past the end. */
+/** Event `index`, in order of time, at equal times in order of kind; zero past the end. */
 GRAZE_API graze_event graze_envelope_event(const graze_envelope *envelope, size_t index);
 
 /** Head of a table of events, with the line of names: as graze_report_header. */
@@ -145,8 +146,8 @@ GRAZE_API const char *graze_chain_form_name(graze_chain_form form);
  * Find the contact points at a time within the motion that is no break. The envelope must outlive
  * the call only.
  * @param time canonical
- * @return GRAZE_EUSE a NULL or a number that is not canonical; GRAZE_EINPUT another time;
- * GRAZE_ELIMIT; GRAZE_ECANCELED; GRAZE_ESYSTEM; GRAZE_EINTERNAL
+ * @return GRAZE_EUSE a NULL or a number that is not canonical; GRAZE_EINPUT a time that is a break
+ * or beyond the motion; GRAZE_ELIMIT; GRAZE_ECANCELED; GRAZE_ESYSTEM; GRAZE_EINTERNAL
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_curve_create(graze_curve **out, graze_context *context,
                                                         const graze_envelope *envelope,
@@ -155,7 +156,7 @@ GRAZE_API GRAZE_CHECKED graze_status graze_curve_create(graze_curve **out, graze
 GRAZE_API void graze_curve_destroy(graze_curve *curve);
 /** Number of parts; 0 for NULL. */
 GRAZE_API size_t graze_curve_count(const graze_curve *curve);
-/** Part `index`: slices and whole facets, runs, points; zero past the end. */
+/** Part `index`, in the order slices and whole facets, runs, points; zero past the end. */
 GRAZE_API graze_curve_part graze_curve_at(const graze_curve *curve, size_t index);
 /** The ends of a part in the solid's frame, d initialised rationals each; those of a whole facet
  * are a point within it. Unchanged past the end. */
@@ -170,9 +171,10 @@ GRAZE_API GRAZE_CHECKED graze_status graze_curve_header(char **out, graze_contex
 GRAZE_API GRAZE_CHECKED graze_status graze_curve_row(char **out, graze_context *context,
                                                      const graze_curve *curve, size_t index);
 
-/** A patch: a cell of the solid over a maximal interval of time in which it carries contact and no
- * event concerns it. Its cell is a facet with a segment of its slice, or all of it, an edge with a
- * run or a single point, or a vertex. Borrowed times are those of the patches. */
+/** A patch: a cell of the solid over a maximal interval of time in which the cell carries contact
+ * and no event concerns it. The cell is a facet with a segment of its slice or in contact as a
+ * whole, an edge with a run or a single point, or a vertex. Times are borrowed from the
+ * graze_patches. */
 typedef struct graze_patch {
     graze_curve_kind kind;
     graze_cell cell;
@@ -209,7 +211,8 @@ GRAZE_API GRAZE_CHECKED graze_status graze_patches_create(graze_patches **out,
 GRAZE_API void graze_patches_destroy(graze_patches *patches);
 /** Number of patches; 0 for NULL. */
 GRAZE_API size_t graze_patches_count(const graze_patches *patches);
-/** Patch `index`: facets, edges, vertices, each in order of time; zero past the end. */
+/** Patch `index`, in the order facets, edges, vertices, those of a cell in order of time; zero past
+ * the end. */
 GRAZE_API graze_patch graze_patches_at(const graze_patches *patches, size_t index);
 /** The sample of a patch: a time in its interval, and the contact point in the solid's frame and in
  * that of the query points, d initialised rationals each. Unchanged past the end. */
@@ -237,8 +240,9 @@ GRAZE_API GRAZE_CHECKED graze_status graze_patches_joint_row(char **out, graze_c
                                                              size_t index);
 
 /**
- * Contact point `index` of a seed, at a time between two events, one such gap after another; where
- * and when in it by chance. NULL: there is no contact at that time. It borrows the scene.
+ * Contact point `index` of a seed, at a time between two events: successive indices go through
+ * these gaps in turn, and time and place in a gap are random. *out is NULL if there is no contact
+ * at that time. The site borrows the scene.
  * @return GRAZE_EUSE a NULL; GRAZE_ELIMIT; GRAZE_ECANCELED; GRAZE_ESYSTEM; GRAZE_EINTERNAL
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_envelope_site(graze_site **out, graze_context *context,

@@ -13,15 +13,15 @@ extern "C" {
 /**
  * Way to make a query point. A point of a contact stratum is P = M(t) y, with y a boundary point
  * and t a rational time: the trajectory of P is at y at the time t. The facets of a curved solid
- * are its surfaces, with their tangent planes; edges are curves in which two of them meet or touch;
- * vertices apexes, and points in which more meet or two touch; in the plane all points in which two
- * meet.
+ * are its surfaces, with their tangent planes; its edges are the curves in which two surfaces meet
+ * or touch; its vertices are the apexes and the points in which more than two surfaces meet or two
+ * touch, and in the plane all points in which two curves meet.
  */
 typedef enum graze_stratum {
     GRAZE_STRATUM_RANDOM = 0,   /**< anywhere in the box of the sweep */
     GRAZE_STRATUM_NEAR = 1,     /**< a `face` point displaced by 2^-k, k from 4 to 11 */
     GRAZE_STRATUM_FACE = 2,     /**< y in a facet where its normal velocity is zero: even order */
-    GRAZE_STRATUM_FACE_ODD = 3, /**< the same with an odd order, at least 3 */
+    GRAZE_STRATUM_FACE_ODD = 3, /**< as `face`, with an odd order, at least 3 */
     GRAZE_STRATUM_EDGE = 4,     /**< y on an edge (E^3) */
     GRAZE_STRATUM_VERTEX = 5,   /**< y a vertex */
     GRAZE_STRATUM_CROSSING = 6, /**< y in a facet, order 1 */
@@ -29,13 +29,13 @@ typedef enum graze_stratum {
     GRAZE_STRATUM_END = 8,      /**< t = t1 */
     GRAZE_STRATUM_BREAK = 9,    /**< t a break point */
     GRAZE_STRATUM_SLIDE = 10,   /**< y in a facet whose plane the trajectory does not leave */
-    GRAZE_STRATUM_MISS = 11,    /**< one of these displaced by 2^-k, k from 8 to 96 */
-    GRAZE_STRATUM_LEVEL = 12,   /**< beside an `on` contact, the signed distance in a decade that is
-                                   drawn, proved by its enclosure; default weight 0 */
-    GRAZE_STRATUM_ROUNDED = 13, /**< a contact of one of the strata from `face` to `slide` but
-                                   `near`, its coordinates replaced by doubles next to them, on a
-                                   side that is drawn where there is such a point; default weight
-                                   0 */
+    GRAZE_STRATUM_MISS = 11,    /**< a point of face, edge, vertex, start or end, displaced by 2^-k,
+                                   k from 8 to 96 */
+    GRAZE_STRATUM_LEVEL = 12,   /**< beside an `on` contact; the signed distance is in a random
+                                   decade, which its enclosure proves; default weight 0 */
+    GRAZE_STRATUM_ROUNDED = 13, /**< a contact of a stratum from `face` to `slide`, with its
+                                   coordinates replaced by neighbouring doubles, on a random side
+                                   where such a point exists; default weight 0 */
     GRAZE_STRATUM_COUNT = 14
 } graze_stratum;
 
@@ -50,10 +50,10 @@ typedef struct graze_sample {
     int k;           /**< displaced by 2^-k along the normal of the moved facet; 0: not displaced */
     int outward;     /**< 1 if displaced to the outside */
     int decade;      /**< level: 10^decade <= |s| < 10^(decade + 1), s < 0 unless outward */
-    graze_stratum origin; /**< rounded: that of the contact, which order and cell describe */
+    graze_stratum origin; /**< rounded: stratum of the contact that order and cell describe */
     graze_pmc pmc;        /**< rounded: the exact answer for the point, else GRAZE_PMC_NONE */
-    unsigned undecided; /**< points tried for this row and left out, as rules for their answers end;
-                           0 but of curved solids */
+    unsigned undecided;   /**< points tried for this row and left out, because their answers are
+                             undecided; 0 unless the solid is curved */
 } graze_sample;
 
 /** Source of query points. It never changes: threads may share it. */
@@ -65,9 +65,9 @@ typedef struct graze_generator graze_generator;
 /**
  * Make a generator of query points for a scene, which is borrowed and must outlive it. A stratum
  * that a number of tries does not find in the scene gets the weight 0; for a curved solid these are
- * `level` and strata in which no rational point is found. The decades of `level` are those from the
- * largest of an `in` point that is found down to 1e-9 of the diagonal of S^0's box, on both sides;
- * those that a number of tries does not find are missing.
+ * `level` and strata in which no rational point is found. The decades of `level` go, on both
+ * sides, from that of the deepest `in` point found down to 1e-9 of the diagonal of S^0's box;
+ * decades in which a number of tries finds no point are missing.
  * @param weights GRAZE_STRATUM_COUNT weights of at most 10^6, or NULL for the defaults, with which
  * at least 70 % of the points are degenerate
  * @param flags   0 or GRAZE_GENERATE_REPRESENTABLE
@@ -94,8 +94,8 @@ GRAZE_API unsigned long graze_stratum_default_weight(graze_stratum stratum);
  */
 GRAZE_API void graze_generator_box(mpq_t *low, mpq_t *high, const graze_generator *generator);
 /**
- * Point of a row, from 0. It depends on scene, seed, weights, flags and row alone; different rows
- * may have equal points.
+ * Make the point of a row; rows count from 0. The point depends on scene, seed, weights, flags and
+ * row alone; different rows may have equal points.
  * @param[out] point d initialised rationals
  * @param[out] time  initialised; the time of the contact, 0 without a contact
  * @param[out] out   the way in which the point was made

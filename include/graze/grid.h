@@ -36,7 +36,7 @@ GRAZE_API size_t graze_grid_count(const graze_grid *grid);
 GRAZE_API void graze_grid_points(mpq_t *points, const graze_grid *grid, size_t first, size_t step,
                                  size_t count);
 /**
- * Exact memberships of the same points: `in`, `on` and `out` as graze_classify tells them.
+ * Exact memberships of the points first, first + step, ... of a grid, as graze_classify gives them.
  * @param[out] out `count` values of graze_pmc; on failure 0 from the point that failed on
  * @return GRAZE_EUSE also for points past the end; GRAZE_ELIMIT; GRAZE_ECANCELED; GRAZE_ESYSTEM;
  * GRAZE_EINTERNAL
@@ -46,7 +46,8 @@ GRAZE_API GRAZE_CHECKED graze_status graze_grid_pmc(unsigned char *out, graze_co
                                                     size_t step, size_t count);
 
 /**
- * Rows of these points as graze_report_points writes them, of pmc alone.
+ * Rows of the points first, first + step, ... of a grid as graze_report_points writes them, with
+ * pmc as their only answer.
  * @param[out] out    whole rows, for graze_free; NULL where there are none
  * @param[out] length bytes of them
  * @param[out] done   how many rows, also on failure

@@ -21,7 +21,8 @@ typedef struct graze_judgement graze_judgement;
 /** How a mesh tells its inside. */
 typedef enum graze_mesh_rule {
     GRAZE_MESH_NONE = 0,   /**< it does not: some edge has an odd number of triangles */
-    GRAZE_MESH_PARITY = 1, /**< by parity: all edges have an even number, but they do not cancel */
+    GRAZE_MESH_PARITY = 1, /**< inside by parity: all edges have an even number of triangles, but
+                              orientations do not cancel */
     GRAZE_MESH_WINDING = 2 /**< inside is where the winding number is not 0; the rule holds if
                               every edge is run through as often one way as the other */
 } graze_mesh_rule;
@@ -29,16 +30,17 @@ typedef enum graze_mesh_rule {
 /** Facts of a mesh. Vertices at one position count as one. */
 typedef struct graze_mesh_facts {
     size_t vertices, facets; /**< as given */
-    size_t triangles;        /**< after facets were cut; those without area are left out, */
-    size_t flat;             /**< and counted here */
+    size_t triangles;        /**< into which facets are cut, without those of area 0 */
+    size_t flat;             /**< triangles of area 0, left out */
     size_t components;       /**< joined by edges */
     size_t odd_edges;        /**< with an odd number of triangles: 0 if the mesh is closed */
-    size_t unbalanced_edges; /**< that do not cancel: 0 if it is closed and oriented */
+    size_t unbalanced_edges; /**< run through more often one way: 0 if closed and oriented */
     graze_mesh_rule rule;
 } graze_mesh_facts;
 
 /**
- * Read a mesh from a file of any format that solids in E^3 have; what it lacks is no error.
+ * Read a mesh from a file of any format of solids in E^3. A mesh that is not closed or not oriented
+ * is no error.
  * @param flags 0 or GRAZE_SOLID_TRIANGULATE: facets that are not planar are cut into fans
  * @return GRAZE_ESYSTEM the file cannot be read; GRAZE_EINPUT it does not follow its format;
  * GRAZE_EILLEGAL a facet is not planar or not simple; GRAZE_ELIMIT; GRAZE_ECANCELED
@@ -55,7 +57,7 @@ GRAZE_API GRAZE_CHECKED graze_status graze_mesh_create(graze_mesh **out, graze_c
                                                        const double *vertices, size_t vertex_count,
                                                        const size_t *triangles,
                                                        size_t triangle_count);
-/** Free a mesh; judgements that borrow it are freed before. NULL is allowed. */
+/** Free a mesh, after all judgements of it. NULL is allowed. */
 GRAZE_API void graze_mesh_destroy(graze_mesh *mesh);
 /** Facts of a mesh; zeros for NULL. */
 GRAZE_API graze_mesh_facts graze_mesh_get_facts(const graze_mesh *mesh);
@@ -63,9 +65,9 @@ GRAZE_API graze_mesh_facts graze_mesh_get_facts(const graze_mesh *mesh);
  * rule is not GRAZE_MESH_WINDING, and for NULL */
 GRAZE_API int graze_mesh_volume(mpq_t out, const graze_mesh *mesh);
 /**
- * Least and greatest winding number that was found: of 0 and of places on both sides of up to 128
- * triangles, which are exact; others may be elsewhere. 0 and 1 are those of a mesh that is the
- * boundary of a solid, -1 that of one that faces inward, 2 that of one given twice.
+ * Least and greatest of 0 and the exact winding numbers on both sides of up to 128 triangles;
+ * elsewhere there may be others. A mesh that bounds a solid has 0 and 1; one that faces inward has
+ * -1, one given twice 2.
  * @return 0, and sets nothing, where the rule is not GRAZE_MESH_WINDING, and for NULL
  */
 GRAZE_API int graze_mesh_windings(int *least, int *most, const graze_mesh *mesh);
@@ -81,27 +83,28 @@ GRAZE_API void graze_mesh_triangle(size_t *vertex, const graze_mesh *mesh, size_
 typedef struct graze_judge_options {
     size_t size;          /**< sizeof(graze_judge_options) */
     double within;        /**< greatest width of the distances' enclosures; positive, finite */
-    unsigned long budget; /**< cubes and points that may be asked about, and a few more; 0: 10^7 */
+    unsigned long budget; /**< cubes and points that may be examined; a few more can be; 0: 10^7 */
     int threads; /**< up to 1024, for the volume: they change nothing but the time; 0 is 1 */
 } graze_judge_options;
 
 /** Distance that is judged. */
 typedef enum graze_judged {
-    GRAZE_JUDGED_OUTSIDE = 0, /**< how far a point of the mesh is from W at most */
-    GRAZE_JUDGED_INSIDE = 1,  /**< how far a point of the mesh is from W's complement at most */
-    GRAZE_JUDGED_SWEEP = 2,   /**< how far a boundary point of W is from the mesh at most */
+    GRAZE_JUDGED_OUTSIDE = 0, /**< greatest distance of a point of the mesh from W */
+    GRAZE_JUDGED_INSIDE = 1,  /**< greatest distance of a point of the mesh from W's complement */
+    GRAZE_JUDGED_SWEEP = 2,   /**< greatest distance of a boundary point of W from the mesh */
     GRAZE_JUDGED_COUNT = 3
 } graze_judged;
 
-/** The greatest of some distances: low <= it <= high. From an empty mesh it is infinite. */
+/** Bounds, low and high, of the greatest distance that a graze_judged names. The distance from an
+ * empty mesh is infinite. */
 typedef struct graze_judged_distance {
     double low, high;
-    double at[3];   /**< a point of the mesh, within rounding, at which it is at least `low`; of the
-                       third a point near the boundary of W, from which the nearest place of that
-                       is at least `low` away from the mesh; zeros where low is 0 */
-    double time;    /**< double nearest to a time at which the solid is as near to `at`, or `at` as
-                       deep in it, as ever, to a 16th of the width; 0 where low is 0 */
-    double open[3]; /**< where it is perhaps `high` */
+    double at[3];   /**< a point of the mesh, within rounding, whose distance is at least `low`; for
+                       GRAZE_JUDGED_SWEEP a point near the boundary of W, whose nearest boundary
+                       point is at least `low` away from the mesh; zeros where low is 0 */
+    double time;    /**< double nearest to a time at which the solid is nearest to `at`, or `at` is
+                       deepest in it, to a 16th of the width; 0 where low is 0 */
+    double open[3]; /**< a point at which the distance is perhaps `high` */
     int reached;    /**< 1: high - low is at most what was asked for */
     int stuck; /**< 1: the search cannot refine near `open`: a seam of the sweep is perhaps there,
                   where its copies touch and cover a neighbourhood together, or coordinates are
@@ -109,9 +112,9 @@ typedef struct graze_judged_distance {
 } graze_judged_distance;
 
 /**
- * Judge a mesh against the sweep of a polyhedron in E^3. Scene and mesh are borrowed, and outlive
- * the judgement. Bounds are proved (proofs/judging.md C117 to C119); a smaller width or a larger
- * budget never gives wider ones that contradict.
+ * Judge a mesh against the sweep of a polyhedron in E^3. Scene and mesh are borrowed and must
+ * outlive the judgement. Bounds are proved (proofs/judging.md C117 to C119), so bounds for another
+ * width or budget never contradict them.
  * @return GRAZE_EUSE; GRAZE_EINPUT a curved solid; GRAZE_EILLEGAL a scene in E^2, or an unsweep;
  * GRAZE_ELIMIT numbers beyond those of graze_distances; GRAZE_ECANCELED; GRAZE_ESYSTEM
  */
@@ -123,7 +126,7 @@ GRAZE_API void graze_judgement_destroy(graze_judgement *judgement);
 /** A distance; zeros for NULL. */
 GRAZE_API graze_judged_distance graze_judgement_distance(const graze_judgement *judgement,
                                                          graze_judged which);
-/** The volume of W is between these, exactly. Unchanged for NULL.
+/** Exact lower and upper bounds of the volume of W. Unchanged for NULL.
  * @param[out] low, high initialised */
 GRAZE_API void graze_judgement_volume(mpq_t low, mpq_t high, const graze_judgement *judgement);
 /**
@@ -182,9 +185,9 @@ GRAZE_API GRAZE_CHECKED graze_status graze_mesh_answers(graze_pmc *out, graze_co
                                                         int threads);
 
 /**
- * Write a page of HTML (graze/draw.h): the scene, the mesh in the colours of its vertices'
- * distances, and the places of the greatest ones as points, which say what they are and why:
- * `outside`, `inside` and `sweep`, and where a search has stuck its place, `seam?` behind the name.
+ * Write a page of HTML (graze/draw.h) with the scene, the mesh in the colours of its vertices'
+ * distances, the places of the greatest distances as points named `outside`, `inside` and `sweep`,
+ * and the place where a search is stuck, named such as `outside seam?`.
  * @param file  a name in .html; `-.html` is standard output
  * @param found enclosures of all vertices (graze_mesh_distances)
  * @param title UTF-8, at most 512 bytes, or NULL
@@ -198,12 +201,12 @@ GRAZE_API GRAZE_CHECKED graze_status graze_judgement_draw(
 typedef struct graze_mesh_points {
     size_t size;             /**< sizeof(graze_mesh_points) */
     size_t count;            /**< how many points; up to 10^9 */
-    unsigned long long seed; /**< of those that are generated, of all strata (graze/generate.h) */
+    unsigned long long seed; /**< of generated points, which are of all strata (graze/generate.h) */
     graze_rationals points;  /**< 3 count canonical rationals; NULL: points are generated */
-    graze_on_as on_as; /**< as what the mesh's answer `on` is judged, that it gives on itself */
-    size_t show;       /**< disagreements to keep (graze/compare.h) */
-    int threads;       /**< up to 1024; 0 is 1: the caller's own */
-    const char *solid, *motion; /**< file names for the commands that explain them, or NULL */
+    graze_on_as on_as;       /**< how the mesh's `on`, the answer on its triangles, is judged */
+    size_t show;             /**< disagreements to keep (graze/compare.h) */
+    int threads;             /**< up to 1024; 0 is 1: the caller's own */
+    const char *solid, *motion; /**< file names for commands in the report, or NULL */
 } graze_mesh_points;
 
 /**

@@ -22,7 +22,7 @@ typedef enum graze_pair_verdict {
     GRAZE_PAIR_CLEAR = 1,   /**< the closed solids never meet */
     GRAZE_PAIR_TOUCH = 2,   /**< they meet, their interiors never do */
     GRAZE_PAIR_OVERLAP = 3, /**< their interiors meet */
-    GRAZE_PAIR_CONTACT = 4  /**< up to the first contact: they meet, no more is asked */
+    GRAZE_PAIR_CONTACT = 4  /**< with the option `first`: they meet; later times are not examined */
 } graze_pair_verdict;
 
 /** Question about a pair. */
@@ -36,7 +36,8 @@ typedef enum graze_pair_question {
 typedef struct graze_pair_options {
     size_t size; /**< sizeof(graze_pair_options) */
     graze_pair_question question;
-    int first; /**< 1: up to just after the first contact begins, which is much cheaper */
+    int first; /**< 1: examine times only until just after the first contact begins, which is
+                  cheaper */
 } graze_pair_options;
 
 /** Two boundary cells, relatively open, that have a point in common; in the numbering of the input.
@@ -72,12 +73,12 @@ GRAZE_API GRAZE_CHECKED graze_status graze_pair_create(graze_pair **out, graze_c
                                                        const graze_pair_options *options);
 /** Free a pair with its times. NULL is allowed. */
 GRAZE_API void graze_pair_destroy(graze_pair *pair);
-/** The verdict; of a pair up to the first contact clear, GRAZE_PAIR_CONTACT, or overlap where the
- * motion begins in it. GRAZE_PAIR_NONE for NULL. */
+/** The verdict. With the option `first` it is clear, GRAZE_PAIR_CONTACT, or overlap if the
+ * interiors meet at the start of the motion. GRAZE_PAIR_NONE for NULL. */
 GRAZE_API graze_pair_verdict graze_pair_get_verdict(const graze_pair *pair);
-/** The word, such as "OBI"; up to the first contact "O", "I", or "OB", "OBI", "OBO", the last two
- * with the letter just after it begins, without "O" where the motion begins in contact. "" for
- * NULL. Borrowed. */
+/** The word, such as "OBI". With the option `first` it is "O", "I", "OB", or "OBI" or "OBO", whose
+ * last letter is the state just after the contact begins; words in B lack the first "O" if the
+ * motion begins in contact. "" for NULL. Borrowed. */
 GRAZE_API const char *graze_pair_word(const graze_pair *pair);
 /** The state just after the first contact begins: B where it lasts, else I or O; absent where the
  * motion ends there, for other verdicts than GRAZE_PAIR_CONTACT, and for NULL. */
@@ -86,8 +87,9 @@ GRAZE_API graze_state graze_pair_next(const graze_pair *pair);
 GRAZE_API size_t graze_pair_contact_count(const graze_pair *pair);
 /** Contact `index`, in order of time; zero past the end. */
 GRAZE_API graze_pair_contact graze_pair_get_contact(const graze_pair *pair, size_t index);
-/** The first time at which the interiors meet or are about to: t0, or the end of the contact before
- * it; NULL if they never do, up to the first contact if they do not at once. Borrowed. */
+/** The first time at which the interiors meet or are about to meet: t0, or the end of the contact
+ * before they meet. NULL if they never meet; with the option `first`, if they do not meet at once.
+ * Borrowed. */
 GRAZE_API const graze_time *graze_pair_overlap_time(const graze_pair *pair);
 /** "clear", "touch", "overlap", "meets" for GRAZE_PAIR_CONTACT, else "none". Static. */
 GRAZE_API const char *graze_pair_verdict_name(graze_pair_verdict verdict);

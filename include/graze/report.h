@@ -56,10 +56,10 @@ typedef enum graze_format {
 typedef struct graze_row_options {
     size_t size; /**< sizeof(graze_row_options) */
     graze_format format;
-    graze_columns columns; /**< pmc: no other answer: no topo, regular, sdf, moments, nor JSON
-                              Lines */
-    int topo;   /**< 1: the position relative to the closed sweep (graze/topo.h), as last column but
-                  for regular */
+    graze_columns columns; /**< GRAZE_COLUMNS_PMC goes with no other answer (topo, regular, sdf,
+                              moments) and not with JSON Lines */
+    int topo;   /**< 1: the position relative to the closed sweep (graze/topo.h), in the last column
+                  or before that of `regular` */
     double sdf; /**< an enclosure of the signed distance of at most this width (graze/distance.h);
                    0: none */
     double motion_error; /**< with sdf: adds the column `certain`: whether pmc holds for every
@@ -67,10 +67,10 @@ typedef struct graze_row_options {
                             (proofs/distance.md C73); 0: no column */
     int moments; /**< 1: the first and the last time at which the point is in the closed solid, with
                     their pieces and rows of a log (formats.md); CSV and JSON Lines */
-    int regular; /**< 1: of an unsweep, is the point in the closure of its interior
-                    (graze_trace_regular)? One column more, the last */
-    int boundary; /**< 1: with sdf, a lower bound of the distance from the boundary: all points that
-                     are nearer have the same pmc (proofs/judging.md C120) */
+    int regular; /**< 1: for an unsweep, a last column: whether the point is in the closure of the
+                    unsweep's interior (graze_trace_regular) */
+    int boundary; /**< 1: with sdf, a lower bound of the distance from the boundary: all points
+                     nearer to this point than the bound have its pmc (proofs/judging.md C120) */
 } graze_row_options;
 
 /** Texts of one row, comma-joined and unchanged; each may be NULL. JSON Lines have none. */
@@ -114,10 +114,9 @@ GRAZE_API GRAZE_CHECKED graze_status graze_report_point(char **out, graze_contex
                                                         const graze_row_options *options);
 /** Totals over rows. */
 typedef struct graze_row_totals {
-    unsigned long undecided; /**< positions relative to the closed sweep or the regularised
-                                  unsweep, or words of a curved solid (with GRAZE_COLUMNS_PMC its
-                                  pmc) */
-    unsigned long wide;      /**< enclosures wider than was asked for */
+    unsigned long undecided; /**< rows with an undecided position or, of a curved solid, an
+                                undecided word (with GRAZE_COLUMNS_PMC: pmc) */
+    unsigned long wide;      /**< rows with an enclosure wider than was asked for */
 } graze_row_totals;
 
 /**
@@ -126,7 +125,7 @@ typedef struct graze_row_totals {
  * point fails; NULL if *done is 0
  * @param[out] length bytes of the text
  * @param[out] done   number of rows written: n, or on failure the index of the point that failed
- * @param[out] totals what the rows written say together, or NULL
+ * @param[out] totals totals over the rows written, or NULL
  * @param points      n*d canonical rationals, point after point; may be NULL if n is 0
  * @param texts       of each row, or NULL
  * @param options     NULL: the defaults

@@ -27,11 +27,11 @@ typedef enum graze_topo {
 typedef enum graze_topo_level {
     GRAZE_LEVEL_NONE = 0, /**< none decides it */
     GRAZE_LEVEL_WORD = 1, /**< the word: `in`, `out`, or `on` for an unsweep (semantics.md 6) */
-    GRAZE_LEVEL_FIRST_ORDER = 2, /**< leading directions at the contacts (topology.md C46) */
-    GRAZE_LEVEL_CURVES = 3, /**< the curves near the point, in a plane (topology.md C49, C50) */
-    GRAZE_LEVEL_CLOSED_CONES = 4, /**< these, with closed cones covered exactly (C46, C51) */
-    GRAZE_LEVEL_EDGES = 5,        /**< these, with ways through pinches and along edges (C52) */
-    GRAZE_LEVEL_SECTION = 6, /**< across a direction that contacts do not depend on (C54, C128) */
+    GRAZE_LEVEL_FIRST_ORDER = 2,  /**< leading directions at the contacts (topology.md C46) */
+    GRAZE_LEVEL_CURVES = 3,       /**< curves near the point, in a plane (topology.md C49, C50) */
+    GRAZE_LEVEL_CLOSED_CONES = 4, /**< closed cones of the contacts, covered exactly (C46, C51) */
+    GRAZE_LEVEL_EDGES = 5,        /**< level 4 with ways through pinches and along edges (C52) */
+    GRAZE_LEVEL_SECTION = 6,      /**< across a direction on which no contact depends (C54, C128) */
     GRAZE_LEVEL_LEADING_TERMS = 7 /**< both sides of a plane, by leading terms (C55, gaps.md C88) */
 } graze_topo_level;
 
@@ -40,8 +40,8 @@ typedef struct graze_topology graze_topology;
 
 /** "interior", "boundary", "exterior" or "undecided", else "none". Static. */
 GRAZE_API const char *graze_topo_name(graze_topo topo);
-/* Names of a position relative to the regularised unsweep: is the point in it? */
-/** "yes", "no" or "undecided", else "none". Static. */
+/** Is a point with this position in the regularised unsweep? "yes", "no" or "undecided", else
+ * "none". Static. */
 GRAZE_API const char *graze_regular_name(graze_topo topo);
 /** "word", "first_order", "closed_cones", "edges", "leading_terms", "section" or
  * "curves", else "none". Static. */
@@ -80,14 +80,15 @@ GRAZE_API graze_topo_level graze_topology_level(const graze_topology *topology);
 GRAZE_API const char *graze_topology_reason(const graze_topology *topology);
 /**
  * A point that is `out`, for an `on` point of a sweep that is `boundary`; in a verdict of
- * graze_trace_regular one that is `in`, and so are the others below.
+ * graze_trace_regular a point that is `in`. The points of the functions below are of the same pmc.
  * @param[out] out d initialised rationals; unchanged if there is no such point
  * @return 1, or 0 if there is none
  */
 GRAZE_API int graze_topology_witness(mpq_t *out, const graze_topology *topology);
 /**
  * The ray on which the witness lies, where first order decides: the points P + s direction with 0 <
- * s <= epsilon are all `out`, and the witness is that at epsilon (closure.md C74).
+ * s <= epsilon all have the pmc of the witness, and the witness is that at epsilon (closure.md
+ * C74).
  * @param[out] direction d initialised rationals, integers
  * @param[out] epsilon   initialised
  * @return 1, or 0 with both unchanged
@@ -95,8 +96,8 @@ GRAZE_API int graze_topology_witness(mpq_t *out, const graze_topology *topology)
 GRAZE_API int graze_topology_ray(mpq_t *direction, mpq_t epsilon, const graze_topology *topology);
 /**
  * The path on which the witness lies, where leading terms decide, in space: the points P + s^m
- * direction + s^(m + 1) z normal with 0 < s <= epsilon are all `out`, and the witness is that at
- * epsilon (gaps.md C88).
+ * direction + s^(m + 1) z normal with 0 < s <= epsilon all have the pmc of the witness, which is
+ * that at epsilon (gaps.md C88).
  * @param[out] direction d initialised rationals, integers; `normal` is orthogonal to it
  * @param[out] normal    the same
  * @param[out] z         initialised
@@ -108,7 +109,8 @@ GRAZE_API int graze_topology_path(mpq_t *direction, mpq_t *normal, mpq_t z, size
                                   mpq_t epsilon, const graze_topology *topology);
 /**
  * The square on which the witness lies, where a section or curves decide: it is P + x a + y b with
- * |x| and |y| at most rho, one of them rho, and every smaller square holds such a point too.
+ * |x| and |y| at most rho, one of them rho, and every smaller square about P holds a point of the
+ * same pmc too.
  * @param[out] along 2 d initialised rationals, integers: a, then b
  * @param[out] rho   initialised
  * @return 1, or 0 with both unchanged

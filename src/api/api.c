@@ -50,8 +50,8 @@ graze_status api_given(graze_context *context, const char *function, const char 
     return api_misuse(context, function, reason);
 }
 
-/* More than `digits` digits. A limb has fewer than 20, and mpz_sizeinbase is exact or one too
- * large. */
+/* Has a number more than `digits` digits? A limb has at most 20 digits, and mpz_sizeinbase is exact
+ * or one too large. */
 static int too_long(const mpz_t value, unsigned long digits) {
     return mpz_size(value) > digits / 20 && mpz_sizeinbase(value, 10) - 1 > digits;
 }
@@ -232,8 +232,8 @@ graze_status graze_word_verdict(graze_verdict *out, graze_context *context, cons
                         length > 40 ? 40 : (int)length, word);
 }
 
-/* The checks both functions share; on success the verdicts are zeroed, and *detail is how much of a
- * trace is wanted. */
+/* Check the arguments that both graze_classify functions share; on success the verdicts are zeroed,
+ * and *detail says how much of a trace is wanted. */
 static graze_status begin(trace_detail *detail, graze_verdict *out, graze_context *context,
                           const graze_scene *scene, const void *points, size_t n,
                           graze_columns columns) {
@@ -268,7 +268,7 @@ graze_status graze_classify(graze_verdict *out, graze_context *context, const gr
     return GRAZE_OK;
 }
 
-/* GRAZE_EINPUT with a message if a coordinate is no finite number. */
+/* Refuse, by GRAZE_EINPUT, a coordinate that is not finite. */
 static graze_status check_finite(graze_context *context, const double *point, size_t d) {
     for (size_t k = 0; k < d; k++) {
         if (isfinite(point[k]))

@@ -12,7 +12,7 @@
 #include "input/solid/solid.h"
 #include "questions/boundary/boundary.h"
 
-/* The caller's box, if there is one, as rationals. */
+/* Take the caller's box over as rationals; without a box nothing is set. */
 static graze_status take_box(fmpq *low, fmpq *high, graze_context *context, int dimension,
                              const graze_boundary_options *o) {
     for (int k = 0; o->low && k < dimension; k++) {

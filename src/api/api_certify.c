@@ -39,7 +39,8 @@ graze_status graze_certificate_head(char **out, graze_context *context,
     return text_finish(out, context, &t);
 }
 
-/* Trace one point for its row of the certificate and, unless `table` is NULL, that of the table. */
+/* Trace one point and write its row of the certificate and, unless `table` is NULL, its row of the
+ * table. */
 static graze_status certify_point(text *out, text *table, graze_row_totals *totals,
                                   graze_context *context, const certifier *c, const fmpq *point,
                                   const graze_row_texts *texts, const graze_row_options *shown) {

@@ -41,7 +41,7 @@ static graze_status check_pair_options(graze_pair_options *out, graze_context *c
                                        const graze_pair_options *options) {
     TRY(api_options(out, sizeof *out, context, name, options));
     if ((unsigned)out->question > GRAZE_PAIR_INSIDE)
-        return api_misuse(context, name, "there is no such question");
+        return api_misuse(context, name, "the question has an unknown value");
     if (out->first != 0 && out->first != 1)
         return api_misuse(context, name, "options.first must be 0 or 1");
     return GRAZE_OK;

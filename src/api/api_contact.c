@@ -12,7 +12,8 @@
 #include "output/report/report.h"
 #include "questions/contact/contact.h"
 
-/* P in the place of y, or the reverse: carried to the body by the inverse map. */
+/* Create a site at the point y; if `in_world`, the caller's point is P, and the inverse map carries
+ * it to y. */
 static graze_status create(graze_site **out, graze_context *context, const graze_scene *scene,
                            const mpq_t time, graze_rationals point, int in_world,
                            const graze_cell *cell) {

@@ -27,7 +27,7 @@ graze_status api_enclose(graze_enclosure *out, graze_context *context, const gra
     return status;
 }
 
-/* The checks that both functions share; the enclosures are zeroed. */
+/* Check the arguments that both graze_distances functions share, and zero the enclosures. */
 static graze_status begin_distances(graze_enclosure *out, graze_context *context,
                                     const graze_scene *scene, const void *points, size_t n,
                                     double tolerance, const char *function) {
@@ -43,7 +43,7 @@ static graze_status begin_distances(graze_enclosure *out, graze_context *context
     return GRAZE_OK;
 }
 
-/* Points as rationals or, if these are NULL, as doubles. */
+/* Enclose the distances of points given as rationals or, if `rationals` is NULL, as doubles. */
 static graze_status enclose_points(graze_enclosure *out, graze_context *context,
                                    const graze_scene *scene, graze_rationals rationals,
                                    const double *doubles, size_t n, double tolerance) {

@@ -14,7 +14,7 @@
 #include "output/page/page.h"
 #include "questions/topo/topo.h"
 
-/* Fault of the options, or NULL. */
+/* The message for a fault of the options; NULL if there is none. */
 static const char *misused(const graze_draw_options *o, int d) {
     if (o->title && strlen(o->title) > 512)
         return "title must have at most 512 bytes";
@@ -63,7 +63,7 @@ static graze_status take_numbers(fmpq *out, graze_context *context, const graze_
     return GRAZE_OK;
 }
 
-/* A normal along an axis gives that axis' plane. */
+/* Turn a normal along an axis into the plane orthogonal to this axis (plane_axis). */
 static void take_axis(draw_request *request, fmpq *plane) {
     int axis = -1, others = 0;
     for (int k = 0; k < 3; k++) {
@@ -131,7 +131,7 @@ graze_status graze_draw(graze_context *context, const graze_scene *scene, const 
     return (page ? page_write : draw_picture)(context, scene, file, &request);
 }
 
-/* Fault of the call, or NULL. */
+/* The message for a fault of the call; NULL if there is none. */
 static const char *misused_cones(const graze_scene *scene, const char *file,
                                  const graze_trace *trace) {
     if (!file_has_extension(file, "svg") && !file_has_extension(file, "png") &&

@@ -13,7 +13,7 @@ static void put_in_text(void *to, const char *bytes, size_t length) {
     text_bytes(to, bytes, length);
 }
 
-/* The corners of a grid. */
+/* Give the table the corners of a grid. */
 static void set_grid(typed_table *t, const lattice *l) {
     mpq_t low[3], high[3];
     LOCAL(fmpq, at);

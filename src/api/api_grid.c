@@ -15,7 +15,7 @@
 #include "input/solid/solid.h"
 #include "output/table/table.h"
 
-/* The sizes give no more points than the limit allows. */
+/* Check that the sizes are at least 2 and give no more points than the limit allows. */
 static graze_status check_sizes(graze_context *context, const size_t *size, int dimension) {
     size_t left = graze_context_limit(context, GRAZE_LIMIT_GRID);
     for (int k = 0; k < dimension; k++) {
@@ -106,7 +106,7 @@ void graze_grid_points(mpq_t *points, const graze_grid *grid, size_t first, size
     }
 }
 
-/* A point that its brick has no answer for. */
+/* Classify one point for which its brick has no answer. */
 static graze_status ask_alone(unsigned char *pmc, graze_context *context, const graze_grid *grid,
                               size_t index) {
     graze_trace trace;
@@ -149,7 +149,7 @@ graze_status graze_grid_pmc(unsigned char *out, graze_context *context, const gr
     return status;
 }
 
-/* Rows of values; *count becomes the number of those before a failure. */
+/* Append binary rows; on failure *count becomes the number of rows before it. */
 static graze_status put_grid_values(text *out, graze_context *context, const lattice *l,
                                     const unsigned char *pmc, size_t first, size_t step,
                                     size_t *count) {

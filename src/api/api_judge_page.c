@@ -15,19 +15,19 @@
 #include "output/page/page.h"
 #include "questions/judge/judge.h"
 
-/* Places of the greatest distances, and where a search has stuck. */
+/* Most marked places: one for each greatest distance, and one where its search is stuck. */
 enum { MOST_PLACES = 2 * GRAZE_JUDGED_COUNT };
 
 typedef struct judge_page {
     draw_mesh mesh;
     double *distance;
     uint32_t *corners;
-    fmpq *box, *places; /* low and high, 3 each; 3 a place */
+    fmpq *box, *places; /* box: low, then high; places: 3 coordinates each */
     const char *name[MOST_PLACES];
     size_t place_count;
 } judge_page;
 
-/* Numbers of the corners, and the middles of the enclosures. */
+/* Take the corners of the triangles, and as distance of a vertex the middle of its enclosure. */
 static graze_status take_mesh(judge_page *p, graze_context *context, const graze_mesh *mesh,
                               const graze_enclosure *found) {
     const simplices *cut = &mesh->judged.cut;
@@ -44,7 +44,7 @@ static graze_status take_mesh(judge_page *p, graze_context *context, const graze
     return GRAZE_OK;
 }
 
-/* The scene's box and the mesh. */
+/* Set the box to that of the scene, enlarged to hold the mesh. */
 static graze_status box_with_mesh(judge_page *p, graze_context *context, const graze_scene *scene) {
     TRY(scene_box(p->box, p->box + 3, context, scene));
     for (size_t k = 0; k < 3 * p->mesh.vertex_count; k++) {

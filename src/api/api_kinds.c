@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-/* Curved solids too, those for which a box is proved. */
+/* All kinds, but of curved solids only those for which a box is proved. */
 enum { BOXED = SOLID_STRAIGHT | SOLID_CURVED };
 
 static const char straight[] = "a polygon or a polyhedron",

@@ -74,7 +74,7 @@ graze_status graze_patches_joint_header(char **out, graze_context *context,
     return report_joints_header(out, context, envelope->scene, notes);
 }
 
-/* The text of a row once the two times in it are canonical. */
+/* Make the two times of a row canonical, and then write the row. */
 static graze_status finish_row(char **out, graze_context *context, const graze_patches *patches,
                                size_t index, size_t from, size_t to,
                                void (*report)(text *, const graze_patches *, size_t)) {

@@ -12,7 +12,7 @@
 #include "decide/verdict/verdict.h"
 #include "output/report/report.h"
 
-/* Do the columns behind the verdict go with each other and with the form? */
+/* Check that the columns behind the verdict go with each other and with the form of rows. */
 static graze_status check_sets(graze_context *context, const char *function,
                                const graze_row_options *shown) {
     int known = shown->columns == GRAZE_COLUMNS_ALL || shown->columns == GRAZE_COLUMNS_PMC;
@@ -44,7 +44,7 @@ graze_status api_rows(graze_row_options *out, graze_context *context, const char
     if (!(out->sdf >= 0 && isfinite(out->sdf)))
         return api_misuse(context, function, "sdf must be a positive finite width, or 0");
     if (out->boundary && !(out->sdf > 0))
-        return api_misuse(context, function, "boundary goes with a width sdf");
+        return api_misuse(context, function, "boundary needs a width in sdf");
     int near = out->motion_error == 0 || (out->motion_error > 0 && out->sdf > 0);
     if (near && isfinite(out->motion_error))
         return GRAZE_OK;
@@ -52,7 +52,8 @@ graze_status api_rows(graze_row_options *out, graze_context *context, const char
                       "motion_error must be positive and finite beside a width sdf, or 0");
 }
 
-/* Positions and distances are those of polyhedra; no part of a sweep dangles. */
+/* Refuse positions and distances of curved solids, and `regular` of a sweep, which has no dangling
+ * part. */
 static graze_status check_scene(graze_context *context, const graze_scene *scene,
                                 const graze_row_options *shown) {
     if (shown->topo || shown->regular || shown->sdf > 0)
@@ -105,7 +106,7 @@ graze_status graze_report_row(char **out, graze_context *context, const graze_sc
     graze_row_options shown;
     PUBLIC_OUT(out, context, scene, point, trace);
     TRY(api_rows(&shown, context, __func__, options));
-    REFUSED(shown.format > GRAZE_FORMAT_JSONL, "a binary row has a length of its own");
+    REFUSED(shown.format > GRAZE_FORMAT_JSONL, "expected GRAZE_FORMAT_CSV or GRAZE_FORMAT_JSONL");
     LOCAL_VEC(fmpq, p, scene->motion->dimension);
     HELD(text, t);
     TRY(api_point(p, context, scene, point));

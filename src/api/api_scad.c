@@ -10,7 +10,7 @@
 #include "input/scad/scad.h"
 #include "input/solid/solid.h"
 
-/* A file, what is made of it, and what is said of that. */
+/* The hash of an OpenSCAD file, the `.csg.json` text made of it, and the report. */
 typedef struct scad_work {
     unsigned char sha256[32];
     text made, report;
@@ -26,7 +26,8 @@ static void scad_work_clear(scad_work *w) {
     text_clear(&w->report);
 }
 
-/* Write a file's solid, and read it: its numbers are rounded by then. */
+/* Write the `.csg.json` text of a file and read the solid from it. The text's numbers are already
+ * rounded. */
 static graze_status read_made(graze_solid **out, scad_work *w, graze_context *context,
                               const char *path, const scad_choice *choice) {
     FREED(char, bytes, NULL);
@@ -56,7 +57,7 @@ graze_status api_scad_solid(graze_solid **out, graze_context *context, const cha
     return solid_is_another(context, path);
 }
 
-/* Take what the options say. */
+/* Check the caller's options and take them over. */
 static graze_status take_choice(scad_choice *out, fmpq_t tolerance, graze_context *context,
                                 const graze_scad_options *o) {
     *out = (scad_choice){.smooth = o->smooth != 0};

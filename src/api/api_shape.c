@@ -9,7 +9,7 @@
 #include "input/convert/convert.h"
 #include "input/solid/solid.h"
 
-/* A number of at least a sign; NULL: 0. */
+/* Take a number over and check that its sign is at least `least`; NULL gives 0. */
 static graze_status take_number(fmpq_t out, graze_context *context, mpq_srcptr value, int least,
                                 const char *name) {
     TRY(value ? api_rational(out, context, value) : GRAZE_OK);
@@ -19,7 +19,7 @@ static graze_status take_number(fmpq_t out, graze_context *context, mpq_srcptr v
     return GRAZE_OK;
 }
 
-/* The texts that are asked for; none after a failure. */
+/* Hand over the texts that the caller asked for; after a failure none. */
 static graze_status finish_shape(char **const to[3], graze_context *context, text *made,
                                  graze_status status) {
     for (int k = 0; k < 3; k++)
@@ -35,7 +35,7 @@ static graze_status finish_shape(char **const to[3], graze_context *context, tex
     return status;
 }
 
-/* The body of a shape that is no box. */
+/* Make the tool of a shape that is not a box. */
 static graze_status take_tool(tool *s, graze_context *context, const graze_shape *given) {
     int ball = given->kind == GRAZE_SHAPE_BALL, cutter = given->kind == GRAZE_SHAPE_CUTTER;
     HELD(tool_numbers, n);
@@ -82,14 +82,15 @@ static graze_status make_box(text *made, graze_context *context, const graze_sha
     return GRAZE_OK;
 }
 
-/* Check what every shape needs, and begin three texts and the place, which are the caller's. */
+/* Check what every shape needs, and initialise three texts and the shape's place; the caller clears
+ * them. */
 static graze_status begin_shape(fmpq *at, text *made, graze_context *context, const char *name,
                                 const graze_shape *shape) {
     int ball = shape->kind == GRAZE_SHAPE_BALL, box = shape->kind == GRAZE_SHAPE_BOX;
     for (int k = 0; k < 3; k++)
         text_init(made + k);
     if (shape->kind > GRAZE_SHAPE_CUTTER)
-        return api_misuse(context, name, "the kind is that of no shape");
+        return api_misuse(context, name, "the kind is not a graze_shape_kind");
     if (box ? !shape->box : !shape->diameter || (!ball && !shape->length))
         return api_misuse(context, name, "a box has three sides, other shapes diameter and length");
     for (int k = 0; k < 3 && shape->at; k++)
@@ -116,7 +117,7 @@ graze_status graze_solid_write_shape(char **inside, char **outside, char **repor
     return finish_shape(to, context, made, status);
 }
 
-/* The node of a shape, and what of it is not exact. */
+/* Write the node of a shape, and report what is not exact in it. */
 static graze_status write_body(text *made, text *report, graze_context *context,
                                const graze_shape *given) {
     LOCAL_VEC(fmpq, size, 3);

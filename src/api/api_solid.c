@@ -16,7 +16,7 @@
 #include "input/soup/soup.h"
 #include "input/validate/validate.h"
 
-/* `sha256` is that of a file validated before, or NULL. */
+/* Read a solid; `sha256` is the hash of a file validated before, or NULL. */
 static graze_status read_solid(graze_solid **out, graze_context *context, const char *path,
                                unsigned flags, const unsigned char *sha256) {
     soup input;

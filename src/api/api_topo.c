@@ -18,7 +18,7 @@ struct graze_topology {
 typedef graze_status (*decider)(topo_finding *, graze_context *, const graze_scene *, const fmpq *,
                                 const graze_trace *);
 
-/* The common part of both questions. */
+/* Check the arguments and answer `question`, topo_decide or topo_regular. */
 static graze_status decide(graze_topology **out, graze_context *context, const char *function,
                            decider question, const graze_scene *scene, graze_rationals point,
                            const graze_trace *trace) {
@@ -73,7 +73,7 @@ int graze_topology_witness(mpq_t *out, const graze_topology *topology) {
     return 1;
 }
 
-/* Integers as rationals. */
+/* Hand integers to the caller as rationals. */
 static void integers_out(mpq_t *out, const fmpz *v, int count) {
     fmpq value = {0, 1};
     for (int k = 0; k < count; k++) {

@@ -14,7 +14,7 @@
 #include "output/compare/judgement.h"
 #include "output/compare/rows.h"
 
-/* Longer ids are texts, whatever they look like. */
+/* Ids of more characters are compared as texts, also if they look like numbers. */
 enum { LONGEST_NUMBER = 40 };
 
 void key_of_axes(row_key *out, const table *golden, const table *candidate) {
@@ -22,7 +22,7 @@ void key_of_axes(row_key *out, const table *golden, const table *candidate) {
     *out = (row_key){0, count, {COLUMN_X, COLUMN_Y, COLUMN_Z}};
 }
 
-/* Coordinates as far as both tables have them. */
+/* Choose as key the coordinates that both tables have. */
 static graze_status key_of_points(row_key *out, const table *golden, const table *candidate) {
     key_of_axes(out, golden, candidate);
     if (candidate->dimension > golden->dimension)
@@ -62,9 +62,10 @@ static graze_status key_of_contacts(row_key *out, const table *golden, const tab
                            golden->in.name);
 }
 
-/* Choose the key: `id` if both tables have it; else x, y (and z), else no columns; of contact
- * points time and bx, by (and bz), else time and x, y (and z).
- * @return GRAZE_EINPUT a column z for points of the plane, no such columns of contact points */
+/* Choose the key: `id` if both tables have it; else x, y (and z), else no columns. For contact
+ * points without id: time and bx, by (and bz), else time and x, y (and z).
+ * @return GRAZE_EINPUT a column z for points of the plane; contact points that lack these columns
+ */
 static graze_status key_choose(row_key *out, const table *golden, const table *candidate,
                                int contacts) {
     *out = (row_key){1, 1, {COLUMN_ID}};
@@ -87,7 +88,7 @@ graze_status key_check(const row_key *key, const table *t, const table_row *row)
     return GRAZE_OK;
 }
 
-/* A number in lowest terms after rounding; a root as it is written. */
+/* Append a number of the key in lowest terms after rounding; a root as it is written. */
 static graze_status put_key_number(text *out, fmpq_t value, const table *t, const table_row *row,
                                    column which) {
     field f = table_field(t, row, which);
@@ -100,15 +101,15 @@ static graze_status put_key_number(text *out, fmpq_t value, const table *t, cons
     return GRAZE_OK;
 }
 
-/* Is an id a number as tables have it that were read as doubles: 7, 7.0 or 7.000e+00? Not 7e0,
- * which may be the digits of a hash. */
+/* Is an id a number as programs that read doubles write it: 7, 7.0 or 7.000e+00? The id 7e0 is not
+ * taken for one, as it may be the digits of a hash. */
 static int is_id_number(field f) {
     int exponent = memchr(f.start, 'e', f.length) || memchr(f.start, 'E', f.length);
     return f.length <= LONGEST_NUMBER && rational_is_token(f.start, f.length) &&
            !memchr(f.start, '/', f.length) && (!exponent || memchr(f.start, '.', f.length));
 }
 
-/* An id as it is written, the value of a number. */
+/* Append an id: the value if it is a number, else the text as it is written. */
 static void put_id(text *out, const table *t, const table_row *row) {
     field f = table_field(t, row, COLUMN_ID);
     LOCAL(fmpq, value);
@@ -118,7 +119,7 @@ static void put_id(text *out, const table *t, const table_row *row) {
         text_bytes(out, f.start, f.length);
 }
 
-/* All numbers of the key, parted by blanks, or the id. */
+/* Append the id, or all numbers of the key with blanks between them. */
 static graze_status put_key(text *out, const row_key *key, const table *t, const table_row *row) {
     LOCAL(fmpq, value);
     if (key->by_id)
@@ -187,7 +188,7 @@ static graze_status check_notes(const table *golden, const table *candidate) {
     return GRAZE_OK;
 }
 
-/* Choose the columns to judge: those that the candidate has and the golden table can judge. */
+/* Choose the columns to judge: those of the candidate for which the golden table has answers. */
 static graze_status choose_columns(graze_comparison *c, const table *golden,
                                    const table *candidate) {
     static const char *const answers[] = {"sdf", "pmc", "class", "word"};

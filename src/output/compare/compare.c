@@ -62,7 +62,7 @@ static void put_shown_answer(text *out, const table *t, const table_row *row, co
     text_bytes(out, f.start, f.length);
 }
 
-/* The answers of a row, as `pmc=on i=0`; of a contact point its time and what is judged. */
+/* Append the answers of a row, as `pmc=on i=0`; for a contact point its time and judged columns. */
 static void put_answers(text *out, const graze_comparison *c, const table *t, const table_row *row,
                         int candidate) {
     for (int col = 0; col < COLUMN_COUNT && !c->contacts; col++)
@@ -89,8 +89,8 @@ static char *row_text(const graze_comparison *c, const table *t, const table_row
     return text_take(&out);
 }
 
-/* Show rows that disagree, or let them wait for that; `wrong` is the golden pmc of a wrong row,
- * else -1, and `depth` the size of its distance, where that is known. */
+/* Keep rows that disagree, to be shown. `wrong` is the golden pmc of a wrong row, else -1; `depth`
+ * is the size of the row's distance, where that is known. */
 static graze_status show(graze_comparison *c, const run *r, const table_row *golden,
                          const table_row *candidate, int wrong, ceiling depth) {
     disagreement *d;
@@ -155,8 +155,8 @@ static graze_status count_contacts(graze_comparison *c, run *r, const table_row 
     return count_row(c, r, golden, candidate, &j, &none, PMC_ON);
 }
 
-/* Count a golden row of a curved solid in which no answer that the candidate gives is decided. The
- * candidate may have no answer either. */
+/* Count a golden row of a curved solid with no decided answer in the columns that the candidate
+ * has. The candidate's row may be `undecided` too. */
 static graze_status count_open(graze_comparison *c, run *r, const table_row *golden,
                                const table_row *candidate) {
     static const char *const none = "undecided";
@@ -199,7 +199,7 @@ static graze_status count_pair(graze_comparison *c, run *r, const table_row *gol
     return count_row(c, r, golden, candidate, &j, &value, right.pmc);
 }
 
-/* Count a golden row of points. Class, i, t and word are undecided together, of curved solids. */
+/* Count a golden row of points. For a curved solid class, i, t and word are undecided together. */
 static graze_status count_answers(graze_comparison *c, run *r, const table_row *golden,
                                   const table_row *candidate) {
     static const char *const none = "undecided";
@@ -232,7 +232,9 @@ static graze_status count_all(graze_comparison *c, run *r) {
     }
 }
 
-/* Check a run through both tables, and find the way that may match more rows. */
+/* Check a run through both tables at its end, and find the way of matching that may match more
+ * rows.
+ */
 static graze_status finish_comparison(graze_comparison *c, const run *r, match_way *better) {
     if (!r->golden.complete)
         return context_fail_in(r->context, GRAZE_EINPUT, r->golden.in.name, 0,
@@ -244,7 +246,7 @@ static graze_status finish_comparison(graze_comparison *c, const run *r, match_w
     return *better == c->way ? match_finish(&r->match) : GRAZE_OK;
 }
 
-/* Compare with rows matched in one way. */
+/* Compare the tables with their rows matched in one way. */
 static graze_status compare_by(graze_comparison *out, graze_context *context, const char *golden,
                                const char *candidate, const graze_compare_options *options,
                                match_way *way) {

@@ -30,27 +30,27 @@ int comparison_has_no_on(const graze_comparison *c);
 
 /* A mesh as a candidate: its memberships beside golden ones, with no table of either. */
 
-/** Points that a mesh is asked about. */
+/** Points at which a mesh is compared with exact answers. */
 typedef struct mesh_points {
-    const struct graze_generator *generator; /* points of its rows 0 to count - 1; or NULL: */
-    const fmpq *point;                       /* the points, 3 canonical rationals each */
+    const struct graze_generator *generator; /* gives the points, rows 0 to count - 1; or NULL */
+    const fmpq *point; /* without a generator: the points, 3 canonical rationals each */
     size_t count;
     const char *explain_options; /* for `graze explain`, with a blank before each; NULL: none */
 } mesh_points;
 
 /**
- * Compare what a mesh says of points with exact answers, as graze_compare does with tables; the
- * report is the same, with the rows that disagree in it.
+ * Compare the answers of a mesh at points with exact answers, as graze_compare does with tables.
+ * The report has the same form, and holds the rows that disagree.
  *
- * A point on the mesh has no membership: with GRAZE_ON_AS_ANY it is undecided and counted as
- * `apart` unless the golden answer is `on`, and in the matrix in any case; with the other
- * conventions its answer is `on`.
+ * A point on the mesh is neither in nor out: with GRAZE_ON_AS_ANY it is undecided and counted as
+ * `apart` unless the golden answer is `on`; with the other conventions its answer is `on`. The
+ * matrix counts it in any case.
  *
  * @param[out] out zeroed by the caller, and cleared by comparison_clear in either case
  * @param scene in space; shared by threads
  * @param mesh not of GRAZE_MESH_NONE
- * @param options on_as, show, solid, motion and scene (to measure wrong points in; NULL: none)
- * alone
+ * @param options only on_as, show, solid, motion and scene (in which wrong points are measured;
+ * NULL: they are not) have an effect
  * @param threads at most TEAM_MOST
  * @return GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM, GRAZE_EINTERNAL
  */
@@ -68,28 +68,27 @@ graze_status comparison_json(char **out, graze_context *context, const graze_com
 graze_status comparison_text(char **out, graze_context *context, const graze_comparison *c);
 
 /** Report a judged mesh. Bounds are rounded outward, so that they hold as they are written.
- * @param points what the mesh says of points, or NULL
+ * @param points comparison of the mesh's answers at points, or NULL
  * @return GRAZE_ESYSTEM */
 graze_status judge_report(text *out, graze_context *context, const graze_judgement *judgement,
                           const graze_comparison *points, graze_judgement_format format);
 
 /* The members of a comparison. First: errors of values, by decades. */
-
-/** digits * 10^(exponent - 5) with 100000 <= digits <= 999999, the least such number that is not
- * below the one it was made of; digits 0: zero. */
+/** A number rounded up to six digits: digits * 10^(exponent - 5) with 100000 <= digits <= 999999;
+ * digits 0: zero. */
 typedef struct ceiling {
     unsigned long digits;
     long exponent;
 } ceiling;
 
-/** Errors below the first decade count as its least number; those past the last one are counted
- * alone. */
+/** Errors below the first decade count as the least number of this decade; for errors past the last
+ * decade only their number is kept. */
 enum { FIRST_DECADE = -99, LAST_DECADE = 99, DECADES = LAST_DECADE - FIRST_DECADE + 1 };
 
 /** Errors of values against their enclosures. */
 typedef struct errors {
     unsigned long rows;          /* values judged */
-    unsigned long over, under;   /* values above and below the enclosure; all others are in it */
+    unsigned long over, under;   /* values above and below the enclosure; all others are inside */
     unsigned long beyond;        /* values outside it by more than the tolerance */
     unsigned long past;          /* errors past the last decade */
     unsigned long *bin[DECADES]; /* by decade: counts by the two leading digits; NULL: no error */
@@ -98,8 +97,8 @@ typedef struct errors {
 
 /* Columns, and the keys and ways by which rows are matched. */
 
-/** Columns that a comparison uses; others are skipped. Those from COLUMN_TIME on are of tables of
- * contact points. */
+/** Columns that a comparison uses; others are skipped. Columns from COLUMN_TIME on are those of
+ * tables of contact points. */
 typedef enum column {
     COLUMN_X,
     COLUMN_Y,
@@ -138,8 +137,8 @@ typedef enum column {
     COLUMN_COUNT
 } column;
 
-/** Columns that make a row's key: `id` alone, or numbers; none if rows are matched by order alone.
- */
+/** Columns that make a row's key: `id` alone, or columns of numbers; none if rows are matched by
+ * order alone. */
 typedef struct row_key {
     int by_id;
     size_t count;
@@ -159,14 +158,14 @@ typedef enum match_way {
 /** The number of thresholds for depths, as parts of the size: 1e-12, 1e-9, 1e-6, 1e-3. */
 enum { DEPTH_PARTS = 4 };
 
-/** Zeroed at first, with `size` initialised. */
+/** Depths of the wrong rows. Zeroed at first, with `size` initialised. */
 typedef struct depths {
     unsigned long wrong, stride;       /* wrong rows; every stride-th waits to be measured */
     size_t waiting;                    /* number of rows that wait to be measured */
-    errors by[3];                      /* sizes of s, by golden pmc */
+    errors by[3];                      /* sizes |s| of signed distances, by golden pmc */
     fmpq_t size;                       /* the diagonal of S^0's box; 0: not known */
     unsigned long deeper[DEPTH_PARTS]; /* rows that are certainly deeper than each threshold */
-    char *unmeasured;                  /* the limit that distances meet, malloc'ed; NULL: none */
+    char *unmeasured; /* the limit that stopped the measuring, malloc'ed; NULL: none */
 } depths;
 
 /** Counts of the rows of one value of a column. */
@@ -176,7 +175,7 @@ typedef struct group {
     errors *values; /* NULL: none */
 } group;
 
-/** Counts by the values of one column; `others`: of values past those that are kept. */
+/** Counts by the values of one column; `others` counts the rows of values beyond MOST_GROUPS. */
 typedef struct tally {
     size_t count, capacity;
     group *groups;
@@ -201,7 +200,7 @@ typedef enum grouping {
 /** Conventions for `on`, by graze_on_as. */
 enum { CONVENTIONS = GRAZE_ON_AS_OUT + 1 };
 
-/** One disagreement, as it is shown. Texts are malloc'ed. */
+/** One disagreement that is shown. Texts are malloc'ed. */
 typedef struct disagreement {
     unsigned long order; /* its number in the order in which disagreements were met */
     int pmc;             /* the golden answer of a wrong row; -1: a row is missing or extra */
@@ -214,7 +213,8 @@ typedef struct disagreement {
     char *golden_row, *candidate_row;          /* whole rows, of transient tables alone */
 } disagreement;
 
-/** Counts by golden answer (row) and candidate's (column); the last column: missing rows. */
+/** Counts by the golden answer (row) and the candidate's (column); the last column counts missing
+ * rows. */
 typedef struct matrix {
     unsigned long pmc[3][4];    /* in, on, out */
     unsigned long class_[5][6]; /* in the order of Definitions 5 to 9 */
@@ -226,13 +226,13 @@ struct graze_comparison {
     char *golden, *candidate, *solid, *motion; /* names */
     char *golden_columns, *candidate_columns;  /* their column lines */
     int contacts;                              /* 1: tables of contact points */
-    row_key key;                               /* by which rows are matched, */
-    match_way way;                             /* and how */
-    unsigned long drifted;     /* rows matched by order alone whose points differ, */
-    ceiling drift;             /* and the largest difference of a coordinate */
+    row_key key;                               /* columns by which rows are matched */
+    match_way way;                             /* way in which rows are matched */
+    unsigned long drifted;                     /* rows matched by order alone whose points differ */
+    ceiling drift;             /* largest difference of a coordinate in these rows */
     int judged[COLUMN_COUNT];  /* 1: the candidate answers this */
-    int lacking[COLUMN_COUNT]; /* of contact points: 1 only the candidate, 2 only the golden table
-                              lacks the column */
+    int lacking[COLUMN_COUNT]; /* of contact points: 1 if only the candidate lacks the column, 2 if
+                              only the golden table does */
     int valued;                /* values are compared with the golden enclosures */
     int enclosed;              /* golden enclosures are read */
     fmpq_t tolerance, eta;     /* the tolerance of values, the motion error */
@@ -240,7 +240,7 @@ struct graze_comparison {
     unsigned long rows, agree, wrong, undecided, missing, extra;
     unsigned long column_wrong[COLUMN_COUNT];
     unsigned long wrong_as[CONVENTIONS];  /* rows that each convention would call wrong */
-    unsigned long golden_on, answered_on; /* answered rows whose golden, given answer is `on` */
+    unsigned long golden_on, answered_on; /* answered rows: golden `on`; candidate says `on` */
     unsigned long undecided_answers[3];   /* undecided rows by the candidate's answer */
     unsigned long undecided_by_motion;    /* rows that the motion error leaves undecided */
     unsigned long open;                   /* golden rows with no decided answer that is judged */
@@ -252,9 +252,10 @@ struct graze_comparison {
     matrix confusion;
     int grouped[GROUPING_COUNT]; /* 1: the golden table has the column */
     tally tallies[GROUPING_COUNT];
-    unsigned long met; /* disagreements met; then those kept to be shown, room for them, and */
-    size_t shown, shown_capacity, shown_alone; /* how many of them are missing or extra rows */
-    int by_depth;                              /* 1: the deepest wrong rows come first */
+    unsigned long met; /* disagreements met */
+    /* Disagreements kept to be shown, room for them, and how many are missing or extra rows. */
+    size_t shown, shown_capacity, shown_alone;
+    int by_depth; /* 1: the deepest wrong rows come first */
     disagreement *disagreements;
 };
 

@@ -31,7 +31,8 @@ static void depth_clear(depths *d) {
     free(d->unmeasured);
 }
 
-/* Count a row whose distance is at least `least` by the parts of the size that this is beyond. */
+/* Count a row under each part of the size that `least`, the lower bound of its distance, exceeds.
+ */
 static void count_parts(depths *d, const fmpq_t least) {
     LOCAL(fmpq, scaled);
     fmpq_set(scaled, least);
@@ -41,7 +42,8 @@ static void count_parts(depths *d, const fmpq_t least) {
     }
 }
 
-/* Count a row by the bounds of its distance, which become their sizes; *out is the larger one. */
+/* Count a row by the bounds of its signed distance, which are replaced by their absolute values;
+ * *out is the larger one. */
 static graze_status count_depth(ceiling *out, depths *d, graze_context *context, int pmc,
                                 fmpq_t low, fmpq_t high) {
     int apart = fmpq_sgn(low) * fmpq_sgn(high) > 0;
@@ -92,8 +94,8 @@ typedef struct depth_bounds {
     ceiling size;
 } depth_bounds;
 
-/* Enclose the signed distance of a wrong row's point, whose coordinates have blanks between them,
- * to 1e-13 of the size, and count it. */
+/* Enclose the signed distance of a wrong row's point to 1e-13 of the size, and count the row. The
+ * text `point` has blanks between coordinates. */
 static graze_status depth_measure(depth_bounds *out, depths *d, graze_context *context,
                                   const graze_scene *scene, const char *point, int pmc) {
     slong dimension = scene->motion->dimension;
@@ -156,7 +158,8 @@ static void drop_shown(disagreement *d) {
     free(d->candidate_row);
 }
 
-/* The deepest wrong rows first, of equals the first; rows missing or extra last. */
+/* Order the deepest wrong rows first, equally deep ones as they were met, missing or extra rows
+ * last. */
 static int by_rank(const void *a, const void *b) {
     const disagreement *x = a, *y = b;
     int by = (x->pmc < 0) - (y->pmc < 0);
@@ -164,7 +167,7 @@ static int by_rank(const void *a, const void *b) {
     return by ? by : (x->order > y->order) - (x->order < y->order);
 }
 
-/* Do the rows before a wrong row fill the share of its stratum? */
+/* Do the rows kept before a wrong row already fill the share of its stratum? */
 static int is_crowded(const disagreement *all, size_t count, const disagreement *d) {
     int same = 0;
     for (size_t k = 0; k < count && d->pmc >= 0 && d->stratum; k++)
@@ -172,7 +175,7 @@ static int is_crowded(const disagreement *all, size_t count, const disagreement 
     return same >= MOST_OF_STRATUM;
 }
 
-/* Keep the disagreements to show. One that is dropped would be dropped after further rows too. */
+/* Drop disagreements that are not to be shown; further rows could not bring one of them back. */
 static void prune(graze_comparison *c) {
     disagreement *all = c->disagreements;
     size_t left = 0;
@@ -199,7 +202,7 @@ static void thin(graze_comparison *c) {
     c->depth.stride *= 2;
 }
 
-/* Is a wrong row one of those that wait for their distance? */
+/* Is a wrong row to wait for the measurement of its distance? */
 static int waits(graze_comparison *c) {
     depths *d = &c->depth;
     d->stride += !d->stride;
@@ -232,7 +235,7 @@ graze_status comparison_keep(disagreement **out, graze_comparison *c, graze_cont
     return GRAZE_OK;
 }
 
-/* Measure a wrong row, and put the enclosure behind its golden answers. */
+/* Measure a wrong row, and append the enclosure to its golden answers. */
 static graze_status measure_row(disagreement *d, graze_comparison *c, graze_context *context) {
     depth_bounds found;
     HELD(text, all);

@@ -1,7 +1,8 @@
 /* Measures the differences of points exactly.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * No answer hangs on these figures: they tell rounded rows from rows in another order.
+ * The differences do not affect how rows are judged: they only tell rounded points from points in
+ * another order.
  */
 #include "output/compare/compare.h"
 
@@ -33,7 +34,7 @@ static graze_status read_drifting(fmpq_t out, const table *t, const table_row *r
     return status ? context_in(t->in.context, status, t->in.name, row->line) : status;
 }
 
-/* Take a golden coordinate and its difference from the candidate's. */
+/* Count a golden coordinate and its difference from the candidate's. */
 static void take_coordinate(drift *d, size_t axis, const fmpq_t right, fmpq_t difference) {
     if (!d->any || fmpq_cmp(right, d->least + axis) < 0)
         fmpq_set(d->least + axis, right);
@@ -70,7 +71,7 @@ graze_status drift_add(drift *d, const table_row *right, const table_row *given)
     return GRAZE_OK;
 }
 
-/* The larger of two numbers' sizes. */
+/* The larger of two numbers' absolute values. */
 static void larger_size(fmpq_t out, const fmpq_t a, const fmpq_t b) {
     LOCAL(fmpq, size);
     fmpq_abs(out, a);

@@ -12,7 +12,8 @@
 #include "input/delimited/delimited.h"
 #include "output/compare/counts.h"
 
-/* The least and the first too large number of six digits; what two digits count in it. */
+/* KEPT is the least number of six digits, NEXT the least of seven, SHORT the unit of the second
+ * digit of six. */
 enum { KEPT = 100000, NEXT = 1000000, SHORT = 10000 };
 
 /* x 10^power */
@@ -58,7 +59,7 @@ int ceiling_compare(ceiling a, ceiling b) {
     return a.exponent < b.exponent ? -1 : 1;
 }
 
-/* The bound rounded up to two digits. */
+/* Round a ceiling up to two digits. */
 static ceiling ceiling_short(ceiling c) {
     c.digits = (c.digits + SHORT - 1) / SHORT * SHORT;
     if (c.digits == NEXT)
@@ -173,7 +174,7 @@ static int name_value(double *out, const char *name) {
     return *first >= '0' && *first <= '9' && !*end;
 }
 
-/* No name, then numbers by value, then the others. */
+/* Order groups: first the empty name, then numbers by value, then other names. */
 static int by_name(const void *a, const void *b) {
     const char *x = ((const group *)a)->name, *y = ((const group *)b)->name;
     double m, n;

@@ -59,7 +59,8 @@ static void put_edges(text *t, const judged_mesh *m) {
     text_put(t, all > m->open.kept_count ? ", ...\n" : "\n");
 }
 
-/* The triangles face inward, or the mesh overlaps itself. */
+/* Report if the triangles face inward, or if a winding number shows that the mesh overlaps itself.
+ */
 static void put_windings(text *t, const judged_mesh *m) {
     int inward = m->most == 0 && m->least < 0;
     long other = m->most > 1 ? m->most : m->least < -inward ? m->least : 0;
@@ -136,7 +137,7 @@ static void put_reached(text *t, const graze_judgement *j, const char *bullet) {
                 j->searched.space.decided + j->searched.asked);
 }
 
-/* Each greatest distance between three texts. */
+/* Append each greatest distance with its title, with three texts around them. */
 static void put_distances(text *t, const graze_judgement *j, const char *before,
                           const char *between, const char *behind) {
     for (int k = 0; k < GRAZE_JUDGED_COUNT; k++) {

@@ -50,7 +50,7 @@ static int read_digits(unsigned long *out, field f) {
     return !*end;
 }
 
-/* A count, also as readers of floats write it: 1.0, 2.000e+00. */
+/* Read a count, also as programs that read floats write it: 1.0, 2.000e+00. */
 static int read_whole(unsigned long *out, const table *t, field f) {
     if (read_digits(out, f))
         return 1;
@@ -61,8 +61,8 @@ static int read_whole(unsigned long *out, const table *t, field f) {
     return whole;
 }
 
-/* The sign of a number token is that of its digits before an exponent or a denominator: no value
- * need be made, and none can underflow. */
+/* The sign of a number token, from its digits before an exponent or a denominator. The value is not
+ * computed, so it cannot underflow. */
 static int answer_sign(field f) {
     size_t n = 0;
     while (n < f.length && !strchr("eE/", f.start[n]))
@@ -119,10 +119,10 @@ graze_status answer_read(answer *out, const table *t, const table_row *row, cons
     return judged[COLUMN_WORD] ? judged_word(t, row) : GRAZE_OK;
 }
 
-/* An `on` point is certainly on the boundary of the closed sweep if its one contact is an instant
- * in a face (d = 2: an edge): the solid is there on one side of a plane only. That it is an instant
- * is known of points made in their face, not displaced, by a contact of finite order; at a break
- * point the order is that of one side. */
+/* Is an `on` point certainly on the boundary of the closed sweep? It is if its only contact is an
+ * instant in a face (d = 2: an edge), since the solid then lies on one side of a plane only. The
+ * contact is an instant if the point was generated in the face, not displaced, with a contact of
+ * finite order; at a break point the order is that of one side. */
 static int surely_boundary(const table *t, const table_row *row) {
     unsigned long i, tangencies, order;
     const char *flat = t->dimension == 2 ? "edge" : "face";
@@ -145,7 +145,7 @@ graze_status judged_position(const graze_comparison *c, const table *golden, con
     return judged_no_answer(golden, row, COLUMN_TOPO, "interior, boundary or undecided for `on`");
 }
 
-/* The golden pmc under the question. */
+/* The golden pmc under the question asked, of the open or the closed sweep. */
 static int truth_of(int *undecided, const graze_comparison *c, const table *t, const table_row *row,
                     int pmc) {
     *undecided = 0;

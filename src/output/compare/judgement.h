@@ -11,10 +11,10 @@
 
 /* The answers of a row, and the judgement of the candidate's. */
 
-/** The answers that are judged, ended by COLUMN_COUNT; tables of points and of contact points have
- * the word in common. */
+/** The columns that are judged, ended by COLUMN_COUNT, of tables of points and of contact points;
+ * both have COLUMN_WORD. */
 extern const column judged_columns[];
-/** Names of values in the matrices. */
+/** Names of the classes, in the order of the matrix. */
 extern const char *const class_words[5];
 
 /** Answers as indices into pmc_words and class_words; -1 where there is none. */
@@ -24,7 +24,7 @@ typedef struct answer {
     field word;
 } answer;
 
-/** GRAZE_EINPUT: a field is no answer; `right` says what is expected. */
+/** Fail with GRAZE_EINPUT because a field is no answer; `right` names the expected values. */
 graze_status judged_no_answer(const table *t, const table_row *row, column c, const char *right);
 /** Check that a word is one. GRAZE_EINPUT. */
 graze_status judged_word(const table *t, const table_row *row);
@@ -34,8 +34,9 @@ graze_status judged_word(const table *t, const table_row *row);
 graze_status answer_read(answer *out, const table *t, const table_row *row, const int *judged,
                          int sdf);
 
-/** Check the position of a golden `on` row, which the closed question asks for; it may be empty.
- * @return GRAZE_EINPUT a field that is none */
+/** Check the position (topo) of a golden `on` row, if the question is the closed sweep; the field
+ * may be empty.
+ * @return GRAZE_EINPUT a field that is no position */
 graze_status judged_position(const graze_comparison *c, const table *golden, const table_row *row,
                              int pmc);
 
@@ -49,7 +50,8 @@ judgement judge(const graze_comparison *c, const int *judged, const table *golde
 
 /* Rows in reports: how they were matched, shares, conventions for `on`, and how deep errors are. */
 
-/** Quantiles of errors, by name the share of errors in percent; the last one of values alone. */
+/** Quantiles of errors; the name is the share of errors in percent. Depths lack the last quantile.
+ */
 enum { QUANTILES = 4, DEPTH_QUANTILES = 3 };
 extern const struct quantile {
     const char *name;
@@ -57,39 +59,39 @@ extern const struct quantile {
 } quantiles[QUANTILES];
 /** Further cells of a row of Markdown: the first quantiles, and the largest error. */
 void put_quantiles(text *out, const errors *e, int count);
-/** A ceiling as a string of JSON. */
+/** Write a ceiling as a string of JSON. */
 void put_ceiling(json_writer *w, const char *name, ceiling c);
 /** The first quantiles as an object of JSON, and the largest error. */
 void put_json_quantiles(json_writer *w, const errors *e, int count);
 
-/** A share with two digits, rounded to nearest, from whole numbers: it does not depend on the
- * locale. */
+/** Append part / whole with two digits, rounded to nearest by whole numbers alone, so that the text
+ * does not depend on the locale. */
 void put_share(text *out, unsigned long part, unsigned long whole);
 
-/** Write a line on the columns by which points were matched, none for contact points. If rows were
- * matched by order alone, it says how far their points are apart. */
+/** Write a line on the columns by which points were matched; nothing for contact points. If rows
+ * were matched by order alone, the line says how far their points are apart. */
 void put_matched(text *out, const graze_comparison *c);
 
-/** The share of wrong rows and their number by column, where rows are missing no share; the points
- * on a judged mesh; and the wrong rows under every convention for `on`, if the candidate never
- * answers it. */
+/** Write the share of wrong rows (unless rows are missing) and their number by column; the points
+ * on a judged mesh; and, if the candidate never answers `on`, the wrong rows under each convention.
+ */
 void put_wrong_rows(text *out, const graze_comparison *c);
 
 /** Write a table of |s| of the wrong rows by the golden answer; nothing if no distance was taken.
  */
 void put_depths(text *out, const graze_comparison *c);
 
-/** Rows as members of a JSON object. */
+/** Write the matching, the depths and the conventions for `on` as members of a JSON object. */
 void put_json_rows(json_writer *w, const graze_comparison *c);
 
-/* The part of a comparison's report that is of contact points alone; empty for other tables. */
-
-/** By what rows are matched, and which columns are not judged. */
+/* The part of a comparison's report on contact points; empty for other tables. */
+/** Write the columns by which rows are matched, and those that are not judged. */
 void put_sites(text *out, const graze_comparison *c);
-/** How many rows of both tables agree in each column. */
+/** Write for each column how many rows of both tables agree. */
 void put_sites_by_column(text *out, const graze_comparison *c);
 
-/** Sites as members of a JSON object, which has the errors by column anyway. */
+/** Write the contents of put_sites as members of a JSON object; the errors by column are members of
+ * every report. */
 void put_json_sites(json_writer *w, const graze_comparison *c);
 
 /* A comparison as text. */
@@ -100,11 +102,10 @@ const char *comparison_hint(const graze_comparison *c);
 /** The command that explains a disagreement, malloc'ed; NULL when out of memory. */
 char *explain_command(const graze_comparison *c, const disagreement *d);
 
-/* The part of a comparison's report that has the errors of values. */
-
-/** The question, and the errors of all values. */
+/* The part of a comparison's report on the errors of values. */
+/** Write the question, and the errors of all values. */
 void put_values(text *out, const graze_comparison *c);
-/** The errors by stratum, k and distance. */
+/** Write the errors by stratum, k and distance. */
 void put_values_by(text *out, const graze_comparison *c);
 
 /** Write the contents of put_values and put_values_by as members of a JSON object. */

@@ -1,9 +1,9 @@
 /* Matches rows in order, by an index of their keys, or by order alone.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Where the next rows of a stream differ, the nearest pair of equal rows ahead is found, so that
- * the fewest rows are without a counterpart. If there is none, the golden table goes on alone until
- * it comes to a row of the candidate's window.
+ * Where the next rows of two streams differ, the nearest pair of rows ahead with equal keys is
+ * sought, so that the fewest rows lack a counterpart. If the windows have no such pair, golden rows
+ * count as missing until one matches a row of the candidate's window.
  */
 #include "output/compare/compare.h"
 
@@ -67,7 +67,8 @@ static graze_status look_ahead(match *m) {
     return GRAZE_OK;
 }
 
-/* Have two rows one point? Equal bytes have; others are compared as numbers, after rounding. */
+/* Do two rows have the same key? Fields of equal bytes do; other fields are compared by value,
+ * after rounding. */
 static graze_status same_row(int *same, match *m, table_row *g, table_row *c) {
     *same = 1;
     for (size_t k = 0; k < m->key.count && *same; k++)
@@ -81,8 +82,8 @@ static graze_status same_row(int *same, match *m, table_row *g, table_row *c) {
     return GRAZE_OK;
 }
 
-/* Find the nearest pair of equal rows: that with the fewest rows skipped, of several the one that
- * skips golden rows rather than candidate's; 0 if there is none. */
+/* Find the pair of equal rows before which the fewest rows are skipped, of several such pairs the
+ * one that skips most golden rows; 0 if there is no pair. */
 static int nearest_rounding(match *m) {
     size_t golden = m->golden.count, candidate = m->candidate.count;
     for (size_t sum = 1; sum + 1 < golden + candidate; sum++)
@@ -97,8 +98,8 @@ static int nearest_rounding(match *m) {
     return 0;
 }
 
-/* Without a pair ahead the golden rows of the window are missing, and past the golden table's end
- * the candidate's rows are extra. */
+/* Set how many rows to skip to the next pair. Without a pair ahead all golden rows of the window
+ * are missing and, past the golden table's end, all rows of the candidate's window extra. */
 static graze_status resynchronise(match *m) {
     TRY(look_ahead(m));
     if (!nearest_rounding(m)) {
@@ -127,14 +128,15 @@ static graze_status alone(match *m, row_window *w, const table_row **out) {
     return status;
 }
 
-/* Count a pair, and the difference of its points where something else has matched them. */
+/* Count a pair of rows, and the difference of their points if id or order has matched the rows. */
 static graze_status pair(match *m, const table_row *golden, const table_row *candidate) {
     m->pairs++;
     int unseen = m->way == MATCH_ORDER || (m->key.by_id && !m->sites);
     return unseen ? drift_add(&m->drift, golden, candidate) : GRAZE_OK;
 }
 
-/* The next golden row with one of the candidate that has its key, then the rest of these. */
+/* Hand out the next golden row with a row of the candidate that has its key; after the last golden
+ * row, the candidate's other rows. */
 static graze_status next_indexed(match *m, const table_row **golden, const table_row **candidate) {
     TRY(fill(m, &m->golden, 1));
     if (!m->indexed)
@@ -201,8 +203,8 @@ match_way match_better(const match *m) {
     return by_order && !another_order(m) ? MATCH_ORDER : MATCH_INDEXED;
 }
 
-/* There are no columns to match by, and the numbers of rows differ: a golden table has coordinates,
- * so the candidate lacks those, and one of the two lacks an id. */
+/* Fail because there are no columns to match by, and the numbers of rows differ. A golden table has
+ * coordinates, so the candidate lacks coordinates, and one of the two tables lacks an id. */
 static graze_status unmatched(const match *m) {
     const table *golden = m->golden.table, *candidate = m->candidate.table;
     const char *axes = golden->dimension == 2 ? "x, y" : "x, y, z";

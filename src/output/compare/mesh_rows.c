@@ -17,7 +17,7 @@
 #include "questions/generate/generate.h"
 #include "questions/judge/judge.h"
 
-/* Both answers at a point. */
+/* The exact answer and the mesh's answer at a point. */
 typedef struct mesh_row {
     graze_pmc golden;
     mesh_place place;
@@ -33,7 +33,7 @@ typedef struct mesh_run {
     mesh_row *row;
 } mesh_run;
 
-/* The point of a row; it may be the sample's. */
+/* Find the point of a row; a generated point is borrowed from the sample. */
 static graze_status point_of(const fmpq **point, sample *s, graze_context *context,
                              const mesh_points *points, size_t row) {
     *point = points->generator ? s->point : points->point + 3 * row;
@@ -55,7 +55,8 @@ static graze_status ask_both(void *data, graze_context *context, int member, siz
     return GRAZE_OK;
 }
 
-/* An answer that is decided, as an index into pmc_words; places of meshes are such indices. */
+/* The golden answer, if it is decided, as an index into pmc_words; places of meshes are such
+ * indices too. */
 static int golden_of(const mesh_row *row) {
     return (int)row->golden - (int)GRAZE_IN;
 }
@@ -74,7 +75,7 @@ static judgement judge_row(const graze_comparison *c, const mesh_row *row) {
     return j;
 }
 
-/* Coordinates with `between` between them. */
+/* Append coordinates with `between` between them. */
 static void put_mesh_point(text *out, const fmpq *point, const char *between) {
     for (int i = 0; i < 3; i++) {
         text_put(out, i ? between : "");
@@ -82,7 +83,8 @@ static void put_mesh_point(text *out, const fmpq *point, const char *between) {
     }
 }
 
-/* The answer with a text before its pmc, and one before its winding number if it has one. */
+/* Append an answer: the text `pmc` and its pmc; of the mesh also the text `winding` and its winding
+ * number, if the mesh has winding numbers. */
 static void put_row_answer(text *out, const mesh_run *r, const mesh_row *row, int golden,
                            const char *pmc, const char *winding) {
     text_format(out, "%s%s", pmc, pmc_words[golden ? golden_of(row) : (int)row->place]);
@@ -90,7 +92,7 @@ static void put_row_answer(text *out, const mesh_run *r, const mesh_row *row, in
         text_format(out, "%s%ld", winding, row->winding);
 }
 
-/* A row as a table would have it, under the columns that describe names. */
+/* Append a row as in a table with the columns that describe() names. */
 static void put_mesh_row(text *out, const mesh_run *r, size_t index, const fmpq *point,
                          int golden) {
     const mesh_row *row = &r->row[index];
@@ -150,7 +152,7 @@ static graze_status count_mesh_row(graze_comparison *c, const mesh_run *r, size_
     return what == 'w' ? keep_row(c, r, index) : GRAZE_OK;
 }
 
-/* Describe both sides for the report. */
+/* Set names and columns of the golden side and the mesh's side for the report. */
 static graze_status describe(graze_comparison *c, const mesh_run *r,
                              const graze_compare_options *options) {
     const char *strata = r->points->generator ? ",stratum" : "";

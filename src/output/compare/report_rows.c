@@ -55,7 +55,7 @@ void put_matched(text *out, const graze_comparison *c) {
     text_put(out, "\n");
 }
 
-/* A line on the points that lie on a judged mesh; none if tables are compared. */
+/* Append a line on the points that lie on a judged mesh; nothing if tables are compared. */
 static void put_apart(text *out, const graze_comparison *c) {
     if (c->of_mesh)
         text_format(
@@ -63,7 +63,8 @@ static void put_apart(text *out, const graze_comparison *c) {
             c->apart);
 }
 
-/* A line on the wrong rows under every convention for `on`, if the candidate never answers it. */
+/* Append a line on the wrong rows under each convention for `on`, if the candidate never answers
+ * `on`. */
 static void put_conventions(text *out, const graze_comparison *c) {
     if (!comparison_has_no_on(c))
         return;
@@ -98,7 +99,7 @@ static unsigned long depths_taken(const graze_comparison *c) {
     return by[PMC_IN].rows + by[PMC_ON].rows + by[PMC_OUT].rows;
 }
 
-/* Wrong rows that are deeper than parts of the size. */
+/* Append how many wrong rows are deeper than each part of the size. */
 static void put_parts(text *out, const depths *d) {
     if (fmpq_is_zero(d->size)) {
         text_put(

@@ -9,7 +9,7 @@
 #include "output/compare/counts.h"
 #include "output/compare/judgement.h"
 
-/* A word for the shell; quoted where it holds more than plain characters. */
+/* Append a word for the shell, quoted if it has other than plain characters. */
 static void put_word(text *out, const char *word) {
     static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
                                 "_./-+:@%,=";
@@ -34,7 +34,7 @@ char *explain_command(const graze_comparison *c, const disagreement *d) {
     return text_take(&command);
 }
 
-/* Numbers that were rounded on the way leave rows on both sides without a counterpart. */
+/* Many rows without a counterpart in both tables are a sign of rounded numbers. */
 const char *comparison_hint(const graze_comparison *c) {
     unsigned long fewer = c->missing < c->extra ? c->missing : c->extra;
     int many = 20 * fewer >= c->rows && 2 * fewer >= c->missing && 2 * fewer >= c->extra;
@@ -49,7 +49,7 @@ const char *comparison_hint(const graze_comparison *c) {
                  "both tables matches rows without coordinates";
 }
 
-/* A table's name, or a word for a file that is gone. */
+/* A table's name, or a phrase for a table that is not kept. */
 static const char *table_shown(const graze_comparison *c, const char *name) {
     return !c->options.transient ? name
            : c->shown            ? "made for this report and not kept; rows stand below"
@@ -137,7 +137,7 @@ static void put_tally(text *out, grouping by, const tally *t) {
     put_group(out, "(others)", &t->others);
 }
 
-/* The rows of transient tables that disagree. */
+/* Append the rows that disagree of one of two transient tables. */
 static void put_side_rows(text *out, const graze_comparison *c, int candidate) {
     text_format(out, "\nRows of the %s:\n\n    %s\n", candidate ? "candidate" : "golden table",
                 candidate ? c->candidate_columns : c->golden_columns);

@@ -79,7 +79,7 @@ void put_values_by(text *out, const graze_comparison *c) {
     }
 }
 
-/* The members of an object of errors. */
+/* Write errors as members of the JSON object that is open. */
 static void put_json_errors(json_writer *w, const graze_comparison *c, const errors *e) {
     json_count(w, "values", e->rows);
     json_count(w, "within", values_within(e));

@@ -1,8 +1,8 @@
 /* Finds golden rows that rounding makes equal though their answers differ.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * One pass over the table keeps the digests of those rows whose key falls to it; a table too large
- * for one pass is read several times, each for its share of the keys.
+ * A pass over the table keeps the digests of the rows in one share of the keys. A table too large
+ * for one pass is read several times, once for each share.
  */
 #include "output/compare/compare.h"
 
@@ -19,7 +19,7 @@ enum { MOST_ENTRIES = 1 << 21 };
 
 typedef struct entry {
     digest key;
-    uint64_t answers, exact, line; /* exact: the key before rounding, of contact points */
+    uint64_t answers, exact, line; /* exact: digest of a contact point's key before rounding */
 } entry;
 
 typedef struct share {
@@ -29,7 +29,7 @@ typedef struct share {
     unsigned long pass, passes; /* keys with high % passes = pass are kept */
 } share;
 
-/* The entry of a key, which is new with line 0; NULL without memory. */
+/* The entry of a key; a new entry has line 0. NULL when out of memory. */
 static entry *rounding_place(share *s, digest key) {
     size_t at = 0, n;
     while ((n = slots_next(&s->slots, key.low, &at)) != SLOTS_NONE)
@@ -58,8 +58,8 @@ static graze_status answers_of(uint64_t *out, const table *t, const table_row *r
     return GRAZE_OK;
 }
 
-/* Contact points that were moved to one place at one time may have other answers (`cell`, `shift`),
- * rounded or not: the key before rounding tells. Of points it is 0. */
+/* The digest of a contact point's key before rounding; 0 for other points. Contact points that were
+ * moved to one place at one time may differ in answers (`cell`, `shift`) without any rounding. */
 static graze_status exact_of(uint64_t *out, const table *t, table_row *row, const row_key *key) {
     graze_context *context = t->in.context;
     graze_rounding asked = context->rounding;
@@ -92,7 +92,7 @@ static graze_status keep(share *s, const table *t, const table_row *row, uint64_
     return GRAZE_OK;
 }
 
-/* One pass; it stops early, without fault, when its share of the keys is too large. */
+/* Make one pass. It stops early, with GRAZE_OK, if its share of the keys is too large. */
 static graze_status pass(share *s, graze_context *context, const char *path, const row_key *key,
                          const column *columns, size_t count) {
     ZEROED(table, t);

@@ -50,7 +50,7 @@ graze_status row_index_read(row_index *out, table *t, const row_key *key) {
     return GRAZE_OK;
 }
 
-/* Hand out a row that is kept. */
+/* Copy a kept row into `at`, and hand it out. */
 static graze_status give(row_index *x, const table_row **out, const kept_row *kept) {
     table_row *row = &x->at;
     size_t length = strlen(kept->text);

@@ -39,7 +39,7 @@ typedef struct table {
     long where[COLUMN_COUNT]; /* -1 where there is no such column */
     size_t columns;
     unsigned long head; /* the line of the column line */
-    int doubled;        /* the first column of contact points whose name stands twice, or -1 */
+    int doubled;        /* the first column of contact points that is there twice, or -1 */
     char *names;        /* the column line */
     unsigned long rows; /* handed out */
     int complete;       /* 1 once `# complete N` has been read, and N is the number of rows */
@@ -50,12 +50,12 @@ typedef struct drift {
     const table *golden, *candidate;
     row_key axes;       /* coordinates that both tables have */
     unsigned long rows; /* pairs of rows whose points differ */
-    fmpq *farthest;     /* the greatest difference of a coordinate; in one vector with */
-    fmpq *least, *most; /* the bounds of golden coordinates, over pairs written differently */
-    int any;            /* 1: there are such pairs */
+    fmpq *farthest;     /* the greatest difference of a coordinate; least and most follow it */
+    fmpq *least, *most; /* bounds of golden coordinates in pairs that are written differently */
+    int any;            /* 1: some pair is written differently */
 } drift;
 
-/** The first 128 bits of a SHA-256, to find equal points and answers. */
+/** The first 128 bits of a SHA-256 hash, by which equal points and answers are found. */
 typedef struct digest {
     uint64_t high, low;
 } digest;
@@ -74,14 +74,15 @@ typedef struct table_row {
 const char *column_name(column c);
 const char *note_name(note n);
 
-/** Open a table and read up to its columns. table_clear in either case. `path` is borrowed.
- * @return GRAZE_EINPUT no column line, or a name in it twice; also those of stream_next */
+/** Open a table and read to its column line. table_clear frees it in either case. `path` is
+ * borrowed.
+ * @return GRAZE_EINPUT there is no column line, or it names a column twice; also as stream_next */
 graze_status table_open(table *out, graze_context *context, const char *path);
 void table_clear(table *t);
 
 /** Read the next row. *more is 0 at the end of the table.
  * @return GRAZE_EINPUT another number of fields, a quote not closed, a wrong `# complete N`, rows
- * after it; also those of stream_next */
+ * after it; also as stream_next */
 graze_status table_next(table *t, table_row *row, int *more);
 void table_row_clear(table_row *row);
 
@@ -93,8 +94,8 @@ graze_status table_named_twice(const table *t, column c);
 
 /** Room for table_meant. */
 enum { TABLE_MEANT = 112 };
-/** `; did you mean NAME by 'COLUMN'?` of the first column that is nearly one of `count` names; else
- * nothing. */
+/** Set `; did you mean NAME by 'COLUMN'?` for the first column whose name is nearly one of `count`
+ * names; an empty text if there is none. */
 void table_meant(char out[TABLE_MEANT], const table *t, const char *const *names, size_t count);
 
 /** A row as it stands in the file, malloc'ed; NULL when out of memory. */
@@ -103,9 +104,9 @@ char *table_row_text(const table_row *row);
 /** A field of a row; empty where the table has no such column. */
 field table_field(const table *t, const table_row *row, column c);
 
-/** A number in a column, after the rounding of the context. GRAZE_EINPUT, GRAZE_ELIMIT. */
+/** Read a number in a column, rounded as the context says. GRAZE_EINPUT, GRAZE_ELIMIT. */
 graze_status table_rational(fmpq_t out, const table *t, const table_row *row, column c);
-/** A number as it is written, whatever rounding the context asks for. Those of rational_parse. */
+/** Read a number exactly, whatever the context's rounding. Statuses of rational_parse. */
 graze_status table_number(fmpq_t out, graze_context *context, field f);
 
 /** The digest of bytes. */
@@ -114,36 +115,36 @@ int digest_equal(digest a, digest b);
 
 /* Keys by which the rows of two tables are matched.
  *
- * The key of a row is its id, the value of one that is a number, or its point in lowest terms
- * after rounding; of a contact point its time and its point. */
+ * The key of a row is its id (by value if it is a number), or its point in lowest terms after
+ * rounding; the key of a contact point is its time and its point. */
 
 /** Coordinates x, y (and z) of points that both tables have; none if one of them lacks any. */
 void key_of_axes(row_key *out, const table *golden, const table *candidate);
 
-/** Check that the columns of a row's key are numbers, a time perhaps `root(...)`. GRAZE_EINPUT. */
+/** Check that the columns of a row's key are numbers; a time may be `root(...)`. GRAZE_EINPUT. */
 graze_status key_check(const row_key *key, const table *t, const table_row *row);
 
 /** Make the digest of a row's key. GRAZE_EINPUT, GRAZE_ELIMIT. */
 graze_status key_make(table_row *row, const row_key *key, const table *t);
 
-/* All rows of a table by their keys, for tables whose rows stand in any order.
+/* An index of all rows of a table by their keys, for rows in any order.
  *
- * Rows of one key are handed out in the order of the table. */
+ * Rows with equal keys are handed out in the order of the table. */
 
 /** A row that is kept. */
 typedef struct kept_row {
     digest key;
     unsigned long line, number; /* in the file, and among the rows */
     char *text;                 /* malloc'ed */
-    size_t taken;               /* in the first row of a key: how many rows of it are handed out */
+    size_t taken;               /* in a key's first row: number of its rows handed out */
 } kept_row;
 
-/** Zeroed at first. */
+/** The index; zeroed at first. */
 typedef struct row_index {
     table *table;
     kept_row *rows; /* by key, then by number; while `resting` only rows not taken, by number */
     size_t count, capacity;
-    int resting;  /* 1: the rest is being handed out */
+    int resting;  /* 1: row_index_rest hands out the rows not taken */
     size_t next;  /* while `resting`, the index of the row to hand out next */
     table_row at; /* the row handed out last */
 } row_index;
@@ -154,8 +155,8 @@ graze_status row_index_read(row_index *out, table *t, const row_key *key);
 /** The next row of a key; NULL if none is left. Borrowed until the next call. */
 graze_status row_index_take(row_index *x, const table_row **out, digest key);
 
-/** The next row that nobody took, by the order of the table; NULL at the end. Nothing can be taken
- * then. Borrowed until the next call. */
+/** The next row that row_index_take has not handed out, in the order of the table; NULL at the end.
+ * After this call row_index_take must not be called. Borrowed until the next call. */
 graze_status row_index_rest(row_index *x, const table_row **out);
 
 void row_index_clear(row_index *x);
@@ -186,24 +187,25 @@ typedef struct match {
     unsigned long pairs, missing_count, extra_count;
 } match;
 
-/** Start a matching. match_clear in any case, of a zeroed one too. */
+/** Start a matching. match_clear frees it in any case, and also takes a zeroed one. */
 void match_start(match *m, graze_context *context, table *golden, table *candidate,
                  const row_key *key, match_way way, int sites);
 void match_clear(match *m);
 
 /**
- * The next pair; either is NULL for a row without a counterpart, both at the end of both tables.
- * Borrowed until the next call.
+ * Hand out the next pair of rows. One is NULL if the other has no counterpart; both are NULL at the
+ * end of both tables. Borrowed until the next call.
  * @return GRAZE_EINPUT a coordinate or a time is no number
  */
 graze_status match_next(match *m, const table_row **golden, const table_row **candidate);
 
-/** At the end of a matching: the way that may give more rows a counterpart, or the same one. */
+/** At the end of a matching: another way that may give more rows a counterpart, or else the way
+ * that was taken. */
 match_way match_better(const match *m);
 
-/** Check a matching at its end. GRAZE_EINPUT: no row has a counterpart; the rows without one are
- * the same on both sides, in another order; rows without keys differ in number; an id has another
- * point. */
+/** Check a matching at its end. GRAZE_EINPUT: no row has a counterpart; the rows without a
+ * counterpart are the same in both tables, in another order; tables without keys differ in their
+ * numbers of rows; rows with one id have different points. */
 graze_status match_finish(const match *m);
 
 /* Choice of a comparison: the kind of tables, the columns judged, the key of rows, the groupings.
@@ -216,7 +218,9 @@ graze_status comparison_choose(graze_comparison *c, const table *golden, const t
 
 /** The golden column of a grouping. */
 column grouping_column(grouping g);
-/** Does the golden table have that column, and does its kind of table have that grouping? */
+/** Does the golden table have the column of a grouping, and do tables of its kind have the
+ * grouping?
+ */
 int grouping_is_of(const graze_comparison *c, const table *golden, grouping g);
 
 /* Golden rows that rounding makes equal. */

@@ -1,8 +1,8 @@
 /* Recognises tables of contact points, reads their answers and times, and compares them.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * An answer may be empty where graze contact leaves it so; an empty answer equals an empty one
- * alone. Times and numbers go by their value, everything else by its text.
+ * An answer may be empty where graze contact leaves it empty; an empty answer equals only an empty
+ * one. Times and numbers are compared by value, all else as text.
  */
 #include "output/compare/compare.h"
 
@@ -16,10 +16,11 @@
 #include "output/compare/judgement.h"
 #include "output/compare/rows.h"
 
-/* Kind of rows that a table has, if its columns tell. */
+/* Kind of rows of a table; KIND_ANY if its columns do not tell. */
 typedef enum table_kind { KIND_ANY, KIND_POINTS, KIND_CONTACTS } table_kind;
 
-/* Tables of Graze are known by their first column, since further ones may have any name. */
+/* The kind of a table. A table of Graze is known by its first column, since further columns may
+ * have any name. */
 static table_kind table_kind_of(const table *t) {
     if (t->notes[NOTE_GRAZE])
         return t->where[COLUMN_TIME] == 0 ? KIND_CONTACTS : KIND_POINTS;
@@ -93,7 +94,7 @@ static const char *words_of(column c) {
                                      : NULL;
 }
 
-/* Does a field stand among the words? */
+/* Is a field one of the words? */
 static int is_site_word(field f, const char *words) {
     while (*++words) {
         size_t length = strcspn(words, " ");
@@ -104,7 +105,7 @@ static int is_site_word(field f, const char *words) {
     return 0;
 }
 
-/* A cell as graze generate spells it. */
+/* Is a field a cell as graze generate writes it? */
 static int is_cell(field f) {
     field number, second;
     unsigned long index;
@@ -119,7 +120,7 @@ static int is_cell(field f) {
     return field_count(&index, number, ~0ul) && field_count(&index, second, ~0ul);
 }
 
-/* The expected values, for a message about a field that is no answer; NULL if it is one. */
+/* The expected values, for a message, if a field is no answer of its column; NULL if it is one. */
 static const char *site_answer_fault(field f, column c) {
     unsigned long order;
     switch (c) {
@@ -138,7 +139,8 @@ static const char *site_answer_fault(field f, column c) {
     }
 }
 
-/* A number may be one in form alone, or beyond a limit. */
+/* Check the value of a field that has the form of a number: it may be no number, or beyond a limit.
+ */
 static graze_status check_number(const table *t, const table_row *row, column c) {
     field f = table_field(t, row, c);
     LOCAL(fmpq, value);
@@ -163,7 +165,8 @@ static graze_status check_answer(const table *t, const table_row *row, column c)
     return judged_no_answer(t, row, c, expected);
 }
 
-/* The bytes before the first separator, or all; `rest` has what is behind it, or starts at NULL. */
+/* The bytes of `rest` before the first separator, or all; `rest` becomes the bytes behind it, or
+ * starts at NULL. */
 static field root_part(field *rest, char separator) {
     const char *end = memchr(rest->start, separator, rest->length);
     field part = *rest;
@@ -203,7 +206,8 @@ int moment_is_token(field f) {
     return rational_is_token(f.start, f.length) || moment_is_root(f);
 }
 
-/* Is it the same time? Numbers go by their value after rounding. GRAZE_EINPUT, GRAZE_ELIMIT. */
+/* Are two times the same? Numbers are compared by value after rounding. GRAZE_EINPUT, GRAZE_ELIMIT.
+ */
 static graze_status moment_same(int *same, graze_context *context, field a, field b) {
     *same = field_equal(a, b);
     if (*same || !rational_is_token(a.start, a.length) || !rational_is_token(b.start, b.length))

@@ -112,7 +112,7 @@ static graze_status split(table *t, table_row *row, field line) {
                        (field){row->bytes, line.length}, ',');
 }
 
-/* The next line that is neither blank nor a `#` line, as a row. */
+/* Read the next line that is neither blank nor a `#` line as a row. */
 static graze_status next_table_line(table *t, table_row *row, int *more) {
     field line;
     *more = 0;
@@ -129,7 +129,8 @@ static graze_status next_table_line(table *t, table_row *row, int *more) {
     }
 }
 
-/* In a table of pmc alone, or without enclosures, a column of such a name is one of the points. */
+/* Is a column of this name no answer of Graze, but a further column of the points? It is in a table
+ * of pmc alone, and for sdf_low and sdf_high in one without enclosures. */
 static int is_carried(const table *t, int c) {
     const char *columns = t->notes[NOTE_COLUMNS];
     if (t->notes[NOTE_GRAZE] && (c == COLUMN_SDF_LOW || c == COLUMN_SDF_HIGH))
@@ -159,8 +160,8 @@ void table_meant(char out[TABLE_MEANT], const table *t, const char *const *names
     }
 }
 
-/* Find the columns. The first one of a name counts in a table of Graze, where further columns come
- * last and may have any name. */
+/* Find the columns. In a table of Graze, whose further columns come last and may have any name, the
+ * first column of a name counts. */
 static graze_status fix_columns(table *t, const table_row *row) {
     t->head = row->line;
     for (size_t k = 0; k < row->cut.count; k++)

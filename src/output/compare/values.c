@@ -14,7 +14,7 @@
 #include "output/compare/counts.h"
 #include "output/compare/rows.h"
 
-/* A number of an option, 0 where there is none. Its sign is at least `least`. */
+/* Read the number of an option, 0 if there is none; its sign must be at least `least`. */
 static graze_status read_amount(fmpq_t out, graze_context *context, const char *name,
                                 const char *value, int least) {
     fmpq_zero(out);
@@ -54,7 +54,7 @@ graze_status values_choose(graze_comparison *c, const table *golden) {
     return read_amount(c->eta, context, "motion_error", o->motion_error, 1);
 }
 
-/* An enclosure is two rationals, the lower bound first. Does it have the sign of an answer? */
+/* Does an enclosure, the lower bound e[0] and the upper bound e[1], have the sign of an answer? */
 static int has_sign(const fmpq *e, int pmc) {
     int low = fmpq_sgn(e), high = fmpq_sgn(e + 1);
     if (fmpq_cmp(e, e + 1) > 0)
@@ -107,7 +107,8 @@ static value_error error_of(const fmpq_t value, const fmpq *e, const fmpq_t tole
     return out;
 }
 
-/* Widen an enclosure by the motion error; does what is left have one sign? */
+/* Widen an enclosure by the motion error. Does the widened one still have the sign of the answer?
+ */
 static int widen_enclosure(fmpq *e, const fmpq_t eta, int pmc) {
     fmpq_sub(e, e, eta);
     fmpq_add(e + 1, e + 1, eta);

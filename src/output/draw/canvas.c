@@ -1,4 +1,5 @@
-/* Parts of all kinds of canvas: paths, texts, the file, whose extension is the kind.
+/* Functions that all kinds of canvas share: paths, texts, and the file, whose extension chooses the
+ * kind.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "output/draw/draw.h"
@@ -150,12 +151,12 @@ int file_has_extension(const char *file, const char *extension) {
     return 1;
 }
 
-/* Fontconfig and pixman crash when memory runs out within them. This much is more than they and the
- * library's code take; for the image itself cairo reports it. */
+/* Fontconfig and pixman crash when memory runs out within them. ROOM is more than they and the
+ * library's code take; when the image itself does not fit, cairo reports an error. */
 enum { ROOM = 64 << 20 };
 
 static graze_status check_room(graze_context *context) {
-    void *volatile room = malloc(ROOM); /* or the compiler would leave both calls out */
+    void *volatile room = malloc(ROOM); /* volatile keeps malloc and free from being removed */
     if (!room)
         return context_fail(
             context, GRAZE_ESYSTEM,
@@ -183,7 +184,7 @@ static graze_status load_library(canvas *(**create)(double, double, int), graze_
     return GRAZE_OK;
 }
 
-/* With `out` NULL only checked. */
+/* Create a PNG or PDF canvas; if `out` is NULL, only check that the library can be loaded. */
 static graze_status create_png(canvas **out, graze_context *context, double width, double height,
                                int pdf) {
     canvas *(*create)(double, double, int) = NULL;

@@ -12,7 +12,7 @@
 #include "output/draw/panel.h"
 #include "output/draw/views.h"
 
-/* Bands of the distance belong to answers. */
+/* The answer, TONE_OUT or TONE_IN, to which a band of the distance belongs; other tones stay. */
 static tone tone_side(unsigned char t) {
     return t >= TONE_OUTER ? TONE_OUT : t >= TONE_INNER ? TONE_IN : (tone)t;
 }
@@ -50,8 +50,8 @@ static graze_status choose_split(cells *c, graze_context *context) {
                : context_fail(context, GRAZE_ESYSTEM, "out of memory for the cells of a picture");
 }
 
-/* The tone of a part. A measured cell's distance is not that of its part: on the cell's side the
- * part has the cell's band, else the nearest. */
+/* The tone of a part. Distances are known for cells only: a part with the cell's answer has the
+ * cell's band, a part with another answer has the band next to the border. */
 static tone part_tone(const cells *c, size_t cell, const graze_verdict *v) {
     if (!c->distance)
         return tone_of(v);
@@ -93,13 +93,13 @@ static unsigned char tone_at(const cells *c, size_t i, size_t j) {
     return c->part[((c->split[cell] - 1) * n + j % n) * n + i % n];
 }
 
-/* Is it a cell of the tone (parts: 1), or a part of the tone whose cell has another one? */
+/* Is (i, j) a cell of the tone (parts: 1), or a part of the tone in a cell of another tone? */
 static int is_drawn(const cells *c, size_t parts, size_t i, size_t j, tone t) {
     int own = c->tone[j / parts * c->count[0] + i / parts] == t;
     return parts == 1 ? own : !own && tone_at(c, i, j) == t;
 }
 
-/* Add the rectangle of `length` neighbours of a row from (i, j) on. */
+/* Add the rectangle of `length` neighbouring cells or parts of a row, from (i, j) on. */
 static void put_cells_run(drawn_path *out, const cells *c, const panel *p, size_t parts, size_t i,
                           size_t j, size_t length) {
     double cell_x = p->width / (double)(c->count[0] * parts);

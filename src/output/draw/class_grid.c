@@ -20,7 +20,7 @@ tone tone_of(const graze_verdict *v) {
     return v->class_ == GRAZE_CLASS_NONE ? (tone)(TONE_IN - 1 + (int)v->pmc) : (tone)v->class_;
 }
 
-/* Cells along one axis; the box grows to both sides by half of what they exceed it. */
+/* Choose the number of cells along one axis. Their excess over the box is half on each side. */
 static graze_status lay_axis(cells *c, graze_context *context, int k, const fmpq *low,
                              const fmpq *high) {
     LOCAL(fmpq, length);

@@ -1,5 +1,5 @@
-/* Rings of sectors about a point: each contact at rest and on its sides, and what all leave open.
- * SPDX-License-Identifier: GPL-3.0-or-later
+/* Rings of sectors about a point: a ring for each contact at rest and each of its sides, and one
+ * for the directions that all of them leave open. SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "output/draw/draw.h"
 
@@ -21,7 +21,7 @@ enum { MIDDLE_X = 280, MIDDLE_Y = 330, INNER = 36, OUTER = 220, WIDEST = 30, LEG
 enum { FIRST_LINE = 90, LINE = 18, WIDTH = 1080, LEAST_HEIGHT = 600, SMALLEST = 9 };
 static const double full_turn = 6.283185307179586;
 
-/* One ring: a part of a contact, a slide that turns, or what is left open. */
+/* One ring: a part of a contact, a slide that turns, or the directions left open. */
 typedef struct ring {
     size_t contact; /* from 1; 0: left open */
     sector_question asked;
@@ -50,7 +50,8 @@ static graze_status add_cone_ring(cones_maker *m, size_t contact, sector_questio
     return GRAZE_OK;
 }
 
-/* The contacts in order of time, what turns behind all of them, and what is left. */
+/* List the rings: the contacts in order of time, then the slides that turn, then the directions
+ * left open. */
 static graze_status list_rings(cones_maker *m) {
     germ_list *all = &m->germs;
     for (size_t k = 0; k < all->count; k++)
@@ -64,7 +65,7 @@ static graze_status list_rings(cones_maker *m) {
     return GRAZE_OK;
 }
 
-/* -1, 1: before and after the time of the contact; 0: at it. */
+/* -1 for a ring before the time of its contact, 1 after it, 0 at this time. */
 static int sign_of_ring(const ring *r) {
     return r->asked.germ && r->asked.part >= 0 ? r->asked.germ->side[r->asked.part].sign : 0;
 }
@@ -91,7 +92,7 @@ static void path_at(drawn_path *p, char verb, double angle, double radius) {
     drawn_path_to(p, verb, MIDDLE_X + radius * cos(angle), MIDDLE_Y - radius * sin(angle));
 }
 
-/* From one angle to another, in steps of at most 3 degrees. */
+/* Add an arc from one angle to another, in steps of at most 3 degrees. */
 static void path_arc(drawn_path *p, char verb, double from, double to, double radius) {
     int steps = (int)ceil(fabs(to - from) * 120 / full_turn);
     for (int k = 0; k <= steps; k++)
@@ -114,7 +115,7 @@ static style style_of(const ring *r) {
     return (style){.fill = PAINT(colour), .faintness = sign_of_ring(r) || r->asked.turn ? .45 : 0};
 }
 
-/* The number of a contact, and the sign of its side. */
+/* Write the name of a ring: the number of its contact, and the sign of its side. */
 static void name_ring(char *out, size_t room, const ring *r) {
     snprintf(out, room, "%zu%s", r->contact,
              r->asked.turn         ? "~"
@@ -133,7 +134,7 @@ static void draw_name(cones_maker *m, const ring *r, double angle, double radius
                 MIDDLE_Y - radius * sin(angle) + letters.size / 3, &letters, name);
 }
 
-/* The sectors of ring k; its name stands in the middle of the widest one. */
+/* Draw the sectors of ring k, with its name in the middle of the widest sector. */
 static graze_status draw_ring(cones_maker *m, size_t k) {
     const ring *r = &m->ring[k];
     sector_list found = {0, 0, NULL};
@@ -197,7 +198,7 @@ static void draw_legend(cones_maker *m) {
     canvas_end(m->canvas);
 }
 
-/* An arrow to the witness, or where that is on a square a line. */
+/* Draw an arrow to the witness or, if the witness is not on a ray, a dashed line. */
 static void draw_witness(cones_maker *m, const fmpq *point) {
     int on_ray = finding_witness(m->topo) == WITNESS_RAY;
     style s = {.stroke = PAINT(INK), .width = 2, .dash = on_ray ? 0 : 4};

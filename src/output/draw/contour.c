@@ -10,8 +10,8 @@
 #include "output/draw/panel.h"
 #include "output/draw/views.h"
 
-/* The grid within two rings of cells: the inner one, from (1, 1) on, repeats the neighbours, the
- * outer one is outside the region. */
+/* The grid of cells, surrounded by two rings of cells: the inner ring, from (1, 1) on, repeats its
+ * neighbours in the grid, and the outer ring is outside the region. */
 typedef struct marching {
     graze_context *context;
     const graze_scene *scene; /* NULL: the region of distances below `level` */
@@ -27,7 +27,7 @@ static int in_region(const marching *m, tone t) {
     return t >= m->least && t != TONE_EXTERIOR && t != TONE_OUT && t < TONE_OUTER;
 }
 
-/* The nearest index of a cell on an axis of the grid. */
+/* The index, on an axis of the grid, of the cell nearest to index i of the grid with its rings. */
 static size_t nearest(const marching *m, int axis, size_t i) {
     size_t count = m->cells->count[axis];
     return i < 2 ? 0 : i < count + 2 ? i - 2 : count - 1;
@@ -44,7 +44,7 @@ static int is_centre_in(const marching *m, size_t i, size_t j) {
            (m->scene ? in_region(m, (tone)c->tone[cell]) : c->distance[cell] < m->level);
 }
 
-/* Is the point in the region that is (u, v) / parts of a cell off a centre? */
+/* Is the point in the region that is off a centre by (u, v) / parts of a cell? */
 static int is_point_in(marching *m, size_t i, size_t j, size_t u, size_t v) {
     tone found = TONE_NONE;
     size_t x = (2 * nearest(m, 0, i) + 1) * m->parts + 2 * u;
@@ -54,7 +54,8 @@ static int is_point_in(marching *m, size_t i, size_t j, size_t u, size_t v) {
     return in_region(m, found);
 }
 
-/* The node between a centre and that on the right or above, as a share of the way; -1: none. */
+/* The node between a centre and the centre on the right or, if `up`, above, as a share of the way
+ * between them; -1 if there is none. */
 static double find_node(marching *m, size_t i, size_t j, size_t up) {
     int from = is_centre_in(m, i, j);
     size_t low = 0, high = m->parts;
@@ -74,8 +75,8 @@ static double find_node(marching *m, size_t i, size_t j, size_t up) {
     return (double)(low + high) / 2 / (double)m->parts;
 }
 
-/* Add the segments of a square with its lower left corner in a centre, and return their number.
- * Its sides are the lower one and, counterclockwise, the others; node k is on side k. */
+/* Add the segments of the square whose lower left corner is a centre, and return their number. Side
+ * 0 is the lower one, the others follow counterclockwise; node k is on side k. */
 static size_t march_square(chain_segment *out, marching *m, size_t i, size_t j) {
     const double node[4] = {find_node(m, i, j, 0), find_node(m, i + 1, j, 1),
                             find_node(m, i, j + 1, 0), find_node(m, i, j, 1)};

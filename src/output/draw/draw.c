@@ -14,7 +14,7 @@
 #include "output/draw/panel.h"
 #include "output/draw/views.h"
 
-/* S at times spread evenly over the motion, both ends included. */
+/* Make the positions of S at times spread evenly over the motion, both ends included. */
 static graze_status make_positions(picture *p, graze_context *context) {
     const graze_motion *motion = p->scene->motion;
     const graze_solid *solid = p->scene->solid->curved ? &p->made : p->scene->solid;
@@ -80,7 +80,7 @@ static graze_status make_legend(picture *p, graze_context *context) {
                      : GRAZE_OK;
 }
 
-/* Places of the parts: panels in rows from the left, the legend on the right of them all. */
+/* Places of the parts of a picture: panels in rows from the left, the legend on their right. */
 typedef struct layout {
     double width, height, x, y, row, legend_x;
 } layout;
@@ -125,7 +125,7 @@ static graze_status draw_panels(canvas *c, graze_context *context, picture *p) {
     return GRAZE_OK;
 }
 
-/* The picture's cells, and its gaps, in one line. */
+/* Append one line on the picture's cells and on what the picture leaves out. */
 static void put_remark(text *out, const picture *p) {
     const cells *c = &p->cells;
     size_t outside = views_outside(p);

@@ -1,8 +1,8 @@
 /* Values of a curved solid's surfaces in doubles, and its outline in the plane.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Values are scaled, since only signs and directions are asked for. Sides of a lattice's squares
- * are crossed where the expression changes.
+ * Values are scaled, since only signs and directions are needed. The boundary crosses a side of a
+ * lattice's square if the expression holds at one end alone.
  */
 #include <flint/fmpz.h>
 #include <math.h>
@@ -103,7 +103,7 @@ void eye_field_normal(double out[3], eye_field *field, const double *from, const
         out[i] *= (along < 0 ? -1 : 1) / sqrt(length);
 }
 
-/* Squares along a side; halvings of a side that is crossed. */
+/* SQUARES along a side of the lattice; HALVINGS of a square's side to find its crossing. */
 enum { SQUARES = 256, ACROSS = SQUARES + 1, HALVINGS = 16 };
 
 typedef struct outliner {
@@ -111,9 +111,9 @@ typedef struct outliner {
     eye_field field;
     graze_solid *out;
     double low[2], step[2];
-    unsigned char *inside;  /* by corner */
-    uint32_t *crossing;     /* by side, horizontal ones at even places: its vertex + 1 */
-    size_t room, item_room; /* of vertices, of segments */
+    unsigned char *inside; /* by corner */
+    uint32_t *crossing; /* by side, horizontal ones at even indices: vertex of the crossing + 1 */
+    size_t room, item_room; /* capacity for vertices and for segments */
 } outliner;
 
 static int holds_at(outliner *o, double x, double y) {
@@ -130,12 +130,12 @@ static graze_status prepare_outline(outliner *o, const csg *solid) {
     return status;
 }
 
-/* Coordinate `axis` of a corner, a little off the box's own ends. */
+/* Coordinate `axis` of a lattice corner. Corners are a little off the ends of the box. */
 static double lattice_place_of(const outliner *o, int axis, double k) {
     return o->low[axis] + (k - .37) * o->step[axis];
 }
 
-/* The vertex on a side that begins at a corner; `up`: a vertical one. */
+/* Find the vertex on the side that begins at a corner; the side is vertical if `up`. */
 static graze_status find_side_point(uint32_t *out, outliner *o, size_t i, size_t j, int up) {
     uint32_t *known = &o->crossing[2 * (j * ACROSS + i) + (size_t)up];
     size_t n = o->out->input.vertex_count;
@@ -162,7 +162,8 @@ static graze_status find_side_point(uint32_t *out, outliner *o, size_t i, size_t
     return status;
 }
 
-/* The segments of a square: its crossed sides, in the order around it, two by two. */
+/* Add the segments of a square, which join its crossed sides two by two in their order around it.
+ */
 static graze_status add_square(outliner *o, size_t i, size_t j) {
     static const unsigned char side[4][3] = {{0, 0, 0}, {1, 0, 1}, {0, 1, 0}, {0, 0, 1}};
     simplices *cut = &o->out->cut;

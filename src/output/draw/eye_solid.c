@@ -14,12 +14,12 @@
 #include "input/validate/validate.h"
 #include "output/draw/panel.h"
 
-/* Cells along a side; halvings of a side that is crossed. */
+/* CELLS along a side of the lattice; TIMES_HALVED of a cell's side to find its crossing. */
 enum { CELLS = 64, ALONG = CELLS + 1, TIMES_HALVED = 12 };
-/* How much a vertex is held to the middle of its crossings, beside the planes. */
+/* Weight of the middle of a vertex's crossings, against weight 1 of each tangent plane. */
 static const double held = 1e-2;
 
-/* The crossings of a cell, in its own units from its low corner. */
+/* The crossings of a cell, in coordinates from its low corner in units of the lattice. */
 typedef struct crossings {
     double count, middle[3], square[6], right[3]; /* square: xx, xy, xz, yy, yz, zz */
     unsigned char cell[3];
@@ -36,7 +36,7 @@ typedef struct surface_maker {
     size_t count, room, item_room;
 } surface_maker;
 
-/* A corner or a place between corners, a little off the box's own ends. */
+/* The place of lattice coordinates. Lattice corners are a little off the ends of the box. */
 static void place_in_lattice(double out[3], const surface_maker *m, const double at[3]) {
     for (int k = 0; k < 3; k++)
         out[k] = m->low[k] + (at[k] - .37) * m->step[k];
@@ -73,7 +73,8 @@ static graze_status mark_corners(surface_maker *m) {
     return GRAZE_OK;
 }
 
-/* Where a side along `axis` is crossed, and the normal there, both in units of the lattice. */
+/* Find the place at which a side along `axis` is crossed, and the boundary's normal at this place,
+ * both in units of the lattice. */
 static void cross_side(double place[3], double normal[3], surface_maker *m, const size_t at[3],
                        int axis) {
     double from[3], to[3], ends[2][3], length = 0;
@@ -96,7 +97,7 @@ static void cross_side(double place[3], double normal[3], surface_maker *m, cons
         normal[k] /= sqrt(length);
 }
 
-/* Add a crossing to a cell, which gets a vertex with its first one. */
+/* Add a crossing to a cell; the first crossing gives the cell its vertex. */
 static graze_status add_crossing(uint32_t *vertex, surface_maker *m, const size_t cell[3],
                                  const double place[3], const double normal[3]) {
     uint32_t *known = &m->vertex[cell_index(cell)];
@@ -123,7 +124,7 @@ static graze_status add_crossing(uint32_t *vertex, surface_maker *m, const size_
     return GRAZE_OK;
 }
 
-/* The two triangles around a crossed side. */
+/* Add the two triangles around a crossed side. */
 static graze_status add_side(surface_maker *m, const size_t at[3], int axis) {
     static const unsigned char turn[4][2] = {{1, 1}, {0, 1}, {0, 0}, {1, 0}};
     int u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -161,7 +162,8 @@ static graze_status add_crossed_sides(surface_maker *m) {
     return GRAZE_OK;
 }
 
-/* The place that is nearest to the planes, within the cell: (A + held I) x = b, by Cramer. */
+/* Find the place in the cell nearest to the tangent planes: (A + held I) x = b, by Cramer's rule.
+ */
 static void solve_cell(double out[3], const crossings *met) {
     const double *s = met->square;
     double more = held * met->count, right[3];

@@ -11,7 +11,7 @@
 #include "output/draw/panel.h"
 #include "output/draw/views.h"
 
-/* The bin along an axis, the first or last one for what lies outside. */
+/* The bin of a pixel along an axis; the first or last bin for a pixel outside the panel. */
 static int bin_of(const labels *l, int axis, double pixel) {
     double low = axis ? l->panel->y : l->panel->x;
     double size = axis ? l->panel->height : l->panel->width;
@@ -77,7 +77,8 @@ void labels_avoid(labels *l, double x, double y, double radius) {
     add_label(l, square_about(x, y, radius, OBSTACLE_MARK));
 }
 
-/* Small squares along the line, so that a slanting one does not keep its whole box free. */
+/* Add small squares along the line as obstacles, so that a slanting line does not block its whole
+ * bounding box. */
 void labels_avoid_path(labels *l, const drawn_path *p) {
     const double apart = 6, far = 1e5;
     for (size_t k = 1; k < p->count; k++) {
@@ -95,7 +96,7 @@ void labels_avoid_path(labels *l, const drawn_path *p) {
     }
 }
 
-/* A name remains legible if it shares at most this number of square pixels with others. */
+/* A name remains legible if its box shares at most this number of square pixels with obstacles. */
 static const double FREE = 12;
 
 /* A rectangle and the area that it has in common with obstacles. */
@@ -105,8 +106,8 @@ typedef struct overlap {
     int marks_only;
 } overlap;
 
-/* Add what obstacles of a bin have in common with the rectangle, each in one bin alone, that of the
- * upper left corner. */
+/* Add the areas that obstacles of a bin have in common with the rectangle. Each common area is
+ * counted in one bin alone, that of its upper left corner. */
 static void add_overlaps(overlap *sum, const labels *l, int row, int column) {
     const obstacle *o = sum->of;
     for (size_t k = l->first[row][column]; k && sum->area <= FREE; k = l->link[k - 1].next) {
@@ -120,7 +121,7 @@ static void add_overlaps(overlap *sum, const labels *l, int row, int column) {
     }
 }
 
-/* The area that a box has in common with the obstacles; no more than some area past FREE. */
+/* The area that a box has in common with the obstacles; the sum stops once it exceeds FREE. */
 static double common_area(const labels *l, const obstacle *o, int marks_only) {
     overlap sum = {o, 0, marks_only};
     bin_range bins = bins_of(l, o);
@@ -135,7 +136,7 @@ int labels_meet_mark(const labels *l, double x, double y, double radius) {
     return common_area(l, &o, 1) > 0;
 }
 
-/* Nothing outside the panel is free. */
+/* The area that a box has in common with obstacles; infinite if the box leaves the panel. */
 static double cost(const labels *l, const obstacle *o) {
     const panel *p = l->panel;
     return o->x < p->x || o->y < p->y || o->x + o->width > p->x + p->width ||
@@ -170,7 +171,8 @@ static int crosses_name(const labels *l, const leader *line) {
     return 0;
 }
 
-/* The line begins outside the sign, and is left out where it would be short. */
+/* Draw the line to a name's box. It begins outside the sign, and is left out if it would be short.
+ */
 static void draw_leader(labels *l, canvas *c, const leader *line, double sign) {
     const style thin = {.stroke = PAINT(0x555555), .width = .7};
     const double beside = sign > 0 ? sign + 1 : 0, least = 6;
@@ -184,7 +186,8 @@ static void draw_leader(labels *l, canvas *c, const leader *line, double sign) {
     canvas_path(c, &drawn, &thin, NULL);
 }
 
-/* A box in one of eight directions from a pixel, its nearest point so far away along both axes. */
+/* The box of a name in one of eight directions from a pixel, with its nearest point at the distance
+ * `away` in this direction. */
 static obstacle box_beside(double x, double y, double away, const double direction[2], double width,
                            double height) {
     double share_x = direction[0] > .1 ? 0 : direction[0] < -.1 ? 1 : .5;

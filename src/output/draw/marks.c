@@ -53,7 +53,7 @@ void mark_point(canvas *c, double x, double y, double radius, tone t) {
     c->kind->circle(c, x, y, radius, &disk);
 }
 
-/* A circle on a face, a square on an edge, a triangle on a vertex; 1 is the size of a contact's. */
+/* Draw a circle for a face, a square for an edge, a triangle for a vertex; contacts have size 1. */
 static void put_sign(canvas *c, double x, double y, double size, graze_cell_kind cell,
                      const style *s) {
     static const double corners[2][4][2] = {{{-3.6, -3.6}, {3.6, -3.6}, {3.6, 3.6}, {-3.6, 3.6}},
@@ -126,7 +126,7 @@ static void put_legend_line(writer *w, const style *s, const char *text) {
     canvas_path(w->canvas, &line, s, NULL);
 }
 
-/* Ends of slides, below their line, then contacts. */
+/* Put the lines of ends of slides, then those of contacts, into the legend. */
 static void put_contacts(writer *w, const legend *l) {
     static const char *const names[3][4] = {
         {NULL, "end of a slide, face", "end of a slide, edge", "end of a slide, vertex"},
@@ -154,7 +154,8 @@ static void put_band(writer *w, const legend *l, tone t) {
         w->canvas->failed |= band.failed;
 }
 
-/* The scale of distances, from the deepest band inside to the farthest outside. */
+/* Put the scale of distances into the legend, from the deepest band inside to the farthest outside.
+ */
 static void put_scale(writer *w, const legend *l) {
     put_heading(w, "Signed distance");
     for (int t = TONE_OUTER - 1; t >= TONE_INNER; t--)
@@ -167,7 +168,7 @@ static void put_scale(writer *w, const legend *l) {
     put_legend_line(w, &line_level, "level");
 }
 
-/* Classes, and for an unsweep answers. */
+/* Put the classes into the legend; for an unsweep the answers. */
 static void put_classes(writer *w, const legend *l) {
     int unsweep = l->tones[TONE_IN] || l->tones[TONE_ON] || l->tones[TONE_OUT], some = 0;
     int last = l->cells ? TONE_EXTERIOR : TONE_OUT;
@@ -180,7 +181,8 @@ static void put_classes(writer *w, const legend *l) {
             put_swatch(w, (tone)t, tone_name((tone)t));
 }
 
-/* Rows of lines that the picture has, under a heading if there are any. */
+/* Put the rows of the lines that the picture has into the legend, under a heading if there are any.
+ */
 static void put_lines(writer *w, const char *heading, const int *shown, const legend_line *line) {
     for (int k = 0, some = 0; line[k].name; k++) {
         if (!shown[k])

@@ -27,7 +27,8 @@ double dot_product(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Scaled by a power of two first, which rounds nothing: squares of small numbers vanish. */
+/* Give a vector the length 1. It is first scaled by a power of two, which rounds nothing, since
+ * squares of small numbers would vanish. */
 static void normalise(double v[3]) {
     int exponent = ilogb(fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2]))));
     for (int k = 0; k < 3; k++)
@@ -149,7 +150,7 @@ tick_step step_for(double least) {
     return (tick_step){mantissas[k], exponent, mantissas[k] * power};
 }
 
-/* d.ddde-N for value * 10^exponent, without trailing zeros. */
+/* Write value * 10^exponent as d.ddde-N, without trailing zeros. */
 static void power_text(char *out, size_t room, const char *sign, long value, int exponent) {
     char digits[24];
     int n = snprintf(digits, sizeof digits, "%ld", value), last = n;
@@ -159,7 +160,7 @@ static void power_text(char *out, size_t room, const char *sign, long value, int
              exponent + n - 1);
 }
 
-/* The number index * step, by its digits, independent of the locale. */
+/* Write the number index * step from its digits, so that the text does not depend on the locale. */
 static void tick_text(char *out, size_t room, long index, const tick_step *s) {
     const char *sign = index < 0 ? "-" : "";
     long value = (index < 0 ? -index : index) * s->mantissa;
@@ -177,20 +178,21 @@ static void tick_text(char *out, size_t room, long index, const tick_step *s) {
     }
 }
 
-/* The numbers along one side: first to last, times the step. */
+/* The numbers along one side of a frame: k * step for k from first to last. */
 typedef struct tick_row {
     tick_step step;
     long first, last;
     double widest; /* in pixels */
 } tick_row;
 
-/* The ticks of an axis; none if their numbers would be long and alike, far from the origin. */
+/* The ticks of an axis; none far from the origin, where their numbers would differ in late digits
+ * only. */
 static tick_row ticks_of(const panel *p, int axis, double apart) {
     double low = p->window.low[axis], high = p->window.high[axis];
     tick_row t = {step_for(apart / p->scale), 0, -1, 0};
     if (fmax(fabs(low), fabs(high)) / t.step.size > 1e9)
         return t;
-    /* The upper end of an axis is its name's place. */
+    /* The upper end of an axis is kept for its name. */
     t.first = (long)ceil(low / t.step.size);
     t.last = (long)floor((high - 20 / p->scale) / t.step.size);
     for (long k = t.first; k <= t.last; k++) {
@@ -201,7 +203,7 @@ static tick_row ticks_of(const panel *p, int axis, double apart) {
     return t;
 }
 
-/* Numbers stand below one another, or beside one another with a gap, off the axis's name. */
+/* The ticks of an axis, so far apart that numbers beside one another have a gap. */
 static tick_row ticks_along(const panel *p, int axis) {
     if (axis)
         return ticks_of(p, 1, 36);
@@ -268,7 +270,7 @@ static void draw_triad(canvas *c, const panel *p) {
     for (int k = 0; k < 3; k++) {
         double dx = p->look.row[0][k], dy = -p->look.row[1][k];
         if (dx * dx + dy * dy < .01)
-            continue; /* the axis points at the onlooker */
+            continue; /* the axis points to or from the viewer */
         drawn_path axis = {NULL, 0, 0, 0};
         drawn_path_line(&axis, x, y, x + 20 * dx, y + 20 * dy);
         canvas_path(c, &axis, &line, NULL);

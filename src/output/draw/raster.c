@@ -9,7 +9,7 @@
 #include "output/draw/panel.h"
 #include "output/draw/views.h"
 
-/* A run takes about a dozen bytes of SVG, and a picture has two panels of faces. */
+/* Most runs of one panel: a run takes about 12 bytes of SVG, and a picture has two such panels. */
 enum { MOST_RUNS = 50000 };
 
 typedef struct pixel_run {

@@ -1,4 +1,4 @@
-/* The plane and the box of a request, its cells in them, and their distances.
+/* The plane and the box of a request, the cells in them, and the cells' distances.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "output/draw/draw.h"
@@ -35,7 +35,7 @@ static graze_status roomy_box(fmpq *low, fmpq *high, graze_context *context,
     return GRAZE_OK;
 }
 
-/* The cells of an oblique plane: u and v are their axes. */
+/* Lay out the cells of an oblique plane, along its u and v. */
 static graze_status lay_out_section(cells *out, section *oblique, graze_context *context,
                                     const draw_request *request, const fmpq *low,
                                     const fmpq *high) {
@@ -77,10 +77,10 @@ static graze_status lay_out_cells(cells *out, graze_context *context, const draw
                         request->by_distance);
 }
 
-/* Cells' sides in one width of an enclosure. */
+/* A cell's side is this many times the width of an enclosure. */
 enum { FINENESS = 64 };
 
-/* The answer of a point as a tone, and the middle of its distance's enclosure. */
+/* Find the answer for a point as a tone, and the middle of the enclosure of its distance. */
 static graze_status measure_point(unsigned char *side, double *middle, graze_context *context,
                                   const graze_scene *scene, const fmpq *point, double width) {
     graze_trace trace;
@@ -103,8 +103,8 @@ static tone band_of(const cells *c, tone side, double value) {
                               : side;
 }
 
-/* Find answers and distances of all centres, choose the step of the levels, so that the bands reach
- * to the farthest cell, and set the tones. */
+/* Find answers and distances of all centres, choose the step of the levels such that the bands
+ * reach the farthest cell, and set the tones. */
 static graze_status cells_measure(cells *c, graze_context *context, const graze_scene *scene) {
     size_t count = c->count[0] * c->count[1];
     double width = fmpq_get_d(c->side) / FINENESS, most = 0;
@@ -124,7 +124,7 @@ static graze_status cells_measure(cells *c, graze_context *context, const graze_
     return GRAZE_OK;
 }
 
-/* The multiple k of the step as a decimal. */
+/* Append the multiple k of the step as a decimal. */
 static void put_level(text *out, const cells *c, int k) {
     int exact;
     LOCAL(fmpq, value);

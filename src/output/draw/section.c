@@ -1,4 +1,4 @@
-/* Coordinates in a plane, and what it has of a box.
+/* Coordinates in a plane, and the part of the plane in a box.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "output/draw/draw.h"
@@ -10,7 +10,7 @@
 #include "base/number/vector.h"
 #include "output/draw/panel.h"
 
-/* Divide a vector by its largest entry, which has size 1 then. */
+/* Divide a vector by the absolute value of its largest entry. */
 static void divide_by_largest(fmpq *v) {
     LOCAL_VEC(fmpq, most, 2);
     fmpq *size = most + 1;
@@ -114,7 +114,7 @@ static void hold_point(fmpq *low, fmpq *high, int first, const section *s, const
     }
 }
 
-/* The point in which the line from a to b meets the plane, which lies between them. */
+/* The point in which the line from a to b meets the plane; a and b are on different sides. */
 static void meet_edge(fmpq *out, const section *s, const fmpq *a, const fmpq *b) {
     LOCAL_VEC(fmpq, from, 3);
     fmpq *to = from + 1, *share = from + 2;
@@ -129,9 +129,8 @@ static void meet_edge(fmpq *out, const section *s, const fmpq *a, const fmpq *b)
     }
 }
 
-/* Enlarge an interval to multiples of a power of two, with 2^12 to 2^13 of them in its length: its
- * ends become short numbers.
- */
+/* Enlarge an interval so that its ends are multiples of a power of two that is 2^-12 to 2^-13 of
+ * its length; the ends become short numbers. */
 static void round_extent(fmpq_t low, fmpq_t high) {
     enum { PARTS = 12 };
     LOCAL_VEC(fmpq, length, 2);
@@ -203,7 +202,7 @@ void section_equation(text *out, const section *s) {
     text_rational(out, s->place);
 }
 
-/* Three numbers: decimals of four digits, or exact. */
+/* Append three numbers, as decimals of four digits or exact. */
 static void describe_vector(text *out, const fmpq *v, int exact) {
     int unused;
     for (int k = 0; k < 3; k++) {

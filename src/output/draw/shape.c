@@ -1,5 +1,4 @@
-/* Vertices at a time; outlines and slices, whose segments with equal keys at their ends are
- * neighbours.
+/* Vertices at a time, outlines and slices. Segments whose ends have equal keys are neighbours.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "output/draw/draw.h"
@@ -97,7 +96,7 @@ static int order_ends(const void *a, const void *b) {
     return e->end - f->end;
 }
 
-/* 2 * segment + end of the end that meets an end, or NONE. */
+/* No end. Ends are numbered 2 * segment + end; next[] gives the end that meets an end, or NONE. */
 static const size_t NONE = SIZE_MAX;
 
 static void link_ends(size_t *next, chain_end *ends, size_t count) {
@@ -123,8 +122,8 @@ static void chain_to(drawn_path *out, double x, double y, double apart) {
         drawn_path_to(out, 'L', x, y);
 }
 
-/* The end at which a line begins that runs through a segment: one without a neighbour, or, of a
- * ring, the segment's own first end. */
+/* The end at which the line through a segment begins: an end without a neighbour or, in a closed
+ * line, the first end of this segment. */
 static size_t first_end(const size_t *next, size_t segment) {
     size_t at = 2 * segment;
     while (next[at] != NONE && next[at] / 2 != segment)
@@ -173,7 +172,7 @@ static double nodes_apart(size_t count) {
     return count < DENSE ? 0 : .4;
 }
 
-/* The point in which the line through two vertices meets the plane, one being above it. */
+/* The point in which the line through two vertices meets the plane; one vertex is above it. */
 static void meet_plane(double out[3], const double *a, const double *b, const double normal[3],
                        double place) {
     double from = dot_product(normal, a), share = (place - from) / (dot_product(normal, b) - from);
@@ -181,7 +180,7 @@ static void meet_plane(double out[3], const double *a, const double *b, const do
         out[k] = a[k] + share * (b[k] - a[k]);
 }
 
-/* The segment of one triangle; 0 if the plane does not pass between its vertices. */
+/* Find the segment in which a triangle meets the plane; 0 if its vertices are all on one side. */
 static int slice_triangle(chain_segment *out, const shape *s, const simplex *f, const panel *p,
                           const double normal[3], double place) {
     int ends = 0;
@@ -191,7 +190,7 @@ static int slice_triangle(chain_segment *out, const shape *s, const simplex *f, 
         double end[3];
         if ((dot_product(normal, a) >= place) == (dot_product(normal, b) >= place))
             continue;
-        /* Alike from both sides of the edge. */
+        /* The ends are ordered, so that both triangles of the edge find the same point. */
         meet_plane(end, from < to ? a : b, from < to ? b : a, normal, place);
         panel_map(&out->x[ends], &out->y[ends], p, end);
         out->key[ends++] = from < to ? from << 32 | to : to << 32 | from;
@@ -199,7 +198,7 @@ static int slice_triangle(chain_segment *out, const shape *s, const simplex *f, 
     return ends == 2;
 }
 
-/* A side of the boundary in E^2. */
+/* Map an edge of the boundary in E^2 to pixels. */
 static void map_side(chain_segment *out, const shape *s, const simplex *f, const panel *p) {
     for (int k = 0; k < 2; k++) {
         out->key[k] = f->vertex[k];

@@ -11,7 +11,7 @@
 #include "output/draw/panel.h"
 #include "output/draw/views.h"
 
-/* A face turned towards the onlooker. */
+/* A face turned towards the viewer. */
 typedef struct face {
     double depth, area;
     size_t shape, simplex;
@@ -27,7 +27,8 @@ static int nearer_later(const void *a, const void *b) {
     return f->simplex < g->simplex ? -1 : f->simplex > g->simplex;
 }
 
-/* Look at a face; 0 if it is turned away. The light comes from the onlooker's left shoulder. */
+/* Find depth, area and light of a face; 0 if it is turned away from the viewer. The light comes
+ * from the viewer's left shoulder. */
 static int see(face *out, const shape *s, size_t simplex, const projection *look) {
     double toward[3], side[2][3], normal[3], length = 0, facing = 0, lit = 0;
     const uint32_t *vertex = s->solid->cut.item[simplex].vertex;
@@ -61,12 +62,12 @@ static unsigned shade(unsigned colour, double light) {
     return PAINT(out);
 }
 
-/* How faces are painted: as paths, or where they are many as pixels. */
+/* How faces are painted: as paths, or as pixels if there are many faces. */
 typedef struct brush {
     canvas *canvas;
     const panel *panel;
     const edge_list *edges;
-    raster pixels; /* without `pixel`: paths */
+    raster pixels; /* faces are paths if `pixel` is NULL */
 } brush;
 
 static void paint_path(const brush *b, const style *plain, const style *line, const double x[3],
@@ -125,8 +126,8 @@ static graze_status paint_faces(brush *b, graze_context *context, const shape *s
     return GRAZE_OK;
 }
 
-/* Give coplanar faces of one shape one depth, so that none of a neighbouring shape comes between.
- * `faces` are those of one shape; `sums` has two numbers, zeroed, for each simplex. */
+/* Give the coplanar faces of one shape the same depth, so that no face of another shape is painted
+ * between them. `sums` has two numbers, zeroed, for each simplex. */
 static void level_depths(face *faces, size_t count, const uint32_t *face_of, double *sums) {
     for (size_t k = 0; k < count; k++) {
         double *sum = sums + 2 * (size_t)face_of[faces[k].simplex];
@@ -139,7 +140,7 @@ static void level_depths(face *faces, size_t count, const uint32_t *face_of, dou
     }
 }
 
-/* List the faces of a shape that are seen; returns their number. */
+/* List the faces of a shape that are turned towards the viewer; returns their number. */
 static size_t list_faces(face *out, const shape *shapes, size_t s, const panel *p,
                          const edge_list *edges, double *sums) {
     size_t n = 0, count = shapes[s].solid->cut.count;

@@ -1,7 +1,7 @@
-/* Sides of triangles, sorted by their ends, so that the two of an edge are neighbours.
+/* Sides of triangles, sorted by their ends, so that the two sides at an edge are neighbours.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * The angle is computed in doubles: what a picture leaves out decides nothing.
+ * The angle at an edge is computed in doubles, since only pictures depend on it.
  */
 #include "output/draw/draw.h"
 
@@ -47,8 +47,8 @@ static void unit_normal(double out[3], const graze_solid *solid, uint32_t simple
         out[k] /= length;
 }
 
-/* The cosine of the angle at which the two sides of an edge bend; -1 where it has other than two.
- */
+/* The cosine of the angle between the normals of the two triangles at an edge; -1 if there are not
+ * two. */
 static double bend(const graze_solid *solid, const shown_edge *e, size_t count) {
     double a[3], b[3];
     if (count != 2)
@@ -81,7 +81,7 @@ static size_t list_sides(shown_edge *out, const graze_solid *solid) {
     return n;
 }
 
-/* An edge of `count` sides: shown, or within a face. */
+/* Take an edge of `count` sides: it is shown, or it joins two triangles of one face. */
 static void take_edge(edge_list *out, const graze_solid *solid, const shown_edge *e, size_t count) {
     double cosine = bend(solid, e, count);
     if (cosine > cosine_flat)

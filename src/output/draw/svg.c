@@ -22,7 +22,8 @@ static text *out_of(canvas *c) {
     return &((svg_canvas *)c)->out;
 }
 
-/* Hundredths of a pixel. Far outside the picture all coordinates are alike. */
+/* A coordinate in hundredths of a pixel. Coordinates far outside the picture are replaced by 1e6 or
+ * -1e6 pixels. */
 static long hundredths(double value) {
     const double far = 1e6;
     if (!(value > -far))
@@ -38,7 +39,7 @@ static void put_hundredths(text *t, long value) {
         text_format(t, size % 10 ? ".%02lu" : ".%lu", size % 10 ? size % 100 : size % 100 / 10);
 }
 
-/* Append a text as it stands, but for each @ the next number of pixels. */
+/* Append a text in which each @ is replaced by the next number of pixels. */
 static void put_pixels(text *t, const char *form, ...) {
     va_list values;
     va_start(values, form);
@@ -94,7 +95,8 @@ static void svg_clip(canvas *c, double x, double y, double width, double height)
     text_format(t, "</clipPath>\n<g clip-path=\"url(#clip%u)\">\n", number);
 }
 
-/* Lines along an axis are H and V: the cells of a grid are most of a picture's bytes. */
+/* Append the nodes of a path. Lines along an axis are written as H and V, since the cells of a grid
+ * are most of a picture's bytes. */
 static void put_nodes(text *t, const drawn_path *p) {
     long x = 0, y = 0;
     for (size_t k = 0; k < p->count; k++) {

@@ -19,7 +19,7 @@
 #include "input/solid/solid.h"
 #include "output/draw/panel.h"
 
-/* A place of the motion as a picture needs it: piece + u, u in [0, 1]. */
+/* A time of the motion in doubles: the parameter u in [0, 1] of a piece. */
 typedef struct moment {
     size_t piece;
     double u;
@@ -43,7 +43,7 @@ static void add_place(follower *f, const double at[3]) {
         f->failed = 1;
 }
 
-/* c(u), u taken to 2^-30. */
+/* The place of the trajectory at a moment, with u rounded to 2^-30. */
 static void place_at(double out[3], const follower *f, moment m) {
     LOCAL_VEC(fmpz, x, f->dimension + 1);
     LOCAL(fmpq, u);
@@ -74,8 +74,8 @@ static double distance(const double p[3], const double a[3], const double b[3]) 
     return sqrt(sum);
 }
 
-/* Add the places after u = a up to u = b, ends given. Five halvings at least, as a curve may be
- * symmetric about its middle. */
+/* Add the places after u = a up to u = b; those of a and b are given. At least five halvings are
+ * made, as a curve may be symmetric about its middle. */
 static void follow(follower *f, size_t piece, double a, const double at_a[3], double b,
                    const double at_b[3], int depth) {
     enum { LEAST = 5, MOST = 12 };
@@ -130,7 +130,8 @@ static void vertex_place(double out[3], const graze_solid *solid, size_t vertex)
     memcpy(out, solid->low + d * vertex, d * sizeof *out);
 }
 
-/* The smallest cell of a contact at a place, to the picture's fineness; else `inside`. */
+/* The kind of the least cell of a contact that holds a place, to the picture's fineness; `inside`
+ * if there is none. */
 static graze_cell_kind cell_near(const follower *f, const contact *from, graze_cell_kind inside,
                                  const double at[3]) {
     double a[3], b[3];

@@ -1,4 +1,4 @@
-/* The panel of trajectories: lines, arrowheads, contacts and names, that keep clear of one another.
+/* The panel of trajectories: lines, and arrowheads, contacts and names that do not overlap.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "output/draw/draw.h"
@@ -9,8 +9,8 @@
 #include "output/draw/panel.h"
 #include "output/draw/views.h"
 
-/* The visible part of a trajectory: its beginning, and the place after a length with the direction
- * there. */
+/* The visible part of a trajectory: its beginning, its length, and the place at a given length with
+ * the direction at this place. */
 typedef struct seen_part {
     int any;
     double start[2], length;
@@ -71,8 +71,8 @@ static void draw_trail(canvas *c, const panel *at, const trail *from, labels *na
         }
 }
 
-/* An arrowhead as near the middle as it keeps clear of contacts, beginnings and other arrowheads;
- * none where there is no room. */
+/* Draw an arrowhead as near to the trajectory's middle as contacts, beginnings and other arrowheads
+ * permit; none if there is no room. */
 static void draw_arrow(canvas *c, const panel *at, const trail *from, labels *names) {
     enum { SIZE = 9, CLEAR = 7, PLACES = 24 };
     double length = see_trail(at, from, INFINITY).length;
@@ -90,8 +90,8 @@ static void draw_arrow(canvas *c, const panel *at, const trail *from, labels *na
     }
 }
 
-/* A mark of a contact. A slide has three: its ends, shown where they are apart from its middle, and
- * the middle. */
+/* A mark of a contact. A slide has three marks: the middle, and its ends, which are shown if they
+ * are apart from the middle. */
 typedef struct seen_mark {
     int shown;
     double x, y;
@@ -151,7 +151,7 @@ void trajectories_seen(picture *p) {
     }
 }
 
-/* The disk stands where the trajectory begins, if that is to be seen. */
+/* Draw a disk where the trajectory begins, if this place is in the panel. */
 static void draw_start(canvas *c, const panel *at, const trail *from, labels *names) {
     double x, y;
     panel_map(&x, &y, at, from->at);
@@ -161,8 +161,8 @@ static void draw_start(canvas *c, const panel *at, const trail *from, labels *na
     labels_avoid(names, x, y, MARK_LARGE);
 }
 
-/* A name next to where the trajectory comes into sight or next to it farther along; else at a
- * distance from one of these places. */
+/* Write the name next to the place where the trajectory enters the panel, or next to a place
+ * farther along it; else at a distance from one of these places. */
 static void name_trail(canvas *c, const panel *at, const trail *from, const char *name,
                        labels *names) {
     static const double shares[] = {0, .12, .3, .7, .88};

@@ -17,7 +17,7 @@ static int is_unsweep(const picture *p) {
     return p->scene->options.operation == GRAZE_UNSWEEP;
 }
 
-/* The panel of the cells: a whole number of pixels for each, where they are not too many. */
+/* Fit the panel of the cells. Each cell has a whole number of pixels, unless there are too many. */
 static void fit_classes(picture *p) {
     const size_t *count = p->cells.count;
     size_t longer = count[0] > count[1] ? count[0] : count[1];
@@ -44,7 +44,8 @@ static graze_status fit_panel(panel *out, graze_context *context, const projecti
     return GRAZE_OK;
 }
 
-/* Around the standing solid; trajectories may come from far and go far. */
+/* Fit the panel of trajectories around the standing solid, since trajectories may come from far and
+ * go far. */
 static graze_status fit_trajectories(picture *p, graze_context *context, const projection *look) {
     extent solid = extent_empty(), all, near;
     shape_extent(&solid, &p->standing, look);
@@ -60,7 +61,7 @@ static graze_status fit_trajectories(picture *p, graze_context *context, const p
                      picture_is_plane(p));
 }
 
-/* The plane of the cells, but for an equation that is long. */
+/* Append the equation of the cells' plane, unless it is long. */
 static void tell_plane(text *out, const picture *p) {
     enum { LONG = 44 };
     HELD(text, plane);
@@ -118,7 +119,8 @@ size_t views_outside(const picture *p) {
     return outside;
 }
 
-/* In E^3 by class, the region of each class and those after it, which are drawn over it. */
+/* Draw the cells. In E^3 by class, draw for each class the region of this class and all later ones,
+ * over which the later ones are drawn. */
 static graze_status draw_cells(canvas *c, graze_context *context, const picture *p) {
     HELD(text, layout);
     cells_attributes(&layout, &p->cells, &p->classes);
@@ -145,7 +147,7 @@ static graze_status draw_cells(canvas *c, graze_context *context, const picture 
     return GRAZE_OK;
 }
 
-/* Level lines of the distance, and over them the border of the set. */
+/* Draw the level lines of the distance, and over them the border of the set. */
 static graze_status draw_levels(canvas *c, graze_context *context, const picture *p) {
     canvas_begin(c, "levels", NULL);
     for (int k = 1 - BANDS; k < BANDS; k++) {
@@ -190,7 +192,7 @@ static int is_in_plane(const picture *p, size_t point) {
                             : fmpq_equal(at + axis, p->cells.low + axis);
 }
 
-/* The points of a panel that shows them where they are, and their names. */
+/* Draw the points and their names in a panel that shows points at their places. */
 static graze_status draw_points(canvas *c, graze_context *context, const picture *p,
                                 const panel *at, int plane_only) {
     HELD(labels, names, at, !plane_only);
@@ -222,7 +224,7 @@ graze_status view_classes(canvas *c, graze_context *context, const picture *p) {
     TRY(draw_cells(c, context, p));
     if (p->request->by_distance)
         TRY(draw_levels(c, context, p));
-    /* Not over distances, where outlines between would be taken for level lines. */
+    /* Over distances, outlines between start and end would be taken for level lines. */
     for (size_t k = 1; k < last && !p->request->by_distance; k++)
         draw_outline(c, p, k, &outline_between);
     draw_outline(c, p, last, &outline_end);
@@ -248,7 +250,7 @@ static drawn_path plane_path(const picture *p) {
     return frame;
 }
 
-/* 1 if a line is to be seen in a panel; clears it. */
+/* 1 if a part of a line lies in a panel; clears the line. */
 static int shows_line(picture *p, const panel *at, drawn_path line) {
     int shown = panel_shows(at, &line);
     p->failed |= line.failed;

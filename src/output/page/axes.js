@@ -1,7 +1,7 @@
 // Axes: round numbers along the sides of a view of the plane, or along edges of a box in space.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** About `wanted` round numbers from low to high. */
+/** Round numbers from low to high, about `wanted` of them. */
 function ticks(low, high, wanted) {
   const rough = (high - low) / Math.max(1, wanted), power = Math.pow(10, Math.floor(Math.log10(rough)));
   const step = [1, 2, 5, 10].map((k) => k * power).find((s) => s >= rough * 0.999);
@@ -42,8 +42,8 @@ function planeAxes(view, labels, shift) {
   }
 }
 
-/** The edge of the box along an axis that is best seen apart: of those that turn up and down the lowest of the floor,
- * of the upright ones the leftmost. */
+/** The edge of the box, along an axis, that carries the numbers: for a horizontal axis the edge of the floor that is
+ * lowest on the canvas, for the upright axis the leftmost edge. */
 function edgeOf(view, [low, high], axis) {
   const [i, j] = [0, 1, 2].filter((k) => k !== axis);
   const floor = view.camera.position.z >= low[2] ? low[2] : high[2];

@@ -1,7 +1,8 @@
 // The page: two views, a slider, filters, keys.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** So many points are drawn at most; with more than MANY the page opens on some of them; so many have names beside. */
+/** At most MOST_DRAWN points are drawn; with more than MANY points the page opens with some of them filtered out; at most
+ * MOST_NAMED have their names beside them. */
 const MOST_DRAWN = 20000, MANY = 5000, MOST_NAMED = 400;
 
 const errors = [];
@@ -90,7 +91,8 @@ function passing() {
   return out;
 }
 
-/** Draw the points of `drawn`; those on which the candidate is wrong are large and square, the others then small, the chosen one is large. */
+/** Draw the points of `drawn`. Points on which the candidate is wrong are large squares, and then the others are small; the
+ * chosen point is large. */
 function drawPoints() {
   dispose(marks);
   const size = drawn.length > 5000 ? 6 : drawn.length > 1000 ? 9 : 12;
@@ -107,7 +109,7 @@ function drawPoints() {
 const sizeOf = (wrong, size) => (wrong ? Math.max(16, size) : wrongCount ? 5 : size);
 const grouped = (n) => String(n).replace(/\B(?=(\d{3})+$)/g, ",");
 
-/** Show the points that pass, and say which. */
+/** Show the points that pass the filters, and tell how many they are. */
 function filter() {
   shown = passing();
   const stride = Math.ceil(shown.length / MOST_DRAWN);
@@ -148,7 +150,7 @@ function onClick(view) {
   });
 }
 
-/** A box grown to the points that are at most half its longest side off it. */
+/** Enlarge a box to hold the points that are at most half its longest side away from it. */
 function withPoints([low, high]) {
   const off = Math.max(...high.map((x, i) => x - low[i])) / 2, grown = [[...low], [...high]];
   for (let k = 0; k < pointCount; k++) {
@@ -210,7 +212,7 @@ function play() {
   requestAnimationFrame(tick);
 }
 
-/** Move to the chosen point's next contact, or the one before. */
+/** Move the time to the chosen point's next contact or, if `by` is negative, to the contact before. */
 function contact(by) {
   const times = chosen ? chosen.contacts.flatMap((c) => [timeValue(c.from), timeValue(c.to)]) : [], far = (end - start) * 1e-9;
   const next = by > 0 ? times.find((t) => t > now + far) : times.reverse().find((t) => t < now - far);

@@ -1,4 +1,4 @@
-// The motion in doubles, which draw and decide nothing.
+// The motion in doubles. They only serve to draw; no answer depends on them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 const scene = JSON.parse(document.getElementById("scene").textContent);
@@ -6,10 +6,10 @@ const d = scene.dimension;
 const pieces = scene.motion.map((piece) => ({...piece, from: value(piece.t[0]), to: value(piece.t[1])}));
 const start = pieces[0].from, end = pieces[pieces.length - 1].to;
 
-/** Times that are large beside the motion's length, such as seconds since 1970, are told from t0. */
+/** Times that are large compared with the motion's length, such as seconds since 1970, are shown relative to t0. */
 const zero = scene.since ? scene.motion[0].t[0] : null;
 
-/** A time as the clock tells it. */
+/** The text of a time beside the slider. */
 function clockText(t, digits) {
   return zero ? `t − t0 = ${Number((t - start).toPrecision(digits))}` : `t = ${Number(t.toPrecision(digits))}`;
 }
@@ -30,7 +30,7 @@ function mapAt(which, t) {
   return map.entries.map((entry) => horner(entry, u) / weight);
 }
 
-/** The image of a point, always of three coordinates. */
+/** The image of a point, always with three coordinates. */
 function carry(rows, point) {
   const out = [0, 0, 0];
   for (let i = 0; i < d; i++) {

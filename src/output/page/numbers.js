@@ -9,7 +9,7 @@ function value(ratio) {
   return Number((BigInt(over) << shift) / BigInt(under)) / Math.pow(2, Number(shift));
 }
 
-/** A ratio rounded to so many digits, ties to even, laid out as Graze does; `exact` if it is the number itself. */
+/** A ratio rounded to `digits` digits, ties to even, written as Graze does; `exact` if the decimal is the number itself. */
 function decimal(ratio, digits) {
   const [over, under = "1"] = ratio.split("/");
   const negative = over.startsWith("-"), b = BigInt(under);
@@ -34,7 +34,7 @@ function decimal(ratio, digits) {
   return {text: (negative ? "-" : "") + layout(figures, e, digits), exact};
 }
 
-/** 0.FIGURES * 10^e, with an exponent where it is long otherwise. */
+/** The text of 0.FIGURES * 10^e, with an exponent where the text would be long without it. */
 function layout(figures, e, digits) {
   if (e > digits || e < -4) {
     const rest = figures.slice(1);

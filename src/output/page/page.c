@@ -12,7 +12,7 @@
 #include "output/draw/draw.h"
 #include "output/report/report.h"
 
-/* The names and colours of the picture's one palette, in the order of their numbers. */
+/* Put the names and colours of all tones, in the order of their numbers. */
 static void put_tones(json_writer *w) {
     json_open(w, "tones", '[');
     for (int t = 0; t < TONE_COUNT; t++) {
@@ -43,7 +43,8 @@ static graze_status put_scene_box(json_writer *w, double centre[3], graze_contex
     return range_check(context, box, box + d, d);
 }
 
-/* A curved solid as it is made for the eye, and the titles of its primitives. */
+/* Put a solid; for a curved one the approximation of eye_solid_make, and the titles of its
+ * primitives. */
 static graze_status put_any_solid(json_writer *w, graze_context *context,
                                   const graze_solid *solid) {
     const csg *curved = solid->curved;
@@ -96,7 +97,7 @@ static graze_status put_scene(json_writer *w, graze_context *context, const graz
     return GRAZE_OK;
 }
 
-/* The template up to a mark, which is left out; returns what follows it. */
+/* Put the template up to a mark, and return the text behind the mark. */
 static const char *put_until(text *out, const char *from, const char *mark) {
     const char *at = strstr(from, mark);
     text_bytes(out, from, at ? (size_t)(at - from) : strlen(from));

@@ -1,4 +1,4 @@
-/* Points: typed arrays of what is drawn, and a line of text for what is told of each.
+/* Points: typed arrays by which they are drawn, and for each a line of text with the answer.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "output/page/page.h"
@@ -16,10 +16,12 @@
 #include "output/report/report.h"
 
 enum { DECIMAL_DIGITS = 12 };
-/* Bound of the number of points with exact roots; points that are wrong or `on` come first. */
+/* The greatest number of points whose roots are written exactly; points that are wrong or `on` have
+ * precedence. */
 enum { EXACT_MOST = 20000 };
 
-/* As many digits of a time as leave DECIMAL_DIGITS of what it is later than the motion's start. */
+/* The number of digits of a time that leaves DECIMAL_DIGITS digits in its difference from the
+ * motion's start. */
 static int decimal_digits(const graze_motion *motion) {
     double from = fmpq_get_d(motion->piece[0].lo);
     double length = fmpq_get_d(motion->piece[motion->piece_count - 1].hi) - from;
@@ -27,7 +29,8 @@ static int decimal_digits(const graze_motion *motion) {
     return DECIMAL_DIGITS + (more > 3 && more < 30 ? (int)ceil(more) : 0);
 }
 
-/* A ratio; or the decimal of a root, with `exact` its polynomial and interval too, by tildes. */
+/* Put a time: a ratio; or the decimal of a root and, if `exact`, its polynomial and interval, with
+ * tildes between them. */
 static void put_page_time(text *out, const graze_time *time, int exact) {
     if (time_is_rational(time)) {
         text_rational(out, time->low);
@@ -45,7 +48,7 @@ static void put_page_time(text *out, const graze_time *time, int exact) {
         text_rational(out, time->high);
 }
 
-/* X or T for the kind, then the cells: `X f3 e1-2 v5`, `T p0`. */
+/* Put X or T for the kind of a contact, then the cells: `X f3 e1-2 v5`, `T p0`. */
 static void put_page_cells(text *out, const char *kind, const contact *c) {
     static const char letters[] = " fevp";
     text_put(out, kind);
@@ -66,8 +69,8 @@ static void put_page_contact(text *out, const char *kind, const contact *c, int 
     put_page_cells(out, kind, c);
 }
 
-/* The contacts; where a state is not decided, behind bars the first such place, the reason and pmc.
- */
+/* Put the contacts. If a state is not decided, the place of the first such state, the reason and
+ * pmc follow, each behind a bar. */
 static void put_contacts_of(text *out, const graze_trace *trace, int exact) {
     for (size_t k = 0; k < trace->contact_count; k++) {
         const contact *c = &trace->contact[k];
@@ -82,14 +85,14 @@ static void put_contacts_of(text *out, const graze_trace *trace, int exact) {
     }
 }
 
-/* The lists of the object, made beside one another. */
+/* The lists of the object, which are filled at the same time. */
 typedef struct page_lists {
     json_writer lines;
     encoder place, tone;
     size_t exact; /* points told exactly so far */
 } page_lists;
 
-/* A point's line: coordinates, word, definition, case, i and t, contacts. */
+/* Put a point's line: coordinates, word, definition, case, i and t, contacts. */
 static void put_page_line(json_writer *w, const fmpq *point, int d, const graze_trace *trace,
                           int exact) {
     const graze_verdict *v = &trace->verdict;
@@ -129,7 +132,7 @@ static graze_status put_page_point(page_lists *l, graze_context *context, const 
     return status;
 }
 
-/* 1 if each point is named by its number from 1, as those without a name of their own are. */
+/* 1 if each point's name is its number, counted from 1, as for points without names. */
 static int are_numbers(const char *const *names, size_t count) {
     char number[24];
     int same = 1;
@@ -140,7 +143,8 @@ static int are_numbers(const char *const *names, size_t count) {
     return same;
 }
 
-/* Texts of points as an array of JSON, 0 for one that is missing; 0 alone where there are none. */
+/* Put texts of points as a JSON array, with 0 for a missing text; 0 in place of the array if there
+ * are no texts. */
 static void put_page_texts(json_writer *w, const char *key, const char *const *texts,
                            size_t count) {
     json_line(w, 0);
@@ -157,7 +161,7 @@ static void put_page_texts(json_writer *w, const char *key, const char *const *t
     json_close(w, ']');
 }
 
-/* Put the answers, most of them missing, by the numbers of their points. */
+/* Put the candidate's answers under the numbers of their points; most points have none. */
 static void put_page_answers(json_writer *w, const char *const *answers, size_t count) {
     char number[24];
     json_line(w, 0);

@@ -1,4 +1,4 @@
-// The panel of a point: its word and what is said of it, values opened by a click.
+// The panel of a point: its word and its explanation, in which a click opens a value.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 const $ = (id) => document.getElementById(id);
@@ -47,7 +47,7 @@ function putWord(p, go) {
   }
 }
 
-/** All that is said of a point. `go` moves the clock. */
+/** Show all about a point. `go` sets the time. */
 function say(p, go) {
   $("says").replaceChildren();
   const head = put($("says"), "h3", "", p.name || `point ${p.index + 1}`), badge = put(head, "span", "badge", p.class);

@@ -1,4 +1,4 @@
-// Colours of the light and the dark theme, and texts on a canvas that keep apart.
+// Colours of the light and the dark theme, and texts on a canvas that do not overlap.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 const dark = matchMedia("(prefers-color-scheme: dark)");
@@ -7,7 +7,7 @@ const themeListeners = [];
 /** A colour of the style sheet, as #rrggbb. */
 const tint = (name) => getComputedStyle(document.documentElement).getPropertyValue("--" + name).trim();
 
-/** Take a theme, light or dark; without one that of the system. */
+/** Take a theme, light or dark; without a name the theme of the system. */
 function setTheme(name) {
   document.documentElement.dataset.theme = name || (dark.matches ? "dark" : "light");
   for (const listen of themeListeners) listen();

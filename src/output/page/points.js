@@ -1,10 +1,10 @@
-// The points: what is drawn of all, and of one its line taken apart.
+// The points: arrays by which all are drawn, and the line of one point taken apart.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 const unsweep = scene.operation === "unsweep";
 const IN = new Set(["regular", "fold", "fold_boundary", "in"]);
 
-/** Places less the centre of the page's box, d numbers a point, and numbers of tones. */
+/** Places relative to the centre of the page's box, d numbers for each point, and numbers of tones. */
 const places = floats(scene.points.places), tones = octets(scene.points.tones);
 const pointCount = tones.length, lines = scene.points.lines;
 const toneName = (k) => scene.tones[k][0];

@@ -24,7 +24,7 @@ function polynomial(text) {
 /** A value that shows `brief` until it is opened, then what `graze explain` says. */
 const closed = (brief, full) => ({brief, full});
 
-/** A time told from t0, as a decimal until it is opened. */
+/** A time relative to t0, shown as a decimal until it is opened. */
 function laterText(time) {
   const near = decimal(difference(typeof time === "string" ? time : time.decimal, zero), 12), full = plainText(time);
   return closed(`${near.exact && typeof time === "string" ? "" : "≈ "}t0 + ${near.text}`, full.full || full);
@@ -64,7 +64,7 @@ function sentence(key, ...fillings) {
   });
 }
 
-/** Its lines, without their blanks before. */
+/** The lines of a sentence, without their leading blanks. */
 const sentenceLines = (...of) => sentence(...of).split("\n").map((line) => line.trim()).filter(Boolean);
 
 function reason(c) {
@@ -74,7 +74,7 @@ function reason(c) {
     "reason-" + (at || (c.crossing ? "through" : c.left === "I" ? "inside" : "outside")), c.left || c.right, c.right) + (at && !unsweep ? sentence("by-" + at) : "");
 }
 
-/** The stays and contacts in order of time: {letter, lines}, of a contact with its {time}. */
+/** The intervals of the word and the contacts in order of time: {letter, lines}; a contact also has its {time}. */
 function timeLines(p) {
   let next = 0;
   return [...p.word].map((letter, k) => {
@@ -88,7 +88,7 @@ function timeLines(p) {
   });
 }
 
-/** Where the rules end, of a point of a curved solid that is undecided. */
+/** The lines on the first undecided state of a point of a curved solid. */
 const openLines = (p) => [...sentenceLines("open"), ["at t = ", timeText(p.open.from)],
   ...(p.open.cells.length ? [cellsText(p.open.cells)] : []), p.open.why, ...(p.pmc === "undecided" ? [] : sentenceLines("open-pmc", p.pmc))];
 

@@ -46,7 +46,7 @@ graze_status page_solid(json_writer *w, graze_context *context, const graze_soli
     return GRAZE_OK;
 }
 
-/* A polynomial's coefficients over 2^exponent, the lowest first. */
+/* Put a polynomial's coefficients divided by 2^exponent, the lowest first. */
 static void put_coefficients(json_writer *w, const char *key, const fmpz_poly_struct *p,
                              slong exponent) {
     json_open(w, key, '[');
@@ -58,7 +58,7 @@ static void put_coefficients(json_writer *w, const char *key, const fmpz_poly_st
     json_close(w, ']');
 }
 
-/* All entries and the weight over one power of two, so that doubles hold them. */
+/* Put all entries and the weight, divided by one power of two, so that doubles can hold them. */
 static void put_map(json_writer *w, const char *key, const point_map *map) {
     int entries = map->dimension * (map->dimension + 1);
     slong most = 0;
@@ -159,7 +159,7 @@ void page_mesh(json_writer *w, const draw_request *request, const double *centre
     json_close(w, '}');
 }
 
-/* Three corners: the lower left one, and its neighbours to the right and above. */
+/* Put three corners of the cells: the lower left one, and its neighbours to the right and above. */
 static void put_corners(json_writer *w, const cells *c) {
     const extent e = cells_extent(c);
     json_open(w, "corners", '[');
@@ -180,7 +180,7 @@ static void put_bytes(json_writer *w, const char *key, const unsigned char *byte
     encode_end(&e);
 }
 
-/* Cells as bytes, and the parts of those that are split. */
+/* Put the tones of the cells as bytes, and those of the parts of split cells. */
 static void put_cells_of(json_writer *w, const cells *c, const draw_request *request) {
     encoder e;
     size_t count = c->count[0] * c->count[1];

@@ -149,7 +149,7 @@ class View {
     this.annotate(this, this.labels);
   }
 
-  /** Milliseconds of one frame, the pixels fetched. */
+  /** Draw a frame, fetch a pixel, and return the milliseconds that this took. */
   measure() {
     const before = performance.now(), gl = this.renderer.getContext();
     this.draw();
@@ -169,7 +169,7 @@ class View {
     return [box.left + x, box.top + y, depth];
   }
 
-  /** The one of some things next to a pixel, at most `reach` pixels off; of several the nearest to the eye. -1: none. */
+  /** The thing nearest to a pixel, at most `reach` pixels away; of equally near ones that nearest to the eye. -1: none. */
   pick(x, y, things, placeOf, reach) {
     let best = -1, nearest = [Infinity, Infinity];
     const box = this.canvas.getBoundingClientRect();
@@ -182,8 +182,8 @@ class View {
   }
 }
 
-/** Points of one sign, drawn over what is translucent; from order 3 on over all else. `at` are three numbers a point, as
- * are `colours`, or null. */
+/** Points of one sign, drawn over translucent things; from order 3 on over all else. `at` has three numbers for each point,
+ * and so has `colours`, which may be null. */
 function signs(at, colours, texture, size, order) {
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute("position", new THREE.Float32BufferAttribute(at, 3));

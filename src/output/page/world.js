@@ -3,7 +3,7 @@
 
 const colour = (text) => new THREE.Color().setStyle(text);
 
-/** Flat coordinates less a centre, as three coordinates each. */
+/** Points from a flat array, relative to a centre, with three coordinates each. */
 function centred(flat, centre) {
   const count = flat.length / d, out = new Float32Array(3 * count);
   for (let k = 0; k < count; k++) for (let i = 0; i < d; i++) out[3 * k + i] = flat[d * k + i] - centre[i];
@@ -49,7 +49,7 @@ function filled(polygons) {
   return Uint32Array.from(out);
 }
 
-/** Rings of an outline of sides in no order, as vertex numbers. */
+/** The rings of an outline, whose sides are in no order, as vertex numbers. */
 function chained(sides) {
   const beside = new Map(), out = [];
   const link = (from, to) => beside.set(from, [...(beside.get(from) || []), to]);
@@ -80,7 +80,7 @@ function isWithin(ring, [x, y]) {
   }, false);
 }
 
-/** Polygons of rings: a ring within an even number of others, with those right within it as holes. */
+/** The polygons of rings: each ring inside an even number of others, with the rings directly inside it as holes. */
 function nested(rings) {
   const middleOf = ([v, w]) => corner(v).map((x, k) => (x + corner(w)[k]) / 2);
   const around = rings.map((ring) => rings.filter((other) => other !== ring && isWithin(other, middleOf(ring))));
@@ -94,7 +94,7 @@ const solid = (() => {
   return {faces: shell(array, d === 3 ? counts(scene.solid.triangles) : filled(nested(chained(sides)))), edges: shell(array, sides)};
 })();
 
-/** Fill a group with S as faces and edges, to be put where a matrix says. */
+/** Fill a group with the faces and edges of S; the group's matrix places them. */
 function fillSolid(group, name, opacity) {
   const kind = d === 3 ? THREE.MeshLambertMaterial : THREE.MeshBasicMaterial;
   if (opacity > 0)
@@ -104,7 +104,7 @@ function fillSolid(group, name, opacity) {
   group.matrixAutoUpdate = false;
 }
 
-/** Put S, whose vertices are less bodyCentre, where it is at t, less worldCentre. */
+/** Move S to its position at t. Its vertices are relative to bodyCentre, its position to worldCentre. */
 function moveTo(group, t) {
   const rows = mapAt("place", t), moved = carry(rows, bodyCentre), m = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
   for (let i = 0; i < d; i++) {
@@ -115,7 +115,7 @@ function moveTo(group, t) {
   group.matrixWorldNeedsUpdate = true;
 }
 
-/** Distances of the vertices of a mesh that is judged, the greatest of them, colours inside, at the boundary, outside. */
+/** Signed distances of the vertices of a judged mesh; colours for inside, boundary and outside; the greatest size. */
 const meshDistances = scene.mesh ? doubles(scene.mesh.distances) : [], MESH_TINTS = ["#0072b2", "#f0f0f0", "#d55e00"];
 const meshMost = meshDistances.reduce((most, x) => Math.max(most, Math.abs(x)), 0);
 
@@ -128,7 +128,7 @@ function sweepObject() {
     transparent: true, opacity: 0.5, depthWrite: false}));
 }
 
-/** The colour of a signed distance: that of the inside, none at the boundary, that of the outside. */
+/** The colour of a signed distance, from that of the inside through a neutral one at the boundary to that of the outside. */
 function distanceColour(share) {
   return colour(MESH_TINTS[1]).lerp(colour(MESH_TINTS[share < 0 ? 0 : 2]), Math.sqrt(Math.abs(share)));
 }
@@ -141,7 +141,7 @@ function meshObject() {
   return new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({vertexColors: true, side: THREE.DoubleSide, flatShading: true}));
 }
 
-/** Pixels of the cells, a pixel a part; what lies outside the set is clear. */
+/** Pixels of the cells, one for each part; pixels outside the set are transparent. */
 function cellPixels() {
   const {count, parts: n} = scene.cells, [across, up] = count, width = across * n, height = up * n;
   const out = new Uint32Array(width * height), tone = octets(scene.cells.tones), part = octets(scene.cells.part);
@@ -205,12 +205,12 @@ const disk = signTexture("circle", "#ffffff", "#222222");
 const wrongDisk = signTexture("square", "#ffffff", "#000000");
 
 const body = (place) => place.map((x, k) => x - (k < d ? bodyCentre[k] : 0));
-/** The place of a point in the left view, less the centre of its box. */
+/** The place of a point in the left view, relative to the centre of the view's box. */
 const world = (k) => [0, 1, 2].map((i) => (i < d ? places[k * d + i] : 0));
 
 const contactPlace = (p, c) => body(carry(mapAt("trace", (timeValue(c.from) + timeValue(c.to)) / 2), p.place));
 
-/** The trajectory of a point through the standing S with its contacts, into a group. */
+/** Add to a group the trajectory of a point through the standing S, with its contacts. */
 function trajectory(group, p) {
   let from = start, next = 0;
   [...p.word].forEach((letter) => {
@@ -233,7 +233,8 @@ function addSign(group, place, name, size) {
   group.add(Object.assign(signs(place, null, signsOf[name], size, 3), {name}));
 }
 
-/** Small signs of the cells at both ends of a slide, that of its inside where it ends at no smaller one. */
+/** Add small signs at both ends of a slide: the sign of the cell at which it ends or, if there is no smaller one, of the
+ * cell in which it slides. */
 function slideEnds(group, p, c, inside) {
   const size = Math.hypot(...bodyBounds[1].map((x, k) => x - bodyBounds[0][k]));
   for (const time of [c.from, c.to]) {

@@ -1,8 +1,9 @@
-/* A canvas that is a PNG image, two of its pixels to one of the canvas, or a page of PDF.
+/* A canvas that is a PNG image, with two pixels along each axis for one of the canvas, or a page of
+ * PDF.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * A shared object of its own, which output/draw/canvas.c loads when a picture asks for it:
- * cairo brings a window system's libraries along, which nothing else of Graze needs.
+ * It is a shared object of its own, which output/draw/canvas.c loads when it is needed, since cairo
+ * brings along libraries of a window system, which nothing else of Graze needs.
  */
 #include <cairo/cairo-pdf.h>
 #include <stdlib.h>
@@ -12,7 +13,7 @@ typedef struct png_canvas {
     canvas base;
     cairo_surface_t *surface;
     cairo_t *to;
-    int pdf; /* the surface records what is drawn */
+    int pdf; /* 1: the surface records the drawing for write_page */
 } png_canvas;
 
 /* Pixels of an image, and points of a page, for each pixel of the picture. */
@@ -37,7 +38,7 @@ static void png_unclip(canvas *c) {
     cairo_restore(p->to);
 }
 
-/* Fill and stroke what has been laid out. */
+/* Fill and stroke cairo's current path. */
 static void png_draw(png_canvas *p, const style *s) {
     cairo_set_antialias(p->to, s->crisp ? CAIRO_ANTIALIAS_NONE : CAIRO_ANTIALIAS_DEFAULT);
     if (s->fill) {
@@ -53,7 +54,7 @@ static void png_draw(png_canvas *p, const style *s) {
     cairo_new_path(p->to);
 }
 
-/* Cairo's coordinates are fixed-point numbers; far outside the picture all are alike. */
+/* A coordinate for cairo, whose numbers are fixed-point: at most 1e5 in size. */
 static double bounded(double value) {
     const double far = 1e5;
     return value > -far ? value < far ? value : far : -far;
@@ -114,7 +115,7 @@ static cairo_status_t png_keep(void *closure, const unsigned char *data, unsigne
                                                      : CAIRO_STATUS_NO_MEMORY;
 }
 
-/* No date is written, so that equal pictures are equal files. */
+/* Write the PDF page, without a date, so that equal pictures are equal files. */
 static cairo_status_t write_page(const png_canvas *p, sink *s) {
     cairo_surface_t *page = cairo_pdf_surface_create_for_stream(
         png_keep, s, p->base.width * page_scale, p->base.height * page_scale);
@@ -158,7 +159,8 @@ __attribute__((visibility("default"))) canvas *graze_png_create(double width, do
         return NULL;
     p->base = (canvas){&png_kind, width, height, 0};
     p->pdf = pdf;
-    /* Without bounds cairo loses the record's memory; their ends would show at the page's edge. */
+    /* Without bounds cairo leaks the recording. They exceed the page, whose edge would show them.
+     */
     cairo_rectangle_t all = {-1, -1, width + 2, height + 2};
     p->surface = pdf ? cairo_recording_surface_create(CAIRO_CONTENT_COLOR, &all)
                      : cairo_image_surface_create(CAIRO_FORMAT_RGB24, (int)(width * scale),

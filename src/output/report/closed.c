@@ -4,7 +4,8 @@
 #include "output/report/row_parts.h"
 #include "questions/topo/topo.h"
 
-/* The sentences for each level: the contacts cover a neighbourhood, or a witness shows a gap. */
+/* For each level two sentences: one if the contacts cover a neighbourhood of the point, one if a
+ * witness shows a gap. */
 static const char *const meanings[][2] = {
     [GRAZE_LEVEL_FIRST_ORDER] = {"covered-first-order", "gap-first-order"},
     [GRAZE_LEVEL_CLOSED_CONES] = {"covered-closed-cones", "covered-closed-cones"},
@@ -22,7 +23,7 @@ static void put_undecided(text *t, const topo_finding *topo) {
     sentence_put(t, "closed-gap");
 }
 
-/* Append the witness, and the statement about the points between it and the point. */
+/* Append the witness, and what holds for the points between the witness and P. */
 static void put_witness(text *t, const topo_finding *topo, graze_pmc pmc, int dimension) {
     sentence_put(t, "closed-point", graze_pmc_name(pmc), topo->witness, dimension);
     switch (finding_witness(topo)) {

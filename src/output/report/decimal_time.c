@@ -16,12 +16,13 @@
 #include "output/report/row_parts.h"
 
 int time_is_rational(const graze_time *time) {
-    /* Without a context there is neither a limit nor a cancel. */
+    /* Without a context the call cannot fail: no limit, no cancel callback. */
     (void)time_canonicalise((graze_time *)time, NULL);
     return fmpq_equal(time->low, time->high);
 }
 
-/* The digits of an interval's end, rounded to nearest, from its value in the given precision. */
+/* The end of an interval, first rounded in `direction` to `precision` bits and then to nearest as
+ * decimal digits. */
 static char *end_digits(mpfr_exp_t *exponent, const fmpq_t end, mpfr_rnd_t direction,
                         mpfr_prec_t precision, int digits) {
     LOCAL(mpq, exact);

@@ -8,7 +8,7 @@
 #include "output/report/row_parts.h"
 #include "questions/distance/distance.h"
 
-/* Digits of an irrational time. */
+/* Digits of the decimal of an irrational time. */
 enum { DECIMAL_DIGITS = 17 };
 
 void report_bound(char out[BOUND_ROOM], double bound, int up) {

@@ -20,7 +20,7 @@
 
 enum { DECIMAL_DIGITS = 12 };
 
-/* Has a ratio more than 12 digits? */
+/* Is a number a ratio of more than 12 digits? */
 static int is_long(const fmpq_t value) {
     size_t digits =
         fmpz_sizeinbase(fmpq_numref(value), 10) + fmpz_sizeinbase(fmpq_denref(value), 10);
@@ -133,7 +133,8 @@ static void tell_piece(text *out, const graze_scene *scene, const motion_piece *
     }
 }
 
-/* Append the pieces of the trajectory; of many only the first, the last and those with contacts. */
+/* Append the pieces of the trajectory. Of more than 12 pieces only the first, the last and those
+ * with contacts are shown. */
 static void put_trajectory(text *out, const graze_scene *scene, const fmpq *point,
                            const graze_trace *trace) {
     enum { ALL = 12 };
@@ -248,7 +249,7 @@ static void put_unsweep_rule(text *out, const graze_verdict *v) {
     sentence_put(out, "unsweep", graze_pmc_name(v->pmc), pmc_key(key, "unsweep", v->pmc));
 }
 
-/* Append the first undecided state, and pmc if the other states decide it. */
+/* Append the place of the first undecided state, and pmc if the other states decide pmc. */
 static void put_undecided_place(text *out, const graze_scene *scene, const graze_trace *trace) {
     const undecided_place *place = trace->undecided;
     sentence_put(out, "open");

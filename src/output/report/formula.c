@@ -1,9 +1,9 @@
 /* Polynomials and rational functions of the motion's parameter as text.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * A piece's maps are polynomials in its own parameter u. For the motion's parameter t,
- * u = (t - lo)/(hi - lo) is put in and the quotient brought to lowest terms. Coefficients are
- * exact; where terms or digits are left out the text has their number.
+ * A piece's maps are polynomials in its own parameter u. To write them in the motion's parameter t,
+ * u = (t - lo)/(hi - lo) is substituted and the quotient brought to lowest terms. Coefficients are
+ * exact; where terms or digits are left out, the text says how many.
  */
 #include <flint/fmpq_poly.h>
 #include <flint/fmpq_vec.h>
@@ -110,8 +110,10 @@ static void coordinate_in_u(fmpq_poly_t numerator, fmpq_poly_t weight, const poi
     fmpq_poly_set_fmpz_poly(weight, map->weight);
 }
 
-/* Put u = (t - lo)/(hi - lo) into both, take the common factor out, and make the weight a primitive
- * integer polynomial with positive leading coefficient. */
+/* Substitute u = (t - lo)/(hi - lo) in numerator and weight, divide both by their common factor,
+ * and scale them so that the weight is a primitive integer polynomial with positive leading
+ * coefficient.
+ */
 static void to_lowest_terms(fmpq_poly_t numerator, fmpq_poly_t weight, const motion_piece *piece) {
     LOCAL_VEC(fmpq, slope, 2);
     fmpq *shift = slope + 1;

@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The times at which a trajectory is in the closed solid are a union of closed intervals, whose
- * ends are ends of contacts or of the motion. The first of them is t0 where the state there is I
- * or B, else the begin of the first contact; the last one likewise.
+ * ends are ends of contacts or of the motion. The first time is t0 if the state at t0 is I or B,
+ * else the beginning of the first contact; the last time is t1 or the end of the last contact.
  */
 #include "output/report/report.h"
 

@@ -10,7 +10,7 @@
 #include "input/csg/csg.h"
 #include "output/report/row_parts.h"
 
-/* The cells of a contact; of a curved solid primitives, by their titles. */
+/* Write the cells of a contact; for a curved solid the titles of the primitives. */
 static void json_features(json_writer *w, const graze_scene *scene, const contact *c) {
     const csg *curved = scene->solid->curved;
     json_open(w, "features", '[');
@@ -37,7 +37,7 @@ static void json_contact(json_writer *w, const graze_scene *scene, const contact
     json_close(w, '}');
 }
 
-/* The first place where a state is not decided. */
+/* Write the first place where a state is not decided. */
 static void json_undecided(json_writer *w, const graze_scene *scene, const undecided_place *place) {
     json_open(w, "undecided", '{');
     json_time(w, "t", place->where.from);

@@ -77,7 +77,7 @@ static void json_integers(json_writer *w, const char *key, const fmpz *v, int co
     json_close(w, ']');
 }
 
-/* A finding, whose keys begin with the name of its question. */
+/* A finding to be written under keys that begin with the name of its question. */
 typedef struct json_finding {
     json_writer *w;
     const char *question;
@@ -91,7 +91,7 @@ static const char *key_of(json_finding *f, const char *end) {
     return f->key;
 }
 
-/* The path P + s^order along + s^(order + 1) lift across on which a witness lies. */
+/* Write the path P + s^order direction + s^(order + 1) z normal on which the witness lies. */
 static void json_path(json_finding *f) {
     json_integers(f->w, key_of(f, "direction"), f->found->open, 3);
     json_integers(f->w, key_of(f, "normal"), f->found->across, 3);
@@ -99,7 +99,7 @@ static void json_path(json_finding *f) {
     json_rational(f->w, key_of(f, "z"), &f->found->lift);
 }
 
-/* The witness, and the ray, the path or the square on which it lies. */
+/* Write the witness, and the ray, the path or the square on which it lies. */
 static void json_witness(json_finding *f) {
     topo_witness kind = finding_witness(f->found);
     json_point(f->w, key_of(f, "witness"), f->found->witness, f->dimension);

@@ -9,7 +9,7 @@
 
 enum { NEAR_DIGITS = 17 };
 
-/* A decimal and, where pieces have rows, that of the piece. */
+/* Write the decimal of a time and, where pieces have rows of a log, the row of its piece. */
 static void put_near_decimal(json_writer *w, const graze_time *time) {
     char *decimal = decimal_of_time(NULL, time, NEAR_DIGITS);
     if (decimal)
@@ -45,7 +45,7 @@ static void put_pair_contact(json_writer *w, const char *key, const graze_pair *
     json_close(w, '}');
 }
 
-/* The first contact; where the motion begins in I, its start without cells. */
+/* Write the first contact; if the motion begins in I, its start time, without cells. */
 static void put_first(json_writer *w, const graze_pair *pair) {
     if (pair->start) {
         json_open(w, "first", '{');

@@ -26,8 +26,8 @@ const char *cell_pair_name(const graze_cell_pair *cells) {
 
 enum { NEAR_DIGITS = 17, CELLS_SHOWN = 8 };
 
-/* A rational as it is, with a decimal where it is no integer; an irrational time as a decimal; the
- * row of the motion's piece. */
+/* Append a time: a rational as it is, with a decimal where it is no integer; an irrational time as
+ * a decimal. The row of the motion's piece follows. */
 static void tell_pair_time(text *t, const graze_time *time) {
     int rational = time_is_rational(time);
     int near = rational && !fmpz_is_one(fmpq_denref(time->low));
@@ -65,7 +65,7 @@ static void tell_contact(text *t, const graze_pair *pair, const pair_contact *c)
         text_put(t, " to ");
         tell_pair_time(t, c->to);
     }
-    if (pair->options.first) /* the word OB leaves open whether it lasts */
+    if (pair->options.first) /* the word OB does not tell whether the contact lasts */
         text_put(t, next == GRAZE_STATE_ABSENT ? ", where the motion ends"
                     : next == GRAZE_STATE_B    ? ", which lasts"
                                                : "");
@@ -74,7 +74,7 @@ static void tell_contact(text *t, const graze_pair *pair, const pair_contact *c)
     tell_cells(t, &c->cells);
 }
 
-/* The first contact with the complement of a solid, and what follows. */
+/* Append when the moving solid first touches or leaves the fixed one, and what follows. */
 static void tell_first_inside(text *t, const graze_pair *pair) {
     graze_state next = collide_next(pair);
     text_put(t, next == GRAZE_STATE_I ? "leaves at " : "touches at ");
@@ -84,7 +84,7 @@ static void tell_first_inside(text *t, const graze_pair *pair) {
                                              : " and stays inside at first");
 }
 
-/* Verdicts on whether a solid stays inside have words of their own. */
+/* Append the verdict. Verdicts on GRAZE_PAIR_INSIDE have words of their own. */
 static void tell_verdict(text *t, const graze_pair *pair) {
     graze_pair_verdict verdict = collide_verdict(pair);
     int inside = pair->options.question == GRAZE_PAIR_INSIDE;

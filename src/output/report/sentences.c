@@ -7,7 +7,7 @@
 
 ASSET_FILE(sentences, "src/output/report/sentences.json");
 
-/* A point of rationals or a vector of integers. */
+/* Append a point of rationals or a vector of integers. */
 static void put_tuple(text *out, int is_point, va_list *from) {
     const void *at = va_arg(*from, const void *);
     int dimension = va_arg(*from, int);

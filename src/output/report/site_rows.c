@@ -152,7 +152,7 @@ static void json_answers(json_writer *w, const graze_site *site) {
     json_text(w, "word", site->trace.word);
 }
 
-/* Nulls, for a cell without contact. */
+/* Write nulls for the answers of a cell without contact. */
 static void json_no_answers(json_writer *w) {
     static const char *const names[] = {"role", "theta",   "contact_order", "orientation",
                                         "left", "right",   "trimmed",       "status",

@@ -21,7 +21,7 @@ static void put_hash(text *t, const char *key, const unsigned char sha256[32]) {
     text_put(t, given ? "\n" : "none\n");
 }
 
-/* Append the `#` lines of columns. */
+/* Append the `#` lines of a set of columns. */
 static void put_column_note(text *t, graze_context *context, const graze_scene *scene,
                             const column_set *set, const graze_row_options *shown) {
     if (set->asked == ASKED_BY_FLAG)
@@ -97,7 +97,7 @@ graze_status table_head(char **out, graze_context *context, const graze_scene *s
     return text_finish(out, context, &t);
 }
 
-/* class, definition, case, i, t */
+/* Append the fields class, definition, case, i, t. */
 static void put_verdict(text *t, const graze_verdict *v) {
     text_put(t, graze_class_name(v->class_));
     if (v->class_ == GRAZE_CLASS_UNDECIDED) {
@@ -142,7 +142,7 @@ void report_csv(text *out, const row *r) {
     text_put(out, "\n");
 }
 
-/* Add the values of a set's columns: a word, or the doubles nearest to the fields of CSV. */
+/* Add the values of a set's columns: a word, or the doubles nearest to the CSV fields. */
 static graze_status put_set_values(text *out, graze_context *context, const row *r,
                                    const column_set *set) {
     if (set->word) {

@@ -1,4 +1,4 @@
-/* Times are given relative to t0 if that is easier to read.
+/* Times in sentences, relative to t0 if t0 is large.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "output/report/report.h"
@@ -12,7 +12,7 @@
 
 enum { DECIMAL_DIGITS = 12 };
 
-/* Append t0 and the text `number` of the difference of a time from t0. */
+/* Append `t0 + number`, where `number` is the text of the difference of a time from t0. */
 static void put_later(text *out, const char *number) {
     int negative = number[0] == '-';
     text_put(out, "t0");
@@ -27,8 +27,8 @@ static void put_later_ratio(text *out, const fmpq_t later) {
     out->failed |= ratio.failed;
 }
 
-/* Append a time as its decimal, if that is exact; else as a ratio, with the decimal behind it if
- * `with_near`. */
+/* Append a time as a ratio, or from a large t0 on as an exact short decimal if there is one. If
+ * `with_near`, a decimal follows the ratio. */
 static void put_told(text *out, const graze_motion *motion, const fmpq_t time, int with_near) {
     LOCAL_VEC(fmpq, origin, 2);
     fmpq *later = origin + 1;

@@ -1,4 +1,4 @@
-/* Adds values to rows of them, in the floating-point environment of the public functions.
+/* Adds values to binary rows, in the floating-point environment of the public functions.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "output/table/table.h"
@@ -13,7 +13,8 @@ static int is_exact(const fmpz_t n) {
     return !COEFF_IS_MPZ(*n) && *n >= -most && *n <= most;
 }
 
-/* The quotient of two doubles is rounded to the nearest (IEEE 754); it is 0 or at least 2^-53. */
+/* If two doubles hold numerator and denominator exactly, their quotient is rounded to nearest (IEEE
+ * 754); it is 0 or at least 2^-53 in size, so that it does not underflow. */
 graze_status values_nearest(double *out, graze_context *context, const fmpq_t value) {
     graze_status status = GRAZE_OK;
     if (is_exact(fmpq_numref(value)) && is_exact(fmpq_denref(value)))

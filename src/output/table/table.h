@@ -12,51 +12,52 @@
 #include "graze/report.h"
 #include "input/delimited/delimited.h"
 
-/* Rows of values: an answer in the binary form that tables of one type a column are made of.
+/* Rows of values: binary rows, from which tables with one type for each column are made.
  *
- * A row is its coordinates, each the nearest double; codes of 32 bits for pmc and, in this order,
- * class, definition (0 for ext), case, i and t, those that the table has; its word, if it has one;
- * where there are further columns these, comma-joined; then the answers behind them, each a double
- * or a word. A text is its length and its bytes. All is as in memory, without gaps. */
+ * A row has, in this order: its coordinates, each the nearest double; codes of 32 bits for pmc,
+ * class, definition (0 for ext), case, i and t, for those of these columns that the table has; its
+ * word, if the table has one; the further columns, if any, as one comma-joined text; the answers
+ * behind them, each a double or a word. A text is its length and its bytes. Values are as in
+ * memory, without gaps. */
 
-/** The nearest double, ties to even. GRAZE_EINPUT: it is past binary64. */
+/** The double nearest to a rational, ties to even. GRAZE_EINPUT: the rational is past binary64. */
 graze_status values_nearest(double *out, graze_context *context, const fmpq_t value);
 
 void values_coordinate(text *out, double value);
-/** Add the double nearest to a number that was written, as GRAZE_EINPUT of values_nearest. The
- * rounding of the context has no effect. */
+/** Add the double nearest to the number in a field; statuses of values_nearest. The rounding of the
+ * context has no effect. */
 graze_status values_field(text *out, graze_context *context, field number);
 void values_code(text *out, uint32_t code);
 void values_text(text *out, const char *bytes, size_t length);
 
 /* A sink of bytes: a text in memory, or a file. */
 
-/** `to` keeps its failures. */
+/** A sink. Failures are not returned; `to` has to record them. */
 typedef struct sink {
     void (*put)(void *to, const char *bytes, size_t length);
     void *to;
 } sink;
 
-/* Different texts, numbered from 0 in the order in which they first come. */
-
-/** Zeroed: none. */
+/* Different texts, numbered from 0 in the order of their first occurrence. */
+/** The texts. Zeroed, there are none. */
 typedef struct texts {
     text bytes;  /* one text after another, each with a newline behind it */
-    size_t *end; /* of each text in the bytes, behind its newline */
+    size_t *end; /* for each text the index in `bytes` behind its newline */
     size_t count, capacity;
     slots numbers;
 } texts;
 
 void texts_clear(texts *t);
-/** The number of a text without a newline, which is added if it is not there yet; 0 when memory is
- * short or there are 2^32 - 1 texts. */
+/** Find the number of a text, which has no newline; a new text is added. Returns 0 when out of
+ * memory or if there are already 2^32 - 1 texts. */
 int texts_number(uint32_t *out, texts *t, field one);
 /** A text by its number. */
 field texts_at(const texts *t, uint32_t number);
 
 /* A table of answers in columns of one type each.
  *
- * Rows are added as values. Of further columns only what they need is kept as text.
+ * Rows are added as values. Fields of further columns are kept as text only as long as their type
+ * is open.
  */
 
 typedef enum typed_kind {
@@ -74,32 +75,32 @@ typedef enum typed_kind {
 typedef struct answer_column {
     const char *name;
     typed_kind kind;
-    int of_unsweep; /* tables of unsweeps have it too */
+    int of_unsweep; /* 1: tables of unsweeps have the column too */
 } answer_column;
 
 enum { ANSWER_COLUMNS = 7 };
 
-/** In their order. With columns of pmc alone the first is the only one. */
+/** The answers, in the order of their columns. A table of pmc alone has only the first of them. */
 extern const answer_column answer_columns[ANSWER_COLUMNS];
 
 /* A column with the values of all rows in one of two arrays, `number` or `code`. */
 typedef struct typed_column {
     field name; /* in the table's column line */
     typed_kind kind;
-    size_t widest;  /* bytes of its longest field */
+    size_t widest;  /* bytes of the column's longest field */
     double *number; /* DOUBLE, NUMBER */
     uint32_t *code; /* pmc and class as in graze.h; definition, 0 for ext; counts; else the number
                        of the text */
     size_t capacity;
     texts texts; /* WORD, TEXT */
-    text fields; /* NUMBER: the fields, a newline behind each, in case a later one is no number */
+    text fields; /* NUMBER: the fields, each with a newline, needed if a later one is no number */
 } typed_column;
 
 typedef struct typed_table {
     graze_context *context;
     int dimension;
-    size_t grid[3];       /* points along each axis, 1 for an axis that is not; all 0: no grid */
-    fmpq low[3], high[3]; /* the grid's box, 0 for an axis that is not */
+    size_t grid[3];       /* points along each axis, 1 for z in the plane; all 0: no grid */
+    fmpq low[3], high[3]; /* the grid's box, 0 for z in the plane */
     text names;           /* the names of the columns */
     size_t row_count, column_count;
     size_t own, last; /* the first `own` columns are coordinates and answers of Graze, the last
@@ -111,7 +112,7 @@ typedef struct typed_table {
 void typed_init(typed_table *t, graze_context *context);
 void typed_clear(typed_table *t);
 
-/** The rows will be those of a grid: sizes and corners of its box, d each. */
+/** Tell that the rows are those of a grid, by its sizes and the corners of its box, d each. */
 void typed_set_grid(typed_table *t, int dimension, const size_t *size, graze_rationals low,
                     graze_rationals high);
 
@@ -124,26 +125,26 @@ void typed_name(text *out, const typed_table *t, size_t index);
 
 /* A typed table as a numpy array. */
 
-/** As a structured numpy array. */
+/** Write the table as a structured numpy array. */
 graze_status typed_write_npy(const typed_table *t, sink to);
 
 /* Rows of values, read into typed columns. */
 
-/** Set the columns of a table: the names that its head has, comma-joined, and the kinds of the
- * last ones, which are answers. */
+/** Set the columns of a table: `names` are those of its head, comma-joined, `last` the kinds of the
+ * last columns, which are answers. */
 graze_status typed_begin(typed_table *t, int dimension, field names, int pmc_alone,
                          const typed_kind *last, size_t last_count);
 /**
  * Add rows of values. The rounding of the context has no effect: numbers of further columns do not
  * belong to the scene.
- * @return GRAZE_EINPUT they are not whole rows of these columns, or a number is past binary64;
+ * @return GRAZE_EINPUT the bytes are not whole rows of these columns, or a number is past binary64;
  * GRAZE_ELIMIT; GRAZE_ESYSTEM
  */
 graze_status typed_add(typed_table *t, const char *rows, size_t length);
 
 /* A typed table as a VTK file. */
 
-/** As a legacy VTK file: a grid as structured points, else vertices. */
+/** Write the table as a legacy VTK file: a grid as structured points, else vertices. */
 graze_status typed_write_vtk(const typed_table *t, sink to);
 
 /* A typed table in one of its forms. */
@@ -164,7 +165,7 @@ typedef struct vtk {
     int binary; /* big-endian values, else decimals */
 } vtk;
 
-/** The lines before the data. `dataset`: UNSTRUCTURED_GRID or STRUCTURED_POINTS. */
+/** Write the lines before the data. `dataset`: UNSTRUCTURED_GRID or STRUCTURED_POINTS. */
 void vtk_begin(const vtk *w, const char *title, const char *dataset);
 
 /** Begin an array of `length` bytes in field data. */

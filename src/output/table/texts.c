@@ -19,7 +19,7 @@ field texts_at(const texts *t, uint32_t number) {
     return (field){t->bytes.data + start, t->end[number] - 1 - start};
 }
 
-/* FNV-1a, mixed once more, as the low bits choose the slot. */
+/* The hash FNV-1a, mixed once more, since its low bits choose the slot. */
 static uint64_t hash_of(field one) {
     uint64_t hash = UINT64_C(0xcbf29ce484222325);
     for (size_t k = 0; k < one.length; k++)

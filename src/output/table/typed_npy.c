@@ -23,12 +23,12 @@ static void put_double(sink to, double value) {
     put_number(to, bits, 8);
 }
 
-/* numpy has no text of no bytes. */
+/* Bytes of a text column; at least 1, since numpy has no texts of 0 bytes. */
 static size_t width_of(const typed_column *c) {
     return c->widest ? c->widest : 1;
 }
 
-/* A name as Python writes it between quotes. */
+/* Append a column's name as Python writes it between quotes. */
 static void put_name(text *out, const typed_table *t, size_t index) {
     HELD(text, name);
     typed_name(&name, t, index);
@@ -40,7 +40,7 @@ static void put_name(text *out, const typed_table *t, size_t index) {
     out->failed |= name.failed;
 }
 
-/* The dictionary that describes the array. */
+/* Append the dictionary that describes the array. */
 static void put_description(text *out, const typed_table *t) {
     text_put(out, "{'descr': [");
     for (size_t k = 0; k < t->column_count; k++) {
@@ -57,7 +57,8 @@ static void put_description(text *out, const typed_table *t) {
     text_format(out, "], 'fortran_order': False, 'shape': (%zu,), }", t->row_count);
 }
 
-/* Version 3 has a length of four bytes and UTF-8; head and description fill whole 64 bytes. */
+/* Write the head in version 3 of the format, with a length of four bytes and UTF-8; it is padded to
+ * a multiple of 64 bytes. */
 static graze_status put_head(sink to, const typed_table *t) {
     HELD(text, description);
     put_description(&description, t);

@@ -1,8 +1,8 @@
 /* Reads rows of values into typed columns.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * A further column is one of numbers until a field is none; its fields so far are kept as text
- * until then, and become texts.
+ * A further column is one of numbers until one of its fields is no number. Until then its fields
+ * are also kept as text, so that they can become texts.
  */
 #include "output/table/table.h"
 
@@ -33,8 +33,8 @@ static typed_kind kind_of(field name) {
     return TYPED_DOUBLE;
 }
 
-/* Graze's columns are those up to `word`, or to `pmc` where it stands alone; further ones may have
- * any name. */
+/* The number of Graze's columns: those up to `word`, or up to `pmc` in a table of pmc alone.
+ * Further columns may have any name. */
 static size_t own_columns(const fields *names, int pmc_alone) {
     size_t k = 0;
     while (k < names->count && !field_is(names->item[k], pmc_alone ? "pmc" : "word"))
@@ -72,7 +72,7 @@ static int is_number(const typed_column *c) {
     return c->kind == TYPED_DOUBLE || c->kind == TYPED_NUMBER;
 }
 
-/* Room for one more value; 0 where there is none. */
+/* Make room for one more value; 0 when out of memory. */
 static int column_reserve(typed_column *c, size_t rows) {
     return is_number(c) ? array_reserve(&c->number, &c->capacity, rows + 1, sizeof *c->number)
                         : array_reserve(&c->code, &c->capacity, rows + 1, sizeof *c->code);
@@ -87,7 +87,7 @@ static int typed_reserve(typed_table *t) {
 
 /* -------------------------------------------------------------------------------- fields */
 
-/* *number: the field is a number, whether or not a double can hold it. */
+/* Read a number; *number is 1 if the field is one, even if no double can hold it. */
 static graze_status read_number(double *out, int *number, graze_context *context, field f) {
     LOCAL(fmpq, value);
     graze_status status = rational_parse(value, context, f.start, f.length);
@@ -104,7 +104,7 @@ static graze_status add_text(const typed_table *t, typed_column *c, size_t row, 
     return texts_number(&c->code[row], &c->texts, f) ? GRAZE_OK : typed_no_memory(t);
 }
 
-/* A further column that has met a field that is no number: its fields become texts. */
+/* Turn a further column, in which a field is no number, into a column of texts. */
 static graze_status become_texts(const typed_table *t, typed_column *c) {
     graze_status status = GRAZE_OK;
     c->kind = TYPED_TEXT;
@@ -122,7 +122,7 @@ static graze_status become_texts(const typed_table *t, typed_column *c) {
     return status;
 }
 
-/* A field of a further column. */
+/* Add a field to a further column. */
 static graze_status add_further(const typed_table *t, typed_column *c, field f) {
     if (c->kind == TYPED_NUMBER) {
         int number;
@@ -152,7 +152,7 @@ static int take_bytes(void *out, field *rest, size_t length) {
     return 1;
 }
 
-/* A text without line ends. */
+/* Take a text, which must not have line ends. */
 static int take_text(field *out, field *rest) {
     if (!take_bytes(&out->length, rest, sizeof out->length) || rest->length < out->length)
         return 0;
@@ -167,7 +167,7 @@ static graze_status not_whole(const typed_table *t) {
                         t->row_count + 1, t->column_count);
 }
 
-/* The value of an answer. */
+/* Take the value of an answer. */
 static graze_status take_answer(const typed_table *t, typed_column *c, field *rows) {
     field one;
     if (c->kind == TYPED_DOUBLE)

@@ -5,8 +5,8 @@
  * readers take that do not know VTK's polygonal data. Names become numbers: pmc in 1, on 2, out 3;
  * classes 1 to 5 in the order of Definitions 5 to 9; definition 0 for ext. The format has no texts
  * that all its readers take, so words and other texts are numbered from 0 in the order in which
- * they first occur in their column; the texts themselves stand, one after another and each with a
- * newline behind it, as bytes in the field data COLUMN_texts.
+ * they first occur in their column; the field data COLUMN_texts has the texts themselves as bytes,
+ * one after another, each with a newline behind it.
  */
 #include "output/table/table.h"
 
@@ -31,7 +31,8 @@ static field name_of(text *name, const typed_table *t, size_t index, const char 
     return (field){name->data, name->length};
 }
 
-/* The texts of all columns, in the order of their numbers, as field data; 0 without memory. */
+/* Put the texts of all columns, in the order of their numbers, as field data; 0 when out of memory.
+ */
 static int put_texts(const vtk *w, const typed_table *t) {
     text name;
     size_t count = 0;

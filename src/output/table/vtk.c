@@ -14,7 +14,7 @@ static void vtk_put(const vtk *w, const char *text) {
     w->to.put(w->to.to, text, strlen(text));
 }
 
-/* Counts with blanks between them, after a text. */
+/* Put the text `before`, and counts with blanks between them. */
 static void put_dimensions(const vtk *w, const char *before, const size_t *count, size_t counts,
                            const char *behind) {
     char text[32];
@@ -26,7 +26,7 @@ static void put_dimensions(const vtk *w, const char *before, const size_t *count
     vtk_put(w, behind);
 }
 
-/* Blanks would end the name. */
+/* Put a name with `_` for each blank, as a blank would end the name. */
 static void put_vtk_name(const vtk *w, field name) {
     for (size_t k = 0; k < name.length; k++) {
         char byte = isspace((unsigned char)name.start[k]) ? '_' : name.start[k];

@@ -49,7 +49,7 @@ typedef struct boundary_given {
     const char *depth, *coarse, *budget, *contacts, *box;
     seed_value seed;
     const char *surface, *cells, *points; /* files to write, or NULL */
-    const char *format;                   /* the name that stands for a file `-`, or NULL */
+    const char *format; /* form of standard output for a file `-`, as `-.ply`; or NULL */
     int middles, sharp, threads;
 } boundary_given;
 

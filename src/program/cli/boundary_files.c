@@ -1,8 +1,8 @@
 /* Writes boundaries by sampling.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * In the plane PLY and VTK have a third coordinate, which is 0. The lines of their points and cells
- * are the same, so PLY's are written as VTK's.
+ * In the plane PLY and VTK have a third coordinate, which is 0. PLY and VTK have the same lines for
+ * points and cells, so the functions for VTK write both.
  */
 #include <math.h>
 #include <string.h>
@@ -52,8 +52,8 @@ static int put_coordinates(const graze_boundary *b, graze_context *context, int 
     return EXIT_DONE;
 }
 
-/* The head of a legacy VTK file, up to its points. meshio reads no POLYDATA, so each is an
- * unstructured grid. */
+/* Put a legacy VTK file up to the end of its points. The file is an unstructured grid, since meshio
+ * reads no POLYDATA. */
 static int put_vtk_points(const graze_boundary *b, graze_context *context, int dimension,
                           source which, size_t count) {
     vtk_begin(&lines, "graze " GRAZE_VERSION " boundary; " MISSES, "UNSTRUCTURED_GRID");
@@ -89,7 +89,7 @@ static int put_ply(const graze_boundary *b, graze_context *context, int dimensio
     return EXIT_DONE;
 }
 
-/* Put the normal of a face with these corners; 0 0 0 where their doubles give no direction. */
+/* Put the normal of a face; 0 0 0 if its corners in doubles give no direction. */
 static void put_normal(double at[3][3]) {
     double normal[3], length = 0;
     for (int k = 0; k < 3; k++) {
@@ -109,7 +109,8 @@ static void put_normal(double at[3][3]) {
                   normal[1] * scale, normal[2] * scale);
 }
 
-/* STL as text, since 32 bits a coordinate would move vertices onto one another. */
+/* Put STL as text, since the binary form, with 32 bits for each coordinate, could make vertices
+ * equal. */
 static int put_stl(const graze_boundary *b, graze_context *context,
                    const graze_boundary_summary *s) {
     HELD(rationals, point, 3);
@@ -134,7 +135,7 @@ static int put_stl(const graze_boundary *b, graze_context *context,
     return EXIT_DONE;
 }
 
-/* Close the file, which holds all or nothing. */
+/* Close the file; after a failure it is emptied first. */
 static int close_whole(int status) {
     if (status)
         output_drop(&out);
@@ -166,7 +167,8 @@ static void put_column(const graze_boundary *b, size_t count, const char *name, 
     }
 }
 
-/* VTK goes round a quadrilateral, where graze_boundary_cell has bits for x, y and z. */
+/* VTK lists corners in order around each quadrilateral; graze_boundary_cell numbers them by bits
+ * for x, y and z. `round` converts. */
 int boundary_write_cells(const char *path, const graze_boundary *b, graze_context *context,
                          int dimension) {
     graze_boundary_summary s = graze_boundary_summarize(b);

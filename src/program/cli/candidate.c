@@ -1,4 +1,4 @@
-/* Cuts a command into words, runs it, and looks at what it has left.
+/* Cuts a command into words, runs it, and checks for the file that it had to write.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #define _XOPEN_SOURCE 700 /* nftw */
@@ -19,8 +19,8 @@
 
 extern char **environ;
 
-/* One word, its quotes taken away, into `to`; returns where it ends, NULL if a quote is left open.
- */
+/* Copy one word, without its quotes, to `to`; returns the end of the word, or NULL if a quote is
+ * left open. */
 static const char *cut_command_word(char *to, const char *at) {
     char quote = 0;
     for (; *at && (quote || !strchr(" \t\n", *at)); at++) {
@@ -40,7 +40,8 @@ static const char *cut_command_word(char *to, const char *at) {
     return quote ? NULL : at;
 }
 
-/* The word with its placeholder filled; NULL and a complaint if a placeholder is inside it. */
+/* The value of a word that is a placeholder, else the word; NULL with a complaint if a placeholder
+ * is only a part of the word. */
 static const char *fill_placeholder(const char *word, const candidate_paths *paths, int *seen) {
     static const char *const names[] = {"{solid}", "{motion}", "{points}", "{out}"};
     const char *const values[] = {paths->solid, paths->motion, paths->points, paths->out};
@@ -103,7 +104,7 @@ void candidate_free(char **words) {
     free(words);
 }
 
-/* Start the words in a process group of their own, with nothing to read. */
+/* Start the command in a process group of its own, with empty standard input. */
 static int start_candidate(pid_t *child, char **words) {
     posix_spawn_file_actions_t files;
     posix_spawnattr_t attributes;
@@ -133,7 +134,8 @@ static void end_candidate(pid_t child) {
         continue;
 }
 
-/* Look every millisecond: a wait that blocks could miss a signal that comes just before it. */
+/* Wait for the candidate by a look every millisecond, since a blocking wait could miss a signal
+ * that comes just before it. */
 static int wait_for_candidate(double *seconds, const char *name, pid_t child, unsigned long timeout,
                               const char *hint) {
     const struct timespec pause = {0, 1000000};

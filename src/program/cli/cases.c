@@ -109,7 +109,7 @@ static const char *installed_cases(void) {
 }
 
 typedef struct cases_options {
-    const char *folder; /* NULL: the one here, or else the installed one */
+    const char *folder; /* NULL: `cases` in the current folder, else the installed one */
 } cases_options;
 
 static const option_entry cases_table[] = {OPTION("folder", cases_options, folder, value_text),

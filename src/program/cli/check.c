@@ -1,4 +1,4 @@
-/* graze check: is a pair of solid and motion legal.
+/* graze check: tells whether a solid and a motion are legal.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "program/cli/cli.h"
 
@@ -31,8 +31,8 @@ static const char *plural(size_t count, const char *one, const char *many) {
     return count == 1 ? one : many;
 }
 
-/* Set the step, down / up, to a power of ten, so that the box's longest side is 10^4 to 10^6 steps.
- */
+/* Set the step of rounding, down / up, to a power of ten such that the box's longest side is 10^4
+ * to 10^6 steps. */
 static void set_step(mpz_t up, mpz_t down, mpq_t *low, mpq_t *high, int d) {
     long most = 0;
     LOCAL(mpq, side);
@@ -46,7 +46,7 @@ static void set_step(mpz_t up, mpz_t down, mpq_t *low, mpq_t *high, int d) {
     mpz_ui_pow_ui(down, 10, most > 5 ? (unsigned long)(most - 5) : 0);
 }
 
-/* Round down, or up, to a multiple of down / up. */
+/* Round a value down, or up if `upward`, to a multiple of down / up. */
 static void round_outward(mpq_t value, const mpz_t up, const mpz_t down, int upward) {
     LOCAL(mpz, denominator);
     mpz_mul(mpq_numref(value), mpq_numref(value), up);
@@ -120,7 +120,7 @@ static const char *ends_phrase(graze_ends ends) {
                                         : "S^0 and S^1 do not meet";
 }
 
-/* A line about the solid. */
+/* Add a line about the solid. */
 static void describe_solid(text *out, const loaded *l, int d) {
     size_t vertices = graze_solid_vertex_count(l->solid);
     size_t facets = graze_solid_facet_count(l->solid);

@@ -116,7 +116,7 @@ int classify_check_table(const classify_options *o) {
     return EXIT_DONE;
 }
 
-/* Refuse options that need more than pmc. */
+/* With --columns pmc, refuse options that need more than pmc. */
 static int check_columns(const classify_options *o) {
     const graze_row_options *rows = &o->scene.rows;
     const char *more = NULL;
@@ -133,7 +133,8 @@ static int check_columns(const classify_options *o) {
                 : EXIT_DONE;
 }
 
-/* Refuse columns that go with others, or not with the form of the rows. */
+/* Refuse columns that need other columns which are missing, or that do not go with the form of the
+ * rows. */
 static int check_column_sets(const classify_options *o) {
     const graze_row_options *rows = &o->scene.rows;
     const char *distances = NULL;
@@ -148,14 +149,16 @@ static int check_column_sets(const classify_options *o) {
     return EXIT_DONE;
 }
 
-/* Rows repeat numbers that were read as they are, unless something asks for exact ones. */
+/* The default form of coordinates: as given in the file of points, but exact with a certificate,
+ * another format than CSV, a rounding or a grid. */
 static coordinate_form default_form(const classify_options *o) {
     int exact = o->certificate || o->scene.rows.format != GRAZE_FORMAT_CSV ||
                 o->scene.context.rounding || o->grid.sizes;
     return exact ? COORDINATES_EXACT : COORDINATES_AS_GIVEN;
 }
 
-/* Other forms of coordinates are those of CSV rows, of points that were read as they are. */
+/* Check the form of coordinates. A form other than exact needs CSV rows and no certificate;
+ * as-given also needs points from a file, read without rounding. */
 static int check_coordinates(classify_options *o) {
     const char *other = NULL;
     if (o->coordinates.form == COORDINATES_UNSET)

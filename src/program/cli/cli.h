@@ -20,25 +20,25 @@ typedef struct option_entry {
     size_t offset; /* of the field in the command's struct */
 } option_entry;
 
-/** Words that are no options, and values of the option that may be given several times, in order.
- * Both arrays are malloc'ed, the strings those of argv. */
+/** Words that are no options, and values of the option that may be given several times, each in
+ * order. Both arrays are malloc'ed; the strings are borrowed from argv. */
 typedef struct operands {
     int count, repeated_count;
     char **item;
     const char **repeated;
-    const char *output; /* the file for what a command prints that has no OUTPUT of its own */
+    const char *output; /* --output of a command without its own: the file for what it prints */
 } operands;
 
 typedef struct command {
     const char *name;
     const option_entry *options;
-    size_t size;         /* of the struct the options are read into */
-    const void *initial; /* that struct before, NULL: zeroed */
-    int reads;           /* number of operands, from the first on, that are files, */
-    int inputs;          /* and of the last ones of these, for which `-` is standard input */
+    size_t size;         /* size of the struct into which the options are read */
+    const void *initial; /* initial value of this struct; NULL: zeros */
+    int reads;           /* the first `reads` operands are files */
+    int inputs;          /* for the last `inputs` of these files `-` is standard input */
     const char *takes;   /* `least` to `reads` operands, in words; NULL: `run` counts them */
     int least;
-    /** Add files that neither these nor OPTION_READ and OPTION_WRITTEN name; may be NULL. */
+    /** Add files that neither the operands nor OPTION_READ and OPTION_WRITTEN name; may be NULL. */
     void (*add_files)(guard *g, const void *options, const operands *given);
     const char *help;
     int (*run)(void *options, const operands *given);
@@ -55,11 +55,12 @@ int command_read(operands *given, void *options, int *help, const command *c, in
                  char **argv);
 void operands_clear(operands *given);
 
-/** Refuse a file to write that is to be read or written besides: EXIT_USAGE, and says so; EXIT_IO.
- * `options` and `given` are those of command_read. */
+/** Refuse, with EXIT_USAGE and a message, a file to write that the command also reads or writes a
+ * second time. Returns EXIT_IO when out of memory. `options` and `given` are those of command_read.
+ */
 int command_guard(const command *c, const void *options, const operands *given);
 
-/** Its options are a classify_options. */
+/** The command classify, whose options are a classify_options. */
 extern const command command_classify;
 
 /** Take the operands over, and check that they and the options go together. Returns an exit status

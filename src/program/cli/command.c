@@ -41,8 +41,8 @@ static void make_option_table(option_table *t, const option_entry *options) {
     }
 }
 
-/* The entry that getopt_long's answer stands for; NULL: that of `--output`, which every command
- * has. */
+/* The entry of the table that getopt_long's answer means; NULL: `--output` of a command whose table
+ * lacks it. */
 static const option_entry *find_option(const option_entry *options, int code) {
     if (code >= FIRST_OPTION)
         return options + (code - FIRST_OPTION);
@@ -176,7 +176,7 @@ static int check_count(const command *c, const operands *given) {
                     c->takes, given->count, c->name);
 }
 
-/* Commands with --quiet count their rows. */
+/* Does a command show its progress in rows? Commands with --quiet do. */
 static int counts_rows(const command *c) {
     for (const option_entry *e = c->options; e->name; e++)
         if (strcmp(e->name, "quiet") == 0)

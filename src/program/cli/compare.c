@@ -62,7 +62,7 @@ int compare_check(const graze_compare_options *o) {
     return EXIT_DONE;
 }
 
-/* The options of the golden table's head, as they stand behind `graze explain`. */
+/* Take over the options of the golden table's scene, given as options of `graze explain`. */
 static void take_scene_options(scene_options *to, const char *head) {
     if (strstr(head, " --round binary64"))
         to->context.rounding = GRAZE_ROUND_BINARY64;
@@ -98,8 +98,8 @@ static int draw_compared(const char *file, const loaded *l, const char *golden,
     return complain_of_use(graze_draw(l->context, l->scene, file, &what), l->context);
 }
 
-/* Write the golden points as a page that marks those on which the candidate is wrong. The scene is
- * that of the options' solid and motion, with what the golden table's head says of it. */
+/* Write a page of the golden points, in which those are marked on which the candidate is wrong. The
+ * scene has the options' solid and motion and the options in the golden table's head. */
 static int compare_page(const char *file, const char *golden, const char *candidate,
                         const graze_compare_options *options, const context_options *context) {
     graze_compare_options all = *options;

@@ -51,7 +51,7 @@ typedef struct draw_given {
     int surface;
 } draw_given;
 
-/* Numbers of the options and, behind those of --plane, what is computed from them. */
+/* Indices of the numbers: those of options, then normal and place, computed from --plane. */
 enum { BOX = 0, VIEW = 6, PLANE = 9, NORMAL = 18, PLACE = 21, DRAW_NUMBERS = 22 };
 
 /* place = normal . point */
@@ -64,7 +64,7 @@ static void put_through(mpq_t *n, const mpq_t *point) {
     }
 }
 
-/* The cross product of the ways from the first point to the two others. */
+/* The cross product of the vectors from the first point to the two others. */
 static void span_points(mpq_t *normal, mpq_t *points) {
     LOCAL(mpq, product);
     for (int k = 0; k < 6; k++)
@@ -134,7 +134,7 @@ static int read_frame(graze_draw_options *out, mpq_t *n, const draw_given *o, in
     return EXIT_DONE;
 }
 
-/* A whole number from 2 to `most`; nothing where there is no text. */
+/* Read a whole number from 2 to `most`; a `text` of NULL is allowed and sets nothing. */
 static int read_picture_size(unsigned long *out, const char *option, const char *text,
                              unsigned long most) {
     if (text && (!numbers_count(out, text, 2) || *out > most))
@@ -143,7 +143,7 @@ static int read_picture_size(unsigned long *out, const char *option, const char 
     return EXIT_DONE;
 }
 
-/* `none`, or a level from 1 to 19. */
+/* Read `none`, or a level from 1 to 19. */
 static int value_surface(void *to, const char *name, const char *value) {
     unsigned long level = 0;
     if (strcmp(value, "none") == 0) {
@@ -156,7 +156,7 @@ static int value_surface(void *to, const char *name, const char *value) {
     return EXIT_DONE;
 }
 
-/* The bound of graze_draw_options.title. */
+/* Read a title, and check the bound of graze_draw_options.title. */
 static int value_title(void *to, const char *name, const char *value) {
     if (strlen(value) > TITLE_MOST)
         return complain(EXIT_USAGE, "--%s: %zu bytes; expected at most %d", name, strlen(value),
@@ -164,7 +164,7 @@ static int value_title(void *to, const char *name, const char *value) {
     return value_text(to, name, value);
 }
 
-/* The option given that does not go with a curved solid; NULL: none. */
+/* A given option that curved solids do not have; NULL if there is none. */
 static const char *straight_part(const draw_given *o) {
     return o->surface > 0                    ? "draw --surface"
            : o->by == GRAZE_DRAW_BY_DISTANCE ? "draw --by distance"

@@ -38,10 +38,10 @@ typedef struct envelope_given {
     scene_options scene;
     const char *events; /* files; NULL: none */
     const char *patches, *joints;
-    const char *at, *curve; /* times between commas, and their file */
-    unsigned long count;    /* contact points, and their file */
+    const char *at, *curve; /* times with commas, and the file for their curves */
+    unsigned long count;    /* number of contact points */
     seed_value seed;
-    const char *points;
+    const char *points; /* file for the contact points */
 } envelope_given;
 
 /* Add the numbers of events by kind. */
@@ -63,7 +63,7 @@ static void text_cell(text *t, const graze_cell *cell) {
         text_format(t, "%s %zu", cell->kind == GRAZE_CELL_FACE ? "face" : "vertex", cell->a);
 }
 
-/* Add the reason why the envelope is decomposable or not, and where and when it is found. */
+/* Add the reason why the envelope is decomposable or not, with its cell and time. */
 static graze_status put_decomposable_reason(text *t, graze_context *context,
                                             const graze_envelope_facts *f) {
     FREED(char, when, NULL);
@@ -119,7 +119,7 @@ static int put_events(graze_context *context, const graze_envelope *envelope) {
     return put_last(count);
 }
 
-/* The rows of one curve; *rows grows by their number. */
+/* Put the rows of one curve; *rows grows by their number. */
 static int put_curve(size_t *rows, graze_context *context, const graze_envelope *envelope,
                      const mpq_t time) {
     char *text = NULL;
@@ -133,7 +133,7 @@ static int put_curve(size_t *rows, graze_context *context, const graze_envelope 
     return EXIT_DONE;
 }
 
-/* All curves of a list of times between commas. */
+/* Put the curves at all times of a comma-separated list. */
 static int put_curves(const char *times, graze_context *context, const graze_envelope *envelope) {
     char *text = NULL;
     size_t rows = 0;
@@ -150,7 +150,7 @@ static int put_curves(const char *times, graze_context *context, const graze_env
     return put_last(rows);
 }
 
-/* The table of patches, or that of joints. */
+/* Put the table of patches or, if `joints`, the table of joints. */
 static int put_patches(const graze_patches *patches, int joints, graze_context *context,
                        const graze_envelope *envelope) {
     char *text = NULL;
@@ -165,8 +165,9 @@ static int put_patches(const graze_patches *patches, int joints, graze_context *
     return put_last(count);
 }
 
-/* Times without contact give no row; after this number of them, one behind the other, the table
- * ends. */
+/* A time without contact gives no row; after this number of such times in succession the table
+ * ends.
+ */
 enum { TRIES = 1000 };
 
 static int put_contact_points(const envelope_given *o, const loaded *l,

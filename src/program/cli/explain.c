@@ -51,7 +51,7 @@ static int explain_point(const loaded *l, graze_rationals point, const char *pic
     return output_text(NULL, text);
 }
 
-/* The coordinates from the command line. */
+/* Read the coordinates from the command line. */
 static int read_coordinates(mpq_t *point, const loaded *l, const operands *given) {
     static const char *const names[] = {"X", "Y", "Z"};
     int d = graze_scene_dimension(l->scene);

@@ -15,17 +15,17 @@ typedef struct maker {
     loaded l;
     graze_generator *generator;
     unsigned long weights[GRAZE_STRATUM_COUNT];
-    mpq_t point[3], time, low[3], high[3]; /* low, high: of the box */
+    mpq_t point[3], time, low[3], high[3]; /* low, high: corners of the box */
     distinct points;
     unsigned long undecided; /* points left out */
 } maker;
 
 static output out;
 
-/* Digits of a coordinate of the box that goes to a candidate. */
+/* Digits of the coordinates in GRAZE_BOX, which a candidate gets. */
 enum { BOX_DIGITS = 17 };
 
-/* NAME=W of a list; `length` characters. */
+/* Read one NAME=W of a list, of `length` characters. */
 static int read_stratum_weight(unsigned long *weights, const char *text, size_t length) {
     const char *equals = memchr(text, '=', length);
     size_t name = equals ? (size_t)(equals - text) : length;
@@ -73,7 +73,7 @@ static void put_points_box(maker *m) {
     output_put(&out, "\n");
 }
 
-/* Keep the box as decimals, for candidates, which need not read ratios. */
+/* Keep the box as decimals, so that a candidate need not read ratios. */
 static int note_box(maker *m) {
     int d = m->made.dimension = graze_scene_dimension(m->l.scene);
     HELD(text, box);
@@ -135,7 +135,7 @@ static void put_sample_cell(const graze_cell *cell) {
         output_format(&out, "%s %zu,", names[cell->kind], cell->a);
 }
 
-/* End a row, with the column `decade` in tables that may have the stratum `level`. */
+/* End a row; in tables that may have the stratum `level`, with the column `decade`. */
 static void put_decade(maker *m, const graze_sample *made) {
     char name[24] = "";
     if (made->stratum == GRAZE_STRATUM_LEVEL)
@@ -143,7 +143,7 @@ static void put_decade(maker *m, const graze_sample *made) {
     output_format(&out, "%s%s\n", m->weights[GRAZE_STRATUM_LEVEL] ? "," : "", name);
 }
 
-/* Put the coordinates of the point and a comma, unless a row with these stands already. */
+/* Put the coordinates of the point and a comma, unless an earlier row has the same coordinates. */
 static int put_sample_point(int *is_new, maker *m, const coordinate_options *form,
                             const graze_sample *made, unsigned long row) {
     char where[32];
@@ -186,7 +186,8 @@ static void put_making(maker *m, const graze_sample *made, unsigned long row) {
     put_decade(m, made);
 }
 
-/* Put a row for the point of a draw; none, and *is_new stays 0, where the point repeats one. */
+/* Put a row for the point of a draw. If an earlier row has the same point, no row is put and
+ * *is_new stays 0. */
 static int put_sample(int *is_new, maker *m, const generate_options *o, unsigned long long draw,
                       unsigned long row) {
     graze_sample made;
@@ -226,8 +227,8 @@ static int put_samples(maker *m, const generate_options *o) {
     return status;
 }
 
-/* Find the strata that get no points: unrepresentable ones would get some without --representable,
- * absent ones never. */
+/* Find the strata that get no points: `unrepresentable` ones have points without --representable,
+ * `absent` ones have none. */
 static int find_lost(maker *m, const generate_options *o) {
     lost_strata *lost = &m->made.lost;
     for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)
@@ -283,7 +284,8 @@ static int make_generator(maker *m, const generate_options *o) {
     return complain_of_use(made, m->l.context);
 }
 
-/* Give the weight of strata that no binary64 can be of to points beside their contacts. */
+/* Give the weight of unrepresentable strata to the stratum `rounded`, whose points are doubles next
+ * to contacts. */
 static int replace_lost(maker *m, const generate_options *o) {
     for (int k = 0; k < GRAZE_STRATUM_COUNT; k++)
         if (m->made.lost.unrepresentable >> k & 1)

@@ -46,10 +46,10 @@ static const char judge_help[] =
     "  --jobs N           threads for vertices, points and the volume (1)\n"
     "  --triangulate, --round, --limit NAME=V   as in graze classify\n";
 
-/* Points that are generated, and disagreements that are shown. */
+/* Default number of generated points, and number of disagreements shown. */
 enum { DEFAULT_POINTS = 1000, POINTS_SHOWN = 5 };
 
-/* The page's colours take distances enclosed to the width divided by this. */
+/* For the page's colours, distances are enclosed to the width divided by this number. */
 static const double PAGE_SHARE = 64;
 
 typedef struct judge_given {
@@ -98,7 +98,7 @@ static int print_judgement(graze_context *context, const graze_judgement *judgem
     return output_text(NULL, report);
 }
 
-/* Is a distance certainly more than allowed? The text was read as a number before. */
+/* Is one of the judged distances certainly more than the limit, the text of a valid number? */
 static int is_too_far(graze_context *context, const graze_judgement *judgement, const char *limit) {
     int far = 0;
     LOCAL(mpq, most);
@@ -132,7 +132,8 @@ static int write_mesh_answers(const loaded *l, const judge_given *o, const graze
     return answer_table_write(o->answers, rule == GRAZE_MESH_PARITY, points, found, given->count);
 }
 
-/* Compare the mesh's answers at points with the exact ones; nothing where it is not closed. */
+/* Compare the mesh's answers at points with the exact ones; a mesh without an inside is left out.
+ */
 static int ask_mesh_points(graze_comparison **out, const loaded *l, const judge_given *o,
                            const graze_mesh *mesh, const marks *given) {
     graze_mesh_points asked = {.size = sizeof asked,
@@ -212,7 +213,7 @@ static int run_judge(void *options, const operands *given) {
     scene_files(&o->scene, given);
     double within = o->scene.rows.sdf > 0 ? o->scene.rows.sdf : 1e-2;
     int relative = o->scene.sdf_relative || !(o->scene.rows.sdf > 0);
-    o->scene.rows.sdf = o->scene.sdf_relative = 0; /* the width is that of the judgement */
+    o->scene.rows.sdf = o->scene.sdf_relative = 0; /* the width is for the judgement alone */
     ZEROED(loaded, l);
     TRY(loaded_read(&l, &o->scene, EXIT_INPUT, NULL));
     TRY(load_takes(l.solid, given->item[0], "judge", TAKES_POLYHEDRA));

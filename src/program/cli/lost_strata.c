@@ -1,4 +1,4 @@
-/* Why strata have no points, and what helps.
+/* Messages on strata without points: the reason, and options that help.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <string.h>
@@ -29,7 +29,7 @@ graze_status lost_strata_dyadic(lost_strata *lost, const loaded *l, const scene_
     for (int k = 0; k < GRAZE_STRATUM_COUNT && !status; k++)
         lost->has_dyadic |=
             lost->unrepresentable >> k & 1 && graze_generator_weight(generator, (graze_stratum)k);
-    /* A motion near this one that is not legal, or has no points at all, is no help. */
+    /* Other failures mean that the dyadic motion is not legal or has no points: has_dyadic is 0. */
     return status == GRAZE_ECANCELED || status == GRAZE_ESYSTEM ? status : GRAZE_OK;
 }
 
@@ -42,7 +42,7 @@ static void put_stratum_names(text *t, unsigned set) {
         }
 }
 
-/* A line about some strata, if there are any. */
+/* Append a line about a set of strata, unless it is empty. */
 static void put_strata(text *t, const char *between, const char *before, unsigned set,
                        const char *behind) {
     if (!set)

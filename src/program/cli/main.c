@@ -53,7 +53,7 @@ static const char overview[] =
     "Exit status: 0 done, 1 the answer is no, 2 wrong usage, 3 bad input, 4 a fault of graze,\n"
     "5 reading or writing failed, or memory ran out, 6 a limit was met.\n";
 
-/* The names of the commands, as in `a, b or c`. */
+/* The names of all commands, as `a, b or c`. */
 static const char *command_names(void) {
     static char names[256];
     size_t used = 0;
@@ -75,7 +75,7 @@ static int complain_of_command(const char *word) {
                     best ? "; did you mean " : "", best ? best : "", best ? "?" : "");
 }
 
-/* `graze help COMMAND` is `graze COMMAND --help`. */
+/* Is the command line `graze help` alone? `graze help COMMAND` becomes `graze COMMAND --help`. */
 static int is_help(int argc, char **argv) {
     static char option[] = "--help";
     if (strcmp(argv[1], "help") != 0)

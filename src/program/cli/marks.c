@@ -23,7 +23,7 @@ void marks_clear(marks *m) {
     free(m->stratum);
 }
 
-/* Room for one more point; 0 where there is none. */
+/* Make room for one more point; 0 when out of memory. */
 static int marks_grow(marks *m) {
     size_t values = (m->count + 1) * (size_t)m->dimension;
     if (!array_reserve(&m->name, &m->capacity, m->count + 1, sizeof *m->name) ||
@@ -35,7 +35,7 @@ static int marks_grow(marks *m) {
     return 1;
 }
 
-/* Count the point whose numbers stand at the end of `value`; its malloc'ed name and stratum are
+/* Add the point whose numbers were put at the end of `value`; its malloc'ed name and stratum are
  * taken over. */
 static int marks_take(marks *m, char *name, char *stratum) {
     if (!name) {
@@ -47,14 +47,15 @@ static int marks_take(marks *m, char *name, char *stratum) {
     return EXIT_DONE;
 }
 
-/* The text `before` and a number, malloc'ed. */
+/* The text `before` followed by a number, malloc'ed. */
 static char *number_name(const char *before, size_t number) {
     char text[32];
     snprintf(text, sizeof text, "%s%zu", before, number);
     return strdup(text);
 }
 
-/* Find the further column with a name; *found is -1 if there is none. 0 where memory is short. */
+/* Find the further column with a name; *found is -1 if there is none. Returns 0 when out of memory.
+ */
 static int mark_column(long *found, const char *columns, const char *name) {
     ZEROED(fields, cut);
     *found = -1;
@@ -68,7 +69,7 @@ static int mark_column(long *found, const char *columns, const char *name) {
     return result != FIELDS_NO_MEMORY;
 }
 
-/* The content of a further column of a row; NULL where the row has none or memory is short. */
+/* The content of a further column of a row; NULL if the row lacks it or when out of memory. */
 static char *mark_field(const char *rest, long column) {
     ZEROED(fields, cut);
     if (fields_cut(&cut, (field){rest, strlen(rest)}) != FIELDS_CUT || (size_t)column >= cut.count)

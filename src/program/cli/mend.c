@@ -1,4 +1,4 @@
-/* graze mend: a legal solid out of a mesh that is none.
+/* graze mend: makes a legal solid from a mesh that is not one.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "program/cli/cli.h"

@@ -37,7 +37,7 @@ typedef struct merge_options {
 } merge_options;
 
 typedef struct merger {
-    part *parts; /* in the order given; from check_parts on part i is that of shard i */
+    part *parts; /* in the order given; after check_parts in the order of shards */
     size_t count;
     graze_context *context;
 } merger;
@@ -51,7 +51,7 @@ static void merger_clear(merger *m) {
     graze_context_destroy(m->context);
 }
 
-/* Refuse two parts that differ where the parts of one run are equal. */
+/* Refuse two parts that differ in lines which all parts of one run have in common. */
 static int compare_heads(const part *a, const part *b) {
     const char *x = a->head.data, *y = b->head.data;
     field one, other;
@@ -118,7 +118,7 @@ static int copy_rows(merger *m, const merge_options *o) {
     return status;
 }
 
-/* Put the last lines: those of a part, of all rows and without what is of a shard. */
+/* Put the last lines of the whole: the numbers of all rows, without the lines of a shard. */
 static int put_counts(merger *m) {
     HELD(text, lines);
     last_lines all = m->parts[0].last;

@@ -95,7 +95,7 @@ typedef struct motion_options {
     int examples;
 } motion_options;
 
-/* The operand of poses and dyadic is a file; those of other kinds are none. */
+/* Add the operand of the kinds poses and dyadic, which is a file; other kinds read no file. */
 static void add_motion_files(guard *g, const void *options, const operands *given) {
     (void)options;
     if (given->count > 1 &&
@@ -147,7 +147,7 @@ typedef struct job {
     size_t count;
     own_joint *joints;
     mpq_t tolerance, radius;
-    mpq_t ends[3]; /* of poses: scale, from, to */
+    mpq_t ends[3]; /* for poses: scale, from, to */
     char *json, *report;
 } job;
 
@@ -164,8 +164,8 @@ static void set_turn(own_joint *w, int dimension, int centered) {
     w->joint.center = centered ? w->number + 5 : NULL;
 }
 
-/* turn:DEGREES[:AXIS[:CENTER]], screw:DEGREES:PITCH:AXIS[:CENTER], slide:WAY. In the plane AXIS
- * is left out. */
+/* Read turn:DEGREES[:AXIS[:CENTER]], screw:DEGREES:PITCH:AXIS[:CENTER] or slide:WAY. In the plane
+ * AXIS is left out. */
 static int read_joint(job *j, own_joint *w, const char *word) {
     int slide = strncmp(word, "slide:", 6) == 0, screw = strncmp(word, "screw:", 6) == 0;
     if (!slide && !screw && strncmp(word, "turn:", 5) != 0)
@@ -199,7 +199,7 @@ static int read_joint(job *j, own_joint *w, const char *word) {
     return EXIT_DONE;
 }
 
-/* A slide, in the plane where there are two numbers. */
+/* Read a slide; if it has two numbers, the motion is one of the plane. */
 static int read_way(job *j, own_joint *w, const char *by) {
     const char *comma = strchr(by, ',');
     if (comma && !strchr(comma + 1, ',') && !j->o->own[DIMENSION])
@@ -208,7 +208,7 @@ static int read_way(job *j, own_joint *w, const char *by) {
     return numbers_given(w->number + 2, j->context, "--by", by, j->dimension);
 }
 
-/* The one joint that the options of rotate and screw describe. */
+/* Read the one joint that the options of rotate or screw describe. */
 static int read_turn(job *j, own_joint *w, int screw) {
     const char *const *own = j->o->own;
     int d = j->dimension;
@@ -286,7 +286,7 @@ static int make_line(job *j) {
                : complain(EXIT_USAGE, "line takes --by X,Y,Z alone; see graze motion --help");
 }
 
-/* Scale, times and step of poses. */
+/* Read the scale, the times and the step of poses. */
 static int read_pose_choice(job *j, graze_pose_options *out) {
     static const int option[3] = {SCALE, FROM, TO};
     mpq_srcptr *const to[3] = {&out->scale, &out->from, &out->to};
@@ -332,8 +332,8 @@ static int make_poses(job *j) {
     return complain_of_use(set, j->context);
 }
 
-/* Replace the file that was made by that of the dyadic motion near it; the reports of both stand
- * one behind the other. */
+/* Replace the motion file by that of the dyadic motion near it; the reports of both follow one
+ * another. */
 static int make_near(job *j, const graze_motion *motion) {
     FREED(char, before, j->report);
     FREED(char, report, NULL);
@@ -372,7 +372,7 @@ enum {
                      1 << TO | 1 << EVERY
 };
 
-/* The kinds, and which of their own options each has a use for. */
+/* The kinds of motions, and the options that each kind takes. */
 static const struct {
     const char *name;
     int (*make)(job *);

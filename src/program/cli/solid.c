@@ -56,7 +56,7 @@ static const option_entry solid_table[] = {
     OPTION("limit", solid_options, context.limits, value_limit),
     OPTIONS_END};
 
-/* The kinds, the options each has a use for, and those it needs. */
+/* The kinds of solids, the options that each kind takes, and those that it needs. */
 static const struct {
     const char *name;
     graze_shape_kind kind;

@@ -54,12 +54,12 @@ static const char validate_help[] =
     "  --overlap, --folds, --operation, --triangulate, --jobs, --limit,\n"
     "  --quiet   as in graze classify\n";
 
-/* The weight of the stratum `level` among the default ones, where values are compared. */
+/* If values are compared, the weight of the stratum `level` beside the default weights. */
 enum { LEVEL_WEIGHT = 30 };
 
 static const char *const file_names[FILE_COUNT] = {"/points.csv", "/golden.csv", "/candidate.csv"};
 
-/* The folder for the files: the one to keep, or a fresh one. */
+/* Make the folder for the files: the one of --keep, or a new one. */
 static int make_work_folder(validation *v, const validate_options *o) {
     const char *base = getenv("TMPDIR");
     v->folder =
@@ -95,7 +95,7 @@ static void validation_clear(validation *v) {
     graze_context_destroy(v->context);
 }
 
-/* The validation whose folder is removed where memory runs out and the program ends at once. */
+/* The validation whose folder is removed if memory runs out and the program ends at once. */
 static validation *at_work;
 
 static void remove_folder_at_work(void) {
@@ -106,7 +106,7 @@ static const char *points_of(const validation *v, const validate_options *o) {
     return o->points ? o->points : v->files[POINTS];
 }
 
-/* Put the facts about points that were made into the candidate's environment. */
+/* Put the facts about generated points into the candidate's environment. */
 static int tell_candidate(const validation *v, const validate_options *o) {
     const char *names[] = {"GRAZE_DIMENSION", "GRAZE_ROWS", "GRAZE_SEED", "GRAZE_BOX"};
     char numbers[3][24];
@@ -119,7 +119,8 @@ static int tell_candidate(const validation *v, const validate_options *o) {
     return EXIT_DONE;
 }
 
-/* Run the candidate; ratios are the likely reason where one fails that reads floats. */
+/* Run the candidate. If the points have ratios, a failure gets a hint, since a candidate that reads
+ * floats fails on them. */
 static int run_candidate(validation *v, const validate_options *o) {
     int ratios = !o->points && !o->generate.representable &&
                  o->generate.coordinates.form != COORDINATES_DECIMAL;
@@ -132,9 +133,8 @@ static int run_candidate(validation *v, const validate_options *o) {
     return candidate_wrote(v->words[0], v->files[ANSWERS]);
 }
 
-/* Classify; a table that is kept has distances too, unless the solid is curved or they meet a
- * limit.
- */
+/* Classify the points. A table that is kept also has distances, unless the solid is curved or the
+ * distances exceed a limit. */
 static int classify_golden(validation *v, const validate_options *o, classify_options *golden) {
     int chosen = golden->scene.rows.sdf > 0;
     v->deep = chosen;
@@ -155,7 +155,7 @@ static int classify_golden(validation *v, const validate_options *o, classify_op
     return classify_run(golden);
 }
 
-/* Points and golden table, as graze generate and graze classify make them. */
+/* Make points and golden table as graze generate and graze classify do. */
 static int make_golden(validation *v, const validate_options *o) {
     generate_options points = o->generate;
     classify_options golden = o->classify;
@@ -174,7 +174,7 @@ static int make_golden(validation *v, const validate_options *o) {
     return classify_golden(v, o, &golden);
 }
 
-/* Compare; with a scene wrong rows are measured in it. */
+/* Compare the tables. If `scene` is not NULL, wrong rows are measured in it. */
 static int compare_in(validation *v, const validate_options *o, const graze_scene *scene) {
     graze_compare_options chosen = o->compare;
     chosen.solid = o->classify.scene.solid;
@@ -188,8 +188,8 @@ static int compare_in(validation *v, const validate_options *o, const graze_scen
         v->context);
 }
 
-/* Compare, and once more with the scene where rows are wrong, the golden table has no distances and
- * the scene can give them. */
+/* Compare the tables. If rows are wrong, the golden table has no distances and the scene can give
+ * them, compare once more with the scene. */
 static int compare_answers(validation *v, const validate_options *o) {
     ZEROED(loaded, l);
     TRY(context_make(&v->context, &o->classify.scene.context));
@@ -259,8 +259,8 @@ static const option_entry validate_table[] = {
     FLAG("quiet", validate_options, classify.quiet, value_quiet),
     OPTIONS_END};
 
-/* Where values are compared, the golden table has enclosures; --sdf is refused where nothing takes
- * them. */
+/* Give the golden table enclosures if values are compared; refuse --sdf if nothing uses enclosures.
+ */
 static int choose_enclosures(validate_options *o) {
     scene_options *golden = &o->classify.scene;
     int needed = o->compare.has == GRAZE_HAS_SDF || o->compare.motion_error;

@@ -15,7 +15,7 @@ char *joined_texts(const char *a, const char *b) {
     return text ? strcat(strcpy(text, a), b) : NULL;
 }
 
-/* Rows without an answer are no evidence for or against a candidate: no verdict then. */
+/* Write the verdict on the candidate; none if rows are missing in its table. */
 static void put_validation_verdict(char *out, size_t size, const graze_comparison_counts *n,
                                    graze_on_as on_as) {
     char other[96] = "";
@@ -34,7 +34,7 @@ static void put_validation_verdict(char *out, size_t size, const graze_compariso
                  n->wrong, n->rows, n->extra, other);
 }
 
-/* A member on a line of its own. Bytes that are no printable ASCII become question marks. */
+/* Put a member on a line of its own. Bytes that are not printable ASCII become question marks. */
 static void put_json_text(json_writer *w, const char *name, const char *value) {
     HELD(text, plain);
     for (; *value; value++)
@@ -49,7 +49,7 @@ static void put_json_count(json_writer *w, const char *name, unsigned long value
     json_count(w, name, value);
 }
 
-/* The options that make the same points again. */
+/* The options that would make the same points again, malloc'ed. */
 static char *made_with(const validate_options *o) {
     text t;
     text_init(&t);
@@ -60,7 +60,7 @@ static char *made_with(const validate_options *o) {
     return text_take(&t);
 }
 
-/* The figures of a report; whole numbers keep the locale's decimal comma out. */
+/* The figures of a report. They are whole numbers, whose text does not depend on the locale. */
 typedef struct validation_figures {
     char verdict[256];
     char *made,
@@ -125,8 +125,8 @@ static void put_validation(text *out, const validation *v, const validate_option
     free(f.lost);
 }
 
-/* One report to a file NAME + suffix, or to standard output; it is made whole before the file is
- * opened. */
+/* Write one report to the file OUTPUT + suffix, or to standard output. The report is complete
+ * before the file is opened. */
 static int write_validation(const validation *v, const validate_options *o, const char *suffix,
                             graze_comparison_format format) {
     FREED(char, body, NULL);

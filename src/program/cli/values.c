@@ -64,7 +64,7 @@ int value_choice(int *out, const char *name, const char *value, const char *cons
                     meant ? "; did you mean " : "", meant ? meant : "", meant ? "?" : "");
 }
 
-/* Read the number of a value; -1 stands for a value that is none. */
+/* Read a value as a number; *out is -1 if it is none. */
 static int number_of_value(mpq_t out, const char *value, size_t length) {
     OWNED(graze_context, context);
     graze_status status = graze_context_create(&context);

@@ -14,10 +14,10 @@
 
 /* Boundaries by sampling as files: PLY, legacy VTK, CSV. */
 
-/** EXIT_USAGE unless each name that is not NULL has an extension that its kind can be written in.
- */
+/** Check that each name that is not NULL has an extension in which this kind of file can be
+ * written: else EXIT_USAGE. */
 int boundary_check_names(const char *surface, const char *cells, const char *points);
-/** Refuse a surface file in .stl in dimension 2: STL holds triangles in space alone. */
+/** Refuse a surface file in .stl in dimension 2, since STL holds only triangles in space. */
 int boundary_check_surface(const char *surface, int dimension);
 
 /** Write a file in the form of its extension. Coordinates are the nearest binary64, in CSV exact.
@@ -30,11 +30,11 @@ int boundary_write_cells(const char *path, const graze_boundary *b, graze_contex
 int boundary_write_points(const char *path, const graze_boundary *b, graze_context *context,
                           int dimension);
 
-/* A candidate's command: cut into words, its placeholders filled, run and timed, and what it
- * leaves.
+/* A candidate's command, which is cut into words, gets its placeholders filled, and is run and
+ * timed; and the file that it writes.
  *
- * No shell is started. Blanks separate words; '...' is taken as it is, in "..." a backslash stands
- * before " and \, elsewhere before any byte. Nothing is expanded. A placeholder is a word of its
+ * No shell is started. Blanks separate words. Text in '...' is taken as it is; a backslash quotes "
+ * and \ in "...", and any byte outside quotes. Nothing is expanded. A placeholder is a word of its
  * own and becomes one argument, with any bytes. */
 
 /** Values of {solid}, {motion}, {points}, {out}. */
@@ -51,20 +51,20 @@ typedef struct candidate_paths {
 int candidate_split(char ***words, const char *command, const candidate_paths *paths);
 void candidate_free(char **words);
 
-/** Put a fact into the environment of the candidate. EXIT_IO. */
+/** Set a variable of the candidate's environment. EXIT_IO. */
 int candidate_tell(const char *name, const char *value);
 
 /**
- * Run the words and wait, at most `timeout` seconds. Its standard output goes to the standard error
- * of graze.
- * @param[out] seconds of the clock, from start to end
- * @param hint behind the message on a status other than 0; may be empty
- * @return EXIT_INPUT it cannot be run, fails or takes too long; EXIT_SIGNAL
+ * Run the command in `words` and wait, at most `timeout` seconds. Its standard output goes to the
+ * standard error of graze.
+ * @param[out] seconds time that the command took
+ * @param hint text behind the message if its exit status is not 0; may be empty
+ * @return EXIT_INPUT the command cannot be run, fails or takes too long; EXIT_SIGNAL
  */
 int candidate_run(double *seconds, char **words, unsigned long timeout, const char *hint);
 
-/** Whether a file, or a link to one, is at `path` that can be read; a FIFO could be waited on for
- * ever.
+/** Check that a plain file, or a link to one, is at `path` and can be read. A FIFO is refused,
+ * since reading it could wait for ever.
  * @return EXIT_INPUT if not
  */
 int candidate_wrote(const char *name, const char *path);
@@ -88,8 +88,8 @@ void candidate_remove(const char *folder);
 #define FILE_WRITTEN(name, type, field)                                                            \
     { name, OPTION_WRITTEN, value_text, offsetof(type, field) }
 
-/** Those of `--output FILE` and `-o FILE`, with value_text, or value_output where `-` is as if
- * neither were given. */
+/** The entries of `--output FILE` and `-o FILE`, read by value_text, or by value_output if `-`
+ * means the same as neither option. */
 #define OUTPUT(type, field, read)                                                                  \
     {"output", OPTION_WRITTEN, read, offsetof(type, field)}, OPTION("o", type, field, read)
 
@@ -97,7 +97,7 @@ void candidate_remove(const char *folder);
 #define REPEATED(name)                                                                             \
     { name, OPTION_VALUE, NULL, 0 }
 
-/** Options of a solid that is read, and of a scene with it: --triangulate, --round, --limit; and
+/** The options --triangulate, --round and --limit of a solid that is read; for a scene also
  * --overlap. */
 #define SOLID_OPTIONS(type, flags, context)                                                        \
     FLAG("triangulate", type, flags, value_triangulate),                                           \
@@ -111,7 +111,8 @@ void candidate_remove(const char *folder);
 #define OPTIONS_END                                                                                \
     { NULL, OPTION_FLAG, NULL, 0 }
 
-/** COMMAND(mend, mend_options, .reads = 1): command_mend, of mend_table, mend_help and run_mend. */
+/** COMMAND(mend, mend_options, .reads = 1) defines command_mend from mend_table, mend_help and
+ * run_mend. */
 #define COMMAND(word, type, ...)                                                                   \
     const command command_##word = {.name = #word,                                                 \
                                     .options = word##_table,                                       \
@@ -120,10 +121,10 @@ void candidate_remove(const char *folder);
                                     .run = run_##word,                                             \
                                     __VA_ARGS__}
 
-/** Options of one command at the most. */
+/** The most options of one command. */
 enum { OPTIONS_MOST = 40 };
 
-/** Read the words and do what they say; returns an exit status. */
+/** Read the words of a command and run it; returns an exit status. */
 int command_run(const command *c, int argc, char **argv);
 
 /** Take the first two operands as the files of a scene. */
@@ -131,14 +132,14 @@ void scene_files(scene_options *o, const operands *given);
 
 /* graze classify, for the programs that start it, and what graze certify shares with it. */
 
-/** Add the record of the rows (src/program/run/results.h), where one may be written. */
+/** Add the file of the run's record (src/program/run/results.h), if one may be written. */
 void classify_add_record(guard *g, const void *options, const operands *given);
 
-/** Do --output and --resume go together? Returns an exit status and says what is wrong. */
+/** Check that --output and --resume go together. Returns an exit status and says what is wrong. */
 int classify_check_files(const classify_options *o);
 
-/** Is the table one that --resume and --shard go with? Returns an exit status and says what is
- * wrong. */
+/** Check that --resume and --shard go with the form of the table. Returns an exit status and says
+ * what is wrong. */
 int classify_check_table(const classify_options *o);
 
 /** Read the value i/n of --shard into a struct shard_choice. */
@@ -153,18 +154,18 @@ extern const command command_check, command_explain, command_generate, command_c
 
 /* Parts that graze validate shares with graze compare. */
 
-/** Do the options of a comparison go together? Returns an exit status and says what is wrong. */
+/** Check that the options of a comparison go together. Returns an exit status and says what is
+ * wrong. */
 int compare_check(const graze_compare_options *o);
 
-/* Strata that get fewer points than their weights ask for, and what is said of them. */
-
+/* Strata that get fewer points than their weights ask for, and messages about them. */
 /** Strata that get fewer points than their weights ask for, as sets of 1 << graze_stratum. Absent:
- * the scene has none; unrepresentable: it has none whose coordinates a binary64 holds; spent: no
- * further ones were found. */
+ * the scene has no point of them; unrepresentable: it has none with binary64 coordinates; spent: no
+ * further points of them were found. */
 typedef struct lost_strata {
     unsigned absent, unrepresentable, spent;
     int replaced;   /* 1: the stratum `rounded` has the weight of the unrepresentable ones */
-    int has_dyadic; /* 1: the motion that `motion dyadic` makes has some of these */
+    int has_dyadic; /* 1: the motion that `motion dyadic` makes has points of some of these */
 } lost_strata;
 
 /** Set has_dyadic where the dyadic motion near the scene's has points of the unrepresentable
@@ -173,8 +174,8 @@ typedef struct lost_strata {
 graze_status lost_strata_dyadic(lost_strata *lost, const loaded *l, const scene_options *o,
                                 unsigned long long seed, const unsigned long *weights);
 
-/** A line for each such stratum, `between` between them; an empty text for none. malloc'ed, NULL
- * when out of memory. */
+/** Lines about the lost strata, with `between` between them; an empty text if there are none.
+ * malloc'ed; NULL when out of memory. */
 char *lost_strata_text(const lost_strata *lost, const char *between);
 
 /* One run of graze generate: a table of query points. */
@@ -185,21 +186,21 @@ typedef struct seed_value {
     unsigned long long seed;
 } seed_value;
 
-/** Results of a generation: zeroed at first, generated_clear at last. */
+/** Results of a generation; zeroed at first, freed by generated_clear. */
 typedef struct generated {
     lost_strata lost;
     int dimension;
     unsigned long rows;
-    char *box; /* of the points, low then high, as decimals of up to 17 digits between commas */
+    char *box; /* box of the points, low then high, as decimals of up to 17 digits with commas */
 } generated;
 
-/** Strings are borrowed. */
+/** Options of a generation. Strings are borrowed. */
 typedef struct generate_options {
     scene_options scene;
     unsigned long count;
     seed_value seed;
-    const char *strata;  /* NAME=W,...; NULL: all, with default weights; `rounded` then has that of
-                            the strata that --representable leaves without points */
+    const char *strata;  /* NAME=W,...; NULL: all, with default weights, and `rounded` with the
+                            weight of the strata that --representable leaves without points */
     unsigned long level; /* weight of the stratum `level` where strata is NULL */
     coordinate_options coordinates;
     int representable;  /* coordinates that a binary64 holds */
@@ -216,12 +217,12 @@ void generated_clear(generated *made);
 
 /* Points to be drawn, with their names and strata. */
 
-/** Points of one dimension; the texts are malloc'ed. Zeroed but for `dimension`: none. */
+/** Points of one dimension; the texts are malloc'ed. Zeroed but for `dimension`, there are none. */
 typedef struct marks {
     int dimension;
     mpq_t *value;
-    size_t values, value_capacity; /* values that are initialised */
-    char **name, **stratum;        /* of a stratum NULL where the file has none */
+    size_t values, value_capacity; /* `values` of them are initialised */
+    char **name, **stratum;        /* a stratum is NULL where the file has none */
     size_t count, capacity, stratum_capacity;
 } marks;
 
@@ -231,13 +232,13 @@ void marks_clear(marks *m);
 int marks_read(marks *m, const char *path, graze_context *context);
 /** Add the points of the option -p. */
 int marks_take_points(marks *m, const char *const *points, int count, graze_context *context);
-/** Points and names as options of a picture. */
+/** Set points, names and strata in the options of a picture. */
 void marks_give(graze_draw_options *out, const marks *m);
 
 /* Examples of motion files. */
 
-/** Motion files that have every key, each one line of JSON behind a `#` line that says what it
- * shows. */
+/** Motion files that together have every key; each is one line of JSON behind a `#` line that
+ * describes it. */
 extern const char motion_examples[];
 
 /* Values of options that several commands take.
@@ -245,8 +246,8 @@ extern const char motion_examples[];
  * Each function is an option_read (cli.h); its comment names the type of the field. */
 
 option_read value_text;        /**< const char *: the value, borrowed */
-option_read value_output;      /**< const char *: the same, NULL for standard output */
-option_read value_standard;    /**< const char *: standard output in this form, as `-.svg` */
+option_read value_output;      /**< const char *: the value, borrowed; NULL for `-` */
+option_read value_standard;    /**< const char *: the form of standard output, as `-.svg` */
 option_read value_flag;        /**< int: 1 */
 option_read value_quiet;       /**< int: 1, and no notes from then on */
 option_read value_rounding;    /**< graze_rounding */
@@ -256,7 +257,7 @@ option_read value_draw_by;     /**< graze_draw_by */
 option_read value_overlap;     /**< graze_overlap */
 option_read value_folds;       /**< graze_folds */
 option_read value_columns;     /**< graze_columns */
-option_read value_sdf; /**< scene_options: the width of enclosures, `r` behind it: relative */
+option_read value_sdf; /**< scene_options: the width of enclosures; relative if `r` follows it */
 option_read value_motion_error; /**< double: a positive number, rounded up */
 option_read value_operation;    /**< graze_operation */
 option_read value_count;        /**< unsigned long from 1 up */
@@ -276,7 +277,7 @@ option_read value_coordinates;  /**< coordinate_form */
 option_read value_digits;       /**< int from 1 to 1000 */
 option_read value_show;         /**< size_t up to 10^6 */
 
-/** The place of a value among `count` words, at most 8. EXIT_USAGE: it is none of them. */
+/** Find the place of a value among `count` words, at most 8. EXIT_USAGE: it is none of them. */
 int value_choice(int *out, const char *name, const char *value, const char *const *words,
                  int count);
 
@@ -298,7 +299,7 @@ enum { POINTS, GOLDEN, ANSWERS, FILE_COUNT };
 typedef struct validate_options {
     const char *candidate;
     const char *points; /* NULL: points are generated */
-    const char *keep;   /* NULL: a folder that goes when all is done */
+    const char *keep;   /* folder for the files; NULL: one that is removed at the end */
     const char *output;
     unsigned long timeout; /* seconds */
     generate_options generate;
@@ -309,8 +310,8 @@ typedef struct validate_options {
 
 typedef struct validation {
     char *folder;
-    int temporary;           /* the folder goes when all is done */
-    char *files[FILE_COUNT]; /* in the folder */
+    int temporary;           /* 1: the folder is removed at the end */
+    char *files[FILE_COUNT]; /* paths of the files in the folder */
     char **words;
     double seconds;
     int deep; /* the golden table has distances */
@@ -321,7 +322,7 @@ typedef struct validation {
 
 /* Parts that graze validate and its reports share. */
 
-/** One text behind another, malloc'ed; NULL when out of memory. */
+/** The text `a` followed by `b`, malloc'ed; NULL when out of memory. */
 char *joined_texts(const char *a, const char *b);
 
 /** Write the reports asked for. Returns an exit status: EXIT_NO where the tables differ. */
@@ -333,8 +334,9 @@ int validation_report(const validation *v, const validate_options *o);
 int vertex_table_check(const char *path);
 
 /**
- * Write a row for each vertex in its order: x, y, z, pmc, sdf_low, sdf_high; or a VTK file of the
- * mesh with the same as data of its points. Returns an exit status and says what is wrong.
+ * Write a row for each vertex in the mesh's order: x, y, z, pmc, sdf_low, sdf_high; or a VTK file
+ * of the mesh, with pmc and both bounds as data of its points. Returns an exit status and says what
+ * is wrong.
  * @param found one enclosure for each vertex
  */
 int vertex_table_write(const char *path, graze_context *context, const graze_mesh *mesh,
@@ -342,7 +344,7 @@ int vertex_table_write(const char *path, graze_context *context, const graze_mes
 
 /** Write a row for each point: x, y, z and the mesh's pmc. Returns an exit status and says what is
  * wrong.
- * @param parity whether that is the mesh's rule, for the head
+ * @param parity 1 if the mesh's rule is parity; the head names the rule
  * @param points 3 count rationals */
 int answer_table_write(const char *path, int parity, graze_rationals points, const graze_pmc *found,
                        size_t count);

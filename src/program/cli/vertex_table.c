@@ -19,7 +19,7 @@ int vertex_table_check(const char *path) {
                : complain(EXIT_USAGE, "--vertices %s: expected a name in .csv or .vtk", path);
 }
 
-/* Put a bound moved outwards by one double: rounding to 17 digits takes less than that back. */
+/* Put a bound, moved outwards by one double, so that rounding to 17 digits leaves it a bound. */
 static void put_outward(double bound, double out_there, const char *behind) {
     output_format(&out, "%.17g%s", bound == 0 ? 0 : nextafter(bound, out_there), behind);
 }

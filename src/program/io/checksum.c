@@ -6,7 +6,7 @@ static unsigned long long mixed(unsigned long long sum, unsigned long long word)
     return sum ^ sum >> 32;
 }
 
-/* 8 bytes as a number, the same on every machine. */
+/* 8 bytes as a number, the first byte lowest on every machine. */
 static unsigned long long word_of(const unsigned char *at) {
     unsigned long long word = 0;
     for (int k = 0; k < 8; k++)

@@ -13,7 +13,8 @@
 
 enum { LINKS = 40, LABEL = PATH_MAX + 64 };
 
-/* A plain file, or, with its name, the folder in which opening would make one. */
+/* The identity of a plain file; for a file that does not exist, that of its folder, and its name.
+ */
 typedef struct place {
     int known;
     dev_t device;
@@ -35,7 +36,7 @@ static void set_place(place *to, const struct stat *about, const char *name) {
     strcpy(to->name, name);
 }
 
-/* The path behind a link to a file that is not there; 0 where there is no link. */
+/* Replace the path of a link by its target, which need not exist; 0 if the path is no link. */
 static int follow_link(char path[PATH_MAX]) {
     char target[PATH_MAX];
     ssize_t length = readlink(path, target, sizeof target - 1);

@@ -22,7 +22,8 @@ static void note(int signal_number) {
     alarm(LAST_SECONDS);
 }
 
-/* One call of another library, which asks nobody, may take hours: the process ends within it. */
+/* End the process by the signal that came, ten seconds later, since one call of another library may
+ * take hours without a look at the signal. */
 static void end_late(int alarm_number) {
     (void)alarm_number;
     signal(atomic_load(&arrived), SIG_DFL);

@@ -37,7 +37,8 @@ int load_takes(const graze_solid *solid, const char *path, const char *what, uns
                     what, words[kinds - 1]);
 }
 
-/* Positions and distances are those of polyhedra and polygons; no part of a sweep dangles. */
+/* Refuse positions and distances of curved solids, and --regular for a sweep, which has no dangling
+ * part. */
 static int check_rows(const graze_solid *solid, const scene_options *o) {
     const char *straight = o->rows.topo      ? "--topo"
                            : o->rows.regular ? "--regular"
@@ -49,7 +50,8 @@ static int check_rows(const graze_solid *solid, const scene_options *o) {
     return straight ? load_takes(solid, o->solid, straight, TAKES_STRAIGHT) : EXIT_DONE;
 }
 
-/* Say why a scene was not read, and name graze mend where it makes a legal solid: it is tried. */
+/* Say why a scene was not read. If the solid is illegal, mending is tried, and the message names
+ * graze mend if it makes a legal solid. */
 static int complain_of_scene(graze_status status, const loaded *l, const scene_options *o) {
     char reason[1 << 13];
     FREED(char, mended, NULL);

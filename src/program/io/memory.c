@@ -1,8 +1,8 @@
 /* Memory for GMP, MPFR and FLINT, which cannot go on without it.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * The end is immediate: other threads may be at work, and their memory cannot be freed. Rows not
- * yet written are lost, so that the table lacks its last line.
+ * The program ends at once, since other threads may be at work, whose memory cannot be freed. Rows
+ * not yet written are lost, and the table lacks its last line.
  */
 #include "program/io/io.h"
 
@@ -17,7 +17,7 @@ void memory_before_end(void (*what)(void)) {
     before_end = what;
 }
 
-/* One message, however many threads come here: the others wait for the end of the process. */
+/* Write one message and end the process. Other threads that come here wait at the lock. */
 static _Noreturn void end_without_memory(void) {
     static pthread_mutex_t told = PTHREAD_MUTEX_INITIALIZER;
     static const char message[] = "graze: out of memory\n";
@@ -35,7 +35,7 @@ static void *must_have(void *memory) {
     return memory;
 }
 
-/* No size is 0, for which NULL would not mean a failure. */
+/* Allocate at least 1 byte, since malloc(0) may return NULL without a failure. */
 static void *must_allocate(size_t size) {
     return must_have(malloc(size + !size));
 }

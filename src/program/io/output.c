@@ -44,7 +44,7 @@ int output_open(output *out, const char *path) {
     return EXIT_DONE;
 }
 
-/* A file system without locks is no reason to refuse. */
+/* On a file system without locks the file counts as locked. */
 int output_lock(output *out) {
     struct flock whole = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
     if (fcntl(out->fd, F_SETLK, &whole) == 0 || (errno != EACCES && errno != EAGAIN))
@@ -82,7 +82,7 @@ static void note_open_line(output *out, size_t done) {
     out->open_line = k ? done - k : out->open_line + done;
 }
 
-/* Take back the line that a failed write left in its middle, where nothing stands behind it. */
+/* Remove the incomplete line that a failed write left at the end of a plain file. */
 static void cut_open_line(const output *out) {
     struct stat about;
     off_t end = lseek(out->fd, 0, SEEK_CUR);
@@ -108,8 +108,8 @@ void output_flush(output *out) {
     out->used = 0;
 }
 
-/* Write the whole lines of a full buffer; the last line, which may go on, is held back. So the
- * output consists of whole lines at any end of the program. */
+/* Write the whole lines of a full buffer and hold back the last line, which may go on. So the
+ * output consists of whole lines whenever the program ends. */
 static void flush_whole_lines(output *out) {
     size_t whole = out->used, rest;
     while (whole > 0 && out->buffer[whole - 1] != '\n')

@@ -13,7 +13,7 @@ double clock_seconds(void) {
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* `, 12 %, 1:02:03 left`; nothing where the end is not known. */
+/* Put `, 12 %, 1:02:03 left`; nothing if the end is not known. */
 static void put_time_left(const progress *p, portion reached, double seconds) {
     if (!reached.whole)
         return;

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <unistd.h>
 
-static double begun = -1; /* below 0: not begun, or no terminal */
+static double begun = -1; /* start of the wait; below 0: none, or no terminal */
 static long shown;        /* seconds in the line; 0: there is no line */
 
 void waiting_start(void) {

@@ -21,7 +21,7 @@ static const char mpi_help[] =
     "the bytes of graze classify; its options hold here too, but for --jobs.\n"
     "SOLID and MOTION are read by every rank, POINTS and - by rank 0.\n";
 
-/* All ranks have the same words; the first one alone complains of them. */
+/* Read the words of the command line, which all ranks have; only rank 0 complains of them. */
 static int read_words(operands *given, classify_options *o, int *show_help, int rank, int argc,
                       char **argv) {
     int kept = rank ? dup(STDERR_FILENO) : -1, none = rank ? open("/dev/null", O_WRONLY) : -1;
@@ -39,7 +39,9 @@ static int read_words(operands *given, classify_options *o, int *show_help, int 
     return status;
 }
 
-/* Rank 0 sends its status to the others if it ended before it asked them for rows. */
+/* Run this rank's part. If rank 0 ends before it sends rows to the others, it sends them its
+ * status.
+ */
 static int run_rank(const operands *given, const classify_options *o, int rank) {
     int status = rank ? ranks_serve(o) : command_guard(&command_classify, o, given);
     if (!rank && !status)

@@ -1,5 +1,5 @@
 /* Packs runs of rows and answers (mpi.h). All ranks run the same program on the same kind of
- * machine, so numbers travel as they are in memory.
+ * machine, so numbers are sent as they are in memory.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "program/mpi/mpi.h"
@@ -20,7 +20,7 @@ int message_reserve(message *m, size_t length) {
     return array_reserve(&m->bytes, &m->capacity, length, 1);
 }
 
-/* After a part that could not be added, nothing more is: `good` stays 0. */
+/* Add bytes to a message. After one failure `good` is 0, and nothing more is added. */
 static void pack_bytes(message *m, int *good, const void *from, size_t length) {
     /* MPI counts bytes in an int */
     *good = *good && length <= INT_MAX - m->length && message_reserve(m, m->length + length);

@@ -1,9 +1,9 @@
-/* The jobs of program/run/run.h, done by the other ranks; and the work of such a rank.
+/* The jobs of program/run/run.h, done by the ranks other than 0; and the work of such a rank.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * A rank has a second run at hand when it has answered the first one. Nothing is sent by a call
- * that waits for its receiver, so no two ranks wait for each other. With one rank alone it answers
- * by itself.
+ * When a rank has answered a run, it already has the next one. No call waits for the receiver of
+ * what it sends, so no two ranks wait for each other. If rank 0 is the only one, it answers the
+ * rows itself.
  */
 #include "program/mpi/mpi.h"
 
@@ -31,15 +31,15 @@ typedef struct errands {
 } errands;
 
 struct jobs {
-    answerer alone; /* where there is no other rank */
+    answerer alone; /* answers the rows if there is no other rank */
     const columns *columns;
     queue queue;
-    int ranks;       /* other than this one */
-    int serving;     /* they wait for runs */
-    int failed;      /* memory ran short */
-    int looks;       /* since a signal came */
+    int ranks;       /* number of other ranks */
+    int serving;     /* 1: the other ranks wait for runs */
+    int failed;      /* 1: memory ran short */
+    int looks;       /* looks for answers since a signal came */
     message message; /* an answer */
-    errands sent[];  /* to rank k at k - 1 */
+    errands sent[];  /* runs sent to rank k are at k - 1 */
 };
 
 static int told;
@@ -88,7 +88,7 @@ void jobs_submit(jobs *j, block *b) {
     queue_add(&j->queue, b);
 }
 
-/* One run more for rank k + 1; 0 when memory is short. */
+/* Send one more run to rank k + 1; 0 when out of memory. */
 static int send_run(jobs *j, int k) {
     errands *of = &j->sent[k];
     errand *e = &of->item[(of->oldest + of->count) % AHEAD];
@@ -111,7 +111,8 @@ static void hand_out_runs(jobs *j) {
                 j->failed = !send_run(j, k);
 }
 
-/* MPI's own waiting may keep a core busy, which another rank could use. */
+/* Wait for a message by looks with pauses, since MPI's own waiting may keep a core busy that
+ * another rank could use. */
 static void wait_for_message(int from, MPI_Status *about) {
     int there = 0;
     for (int looks = 0; !there; looks++) {
@@ -121,7 +122,7 @@ static void wait_for_message(int from, MPI_Status *about) {
     }
 }
 
-/* Wait for an answer; 0 if a signal came and no answer in the time that is left. */
+/* Wait for an answer; 0 if a signal came and no answer arrived within the last looks. */
 static int wait_for_answer(jobs *j) {
     int there = 0;
     MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &there, MPI_STATUS_IGNORE);
@@ -135,7 +136,7 @@ static int wait_for_answer(jobs *j) {
     return there;
 }
 
-/* Receive a message from any rank or from one; its sender, or -1 when memory is short. */
+/* Receive a message from one rank or any. Returns its sender, or -1 when out of memory. */
 static int receive_message(message *m, int from, int *kind) {
     MPI_Status about;
     int length;
@@ -150,7 +151,7 @@ static int receive_message(message *m, int from, int *kind) {
     return about.MPI_SOURCE;
 }
 
-/* A rank without memory cannot answer, so all are ended. */
+/* End all ranks, since a rank without memory cannot answer. */
 static void abort_all_ranks(void) {
     complain(EXIT_IO, "out of memory");
     MPI_Abort(MPI_COMM_WORLD, EXIT_IO);
@@ -213,7 +214,7 @@ int jobs_stop(jobs *j) {
     return 1;
 }
 
-/* Answer the run at hand, which is sent while the next one comes; 0 when memory is short. */
+/* Answer a run. The answer is sent while the next run is received; 0 when out of memory. */
 static int serve_run(answerer *a, columns *c, block *b, const message *run, message *reply,
                      MPI_Request *under_way) {
     if (!message_get_run(run, b, c))

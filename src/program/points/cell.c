@@ -5,7 +5,7 @@
 #include "input/delimited/delimited.h"
 #include "program/points/heads.h"
 
-/* No solid has more cells (src/input/solid). */
+/* The most cells of one kind that a solid can have (src/input/solid). */
 #define CELLS_MOST 0xffffffffUL
 
 int cell_read(graze_cell *out, field text) {

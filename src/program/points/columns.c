@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * The first line is a header if it has a field x, y or (in E^3) z; else the first d columns are the
- * coordinates. Further columns are handed on as the bytes they were.
+ * coordinates. Further columns are passed to the table unchanged.
  */
 #include "program/points/points.h"
 
@@ -25,7 +25,7 @@ static int axis_of(field f, int dimension, char first) {
     return *f.start - first;
 }
 
-/* 'x', or 'X' where capitals alone name coordinates. */
+/* 'x', or 'X' if only capital letters name coordinates. */
 static char first_axis_name(const fields *first, int dimension) {
     int capitals = 0;
     for (size_t k = 0; k < first->count; k++) {
@@ -46,7 +46,7 @@ static int is_further(const columns *c, size_t column) {
     return !(column >= c->own.first && column < c->own.end) && column + c->own.last < c->count;
 }
 
-/* How many of the last columns are those of answers that the head tells of, among `most`. */
+/* How many columns at the end, at most `most`, are answers that the `#` lines mention. */
 static size_t count_last(const fields *first, unsigned sets, size_t most) {
     field names[COLUMNS_MOST];
     size_t count = 0;
@@ -62,8 +62,8 @@ static size_t count_last(const fields *first, unsigned sets, size_t most) {
     return count;
 }
 
-/* The answers in a file that graze classify has written: they stand behind the coordinates, in this
- * order and some left out, and positions in the last columns. */
+/* Find the answers in a file that graze classify has written: some of answer_columns, in their
+ * order, behind the coordinates, and further answers in the last columns. */
 static void find_own(columns *c, const fields *first, columns_head head) {
     size_t count = head.pmc_alone ? 1 : ANSWER_COLUMNS, k = 0;
     size_t at = c->own.first = c->own.end = (size_t)c->dimension;
@@ -85,7 +85,7 @@ static int order_of_names(const void *a, const void *b) {
     return x->length ? memcmp(x->start, y->start, x->length) : 0;
 }
 
-/* Refuse two further columns of one name, unless they have none. */
+/* Refuse two further columns with the same name; columns without a name are allowed. */
 static int check_different_names(fault *f, const columns *c, const fields *first,
                                  unsigned long number) {
     field *names = malloc(first->count * sizeof *names);
@@ -107,7 +107,7 @@ static int check_different_names(fault *f, const columns *c, const fields *first
     return status;
 }
 
-/* Is a field that stood between other separators to be quoted between commas? */
+/* Does a field from a file with another separator need quotes in a table with commas? */
 static int needs_quotes(char separator, field one) {
     field bare = field_trimmed(one);
     if (separator == ' ')
@@ -115,7 +115,8 @@ static int needs_quotes(char separator, field one) {
     return separator == ';' && memchr(one.start, ',', one.length) && *bare.start != '"';
 }
 
-/* Write a field for a table, whose separator is the comma: at most twice its length and 2 bytes. */
+/* Write a field for a table, whose separator is the comma, at `at`: at most 2 bytes more than twice
+ * the field's length. Returns the end. */
 static char *put_carried(char *at, const columns *c, field one) {
     if (!one.length || !needs_quotes(c->separator, one)) {
         memcpy(at, one.start, one.length);
@@ -131,8 +132,8 @@ static char *put_carried(char *at, const columns *c, field one) {
     return at;
 }
 
-/* Set `others`: names of the fields that are carried along, comma-joined; where there is no header
- * `column` with the field's number, from 1. */
+/* Set `others`, the names of the fields that are carried along, comma-joined. Without a header the
+ * names are `column` with the number of the field, from 1. */
 static int name_others(fault *f, columns *c, const fields *first, int numbered) {
     size_t room = 1;
     size_t further = 0;
@@ -162,7 +163,7 @@ static int name_others(fault *f, columns *c, const fields *first, int numbered) 
     return EXIT_DONE;
 }
 
-/* Fix the columns of points by the first line; *header says whether it names them. */
+/* Fix the columns of points by the first line; *header is 1 if this line names the columns. */
 static int fix_points(int *header, fault *f, columns *c, const fields *first, unsigned long number,
                       columns_head head) {
     int found[3] = {0, 0, 0};
@@ -226,7 +227,8 @@ int columns_fix(int *header, fault *f, columns *c, graze_context *context, field
     return status;
 }
 
-/* Add a name to the table's, changed until none of its own and of the others is the same. */
+/* Append a name, to which `_in` is added until neither the table's own columns nor the others have
+ * the name. */
 static void put_free_name(text *out, const columns *c, field own, field others, field name) {
     field bare = field_content(name);
     if (!field_is_among(bare, own)) {
@@ -261,7 +263,7 @@ char *columns_free_names(const columns *c, field own) {
     return text_take(&out);
 }
 
-/* Add the fields that are no coordinates to `rest`. */
+/* Add the fields that are carried along to `rest`. */
 static int keep_others(reader *r, const columns *c, size_t length) {
     if (!array_reserve(&r->rest, &r->rest_capacity,
                        r->rest_length + 2 * length + 2 * r->cut.count + 1, 1))
@@ -281,7 +283,7 @@ static int keep_others(reader *r, const columns *c, size_t length) {
     return 1;
 }
 
-/* Advice for a semicolon in a number. */
+/* The end of a message, with a hint if a number has a semicolon. */
 static const char *semicolon_hint(field token) {
     return memchr(token.start, ';', token.length)
                ? "; expected decimal points where fields stand between semicolons"

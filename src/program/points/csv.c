@@ -1,8 +1,8 @@
 /* Reads points from CSV and .npy files in blocks (src/program/cli/formats.md, Points).
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Lines are found and handed on as they are (points.h reads them); those of other shards are only
- * counted. One buffer's worth of the file and one block are in memory.
+ * Lines are found here and read later (columns_row); lines of other shards are only counted. One
+ * buffer of the file and one block are in memory.
  */
 #include "program/points/points.h"
 
@@ -20,10 +20,10 @@ struct csv {
     columns columns;
     columns_head head;
     shard part;
-    unsigned long rows; /* of all shards, so far */
+    unsigned long rows; /* rows of all shards, so far */
     checksum sum;
-    unsigned long size; /* bytes of the file; 0 of a pipe */
-    int is_array;       /* a .npy file, whose head is read with its first row */
+    unsigned long size; /* bytes of the file; 0 for a pipe */
+    int is_array;       /* 1: a .npy file, whose head is read with its first row */
     npy *array;
 };
 
@@ -87,7 +87,7 @@ static void add_to_checksum(csv *c, field line) {
     checksum_add(&c->sum, "\n", 1);
 }
 
-/* A row into the block, if it is the shard's. */
+/* Put a row into the block, if it is one of the shard. */
 static int take_row(csv *c, block *b, field text) {
     unsigned long row = c->rows++;
     add_to_checksum(c, text);
@@ -99,7 +99,7 @@ static int take_row(csv *c, block *b, field text) {
     return EXIT_DONE;
 }
 
-/* A line that is neither blank nor a comment; the first one fixes the columns. */
+/* Take a line that is neither blank nor a comment; the first such line fixes the columns. */
 static int take_point_line(csv *c, block *b, field text) {
     int header = 0, status = EXIT_DONE;
     if (!c->columns.count)
@@ -114,7 +114,7 @@ int csv_ready(csv *c) {
     return c->is_array || stream_ready(&c->in);
 }
 
-/* The next line of the file, or the next row of an array as one. */
+/* Read the next line of the file, or the next row of an array as a line. */
 static int next_point_line(csv *c, field *line) {
     if (!c->is_array)
         return fault_of(&c->fault, stream_next(&c->in, line), c->in.context, EXIT_INPUT);
@@ -138,8 +138,8 @@ static void read_head_line(csv *c, field text) {
     c->head.pmc_alone |= field_is(text, "# columns pmc");
 }
 
-/* A block is also done when no further line is ready, so that the threads that read its rows do not
- * wait. */
+/* A block also ends when no further line is ready, so that the threads that answer its rows need
+ * not wait. */
 int csv_fill(csv *c, block *b, unsigned long most) {
     int status = EXIT_DONE;
     while (!status && b->count < BLOCK_ROWS && b->count < most && b->used < BLOCK_BYTES &&

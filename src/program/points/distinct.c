@@ -5,9 +5,9 @@
 
 #include "program/io/io.h"
 
-/* Repeated points in a row after which a stratum, and after which all of them, are given up. */
+/* After SPENT repeated points in succession a stratum is given up, after OVER all strata are. */
 enum { SPENT = 20, OVER = 2000 };
-/* Points passed over for another one of a stratum. */
+/* The most points of other strata that are passed over for another point of one stratum. */
 enum { PASSED = 1000 };
 
 int distinct_wants(distinct *d, graze_stratum stratum) {

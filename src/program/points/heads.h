@@ -7,30 +7,31 @@
 #include "input/delimited/delimited.h"
 #include "program/points/points.h"
 
-/** Set a fault to the context's message; `otherwise` as in exit_for, EXIT_SIGNAL for a cancel. */
+/** Set a fault to the context's message. Its status is exit_for(status, otherwise), or EXIT_SIGNAL
+ * for a cancel. */
 int fault_of(fault *f, graze_status status, const graze_context *context, int otherwise);
 
 /* The columns of a file of contact points. */
 
-/** Fix the columns by a line of names: time and point, and `cell` if points are moved. All other
- * columns are carried along, but for those whose names a table of contact points has.
+/** Find the columns by a line of names: time and point, and `cell` if points are moved. All other
+ * columns are carried along, except those with names of columns of a table of contact points.
  * @param[out] where the columns of time and point
  * @param file the name of the file, for messages
  * @return EXIT_DONE or the status of the fault */
 int site_columns_fix(fault *f, site_form *s, size_t where[4], const fields *names, const char *file,
                      unsigned long number);
 
-/** The fault of a file without such a line. */
+/** Set the fault of a file that has no such line of names. */
 int site_columns_fault(fault *f, const site_form *s, const char *file, unsigned long number,
                        const char *what);
 
-/** Is a field a time as tables write one that is not rational? */
+/** Is a field an irrational time as tables write it? */
 int site_time_is_root(field token);
 
 /** The name of number `index` of a row; number 0 is the time. */
 const char *site_number_name(const site_form *s, int index);
 
-/** Facts from the `#` lines before the first line: whether Graze has written the file, and with
+/** Facts from the `#` lines at the beginning of a file: whether Graze has written it, and with
  * which answers. */
 typedef struct columns_head {
     int graze, unsweep, pmc_alone;
@@ -46,7 +47,7 @@ void columns_clear(columns *c);
 int columns_fix(int *header, fault *f, columns *c, graze_context *context, field text,
                 unsigned long number, columns_head head);
 
-/* Boundary cells as graze generate spells them. */
+/* Boundary cells as graze generate writes them. */
 
 /** The form of a cell, for messages. */
 #define CELL_FORM "`face 3`, `edge 1-2` or `vertex 5`"
@@ -57,11 +58,11 @@ int cell_read(graze_cell *out, field text);
 
 /* Heads of numpy's .npy files. */
 
-/** Array of points: `rows` of them, each with the coordinates of the space. */
+/** An array of points: `rows` points, each with d coordinates. */
 typedef struct npy_head {
-    char kind;               /* 'f', 'i' or 'u', of `size` bytes */
-    int size, big_endian;    /* 1, 2, 4 or 8 bytes, of floats 4 or 8 */
-    int column_after_column; /* Fortran's order: all x first */
+    char kind;               /* 'f', 'i' or 'u': floats, integers, unsigned integers */
+    int size, big_endian;    /* size of a number: 1, 2, 4 or 8 bytes, for floats 4 or 8 */
+    int column_after_column; /* Fortran's order: all x come first */
     unsigned long rows;
     size_t start; /* byte of the file at which the numbers begin */
 } npy_head;
@@ -69,7 +70,7 @@ typedef struct npy_head {
 /** Longest head that is read. */
 enum { NPY_HEAD_MOST = 1 << 16 };
 
-/** Do the bytes begin as those of a .npy file do? */
+/** Do the bytes begin like a .npy file? */
 int npy_is_begun(const char *bytes, size_t length);
 
 /**
@@ -84,22 +85,23 @@ int npy_head_read(npy_head *out, fault *f, const char *name, const char *bytes, 
 
 typedef struct npy npy;
 
-/** Is the plain file behind this descriptor a .npy file, by its name or its first bytes? */
+/** Is a descriptor's file a plain file that is .npy by its name or its first bytes? */
 int npy_is(int fd, const char *name);
 
-/** Read the head of such a file; context, file and name are borrowed. npy_close in any case.
+/** Read the head of a .npy file; context, file and name are borrowed. npy_close frees it in any
+ * case.
  * @return EXIT_DONE, or the status of the fault, which names the file */
 int npy_open(npy **out, fault *f, graze_context *context, int fd, const char *name, int dimension);
 void npy_close(npy *a);
 
 /**
- * The next point as a line of exact numbers between commas: integers, or ratios whose value is the
- * float; borrowed until the next call. Its start is NULL at the end.
+ * Give the next point as a line of exact numbers with commas between them: integers, or decimals
+ * whose value is the float. The line is borrowed until the next call; its start is NULL at the end.
  * @return EXIT_DONE, or the status of the fault, which names file, row and column
  */
 int npy_next(npy *a, fault *f, field *line);
 
-/** The number of points handed out, and that of all points of the file. */
+/** The number of points handed out, and the number of all points of the file. */
 unsigned long npy_done(const npy *a);
 unsigned long npy_count(const npy *a);
 

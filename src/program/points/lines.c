@@ -68,7 +68,8 @@ static unsigned long long number_behind(const char *at, const char *key, int bas
     return number ? strtoull(number + strlen(key), NULL, base) : 0;
 }
 
-/* Do the lines from `at` on read as written for their numbers? -1: out of memory. */
+/* Are the lines at `at` last lines? They are if the same bytes would be written for their numbers.
+ * -1: out of memory. */
 static int are_these(last_lines *out, result_kind kind, const char *at, field first) {
     field value;
     HELD(text, same);

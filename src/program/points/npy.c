@@ -1,8 +1,8 @@
 /* Reads points from .npy files, some rows at a time.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * A row becomes the line of text that has the same values, so that rows go one way, whatever file
- * they come from.
+ * A row becomes a line of text with the same values, so that rows of all files are read in the same
+ * way.
  */
 #include "program/points/points.h"
 
@@ -18,7 +18,7 @@
 #include "program/io/io.h"
 #include "program/points/heads.h"
 
-/* Rows at hand, and the bytes of the largest of them. */
+/* ROWS is the most rows in memory, ROW_BYTES the most bytes of a row. */
 enum { ROWS = 4096, ROW_BYTES = 24 };
 
 struct npy {
@@ -26,13 +26,13 @@ struct npy {
     int fd, dimension;
     graze_context *context; /* of decimals; borrowed */
     const char *name;
-    unsigned long done, from, to; /* rows handed out; rows from..to are at hand */
+    unsigned long done, from, to; /* rows handed out; rows `from` to `to` - 1 are in memory */
     text line;
     mpq_t value;
     unsigned char bytes[ROWS * ROW_BYTES]; /* in the order of the file */
 };
 
-/* Read bytes of the file; 0 at an error, or where it ends before. */
+/* Read bytes of the file; 0 on an error, or if the file ends before. */
 static int read_bytes(int fd, void *to, size_t length, size_t from, size_t *got) {
     *got = 0;
     while (*got < length) {
@@ -118,7 +118,7 @@ static int read_rows(npy *a, fault *f) {
     return EXIT_DONE;
 }
 
-/* The bits of a number at hand. */
+/* The bits of a number in memory. */
 static uint64_t bits_of(const npy *a, size_t row, size_t column) {
     size_t size = (size_t)a->head.size, d = (size_t)a->dimension;
     size_t at = a->head.column_after_column ? column * (a->to - a->from) + row : row * d + column;
@@ -138,7 +138,7 @@ static double float_of(uint64_t bits, int size) {
     return size == 8 ? wide : (double)narrow;
 }
 
-/* Add a float as the decimal that it is; `k` names its column. */
+/* Add a float as its exact decimal; `k` is the number of its column. */
 static int put_float(npy *a, fault *f, double value, int k) {
     char *decimal = NULL;
     if (!isfinite(value))

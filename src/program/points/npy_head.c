@@ -1,7 +1,7 @@
 /* Reads the head of a .npy file: a literal of a Python dictionary.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Keys may stand in any order and each stands once. Everything else is refused.
+ * Each key must be there once, in any order. Everything else is refused.
  */
 #include "program/points/points.h"
 
@@ -49,7 +49,7 @@ static int take_quoted(field *out, field *rest) {
     return 1;
 }
 
-/* Take a value up to the byte behind it, which is left. */
+/* Take a value, up to the first byte that `ends` has, which stays in `rest`. */
 static field take_until(field *rest, const char *ends) {
     skip_white(rest);
     field out = {rest->start, 0};

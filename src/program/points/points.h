@@ -21,15 +21,15 @@ const char *result_command(result_kind kind);
 /** The text before the key of a note and of the last line: "# " in a table. */
 const char *result_mark(result_kind kind);
 
-/** A row of a table is one line; one of a certificate goes on in the lines of its intervals
- * and contacts. */
+/** Kinds of lines. A row of a table is one line; a row of a certificate goes on in the lines of its
+ * intervals and contacts (LINE_OF_ROW). */
 typedef enum line_part { LINE_ROW, LINE_OF_ROW, LINE_NOTE } line_part;
 
 /** The kind of a line behind the head. */
 line_part line_part_of(result_kind kind, field line);
 /** Is the line the last one of the head? */
 int line_ends_head(result_kind kind, field line);
-/** The value of a note with this key; 0 if the line is none. */
+/** Find the value of a note with this key; 0 if the line is no such note. */
 int line_note(field *value, result_kind kind, field line, const char *key);
 
 /* Blocks of rows on their way from a file or a grid through the threads to the table, and faults.
@@ -45,7 +45,7 @@ typedef struct fault {
     char *message;
 } fault;
 
-/** Set a fault that is zeroed; returns `status`. */
+/** Set a fault, which is zeroed before; returns `status`. */
 int fault_set(fault *f, int status, const char *format, ...) __attribute__((format(printf, 3, 4)));
 /** Complain of a fault; returns its exit status. */
 int fault_tell(const fault *f);
@@ -57,11 +57,11 @@ typedef struct line {
     unsigned long number;
 } line;
 
-/** Neighbouring rows answered by one thread, at the place of the first of them. */
+/** Neighbouring rows that one thread answers; block.runs has it at the index of its first row. */
 typedef struct row_run {
     graze_row_totals totals; /* of the rows that are done */
-    size_t taken;            /* number of its rows; 0 until a thread takes them */
-    size_t done;             /* number of its rows that the texts hold */
+    size_t taken;            /* number of rows of the run; 0 until a thread takes them */
+    size_t done;             /* number of rows of the run that the texts hold */
     struct row_text {
         char *text; /* for graze_free; NULL where none is wanted */
         size_t length;
@@ -75,7 +75,7 @@ typedef struct block {
     char *bytes; /* the lines of a file, one after the other */
     size_t used, capacity;
     line lines[BLOCK_ROWS];
-    unsigned long long points[BLOCK_ROWS]; /* checksum of the points up to that row; 0 of a grid */
+    unsigned long long points[BLOCK_ROWS]; /* checksum of the points up to each row; 0 for a grid */
     row_run runs[BLOCK_ROWS];
     size_t next;         /* jobs: the first row that is not taken */
     size_t busy;         /* jobs: runs taken and not yet answered */
@@ -89,32 +89,31 @@ void block_reset(block *b, unsigned long before);
 /** Add a line of a file; 0 when memory is short. */
 int block_add(block *b, field text, unsigned long number);
 
-/** Contact points in place of points: a row has a time before the coordinates, and with `snap` a
- * cell. The coordinates are in the solid's frame or, if `in_world`, those of the place at the time.
- */
+/** Rows that are contact points: each has a time before the coordinates, and with `snap` a cell.
+ * The coordinates are those of y in the solid's frame or, if `in_world`, those of P = M(t) y. */
 typedef struct site_form {
     int wanted, snap; /* the options ask for contact points, for points moved to contacts */
     int dimension, in_world;
-    size_t cell;   /* its column */
+    size_t cell;   /* the column of the cell */
     char *carried; /* 1 for each column that is carried along */
 } site_form;
 
 /* The columns of a file of points: places of the coordinates, names of the others. */
 
-/** Columns of a file that graze classify has written: its answers, which are not carried along. */
+/** Columns with answers in a file that graze classify has written; they are not carried along. */
 typedef struct own_columns {
-    size_t first, end; /* answers are columns `first` to `end` - 1, */
-    size_t last;       /* and the last `last` columns: those of output/report/columns.c */
+    size_t first, end; /* columns `first` to `end` - 1 are answers */
+    size_t last;       /* so are the last `last` columns, of options such as --sdf and --topo */
 } own_columns;
 
-/** `count` is 0 until the first line has fixed them; nothing changes afterwards. */
+/** The columns. `count` is 0 until the file's first line fixes them; nothing changes afterwards. */
 typedef struct columns {
-    const char *name; /* of the file, for messages; borrowed */
+    const char *name; /* name of the file, for messages; borrowed */
     int dimension;
-    int numbers; /* count of numbers of a row: the dimension, with contact points one more */
+    int numbers; /* numbers of a row: the dimension, for contact points one more */
     site_form sites;
     size_t count;
-    size_t where[4]; /* the columns of the numbers: of x, y, z or of time, x, y, z */
+    size_t where[4]; /* columns of the numbers: x, y, z, or time, x, y, z */
     char separator;  /* between fields of this file; tables that are written have commas */
     own_columns own;
     char *others; /* names of the further columns, comma-joined; NULL if none */
@@ -125,7 +124,7 @@ typedef struct columns {
 typedef struct reader {
     graze_context *context;
     fields cut;
-    graze_cell cell; /* of the row read last, where rows have cells */
+    graze_cell cell; /* cell of the row read last, if rows have cells */
     char *rest;      /* further columns of the rows of a run, each with a NUL */
     size_t rest_length, rest_capacity;
 } reader;
@@ -133,8 +132,8 @@ typedef struct reader {
 void reader_clear(reader *r);
 
 /**
- * Names of the further columns in a table. A name that the table has already gets `_in` behind it,
- * again and again, until the table does not have it, and a note says so.
+ * Names of the further columns in a table. To a name that the table already has, `_in` is appended
+ * until the table does not have the name; a note on standard error says so.
  * @param own the table's own column line
  * @return malloc'ed; NULL when out of memory, or where there are no further columns
  */
@@ -160,21 +159,21 @@ typedef enum coordinate_form {
 /** Zeroed: integers and ratios in lowest terms. */
 typedef struct coordinate_options {
     coordinate_form form;
-    int digits; /* of rounded decimals; 0: decimals are the numbers themselves */
+    int digits; /* digits of rounded decimals; 0: decimals are exact */
 } coordinate_options;
 
-/** Does --digits go with --coordinates? Returns an exit status and says what is wrong. */
+/** Check that --digits goes with --coordinates. Returns an exit status and says what is wrong. */
 int coordinates_check(const coordinate_options *o);
 
 /** Room for coordinates_note. */
 enum { COORDINATES_NOTE = 64 };
 
-/** The line `# coordinates ...` of a table's head; empty for exact ones. */
+/** Write the line `# coordinates ...` of a table's head; nothing for exact coordinates. */
 void coordinates_note(char out[COORDINATES_NOTE], const coordinate_options *o);
 
 /**
  * Add a point's coordinates.
- * @param tokens a field for each coordinate, as it was read; for COORDINATES_AS_GIVEN alone
+ * @param tokens a field for each coordinate, as it was read; used only by COORDINATES_AS_GIVEN
  * @return EXIT_DONE, or the status of the fault, whose message begins with `where`
  */
 int coordinates_put(text *out, fault *f, const coordinate_options *o, graze_context *context,
@@ -184,32 +183,32 @@ int coordinates_put(text *out, fault *f, const coordinate_options *o, graze_cont
  *
  * Rows are dealt like cards, one to each shard in turn: shard i of n has the rows i, i + n, i +
  * 2n, ... of the whole run, counted from 1. So the number of rows need not be known, easy and hard
- * regions are shared evenly, and the whole is put together by taking rows in turn again. */
+ * regions are shared evenly, and merging takes rows from the shards in turn. */
 
 /** The note that names the shard in the head of its table or certificate. */
 #define SHARD_LINE "shard "
-/** The key of the checksum of all bytes before it, which a shard's file has. */
+/** In a shard's file, the key of the checksum of all bytes before this line. */
 #define SHARD_BYTES "bytes-checksum "
 /** The key of the last line, which has the number of rows. */
 #define COMPLETE_LINE "complete "
 
-/** The last lines of a table or a certificate: `undecided` where rows may be; of a shard how many
- * rows all shards have, a checksum of their points (0 for a grid) and one of all bytes before it;
- * and `complete`. */
+/** The last lines of a table or a certificate: `undecided` if rows may be undecided; for a shard
+ * the number of rows of all shards, a checksum of their points (0 for a grid) and a checksum of all
+ * bytes before it; and `complete`. */
 typedef struct last_lines {
     int counts_undecided, of_shard;
     unsigned long undecided, rows_of_all, rows;
     unsigned long long points, bytes;
 } last_lines;
 
-/** Append those before the checksum of bytes, and those from it on. */
+/** Append the last lines before the checksum of bytes (begin), and those from it on (end). */
 void last_lines_begin(text *out, result_kind kind, const last_lines *l);
 void last_lines_end(text *out, result_kind kind, const last_lines *l);
 /** Read the last lines at the end of a shard's file; 0 if it does not end with them, -1: out of
  * memory. */
 int last_lines_read(last_lines *out, result_kind kind, const char *tail);
 
-/** Shard `index` < `count`; one shard is the whole run. */
+/** Shard `index`, from 0, of `count`; with `count` 1 it is the whole run. */
 typedef struct shard {
     unsigned long index, count;
 } shard;
@@ -217,7 +216,7 @@ typedef struct shard {
 /** The most shards a run is cut into. */
 enum { SHARDS_MOST = 100000 };
 
-/** Read `i/n`, 1 <= i <= n; 0 if the text is none. */
+/** Read `i/n`, 1 <= i <= n; 0 if the text does not have this form. */
 int shard_read(shard *out, const char *text);
 
 /** The place in the whole run of the shard's row `row`; both from 0. */
@@ -241,7 +240,7 @@ int box_read(mpq_t *low, mpq_t *high, const char *text, int d, graze_context *co
  * why; `*out` is to be closed in either case. */
 int grid_open(grid **out, const grid_options *o, graze_context *context, const graze_scene *scene);
 void grid_close(grid *g);
-/** The number of its points. */
+/** The number of points of a grid. */
 unsigned long grid_count(const grid *g);
 /** Fill a block with a shard's next points, at most `most`; an empty block means the end. */
 void grid_fill(const grid *g, shard part, block *b, unsigned long most);
@@ -268,47 +267,46 @@ typedef struct csv csv;
  * borrowed. On failure says why. */
 int csv_open(csv **out, const char *path, int dimension, shard part, graze_context *context);
 void csv_close(csv *c);
-/** Before the first line: expect contact points as rows, with `snap` to be moved to contacts. */
+/** Expect contact points as rows; with `snap` they have cells, to be moved to contacts. To be
+ * called before the first line is read. */
 void csv_expect_sites(csv *c, int snap);
 /**
- * Fill a block with the next rows, at most `most`; an empty block means the end. On an error, for
- * which csv_fault has the message, the rows before it are in the block. EXIT_SIGNAL when a signal
- * came first.
+ * Fill a block with the next rows, at most `most`; an empty block means the end. On an error the
+ * block has the rows before it, and csv_fault the message. EXIT_SIGNAL if a signal came.
  */
 int csv_fill(csv *c, block *b, unsigned long most);
 /** 1 if csv_fill would return without waiting for its input. May read. */
 int csv_ready(csv *c);
-/** The error csv_fill met. */
+/** The error that csv_fill met. */
 const fault *csv_fault(const csv *c);
 /** The columns, fixed once a header or a first row has been read. */
 const columns *csv_columns(const csv *c);
-/** How much of the file is read, in bytes; for a pipe the whole is unknown (0). */
+/** The bytes read and the bytes of the file; the latter are 0 for a pipe. */
 portion csv_portion(const csv *c);
-/** Rows read so far, those of other shards too, and a checksum of the line of names and of their
- * text. */
+/** The number of rows read so far, with those of other shards; and a checksum of the line of names
+ * and of these rows. */
 unsigned long csv_rows(const csv *c);
 unsigned long long csv_checksum(const csv *c);
 
-/* Points that differ from all before them, and strata that have no others. */
-
-/** Zeroed: of no points; distinct_clear at last. */
+/* Points that differ from all before them, and strata that have no further points. */
+/** A set of points. Zeroed it is empty; distinct_clear frees it. */
 typedef struct distinct {
     slots seen;
-    unsigned idle;  /* how many points one after another were repeated ones */
-    unsigned spent; /* strata that gave too many repeated ones: a set of 1 << graze_stratum */
+    unsigned idle;  /* number of repeated points since the last new one */
+    unsigned spent; /* strata that gave too many repeated points: a set of 1 << graze_stratum */
     int is_wanted, failed; /* failed: memory has run short */
     graze_stratum wanted;  /* if is_wanted: the stratum of the last point, a repeated one */
     unsigned tries;        /* number of tries at another point of this stratum */
     unsigned passed;       /* number of points of other strata passed over meanwhile */
 } distinct;
 
-/** Is a point of a stratum to be taken? After a repeated point, points of other strata are passed
- * over, up to a number, so that each stratum keeps its share. */
+/** Is a point of a stratum to be taken? After a repeated point, some points of other strata are
+ * passed over until its stratum gives another one, so that each stratum keeps its share. */
 int distinct_wants(distinct *d, graze_stratum stratum);
 /** Add a point of a stratum; 1 if it differs from all points before it. Points are compared as they
  * are written, by hashes of 64 bits: an equal hash counts as an equal point. */
 int distinct_add(distinct *d, graze_stratum stratum, const char *point, size_t length);
-/** Were too many points in a row repeated ones for further tries to be of use? */
+/** Were the last points all repeated ones, enough of them to make further tries useless? */
 int distinct_is_over(const distinct *d);
 void distinct_clear(distinct *d);
 

@@ -21,13 +21,14 @@ int site_time_is_root(field token) {
     return field_behind(&value, token, "root(");
 }
 
-/* Is a name that of a column of the table? The last one, `shift`, only if points are moved. */
+/* Does the table of contact points have a column of this name? It has `shift` only if points are
+ * moved. */
 static int is_result(field name, int snap) {
     field names = {contact_columns, strlen(contact_columns)};
     return field_is_among(name, names) && (snap || !field_is(name, "shift"));
 }
 
-/* The column of a name; 0 if it is missing, -1 if it stands twice. */
+/* Find the column of a name. Returns 1, 0 if there is none, -1 if there are two. */
 static int find_name(size_t *column, const fields *names, const char *name) {
     size_t found = 0;
     for (size_t k = 0; k < names->count; k++)
@@ -38,7 +39,7 @@ static int find_name(size_t *column, const fields *names, const char *name) {
     return found == 1 ? 1 : found ? -1 : 0;
 }
 
-/* The columns of time and point, as find_name. */
+/* Find the columns of time and point; returns as find_name. */
 static int find_numbers(size_t where[4], const site_form *s, const fields *names) {
     int found = 1;
     for (int k = 0; k <= s->dimension && found == 1; k++)

@@ -38,7 +38,7 @@ static int write_point(answerer *a, row_run *r, const block *b, size_t first, si
     return EXIT_DONE;
 }
 
-/* Make the points and the texts of a run's rows; returns how many before a fault. */
+/* Make the points and the texts of a run's rows; returns how many rows there are before a fault. */
 static size_t make_run_points(answerer *a, row_run *r, const block *b, size_t first) {
     const row_source *from = &a->task.source;
     size_t d =
@@ -83,7 +83,7 @@ static graze_status write_answers(answerer *a, row_run *r, size_t n) {
                                     a->texts, task->rows);
 }
 
-/* Rows of pmc alone of grid points, many decided together. */
+/* Write rows of a grid with pmc alone. Many of its points are decided together. */
 static graze_status write_members(answerer *a, row_run *r, unsigned long first) {
     const row_source *from = &a->task.source;
     struct row_text *table = &r->out[RESULT_TABLE];
@@ -91,7 +91,7 @@ static graze_status write_members(answerer *a, row_run *r, unsigned long first) 
                      first, r->taken, a->task.rows->format);
 }
 
-/* Set the fault of a row that has no answer; only GRAZE_EINPUT is a fault of the file. */
+/* Set the fault of a row that has no answer. Only GRAZE_EINPUT is a fault of the file of points. */
 static void fail_row(answerer *a, row_run *r, graze_status status, const block *b, size_t row) {
     const columns *c = a->task.source.columns;
     const char *why = status == GRAZE_ESYSTEM ? "out of memory" : graze_context_message(a->context);

@@ -12,13 +12,14 @@
 #include "base/context/scope.h"
 #include "program/io/io.h"
 
-/* A file that holds, in a form that graze-check reads, what another one holds. Zeroed: none. */
+/* A file beside the certificate: the content of another file in a form that graze-check reads.
+ * Zeroed, there is none. */
 typedef struct beside {
     const char *original; /* borrowed */
     char *path, *text;
 } beside;
 
-/* Files of a scene that graze-check cannot read as they stand: 1. */
+/* 1 for each file of a scene that graze-check cannot read as it is. */
 typedef struct lacks {
     int solid, motion;
 } lacks;
@@ -33,7 +34,7 @@ static int has_read_ending(const char *solid) {
     return path_has_extension(solid, ".off") || path_has_extension(solid, ".wkt");
 }
 
-/* The certificate's file, or NULL where that is standard output. */
+/* The certificate's file, or NULL if the certificate goes to standard output. */
 static const char *certificate_path(const classify_options *o) {
     const char *path = o->certificate ? o->certificate : o->resume ? o->resume : o->output;
     return path && strcmp(path, "-") != 0 ? path : NULL;
@@ -43,15 +44,15 @@ static const char *pass_blanks(const char *s) {
     return s + strspn(s, " \t\r\n");
 }
 
-/* Pass over [-] TERM {(+|-) TERM}, TERM = NUMBER | [NUMBER*] t [^COUNT]; NULL where there is none.
- */
+/* Pass over [-] TERM {(+|-) TERM}, TERM = NUMBER | [NUMBER*] t [^COUNT]; NULL if the text is not of
+ * this form. */
 static const char *pass_sum(const char *s) {
     s = pass_blanks(s);
     for (s += *s == '-';; s++) {
         s = pass_blanks(s);
         size_t digits = strspn(s, "0123456789./eE");
         if (digits && (s[digits] == '+' || s[digits] == '-'))
-            return NULL; /* graze-check takes the sign for the number's */
+            return NULL; /* graze-check would take the sign as the number's */
         s = pass_blanks(s + digits);
         int times = digits && *s == '*';
         s = times ? pass_blanks(s + 1) : s;
@@ -79,8 +80,8 @@ static int is_plain_entry(const char *s) {
     return s && *s == ')' && *pass_blanks(s + 1) == '"';
 }
 
-/* Has a motion's file the keys and entries alone that graze-check reads (src/check/read_motion.c)?
- * Their order is not looked at. */
+/* Does a motion's file have only keys and entries that graze-check reads (src/check/read_motion.c)?
+ * Their order is not checked. */
 static int is_plain(const char *motion) {
     static const char *const keys[] = {"\"dimension\"", "\"pieces\"",    "\"t\"",     "\"row\"",
                                        "\"transform\"", "\"translate\"", "\"matrix\""};
@@ -100,8 +101,8 @@ static int is_plain(const char *motion) {
     return plain;
 }
 
-/* Can graze-check read the file of a motion? A pipe is not asked a second time. -1: out of memory.
- */
+/* Can graze-check read the file of a motion? 0 for a pipe, which cannot be read a second time. -1:
+ * out of memory. */
 static int is_motion_plain(const char *path) {
     struct stat about;
     char *text = NULL;
@@ -116,7 +117,8 @@ static int is_motion_plain(const char *path) {
     return plain;
 }
 
-/* Write a converted file beside the certificate, unless a run is continued that wrote it. */
+/* Write a converted file beside the certificate, unless the run continues an earlier one and the
+ * file exists. */
 static int write_beside(const beside *b, const classify_options *o) {
     guard g = {NULL, 0, 0, 0};
     guard_add(&g, GUARD_READ, NULL, o->scene.solid, "");
@@ -145,7 +147,8 @@ static int put_beside(beside *b, const char *original, const char *ending,
     return writes ? write_beside(b, o) : EXIT_DONE;
 }
 
-/* A run may continue another file than the one its certificate belongs to. */
+/* Check that the file beside the certificate has the content that this run would write, since the
+ * certificate that is continued may belong to another scene. */
 static int compare_beside(const beside *b, const loaded *l, int is_solid) {
     char *there = NULL;
     if (!b->path)
@@ -167,7 +170,7 @@ static int compare_beside(const beside *b, const loaded *l, int is_solid) {
     return status;
 }
 
-/* Read the scene anew, with these files in the place of its own. */
+/* Read the scene anew, from the files beside the certificate instead of its own. */
 static int read_with_beside(loaded *l, const classify_options *o, const beside *solid,
                             const beside *motion) {
     scene_options with = o->scene;
@@ -180,7 +183,7 @@ static int read_with_beside(loaded *l, const classify_options *o, const beside *
     return complain_of_use(make_certifier(l, o), l->context);
 }
 
-/* Put files beside the certificate in the place of those that graze-check cannot read. */
+/* Replace the files that graze-check cannot read by files beside the certificate. */
 static int convert_scene(loaded *l, const classify_options *o, const lacks *lack, int writes) {
     beside solid = {NULL, NULL, NULL}, motion = {NULL, NULL, NULL};
     graze_status made = lack->solid ? graze_solid_text(&solid.text, l->context, l->solid) : 0;

@@ -12,7 +12,7 @@
 #include "program/points/points.h"
 #include "program/run/results.h"
 
-/* Blocks at hand keep the threads busy while one is written: a few, and some rows for each. */
+/* The number of blocks in memory: enough to keep all threads busy while one block is written. */
 static size_t ring_size(const classify_options *o) {
     return 4 + (size_t)jobs_width(o->threads) * 4 * RUN_ROWS / BLOCK_ROWS;
 }
@@ -24,9 +24,9 @@ typedef struct run_state {
     jobs *jobs;
     block **ring; /* a block's place is its number modulo the ring's size */
     size_t ring_size;
-    unsigned long filled, written; /* blocks */
-    unsigned long taken;           /* rows of them, and those that were there already */
-    int ended;                     /* all points are taken, or none can be for `read_status` */
+    unsigned long filled, written; /* numbers of blocks filled and written */
+    unsigned long taken;           /* rows taken, with those of an earlier run */
+    int ended;                     /* 1: all points are taken, or `read_status` is a failure */
     int read_status;
     results out;
     int headed;
@@ -38,7 +38,7 @@ static row_source source_of(const run_state *s, const classify_options *o) {
                         o->coordinates};
 }
 
-/* Take the next rows, at most `most`, into a block; before the first, write the heads. */
+/* Take the next rows, at most `most`, into a block. Before the first rows the heads are written. */
 static int take_block(run_state *s, const classify_options *o, block *b, unsigned long most) {
     int status = EXIT_DONE;
     block_reset(b, s->taken);
@@ -67,7 +67,8 @@ static int fill_ring(run_state *s, const classify_options *o) {
     return EXIT_DONE;
 }
 
-/* Rows that the record of a continued file has are not made again; their points are read. */
+/* Pass over the rows that the record of a continued file counts: their points are read, but the
+ * rows are not made again. */
 static int pass_kept_rows(run_state *s, const classify_options *o) {
     unsigned long rows = s->out.at.rows;
     unsigned long long points = 0;
@@ -83,13 +84,14 @@ static int pass_kept_rows(run_state *s, const classify_options *o) {
     return results_pass(&s->out, s->taken, points);
 }
 
-/* Room for a block, and points that need not be waited for while rows are to be written. */
+/* Can a further block be filled? There must be room for it and, if rows wait to be written, points
+ * that are ready. */
 static int can_fill_ring(run_state *s) {
     unsigned long at_hand = s->filled - s->written;
     return !s->ended && at_hand < s->ring_size && (at_hand == 0 || s->grid || csv_ready(s->points));
 }
 
-/* A grid's rows are known; of a file, how much of it is read. */
+/* How far the run is: for a grid the rows done of all rows, for a file the bytes read. */
 static portion portion_reached(run_state *s, const classify_options *o) {
     if (s->points)
         return csv_portion(s->points);
@@ -162,7 +164,8 @@ static int prepare_run(run_state *s, const classify_options *o) {
     return pass_kept_rows(s, o);
 }
 
-/* Rows that a signal leaves under way go on until the process ends. */
+/* End the threads and free the blocks. If a signal left threads at work, nothing is freed, and the
+ * end of the process ends them. */
 static void end_run(run_state *s) {
     if (!jobs_stop(s->jobs))
         return;

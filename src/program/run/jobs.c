@@ -1,8 +1,8 @@
 /* Threads that answer the rows of blocks.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
- * Each thread has a context of its own and takes rows from one queue. Answers stand at the places
- * of their rows, so the output does not depend on the number of threads.
+ * Each thread has a context of its own and takes rows from one queue. Answers are stored with their
+ * rows, so the output does not depend on the number of threads.
  */
 #include "program/run/run.h"
 
@@ -27,8 +27,8 @@ struct jobs {
     pthread_cond_t work, done;
     queue queue;
     int stop;
-    int given_up; /* rows under way are no longer waited for, and blocks no longer changed */
-    int at_work;  /* threads that are answering */
+    int given_up; /* 1: nobody waits for unanswered rows, and threads no longer change blocks */
+    int at_work;  /* number of threads that are answering */
     int count;
     worker workers[];
 };
@@ -71,8 +71,8 @@ void jobs_submit(jobs *j, block *b) {
     pthread_mutex_unlock(&j->lock);
 }
 
-/* Wait until a thread signals, at most LOOK_MILLISECONDS; 0 after LAST_LOOKS waits since a signal.
- * The lock is held. */
+/* Wait until a thread reports an answer, at most LOOK_MILLISECONDS. Returns 0 if LAST_LOOKS waits
+ * have passed since SIGINT or another signal came. The caller holds the lock. */
 static int look_at_threads(jobs *j, int *looks) {
     struct timespec until;
     if (interrupt_signal() && ++*looks > LAST_LOOKS)
@@ -93,7 +93,9 @@ void jobs_wait(jobs *j, const block *b) {
     pthread_mutex_unlock(&j->lock);
 }
 
-/* Signals stay with the first thread, whose reads they end. */
+/* Start a thread with all signals blocked, so that the first thread gets them, whose reads they
+ * end.
+ */
 static int start_thread(worker *w) {
     sigset_t all, before;
     sigfillset(&all);
@@ -106,7 +108,7 @@ static int start_thread(worker *w) {
 int jobs_width(int threads) {
     long online = sysconf(_SC_NPROCESSORS_ONLN);
     int cores = online > 0 ? (int)online : 1;
-    /* More than that would take turns, and the one that writes the table with them. */
+    /* More threads than cores would slow each other, and the one that writes the table. */
     return threads && threads < cores ? threads : cores;
 }
 

@@ -18,7 +18,7 @@ static int next_line(part *p, field *line) {
     return complain_of(stream_next(&p->in, line), p->in.context);
 }
 
-/* The command that writes such a file. */
+/* The command that writes files such as this part. */
 static const char *command_of(const part *p) {
     int sites = p->head.data && strstr(p->head.data, "\ntime,");
     return sites ? "graze contact" : result_command(p->kind);
@@ -29,7 +29,7 @@ static int complain_of_rows(const part *p) {
                     p->last.rows);
 }
 
-/* Go on to the next line; the one before it belongs to the sum. */
+/* Read the next line. The caller has already added the line before it to the checksum. */
 static int go_on(part *p) {
     int status = next_line(p, &p->next);
     return !status && p->next.start && !p->in.whole ? complain_of_rows(p) : status;
@@ -40,7 +40,7 @@ static void sum_line(part *p, field line) {
     checksum_add(&p->sum, "\n", 1);
 }
 
-/* Copy the line at hand, whose end stands behind it. */
+/* Copy the line `next` with its line end, which is the byte behind it. */
 static int copy_line(part *p, output *out) {
     sum_line(p, p->next);
     output_bytes(out, p->next.start, p->next.length + 1);
@@ -76,7 +76,7 @@ int part_end(part *p) {
                     p->in.name, result_name(p->kind), command_of(p));
 }
 
-/* Take one line of the head; the one that names the shard is left out. */
+/* Take one line of the head; the line that names the shard is not kept in it. */
 static int take_head(part *p, field line, int *named) {
     field name;
     checksum_add(&p->sum, line.start, line.length);
@@ -91,7 +91,7 @@ static int take_head(part *p, field line, int *named) {
     return p->head.failed ? complain(EXIT_IO, "out of memory") : EXIT_DONE;
 }
 
-/* The first line says what the file is. */
+/* Find the kind of a part from its first line. */
 static int find_kind(part *p, field line) {
     field version;
     p->kind = field_is(line, "graze-certificate 1") ? RESULT_CERTIFICATE : RESULT_TABLE;
@@ -132,10 +132,10 @@ static int read_head(part *p) {
     return EXIT_DONE;
 }
 
-/* The whole lines at the end of the file. */
+/* Read the whole lines at the end of the file. */
 static int read_tail_lines(part *p, text *tail) {
     field line;
-    TRY(next_line(p, &line)); /* perhaps a piece of one */
+    TRY(next_line(p, &line)); /* the first line may lack its beginning, so it is left out */
     while (line.start) {
         TRY(next_line(p, &line));
         if (line.start)

@@ -11,7 +11,7 @@
 #include "input/delimited/delimited.h"
 #include "program/io/io.h"
 
-/* A receipt has fewer bytes than that. */
+/* A receipt has fewer than RECEIPT bytes; a hash has HASH bytes. */
 enum { RECEIPT = 1024, HASH = 32 };
 
 static const char first_line[] = "graze receipt 1\n";
@@ -24,7 +24,7 @@ static void put_hash_line(text *t, const char *key, const unsigned char hash[HAS
         text_format(t, "%02x", hash[k]);
 }
 
-/* The checksum is of everything before its line. */
+/* Append the line with the checksum of all lines before it. */
 static void put_checksum(text *t) {
     char hex[SHA256_DIGEST_STRING_LENGTH];
     SHA256Data((const uint8_t *)t->data, t->length, hex);
@@ -50,7 +50,7 @@ int receipt_write(const char *path, const loaded *l, const scene_options *o) {
     return t.failed ? complain(EXIT_IO, "out of memory") : output_text(path, t.data);
 }
 
-/* Does the text end with the checksum of what is before it? -1: out of memory. */
+/* Does a receipt end with the checksum of the lines before it? -1: out of memory. */
 static int is_intact_receipt(const char *receipt) {
     HELD(text, again);
     const char *end = strstr(receipt, checksum_key);
@@ -80,7 +80,7 @@ static int read_receipt(char text[RECEIPT], const char *path, const context_opti
     return EXIT_DONE;
 }
 
-/* The value of 64 hexadecimal digits behind the key; 0 if there are none. */
+/* Read the hash of 64 hexadecimal digits behind a key; 0 if there is none. */
 static int read_hash_line(unsigned char hash[HASH], const char *text, const char *key) {
     const char *at = strstr(text, key);
     if (!at || strspn(at + strlen(key), "0123456789abcdef") != 2 * HASH)
@@ -95,8 +95,8 @@ static int is_known_before(const char *line) {
            strncmp(line, "round", 5) == 0;
 }
 
-/* Name the line at which a receipt is not that of this run; without a scene only the lines that are
- * known before it is read. */
+/* Refuse a receipt that differs from this run's, and name the first line that differs. If `scene`
+ * is NULL, only the lines are compared that are known before a scene is read. */
 static int compare_receipts(const char *path, const char *there, const graze_scene *scene,
                             const scene_options *o) {
     HELD(text, mine);

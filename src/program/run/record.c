@@ -15,7 +15,7 @@
 static const char first_words[] = "graze kept 1 ";
 enum { LINE_MOST = 256 };
 
-/* The line, without its own checksum. */
+/* Write the line of a record, without the line's own checksum. */
 static int put_record(char line[LINE_MOST], const record *r) {
     const struct recorded *table = &r->file[RESULT_TABLE],
                           *certificate = &r->file[RESULT_CERTIFICATE];
@@ -32,7 +32,7 @@ static unsigned long long sum_of(const char *line, int length) {
     return checksum_value(&c);
 }
 
-/* The first bytes of the file; -1 where it cannot be read. */
+/* Read the first bytes of the file; -1 if it cannot be read. */
 static ssize_t read_beginning(char text[LINE_MOST], const char *path) {
     int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     ssize_t n = fd < 0 ? -1 : read(fd, text, LINE_MOST - 1);

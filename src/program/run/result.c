@@ -12,10 +12,10 @@
 #include "program/points/points.h"
 #include "program/run/results.h"
 
-/* TAIL: the notes at the end of a file are shorter. */
+/* PIECE bytes are read at a time; the notes at the end of a file have fewer than TAIL bytes. */
 enum { PIECE = 1 << 16, TAIL = 512 };
 
-/* Read bytes that stand in the file. */
+/* Read bytes of the file. */
 static int read_piece(const result *t, char *to, size_t length, unsigned long long from) {
     while (length) {
         ssize_t n = pread(t->out.fd, to, length, (off_t)from);
@@ -53,7 +53,8 @@ static field last_line(const char *text, size_t length) {
     return (field){text + start, length - start - 1};
 }
 
-/* Leave out the notes at the end, which are written anew; `complete` is refused. */
+/* Drop the notes at the end of the file, which are written anew; a file with `complete` is refused.
+ */
 static int drop_notes(result *t) {
     char tail[TAIL];
     size_t length = t->there < TAIL ? (size_t)t->there : TAIL;
@@ -88,7 +89,7 @@ int result_open(result *t, const char *path, const char *resumed) {
     return drop_notes(t);
 }
 
-/* These bytes are the file's. */
+/* Count bytes of the file in its checksum and its lines. */
 static void take(result *t, const char *text, size_t length) {
     checksum_add(&t->sum, text, length);
     for (const char *at = text; (at = memchr(at, '\n', length - (size_t)(at - text))); at++)
@@ -118,7 +119,8 @@ int result_pass(result *t, const struct recorded *kept, unsigned long rows) {
     return EXIT_DONE;
 }
 
-/* Name the line at which the file and this run differ: at byte `at` of a piece and of a text. */
+/* Refuse a file that differs from this run at byte `at` of `piece` and `text`, and name the line.
+ */
 static int refuse_line(const result *t, const char *piece, const char *text, size_t at,
                        size_t length) {
     size_t start = at, n, m;
@@ -138,7 +140,7 @@ static int refuse_line(const result *t, const char *piece, const char *text, siz
                     (int)(m < 200 ? m : 200), text + start, result_name(t->kind));
 }
 
-/* See that the next bytes of the file are those of a text. */
+/* Check that the next bytes of the file are those of a text. */
 static int compare(result *t, const char *text, size_t length) {
     char piece[PIECE];
     while (length) {
@@ -171,7 +173,7 @@ int result_add(result *t, const char *text, size_t length, unsigned long rows) {
 
 int result_begin(result *t, const char *head) {
     size_t length = strlen(head);
-    if (t->there < length) /* of a head, the piece of a line counts too */
+    if (t->there < length) /* in a head, an incomplete line is compared too */
         t->there = t->size < length ? t->size : length;
     return result_add(t, head, length, 0);
 }

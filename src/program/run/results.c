@@ -32,17 +32,18 @@ result *results_main(results *out) {
     return &out->file[out->o->no_table ? RESULT_CERTIFICATE : RESULT_TABLE];
 }
 
-/* Neither rows nor notes are written to it: they are added to the columns that are exported. */
+/* Is a file a binary table? Its rows are collected in `typed` and written at the end. */
 static int is_exported(const results *out, int kind) {
     return kind == RESULT_TABLE && out->l->rows.format >= GRAZE_FORMAT_VTK;
 }
 
-/* A file with a head and last lines. */
+/* Does a file have a head and last lines? */
 static int has_notes(const results *out, int kind) {
     return kind == RESULT_CERTIFICATE || out->l->rows.format == GRAZE_FORMAT_CSV;
 }
 
-/* The record beside a plain file; that of an earlier run is read, or taken away. */
+/* Open the record beside a plain file. The record of an earlier run is read if the run continues
+ * it, else removed. */
 static int open_record(results *out) {
     const classify_options *o = out->o;
     const char *path = o->resume ? o->resume : o->output;
@@ -89,7 +90,7 @@ int results_pass(results *out, unsigned long rows, unsigned long long points) {
     return status;
 }
 
-/* Lines of the table's head beside those of the scene. */
+/* Append the lines of the table's head that graze_report_header does not write. */
 static void put_head_notes(text *notes, const results *out, const row_source *source,
                            const char *shard) {
     char form[COORDINATES_NOTE];
@@ -103,7 +104,7 @@ static void put_head_notes(text *notes, const results *out, const row_source *so
         text_format(notes, "# %s", shard);
 }
 
-/* The head of a table with these further columns, or NULL. */
+/* Make the head of a table; `others` are the names of further columns, or NULL. */
 static int make_head(char **head, const results *out, const char *notes, const char *others) {
     const struct site_choice *sites = &out->o->sites;
     graze_context *context = out->l->context;
@@ -130,7 +131,7 @@ static field names_of(const char *head) {
     return (field){head + start, length - start};
 }
 
-/* The head, with the further columns under names that are free. */
+/* Make the head, with the further columns under names that no other column has. */
 static int make_free_head(char **head, const results *out, const row_source *source,
                           const char *notes) {
     int status = make_head(head, out, notes, NULL);
@@ -144,7 +145,7 @@ static int make_free_head(char **head, const results *out, const row_source *sou
     return status;
 }
 
-/* Begin a table of columns: its head's names are theirs. */
+/* Begin a binary table, whose columns have the names in the last line of the head. */
 static int begin_export(results *out, const row_source *source, const char *head) {
     typed_kind last[COLUMNS_MOST];
     if (source->grid)
@@ -168,7 +169,7 @@ static int begin_table(results *out, const row_source *source, const char *shard
     return status;
 }
 
-/* The shard stands before the last line of the head. */
+/* Write the head of a certificate; its line on the shard is before the last line. */
 static int begin_certificate(results *out, const char *shard) {
     char *head = NULL;
     graze_status made = graze_certificate_head(&head, out->l->context, out->l->certifier);
@@ -205,7 +206,7 @@ static int put_run(results *out, result_kind kind, const row_run *run) {
     return complain_of(typed_add(&out->typed, text->text, text->length), out->l->context);
 }
 
-/* The rows of a block for one file, up to the first that has no answer. */
+/* Write the rows of a block to one file, up to the first row without an answer. */
 static int put_rows(results *out, result_kind kind, const block *b) {
     size_t r = 0;
     int status = EXIT_DONE;
@@ -220,7 +221,7 @@ static int put_rows(results *out, result_kind kind, const block *b) {
     return status;
 }
 
-/* These rows of a block are written. */
+/* Count the rows of a block that are written in the record. */
 static void record_rows(results *out, const block *b) {
     size_t done = 0, r = 0;
     for (int whole = 1; whole && r < b->count; r += b->runs[r].taken) {
@@ -241,7 +242,8 @@ static void record_rows(results *out, const block *b) {
     record_write(&out->beside, &out->at, 0);
 }
 
-/* Why a block has rows without answers. */
+/* The status of the first row of a block without an answer, after a complaint; EXIT_DONE if all
+ * have answers. */
 static int block_fault(const block *b) {
     for (size_t r = 0; r < b->count; r += b->runs[r].taken) {
         if (b->runs[r].taken == 0)
@@ -277,12 +279,14 @@ static const column_set *undecided_set(const results *out) {
     return last;
 }
 
-/* Whether rows may be undecided: such columns, or all of a curved solid's. */
+/* Can rows be undecided? They can in a set of columns that may be undecided, and for curved solids.
+ */
 static int counts_undecided(const results *out) {
     return undecided_set(out) || graze_solid_primitive_count(out->l->solid) > 0;
 }
 
-/* A shard's last lines match it with the others; `complete` is the last line of all. */
+/* Write the last lines of a file. In a shard's file they let graze merge match it with the others.
+ */
 static int put_last_lines(results *out, result_kind kind, unsigned long rows_of_all,
                           unsigned long long points) {
     result *file = &out->file[kind];
@@ -323,7 +327,7 @@ int results_end(results *out, unsigned long rows_of_all, unsigned long long chec
     return !status && is_exported(out, RESULT_TABLE) ? export_table(out) : status;
 }
 
-/* Report the rows that an interrupted run leaves. */
+/* Report how many whole rows an interrupted run leaves in a file. */
 static void report_whole_rows(const results *out, int kind) {
     const result *file = &out->file[kind];
     int can_go_on = has_notes(out, kind);

@@ -1,8 +1,8 @@
-/* The files of a run, and how far they have come.
+/* The files of a run, and the record of the rows that are written.
  *
- * A run writes `results`: a table, a certificate, or both, each a `result`. Its `record`, in a file
- * FILE.kept beside them while they are unfinished, says how far they have come. A result is written
- * through an `output` (program/io), which knows bytes alone.
+ * A run writes `results`: a table, a certificate, or both, each a `result`. While they are
+ * unfinished, a file FILE.kept beside them holds the run's `record`, which counts the rows that are
+ * written. A result is written through an `output` (program/io), which knows only bytes.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_PROGRAM_RUN_RESULTS_H
 #define GRAZE_PROGRAM_RUN_RESULTS_H
@@ -21,7 +21,8 @@ size_t answer_most(const answer_task *task);
  * second while rows are written, and at a run's early end; the whole table has none. A run without
  * a name for its rows (standard output, a pipe) has no record. */
 
-/** Record of a run: rows that are written, with the sums that bind them to points and files. */
+/** Record of a run: the number of rows that are written, with checksums of their points and of the
+ * files. */
 typedef struct record {
     unsigned long rows, undecided, wide;
     unsigned long long points; /* checksum of the points of these rows */
@@ -36,42 +37,42 @@ typedef struct record_file {
     double written; /* time of the last writing, at first of the start; monotonic clock, seconds */
 } record_file;
 
-/** Set the name of the record beside `path`. EXIT_INPUT: the file of that name is no record, or
- * cannot be read; EXIT_IO: memory. Says why. */
+/** Set the name of the record beside `path`. EXIT_INPUT: there is a file of this name that is no
+ * record or cannot be read; EXIT_IO: out of memory. Says why. */
 int record_open(record_file *f, const char *path);
 /** Read the record; 0 if there is none, or if it is not whole. */
 int record_read(record *out, const record_file *f);
-/** Write the record if the last one is a second old, or in any case if `now`. If it cannot be
- * written, no failure is reported: a run that continues makes the rows again. */
+/** Write the record if the last one is a second old, or in any case if `now`. A failure is not
+ * reported: a run that continues without the record makes the rows again. */
 void record_write(record_file *f, const record *r, int now);
-/** Remove the record, when the files are whole or begun anew. */
+/** Remove the record; called when the files are whole or begun anew. */
 void record_remove(record_file *f);
 void record_close(record_file *f);
 
 /* The table or the certificate that a run writes: begun anew, or continued where an earlier run
  * was interrupted.
  *
- * A continued file is passed over up to the end of its record; the bytes behind are
- * compared with those that this run makes. Until the end of the file is reached nothing in it
- * changes; a last line without its end is written anew. */
+ * The bytes of a continued file that its record counts are passed over; the bytes behind are
+ * compared with those that this run makes. Nothing in the file changes until its end is reached; an
+ * incomplete last line is written anew. */
 
 typedef struct result {
     output out;
     result_kind kind;
     int opened;
-    int beside; /* a certificate beside a table; the table alone tells how far a run has come */
-    const char *resumed;      /* the file that is continued, or NULL */
-    unsigned long long there; /* bytes of its whole lines, without those that are dropped */
-    unsigned long long size;  /* its bytes when it was opened */
+    int beside;          /* 1: a certificate beside a table, whose rows then count for the run */
+    const char *resumed; /* the file that is continued, or NULL */
+    unsigned long long there; /* bytes of this file's whole lines, without dropped notes */
+    unsigned long long size;  /* bytes of this file when it was opened */
     checksum sum;             /* of the bytes passed over, compared or written */
     unsigned long lines;      /* lines among these bytes, for messages */
     unsigned long rows;       /* rows written, or taken over from an earlier run */
 } result;
 
-/** Open the file `resumed` to continue it, or make it if it is not there. If `resumed` is NULL,
+/** Open the file `resumed` to continue it, or make it if it does not exist. If `resumed` is NULL,
  * open `path` as output_open does. Returns an exit status and says what is wrong; EXIT_INPUT:
- * `resumed` is complete, which is allowed if `beside` is set. The caller zeroes `t` before, but for
- * `kind` and `beside`, and calls result_close in any case. */
+ * `resumed` is complete already, which is allowed if `beside` is set. Before the call the caller
+ * sets `kind` and `beside` of `t` and zeroes the rest; it calls result_close in any case. */
 int result_open(result *t, const char *path, const char *resumed);
 
 /** Write the head or, in a continued file, check it. EXIT_INPUT: the file has another head. */
@@ -89,32 +90,30 @@ int result_add(result *t, const char *text, size_t length, unsigned long rows);
 /** Check that all of a continued file is reached. EXIT_INPUT: it has rows beyond this run's. */
 int result_end(const result *t);
 
-/** How far the file has come. */
+/** Length and checksum of the file with the rows written so far. */
 struct recorded result_recorded(const result *t);
 
 /** Flush and close. Returns `status`, or why the writing failed. */
 int result_close(result *t, int status);
 
 /* The files of one run: a table, a certificate, or both.
- *
- * A certificate is written before the rows of its table, so that a table never tells of a row
- * whose certificate is not there. */
-
-/** Zeroed, results_init, and results_close in any case. */
+ * The certificate of rows is written before these rows of the table, so that a table never has a
+ * row without its certificate. */
+/** The files. Zeroed first, then results_init; results_close in any case. */
 typedef struct results {
     const classify_options *o;
     const loaded *l;
     result file[RESULT_KINDS];
     typed_table typed;  /* the table's values, if its form is binary (npy, vtk) */
     record_file beside; /* the record: beside the table, or beside a certificate alone */
-    int recorded;       /* rows of this run are in it */
-    record at;          /* how far the rows have come; not beyond a row without an answer */
+    int recorded;       /* 1: the record counts rows of this run */
+    record at;          /* the rows written, up to the first row without an answer */
 } results;
 
 void results_init(results *out, const classify_options *o, const loaded *l);
-/** Is that file wanted? */
+/** Is a file of this kind wanted? */
 int results_wants(const results *out, result_kind kind);
-/** The file that counts the rows: the table, or the certificate alone. */
+/** The file whose rows count for the run: the table, or else the certificate. */
 result *results_main(results *out);
 
 /** Open the files, or those to continue. Returns an exit status and says what is wrong. */
@@ -125,22 +124,22 @@ int results_open(results *out);
 int results_pass(results *out, unsigned long rows, unsigned long long points);
 /** Write the heads. `source` has the columns or the grid. */
 int results_begin(results *out, const row_source *source);
-/** Write the rows of a block up to the first that has no answer, and complain of that one.
- * EXIT_SIGNAL: it was left out because a signal came. */
+/** Write the rows of a block up to the first without an answer, and complain of this row.
+ * EXIT_SIGNAL: the row has no answer because a signal came. */
 int results_block(results *out, const block *b);
 /** Write the last lines, or the table in the form asked for. `rows_of_all` and `checksum` describe
  * the whole run, so that merge can match the parts. */
 int results_end(results *out, unsigned long rows_of_all, unsigned long long checksum);
 /** Has a write failed? */
 int results_failed(const results *out);
-/** Flush and close. Returns `status`, or why the writing failed; after a signal, says how many rows
- * there are. */
+/** Flush and close the files. Returns `status`, or why the writing failed; after a signal reports
+ * how many rows the files have. */
 int results_close(results *out, int status);
 
 /* Rows of contact points. */
 
-/** Contact points that were read: of each the time and d coordinates, the cell where rows have one,
- * and the further columns where there are any. All is borrowed. */
+/** Contact points that were read: for each its time and d coordinates, its cell if rows have cells,
+ * and its further columns if there are any. All is borrowed. */
 typedef struct site_rows {
     const columns *columns;
     graze_rationals number;
@@ -151,7 +150,7 @@ typedef struct site_rows {
 
 /**
  * Write the rows of contact points as one text.
- * @param[out] r its text of the table, and `done`, the number of rows in it
+ * @param[out] r the text of the table is set, and `done`, the number of rows in this text
  * @return why row `done` has no answer
  */
 graze_status site_answer(row_run *r, graze_context *context, const graze_scene *scene,
