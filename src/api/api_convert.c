@@ -50,7 +50,7 @@ static graze_status take_joint(joint *out, graze_context *context, int dimension
     int components = out->is_slide || dimension == 3 ? dimension : 0;
     if ((components && !given->axis) || (!out->is_slide && !given->degrees))
         return context_fail(context, GRAZE_EUSE,
-                            "a turn has degrees and in E^3 an axis, a slide has a way");
+                            "a turn needs degrees and in E^3 an axis, a slide a displacement");
     for (int k = 0; k < components; k++)
         TRY(api_rational(out->axis + k, context, given->axis[k]));
     if (!components)

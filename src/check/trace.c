@@ -258,8 +258,8 @@ static void add_letters(trace *r, word kind) {
     }
 }
 
-/* Set the letters at the places of a kind. The kinds O and I have none, the kind B has B at all
- * places. */
+/* Set the letters before, at and behind an interval's root. The kinds O and I set none, the kind B
+ * sets B at all three places. */
 static void set_letters(char *letter, word kind) {
     char first = kind.at[0], last = kind.at[kind.length - 1];
     if (kind.length == 1 && first != 'B')

@@ -108,7 +108,7 @@ def chosen(args):
 def check_words(checks, graze, name, files):
     """An undecided point on the boundary: both sides of the plane, and a point that is out, as a hint."""
     said = graze.call("explain", *files, "0", "0", "0", "--topo").stdout
-    checks.holds("some of the plane dx + dy + -1 dz = 0:\na gap along it would be thinner than every cone." in said, name, said)
+    checks.holds("some in the plane dx + dy + -1 dz = 0:\na gap along it would be thinner than every cone." in said, name, said)
     checks.equal(said.count("; it closes dx + dy + -1 dz > 0\n") > 0, "; it closes dx + dy + -1 dz < 0\n" in said, name, said)
     near = re.search(r"The nearest point found that is out is \((.*)\), about 2\^-(\d+) times\nthe solid's width away. "
                      r"That is a hint, no verdict.", said)

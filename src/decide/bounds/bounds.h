@@ -354,7 +354,8 @@ chord_meeting chord_meets(const curve *c, const span *piece, const double *corne
 
 /**
  * 0 if it is certain that a bounded span meets no simplex of the slab (proofs/slabs.md C93).
- * @param wide the span's `wide`, or larger bounds, for all curves that are so near to its chord */
+ * @param wide the span's `wide`; with larger bounds the answer holds for every curve that lies
+ * within them of the chord */
 static inline int chord_meets_slab(const span *piece, const double wide[3], const slab *s) {
     double first = 0, last = 0, bound = 0;
     for (int i = 0; i < 3; i++) {

@@ -32,7 +32,7 @@ static unsigned shared_corners(const graze_solid *solid, uint32_t a, uint32_t b)
     return mask;
 }
 
-/* Whether all corners of b but those in the mask are strictly on one side of a's plane. */
+/* Whether all corners of b outside the mask are certainly on one side of a's plane, none on it. */
 static int lie_on_one_side(const graze_solid *solid, uint32_t a, uint32_t b, unsigned but) {
     const double *from = double_corner(solid, a, 0);
     double error = solid->corners.error;

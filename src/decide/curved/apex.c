@@ -17,7 +17,7 @@
 
 enum { X, Y, VARIABLES, PARTS = CSG_FREE_MOST * CSG_DEGREE + VARIABLES };
 
-/* Binary places of the time at which irrational forms are read. */
+/* An irrational time is narrowed to this number of binary places to find `near`. */
 enum { PLACES = 32 };
 
 typedef struct apex {

@@ -28,7 +28,7 @@ static graze_state state_now(const finding_walk *f) {
 
 static graze_status disagree(const finding_walk *f) {
     return context_fail(f->r->context, GRAZE_EINTERNAL,
-                        "a certain crossing and the exact path disagree on a sign");
+                        "the filter's crossing and the exact path disagree on a sign");
 }
 
 /* Walk through one surface, at a time at which no other surface vanishes (proofs/surfaces.md C107).

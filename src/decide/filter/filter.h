@@ -160,7 +160,7 @@ int surfaces_search(filter_workspace *w, const surface_filter *f, const filter_p
 graze_state filter_locate(filter_workspace *w, const filter *f, size_t piece,
                           const filter_point *point, double u);
 
-/* Times at which the state of a trajectory is certain from its certain crossings. */
+/* Times between certain crossings, at which the state of a trajectory is certain too. */
 
 /** A time: the motion's piece and the piece's parameter, in [0, 1]. */
 typedef struct piece_time {

@@ -8,7 +8,7 @@
 #include <string.h>
 #include "base/context/scope.h"
 
-/* All products up to the solid's degree, by degree. */
+/* List all products of homogeneous coordinates up to the solid's degree, in order of degree. */
 static void list_products(surface_filter *f, int coordinates) {
     int first = 0, last = 0;
     for (int i = 0; i < coordinates; i++)

@@ -16,7 +16,8 @@
 
 namespace {
 
-/* How often edges run each way along their line, in the order of the axes. */
+/* Counts of the triangles that run through an edge each way; `along` is the way in which the line's
+ * coordinate `axis` grows. */
 struct passes {
     std::size_t along = 0, against = 0;
 };

@@ -189,7 +189,7 @@ int coordinates_put(text *out, fault *f, const coordinate_options *o, graze_cont
 #define SHARD_LINE "shard "
 /** In a shard's file, the key of the checksum of all bytes before this line. */
 #define SHARD_BYTES "bytes-checksum "
-/** The key of the last line, which has the number of rows. */
+/** The key of the last line; the number of the file's rows stands behind it. */
 #define COMPLETE_LINE "complete "
 
 /** The last lines of a table or a certificate: `undecided` if rows may be undecided; for a shard

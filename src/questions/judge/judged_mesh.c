@@ -1,4 +1,4 @@
-/* The rule of a mesh, by which it has an inside, and its volume.
+/* Finds the rule that gives a mesh an inside, and the volume of the mesh.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "questions/judge/judge.h"

@@ -245,8 +245,8 @@ graze_status signs_cover_at_root(int *covered, germ *g, graze_context *context,
 graze_status signs_cover_in_turn(int *covered, turning_stretch *t, germ *g, graze_context *context,
                                  const fmpz *direction);
 
-/* The last level in the plane: a small square about the point, sampled between the curves that
- * cross it. */
+/* A point is decided by the curves near it: the border of a small square about it is sampled
+ * between them. In E^2 this level is tried last. */
 
 /** Sample a square about a point of the closed sweep, in a plane (proofs/topology.md C49, C50). The
  * point is on the boundary if a sample is out; else it is in the interior, if the plane decides
