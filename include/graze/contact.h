@@ -108,7 +108,8 @@ GRAZE_API GRAZE_CHECKED graze_status graze_site_snap_at(graze_site **out, graze_
 /**
  * Squared distance by which graze_site_snap moved y.
  * @param[out] out initialised; unchanged for 0
- * @return 1; 0 for NULL, a site that was not snapped, and one whose cell has no contact at its time
+ * @return 1; 0 for NULL, for a site that was not snapped, and if the cell has no contact at the
+ * site's time
  */
 GRAZE_API int graze_site_shift(mpq_t out, const graze_site *site);
 /** Free a site. NULL is allowed. */

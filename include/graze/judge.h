@@ -99,9 +99,10 @@ typedef enum graze_judged {
  * empty mesh is infinite. */
 typedef struct graze_judged_distance {
     double low, high;
-    double at[3];   /**< a point of the mesh, within rounding, whose distance is at least `low`; for
-                       GRAZE_JUDGED_SWEEP a point near the boundary of W, whose nearest boundary
-                       point is at least `low` away from the mesh; zeros where low is 0 */
+    double at[3];   /**< a point of the mesh, within rounding, at least `low` away from W or from
+                       its complement; for GRAZE_JUDGED_SWEEP a point near the boundary of W: the
+                       boundary point nearest to it is at least `low` away from the mesh; zeros
+                       where low is 0 */
     double time;    /**< double nearest to a time at which the solid is nearest to `at`, or `at` is
                        deepest in it, to a 16th of the width; 0 where low is 0 */
     double open[3]; /**< a point at which the distance is perhaps `high` */

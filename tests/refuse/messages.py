@@ -59,7 +59,7 @@ UNREACHED = {
     "two rules disagree on the surfaces": "a fault of Graze itself",
     "a resultant is not found": "a fault of Graze itself",
     "a gap and the stacks beside its end disagree": "a fault of Graze itself",
-    "a trace passes from inside to outside": "a fault of Graze itself",
+    "a trace passes between inside and outside": "a fault of Graze itself",
     "a slide does not begin on the boundary": "a fault of Graze itself",
     "a trace has lost a contact": "a fault of Graze itself",
     "one after the other, disagree on the state": "a fault of Graze itself",

@@ -1,7 +1,8 @@
-/* Isolation inside short intervals that hold several roots, or seem to: Descartes' rule on
- * coefficients known to as few places as suffice, and leaps to a short part about the middle of a
- * cluster. The binary places that a leap gains double while leaps succeed (proofs/separation.md C41
- * to C43). An interval is kept as its ends and the signs there.
+/* Isolates the roots in short intervals that hold several roots, or seem to: by Descartes' rule on
+ * coefficients known to as few places as suffice, and by leaps to a short part about the middle of
+ * a cluster. After a leap that succeeds the next one gains twice as many binary places, after one
+ * that fails half as many (proofs/separation.md C41 to C43). The signs at the ends of an interval
+ * are kept with it.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "base/number/cluster.h"

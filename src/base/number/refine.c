@@ -59,10 +59,10 @@ static void secant_point(fmpz_t out, const algebraic *x, ulong gain) {
     fmpz_fdiv_q(out, low, sum);
 }
 
-/* Whether the root is met at the point nearest to the secant's root or lies in a part beside it; if
- * so, that part is the new interval. If the sign at the point is that at the lower end, the point
- * is not the upper end, so there is a part to its right; if it is that at the upper end, there is a
- * part to its left. */
+/* Try the point of division nearest to the secant's root, then the part beside it, on the side on
+ * which the root lies by the sign at the point. Returns 1 if the root is found, and x becomes the
+ * point or the part; 0 if not, and x is unchanged. The part exists: a point with the sign of the
+ * lower end is not the upper end, and one with the sign of the upper end is not the lower. */
 static int follow_secant(algebraic *x, ulong gain) {
     HELD(dyadic_interval, part);
     LOCAL(fmpz, point);

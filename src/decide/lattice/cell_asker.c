@@ -179,8 +179,11 @@ graze_status cell_slab_find(graze_pmc side[2], cell_slab *slab, cell_asker *a) {
         graze_verdict verdict;
         if (!cell_slab_beside(at, slab, above))
             continue;
-        TRY(classify_answer(&verdict, a->context, a->scene, (query_point){.value = at},
-                            TRACE_PMC_BESIDE));
+        graze_status status = classify_answer(&verdict, a->context, a->scene,
+                                              (query_point){.value = at}, TRACE_PMC_BESIDE);
+        if (status == GRAZE_ELIMIT)
+            continue; /* nothing is known of this side */
+        TRY(status);
         side[above] = verdict.pmc;
     }
     return GRAZE_OK;

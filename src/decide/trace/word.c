@@ -49,7 +49,7 @@ graze_status word_append(char **word, size_t *length, size_t *capacity, graze_co
     if ((last == GRAZE_STATE_I && state == GRAZE_STATE_O) ||
         (last == GRAZE_STATE_O && state == GRAZE_STATE_I))
         return context_fail(context, GRAZE_EINTERNAL,
-                            "a trace passes from inside to outside without a contact");
+                            "a trace passes between inside and outside without a contact");
     TRY(array_grow(context, word, capacity, *length + 2, 1, what));
     (*word)[(*length)++] = (char)state;
     (*word)[*length] = '\0';

@@ -35,8 +35,8 @@ std::string crossing_text(const soup &s, const simplex &e, const simplex &f) {
     return "(" + point[0].get_str() + ", " + point[1].get_str() + ")";
 }
 
-/* The smallest pair of edges that cross, so that the message depends on the ring alone; `overlap`
- * becomes true where edges lie on one another. */
+/* The smallest pair of edges that cross, so that the message depends on the ring alone. If no edges
+ * cross, the pair is NONE and `overlap` tells whether edges lie on one another. */
 edge_pair find_crossing(bool &overlap, graze_context *context, const points &at,
                         const std::vector<piece> &edges) {
     edge_pair first = {NONE, NONE};

@@ -24,7 +24,7 @@ struct passes {
 
 /* An end of an edge on its line: passes begin there, or end. */
 struct line_end {
-    std::size_t line; /* one number for all ends on one line */
+    std::size_t line; /* index of the first open edge on the line */
     std::uint32_t position;
     bool begins;
     passes through;

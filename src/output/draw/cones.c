@@ -175,7 +175,7 @@ static void put_legend_words(text *t, const cones_maker *m, const ring *r) {
     if (r->asked.turn)
         text_put(t, "while the solid turns about it");
     else if (sign_of_ring(r))
-        text_put(t, sign_of_ring(r) > 0 ? "swept after it" : "swept before it");
+        text_put(t, sign_of_ring(r) > 0 ? "swept after the contact" : "swept before the contact");
     else
         closings_place(t, m->scene, &m->germs.item[r->contact - 1]);
 }

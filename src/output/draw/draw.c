@@ -134,7 +134,7 @@ static void put_remark(text *out, const picture *p) {
         text_format(out, ", at borders in %zu × %zu parts", c->parts, c->parts);
     text_put(out, !c->split ? " in their exact classes, contours bisected exactly"
                   : p->request->by_distance
-                      ? ", each on the exact side and by the distance of its centre"
+                      ? ", each coloured by the exact side and the distance of its centre"
                       : ", each in the exact class of its centre");
     if (c->section)
         section_describe(out, c->section, 0);

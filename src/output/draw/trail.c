@@ -43,7 +43,7 @@ static void add_place(follower *f, const double at[3]) {
         f->failed = 1;
 }
 
-/* The place of the trajectory at a moment, with u rounded to 2^-30. */
+/* The place of the trajectory at a moment, in doubles; u is rounded to a multiple of 2^-30. */
 static void place_at(double out[3], const follower *f, moment m) {
     LOCAL_VEC(fmpz, x, f->dimension + 1);
     LOCAL(fmpq, u);

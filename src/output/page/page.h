@@ -1,4 +1,5 @@
-/* page: a page of HTML that shows a scene, which its reader can turn and ask about points.
+/* page: a page of HTML that shows a scene. Its reader can turn the scene and read what Graze has
+ * decided about the given points.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_OUTPUT_PAGE_H
 #define GRAZE_OUTPUT_PAGE_H

@@ -149,6 +149,8 @@ const column_set *columns_next(const column_set *last, const graze_row_options *
 
 unsigned columns_of_line(field line) {
     field key, value;
+    if (!line.length || *line.start != '#')
+        return 0;
     field_note(&key, &value, line);
     for (unsigned k = 0; k < COLUMN_SETS && value.length; k++)
         if (field_is(key, column_sets[k].option))

@@ -183,7 +183,8 @@ static int read_with_beside(loaded *l, const classify_options *o, const beside *
     return complain_of_use(make_certifier(l, o), l->context);
 }
 
-/* Replace the files that graze-check cannot read by files beside the certificate. */
+/* Convert each file that graze-check cannot read to a file beside the certificate, and read the
+ * scene anew from that. The files of the scene are not changed. */
 static int convert_scene(loaded *l, const classify_options *o, const lacks *lack, int writes) {
     beside solid = {NULL, NULL, NULL}, motion = {NULL, NULL, NULL};
     graze_status made = lack->solid ? graze_solid_text(&solid.text, l->context, l->solid) : 0;

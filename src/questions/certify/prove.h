@@ -13,8 +13,8 @@
 
 /* A piece of a trajectory in doubles, and the simplices that it certainly does not touch. */
 
-/** The control points x_k / w_k of a piece in E^3, each within 2^-48 of its size, and a box around
- * them. */
+/** The control points x_k / w_k of a piece in E^3, and a box around them. Each coordinate has a
+ * relative error of at most 2^-48, or is 0 for one below 2^-900 in absolute value. */
 typedef struct control {
     double *at;   /* 3 * count */
     size_t count; /* 0: nothing is known, in E^2 or past the range of doubles */

@@ -12,7 +12,7 @@ static graze_status mark_start(graze_pair *pair, graze_context *context) {
     HELD(algebraic, zero);
     pair->start = time_create(pair->pair.motion, 0, &zero);
     if (!pair->start)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a time");
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a time of a motion");
     return time_canonicalise(pair->start, context);
 }
 

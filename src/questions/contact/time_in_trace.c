@@ -114,7 +114,7 @@ static graze_status own_time(const graze_time **out, graze_context *context, gra
         algebraic_set_rational(&u, side->u);
         s->itself = time_create(s->scene->motion, side->piece, &u);
         if (!s->itself)
-            return context_fail(context, GRAZE_ESYSTEM, "out of memory for a time");
+            return context_fail(context, GRAZE_ESYSTEM, "out of memory for a time of a motion");
     }
     *out = s->itself;
     return time_canonicalise(s->itself, context);

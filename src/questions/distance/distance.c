@@ -87,7 +87,8 @@ static graze_status add_visit(stretch_of_time **list, size_t *count, graze_conte
     return GRAZE_OK;
 }
 
-/* The stretches of all gaps between contacts at which the trace has the wanted state. */
+/* List all visits, one stretch for each arc. A visit is a gap before, between or after the contacts
+ * in which the trace has the wanted state. */
 static graze_status find_visits(stretch_of_time **list, size_t *count, graze_context *context,
                                 const arc_maps *base, const graze_trace *trace,
                                 graze_state wanted) {

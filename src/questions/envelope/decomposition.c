@@ -13,7 +13,7 @@ graze_status judge_find(graze_envelope *e, graze_context *context, graze_decompo
         return GRAZE_OK;
     graze_time *time = time_create(e->scene->motion, piece, u);
     if (!time)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a time");
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for a time of a motion");
     time_destroy(e->found.time);
     e->found = (finding){reason, *facet, *cell, time};
     return GRAZE_OK;

@@ -116,8 +116,8 @@ static graze_status is_same_place(int *out, limit_finder *f, const limit_place *
     return status;
 }
 
-/* Add to the set the patches that last through the moment and have an end at the place `at` then.
- */
+/* Add to the set each patch that exists before and after the moment and, at the moment, has an end
+ * at the place `at`. */
 static graze_status add_passing(limit_finder *f, const limit_place *at) {
     for (size_t k = places_first(f->places, at->is_edge, at->cell); k < f->places->count; k++) {
         const patch_place *place = &f->places->item[k];

@@ -180,8 +180,8 @@ static int slice_comes(const corner_view *v, size_t facet, size_t own, size_t at
     return comes;
 }
 
-/* Does a slice reach the vertex at point k of the time axis or, if `before`, between the points
- * k - 1 and k? */
+/* Does the slice of a facet (graze/envelope.h) reach the vertex at point k of the time axis or, if
+ * `before`, between the points k - 1 and k? */
 static graze_status slice_reaches(int *out, const corner_view *v, size_t k, int before) {
     const cell_complex *c = &v->e->cells;
     const signed char *sign = before ? signs_before(&v->s, k) : signs_at(&v->s, k);
