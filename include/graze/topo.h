@@ -40,8 +40,8 @@ typedef struct graze_topology graze_topology;
 
 /** "interior", "boundary", "exterior" or "undecided", else "none". Static. */
 GRAZE_API const char *graze_topo_name(graze_topo topo);
-/** Is a point with this position in the regularised unsweep? "yes", "no" or "undecided", else
- * "none". Static. */
+/* The answer whether a point with this position is in the regularised unsweep. */
+/** "yes", "no" or "undecided", else "none". Static. */
 GRAZE_API const char *graze_regular_name(graze_topo topo);
 /** "word", "first_order", "closed_cones", "edges", "leading_terms", "section" or
  * "curves", else "none". Static. */

@@ -310,7 +310,7 @@ def check_refused(checks, graze, points, scene):
     out = graze.call("explain", *scene, "5", "3", "1", "--sdf", "1e-6r")
     checks.holds("The signed distance to the sweep lies in [0.99999" in out.stdout, out.stdout)
     out = graze.call("explain", *scene, "5", "1", "2", "--sdf", "1")
-    checks.holds("lies in [0, 0]" in out.stdout and "met at t = 3/8" in out.stdout, out.stdout)
+    checks.holds("lies in [0, 0]" in out.stdout and "on the boundary of S at t = 3/8" in out.stdout, out.stdout)
 
 
 def check_relative(checks, graze, points):
