@@ -10,7 +10,7 @@ NUMBERS = ["unit/test_algebraic", "unit/test_refine", "unit/test_bernstein", "un
 KERNEL = ["exact cases/cases", "exact agree/near", "exact examples/examples", "exact agree/second_tracer", "words/words",
           "exact agree/curves"]
 ROOMS = {
-    "base/number": [*NUMBERS, "unit/test_rational", "unit/test_forms", "unit/test_text", "unit/test_eliminate", "unit/test_report",
+    "base/number": [*NUMBERS, "unit/test_rational", "unit/test_forms", "unit/test_text", "unit/test_eliminate", "unit/test_decimals",
                     "unit/test_motion_random", "exact cases/cases", "unit/test_clusters", "agree/roots", "agree/curves",
                     "motioncmd/poses", "inputs/coordinates", "agree/laws"],
     "base/context": ["unit/test_slots", "unit/test_array", "unit/test_team", "api/test_place", "api/test_memory", "api/test_environment",
