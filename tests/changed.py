@@ -29,6 +29,7 @@ OTHERS = [
     (r"src/base/|tests/lib/|tests/\w+/lib/", [suite(asker) for asker in SMOKE]),
     (r"src/docs/|src/README|proofs/|[^/]*\.md$", ["proofs/claims", "readme/", "structure/"]),
     (r"cases/benchmark/", ["benchmark/"]),
+    (r"cases/contacts/", ["collide/contacts"]),
     (r"cases/candidates/", ["compare/python_candidates", "benchmark/codes"]),
     (r"cases/", ["cases/", "examples/"]),
     (r"Makefile$", ["install/", "runner/", "readme/"]),

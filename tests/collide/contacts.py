@@ -1,0 +1,83 @@
+# suite
+"""The list of first contacts, cases/contacts: its first pairs of each family, with answers that are known by construction.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+
+Head on, the time is the way over the speed. Two edges that cross, and a tip over a face, edge or tip, are apart while the moving
+one's lowest point is above the fixed one's highest. A box slides on a box while their sides overlap. A near miss has the sign of its
+gap. The list says which word and time follow, and `graze collide --first` must say the same. DART's spline is at the root of
+8 t^3 - 12 t^2 + 1: the cube's side x is -2 + 12 t^2 - 8 t^3, and it meets the fixed one where that is -1.
+"""
+import json
+import os
+import sys
+import tempfile
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
+
+from exact import Fraction as F  # noqa: E402
+from harness import ROOT, Checks, options, run  # noqa: E402
+
+CONTACTS = os.path.join(ROOT, "cases", "contacts")
+sys.path.insert(0, CONTACTS)
+
+import golden  # noqa: E402
+import pairs  # noqa: E402
+
+KNOWN = ("head-on", "edges", "grazes", "slides", "near-misses")
+
+
+def first_is_known(checks, graze, out, pair):
+    """--first says what the pair was made for."""
+    paths = [os.path.join(out, pair[name]) for name in ("moving", "motion", "fixed")]
+    done = run([graze, "collide", *paths, "--first", "--format", "json"])
+    found = json.loads(done.stdout)
+    known = pair["known"].rstrip("+")[:3]
+    known = "OB" if pair["family"] == "slides" else known  # the contact lasts
+    checks.equal(found["word"], known, f"{pair['id']}: word of --first")
+    if pair["known_first"]:
+        checks.equal(found["first"]["from"], pair["known_first"], f"{pair['id']}: time of --first")
+
+
+def check_list(checks, graze, out):
+    """Answers of the first pairs: known ones, hashes; an answer that is changed is noticed."""
+    given = ["--graze", graze, out, "--count", str(golden.FEW)]
+    done = run([sys.executable, os.path.join(CONTACTS, "golden.py"), *given])
+    checks.equal((done.returncode, done.stdout), (0, "no difference\n"), "the first pairs of each family")
+    hashed = {family for family, count in golden.read_hashes() if count == golden.FEW}
+    checks.equal(hashed, set(pairs.FAMILIES), "families with a hash of their first pairs")
+    table = golden.read_pairs(out)
+    for pair in table:
+        checks.holds(bool(pair["known"]) == (pair["family"] in KNOWN or pair["id"] == "splines-0000"), "known answers", pair["id"])
+        if pair["family"] in KNOWN:
+            first_is_known(checks, graze, out, pair)
+    path = os.path.join(out, "slides.jsonl")
+    with open(path, encoding="utf-8") as file:
+        text = file.read()
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text.replace('"word": "OB', '"word": "OI', 1))
+    done = run([sys.executable, os.path.join(CONTACTS, "golden.py"), *given])
+    said = done.stdout.splitlines()
+    checks.holds(done.returncode == 1 and said[0].startswith("slides-") and "known: OB" in said[0] and "another hash" in said[-1],
+                 "a changed answer", said)
+
+
+def check_dart(checks, out):
+    with open(os.path.join(out, "golden.csv"), encoding="utf-8") as file:
+        row = next(line for line in file if line.startswith("splines-0000"))
+    polynomial, low, high = row.split("root(")[1].split(")")[0].split(";")
+    checks.equal(polynomial, "1 0 -12 8", "DART's polynomial")
+    values = [8 * t ** 3 - 12 * t ** 2 + 1 for t in (F(low), F(high))]
+    checks.holds(values[0] * values[1] < 0 and 0 <= F(low) < F(high) <= 1, "its interval", row)
+
+
+def main():
+    chosen, checks = options(__doc__), Checks()
+    with tempfile.TemporaryDirectory() as out:
+        check_list(checks, chosen.graze, out)
+        check_dart(checks, out)
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main()
