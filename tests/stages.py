@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Tests beside `make test`, stage by stage: of every submission (`ci`, in .ci/run), or by hand (`long`, as `make test-long`).
 
 CI asks what is costly and hangs on few rooms in full where a file of them has changed since the commit of tests/base.txt, else a
