@@ -90,6 +90,7 @@ help:
 	@echo "make proofs     check the proofs in proofs/coq by machine, the C functions against them"
 	@echo "make bench      speed beside CGAL's, in one run (BENCH_FLAGS=--quick: small counts)"
 	@echo "make benchmark  golden rows of 50 scenes into build/benchmark/, against the recorded hashes (a quarter of an hour)"
+	@echo "make dataset    the same and the golden cases as files with metadata and checksums, into build/dataset/"
 	@echo "make install    under PREFIX=/usr/local, below DESTDIR= if given; make uninstall takes it away"
 	@echo "make deb        a Debian package, build/graze_VERSION_ARCHITECTURE.deb"
 	@echo "make format     clang-format on all sources"
@@ -416,6 +417,11 @@ bench: all $(BENCH)
 .PHONY: benchmark
 benchmark: all
 	@python3 cases/benchmark/golden.py --graze $B/graze $B/benchmark
+
+# The benchmark's scenes and the golden cases as files with metadata (SCENES="NAME ...": these alone), continued like them.
+.PHONY: dataset
+dataset: all
+	@python3 cases/dataset/make.py --graze $B/graze --benchmark $B/benchmark $B/dataset $(SCENES)
 
 # The site: what its pages show is run, and each link is followed.
 .PHONY: docs
