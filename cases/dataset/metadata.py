@@ -35,7 +35,7 @@ CONTEXT = {
     **{name: "cr:" + name for name in ("citeAs", "column", "extract", "field", "fileProperty", "fileObject", "fileSet", "format", "includes", "isLiveDataset",
                                         "jsonPath", "key", "md5", "parentField", "path", "recordSet", "references", "regex", "repeated", "replace", "separator",
                                         "source", "subField", "transform")}}
-# What each kind of file is and how it came to be: the first that fits.
+# Kinds of files: pattern (the first that fits counts), contents, origin.
 ORIGINS = [
     ("benchmark.csv.gz", "all rows of all scenes in one table, without lines that begin with #", "joined of `scenes/*/golden.csv.gz`"),
     ("cases.csv.gz", "all rows of all golden cases in one table", "joined of `cases/*/expected.csv`"),

@@ -9,6 +9,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 """
 import fnmatch
 import json
+import os
 import re
 import subprocess
 import sys
@@ -26,7 +27,12 @@ DOI = re.compile(r"10\.\d{4,}/\S+")
 
 
 def tracked():
-    listed = subprocess.run(["git", "ls-files"], cwd=ROOT, stdout=subprocess.PIPE, text=True, check=True).stdout.split("\n")
+    """Files of the tree; where git does not know it, all but what is built."""
+    try:
+        listed = subprocess.run(["git", "ls-files"], cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, check=True).stdout.split("\n")
+    except (OSError, subprocess.CalledProcessError):
+        paths = (os.path.relpath(os.path.join(top, name), ROOT) for top, _, names in os.walk(ROOT) for name in names)
+        listed = [path for path in paths if not re.match(r"build[/-]|\.git/|.*__pycache__", path)]
     return [name for name in listed if name and not name.startswith(OTHERS)]
 
 
