@@ -92,6 +92,7 @@ help:
 	@echo "make pictures   draws figures of the paper from the cases, into build/pictures/"
 	@echo "make proofs     check the proofs in proofs/coq by machine, the C functions against them"
 	@echo "make graze-check-mini  graze-check on mini-gmp instead of GMP (Debian has its sources)"
+	@echo "make checker-page  graze-check as a page of HTML, build/checker-page/graze-check.html (installs emscripten, 0.8 GB)"
 	@echo "make bench      speed beside CGAL's, in one run (BENCH_FLAGS=--quick: small counts)"
 	@echo "make benchmark  golden rows of 50 scenes into build/benchmark/, against the recorded hashes (a quarter of an hour)"
 	@echo "make dataset    the same and the golden cases as files with metadata and checksums, into build/dataset/"
@@ -129,6 +130,8 @@ $B/.packages-deb: Makefile | $B/.packages-build
 	$(call install_packages,$(PACKAGES_DEB))
 $B/.packages-dist: Makefile | $B/.packages-build
 	$(call install_packages,$(PACKAGES_DIST))
+$B/.packages-emscripten: Makefile | $B/.packages-build
+	$(call install_packages,emscripten)
 $B/.packages-test: Makefile | $B/.packages-build
 	$(call install_packages,$(PACKAGES_TEST))
 $B/.packages-pictures: Makefile | $B/.packages-build
@@ -188,6 +191,12 @@ $B/graze-check-mini: $(wildcard src/check/*.[ch]) $B/mini/gmp.h | $B/.packages-b
 	@$(call say,CC,$@)
 	$Q$(CC) -std=c11 $(OPT) -g -w -include $B/mini/mini-gmp.c -c -o $B/mini/mini-gmp.o $B/mini/mini-mpq.c
 	$Q$(CC) -std=c11 $(OPT) -g $(WARN) -I$B/mini $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.c,$^) $B/mini/mini-gmp.o -lm
+# graze-check as a page of HTML, for whoever has a browser and nothing else.
+.PHONY: checker-page
+checker-page: $B/.packages-emscripten $B/checker-page/graze-check.html
+$B/checker-page/graze-check.html: $(wildcard src/check/*.[ch]) $B/mini/gmp.h src/install/checker_page.sh src/install/checker_page.html
+	@$(call say,EMCC,$@)
+	$Qsrc/install/checker_page.sh $B/mini $(@D)
 # graze-check with gcc's counts of each branch, beside the plain program, for the suites that ask both.
 $B/counted/graze-check: $(wildcard src/check/*.[ch]) | $B/graze
 	@mkdir -p $(@D)

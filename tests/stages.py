@@ -90,6 +90,7 @@ def long(options):
         Stage("proofs", ["make", "-s", "proofs"]),
         Stage("the checker weakened", script("check/weakened.py")),
         Stage("the checker without GMP", script("check/mini.py")),
+        Stage("the checker in a browser", script("page/checker.py")),
         Stage("threads of all of Python", ["tests/stages/threads.sh", "test_*.py"]),
         Stage("Python's own fractions, runs by exec", ["env", "GRAZE_FRACTIONS=python", "GRAZE_EXEC=1", *run_suites("--tier", "all")]),
         Stage("mutants of every room", ["python3", "tests/mutate.py", "--minutes", "30", "--wanted", "80", *seed]),
