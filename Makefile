@@ -14,7 +14,9 @@ OPT ?= -O2
 # FLINT 2.9 takes a field of its fmpq for an array of the whole, at which gcc 12 stumbles.
 GCC_ONLY := $(if $(findstring clang,$(CC)),,-Wno-stringop-overread -Wno-stringop-overflow)
 WARN := -Wall -Wextra -Werror
-COMMON = $(OPT) $(COUNTED) -g $(WARN) -fPIC -fvisibility=hidden -pthread -Iinclude -Isrc -MMD -MP
+# Where there is no dpkg, libraries are where pkg-config finds them.
+ELSEWHERE := $(if $(shell command -v dpkg-query),,$(shell src/install/libraries.sh flags))
+COMMON = $(OPT) $(COUNTED) -g $(WARN) -fPIC -fvisibility=hidden -pthread -Iinclude -Isrc $(filter-out -L%,$(ELSEWHERE)) -MMD -MP
 ALL_CFLAGS = -std=c11 -D_POSIX_C_SOURCE=200809L $(COMMON) $(GCC_ONLY) $(CFLAGS)
 # CGAL's interval arithmetic changes the rounding mode, which the compiler must respect. A unique symbol
 # would be shared with a program that uses CGAL too, and CGAL's settings with it.
@@ -23,8 +25,8 @@ ALL_CXXFLAGS = -std=c++17 -frounding-math $(NOT_UNIQUE) $(COMMON) $(CXXFLAGS)
 # The programs find libgraze-png beside them, in build/, or in ../lib; libgraze.so finds it beside itself.
 RPATH = -Wl,-rpath,'$$ORIGIN:$$ORIGIN/$(1)'
 VERSION := $(shell sed -n 's/.*define GRAZE_VERSION "\(.*\)"/\1/p' include/graze/version.h)
-SONAME := libgraze.so.0
-LIBS := -lyajl -lmd -lflint -lmpfr -lgmp -lstdc++ -lm -pthread
+SONAME := libgraze.so.$(firstword $(subst ., ,$(VERSION)))
+LIBS := $(filter -L%,$(ELSEWHERE)) -lyajl -lmd -lflint -lmpfr -lgmp -lstdc++ -lm -pthread
 ifneq ($(COUNT),)
 LIBS += $(COUNT)
 endif
@@ -41,10 +43,11 @@ CLANG  := $(if $(filter 13,$(DEBIAN)),19,14)
 PACKAGES_BUILD := g++ libcgal-dev libgmp-dev libmpfr-dev libflint-dev libyajl-dev libmd-dev
 PACKAGES_PNG   := libcairo2-dev fonts-dejavu-core
 PACKAGES_DEB   := $(PACKAGES_BUILD) dpkg-dev
-PACKAGES_TEST  := $(PACKAGES_DEB) $(PACKAGES_PNG) libcmocka-dev python3 python3-numpy pari-gp locales parallel openmpi-bin libopenmpi-dev pkgconf cmake groff-base python3-jsonschema python3-venv python3-gmpy2 mypy
+PACKAGES_DIST  := $(PACKAGES_DEB) git patchelf python3
+PACKAGES_TEST  := $(PACKAGES_DEB) $(PACKAGES_PNG) libcmocka-dev python3 python3-numpy pari-gp locales parallel openmpi-bin libopenmpi-dev pkgconf cmake groff-base python3-jsonschema python3-venv python3-gmpy2 python3-yaml mypy
 PACKAGES_PROOFS := $(PACKAGES_BUILD) coq ocaml-findlib libzarith-ocaml-dev python3
 PACKAGES_DOCS  := $(PACKAGES_BUILD) python3 python3-numpy python3-pandas python3-sphinx python3-myst-parser python3-sphinx-copybutton furo doxygen python3-breathe
-PACKAGES_ALL   := $(PACKAGES_TEST) $(PACKAGES_DOCS) python3-shapely python3-meshio chromium clang libclang-rt-$(CLANG)-dev clang-format llvm cppcheck debootstrap
+PACKAGES_ALL   := $(PACKAGES_TEST) $(PACKAGES_DOCS) python3-shapely python3-meshio chromium clang libclang-rt-$(CLANG)-dev clang-format llvm cppcheck debootstrap reuse patchelf
 
 comma   := ,
 LIB_C   := $(wildcard src/api/*.c) $(filter-out src/program/% src/output/png/%,$(wildcard src/*/*/*.c))
@@ -88,20 +91,24 @@ help:
 	@echo "make docs       the site, with what its pages show, into build/docs/html/"
 	@echo "make pictures   draws figures of the paper from the cases, into build/pictures/"
 	@echo "make proofs     check the proofs in proofs/coq by machine, the C functions against them"
+	@echo "make graze-check-mini  graze-check on mini-gmp instead of GMP (Debian has its sources)"
+	@echo "make checker-page  graze-check as a page of HTML, build/checker-page/graze-check.html (installs emscripten, 0.8 GB)"
 	@echo "make bench      speed beside CGAL's, in one run (BENCH_FLAGS=--quick: small counts)"
 	@echo "make benchmark  golden rows of 50 scenes into build/benchmark/, against the recorded hashes (a quarter of an hour)"
+	@echo "make dataset    the same and the golden cases as files with metadata and checksums, into build/dataset/"
 	@echo "make install    under PREFIX=/usr/local, below DESTDIR= if given; make uninstall takes it away"
 	@echo "make deb        a Debian package, build/graze_VERSION_ARCHITECTURE.deb"
+	@echo "make dist       sources, package, a wheel that carries its libraries, dataset, SHA256SUMS, in build/dist/"
 	@echo "make format     clang-format on all sources"
 	@echo "make clean      remove build/"
 	@echo "V=1 with any of these shows each command"
 
 # ---------------------------------------------------------------- packages
-# Install the packages of group $(1) that are missing, and say so.
+# Install the packages of group $(1) that are missing, and say so. Where there is no dpkg, $(2) looks for them.
 define install_packages
 	@mkdir -p $(@D); missing=; \
 	if ! command -v dpkg-query >/dev/null; then \
-	  echo "make: no dpkg here; please see to it that these are installed: $(1)"; \
+	  $(if $(2),$(2),echo "make: no dpkg here; please see to it that these are installed: $(1)"); \
 	else \
 	  for p in $(1); do dpkg-query -W -f='$${Status}' $$p 2>/dev/null | grep -q ' installed' \
 	    || missing="$$missing $$p"; done; \
@@ -118,9 +125,13 @@ define install_packages
 	fi; touch $@
 endef
 $B/.packages-build: Makefile
-	$(call install_packages,$(PACKAGES_BUILD))
+	$(call install_packages,$(PACKAGES_BUILD),CC='$(CC)' CXX='$(CXX)' src/install/libraries.sh check || exit 1)
 $B/.packages-deb: Makefile | $B/.packages-build
 	$(call install_packages,$(PACKAGES_DEB))
+$B/.packages-dist: Makefile | $B/.packages-build
+	$(call install_packages,$(PACKAGES_DIST))
+$B/.packages-emscripten: Makefile | $B/.packages-build
+	$(call install_packages,emscripten)
 $B/.packages-test: Makefile | $B/.packages-build
 	$(call install_packages,$(PACKAGES_TEST))
 $B/.packages-pictures: Makefile | $B/.packages-build
@@ -171,6 +182,21 @@ $B/graze: $(CLI_O) $B/libgraze.a
 $B/graze-check: $(wildcard src/check/*.[ch]) | $B/.packages-build
 	@$(call say,CC,$@)
 	$Q$(CC) -std=c11 $(OPT) -g $(WARN) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.c,$^) -lgmp -lm
+# graze-check without GMP: on mini-gmp, two files of C of GMP's sources, at half the speed.
+.PHONY: graze-check-mini
+graze-check-mini: $B/graze-check-mini
+$B/mini/gmp.h: src/install/mini_gmp.sh src/install/mini_gmp.h.in
+	$Qsrc/install/mini_gmp.sh $(@D)
+$B/graze-check-mini: $(wildcard src/check/*.[ch]) $B/mini/gmp.h | $B/.packages-build
+	@$(call say,CC,$@)
+	$Q$(CC) -std=c11 $(OPT) -g -w -include $B/mini/mini-gmp.c -c -o $B/mini/mini-gmp.o $B/mini/mini-mpq.c
+	$Q$(CC) -std=c11 $(OPT) -g $(WARN) -I$B/mini $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.c,$^) $B/mini/mini-gmp.o -lm
+# graze-check as a page of HTML, for whoever has a browser and nothing else.
+.PHONY: checker-page
+checker-page: $B/.packages-emscripten $B/checker-page/graze-check.html
+$B/checker-page/graze-check.html: $(wildcard src/check/*.[ch]) $B/mini/gmp.h src/install/checker_page.sh src/install/checker_page.html
+	@$(call say,EMCC,$@)
+	$Qsrc/install/checker_page.sh $B/mini $(@D)
 # graze-check with gcc's counts of each branch, beside the plain program, for the suites that ask both.
 $B/counted/graze-check: $(wildcard src/check/*.[ch]) | $B/graze
 	@mkdir -p $(@D)
@@ -347,6 +373,11 @@ uninstall:
 deb: $B/.packages-deb all
 	+@src/install/deb.sh $B $(VERSION)
 
+# A release: archives of the sources and of the dataset, the package, a wheel that carries its libraries, SHA256SUMS.
+.PHONY: dist
+dist: $B/.packages-dist dataset
+	+@src/install/dist.sh $B $(VERSION)
+
 # ---------------------------------------------------------------- running
 .PHONY: demo
 demo: all
@@ -416,6 +447,11 @@ bench: all $(BENCH)
 .PHONY: benchmark
 benchmark: all
 	@python3 cases/benchmark/golden.py --graze $B/graze $B/benchmark
+
+# The benchmark's scenes and the golden cases as files with metadata (SCENES="NAME ...": these alone), continued like them.
+.PHONY: dataset
+dataset: all
+	@python3 cases/dataset/make.py --graze $B/graze --benchmark $B/benchmark $B/dataset $(SCENES)
 
 # The site: what its pages show is run, and each link is followed.
 .PHONY: docs

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Formatting, and what the static analysers say of the C sources.
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Formatting, what the static analysers say of the C sources, and copyright and licence of every file (.reuse/dep5).
 # (affine.c returns a row of an array of FLINT's one-element arrays, which cppcheck takes for an integer. It does not know
 # __attribute__((cleanup)) either: leaks are the sanitizers' to find.)
 set -eu
@@ -9,4 +10,6 @@ sources=$(git ls-files 'include/*.h' 'src/*.c' 'src/*.h' 'src/*.cpp' 'src/*.hpp'
 printf '%s\n' $sources | xargs -P "$(nproc)" -n 40 clang-format --dry-run -Werror
 cppcheck --quiet -j "$(nproc)" --error-exitcode=1 --std=c11 --enable=warning,portability --inline-suppr \
     --suppress=missingIncludeSystem --suppress=memleak --suppress=CastIntegerToAddressAtReturn:src/input/motion/affine.c -Iinclude -Isrc src/*/*.c src/*/*/*.c
+licences=$(reuse lint 2>&1) || { echo "$licences"; exit 1; }
+case "$licences" in *" ERROR "*) echo "$licences"; exit 1 ;; esac
 echo "1 passed, 0 failed"

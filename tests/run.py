@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Run test suites and add up what they counted.
 
 A suite is a C file of tests/unit or tests/api, which is a cmocka program, or a script tests/FOLDER/*.py that runs

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Tests beside `make test`, stage by stage: of every submission (`ci`, in .ci/run), or by hand (`long`, as `make test-long`).
 
 CI asks what is costly and hangs on few rooms in full where a file of them has changed since the commit of tests/base.txt, else a
@@ -84,9 +85,12 @@ def long(options):
         Stage("forged certificates of all cases", script("check/forged.py", "--scale", "2"), True),
         Stage("packages of Python", script("python/packages.py"), True),
         Stage("CGAL's answers anew", ["env", "GRAZE_ORACLES=anew", *run_suites(*(word for name in ORACLES for word in ("--only", "tests/" + name)))]),
+        Stage("archives, wheel and container in bare systems", script("install/dist.py")),
         Stage("memory in full", script("memory/memory.py", "--scale", "2")),
         Stage("proofs", ["make", "-s", "proofs"]),
         Stage("the checker weakened", script("check/weakened.py")),
+        Stage("the checker without GMP", script("check/mini.py")),
+        Stage("the checker in a browser", script("page/checker.py")),
         Stage("threads of all of Python", ["tests/stages/threads.sh", "test_*.py"]),
         Stage("Python's own fractions, runs by exec", ["env", "GRAZE_FRACTIONS=python", "GRAZE_EXEC=1", *run_suites("--tier", "all")]),
         Stage("mutants of every room", ["python3", "tests/mutate.py", "--minutes", "30", "--wanted", "80", *seed]),

@@ -1,4 +1,4 @@
-"""A candidate in ten lines of numpy: the cube of README.md's first scene at 1000 times. SPDX-License-Identifier: CC0-1.0"""
+"""A candidate in ten lines of numpy: the cube of README.md's first scene at 1000 times."""  # SPDX-License-Identifier: CC0-1.0
 import sys
 import numpy as np
 

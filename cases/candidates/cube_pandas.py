@@ -1,4 +1,4 @@
-"""The same candidate in ten lines of pandas. SPDX-License-Identifier: CC0-1.0"""
+"""The same candidate in ten lines of pandas."""  # SPDX-License-Identifier: CC0-1.0
 import sys
 import numpy as np
 import pandas as pd

@@ -5,7 +5,8 @@
 #include <string.h>
 #include "solid.h"
 
-static const size_t MOST_SCALED = (size_t)1 << 33; /* bits of all coordinates as integers, 1 GB */
+/* Bits of all coordinates as integers: 2^33, 1 GB; where addresses have 32 bits 2^31. */
+static const size_t MOST_SCALED = (size_t)1 << (29 + sizeof(size_t) / 2);
 
 /* The coordinates read from a file so far. */
 typedef struct draft {

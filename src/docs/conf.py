@@ -19,7 +19,7 @@ extensions = ["myst_parser", "breathe", "sphinx.ext.autodoc", "sphinx.ext.napole
 root_doc = "src/docs/index"
 include_patterns = ["src/docs/*.md", "proofs/*.md", "proofs/coq/README.md", "src/README.md", "src/program/cli/*.md",
                     "cases/README.md", "cases/*/README.md", "tests/README.md", "tests/bombs/README.md",
-                    "tests/fuzz/README.md", "src/output/page/README.md", "README.md", "CONTRIBUTING.md", "CHANGELOG.md"]
+                    "tests/fuzz/README.md", "src/output/page/README.md", "README.md", "CONTRIBUTING.md", "CHANGELOG.md", "SECURITY.md", "RELEASE.md"]
 myst_heading_anchors = 4
 napoleon_use_ivar = True
 default_role = "literal"  # docstrings have one backquote, as Markdown has

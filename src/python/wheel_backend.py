@@ -55,13 +55,14 @@ def _make():
         raise SystemExit(f"graze: make ended with status {making.returncode}")
 
 
-def _contents():
-    """Names in the wheel and their bytes."""
+def contents(library, platform, more=()):
+    """Names in a wheel of this library and their bytes, and the wheel's name; `more` are pairs of
+    a name, below graze.libs/ or else in dist-info, and bytes."""
     info = f"graze-{_version()}.dist-info"
-    platform = re.sub(r"[-.]", "_", sysconfig.get_platform())
     files = {f"graze/{name}": _read(HERE, "graze", name)
              for name in sorted(os.listdir(os.path.join(HERE, "graze"))) if name.endswith((".py", ".txt", ".typed"))}
-    files["graze/libgraze.so"] = _library()
+    files["graze/libgraze.so"] = library
+    files.update((name if name.startswith("graze.libs/") else f"{info}/{name}", data) for name, data in more)
     files[f"{info}/METADATA"] = (
         f"Metadata-Version: 2.1\nName: graze\nVersion: {_version()}\n"
         "Summary: Exact classification of points against the set that a moving solid sweeps\n"
@@ -77,13 +78,19 @@ def _contents():
     return files, f"graze-{_version()}-py3-none-{platform}.whl"
 
 
-def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
-    """Write the wheel into a folder; returns its name."""
-    files, name = _contents()
+def write(wheel_directory, files, name):
+    """Write a wheel, without dates; returns its name."""
     with zipfile.ZipFile(os.path.join(wheel_directory, name), "w", zipfile.ZIP_DEFLATED) as wheel:
         for path, data in files.items():
-            wheel.writestr(path, data)
+            entry = zipfile.ZipInfo(path)
+            entry.compress_type, entry.external_attr = zipfile.ZIP_DEFLATED, 0o644 << 16
+            wheel.writestr(entry, data)
     return name
+
+
+def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
+    """Write the wheel of this machine into a folder; returns its name."""
+    return write(wheel_directory, *contents(_library(), re.sub(r"[-.]", "_", sysconfig.get_platform())))
 
 
 def build_sdist(sdist_directory, config_settings=None):

@@ -7,6 +7,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 built with pkg-config and with CMake, man pages, completion; then `make uninstall`, after which only what was
 there before is left. `make deb`: the package's dependencies and what lies in it.
 """
+import json
 import os
 import re
 import shutil
@@ -164,9 +165,10 @@ def check_citable(graze, version):
         rf"{name} \d+(\.\d+)+\S*\n" for name in ("GMP", "MPFR", "FLINT", "yajl", "CGAL")), named), named)
     citation = read("CITATION.cff")
     check(f"\nversion: {version}\n" in citation, f"CITATION.cff is of version {version}")
+    same(json.loads(read("codemeta.json"))["version"], version, "version of codemeta.json")
     for title in ("Classifying points for sweeping solids", "The dual of sweep"):
         check(f"title: {title}\n" in citation, f"CITATION.cff names {title}")
-    same(re.search(r"^## (\S+)", read("CHANGELOG.md"), re.M)[1], "Unreleased", "newest section of CHANGELOG.md")
+    same(re.search(r"^## (.*)", read("CHANGELOG.md"), re.M)[1], "1.0.0 - unreleased", "newest section of CHANGELOG.md")
     scene = [f"cases/bracket/{name}" for name in ("solid.off", "motion.json", "points.csv")]
     head = output([graze, "classify", *scene])
     check(f"graze {version}" in head and "contract 1" in head, "a table names version and contract")

@@ -27,7 +27,7 @@ def check_sources(checks):
     for name in sources():
         with open(os.path.join(SOURCE, name), encoding="utf-8") as file:
             text = file.read()
-        checks.holds(text.startswith("(*") and "SPDX-License-Identifier: GPL-3.0-or-later" in text[:400],
+        checks.holds(text.startswith("(*") and "SPDX-License-" "Identifier: GPL-3.0-or-later" in text[:400],
                      f"{name}: expected a head that says what the file proves, and the licence")
         checks.holds(text.count("\n") <= 600, f"{name}: more than 600 lines")
         code, depth = without_comments(text), 0

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Tests of the Python module under the thread sanitizer:  threads.sh FOLDER PATTERN, as test_threads.py or test_*.py
 # FOLDER holds libgraze.so as gcc -fsanitize=thread makes it. The interpreter is an ordinary one that gcc's
 # runtime is loaded into first (clang's, as a shared library, does not start), so that it sees Python's locks

@@ -202,7 +202,7 @@ def glossary():
 def changelog():
     """One section, of three parts of short lines."""
     page = read("CHANGELOG.md")
-    check(re.findall(r"^#+ (.*)", page, re.M) == ["Changes", "Unreleased", "Added", "Changed", "Fixed"], "CHANGELOG.md: its headings")
+    check(re.findall(r"^#+ (.*)", page, re.M) == ["Changes", "1.0.0 - unreleased", "Added", "Changed", "Fixed"], "CHANGELOG.md: its headings")
     for number, line in enumerate(page.splitlines(), 1):
         check(len(line) <= 160, f"CHANGELOG.md:{number}: {len(line)} characters, expected at most 160")
         check(not line or line[0] in "#-" or number < page[:page.index("## ")].count("\n") + 1,

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The suites with clang's address and undefined-behaviour sanitizers, in build-clang, whose rooms that decide count what is run;
 # and the coverage of these rooms and of graze-check.
 #

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The thread sanitizer, in build-tsan: the public functions in C, `graze classify` with eight threads, the threads of Python.
 # Built by gcc, whose runtime an ordinary Python can be started with.
 set -euo pipefail

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The call graph between files, from the symbols of their objects.
 
 A file calls another where its object has an undefined symbol that the other's object defines. That counts every

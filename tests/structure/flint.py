@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Headers of FLINT that a file needs. FLINT 2.9's include one another, those of FLINT 3 do so less, so a file that
 builds with one may not build with the other: each file includes the headers whose functions it names, or a header of the
 project that does. Those that FLINT declares only behind mpfr.h need it first."""

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Wording that a reader must read twice: openings without a subject, and phrases in which a bound or a relation hides.
 
 A unit is a comment, a docstring, a message of the sources, or a sentence that begins a line of a page. Headings and

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Paths of files that comments and pages name."""
 import glob
 import os

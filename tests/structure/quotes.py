@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Names that pages and comments quote: identifiers, options, commands, targets of make."""
 import re
 import subprocess

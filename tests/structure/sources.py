@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The sources as text: what a file includes, which functions it defines at file scope, which ones a header declares."""
 import glob
 import os

@@ -55,7 +55,8 @@ SHARED = {"table", "delimited"}
 # Rooms that are built only where their library is installed.
 OPTIONAL = {"png", "mpi"}
 TOP = {"src", "include", "tests", "proofs", "cases", "Makefile", "README.md", ".ci", "LICENSE",
-       "CHANGELOG.md", "CONTRIBUTING.md", "CITATION.cff", ".clang-format", ".gitignore"}
+       "CHANGELOG.md", "CONTRIBUTING.md", "CITATION.cff", ".clang-format", ".gitignore",
+       "LICENSES", ".reuse", "SECURITY.md", "RELEASE.md", "codemeta.json", "Containerfile"}
 # Parts of the public header that inner rooms include: what all need, and the part that a room makes.
 CORE = "include/graze/core.h"
 MOST_HEADERS = 130  # of all rooms but the checker's

@@ -18,6 +18,7 @@ from ._abi import PROTOTYPES, signature
 from .errors import LibraryError
 
 VERSION = "0.1.0"
+SONAME = "libgraze.so." + VERSION.split(".")[0]
 
 
 def _places() -> Iterator[str]:
@@ -34,10 +35,10 @@ def _places() -> Iterator[str]:
     if os.path.exists(os.path.join(above, "include", "graze.h")):
         folders.append(os.path.join(above, "build"))
     for folder in folders:
-        for name in ("libgraze.so.0", "libgraze.so"):
+        for name in (SONAME, "libgraze.so"):
             if os.path.exists(os.path.join(folder, name)):
                 yield os.path.join(folder, name)
-    yield "libgraze.so.0"
+    yield SONAME
     found = ctypes.util.find_library("graze")
     if found:
         yield found

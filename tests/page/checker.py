@@ -1,0 +1,107 @@
+#!/usr/bin/env python3
+"""The page of `make checker-page` in a headless Chromium: it proves golden cases and refutes the forged tables of tests/check.
+
+Each golden case that has a certificate is verified as graze-check verifies it, with the same words; of every --eighth the tables in which
+a column, a line or the head is changed are refuted. Files that are chosen, packed ones too, are told apart; the page says which row is not
+proved, and shows it; it asks for no address. By hand, and in test-long, since it needs emscripten.
+SPDX-License-Identifier: GPL-3.0-or-later
+"""
+import gzip
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [os.path.join(HERE, "..", "check"), os.path.join(HERE, "..", "lib")]
+
+import golden  # noqa: E402  (sets the path of the cases)
+import casefile  # noqa: E402
+from chromium import Chromium  # noqa: E402
+from harness import ROOT, Checks, options  # noqa: E402
+from lib_certificate import REFUTED, Programs, VERIFIED  # noqa: E402
+
+KINDS = ("solid", "motion", "certificate", "table")
+
+
+class InPage:
+    """graze-check as the page runs it, called as lib_certificate's Programs are."""
+
+    def __init__(self, browser):
+        self.browser = browser
+
+    def check(self, *files):
+        texts = {}
+        for kind, path in zip(KINDS, files):
+            with open(path, encoding="utf-8") as file:
+                texts[kind] = file.read()
+        ending = os.path.splitext(files[0])[1]
+        done = self.browser.value(f"check({json.dumps(texts)}, {json.dumps(ending)})")
+        said = [[line for line in done["lines"] if line.startswith("graze-check: ") == is_error] for is_error in (False, True)]
+        return done["status"], *("".join(line + "\n" for line in lines) for lines in said)
+
+
+def chosen(browser, tally, files, folder):
+    """Files given to the page's button, the table and certificate packed; then a table with a row that is wrong."""
+    packed = []
+    for path in files[2:]:
+        with open(path, "rb") as file, gzip.open(os.path.join(folder, os.path.basename(path) + ".gz"), "wb") as out:
+            out.write(file.read())
+        packed.append(out.name)
+    root = browser.call("DOM.getDocument")["root"]["nodeId"]
+    button = browser.call("DOM.querySelector", nodeId=root, selector="#choose")["nodeId"]
+
+    def said(given):
+        browser.value("document.getElementById('said').textContent = ''")
+        browser.call("DOM.setFileInputFiles", nodeId=button, files=given)
+        until = time.monotonic() + 60
+        while time.monotonic() < until:
+            shown = browser.value("[document.getElementById('said').className, document.getElementById('said').textContent, document.getElementById('row').textContent]")
+            if shown[0]:
+                return shown
+            time.sleep(.1)
+        return shown
+    shown = said([*files[:2], *packed])
+    tally.holds(shown[0] == "verified" and shown[1].startswith("verified: "), shown)
+    forged = os.path.join(folder, "forged.csv")
+    with open(files[3], encoding="utf-8") as file:
+        lines = file.read().splitlines()
+    last = len(lines) - 2
+    wrong = lines[last].replace(",in,", ",out,", 1) if ",in," in lines[last] else lines[last].replace(",on,", ",in,", 1)
+    wrong = wrong if wrong != lines[last] else lines[last].replace(",out,", ",in,", 1)
+    with open(forged, "w", encoding="utf-8") as file:
+        file.write("\n".join([*lines[:last], wrong, lines[-1]]) + "\n")
+    shown = said([forged])
+    tally.holds(shown[0] == "refuted" and f"table.csv:{last + 1}" in shown[1] and shown[2] == wrong, shown, wrong)
+    tally.holds(not browser.faults(), browser.faults())
+
+
+def main():
+    args = options(__doc__, ("--eighth", {"type": int, "default": 8, "help": "forged tables of every Nth case"}))
+    build, tally, programs = os.path.dirname(os.path.abspath(args.graze)), Checks(), Programs(args.graze)
+    subprocess.run(["make", "-s", f"B={os.path.relpath(build, ROOT)}", "checker-page"], cwd=ROOT, check=True)
+    browser = Chromium()
+    try:
+        tally.holds(browser.open(os.path.join(build, "checker-page", "graze-check.html")), "the page is ready")
+        page = InPage(browser)
+        with tempfile.TemporaryDirectory() as folder:
+            for number, name in enumerate(casefile.names()):
+                case = casefile.Case(name)
+                files, table, _ = golden.certified(programs, case, folder)
+                got, wanted = page.check(*files), programs.check(*files)
+                tally.equal((got[0], got[1]), (VERIFIED, wanted[1]), name, got)
+                if number % args.eighth == 0:
+                    golden.check_tables(tally, page, case, files[:3], table)
+                if name == "bracket":
+                    kept = tempfile.mkdtemp(dir=folder)
+                    chosen(browser, tally, files, kept)
+        tally.holds(tally.passed > 500, f"{tally.passed} checks, {REFUTED}")
+    finally:
+        browser.close()
+    tally.finish()
+
+
+if __name__ == "__main__":
+    main()
