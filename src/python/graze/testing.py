@@ -175,17 +175,18 @@ class _Judge:
     def depths(self, bad: List[int]) -> Dict[int, float]:
         """The least |s|; of a curved solid there is none."""
         chosen = sorted(bad, key=lambda k: self.golden[k] == "on")[:_MEASURED]
-        if not chosen or self.scene.solid.primitives:
-            return {}
-        try:
-            found = self.scene.distance(_array([self.rows[k] for k in chosen], self.scene.dimension), self.scene.diagonal * 1e-6)
-        except GrazeError:
-            return {}
-        out = {}
-        for k, enclosure in zip(chosen, found):
-            low, high = _ends(enclosure)
-            out[k] = float(max(low, -high, Fraction(0)))
-        return out
+        return dict(zip(chosen, depths(self.scene, [self.rows[k] for k in chosen])))
+
+
+def depths(scene: Scene, points: Sequence[Any]) -> List[float]:
+    """The least distance of each point from the boundary of the sweep; none of a curved solid."""
+    if not points or scene.solid.primitives:
+        return []
+    try:
+        found = scene.distance(points, scene.diagonal * 1e-6)
+    except GrazeError:
+        return []
+    return [float(max(low, -high, Fraction(0))) for low, high in map(_ends, found)]
 
 
 def _ends(enclosure: Any) -> Tuple[Fraction, Fraction]:
