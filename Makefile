@@ -43,7 +43,7 @@ PACKAGES_PNG   := libcairo2-dev fonts-dejavu-core
 PACKAGES_DEB   := $(PACKAGES_BUILD) dpkg-dev
 PACKAGES_TEST  := $(PACKAGES_DEB) $(PACKAGES_PNG) libcmocka-dev python3 python3-numpy pari-gp locales parallel openmpi-bin libopenmpi-dev pkgconf cmake groff-base python3-jsonschema python3-venv python3-gmpy2 mypy python3-pytest python3-hypothesis
 PACKAGES_PROOFS := $(PACKAGES_BUILD) coq ocaml-findlib libzarith-ocaml-dev python3
-PACKAGES_DOCS  := $(PACKAGES_BUILD) python3 python3-numpy python3-pandas python3-sphinx python3-myst-parser python3-sphinx-copybutton furo doxygen python3-breathe
+PACKAGES_DOCS  := $(PACKAGES_BUILD) python3 python3-numpy python3-pandas python3-sphinx python3-myst-parser python3-sphinx-copybutton furo doxygen python3-breathe python3-pytest python3-hypothesis
 PACKAGES_ALL   := $(PACKAGES_TEST) $(PACKAGES_DOCS) python3-shapely python3-meshio chromium clang libclang-rt-$(CLANG)-dev clang-format llvm cppcheck debootstrap
 
 comma   := ,

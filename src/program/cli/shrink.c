@@ -34,9 +34,8 @@ static int check_folder(const char *path) {
 }
 
 static int lack_of_python(void) {
-    return complain(EXIT_IO, "--shrink: python3 cannot import graze.shrink; expected Debian's "
-                             "python3, and the module of `make install`, whose folder PYTHONPATH "
-                             "names under a prefix of one's own, or of `pip install ./src/python`");
+    return complain(EXIT_IO, "--shrink: python3 cannot import graze.shrink; expected the module of "
+                             "`make install` in PYTHONPATH, or of `pip install ./src/python`");
 }
 
 int shrink_check(const validate_options *o) {

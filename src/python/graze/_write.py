@@ -7,7 +7,7 @@ from __future__ import annotations
 import ctypes
 import os
 import shlex
-from typing import Any, List
+from typing import Any, List, Optional
 
 from ._context import Context, settings
 from ._hull import Point
@@ -21,28 +21,30 @@ from .scene import Scene
 from .testing import why
 
 
-def write_folder(folder: str, model: Model, given: Scene, point: Point, kind: Kind, candidate: str, options: List[str]) -> None:
-    """Write solid, motion, point, expected row, reason, certificate and README."""
+def write_folder(folder: str, model: Optional[Model], given: Scene, point: Point, kind: Kind, candidate: str, options: List[str]) -> None:
+    """Write solid, motion, point, expected row, reason, certificate and README. Without a model the scene is given, of a curved solid."""
     os.makedirs(folder, exist_ok=True)
-    solid = "solid" + written_ending(source_of(given.solid), model.dimension)
+    ending = written_ending(source_of(given.solid), model.dimension) if model else ".csg.json"
+    solid, d = "solid" + ending, given.dimension
+    of = dict(model.options) if model else {"operation": given.operation, "folds": given.folds, "overlap": given.overlap}
 
     def path(name: str) -> str:
         return os.path.join(folder, name)
 
-    _write(path(solid), model.solid_text(os.path.splitext(solid)[1]))
-    _write(path("motion.json"), model.motion_text())
-    scene = Scene(path(solid), path("motion.json"), **model.options)
-    names = "x,y,z"[:2 * model.dimension - 1]
+    _write(path(solid), model.solid_text(ending) if model else given.solid.json())
+    _write(path("motion.json"), model.motion_text() if model else given.motion.json())
+    scene = Scene(path(solid), path("motion.json"), **of)
+    names = "x,y,z"[:2 * d - 1]
     _write(path("point.csv"), f"{names},id\n{','.join(map(number, point))},1\n")
     _write(path("expected.csv"), scene.table([point]))
     _write(path("reason.txt"), scene.explain(point))
-    certified = _certificate(scene, point)
+    certified = _certificate(scene, point) if model else ""
     if certified:
         _write(path("certificate.txt"), certified)
     trace = scene.trace(point)
-    of = [word for name, usual in (("operation", "sweep"), ("folds", "separate")) for word in (f"--{name}", str(model.options.get(name, usual)))
-          if model.options.get(name, usual) != usual]
-    explain = shlex.join(["graze", "explain", solid, "motion.json", *map(number, point), *of])
+    asked = [word for name, usual in (("operation", "sweep"), ("folds", "separate")) for word in (f"--{name}", str(of.get(name, usual)))
+             if of.get(name, usual) != usual]
+    explain = shlex.join(["graze", "explain", solid, "motion.json", *map(number, point), *asked])
     again = shlex.join(["graze", "validate", solid, "motion.json", "--points", "point.csv", *options, "--candidate", candidate])
     check = f"; `graze-check {solid} motion.json certificate.txt expected.csv` proves it" if certified else ""
     _write(path("README.md"),
