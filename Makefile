@@ -41,10 +41,10 @@ CLANG  := $(if $(filter 13,$(DEBIAN)),19,14)
 PACKAGES_BUILD := g++ libcgal-dev libgmp-dev libmpfr-dev libflint-dev libyajl-dev libmd-dev
 PACKAGES_PNG   := libcairo2-dev fonts-dejavu-core
 PACKAGES_DEB   := $(PACKAGES_BUILD) dpkg-dev
-PACKAGES_TEST  := $(PACKAGES_DEB) $(PACKAGES_PNG) libcmocka-dev python3 python3-numpy pari-gp locales parallel openmpi-bin libopenmpi-dev pkgconf cmake groff-base python3-jsonschema python3-venv python3-gmpy2 mypy python3-pytest python3-hypothesis
+PACKAGES_TEST  := $(PACKAGES_DEB) $(PACKAGES_PNG) libcmocka-dev python3 python3-numpy pari-gp locales parallel openmpi-bin libopenmpi-dev pkgconf cmake groff-base python3-jsonschema python3-venv python3-gmpy2 mypy python3-pytest python3-hypothesis doctest-dev
 PACKAGES_PROOFS := $(PACKAGES_BUILD) coq ocaml-findlib libzarith-ocaml-dev python3
 PACKAGES_DOCS  := $(PACKAGES_BUILD) python3 python3-numpy python3-pandas python3-sphinx python3-myst-parser python3-sphinx-copybutton furo doxygen python3-breathe python3-pytest python3-hypothesis
-PACKAGES_ALL   := $(PACKAGES_TEST) $(PACKAGES_DOCS) python3-shapely python3-meshio chromium clang libclang-rt-$(CLANG)-dev clang-format llvm cppcheck debootstrap
+PACKAGES_ALL   := $(PACKAGES_TEST) $(PACKAGES_DOCS) catch2 libgtest-dev python3-shapely python3-meshio chromium clang libclang-rt-$(CLANG)-dev clang-format llvm cppcheck debootstrap
 
 comma   := ,
 LIB_C   := $(wildcard src/api/*.c) $(filter-out src/program/% src/output/png/%,$(wildcard src/*/*/*.c))
@@ -309,8 +309,8 @@ install: all $B/install/libgraze.a $(PAGES) $(CONFIGURED)
 	@install -d $(addprefix $(DESTDIR),$(BINDIR) $(INCLUDEDIR)/graze $(LIBDIR)/pkgconfig $(CMAKEDIR) \
 	  $(MANDIR)/man1 $(MANDIR)/man3 $(MANDIR)/man5 $(COMPLETION) $(DOCDIR) $(DATADIR)/graze $(PYTHONDIR)/graze $(DIST_INFO))
 	@install -s $B/graze $B/graze-check $(MPI) $(DESTDIR)$(BINDIR)
-	@install -m 644 include/graze.h $(DESTDIR)$(INCLUDEDIR)
-	@install -m 644 include/graze/*.h $(DESTDIR)$(INCLUDEDIR)/graze
+	@install -m 644 include/graze.h include/graze.hpp $(DESTDIR)$(INCLUDEDIR)
+	@install -m 644 include/graze/*.h include/graze/*.hpp $(DESTDIR)$(INCLUDEDIR)/graze
 	@install -m 644 $B/install/libgraze.a $(DESTDIR)$(LIBDIR)
 	@install -s -m 644 $B/libgraze.so $(DESTDIR)$(LIBDIR)/libgraze.so.$(VERSION)
 	@ln -sf libgraze.so.$(VERSION) $(DESTDIR)$(LIBDIR)/$(SONAME)
@@ -339,7 +339,7 @@ install: all $B/install/libgraze.a $(PAGES) $(CONFIGURED)
 .PHONY: uninstall
 uninstall:
 	$(check_paths)
-	@rm -f $(addprefix $(DESTDIR),$(BINDIR)/graze $(BINDIR)/graze-check $(BINDIR)/graze-mpi $(INCLUDEDIR)/graze.h $(LIBDIR)/libgraze.a \
+	@rm -f $(addprefix $(DESTDIR),$(BINDIR)/graze $(BINDIR)/graze-check $(BINDIR)/graze-mpi $(INCLUDEDIR)/graze.h $(INCLUDEDIR)/graze.hpp $(LIBDIR)/libgraze.a \
 	  $(addprefix $(LIBDIR)/,libgraze.so $(SONAME) libgraze.so.$(VERSION) libgraze-png-$(VERSION).so) $(LIBDIR)/pkgconfig/graze.pc $(COMPLETION)/graze)
 	@list=$(DESTDIR)$(DATADIR)/graze/pages; [ ! -f $$list ] || \
 	  while read -r page; do rm -f $(DESTDIR)$(MANDIR)/man$${page##*.}/$$page; done <$$list
@@ -436,7 +436,7 @@ lint: $B/.packages-all
 
 .PHONY: format
 format:
-	clang-format -i $$(git ls-files 'include/*.h' 'src/*.[ch]' 'src/*.[ch]pp' 'tests/*.[ch]' 'tests/*.cpp')
+	clang-format -i $$(git ls-files 'include/*.h' 'include/*.hpp' 'src/*.[ch]' 'src/*.[ch]pp' 'tests/*.[ch]' 'tests/*.cpp')
 
 .PHONY: clean
 clean:

@@ -43,7 +43,7 @@ def check_tree(root, version):
     files = {name for name in files_under(root) if not name.startswith(("share/graze/", "share/man/", "lib/python3/dist-packages/graze"))}
     mpi = {"bin/graze-mpi"} if shutil.which("mpicc") else set()
     png = {f"lib/libgraze-png-{version}.so"} if os.path.exists("/usr/include/cairo/cairo.h") else set()
-    same(files, mpi | png | {"bin/graze", "bin/graze-check", "include/graze.h", *(f"include/graze/{name}.h" for name in PARTS), "lib/libgraze.a", "lib/libgraze.so", "lib/libgraze.so.0",
+    same(files, mpi | png | {"bin/graze", "bin/graze-check", "include/graze.h", "include/graze.hpp", "include/graze/testing.hpp", *(f"include/graze/{name}.h" for name in PARTS), "lib/libgraze.a", "lib/libgraze.so", "lib/libgraze.so.0",
                  f"lib/libgraze.so.{version}", "lib/pkgconfig/graze.pc", "lib/cmake/graze/grazeConfig.cmake",
                  "lib/cmake/graze/grazeConfigVersion.cmake", "share/bash-completion/completions/graze",
                  "share/doc/graze/README.md", "share/doc/graze/CHANGELOG.md", "share/doc/graze/CITATION.cff",

@@ -12,7 +12,7 @@
 
 enum { SHRINK_WORDS = 40, NUMBER = 24 };
 
-static int is_empty(DIR *folder) {
+static int holds_nothing(DIR *folder) {
     int entries = 0;
     while (readdir(folder))
         entries++;
@@ -23,7 +23,7 @@ static int check_folder(const char *path) {
     DIR *folder = opendir(path);
     if (!folder && errno == ENOENT)
         return EXIT_DONE;
-    int empty = folder && is_empty(folder);
+    int empty = folder && holds_nothing(folder);
     if (folder)
         closedir(folder);
     return empty ? EXIT_DONE

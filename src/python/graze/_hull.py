@@ -96,7 +96,7 @@ def cut(points: Sequence[Point], axis: int, place: Fraction, above: bool) -> Lis
 
 
 def spread(points: Sequence[Point], count: int) -> List[Point]:
-    """So many of the points that are far from one another: the first is the lowest."""
+    """`count` of the points that are far from one another: the first is the lowest."""
     chosen = [min(points)]
     nearest = {point: _square(point, chosen[0]) for point in points}
     while len(chosen) < count:

@@ -1,4 +1,4 @@
-"""Who says where a candidate is wrong in a scene: for `graze.shrink`.
+"""Judges of candidates, for `graze.shrink`: where one is wrong in a scene.
 
 A judge is asked for the wrong ones of some points, with the kind of error of each: the exact answer
 and the given one.
@@ -84,7 +84,7 @@ class CommandJudge:
         return self.ask_in(self._path("solid" + ending), self._path("motion.json"), scene, points)
 
     def ask_in(self, solid: str, motion: str, scene: Scene, points: Sequence[Point]) -> List[Wrong]:
-        """The same in a scene of files."""
+        """Ask as `ask` does, in a scene of files."""
         names = "x,y,z"[:2 * scene.dimension - 1]
         self._write("points.csv", "".join([names + ",id\n", *(",".join(map(number, p)) + f",{k}\n" for k, p in enumerate(points, 1))]))
         paths = dict(zip(PLACEHOLDERS, (solid, motion, self._path("points.csv"), self._path("candidate.csv"))))
@@ -117,7 +117,7 @@ class CommandJudge:
         asked = self.settings
         table = scene_for(scene, asked).table(points).splitlines()
         head = next(k for k, line in enumerate(table) if not line.startswith("#"))
-        # Of a stratum the deepest two rows are shown: each row is its own.
+        # At most two rows of a stratum are shown: each row is a stratum.
         rows = [f"{line},{k},{k}" for k, line in enumerate(table[head + 1:head + 1 + len(points)], 1)]
         self._write("golden.csv", "\n".join([*table[:head], table[head] + ",id,stratum", *rows, *table[head + 1 + len(points):]]) + "\n")
         found = compare(self._path("golden.csv"), self._path("candidate.csv"), question=asked.question, on_as=asked.on_as,

@@ -176,11 +176,11 @@ class Model:
         return self.pieces[-1].end
 
     def moved(self, pieces: Sequence[Piece]) -> "Model":
-        """The same solid with another motion."""
+        """This solid with another motion."""
         return replace(self, pieces=tuple(pieces))
 
     def shaped(self, vertices: Sequence[Point], facets: Sequence[Sequence[int]], convex: bool = True) -> "Model":
-        """Another solid with the same motion."""
+        """Another solid with this motion."""
         return replace(self, vertices=tuple(vertices), facets=tuple(map(tuple, facets)), convex=convex)
 
 

@@ -280,7 +280,7 @@ def _simpler_hulls(model: Model) -> Iterator[Model]:
 
 
 def _collapsed(model: Model, count: int, chance: random.Random) -> Model:
-    """So many corners, no two of one facet, are moved onto a neighbour each, in the plane left out."""
+    """`count` corners, no two of one facet, are moved onto a neighbour each."""
     near: Dict[int, Set[int]] = {}
     for facet in model.facets:
         for a, b in zip(facet, facet[1:] + facet[:1]):
@@ -323,7 +323,7 @@ def simpler_points(found: Sequence[Point], low: Sequence[Fraction], high: Sequen
 
 
 def to_whole_point(model: Model, point: Point) -> "Tuple[Model, Point] | None":
-    """The scene so many times as large that the coordinates of the point are integers; None where numbers become large."""
+    """The scene enlarged until the coordinates of the point are integers; None where numbers become large."""
     factor = Fraction(math.lcm(*(x.denominator for x in point)))
     if factor == 1 or max(abs(x) for p in (*model.vertices, point) for x in p) * factor >= 100:
         return None

@@ -31,7 +31,7 @@ from .scene import Scene
 st: Any = importlib.import_module("hypothesis.strategies")
 _assume: Any = importlib.import_module("hypothesis").assume
 MOST = 8      # of the numbers of solids and motions
-POINTS = 300  # made in a scene, one of which is drawn
+POINTS = 300  # made in a scene; one is drawn
 
 Mesh = Tuple[Sequence[Point], Sequence[Sequence[int]]]
 

@@ -47,7 +47,7 @@ class WrongRow(NamedTuple):
 
 
 class Checked(NamedTuple):
-    """What `check` found: rows judged, those left out as undecided, and (expected, given) counted."""
+    """Result of `check`: rows judged, those left out as undecided, and (expected, given) counted."""
 
     rows: int
     undecided: int
@@ -152,7 +152,7 @@ def _asked(classify: Callable[..., Any], rows: List[Tuple[float, ...]], dimensio
 
 
 class _Judge:
-    """Which labels are wrong, and how deep."""
+    """Tells wrong labels from right ones, and how deep they are."""
 
     def __init__(self, scene: Scene, rows: List[Tuple[float, ...]], golden: List[str], given: Labels, on: str, tolerance: Any) -> None:
         self.scene, self.rows, self.golden, self.given, self.on = scene, rows, golden, given, on
