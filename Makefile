@@ -44,10 +44,10 @@ PACKAGES_BUILD := g++ libcgal-dev libgmp-dev libmpfr-dev libflint-dev libyajl-de
 PACKAGES_PNG   := libcairo2-dev fonts-dejavu-core
 PACKAGES_DEB   := $(PACKAGES_BUILD) dpkg-dev
 PACKAGES_DIST  := $(PACKAGES_DEB) git patchelf python3
-PACKAGES_TEST  := $(PACKAGES_DEB) $(PACKAGES_PNG) libcmocka-dev python3 python3-numpy pari-gp locales parallel openmpi-bin libopenmpi-dev pkgconf cmake groff-base python3-jsonschema python3-venv python3-gmpy2 python3-yaml mypy
+PACKAGES_TEST  := $(PACKAGES_DEB) $(PACKAGES_PNG) libcmocka-dev python3 python3-numpy pari-gp locales parallel openmpi-bin libopenmpi-dev pkgconf cmake groff-base python3-jsonschema python3-venv python3-gmpy2 python3-yaml mypy python3-pytest python3-hypothesis doctest-dev
 PACKAGES_PROOFS := $(PACKAGES_BUILD) coq ocaml-findlib libzarith-ocaml-dev python3
-PACKAGES_DOCS  := $(PACKAGES_BUILD) python3 python3-numpy python3-pandas python3-sphinx python3-myst-parser python3-sphinx-copybutton furo doxygen python3-breathe
-PACKAGES_ALL   := $(PACKAGES_TEST) $(PACKAGES_DOCS) python3-shapely python3-meshio chromium clang libclang-rt-$(CLANG)-dev clang-format llvm cppcheck debootstrap reuse patchelf
+PACKAGES_DOCS  := $(PACKAGES_BUILD) python3 python3-numpy python3-pandas python3-sphinx python3-myst-parser python3-sphinx-copybutton furo doxygen python3-breathe python3-pytest python3-hypothesis
+PACKAGES_ALL   := $(PACKAGES_TEST) $(PACKAGES_DOCS) catch2 libgtest-dev python3-shapely python3-meshio chromium clang libclang-rt-$(CLANG)-dev clang-format llvm cppcheck debootstrap reuse patchelf
 
 comma   := ,
 LIB_C   := $(wildcard src/api/*.c) $(filter-out src/program/% src/output/png/%,$(wildcard src/*/*/*.c))
@@ -316,7 +316,9 @@ $B/install/%: src/install/%.in FORCE
 .PHONY: FORCE
 FORCE:
 
-CONFIGURED := $(addprefix $B/install/,graze.pc grazeConfig.cmake grazeConfigVersion.cmake)
+CONFIGURED := $(addprefix $B/install/,graze.pc grazeConfig.cmake grazeConfigVersion.cmake METADATA)
+# The module as pip and pytest, which finds its fixtures by it, know what is installed.
+DIST_INFO   = $(PYTHONDIR)/graze-$(VERSION).dist-info
 # Run ldconfig where the installed library is for this machine at once.
 REFRESH = @if [ -z "$(DESTDIR)" ] && [ "$$(id -u)" = 0 ]; then ldconfig; fi
 
@@ -331,10 +333,10 @@ endef
 install: all $B/install/libgraze.a $(PAGES) $(CONFIGURED)
 	$(check_paths)
 	@install -d $(addprefix $(DESTDIR),$(BINDIR) $(INCLUDEDIR)/graze $(LIBDIR)/pkgconfig $(CMAKEDIR) \
-	  $(MANDIR)/man1 $(MANDIR)/man3 $(MANDIR)/man5 $(COMPLETION) $(DOCDIR) $(DATADIR)/graze $(PYTHONDIR)/graze)
+	  $(MANDIR)/man1 $(MANDIR)/man3 $(MANDIR)/man5 $(COMPLETION) $(DOCDIR) $(DATADIR)/graze $(PYTHONDIR)/graze $(DIST_INFO))
 	@install -s $B/graze $B/graze-check $(MPI) $(DESTDIR)$(BINDIR)
-	@install -m 644 include/graze.h $(DESTDIR)$(INCLUDEDIR)
-	@install -m 644 include/graze/*.h $(DESTDIR)$(INCLUDEDIR)/graze
+	@install -m 644 include/graze.h include/graze.hpp $(DESTDIR)$(INCLUDEDIR)
+	@install -m 644 include/graze/*.h include/graze/*.hpp $(DESTDIR)$(INCLUDEDIR)/graze
 	@install -m 644 $B/install/libgraze.a $(DESTDIR)$(LIBDIR)
 	@install -s -m 644 $B/libgraze.so $(DESTDIR)$(LIBDIR)/libgraze.so.$(VERSION)
 	@ln -sf libgraze.so.$(VERSION) $(DESTDIR)$(LIBDIR)/$(SONAME)
@@ -349,6 +351,7 @@ install: all $B/install/libgraze.a $(PAGES) $(CONFIGURED)
 	@install -m 644 src/program/cli/motion.schema.json src/program/cli/csg.schema.json $(DESTDIR)$(DATADIR)/graze
 	@install -m 644 src/install/graze.bash $(DESTDIR)$(COMPLETION)/graze
 	@install -m 644 src/python/graze/*.py $(addprefix src/python/graze/,abi.txt py.typed) $(DESTDIR)$(PYTHONDIR)/graze
+	@install -m 644 $B/install/METADATA src/install/entry_points.txt $(DESTDIR)$(DIST_INFO)
 	@install -m 644 README.md CHANGELOG.md CITATION.cff LICENSE src/program/cli/formats.md proofs/semantics.md proofs/glossary.md $(DESTDIR)$(DOCDIR)
 	@rm -rf $(DESTDIR)$(DATADIR)/graze/cases
 	@cp -R cases $(DESTDIR)$(DATADIR)/graze
@@ -362,11 +365,11 @@ install: all $B/install/libgraze.a $(PAGES) $(CONFIGURED)
 .PHONY: uninstall
 uninstall:
 	$(check_paths)
-	@rm -f $(addprefix $(DESTDIR),$(BINDIR)/graze $(BINDIR)/graze-check $(BINDIR)/graze-mpi $(INCLUDEDIR)/graze.h $(LIBDIR)/libgraze.a \
+	@rm -f $(addprefix $(DESTDIR),$(BINDIR)/graze $(BINDIR)/graze-check $(BINDIR)/graze-mpi $(INCLUDEDIR)/graze.h $(INCLUDEDIR)/graze.hpp $(LIBDIR)/libgraze.a \
 	  $(addprefix $(LIBDIR)/,libgraze.so $(SONAME) libgraze.so.$(VERSION) libgraze-png-$(VERSION).so) $(LIBDIR)/pkgconfig/graze.pc $(COMPLETION)/graze)
 	@list=$(DESTDIR)$(DATADIR)/graze/pages; [ ! -f $$list ] || \
 	  while read -r page; do rm -f $(DESTDIR)$(MANDIR)/man$${page##*.}/$$page; done <$$list
-	@rm -rf $(addprefix $(DESTDIR),$(INCLUDEDIR)/graze $(CMAKEDIR) $(DOCDIR) $(DATADIR)/graze $(PYTHONDIR)/graze)
+	@rm -rf $(addprefix $(DESTDIR),$(INCLUDEDIR)/graze $(CMAKEDIR) $(DOCDIR) $(DATADIR)/graze $(PYTHONDIR)/graze $(DIST_INFO))
 	$(REFRESH)
 
 .PHONY: deb
@@ -469,7 +472,7 @@ lint: $B/.packages-all
 
 .PHONY: format
 format:
-	clang-format -i $$(git ls-files 'include/*.h' 'src/*.[ch]' 'src/*.[ch]pp' 'tests/*.[ch]' 'tests/*.cpp')
+	clang-format -i $$(git ls-files 'include/*.h' 'include/*.hpp' 'src/*.[ch]' 'src/*.[ch]pp' 'tests/*.[ch]' 'tests/*.cpp')
 
 .PHONY: clean
 clean:

@@ -5,7 +5,7 @@
 # __attribute__((cleanup)) either: leaks are the sanitizers' to find.)
 set -eu
 cd "$(dirname "$0")/.."
-sources=$(git ls-files 'include/*.h' 'src/*.c' 'src/*.h' 'src/*.cpp' 'src/*.hpp' 'tests/*.c' 'tests/*.h' 'tests/*.cpp')
+sources=$(git ls-files 'include/*.h' 'include/*.hpp' 'cases/adapters/*pp' 'src/*.c' 'src/*.h' 'src/*.cpp' 'src/*.hpp' 'tests/*.c' 'tests/*.h' 'tests/*.cpp')
 # shellcheck disable=SC2086 # a list of files
 printf '%s\n' $sources | xargs -P "$(nproc)" -n 40 clang-format --dry-run -Werror
 cppcheck --quiet -j "$(nproc)" --error-exitcode=1 --std=c11 --enable=warning,portability --inline-suppr \

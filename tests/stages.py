@@ -84,6 +84,7 @@ def long(options):
         Stage("1,000 distances to Minkowski sums", suite("distance/cgal", "--scale", "4", *seed), True),
         Stage("forged certificates of all cases", script("check/forged.py", "--scale", "2"), True),
         Stage("packages of Python", script("python/packages.py"), True),
+        Stage("tests in Catch2, doctest, GoogleTest", script("adapters/adapters.py", "--all"), True),
         Stage("CGAL's answers anew", ["env", "GRAZE_ORACLES=anew", *run_suites(*(word for name in ORACLES for word in ("--only", "tests/" + name)))]),
         Stage("archives, wheel and container in bare systems", script("install/dist.py")),
         Stage("memory in full", script("memory/memory.py", "--scale", "2")),

@@ -31,7 +31,8 @@ def environment(source):
         file.write(f"Name: graze\nDescription: as it is built\nVersion: 0\nRequires: gmp\nCflags: -I{source}/include\n"
                    f"Libs: -L{build} -lgraze\n")
     return dict(os.environ, PATH=f"{build}:{os.environ['PATH']}", PYTHONPATH=os.path.join(source, "src", "python"),
-                GRAZE_LIBRARY=os.path.join(build, "libgraze.so"), GRAZE_SOURCE=source, PKG_CONFIG_PATH=build, LD_LIBRARY_PATH=build)
+                GRAZE_LIBRARY=os.path.join(build, "libgraze.so"), GRAZE_SOURCE=source, PKG_CONFIG_PATH=build, LD_LIBRARY_PATH=build,
+                PYTEST_PLUGINS="graze.pytest_plugin")  # which an installed module names
 
 
 def run_page(page, source, change=lambda command: command):

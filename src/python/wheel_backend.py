@@ -63,12 +63,9 @@ def contents(library, platform, more=()):
              for name in sorted(os.listdir(os.path.join(HERE, "graze"))) if name.endswith((".py", ".txt", ".typed"))}
     files["graze/libgraze.so"] = library
     files.update((name if name.startswith("graze.libs/") else f"{info}/{name}", data) for name, data in more)
-    files[f"{info}/METADATA"] = (
-        f"Metadata-Version: 2.1\nName: graze\nVersion: {_version()}\n"
-        "Summary: Exact classification of points against the set that a moving solid sweeps\n"
-        "License: GPL-3.0-or-later\nRequires-Python: >=3.9\n"
-        "Provides-Extra: arrays\nRequires-Dist: numpy; extra == 'arrays'\n"
-        "Provides-Extra: tables\nRequires-Dist: pandas; extra == 'tables'\n").encode()
+    # `make install` writes these files too.
+    files[f"{info}/METADATA"] = _read(ROOT, "src", "install", "METADATA.in").replace(b"@VERSION@", _version().encode())
+    files[f"{info}/entry_points.txt"] = _read(ROOT, "src", "install", "entry_points.txt")
     files[f"{info}/WHEEL"] = ("Wheel-Version: 1.0\nGenerator: graze\nRoot-Is-Purelib: false\n"
                               f"Tag: py3-none-{platform}\n").encode()
     record = "".join(

@@ -41,10 +41,10 @@ def files_under(folder):
 
 
 def check_tree(root, version):
-    files = {name for name in files_under(root) if not name.startswith(("share/graze/", "share/man/", "lib/python3/dist-packages/graze/"))}
+    files = {name for name in files_under(root) if not name.startswith(("share/graze/", "share/man/", "lib/python3/dist-packages/graze"))}
     mpi = {"bin/graze-mpi"} if shutil.which("mpicc") else set()
     png = {f"lib/libgraze-png-{version}.so"} if os.path.exists("/usr/include/cairo/cairo.h") else set()
-    same(files, mpi | png | {"bin/graze", "bin/graze-check", "include/graze.h", *(f"include/graze/{name}.h" for name in PARTS), "lib/libgraze.a", "lib/libgraze.so", "lib/libgraze.so.0",
+    same(files, mpi | png | {"bin/graze", "bin/graze-check", "include/graze.h", "include/graze.hpp", "include/graze/testing.hpp", *(f"include/graze/{name}.h" for name in PARTS), "lib/libgraze.a", "lib/libgraze.so", "lib/libgraze.so.0",
                  f"lib/libgraze.so.{version}", "lib/pkgconfig/graze.pc", "lib/cmake/graze/grazeConfig.cmake",
                  "lib/cmake/graze/grazeConfigVersion.cmake", "share/bash-completion/completions/graze",
                  "share/doc/graze/README.md", "share/doc/graze/CHANGELOG.md", "share/doc/graze/CITATION.cff",
@@ -93,6 +93,12 @@ def check_python(root):
     module = f"{root}/lib/python3/dist-packages"
     same(files_under(f"{module}/graze"), {name for name in os.listdir(os.path.join(ROOT, "src", "python", "graze"))
                                          if name != "__pycache__"}, "files of the Python module")
+    info = f"graze-{version_of_header()}.dist-info"
+    same(files_under(f"{module}/{info}"), {"METADATA", "entry_points.txt"}, "what pip and pytest read")
+    code = ("import importlib.metadata as m; found = m.distribution('graze'); "
+            "print(found.version, *[(e.group, e.value) for e in found.entry_points])")
+    same(output([sys.executable, "-c", code], root, PYTHONPATH=module, PYTHONDONTWRITEBYTECODE="1"),
+         f"{version_of_header()} ('pytest11', 'graze.pytest_plugin')\n", "the entry point of pytest")
     # The second row of cases/bracket, and the library that is loaded.
     code = ("import graze, re; c = 'share/graze/cases/bracket/'; s = graze.Scene(c + 'solid.off', c + 'motion.json'); "
             "print(s.trace(['3/5', '29/5', '3/2']).word); "

@@ -73,7 +73,7 @@ def wheel(library, folder):
     got = imports(python)
     check(len(got) == 2 and got[1].startswith(os.path.realpath(place)), "the library of the wheel", got)
     shown = output([python, "-m", "pip", "show", "-f", "graze"])
-    check("Version: " in shown and "graze/libgraze.so" in shown and "graze/py.typed" in shown and "graze/abi.txt" in shown, shown)
+    check("Version: " in shown and "graze/libgraze.so" in shown and "graze/py.typed" in shown and "graze/abi.txt" in shown and "dist-info/entry_points.txt" in shown, shown)
     output([python, "-m", "pip", "uninstall", "-y", "graze"])
     check("No module named" in imports(python)[0], "uninstalled")
     same(checkout(), before, "pip leaves nothing in the checkout")

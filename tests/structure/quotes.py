@@ -15,11 +15,12 @@ COMMAND = re.compile(r"`graze ([a-z]+)")
 TARGET = re.compile(r"(?:`|^)make ([a-z][a-z-]*)", re.M)
 MEMBER = re.compile(r"`graze\.(?!pc\b)([A-Za-z]\w*)")
 LITERAL = re.compile(r'"_?(\w+)"')
-# Names of YAJL, of CMake and of other projects about swept volumes.
-FOREIGN = {"yajl_gen_alloc", "find_package", "swept_volume", "swept_volume_mesh", "swept_volume_sdf"}
-# Options of pkg-config, GNU parallel, Slurm and esbuild.
+# Names of YAJL, of CMake, of GoogleTest and of other projects about swept volumes.
+FOREIGN = {"yajl_gen_alloc", "find_package", "gtest_main", "swept_volume", "swept_volume_mesh", "swept_volume_sdf"}
+# Options of pkg-config, GNU parallel, Slurm, esbuild, and of pytest with the plugin of src/python.
 OF_OTHERS = {"--cflags", "--libs", "--sshloginfile", "--workdir", "--array", "--cpus-per-task", "--requeue",
-             "--outfile", "--minify", "--legal-comments", "--global-name", "--bundle"}
+             "--outfile", "--minify", "--legal-comments", "--global-name", "--bundle", "--junit-xml",
+             "--graze-n", "--graze-seed"}
 # A part of a name stands for what it may be, as in test_NAME.
 PLACEHOLDER = re.compile(r"(?:^|_)[A-Z]{3,}(?:_|$)")
 # Here options are those of the scripts of tests too.

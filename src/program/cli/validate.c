@@ -49,6 +49,9 @@ static const char validate_help[] =
     "  --coordinates exact|decimal, --digits N   of the points: decimals with --representable,\n"
     "                       which readers of CSV take for numbers; else integers and ratios\n"
     "  --timeout V          seconds the candidate may take (3600)\n"
+    "  --shrink FOLDER      write there the smallest scene found in which CMD is still wrong, one\n"
+    "                       point, the expected row and its reason; not where nothing is wrong.\n"
+    "                       FOLDER must not exist or be empty; python3 -m graze.shrink does it\n"
     "  --sdf TOL            width of the enclosures that values are compared with (1e-10r), and\n"
     "                       of those that --keep leaves (1e-12r)\n"
     "  --overlap, --folds, --operation, --triangulate, --jobs, --limit,\n"
@@ -210,7 +213,10 @@ static int validate(validation *v, const validate_options *o) {
         return complain(EXIT_IO, "%s: cannot be removed: %s", v->files[ANSWERS], strerror(errno));
     TRY(run_candidate(v, o));
     TRY(compare_answers(v, o));
-    return validation_report(v, o);
+    int status = validation_report(v, o);
+    if (o->shrink && status == EXIT_NO && graze_comparison_count(v->comparison).wrong)
+        return shrink_become(v, o);
+    return status;
 }
 
 static void add_validation_files(guard *g, const void *options, const operands *given) {
@@ -241,6 +247,7 @@ static const option_entry validate_table[] = {
     FILE_READ("points", validate_options, points),
     OPTION("timeout", validate_options, timeout, value_seconds),
     OPTION("keep", validate_options, keep, value_text),
+    OPTION("shrink", validate_options, shrink, value_text),
     OPTION("output", validate_options, output, value_output),
     OPTION("o", validate_options, output, value_output),
     OPTION("question", validate_options, compare.question, value_question),
@@ -290,6 +297,7 @@ static int run_validate(void *options, const operands *given) {
     TRY(compare_check(&o->compare));
     TRY(coordinates_check(&o->generate.coordinates));
     TRY(choose_enclosures(o));
+    TRY(shrink_check(o));
     if (!o->generate.count)
         o->generate.count = 10000;
     if (!o->generate.seed.given)

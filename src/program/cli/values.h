@@ -301,6 +301,7 @@ typedef struct validate_options {
     const char *points; /* NULL: points are generated */
     const char *keep;   /* folder for the files; NULL: one that is removed at the end */
     const char *output;
+    const char *shrink; /* folder for the smallest scene in which the candidate is wrong, or NULL */
     unsigned long timeout; /* seconds */
     generate_options generate;
     classify_options classify;
@@ -327,6 +328,12 @@ char *joined_texts(const char *a, const char *b);
 
 /** Write the reports asked for. Returns an exit status: EXIT_NO where the tables differ. */
 int validation_report(const validation *v, const validate_options *o);
+
+/** Check that --shrink has what it needs. Returns an exit status and says what is wrong. */
+int shrink_check(const validate_options *o);
+/** Become the program that shrinks the scene, which removes the folder of the files if it is
+ * temporary and ends as validate does. Returns only if it cannot be run: EXIT_IO. */
+int shrink_become(const validation *v, const validate_options *o);
 
 /* The signed distances of a mesh's vertices, and its answers, as files. */
 

@@ -37,6 +37,7 @@ class Solid(Expressions):
     """
 
     report = ""
+    _source: Optional[str] = None
 
     def __init__(self, source: Any, *, triangulate: bool = False, round: str = "none",
                  limits: "Mapping[str, int] | None" = None) -> None:
@@ -70,6 +71,7 @@ class Solid(Expressions):
         pointer = ctypes.c_void_p()
         flags = C.GRAZE_SOLID_TRIANGULATE if triangulate else 0
         if isinstance(source, (str, bytes, os.PathLike)):
+            self._source = os.fsdecode(source)
             context.run(library().graze_solid_read, ctypes.byref(pointer), context.pointer,
                         _path(source), flags)
         else:
@@ -184,6 +186,7 @@ class Motion:
     """
 
     report = ""
+    _source: Optional[str] = None
 
     def __init__(self, source: Any, *, round: str = "none",
                  limits: "Mapping[str, int] | None" = None) -> None:
@@ -213,6 +216,7 @@ class Motion:
                     name_argument(problem, "motion", rows=False)
                 raise
         else:
+            self._source = os.fsdecode(source)
             context.run(library().graze_motion_read, ctypes.byref(pointer), context.pointer,
                         _path(source))
         self._handle = Handle(pointer, library().graze_motion_destroy)
@@ -339,6 +343,11 @@ def input_settings(made: "Solid | Motion") -> Settings:
 def input_handle(made: "Solid | Motion") -> Handle:
     """The library's handle of a solid or motion."""
     return made._handle
+
+
+def source_of(made: "Solid | Motion") -> Optional[str]:
+    """The path of the file that a solid or motion was read from; None of arrays and texts."""
+    return made._source
 
 
 def _path(source: Any) -> bytes:
