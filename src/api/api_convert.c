@@ -21,8 +21,8 @@ static void conversion_clear(conversion *c) {
 }
 
 /* Read a motion that was made, whose numbers are rounded already. */
-static graze_status read_made(graze_motion **out, graze_context *context, const char *json,
-                              size_t length) {
+static graze_status read_conversion(graze_motion **out, graze_context *context, const char *json,
+                                    size_t length) {
     graze_rounding rounding = context->rounding;
     context->rounding = GRAZE_ROUND_NONE;
     graze_status status = motion_from_text(out, context, json, length);
@@ -35,7 +35,7 @@ static graze_status finish_conversion(char **json, char **report, graze_context 
                                       conversion *made) {
     graze_motion *motion = NULL;
     if (!made->motion.failed)
-        TRY(read_made(&motion, context, made->motion.data, made->motion.length));
+        TRY(read_conversion(&motion, context, made->motion.data, made->motion.length));
     graze_motion_destroy(motion);
     TRY(text_finish(json, context, &made->motion));
     if (!report || !text_finish(report, context, &made->report))
@@ -259,7 +259,7 @@ graze_status graze_motion_from_poses(graze_motion **out, char **report, graze_co
     taken.text = list.data;
     taken.length = list.length;
     TRY(graze_motion_write_pose_list(&json, report, context, "poses", &taken));
-    graze_status status = read_made(out, context, json, strlen(json));
+    graze_status status = read_conversion(out, context, json, strlen(json));
     if (status && report) {
         free(*report);
         *report = NULL;

@@ -20,16 +20,24 @@ enum { IDLE, MOTIONS, PLANES, UNITS, WAYS, GROUPS };
 enum { ALL_KNOWN = 7, LINE_WORK = 1000 };
 
 /* Codes in tenths. */
-enum { CLOCKWISE = 20, COUNTER = 30, NO_MOTION = 800, DWELL = 40, INCHES = 200, INCREMENTS = 910 };
+enum {
+    CLOCKWISE = 20,
+    COUNTER = 30,
+    NO_MOTION = 800,
+    DWELL = 40,
+    INCHES = 200,
+    INCREMENTS = 910,
+    ROUNDED = 640
+};
 
 static const struct {
     int code, group;
-} known_codes[] = {{0, MOTIONS},         {10, MOTIONS}, {CLOCKWISE, MOTIONS}, {COUNTER, MOTIONS},
-                   {NO_MOTION, MOTIONS}, {170, PLANES}, {180, PLANES},        {190, PLANES},
-                   {INCHES, UNITS},      {210, UNITS},  {900, WAYS},          {INCREMENTS, WAYS},
-                   {DWELL, IDLE},        {400, IDLE},   {490, IDLE},          {540, IDLE},
-                   {610, IDLE},          {911, IDLE},   {930, IDLE},          {940, IDLE},
-                   {950, IDLE}};
+} known_codes[] = {{0, MOTIONS},      {10, MOTIONS},  {CLOCKWISE, MOTIONS}, {COUNTER, MOTIONS},
+                   {NO_MOTION, IDLE}, {170, PLANES},  {180, PLANES},        {190, PLANES},
+                   {INCHES, UNITS},   {210, UNITS},   {900, WAYS},          {INCREMENTS, WAYS},
+                   {DWELL, IDLE},     {400, IDLE},    {490, IDLE},          {540, IDLE},
+                   {610, IDLE},       {911, IDLE},    {930, IDLE},          {940, IDLE},
+                   {950, IDLE},       {ROUNDED, IDLE}};
 
 typedef struct program {
     const gcode_choice *choice;
@@ -48,19 +56,25 @@ typedef struct program {
 /* Put G words in force. */
 static graze_status take_codes(program *p) {
     const gcode_block *b = &p->block;
-    int seen[GROUPS] = {0}, count = sizeof known_codes / sizeof *known_codes;
+    int seen[GROUPS] = {0}, cancels = 0, count = sizeof known_codes / sizeof *known_codes;
     for (int i = 0; i < b->g_count; i++) {
         int k = 0;
         while (k < count && known_codes[k].code != b->g[i])
             k++;
         if (k == count)
-            return gcode_refuse(b, "a G word is not read here; expected G0 to G3, G17 to G21, G90, "
-                                   "G91, or G4, G40, G49, G54, G61, G80, G91.1, G93, G94, G95, "
-                                   "which change no path");
+            return context_fail_in(
+                b->context, GRAZE_EINPUT, b->source, b->line,
+                "G%d%s%.0d is not read here; expected G0 to G3, G17 to G21, G90, "
+                "G91, or G4, G40, G49, G54, G61, G64, G80, G91.1, G93 to G95, "
+                "which move nothing",
+                b->g[i] / 10, b->g[i] % 10 ? "." : "", b->g[i] % 10);
         if (known_codes[k].group && seen[known_codes[k].group]++)
             return gcode_refuse(b, "two G words exclude one another; expected one of them");
+        cancels |= b->g[i] == NO_MOTION;
         p->mode[known_codes[k].group] = b->g[i];
     }
+    if (cancels && !seen[MOTIONS])
+        p->mode[MOTIONS] = NO_MOTION;
     return GRAZE_OK;
 }
 
@@ -68,12 +82,17 @@ static graze_status take_codes(program *p) {
  * R. M words change no path but for those that are refused. */
 static graze_status check_words(program *p, int moving, int offsets) {
     const gcode_block *b = &p->block;
-    int dwell = 0, mode = p->mode[MOTIONS];
-    for (int i = 0; i < b->g_count; i++)
+    int dwell = 0, rounded = 0, mode = p->mode[MOTIONS];
+    for (int i = 0; i < b->g_count; i++) {
         dwell |= b->g[i] == DWELL;
+        rounded |= b->g[i] == ROUNDED;
+    }
+    if (rounded)
+        text_format(p->report, "line %lu: G64 lets a machine round corners; the motion has them\n",
+                    b->line);
     for (int i = 0; i < b->m_count; i++) {
         int code = b->m[i];
-        if (code < 0 || code == 470 || code == 720 || (code >= 970 && code <= 990))
+        if (code == 470 || code == 720 || (code >= 970 && code <= 990))
             return gcode_refuse(b, "M47, M72 and M97 to M99 repeat or call parts of a program; "
                                    "expected lines that follow one another");
         p->ended |= code == 20 || code == 300;
@@ -83,8 +102,8 @@ static graze_status check_words(program *p, int moving, int offsets) {
                                "before, or a line of their own");
     if (dwell && (moving || offsets))
         return gcode_refuse(b, "G4 waits; expected P or S beside it, and the move on another line");
-    if (gcode_has(b, 'P') && (moving || offsets || (!dwell && !b->m_count)))
-        return gcode_refuse(b, "P is read beside G4 or M words alone; expected a line without it");
+    if (gcode_has(b, 'P') && (offsets || !(rounded || (!moving && (dwell || b->m_count)))))
+        return gcode_refuse(b, "P is read beside G4, G64 or M words alone; expected none");
     if (offsets && mode != CLOCKWISE && mode != COUNTER)
         return gcode_refuse(b, "I, J, K and R belong to G2 and G3; expected X, Y and Z alone");
     if (moving && mode == NO_MOTION)

@@ -50,7 +50,7 @@ typedef struct gcode_arc {
     fmpq *quotient;     /* complex, (end - centre) / (start - centre) */
     fmpq *spiral;       /* complex, how far the way from the centre grows; 0: an exact arc */
     fmpq *turn;         /* the angle over 4 pi, within 2^-64 */
-    slong bits, end_bits; /* of corners between pieces, and of the last one of a spiral */
+    slong bits;         /* corners between pieces are within 2^-bits of the circle of radius 1 */
     unsigned long pieces;
     mpfr_ptr
         error; /* upper bound, of ANGLE_BITS bits; 0: an exact arc. gcode_arc.c has the claim */

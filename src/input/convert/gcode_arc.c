@@ -14,8 +14,10 @@
  * the chord's length. A rational h' is taken in place of h, and |h - h'|^2 <= |h^2 - h'^2|. Centre
  * and radius change by at most D |h - h'| each. Where q is negative, h' is 0 and the radius D / 2.
  *
- * The third coordinate is linear in u. The helix has a point at the same angle, from which it is
- * off by its way times |angle / a - u|; angle.h bounds how far the angle is from the uniform one.
+ * The third coordinate is linear in u. The helix has a point at the same angle, which is off by
+ * the rise times |angle / a - u|. angle_sway bounds how far the angle is from the uniform one where
+ * corners are exact. Corners off by 2^-bits move N by no more, and |N| is at least 0.9 between
+ * corners of at most a quarter turn, so the angle, twice that of N, is off by 4 * 2^-bits at most.
  */
 #include "input/convert/gcode.h"
 
@@ -23,7 +25,7 @@
 #include "base/context/scope.h"
 #include "input/convert/angle.h"
 
-enum { CORNER_BITS = 6, CENTRE_BITS = 20, TURN_BITS = 64, CORNER_WORK = 10000 };
+enum { CORNER_BITS = 6, CENTRE_BITS = 20, TURN_BITS = 64 };
 
 /* Set `out`, which is neither of them, to the complex product of a and of b or its conjugate. */
 static void multiply_complex(fmpq *out, const fmpq *a, const fmpq *b, int conjugate) {
@@ -128,16 +130,15 @@ static void find_arc_turn(gcode_arc *a) {
     round_to_grid(a->turn, angle, TURN_BITS);
 }
 
-/* Corner k of n, and the fraction of its angle for the functions of angle.h. */
-static void arc_corner(half_angle *out, fmpq_t fraction, const gcode_arc *a, unsigned long k,
-                       unsigned long n) {
+/* Corner k of n, within 2^-bits. */
+static void arc_corner(half_angle *out, const gcode_arc *a, unsigned long k, unsigned long n) {
     LOCAL_VEC(fmpq, sum, 3);
     fmpq *square = sum + 2;
     LOCAL_MPFR(scale, ANGLE_BITS);
     fmpq_set_si(sum, (slong)k, n);
-    fmpq_mul(fraction, a->turn, sum);
+    fmpq_mul(sum, a->turn, sum);
     fmpq_one(square);
-    half_angle_dyadic(out, fraction, square, k == n ? a->end_bits : a->bits);
+    half_angle_dyadic(out, sum, square, a->bits);
     square_of_length(sum, a->quotient);
     if (k < n || !fmpq_is_one(sum))
         return;
@@ -148,7 +149,7 @@ static void arc_corner(half_angle *out, fmpq_t fraction, const gcode_arc *a, uns
         return; /* half a turn, whose corner is i */
     rational_to_mpfr(scale, square, MPFR_RNDN);
     mpfr_rec_sqrt(scale, scale, MPFR_RNDN);
-    round_to_grid(square, scale, CORNER_BITS + 2 - mpfr_get_exp(scale));
+    round_to_grid(square, scale, a->bits + 1 - mpfr_get_exp(scale));
     if (beyond_half(a))
         fmpq_neg(square, square);
     fmpq_mul(out->w, sum, square);
@@ -161,7 +162,7 @@ static void find_spiral(gcode_arc *a) {
     fmpq *back = corner + 2, *square = corner + 4, *other = corner + 5;
     LOCAL_MPFR(size, ANGLE_BITS);
     HELD(half_angle, end);
-    arc_corner(&end, other, a, 1, 1);
+    arc_corner(&end, a, 1, 1);
     fmpq_set(corner, end.w);
     fmpq_set(corner + 1, end.c);
     square_of_length(square, corner);
@@ -177,104 +178,88 @@ static void find_spiral(gcode_arc *a) {
     mpfr_add(a->error, a->error, size, MPFR_RNDU);
 }
 
-/* Bound how far n pieces are off the helix that rises by `rise`, not negative. */
-static graze_status rise_error(mpfr_t out, graze_context *context, const gcode_arc *a,
-                               const fmpq_t rise, unsigned long n) {
-    LOCAL_VEC(fmpq, share, 3);
-    fmpq *fraction = share + 1, *one = share + 2;
-    LOCAL_MPFR(worst, ANGLE_BITS);
+/* Bound how far the pieces are off the helix that rises by `rise`, not negative; `swaying`, 0
+ * leaves out what more pieces make less. */
+static void rise_error(mpfr_t out, const gcode_arc *a, const fmpq_t rise, int swaying) {
+    LOCAL_VEC(fmpq, share, 1);
     LOCAL_MPFR(part, ANGLE_BITS);
-    HELD(half_angle, from);
-    HELD(half_angle, to);
-    fmpq_one(one);
-    fmpq_div_2exp(fraction, one, TURN_BITS - 1);
-    fmpq_sub(fraction, a->turn, fraction);
     rational_to_mpfr(out, rise, MPFR_RNDU);
-    if (fmpq_is_zero(rise) || fmpq_sgn(fraction) <= 0)
-        return GRAZE_OK; /* both are between the two ends */
-    fmpq_div(share, rise, fraction);
-    divide_by(share, share, 12); /* the angle is over 12 times the fraction, as 4 pi > 12 */
-    mpfr_set_zero(worst, 1);
-    mpfr_set_ui_2exp(out, 1, 4 - TURN_BITS, MPFR_RNDU); /* the error of the angle's fraction */
-    for (unsigned long k = 0; k <= n; k++) {
-        TRY(context_work(context, CORNER_WORK));
-        arc_corner(&to, fraction, a, k, n);
-        half_angle_error(part, &to, fraction, one);
-        mpfr_max(worst, worst, part, MPFR_RNDU);
-        if (k) {
-            half_angle_sway(part, &from, &to, one);
-            mpfr_max(out, out, part, MPFR_RNDU);
-        }
-        fmpq_swap(from.w, to.w);
-        fmpq_swap(from.c, to.c);
+    fmpq_mul_2exp(share, a->turn, TURN_BITS - 4);
+    if (fmpq_is_zero(rise) || fmpq_cmp_si(share, 1) < 0)
+        return; /* both are between the two ends */
+    mpfr_set_zero(out, 1);
+    if (swaying) {
+        mpfr_const_pi(part, MPFR_RNDU);
+        rational_to_mpfr(out, a->turn, MPFR_RNDU);
+        mpfr_mul(part, part, out, MPFR_RNDU);
+        mpfr_mul_2ui(part, part, 1, MPFR_RNDU);
+        mpfr_div_ui(part, part, a->pieces, MPFR_RNDU);
+        angle_sway(out, part);
     }
-    mpfr_add(out, out, worst, MPFR_RNDU);
+    mpfr_set_ui_2exp(part, 1, 2 - a->bits, MPFR_RNDU);
+    mpfr_add(out, out, part, MPFR_RNDU);
+    mpfr_set_ui_2exp(part, 1, 4 - TURN_BITS, MPFR_RNDU); /* the error of the turn, as an angle */
+    mpfr_add(out, out, part, MPFR_RNDU);
+    fmpq_div(share, rise, a->turn); /* the angle is over 12 turns, as 4 pi is */
+    divide_by(share, share, 12);
     rational_to_mpfr(part, share, MPFR_RNDU);
     mpfr_mul(out, out, part, MPFR_RNDU);
-    return GRAZE_OK;
 }
 
 /* Double the pieces, from one for each quarter begun, until the helix is near enough. */
 static graze_status refine_helix(gcode_arc *a, graze_context *context, const fmpq_t rise,
                                  const fmpq_t tolerance) {
     char digits[DIGITS_ROOM];
-    LOCAL_MPFR(before, ANGLE_BITS);
-    LOCAL_MPFR(rising, ANGLE_BITS);
-    LOCAL_MPFR(sum, ANGLE_BITS);
+    LOCAL_MPFR(error, ANGLE_BITS);
     LOCAL(fmpz, quarters);
+    rise_error(error, a, rise, 0);
+    mpfr_add(error, error, a->error, MPFR_RNDU);
+    if (bound_exceeds(error, tolerance) || (fmpq_is_zero(tolerance) && !fmpq_is_zero(rise)))
+        return context_fail(context, GRAZE_EINPUT,
+                            "the arc is off its circle or helix by up to %s; expected at most the "
+                            "tolerance",
+                            bound_digits(digits, error));
     fmpz_mul_2exp(quarters, fmpq_numref(a->turn), 3);
     fmpz_cdiv_q(quarters, quarters, fmpq_denref(a->turn));
-    mpfr_set_inf(before, 1);
     for (a->pieces = fmpz_is_zero(quarters) ? 1 : fmpz_get_ui(quarters);; a->pieces *= 2) {
         if (a->pieces > context->limits[GRAZE_LIMIT_PIECES])
             return context_limit(context, GRAZE_LIMIT_PIECES, "an arc within the tolerance");
-        TRY(rise_error(rising, context, a, rise, a->pieces));
-        mpfr_add(sum, rising, a->error, MPFR_RNDU);
-        if (!bound_exceeds(sum, tolerance))
+        rise_error(error, a, rise, 1);
+        mpfr_add(error, error, a->error, MPFR_RNDU);
+        if (!bound_exceeds(error, tolerance))
             break;
-        mpfr_mul_d(before, before, 0.75, MPFR_RNDD);
-        if (bound_exceeds(a->error, tolerance) || mpfr_cmp(rising, before) > 0 ||
-            fmpq_is_zero(tolerance)) /* more pieces come no nearer */
-            return context_fail(context, GRAZE_EINPUT,
-                                "the arc is off its circle or helix by up to %s; expected at most "
-                                "the tolerance",
-                                bound_digits(digits, sum));
-        mpfr_set(before, rising, MPFR_RNDU);
     }
-    mpfr_set(a->error, sum, MPFR_RNDU);
+    mpfr_set(a->error, error, MPFR_RNDU);
     return GRAZE_OK;
 }
 
 graze_status gcode_arc_fit(gcode_arc *a, graze_context *context, const fmpq_t tolerance) {
     LOCAL_VEC(fmpq, rise, 2);
+    fmpq *square = rise + 1;
     LOCAL_MPFR(size, ANGLE_BITS);
     TRY(place_arc(a, context, tolerance));
     find_arc_turn(a);
-    square_of_length(rise, a->start);
-    root_above(size, rise);
-    a->end_bits = places_within(size, tolerance, CORNER_BITS);
     fmpq_sub(rise, a->to + 2, a->from + 2);
     fmpq_abs(rise, rise);
     rational_to_mpfr(size, rise, MPFR_RNDU);
     a->bits = places_within(size, tolerance, CORNER_BITS);
+    square_of_length(square, a->quotient);
+    if (!fmpq_is_one(square)) { /* a spiral */
+        square_of_length(square, a->start);
+        root_above(size, square);
+        a->bits = places_within(size, tolerance, a->bits);
+    }
     find_spiral(a);
     return refine_helix(a, context, rise, tolerance);
 }
 
 void gcode_arc_put(json_writer *w, const gcode_arc *a, unsigned long k, int which, int mirrored) {
-    /* With N = A + i B: c + (v (A^2 - B^2) -+ 2 v' A B) / (A^2 + B^2), v' the other part of v. */
-    static const char *const forms[] = {"\"@+((@+(@)*s)*((@+(@)*s)^2-(@+(@)*s)^2)"
-                                        "-2*(@+(@)*s)*(@+(@)*s)*(@+(@)*s))"
-                                        "/((@+(@)*s)^2+(@+(@)*s)^2)\"",
-                                        "\"@+((@+(@)*s)*((@+(@)*s)^2-(@+(@)*s)^2)"
-                                        "+2*(@+(@)*s)*(@+(@)*s)*(@+(@)*s))"
-                                        "/((@+(@)*s)^2+(@+(@)*s)^2)\""};
     LOCAL_VEC(fmpq, way, 8);
-    fmpq *step = way + 2, *grow = way + 4, *share = way + 6, *centre = way + 7;
+    fmpq *step = way + 2, *grow = way + 4, *centre = way + 6;
     HELD(half_angle, from);
     HELD(half_angle, to);
-    arc_corner(&from, share, a, k, a->pieces);
-    arc_corner(&to, share, a, k + 1, a->pieces);
+    arc_corner(&from, a, k, a->pieces);
+    arc_corner(&to, a, k + 1, a->pieces);
     fmpq_sub(to.w, to.w, from.w);
     fmpq_sub(to.c, to.c, from.c);
     fmpq_add(centre, a->from + which, a->centre + which);
@@ -283,11 +268,15 @@ void gcode_arc_put(json_writer *w, const gcode_arc *a, unsigned long k, int whic
         divide_by(step + i, grow + i, a->pieces);
         fmpq_mul_si(way + i, step + i, (slong)k);
         fmpq_add(way + i, way + i, a->start + i);
-        (mirrored ? fmpq_neg : fmpq_set)(way + i, way + i);
-        (mirrored ? fmpq_neg : fmpq_set)(step + i, step + i);
+        int opposite = mirrored != (which == 0 && i == 1);
+        (opposite ? fmpq_neg : fmpq_set)(way + i, way + i);
+        (opposite ? fmpq_neg : fmpq_set)(step + i, step + i);
     }
     (mirrored ? fmpq_neg : fmpq_set)(centre, centre);
-    json_form(json_begin(w, NULL), forms[which], centre, way + which, step + which, from.w, to.w,
-              from.c, to.c, way + 1 - which, step + 1 - which, from.w, to.w, from.c, to.c, from.w,
-              to.w, from.c, to.c);
+    /* With N = A + i B: c + (v (A^2 - B^2) + 2 v' A B) / (A^2 + B^2), v' the other part of v. */
+    json_form(json_begin(w, NULL),
+              "\"@+((@+(@)*s)*((@+(@)*s)^2-(@+(@)*s)^2)+2*(@+(@)*s)*(@+(@)*s)*(@+(@)*s))"
+              "/((@+(@)*s)^2+(@+(@)*s)^2)\"",
+              centre, way + which, step + which, from.w, to.w, from.c, to.c, way + 1 - which,
+              step + 1 - which, from.w, to.w, from.c, to.c, from.w, to.w, from.c, to.c);
 }

@@ -32,12 +32,11 @@ static graze_status refuse_byte(const gcode_block *b, int byte) {
 
 static graze_status take_code(gcode_block *b, int *code, int *count, fmpq_t value) {
     fmpq_mul_si(value, value, 10);
-    if (*count == GCODE_CODES)
-        return gcode_refuse(b, "the line has too many G or M words; expected at most 32");
-    code[(*count)++] = fmpz_is_one(fmpq_denref(value)) && fmpz_abs_fits_ui(fmpq_numref(value)) &&
-                               fmpz_cmp_ui(fmpq_numref(value), 100000) < 0
-                           ? (int)fmpz_get_si(fmpq_numref(value))
-                           : -1;
+    if (!fmpz_is_one(fmpq_denref(value)) || fmpq_sgn(value) < 0 || fmpq_cmp_si(value, 99999) > 0 ||
+        *count == GCODE_CODES)
+        return gcode_refuse(b, "a G or M word has no code, or the line over 32 of them; expected "
+                               "codes such as G1 and G91.1");
+    code[(*count)++] = (int)fmpz_get_si(fmpq_numref(value));
     return GRAZE_OK;
 }
 
@@ -78,7 +77,7 @@ graze_status gcode_block_read(gcode_block *b, field line) {
     b->first = '\0';
     for (size_t i = 0; i < line.length && line.start[i] != ';'; i++) {
         int byte = toupper((unsigned char)line.start[i]);
-        if (byte == ' ' || byte == '\t')
+        if (byte == ' ' || byte == '\t' || byte == '\r')
             continue;
         if (letter && strchr("+-.0123456789", byte)) {
             text_bytes(&digits, line.start + i, 1);
