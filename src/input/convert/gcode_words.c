@@ -21,7 +21,7 @@ static graze_status refuse_byte(const gcode_block *b, int byte) {
     if (byte == '/' && !b->present)
         return gcode_refuse(b, "some machines skip a line that begins with /, others do not; "
                                "expected a program without such lines");
-    if (strchr("#[]O", byte))
+    if (byte && strchr("#[]O", byte))
         return gcode_refuse(b, "macros, variables and subprograms are not read; expected words "
                                "such as X1.5");
     return context_fail_in(b->context, GRAZE_EINPUT, b->source, b->line,
@@ -79,11 +79,11 @@ graze_status gcode_block_read(gcode_block *b, field line) {
         int byte = toupper((unsigned char)line.start[i]);
         if (byte == ' ' || byte == '\t' || byte == '\r')
             continue;
-        if (letter && strchr("+-.0123456789", byte)) {
+        if (letter && byte && strchr("+-.0123456789", byte)) {
             text_bytes(&digits, line.start + i, 1);
             continue;
         }
-        if (letter && !digits.length && strchr("#[", byte))
+        if (letter && !digits.length && (byte == '#' || byte == '['))
             return refuse_byte(b, byte);
         TRY(end_word(b, letter, &digits));
         letter = '\0';
