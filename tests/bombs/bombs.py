@@ -205,7 +205,7 @@ BOMBS = [
          {"poses.csv": "t,x,y,z,qw,qx,qy,qz\n" + "".join(f"{k},{k % 9},0,0,1,0,0,0\n" for k in range(100000))}, None),
     Bomb("pieces-of-a-program", "pieces", "motion gcode {a.nc}",
          {"a.nc": "G91 G0\nG90 X0 Y0 Z0\nG91\n" + "X1\n" * 1000000}, None),
-    Bomb("pieces-of-a-helix", "pieces", "motion gcode {a.nc} --tolerance 1e-9999",
+    Bomb("pieces-of-a-helix", "pieces", "motion gcode {a.nc} --tolerance 1e-15",
          {"a.nc": "G0 X0 Y0 Z0\nG2 I5 Z1\n"}, None),
     Bomb("digits-of-a-program", "digits", "motion gcode {a.nc}",
          {"a.nc": "G0 X0 Y0 Z0\nG2 X1" + "0" * 1000000 + " R1\n"}, None),
