@@ -42,6 +42,7 @@ class Piece:
 def made(graze, folder, program, *arguments):
     """(pieces, report) of a program that must be taken."""
     motion, report = made_of(graze, folder, program, *arguments, kind="gcode")
+    check(motion is not None, "taken", program, report)
     return motion and [Piece(piece) for piece in motion["pieces"]], report
 
 
