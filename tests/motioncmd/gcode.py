@@ -281,6 +281,7 @@ def test_start(graze, folder):
     # G80 ends the mode of motion; blanks and zeros mean nothing; a line that waits, and one that rounds corners.
     pieces, report = made(graze, folder, "\ufeffg00x0y0z0\r\nG4 P1.5\r\nG64 P0.01\r\nN7 G1G40G49 x +0. 12 34y 7\r\nM6 T2\r\nG80\r\n")
     check(pieces[0].at(F(1)) == [F("0.1234"), 7, 0] and pieces[0].row == 4, pieces)
+    check("line 5: M6 may change the tool; the motion goes on\n" in report, report)
     check("line 3: G64 lets a machine round corners; the motion has them\n" in report, report)
 
 

@@ -64,10 +64,8 @@ static graze_status take_codes(program *p) {
         if (k == count)
             return context_fail_in(
                 b->context, GRAZE_EINPUT, b->source, b->line,
-                "G%d%s%.0d is not read here; expected G0 to G3, G17 to G21, G90, "
-                "G91, or G4, G40, G49, G54, G61, G64, G80, G91.1, G93 to G95, "
-                "which move nothing",
-                b->g[i] / 10, b->g[i] % 10 ? "." : "", b->g[i] % 10);
+                "G%d%s%.0d is not read; expected G0 to G3, G17 to G21, G90 or G91", b->g[i] / 10,
+                b->g[i] % 10 ? "." : "", b->g[i] % 10);
         if (known_codes[k].group && seen[known_codes[k].group]++)
             return gcode_refuse(b, "two G words exclude one another; expected one of them");
         cancels |= b->g[i] == NO_MOTION;
@@ -82,26 +80,26 @@ static graze_status take_codes(program *p) {
  * R. M words change no path but for those that are refused. */
 static graze_status check_words(program *p, int moving, int offsets) {
     const gcode_block *b = &p->block;
-    int dwell = 0, rounded = 0, mode = p->mode[MOTIONS];
+    int dwell = 0, rounded = 0, changes = 0, mode = p->mode[MOTIONS];
     for (int i = 0; i < b->g_count; i++) {
         dwell |= b->g[i] == DWELL;
         rounded |= b->g[i] == ROUNDED;
     }
-    if (rounded)
-        text_format(p->report, "line %lu: G64 lets a machine round corners; the motion has them\n",
-                    b->line);
     for (int i = 0; i < b->m_count; i++) {
         int code = b->m[i];
         if (code == 470 || code == 720 || (code >= 970 && code <= 990))
-            return gcode_refuse(b, "M47, M72 and M97 to M99 repeat or call parts of a program; "
-                                   "expected lines that follow one another");
+            return gcode_refuse(b, "M47, M72 and M97 to M99 go on elsewhere; expected none");
+        changes |= code == 60 && p->moves;
         p->ended |= code == 20 || code == 300;
     }
+    if (rounded || changes)
+        text_format(p->report, "line %lu: %s\n", b->line,
+                    rounded ? "G64 lets a machine round corners; the motion has them"
+                            : "M6 may change the tool; the motion goes on");
     if (b->first == 'M' && moving && !b->g_count)
-        return gcode_refuse(b, "X, Y or Z behind an M word may belong to it; expected a G word "
-                               "before, or a line of their own");
+        return gcode_refuse(b, "X, Y or Z behind M may belong to it; expected a G word before");
     if (dwell && (moving || offsets))
-        return gcode_refuse(b, "G4 waits; expected P or S beside it, and the move on another line");
+        return gcode_refuse(b, "G4 waits; expected the move on another line");
     if (gcode_has(b, 'P') && (offsets || !(rounded || (!moving && (dwell || b->m_count)))))
         return gcode_refuse(b, "P is read beside G4, G64 or M words alone; expected none");
     if (offsets && mode != CLOCKWISE && mode != COUNTER)
@@ -129,8 +127,8 @@ static graze_status find_target(fmpq *to, const program *p) {
         if (p->mode[WAYS] != INCREMENTS)
             continue;
         if (!(p->known >> k & 1))
-            return gcode_refuse(&p->block, "G91 moves from a position that no line has given; "
-                                           "expected G90 before, or the position at the start");
+            return gcode_refuse(&p->block,
+                                "G91 at a position that is not known; expected G90, or a start");
         fmpq_add(to + k, to + k, p->at + k);
     }
     return GRAZE_OK;
@@ -175,8 +173,8 @@ static graze_status take_centre(program *p, gcode_arc *a, fmpq *radius, int firs
         if (!gcode_has(b, letter))
             continue;
         if (k == 2)
-            return gcode_refuse(b, "a centre is given across its plane; expected I and J with G17, "
-                                   "I and K with G18, J and K with G19");
+            return gcode_refuse(b, "a centre lies across its plane; expected I and J with G17, I "
+                                   "and K with G18, J and K with G19");
         given = 1;
         take_length(a->centre + k, p, letter);
     }
@@ -227,14 +225,13 @@ static graze_status put_arc(program *p, const fmpq *to) {
 /* Move to a position; `given` are the bits of coordinates that the line has. */
 static graze_status move_to(program *p, const fmpq *to, int given) {
     graze_context *context = p->block.context;
-    int arc = p->mode[MOTIONS] == CLOCKWISE || p->mode[MOTIONS] == COUNTER, moves = arc;
+    int arc = p->mode[MOTIONS] == CLOCKWISE || p->mode[MOTIONS] == COUNTER, moves = 0;
     for (int k = 0; k < 3; k++)
         moves |= !fmpq_equal(to + k, p->at + k);
     if (p->known != ALL_KNOWN) {
         if (arc)
-            return gcode_refuse(&p->block,
-                                "an arc begins where x, y and z are not all known; "
-                                "expected G0 or G1 before, or the position at the start");
+            return gcode_refuse(&p->block, "an arc begins at a position that is not known; "
+                                           "expected G0 or G1 before, or a start");
         p->known |= given;
         p->begins = p->block.line;
     } else if (arc) {
@@ -283,7 +280,7 @@ static graze_status run_program(program *p, stream *in) {
         return GRAZE_OK;
     return context_fail_in(in->context, GRAZE_EINPUT, in->name, 0,
                            "no line moves from a position that is known in x, y and z; expected "
-                           "lines with G0 to G3, or the position at the start");
+                           "one, or a start");
 }
 
 graze_status convert_gcode(conversion *out, graze_context *context, const char *path,
