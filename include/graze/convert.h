@@ -130,6 +130,60 @@ GRAZE_API GRAZE_CHECKED graze_status
 graze_motion_write_pose_list(char **json, char **report, graze_context *context, const char *path,
                              const graze_pose_options *options);
 
+/** Options of a motion of a G-code program (rule 6). All pointers are borrowed. */
+typedef struct graze_gcode_options {
+    size_t size;           /**< sizeof(graze_gcode_options) */
+    mpq_srcptr tolerance;  /**< not negative: largest distance, in millimetres, of a path from the
+                                arc or helix of its line; NULL: 1/200 */
+    graze_rationals start; /**< position of the tip before the first line, 3 rationals, in
+                                millimetres; NULL: not known */
+    const char *text;      /**< the `length` bytes to read; then `path` is only a name for messages.
+                                NULL: read the file */
+    size_t length;
+} graze_gcode_options;
+
+/**
+ * Make a motion file in E^3 of a G-code program: the tool moves and does not turn, its tip at the
+ * origin of its own coordinates. Every line that moves it is one unit of t, from 0 on, and gives
+ * its pieces its number as `row`. Straight lines are exact, as are arcs whose ends have one
+ * distance from the centre; the report bounds the error of every other arc, and of a helix. Read
+ * are G0 to G3, G17 to G21, G90, G91 and words that change no path (formats.md, G-code). Numbers
+ * are rounded as the context says.
+ * @param[out] json   text of the file for graze_free
+ * @param[out] report text for graze_free; may be NULL
+ * @param path        a file, `-` for standard input
+ * @param options     NULL for the defaults
+ * @return GRAZE_ESYSTEM the file cannot be read; GRAZE_EINPUT a line that is not read, or whose arc
+ * is further off than the tolerance; GRAZE_ELIMIT; GRAZE_ECANCELED
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_motion_write_gcode(char **json, char **report,
+                                                              graze_context *context,
+                                                              const char *path,
+                                                              const graze_gcode_options *options);
+
+/** Poses in memory (rule 6). All pointers are borrowed; one of `doubles` and `texts` is given. */
+typedef struct graze_pose_rows {
+    size_t size;           /**< sizeof(graze_pose_rows) */
+    const char *names;     /**< names of the columns, commas between them, as in the first line of a
+                                list: "t,x,y,z,qw,qx,qy,qz" */
+    size_t count;          /**< poses */
+    const double *doubles; /**< `count` rows, one number for each name; exact */
+    const char *const *texts; /**< likewise, texts such as "1/3" or "0.25" */
+} graze_pose_rows;
+
+/**
+ * Make a motion through poses in memory. It equals the motion of the file that
+ * graze_motion_write_pose_list makes of the list with these names on line 1 and pose k, from 0, on
+ * line k + 2: messages and `row` have these lines, or poses with GRAZE_POSES_NUMBERED.
+ * @param[out] report as for graze_motion_write_pose_list; may be NULL
+ * @param options     NULL for the defaults; its `text` is ignored
+ * @return as graze_motion_write_pose_list; GRAZE_EINPUT also for NaN and infinities
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_motion_from_poses(graze_motion **out, char **report,
+                                                             graze_context *context,
+                                                             const graze_pose_rows *rows,
+                                                             const graze_pose_options *options);
+
 /**
  * Make a motion file whose entries are dyadic where that is possible, near a motion: on pieces
  * whose entries are polynomials (translations, affine poses), coefficients become multiples of one

@@ -4,7 +4,9 @@
 #include "api/api.h"
 
 #include <stdlib.h>
+#include <string.h>
 #include "base/context/scope.h"
+#include "base/number/rounding.h"
 #include "input/convert/convert.h"
 #include "input/motion/motion.h"
 
@@ -18,12 +20,22 @@ static void conversion_clear(conversion *c) {
     text_clear(&c->report);
 }
 
-/* Read the motion that was made; only a legal one is handed out. */
+/* Read a motion that was made, whose numbers are rounded already. */
+static graze_status read_conversion(graze_motion **out, graze_context *context, const char *json,
+                                    size_t length) {
+    graze_rounding rounding = context->rounding;
+    context->rounding = GRAZE_ROUND_NONE;
+    graze_status status = motion_from_text(out, context, json, length);
+    context->rounding = rounding;
+    return status;
+}
+
+/* Only a legal motion is handed out. */
 static graze_status finish_conversion(char **json, char **report, graze_context *context,
                                       conversion *made) {
     graze_motion *motion = NULL;
     if (!made->motion.failed)
-        TRY(motion_from_text(&motion, context, made->motion.data, made->motion.length));
+        TRY(read_conversion(&motion, context, made->motion.data, made->motion.length));
     graze_motion_destroy(motion);
     TRY(text_finish(json, context, &made->motion));
     if (!report || !text_finish(report, context, &made->report))
@@ -204,6 +216,75 @@ graze_status graze_motion_write_pose_list(char **json, char **report, graze_cont
     REFUSED(taken.ignored_count && !taken.ignored,
             "ignored must not be NULL where names are counted");
     return write_poses(json, report, context, path, &taken);
+}
+
+/* Write rows as the list that they stand for. */
+static graze_status list_rows(text *out, graze_context *context, const graze_pose_rows *rows) {
+    LOCAL(fmpq, value);
+    size_t width = 1;
+    for (const char *c = rows->names; *c; c++)
+        width += *c == ',';
+    text_put(out, rows->names);
+    for (size_t k = 0; k < width * rows->count; k++) {
+        const char *number = rows->texts ? rows->texts[k] : "";
+        if (!number || strpbrk(number, ",;#\"\r\n"))
+            return context_fail(context, GRAZE_EINPUT, "pose %zu has a text that is no number",
+                                k / width);
+        if (!rows->texts)
+            TRY(context_item(context, rational_from_double(value, context, rows->doubles[k]),
+                             "pose", k / width, NULL));
+        text_put(out, k % width ? "," : "\n");
+        text_put(out, number);
+        if (!rows->texts)
+            text_rational(out, value);
+    }
+    return out->failed ? context_fail(context, GRAZE_ESYSTEM, "out of memory") : GRAZE_OK;
+}
+
+graze_status graze_motion_from_poses(graze_motion **out, char **report, graze_context *context,
+                                     const graze_pose_rows *rows,
+                                     const graze_pose_options *options) {
+    EMPTY(report);
+    PUBLIC_OUT(out, context, rows);
+    graze_pose_rows given;
+    graze_pose_options taken;
+    FREED(char, json, NULL);
+    HELD(text, list);
+    TRY(api_options(&given, sizeof given, context, __func__, rows));
+    TRY(api_options(&taken, sizeof taken, context, __func__, options));
+    REFUSED(!given.names || strpbrk(given.names, "#\r\n") || !given.doubles == !given.texts,
+            "names are one line, and one of doubles and texts is given");
+    TRY(list_rows(&list, context, &given));
+    taken.size = sizeof taken;
+    taken.text = list.data;
+    taken.length = list.length;
+    TRY(graze_motion_write_pose_list(&json, report, context, "poses", &taken));
+    graze_status status = read_conversion(out, context, json, strlen(json));
+    if (status && report) {
+        free(*report);
+        *report = NULL;
+    }
+    return status;
+}
+
+graze_status graze_motion_write_gcode(char **json, char **report, graze_context *context,
+                                      const char *path, const graze_gcode_options *options) {
+    EMPTY(json);
+    EMPTY(report);
+    PUBLIC(json, context, path);
+    graze_gcode_options taken;
+    HELD(conversion, made);
+    LOCAL_VEC(fmpq, start, 4);
+    fmpq *tolerance = start + 3;
+    TRY(api_options(&taken, sizeof taken, context, __func__, options));
+    gcode_choice choice = {taken.start ? start : NULL, tolerance, taken.text, taken.length};
+    fmpq_set_si(tolerance, 1, 200);
+    if (taken.tolerance)
+        TRY(take_positive(tolerance, context, taken.tolerance, 0, "tolerance"));
+    for (int k = 0; k < 3 && taken.start; k++)
+        TRY(api_rational(start + k, context, taken.start[k]));
+    TRY(convert_gcode(&made, context, path, &choice));
+    return finish_conversion(json, report, context, &made);
 }
 
 graze_status graze_motion_write_dyadic(char **json, char **report, graze_context *context,

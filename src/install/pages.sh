@@ -16,7 +16,7 @@ page graze.1 -f "$here/command.awk" "$folder/overview"
 include=$here/../../include
 parts=$(sed -n "s|^#include <\(graze/.*\)>.*|$include/\1|p" "$include/graze.h")
 page graze.3 -f "$here/header.awk" "$include/graze.h" $parts
-page graze-motion.5 -v name=graze-motion -v title="motion files and lists of poses" -v sections="|Numbers|Motions|Lists of poses|" \
+page graze-motion.5 -v name=graze-motion -v title="motion files, lists of poses and G-code" -v sections="|Numbers|Motions|Lists of poses|G-code|" \
     -f "$here/format.awk" "$here/../program/cli/formats.md"
 sed -n 's/^  graze \([a-z-]*\) .*/\1/p' "$folder/overview" | grep -v '^-' >"$folder/commands"
 while read -r command; do

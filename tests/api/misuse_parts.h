@@ -243,6 +243,21 @@ static void conversions(bench *b) {
     WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, c, "a.csv", &unknown));
     WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, c, "a.csv", &unnamed));
     WRONG_OUT(char, graze_motion_write_pose_list(&out, NULL, c, "a.csv", &short_one));
+    graze_gcode_options small = {.size = 7};
+    WRONG_OUT(char, graze_motion_write_gcode(NULL, &out, c, "a.nc", NULL));
+    WRONG_OUT(char, graze_motion_write_gcode(&out, NULL, NULL, "a.nc", NULL));
+    WRONG_OUT(char, graze_motion_write_gcode(&out, NULL, c, NULL, NULL));
+    WRONG_OUT(char, graze_motion_write_gcode(&out, NULL, c, "a.nc", &small));
+    const double zeros[6] = {0};
+    const graze_pose_rows wrong_rows[] = {
+        {.size = sizeof *wrong_rows, .count = 2, .doubles = zeros},
+        {.size = sizeof *wrong_rows, .names = "x,y,z", .count = 2},
+        {.size = sizeof *wrong_rows, .names = "x\ny", .count = 2, .doubles = zeros},
+        {.size = 7, .names = "x,y,z", .count = 2, .doubles = zeros}};
+    for (int k = 0; k < 4; k++)
+        WRONG_OUT(graze_motion, graze_motion_from_poses(&out, NULL, c, wrong_rows + k, NULL));
+    WRONG_OUT(graze_motion, graze_motion_from_poses(&out, NULL, NULL, wrong_rows, NULL));
+    WRONG_OUT(graze_motion, graze_motion_from_poses(&out, NULL, c, NULL, NULL));
     graze_shape no_kind = {.kind = (graze_shape_kind)4}, ball = {.kind = GRAZE_SHAPE_BALL};
     graze_shape box = {.kind = GRAZE_SHAPE_BOX}, cutter = {GRAZE_SHAPE_CUTTER, .diameter = one};
     WRONG_OUT(char, graze_solid_write_exact_shape(&out, NULL, NULL, &ball));

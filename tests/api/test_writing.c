@@ -74,6 +74,94 @@ static void test_motions(void **state) {
     numbers_clear(&n);
 }
 
+/* The plain pieces of a motion, which is destroyed. */
+static char *text_of(graze_context *context, graze_motion *motion) {
+    char *text = NULL;
+    assert_int_equal(graze_motion_text(&text, context, motion), GRAZE_OK);
+    graze_motion_destroy(motion);
+    return text;
+}
+
+/* Poses in memory are those of a log: doubles of one printed with 17 digits, texts of one as it is
+ * written; pieces have the log's lines, or the numbers of poses. */
+static void test_poses(void **state) {
+    (void)state;
+    static const double at[] = {0,    0.1,    -1e-300, 3, 1,   0, 0, 0, 0.25, 7.7, 1.0 / 3, 3,
+                                0.96, -0.375, 0,       0, 1.5, 8, 9, 3, 0.5,  0.5, 0.5,     0.5};
+    const char *texts[24];
+    char words[24][40], line[1200] = "t,x,y,z,qw,qx,qy,qz", names[20];
+    memcpy(names, line, sizeof names);
+    for (int k = 0; k < 24; k++) {
+        snprintf(words[k], sizeof words[k], "%.17g", at[k]);
+        texts[k] = words[k];
+        strcat(strcat(line, k % 8 ? "," : "\n"), words[k]);
+    }
+    graze_context *context;
+    graze_motion *motion;
+    assert_int_equal(graze_context_create(&context), GRAZE_OK);
+    for (int written = 0; written < 2; written++)
+        for (unsigned flags = 0; flags <= GRAZE_POSES_NUMBERED; flags += GRAZE_POSES_NUMBERED) {
+            char *json, *report, *again;
+            graze_pose_rows rows = {.size = sizeof rows, .names = names, .count = 3};
+            graze_pose_options how = {
+                .size = sizeof how, .flags = flags, .text = line, .length = strlen(line)};
+            rows.texts = written ? texts : NULL;
+            rows.doubles = written ? NULL : at;
+            assert_int_equal(graze_context_set_rounding(context, written ? GRAZE_ROUND_NONE
+                                                                         : GRAZE_ROUND_BINARY64),
+                             GRAZE_OK);
+            assert_int_equal(graze_motion_from_poses(&motion, &report, context, &rows, &how),
+                             GRAZE_OK);
+            assert_non_null(strstr(report, "poses: 3, each one"));
+            graze_free(report);
+            char *text = text_of(context, motion);
+            assert_non_null(strstr(text, flags ? "\"row\": 3" : "\"row\": 4"));
+            assert_int_equal(graze_motion_write_pose_list(&json, NULL, context, "poses", &how),
+                             GRAZE_OK);
+            assert_int_equal(graze_context_set_rounding(context, GRAZE_ROUND_NONE), GRAZE_OK);
+            assert_int_equal(graze_motion_from_json(&motion, context, json, strlen(json)),
+                             GRAZE_OK);
+            again = text_of(context, motion);
+            assert_string_equal(text, again);
+            graze_free(json);
+            graze_free(text);
+            graze_free(again);
+        }
+    graze_context_destroy(context);
+}
+
+/* Poses that are refused: which one, and why; nothing is handed out. */
+static void test_wrong_poses(void **state) {
+    (void)state;
+    static const double same[6] = {0}, infinite[] = {0, 0, 0, 1, 1, INFINITY};
+    static const char *const two[] = {"0", "0", "0", "1", "1", "1,2"}, *const none[] = {"0", "0",
+                                                                                        "0", "1",
+                                                                                        "1", NULL};
+    const struct {
+        graze_pose_rows rows;
+        const char *says;
+    } wrong[] = {
+        {{.names = "x,y,z", .count = 2, .doubles = infinite}, "pose 1: "},
+        {{.names = "x,y,w", .count = 2, .doubles = same}, "poses:1: "},
+        {{.names = "x,y,z", .count = 2, .texts = two}, "pose 1 has a text that is no number"},
+        {{.names = "x,y,z", .count = 2, .texts = none}, "pose 1 has a text that is no"},
+        {{.names = "x,y,z", .count = 1, .doubles = same}, "expected at least 2"}};
+    graze_context *context;
+    assert_int_equal(graze_context_create(&context), GRAZE_OK);
+    for (int k = 0; k < 5; k++) {
+        graze_motion *motion = (graze_motion *)context;
+        char *report = (char *)shift;
+        graze_pose_rows rows = wrong[k].rows;
+        rows.size = sizeof rows;
+        assert_int_equal(graze_motion_from_poses(&motion, &report, context, &rows, NULL),
+                         GRAZE_EINPUT);
+        assert_non_null(strstr(graze_context_message(context), wrong[k].says));
+        assert_null(motion);
+        assert_null(report);
+    }
+    graze_context_destroy(context);
+}
+
 static int stop(void *data) {
     return ++*(int *)data > 3;
 }
@@ -236,7 +324,8 @@ static void test_sharp(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_motions),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_motions), cmocka_unit_test(test_poses),
+                                       cmocka_unit_test(test_wrong_poses),
                                        cmocka_unit_test(test_boundary),
                                        cmocka_unit_test(test_sharp)};
     return cmocka_run_group_tests(tests, NULL, NULL);

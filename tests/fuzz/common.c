@@ -161,7 +161,7 @@ static int names_file(const char *word) {
                                         "--folder",    "--keep",   "--points", "--solid",
                                         "--candidate", "--motion"};
     if (strncmp(word, "-o", 2) == 0 || strncmp(word, "-p", 2) == 0 || strcmp(word, "poses") == 0 ||
-        strcmp(word, "--") == 0)
+        strcmp(word, "gcode") == 0 || strcmp(word, "--") == 0)
         return 1;
     for (size_t k = 0; k < sizeof files / sizeof *files && word[0] == '-' && word[1] == '-'; k++) {
         size_t n = strcspn(word, "=");

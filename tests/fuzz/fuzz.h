@@ -24,7 +24,7 @@ extern const fuzz_target fuzz_targets[];
 
 fuzz_run fuzz_off, fuzz_obj, fuzz_ply, fuzz_stl, fuzz_nef3, fuzz_wkt, fuzz_csg, fuzz_scad,
     fuzz_arrays;
-fuzz_run fuzz_number, fuzz_expression, fuzz_motion, fuzz_poses, fuzz_joints;
+fuzz_run fuzz_number, fuzz_expression, fuzz_motion, fuzz_poses, fuzz_gcode, fuzz_joints;
 fuzz_run fuzz_points, fuzz_grid, fuzz_options;
 fuzz_run fuzz_compare, fuzz_export, fuzz_merge, fuzz_resume, fuzz_receipt;
 fuzz_run fuzz_generate, fuzz_boundary, fuzz_draw;

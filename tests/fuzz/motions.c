@@ -3,6 +3,7 @@
  */
 #include <ctype.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "input/motion/draft.h"
@@ -157,6 +158,54 @@ static void check_written(graze_context *context, const char *json, const char *
     graze_motion_destroy(motion);
 }
 
+/* Rows in memory are the list that they stand for: the same bytes of a motion, or the same refusal.
+ * The first line is the names, the rest are texts between commas and line ends. */
+static void check_rows(graze_context *context, const char *names, const char *const *texts,
+                       size_t width, size_t count) {
+    graze_motion *motion = NULL, *listed = NULL;
+    char *json = NULL, *list = NULL, *left = NULL, *right = NULL;
+    size_t length = 0;
+    FILE *out = open_memstream(&list, &length);
+    EXPECT(out != NULL);
+    fputs(names, out);
+    for (size_t k = 0; k < width * count; k++)
+        fprintf(out, "%c%s", k % width ? ',' : '\n', texts[k]);
+    fclose(out);
+    graze_pose_rows rows = {.size = sizeof rows, .names = names, .count = count, .texts = texts};
+    graze_pose_options chosen = {.size = sizeof chosen, .text = list, .length = length};
+    graze_status status = graze_motion_from_poses(&motion, NULL, context, &rows, NULL);
+    if (fuzz_taken(status, context, motion)) {
+        EXPECT(graze_motion_write_pose_list(&json, NULL, context, "poses", &chosen) == GRAZE_OK);
+        listed = read_written(context, json);
+        EXPECT(listed && graze_motion_text(&left, context, motion) == GRAZE_OK);
+        EXPECT(graze_motion_text(&right, context, listed) == GRAZE_OK);
+        EXPECT(strcmp(left, right) == 0);
+    }
+    graze_free(left);
+    graze_free(right);
+    graze_free(json);
+    free(list);
+    graze_motion_destroy(motion);
+    graze_motion_destroy(listed);
+}
+
+static void check_memory(graze_context *context, const uint8_t *data, size_t size) {
+    enum { MOST = 400 };
+    char *text = fuzz_text((section){data, size}), *rest = strchr(text, '\n');
+    const char *texts[MOST];
+    size_t width = 1, count = 0;
+    if (rest) {
+        *rest++ = '\0';
+        for (const char *c = text; *c; c++)
+            width += *c == ',';
+        for (char *at = strtok(rest, ",\n"); at && count < MOST; at = strtok(NULL, ",\n"))
+            texts[count++] = at;
+        if (count >= width)
+            check_rows(context, text, texts, width, count / width);
+    }
+    free(text);
+}
+
 int fuzz_poses(const uint8_t *data, size_t size) {
     graze_context *context = fuzz_context();
     const char *path = fuzz_file("poses.csv", data, size);
@@ -193,7 +242,39 @@ int fuzz_poses(const uint8_t *data, size_t size) {
         graze_free(json);
         graze_free(report);
     }
+    check_memory(context, data, size);
     mpq_clear(tolerance);
+    graze_context_destroy(context);
+    return taken;
+}
+
+/* A program, from where it begins and from a given start. */
+int fuzz_gcode(const uint8_t *data, size_t size) {
+    graze_context *context = fuzz_context();
+    mpq_t tolerance, start[3];
+    int taken = 0;
+    mpq_inits(tolerance, start[0], start[1], start[2], NULL);
+    mpq_set_ui(start[1], 1, 3);
+    for (int k = 0; k < 3; k++) {
+        char *json = NULL, *report = NULL;
+        graze_gcode_options chosen = {.size = sizeof chosen,
+                                      .tolerance = k == 2 ? tolerance : NULL,
+                                      .start = k ? start : NULL,
+                                      .text = (const char *)data,
+                                      .length = size};
+        graze_status status = graze_motion_write_gcode(&json, &report, context, "program", &chosen);
+        EXPECT((json == NULL) == (report == NULL));
+        if (fuzz_taken(status, context, json)) {
+            EXPECT(k < 2 || !strstr(report, "off its")); /* tolerance 0: all arcs are exact */
+            mpq_set_ui(tolerance, 1, 1000);
+            check_written(context, json, report, tolerance);
+            mpq_set_ui(tolerance, 0, 1);
+            taken = 1;
+        }
+        graze_free(json);
+        graze_free(report);
+    }
+    mpq_clears(tolerance, start[0], start[1], start[2], NULL);
     graze_context_destroy(context);
     return taken;
 }

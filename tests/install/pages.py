@@ -62,7 +62,7 @@ def check_completion(graze, script, commands, folder):
     same(complete(graze, "classify", "--overlap", ""), {"extend", "reject"}, "words of --overlap")
     same(complete(graze, "validate", "--round", "="), {"none", "binary64", "binary32"}, "words of --round=")
     same(complete(graze, "explain", "--round", "=", "bin"), {"binary64", "binary32"}, "words of --round=bin")
-    same(complete(graze, "motion", ""), {"line", "rotate", "screw", "joints", "poses", "dyadic"}, "kinds of graze motion")
+    same(complete(graze, "motion", ""), {"line", "rotate", "screw", "joints", "poses", "gcode", "dyadic"}, "kinds of graze motion")
     same(complete(graze, "classify", ""), set(), "classify has no kinds")
     same(complete(graze, "classify", "--output", "x"), set(), "file names are left to the shell")
     registered = output(["bash", "--norc", "-c", f"source '{script}'; complete -p graze"])

@@ -52,6 +52,7 @@ SITES2 = "id,time,bx,by\na,1/2,1,1\nb,1,4,2\nc,3/2,3,2\nd,0,0,1\n"
 SITES3 = "time,bx,by,bz,id\n1/2,2,1,1,p\n1,0,0,2,q\n"
 POSES = ("t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n0.5,4,0,0.25,0.92387953251128674,0,0,0.38268343236508978\n"
          "1,8,0,0,0.70710678118654757,0,0,0.70710678118654757\n")
+PROGRAM = "%\nG21 (mm)\nG0 X0 Y0 Z5\nG1 Z0 F9\nG3 X6 Y8 R5\nG2 X0 Y0.001 Z1 I-3 J-4 ; near\nM2\n"
 MATRICES = ("m00,m01,m02,m03,m10,m11,m12,m13,m20,m21,m22,m23\n1,0,0,0,0,1,0,0,0,0,1,0\n"
             "0,-1,0,2,1,0,0,0,0,0,1,1\n")
 GOLDEN_SITES = ("time,bx,by,x,y,role,trimmed,near\n1/3,1,0,2,0,contact,no,\nroot(-1 0 2;0;1),1,0,3,0,egress,yes,2/3\n"
@@ -116,7 +117,7 @@ def shards(graze, command, solid, motion, points):
 def put(folder):
     """Write the files that are only read; {name: path}."""
     texts = {"cube.off": OFF, "cube.obj": OBJ, "cube.ply": PLY, "cube.stl": STL, "u.wkt": WKT, "turn.json": TURN,
-             "roll.json": ROLL, "2.csv": POINTS2, "3.csv": POINTS3, "poses.csv": POSES, "matrices.csv": MATRICES,
+             "roll.json": ROLL, "2.csv": POINTS2, "3.csv": POINTS3, "poses.csv": POSES, "matrices.csv": MATRICES, "program.nc": PROGRAM,
              "answers.csv": ANSWERS, "sites2.csv": SITES2, "sites3.csv": SITES3,
              "touching.csg.json": TOUCHING, "touch.json": TOUCH, "touch.csv": "x,y,z\n13/5,0,4/5\n", "body3.csg.json": BODY3, "body2.csg.json": BODY2, "ball2.csg.json": BALL % 2, "ball3.csg.json": BALL % 3, "curved3.csv": CURVED3, "curved2.csv": CURVED2,
              "golden-sites.csv": GOLDEN_SITES, "answered-sites.csv": ANSWERED_SITES}
@@ -256,6 +257,7 @@ def make(graze, folder):
     yield Scene("poses-chosen", ["motion", "poses", at["poses.csv"], "--every", "2", "--scale", "1/2", "--ignore", "none",
                                  "--shortest", "--dyadic"])
     yield Scene("poses-slerp", ["motion", "poses", at["poses.csv"], "--slerp", "--tolerance", "1e-3"])
+    yield Scene("gcode", ["motion", "gcode", at["program.nc"], "--output", "made"])
     yield Scene("dyadic", ["motion", "dyadic", at["roll.json"]])
     yield Scene("poses-matrices", ["motion", "poses", at["matrices.csv"]])
     yield Scene("poses-affine", ["motion", "poses", "--affine", at["matrices.csv"]])

@@ -95,6 +95,31 @@ class Motions(unittest.TestCase):
         with self.assertRaises(graze.UseError):
             graze.Motion.joints([graze.turn(90, pitch=1)])
 
+    def test_gcode(self):
+        """A program's motion is that of the program; a start; an arc that is refused by its line."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "a.nc")
+            pathlib.Path(path).write_text("G0 X0 Y0 Z0\nG1 X3 F9\nG2 X3 Y8.001 J4\n")
+            made = graze.Motion.gcode(path)
+            self.assertEqual(made.json(), plain(program("motion", "gcode", path)))
+            self.assertIn("line 3: the arc is off its circle by at most 1.0", made.report)
+            self.assertEqual(graze.Motion.gcode(pathlib.Path(path), start=(1, F(1, 3), "0.5")).piece_count, made.piece_count + 1)
+            with self.assertRaisesRegex(graze.InputError, "a.nc:3: the arc is off"):
+                graze.Motion.gcode(path, tolerance="1e-4")
+            with self.assertRaisesRegex(graze.UseError, "start has 2 numbers; expected 3"):
+                graze.Motion.gcode(path, start=(1, 2))
+
+    def test_poses_of_the_program(self):
+        """Poses in memory give the bytes that `graze motion poses` and `graze convert` write of their log."""
+        columns = {"t": [0, 0.1, F(1, 3)], "x": [0.1, 2, -7.25], "y": [1, 1e-3, 0], "z": [0, 0, 9], "qw": [1, 0.96, 1],
+                   "qx": [0, 0, 0], "qy": [0, 0.28, 0], "qz": [0, 0, -1], "row": [2, 3, 4]}
+        with tempfile.TemporaryDirectory() as folder:
+            path, to = os.path.join(folder, "log.csv"), os.path.join(folder, "move.json")
+            rows = [[str(F(x)) for x in row] for row in zip(*list(columns.values())[:-1])]
+            pathlib.Path(path).write_text("\n".join(",".join(row) for row in [list(columns)[:-1], *rows]) + "\n")
+            program("motion", "poses", path, "--numbers", "written", "-o", to)
+            self.assertEqual(graze.Motion.poses(Frame(columns)).json(), program("convert", to))
+
     def test_poses(self):
         """The cube turns by a quarter and moves 4: it ends at [2, 4] x [0, 2] x [0, 2]."""
         given = [[IDENTITY, QUARTER], [m[:3] for m in (IDENTITY, QUARTER)],

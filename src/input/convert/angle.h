@@ -68,6 +68,9 @@ int bound_exceeds(const mpfr_t bound, const fmpq_t most);
 
 /** An upper bound of the square root of a number that is not negative. */
 void root_above(mpfr_t out, const fmpq_t square);
+/** Set `out` to the square root of a number that is not negative, if that is rational, and return
+ * 1; else return 0. */
+int rational_root(fmpq_t out, const fmpq_t square);
 
 /* Helpers for joints, and for the lines of a report. */
 

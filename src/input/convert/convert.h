@@ -104,6 +104,20 @@ typedef struct pose_choice {
 graze_status convert_poses(conversion *out, graze_context *context, const char *path,
                            const pose_choice *choice, unsigned ways, const fmpq_t tolerance);
 
+/* A motion of a G-code program. */
+
+/** The program that is read, and what it leaves open; all borrowed. */
+typedef struct gcode_choice {
+    const fmpq *start;     /* the tip's position before the first line, or NULL: not known */
+    const fmpq *tolerance; /* not negative: largest distance of a path from its arc or helix */
+    const char *text;      /* read instead of the file, or NULL */
+    size_t length;
+} gcode_choice;
+
+/** Write the motion of a program (formats.md, G-code). */
+graze_status convert_gcode(conversion *out, graze_context *context, const char *path,
+                           const gcode_choice *choice);
+
 /* The rotation nearest to a matrix. */
 
 /**

@@ -45,16 +45,21 @@ static void dot(fmpq_t out, const fmpq *a, const fmpq *b) {
         fmpq_addmul(out, a + k, b + k);
 }
 
+int rational_root(fmpq_t out, const fmpq_t square) {
+    if (!fmpz_is_square(fmpq_numref(square)) || !fmpz_is_square(fmpq_denref(square)))
+        return 0;
+    fmpz_sqrt(fmpq_numref(out), fmpq_numref(square));
+    fmpz_sqrt(fmpq_denref(out), fmpq_denref(square));
+    return 1;
+}
+
 /* The axis's length and, where the joint turns, how far it goes along the axis. */
 static graze_status measure_axis(graze_context *context, joint *j, size_t index) {
     dot(j->square, j->axis, j->axis);
     if (fmpq_is_zero(j->square) && !j->is_slide)
         return context_fail(context, GRAZE_EUSE,
                             "joint %zu: the axis is zero; expected a direction", index);
-    if (fmpz_is_square(fmpq_numref(j->square)) && fmpz_is_square(fmpq_denref(j->square))) {
-        fmpz_sqrt(fmpq_numref(j->length), fmpq_numref(j->square));
-        fmpz_sqrt(fmpq_denref(j->length), fmpq_denref(j->square));
-    }
+    (void)rational_root(j->length, j->square);
     fmpq_mul(j->advance, j->advance, j->degrees);
     divide_by(j->advance, j->advance, 360);
     return GRAZE_OK;

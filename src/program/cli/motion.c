@@ -34,6 +34,9 @@ static const char motion_help[] =
     "                       axis i,j,k; or angles; or m00 to m33; names as in ROS, too; or rows "
     "of\n"
     "                       TUM, or of 4x4 matrices, without names\n"
+    "  gcode FILE           of G-code: a tool that moves and does not turn, tip at the origin; "
+    "one\n"
+    "                       unit of t a line; G0 to G3, G17 to G21, G90, G91; other words refused\n"
     "  dyadic MOTION        a motion file near MOTION; as --dyadic\n"
     "\n"
     "  -o, --output FILE, --report FILE   the motion (standard output), the errors (standard "
@@ -42,6 +45,8 @@ static const char motion_help[] =
     "1e-6),\n"
     "  --radius R           if it is within R of the origin at t = 0 (1)\n"
     "                       poses: no entry of a matrix is changed by more than E (1e-6)\n"
+    "                       gcode: an arc or helix is off by at most E, or refused (5e-3)\n"
+    "  --start X,Y,Z        gcode: the tip before the first line (known from the lines on)\n"
     "  --affine             poses: take matrices as they are, interpolate their entries\n"
     "  --shortest, --long   poses: change signs of quaternions that ask for over half a turn, to\n"
     "                       the short way (default), or keep them\n"
@@ -84,6 +89,7 @@ enum {
     ANGLES,
     DYADIC,
     DIMENSION,
+    START,
     REPORT,
     OWN
 };
@@ -95,11 +101,12 @@ typedef struct motion_options {
     int examples;
 } motion_options;
 
-/* Add the operand of the kinds poses and dyadic, which is a file; other kinds read no file. */
+/* Add the operand of the kinds poses, gcode and dyadic, a file; other kinds read no file. */
 static void add_motion_files(guard *g, const void *options, const operands *given) {
     (void)options;
     if (given->count > 1 &&
-        (strcmp(given->item[0], "poses") == 0 || strcmp(given->item[0], "dyadic") == 0))
+        (strcmp(given->item[0], "poses") == 0 || strcmp(given->item[0], "gcode") == 0 ||
+         strcmp(given->item[0], "dyadic") == 0))
         guard_add(g, GUARD_READ, NULL, given->item[1], "");
 }
 
@@ -124,6 +131,7 @@ static const option_entry motion_table[] = {
     [ANGLES] = OPTION("angles", motion_options, own[ANGLES], value_text),
     [DYADIC] = FLAG("dyadic", motion_options, own[DYADIC], value_text),
     [DIMENSION] = OPTION("dimension", motion_options, own[DIMENSION], value_text),
+    [START] = OPTION("start", motion_options, own[START], value_text),
     [REPORT] = FILE_WRITTEN("report", motion_options, own[REPORT]),
     [OWN] = OUTPUT(motion_options, output, value_output),
     OPTION("limit", motion_options, context.limits, value_limit),
@@ -147,7 +155,7 @@ typedef struct job {
     size_t count;
     own_joint *joints;
     mpq_t tolerance, radius;
-    mpq_t ends[3]; /* for poses: scale, from, to */
+    mpq_t ends[3]; /* for poses: scale, from, to; for gcode: start */
     char *json, *report;
 } job;
 
@@ -332,6 +340,19 @@ static int make_poses(job *j) {
     return complain_of_use(set, j->context);
 }
 
+static int make_gcode(job *j) {
+    const char *start = j->o->own[START];
+    graze_gcode_options chosen = {
+        .size = sizeof chosen, .tolerance = j->tolerance, .start = start ? j->ends : NULL};
+    if (j->given->count != 2)
+        return complain(EXIT_USAGE, "gcode takes one FILE; see graze motion --help");
+    TRY(read_motion_goal(j, "5e-3"));
+    TRY(numbers_given(j->ends, j->context, "--start", start, 3));
+    return complain_of_use(
+        graze_motion_write_gcode(&j->json, &j->report, j->context, j->given->item[1], &chosen),
+        j->context);
+}
+
 /* Replace the motion file by that of the dyadic motion near it; the reports of both follow one
  * another. */
 static int make_near(job *j, const graze_motion *motion) {
@@ -366,6 +387,7 @@ static int make_made_dyadic(job *j) {
 enum {
     TAKEN_BY_DYADIC = 1 << TOLERANCE | 1 << REPORT,
     TAKEN_BY_JOINTS = TAKEN_BY_DYADIC | 1 << DYADIC | 1 << RADIUS | 1 << DIMENSION,
+    TAKEN_BY_GCODE = TAKEN_BY_DYADIC | 1 << DYADIC | 1 << START,
     TAKEN_BY_TURNS = TAKEN_BY_JOINTS | 1 << DEGREES | 1 << AXIS | 1 << CENTER | 1 << PITCH,
     TAKEN_BY_POSES = TAKEN_BY_DYADIC | 1 << DYADIC | 1 << AFFINE | 1 << NUMBERS | 1 << SHORTEST |
                      1 << LONG | 1 << SLERP | 1 << COLUMNS | 1 << ANGLES | 1 << SCALE | 1 << FROM |
@@ -382,6 +404,7 @@ static const struct {
              {"screw", make_turn, TAKEN_BY_TURNS},
              {"joints", make_joint_chain, TAKEN_BY_JOINTS},
              {"poses", make_poses, TAKEN_BY_POSES},
+             {"gcode", make_gcode, TAKEN_BY_GCODE},
              {"dyadic", make_dyadic, TAKEN_BY_DYADIC}};
 
 static int check_own_options(const job *j, const char *kind, unsigned taken) {
@@ -413,8 +436,8 @@ static int convert_motion(job *j) {
         TRY(kinds[k].make(j));
         return j->o->own[DYADIC] ? make_made_dyadic(j) : EXIT_DONE;
     }
-    return complain(EXIT_USAGE, "motion takes line, rotate, screw, joints, poses or dyadic; see "
-                                "graze motion --help");
+    return complain(EXIT_USAGE, "motion takes line, rotate, screw, joints, poses, gcode or dyadic; "
+                                "see graze motion --help");
 }
 
 static int write_motion(const job *j) {

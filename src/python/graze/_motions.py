@@ -56,6 +56,18 @@ def filled(values: Sequence[Any], count: int, context: Context, what: str) -> Ra
     return out
 
 
+def by_gcode(path: bytes, tolerance: Any, start: "Sequence[Any] | None",
+             limits: "Mapping[str, int] | None") -> Tuple[str, str]:
+    """The motion of a G-code program."""
+    context = Context(settings("none", limits, True))
+    goal = filled([tolerance], 1, context, "the tolerance")
+    options = C.graze_gcode_options(tolerance=goal.address)
+    if start is not None:
+        at = filled(start, 3, context, "start")
+        options.start = at.address
+    return written(library().graze_motion_write_gcode, path, ctypes.byref(options), context=context)
+
+
 def _dimension(joints: Sequence[Joint]) -> int:
     for joint in joints:
         if joint.axis is not None:

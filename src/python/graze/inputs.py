@@ -181,8 +181,8 @@ class Motion:
     """A legal motion. Immutable; scenes and threads may share it.
 
     Attributes:
-        report: for one made by `line`, `rotate`, `screw`, `joints`, `poses` or `dyadic`, what was
-            approximated, with proved bounds; else "".
+        report: for one made by `line`, `rotate`, `screw`, `joints`, `poses`, `gcode` or `dyadic`,
+            what was approximated, with proved bounds; else "".
     """
 
     report = ""
@@ -298,6 +298,21 @@ class Motion:
         form = PoseForm(quaternions, columns, angles, ignore, affine, shortest, long, slerp, tolerance,
                         numbers)
         return cls._made(*by_poses(poses, times, form, limits), limits)
+
+    @classmethod
+    def gcode(cls, path: Any, *, tolerance: Any = "5e-3", start: "Sequence[Any] | None" = None,
+              limits: "Mapping[str, int] | None" = None) -> "Motion":
+        """The motion of a tool in a G-code program, in millimetres, one unit of t for each line that
+        moves it (`graze motion gcode`). A piece has the line as its row.
+
+        Args:
+            path: the program.
+            tolerance: the largest distance of a path from its arc or helix; `report` has a bound for
+                each line that is not exact.
+            start: the tip's position before the first line, 3 numbers; without it the motion begins
+                where lines have given x, y and z.
+        """
+        return cls._made(*_motions.by_gcode(os.fsencode(path), tolerance, start, limits), limits)
 
     def dyadic(self, tolerance: Any = "1e-6") -> "Motion":
         """A motion near this one whose contacts have coordinates that a float can be, except those
