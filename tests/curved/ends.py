@@ -210,6 +210,42 @@ def check_cut_bodies(checks, runs):
         checks.equal((done.returncode, bool(shown_box(done.stdout, "box of S"))), (0, known), "long", more, done.stderr)
 
 
+def check_beyond(checks, runs, rng):
+    """Random bodies, cut by random half-spaces: no point beyond the box is in the solid at rest. Returns whether it has a box."""
+    def vector():
+        return next(v for v in iter(lambda: tuple(rng.randint(-3, 3) for _ in range(3)), None) if any(v))
+
+    def body():
+        point, axis = tuple(rng.randint(-2, 2) for _ in range(3)), vector()
+        ends = rng.choice(((None, None), (0, None), (None, 1), (-1, 2)))
+        return rng.choice((lambda: tube(point, axis, F(rng.randint(1, 6), 2), *ends), lambda: cone(point, axis, F(rng.randint(1, 4), 3)),
+                           lambda: ball(point, rng.randint(1, 3)), lambda: halfspace(vector(), rng.randint(-2, 6))))()
+
+    def cut():
+        walls = [halfspace(vector(), rng.randint(1, 9)) for _ in range(rng.randint(2, 6))]
+        parts = [*walls, union(*(body() for _ in range(rng.randint(1, 3)))), *([cut()] if rng.random() < 0.25 else [])]
+        rng.shuffle(parts)
+        return affine(rng.choice((QUARTER, RAISED)), common(*parts)) if rng.random() < 0.5 else common(*parts)
+
+    node, points = cut(), []
+    done = runs.run("check", node, 3, 1)
+    checks.equal(done.returncode, 0, node, done.stderr)
+    box = shown_box(done.stdout, "box of S")
+    for _ in range(60 if box else 0):
+        side, k = rng.choice(((0, -1), (1, 1))), rng.randrange(3)
+        p = [a + (b - a) * F(rng.randint(-4, 20), 16) for a, b in zip(*box)]
+        p[k] = box[side[0]][k] + side[1] * F(rng.choice((0, 0, 1, 40)), 64)
+        points.append((p, any(not a <= x <= b for x, a, b in zip(p, *box))))
+    path = runs.write("p.csv", "x,y,z\n" + "".join(",".join(map(str, p)) + "\n" for p, _ in points))
+    done = subprocess.run([runs.program, "classify", runs.write("s.csg.json", Curved(3, node).text()), path, "--at-rest", "--quiet"],
+                          capture_output=True, text=True, timeout=120)
+    rows = [line.split(",")[3] for line in done.stdout.splitlines() if not line.startswith(("#", "x"))]
+    checks.equal(len(rows), len(points), node, done.stderr)
+    for (p, beyond), pmc in zip(points, rows):
+        checks.holds(pmc != "in" and (pmc == "out" or not beyond), node, p, pmc)
+    return box is not None
+
+
 def check_ends(checks, runs):
     for name, node, x, known in MOVED:
         d = 3 if node is RING else 2
@@ -272,6 +308,8 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         runs = Runs(args, folder)
         check_boxes(checks, runs)
+        bounded = sum(check_beyond(checks, runs, args.random) for _ in range(40))
+        checks.holds(bounded > 15, "random bodies with a box", bounded)
         check_cut_bodies(checks, runs)
         check_ends(checks, runs)
         check_grid(checks, runs)
