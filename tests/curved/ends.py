@@ -92,12 +92,16 @@ BOXES = [
     (minus(common(tube((0, 0, 0), (0, 0, 1), 3), *SLAB), tube((0, 0, 0), (0, 0, 1), 1)), (-3, -3, -1), (3, 3, 4)),
     # At height z the disk of radius 5 reaches down to 4 z - 15 along (0, 3, 4); so z <= 10, where the point (0, -5) is.
     (common(tube((0, 0, 0), (0, 0, 1), 5, 0), halfspace((0, 3, 4), 25)), (-5, -5, 0), (5, 5, 10)),
+    (common(tube((0, 0, 0), (0, 0, 2), 5, 0), halfspace((0, 3, 4), 25)), (-5, -5, 0), (5, 5, 10)),
     # Disks of radius 5 about 0 and (0, -8, 6) with normal (0, -4, 3) reach 5, 3 and 4.
     (affine(RAISED, common(tube((0, 0, 0), (0, 0, 1), 5, 0), halfspace((0, 0, 1), 10))), (-5, -11, -4), (5, 3, 10)),
     (common(halfspace((0, -4, 3), 50), affine(RAISED, tube((0, 0, 0), (0, 0, 1), 5, 0))), (-5, -11, -4), (5, 3, 10)),
     # Ends of a cone. Along (0, 3, 4) its side of slope 1 rises by 4 - 3 each unit of z; then 3 y <= 3 - 4 z.
     (common(cone((0, 0, 0), (0, 0, 1), F(1, 2)), halfspace((0, 0, 1), 4)), (-2, -2, 0), (2, 2, 4)),
     (common(cone((0, 0, 0), (0, 0, 1), 1), halfspace((0, 3, 4), 3)), (-3, -3, 0), (3, 1, 3)),
+    (common(cone((0, 0, 0), (0, 0, 2), 1), halfspace((0, 3, 4), 3)), (-3, -3, 0), (3, 1, 3)),
+    (common(halfspace((0, 0, 1), 6), cone((0, 0, 0), (0, 0, 1), F(1, 2)), halfspace((0, 0, 1), 4), halfspace((0, 0, 1), 9)),
+     (-2, -2, 0), (2, 2, 4)),
     (common(cut_cone((0, 0, 5), (0, 0, -1), 1, 0, 5), halfspace((0, 0, 1), 3)), (-5, -5, 0), (5, 5, 3)),
     (common(cone((0, 0, 0), (0, 0, 1), F(4, 3)), halfspace((0, 3, 4), 2)), None, None),        # parallel to a side
     (common(cone((0, 0, 0), (0, 0, 1), 1), halfspace((0, 0, -1), 2)), None, None),             # open above

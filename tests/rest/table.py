@@ -173,7 +173,7 @@ def check_solids(suite):
               said="graze: no box of the curved solid is proved; expected balls, cylinders with two ends and other bounded primitives, or their "
                    "intersection with a box\n")
     table = suite.run(flat, suite.graze.write("p.csv", "0,0,0\n0,0,-1\n0,0,1\n"), "--at-rest",
-                      said="graze: note: pmc of 1 of 3 rows is undecided; graze explain says why\n")
+                      said="graze: note: pmc of 1 of 3 rows is undecided\n")
     checks.equal([row["pmc"] for row in rows_of(table)], ["undecided", "out", "out"], "undecided", table)
     checks.holds("\n# undecided 1\n" in table, table)
     suite.run(ball, suite.points, "--at-rest", "--sdf", "1", status=3,
