@@ -46,7 +46,7 @@ def tapered(at, slope):
     return lambda r, z: sign(r - slope * (z - at))
 
 
-# What follows `graze solid`, the radius of the box, and a function of the file's cone that gives the sign of (r, z) for 0 < z < L.
+# Words behind `graze solid`, the radius of the box, and a function of the file's cone that gives the sign of (r, z) for 0 < z < L.
 TOOLS = [
     (("cylinder", "--diameter", "6"), lambda cone: 3, lambda cone: flat(3)),
     (("cutter", "--diameter", "6"), lambda cone: 3, lambda cone: flat(3)),

@@ -57,8 +57,8 @@ typedef struct csg_reader {
     int dimension;
     fmpq_mat_t place; /* from the frame of the node to that of the solid, homogeneous */
     csg_box box;      /* holds what counts of the node read last; in the frame of the solid */
-    fmpq *cut; /* half-spaces around the node: 4 numbers each, of which the first d + 1 are a form
-                  that is 0 or less in it, in the frame of the solid */
+    fmpq *cut; /* half-spaces around the node, in the frame of the solid: 4 numbers each; the first
+                  d + 1 are a form that is 0 or less there */
     int cuts;  /* at most CSG_CUTS_MOST */
     fmpq_mpoly_struct coordinate[3];
     fmpq_mpoly_struct from[3];                /* the point minus a primitive's own point */

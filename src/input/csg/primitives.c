@@ -129,7 +129,7 @@ static graze_status add_bounded(size_t *node, csg_reader *r, const placed *p) {
 
 /* Set the two ends of a cylinder or a cone: those given, or where the half-spaces around it end it.
  * If these leave nothing, any end will do. Returns 0 if an end is missing. */
-static int find_ends(fmpq *end, const csg_reader *r, const placed *p, int cone) {
+static int round_ends(fmpq *end, const csg_reader *r, const placed *p, int cone) {
     const csg_round body = {p->point, p->axis, p->length2, p->first, cone};
     fmpq_set(end, p->from);
     fmpq_set(end + 1, p->to);
@@ -147,7 +147,7 @@ static int find_ends(fmpq *end, const csg_reader *r, const placed *p, int cone) 
 static void bound_between(csg_reader *r, const placed *p, int cone) {
     LOCAL_VEC(fmpq, v, 7);
     fmpq *zero = v + 3, *square = v + 4, *end = v + 5;
-    int ended = find_ends(end, r, p, cone), given = p->has_from && p->has_to, is_long = 0;
+    int ended = round_ends(end, r, p, cone), given = p->has_from && p->has_to, is_long = 0;
     for (int k = 0; k < 2 && ended; k++) {
         const fmpq *bound = end + k;
         for (int i = 0; i < 3; i++) {
