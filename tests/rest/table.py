@@ -153,7 +153,7 @@ def check_compare(suite):
     values = suite.graze.write("values.csv", "x,y,z,sdf\n" + "".join(f"{x},{y},{z},{-1 if pmc == 'in' else 0 if pmc == 'on' else 1}\n" for x, y, z, pmc, _ in ROWS))
     suite.run(golden, values, "--candidate-has", "sdf", command="compare")
     suite.run(golden, right, "--solid", CUBE, "--motion", suite.moved, "--page", suite.graze.write("page.html", ""), command="compare", status=2,
-              said=f"graze: {golden} is a table of a solid at rest; --page needs one with a motion\n")
+              said=f"graze: {golden} is a table of a solid at rest, which has no motion to show; expected no --page\n")
     moving = suite.graze.write("moving.csv", suite.run(CUBE, suite.moved, suite.points, "--columns", "pmc"))
     hashes = [dict(notes_of(open(path, encoding="utf-8").read()))["scene-sha256"] for path in (moving, golden)]
     suite.run(golden, moving, command="compare", status=3,
