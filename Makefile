@@ -60,7 +60,7 @@ MPI_O   := $(filter-out %/main.o %/run/jobs.o,$(CLI_O)) $(patsubst %.c,$B/%.o,$(
 # PNG pictures need cairo, which nothing else does: a shared object loaded at need, built where cairo is.
 PNG     := $(if $(wildcard /usr/include/cairo/cairo.h),$B/libgraze-png-$(VERSION).so)
 UNIT    := $(patsubst tests/%.c,$B/tests/%,$(wildcard tests/unit/*.c tests/api/*.c))
-ORACLES := $B/tests/minkowski $B/tests/to_nef $B/tests/distances $B/tests/pairs
+ORACLES := $B/tests/minkowski $B/tests/to_nef $B/tests/distances $B/tests/pairs $B/tests/places
 FLIPS   := bounds surfaces filter
 FLIP_O  := $(patsubst src/decide/%.c,$B/tests/flip/%.o,$(wildcard $(FLIPS:%=src/decide/%/*.c)))
 # Measurements include FCL where Debian's libfcl-dev is installed.
@@ -222,6 +222,7 @@ $B/tests/minkowski: tests/agree/minkowski.cpp
 $B/tests/to_nef: tests/agree/to_nef.cpp
 $B/tests/distances: tests/distance/oracle.cpp
 $B/tests/pairs: tests/collide/oracle.cpp
+$B/tests/places: tests/rest/oracle.cpp
 $(ORACLES): tests/agree/shells.h tests/agree/legs.h | $B/.packages-build
 	@mkdir -p $(@D)
 	@$(call say,CXX,$(filter %.cpp,$^))

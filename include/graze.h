@@ -68,6 +68,7 @@
 #include <graze/version.h>  /* versions, numeric and as text */
 #include <graze/core.h>     /* context, numbers, solid, motion, scene, verdict, trace */
 #include <graze/curved.h>   /* curved solids */
+#include <graze/solid.h>    /* points in a solid that does not move */
 #include <graze/report.h>   /* tables, JSON Lines, exports, explanations */
 #include <graze/generate.h> /* query points by stratum */
 #include <graze/compare.h>  /* a candidate's table against a golden one */

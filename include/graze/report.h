@@ -71,6 +71,9 @@ typedef struct graze_row_options {
                     unsweep's interior (graze_trace_regular) */
     int boundary; /**< 1: with sdf, a lower bound of the distance from the boundary: all points
                      nearer to this point than the bound have its pmc (proofs/judging.md C120) */
+    int at_rest; /**< 1: rows of a solid that does not move (graze_scene_at_rest): pmc, with sdf its
+                    enclosure without a time, also as JSON Lines; `columns` has no effect, and the
+                    other answers are refused */
 } graze_row_options;
 
 /** Texts of one row, comma-joined and unchanged; each may be NULL. JSON Lines have none. */

@@ -16,12 +16,16 @@
 static graze_status check_sets(graze_context *context, const char *function,
                                const graze_row_options *shown) {
     int known = shown->columns == GRAZE_COLUMNS_ALL || shown->columns == GRAZE_COLUMNS_PMC;
+    known &= shown->at_rest == 0 || shown->at_rest == 1;
     for (const column_set *set = NULL; (set = columns_next(set, shown));)
         known &= set->asked != ASKED_BY_FLAG || columns_flag(set, shown) == 1;
     if (!known)
         return api_misuse(context, function, "an option has an unknown value");
     for (const column_set *set = NULL; (set = columns_next(set, shown));) {
-        if (shown->columns == GRAZE_COLUMNS_PMC && set->needs > NEEDS_PMC)
+        if (shown->at_rest && !set->at_rest)
+            return api_misuse(context, function,
+                              "rows of a solid at rest have pmc and sdf, and no other answer");
+        if (shown->columns == GRAZE_COLUMNS_PMC && !shown->at_rest && set->needs > NEEDS_PMC)
             return api_misuse(context, function,
                               "topo, regular, moments and sdf are decided by the contacts, which "
                               "columns of pmc alone spare");
@@ -38,7 +42,9 @@ graze_status api_rows(graze_row_options *out, graze_context *context, const char
     if (!(out->format >= GRAZE_FORMAT_CSV && out->format <= GRAZE_FORMAT_NPY))
         return api_misuse(context, function, "the format is unknown");
     TRY(check_sets(context, function, out));
-    if (out->columns == GRAZE_COLUMNS_PMC && out->format == GRAZE_FORMAT_JSONL)
+    if (out->at_rest)
+        out->columns = GRAZE_COLUMNS_PMC;
+    else if (out->columns == GRAZE_COLUMNS_PMC && out->format == GRAZE_FORMAT_JSONL)
         return api_misuse(context, function,
                           "JSON Lines have all answers; expected another format for pmc alone");
     if (!(out->sdf >= 0 && isfinite(out->sdf)))
@@ -56,6 +62,10 @@ graze_status api_rows(graze_row_options *out, graze_context *context, const char
  * part. */
 static graze_status check_scene(graze_context *context, const graze_scene *scene,
                                 const graze_row_options *shown) {
+    if (shown->at_rest && !scene->standing)
+        return api_misuse(context, "at_rest",
+                          "the scene has a motion; expected one of "
+                          "graze_scene_at_rest");
     if (shown->topo || shown->regular || shown->sdf > 0)
         TRY(api_takes(context,
                       shown->topo      ? "topo"

@@ -141,6 +141,9 @@ static void scenes(bench *b) {
     WRONG_OUT(graze_scene, graze_scene_create(&out, c, solid, NULL, NULL));
     for (int k = 0; k < 3; k++)
         WRONG_OUT(graze_scene, graze_scene_create(&out, c, solid, motion, &odd[k]));
+    WRONG(graze_scene_at_rest(NULL, c, solid));
+    WRONG_OUT(graze_scene, graze_scene_at_rest(&out, NULL, solid));
+    WRONG_OUT(graze_scene, graze_scene_at_rest(&out, c, NULL));
     HARMLESS(graze_scene_destroy, CALLS(graze_scene_destroy(NULL)));
     HARMLESS(graze_scene_dimension, !graze_scene_dimension(NULL));
     HARMLESS(graze_scene_ends_meet, !graze_scene_ends_meet(NULL));
@@ -153,6 +156,15 @@ static void scenes(bench *b) {
     WRONG(graze_scene_box(b->x, NULL, c, b->s.scene));
     WRONG(graze_scene_box(b->x, b->x, NULL, b->s.scene));
     WRONG(graze_scene_box(b->x, b->x, c, NULL));
+    graze_pmc pmc;
+    WRONG(graze_solid_classify(NULL, c, solid, b->x, 1));
+    WRONG(graze_solid_classify(&pmc, NULL, solid, b->x, 1));
+    WRONG(graze_solid_classify(&pmc, c, NULL, b->x, 1));
+    WRONG(graze_solid_classify(&pmc, c, solid, NULL, 1));
+    WRONG(graze_solid_classify_doubles(NULL, c, solid, square, 1));
+    WRONG(graze_solid_classify_doubles(&pmc, NULL, solid, square, 1));
+    WRONG(graze_solid_classify_doubles(&pmc, c, NULL, square, 1));
+    WRONG(graze_solid_classify_doubles(&pmc, c, solid, NULL, 1));
 }
 
 static void verdicts(bench *b) {

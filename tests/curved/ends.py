@@ -32,9 +32,18 @@ def cut_cone(point, axis, slope, low, high):
     return node
 
 
+def tube(point, axis, radius, low=None, high=None):
+    node = cylinder(point, axis, radius)
+    node["cylinder"].update({key: str(end) for key, end in (("from", low), ("to", high)) if end is not None})
+    return node
+
+
 def polygon(points, **more):
     return {"polygon": {"points": [[str(x) for x in p] for p in points], **more}}
 
+
+RAISED = [[1, 0, 0, 0], [0, "3/5", "-4/5", 0], [0, "4/5", "3/5", 0]]    # (0, 0, 1) becomes (0, -4/5, 3/5)
+SLAB = halfspace((0, 0, 1), 4), halfspace((0, 0, -1), 1)                # -1 <= z <= 4
 
 # node, its box: low, high; None where there is none.
 BOXES = [
@@ -58,8 +67,11 @@ BOXES = [
     (affine(QUARTER, union(ball((1, 0, 0), 1), affine(TILTED, ball((5, 0, 0), 1)))), (0, 0, -1), (6, 4, 1)),
     (union(ball((0, 0), 1), ball((5, 1), 1)), (-1, -1), (6, 2)),
     (common(ball((0, 0), 1), ball((1, 0), 1)), (0, -1), (1, 1)),
-    (common(ball((0, 0), 1), halfspace((1, 0))), (-1, -1), (1, 1)),
-    (common(halfspace((1, 0)), ball((0, 0), 1)), (-1, -1), (1, 1)),
+    (common(ball((0, 0), 1), halfspace((1, 0))), (-1, -1), (0, 1)),
+    (common(halfspace((1, 0)), ball((0, 0), 1)), (-1, -1), (0, 1)),
+    (common(ball((0, 0), 1), halfspace((1, 0), -2)), (-1, -1), (1, 1)),    # empty, and in any box
+    (common(ball((0, 0), 1), halfspace((1, 0), 2)), (-1, -1), (1, 1)),     # half-spaces never widen a box
+    (common(ball((0, 0), 5), halfspace((3, 4), -20)), (-5, -5), (0, F(-5, 4))),   # 3 x <= -20 + 20, 4 y <= -20 + 15
     (common(ball((0, 0), 1), ball((5, 0), 1)), (-1, -1), (1, 1)),          # empty, and in any box
     (minus(ball((0, 0), 1), ball((5, 0), 9)), (-1, -1), (1, 1)),
     (minus(ball((0, 0), 1), halfspace((1, 0))), (-1, -1), (1, 1)),
@@ -70,6 +82,36 @@ BOXES = [
     (cylinder((0, 0, 0), (0, 0, 1), 1), None, None),
     (cone((0, 0, 0), (0, 0, 1), 1), None, None),
     (polynomial({"2,0": 1, "0,2": 1, "0,0": -1}), None, None),
+    # Ends that half-spaces make: of a cylinder, wherever they stand in an intersection.
+    (common(halfspace((0, 0, 1), 20), tube((0, 0, 1), (0, 0, 2), 3, 0)), (-3, -3, 1), (3, 3, 20)),
+    (common(tube((0, 0, 1), (0, 0, -2), 3, 0), halfspace((0, 0, -5), 20)), (-3, -3, -4), (3, 3, 1)),
+    (common(tube((0, 0, 0), (0, 0, 1), 3, None, 2), halfspace((0, 0, -1), 1)), (-3, -3, -1), (3, 3, 2)),
+    (common(tube((0, 0, 0), (0, 0, 1), 3), *SLAB), (-3, -3, -1), (3, 3, 4)),
+    (common(*SLAB, halfspace((0, 0, 1), 3), common(union(tube((1, 0, 0), (0, 0, 1), 1), ball((0, 0, 0), 1)))),
+     (-1, -1, -1), (2, 1, 3)),
+    (minus(common(tube((0, 0, 0), (0, 0, 1), 3), *SLAB), tube((0, 0, 0), (0, 0, 1), 1)), (-3, -3, -1), (3, 3, 4)),
+    # At height z the disk of radius 5 reaches down to 4 z - 15 along (0, 3, 4); so z <= 10, where the point (0, -5) is.
+    (common(tube((0, 0, 0), (0, 0, 1), 5, 0), halfspace((0, 3, 4), 25)), (-5, -5, 0), (5, 5, 10)),
+    (common(tube((0, 0, 0), (0, 0, 2), 5, 0), halfspace((0, 3, 4), 25)), (-5, -5, 0), (5, 5, 10)),
+    # Disks of radius 5 about 0 and (0, -8, 6) with normal (0, -4, 3) reach 5, 3 and 4.
+    (affine(RAISED, common(tube((0, 0, 0), (0, 0, 1), 5, 0), halfspace((0, 0, 1), 10))), (-5, -11, -4), (5, 3, 10)),
+    (common(halfspace((0, -4, 3), 50), affine(RAISED, tube((0, 0, 0), (0, 0, 1), 5, 0))), (-5, -11, -4), (5, 3, 10)),
+    # Ends of a cone. Along (0, 3, 4) its side of slope 1 rises by 4 - 3 each unit of z; then 3 y <= 3 - 4 z.
+    (common(cone((0, 0, 0), (0, 0, 1), F(1, 2)), halfspace((0, 0, 1), 4)), (-2, -2, 0), (2, 2, 4)),
+    (common(cone((0, 0, 0), (0, 0, 1), 1), halfspace((0, 3, 4), 3)), (-3, -3, 0), (3, 1, 3)),
+    (common(cone((0, 0, 0), (0, 0, 2), 1), halfspace((0, 3, 4), 3)), (-3, -3, 0), (3, 1, 3)),
+    (common(halfspace((0, 0, 1), 6), cone((0, 0, 0), (0, 0, 1), F(1, 2)), halfspace((0, 0, 1), 4), halfspace((0, 0, 1), 9)),
+     (-2, -2, 0), (2, 2, 4)),
+    (common(cut_cone((0, 0, 5), (0, 0, -1), 1, 0, 5), halfspace((0, 0, 1), 3)), (-5, -5, 0), (5, 5, 3)),
+    (common(cone((0, 0, 0), (0, 0, 1), F(4, 3)), halfspace((0, 3, 4), 2)), None, None),        # parallel to a side
+    (common(cone((0, 0, 0), (0, 0, 1), 1), halfspace((0, 0, -1), 2)), None, None),             # open above
+    (common(tube((0, 0, 0), (0, 0, 1), 3, 0), halfspace((1, 0, 0), 2)), None, None),       # parallel to the axis
+    (union(common(tube((0, 0, 0), (0, 0, 1), 3), *SLAB), tube((0, 0, 0), (0, 0, 1), 1)), None, None),
+    (common(union(*SLAB), tube((0, 0, 0), (0, 0, 1), 3)), None, None),
+    # Half-spaces alone.
+    (common(halfspace((1, 1), 1), halfspace((-1, 0)), halfspace((0, -1))), (0, 0), (1, 1)),
+    (common(halfspace((1, 0), 4), halfspace((-1, 0), -1), halfspace((0, 2), 6), halfspace((0, -1))), (1, 0), (4, 3)),
+    (common(halfspace((1, 0), 4), halfspace((-1, 0), -1), halfspace((0, 2), 6)), None, None),
 ]
 RING = torus((0, 0, 0), (0, 0, 1), 3, 1)
 FAR = union(ball((0, 0), 1), ball((10, 0), 1))
@@ -139,7 +181,7 @@ def check_boxes(checks, runs):
             checks.holds("no box of the curved solid is proved" in refused.stderr, refused.stderr)
             continue
         checks.equal(own, (list(low), list(high)), node)
-        wide = max(h - l for l, h in zip(low, high)) + 4
+        wide = F(max(h - l for l, h in zip(low, high)) + 4)
         checks.holds(sweep and all(l - wide / 1024 <= got <= l for got, l in zip(sweep[0], low)), node, str(sweep))
         right = [high[0] + 4, *high[1:]]
         checks.holds(sweep and all(h <= got <= h + wide / 1024 for got, h in zip(sweep[1], right)), node, str(sweep))
@@ -149,6 +191,63 @@ def node_is_plane(node, low):
     if low is not None:
         return len(low) == 2
     return not any(word in str(node) for word in ("cylinder", "cone"))
+
+
+def check_cut_bodies(checks, runs):
+    """The end that a slanted half-space makes is irrational: z <= 1 + sqrt 2. Of an empty set any box will do. Many
+    half-spaces, and numbers that grow too long, leave no box or a larger one."""
+    column = tube((0, 0, 0), (0, 0, 1), 1, 0)
+    done = runs.run("check", common(column, halfspace((1, 1, 1), 1)), 3, 4)
+    low, high = shown_box(done.stdout, "box of S") or ([], [0] * 3)
+    checks.holds(low == [-1, -1, 0] and 2 <= (high[2] - 1) ** 2 < 2 + F(1, 1000), "irrational", done.stdout)
+    for node in (common(column, halfspace((0, 0, 1), -1)), common(cone((0, 0, 0), (0, 0, 1), 1), halfspace((0, 0, 1), -1)),
+                 common(halfspace((0, 0, -1), -5), tube((0, 0, 0), (0, 0, 1), 1, None, 2))):
+        done = runs.run("check", node, 3, 4)
+        low, high = shown_box(done.stdout, "box of S") or ([0], [0])
+        checks.holds(all(l < h for l, h in zip(low, high)), "empty", node, done.stdout, done.stderr)
+    walls = [halfspace((0, 0, 1), 100 - k) for k in range(100)]           # z <= 1; the first 64 say z <= 37
+    done = runs.run("check", common(column, *walls), 3, 4)
+    checks.equal(shown_box(done.stdout, "box of S"), ([-1, -1, 0], [1, 1, 37]), "many", done.stderr)
+    node = common(column, halfspace((0, 0, F(10 ** 40 + 1, 10 ** 41 + 3)), F(10 ** 40 + 7, 10 ** 41 + 9)))
+    for more, known in (("--limit", "digits=50"), False), ((), True):     # the end has 82 digits
+        done = runs.run("check", node, 3, 4, *more)
+        checks.equal((done.returncode, bool(shown_box(done.stdout, "box of S"))), (0, known), "long", more, done.stderr)
+
+
+def check_beyond(checks, runs, rng):
+    """Random bodies, cut by random half-spaces: no point beyond the box is in the solid at rest. Returns whether it has a box."""
+    def vector():
+        return next(v for v in iter(lambda: tuple(rng.randint(-3, 3) for _ in range(3)), None) if any(v))
+
+    def body():
+        point, axis = tuple(rng.randint(-2, 2) for _ in range(3)), vector()
+        ends = rng.choice(((None, None), (0, None), (None, 1), (-1, 2)))
+        return rng.choice((lambda: tube(point, axis, F(rng.randint(1, 6), 2), *ends), lambda: cone(point, axis, F(rng.randint(1, 4), 3)),
+                           lambda: ball(point, rng.randint(1, 3)), lambda: halfspace(vector(), rng.randint(-2, 6))))()
+
+    def cut():
+        walls = [halfspace(vector(), rng.randint(1, 9)) for _ in range(rng.randint(2, 6))]
+        parts = [*walls, union(*(body() for _ in range(rng.randint(1, 3)))), *([cut()] if rng.random() < 0.25 else [])]
+        rng.shuffle(parts)
+        return affine(rng.choice((QUARTER, RAISED)), common(*parts)) if rng.random() < 0.5 else common(*parts)
+
+    node, points = cut(), []
+    done = runs.run("check", node, 3, 1)
+    checks.equal(done.returncode, 0, node, done.stderr)
+    box = shown_box(done.stdout, "box of S")
+    for _ in range(60 if box else 0):
+        side, k = rng.choice(((0, -1), (1, 1))), rng.randrange(3)
+        p = [a + (b - a) * F(rng.randint(-4, 20), 16) for a, b in zip(*box)]
+        p[k] = box[side[0]][k] + side[1] * F(rng.choice((0, 0, 1, 40)), 64)
+        points.append((p, any(not a <= x <= b for x, a, b in zip(p, *box))))
+    path = runs.write("p.csv", "x,y,z\n" + "".join(",".join(map(str, p)) + "\n" for p, _ in points))
+    done = subprocess.run([runs.program, "classify", runs.write("s.csg.json", Curved(3, node).text()), path, "--at-rest", "--quiet"],
+                          capture_output=True, text=True, timeout=120)
+    rows = [line.split(",")[3] for line in done.stdout.splitlines() if not line.startswith(("#", "x"))]
+    checks.equal(len(rows), len(points), node, done.stderr)
+    for (p, beyond), pmc in zip(points, rows):
+        checks.holds(pmc != "in" and (pmc == "out" or not beyond), node, p, pmc)
+    return box is not None
 
 
 def check_ends(checks, runs):
@@ -212,10 +311,14 @@ def main():
     checks = Checks()
     with tempfile.TemporaryDirectory() as folder:
         runs = Runs(args, folder)
-        check_boxes(checks, runs)
-        check_ends(checks, runs)
-        check_grid(checks, runs)
-        turned(checks, runs)
+        if args.derived:
+            check_boxes(checks, runs)
+            check_cut_bodies(checks, runs)
+            check_ends(checks, runs)
+            check_grid(checks, runs)
+            turned(checks, runs)
+        bounded = [check_beyond(checks, runs, args.random) for _ in args.rounds(40, "beyond")]
+        checks.holds(not args.ample or sum(bounded) > 8, "random bodies with a box", sum(bounded))
     checks.finish()
 
 

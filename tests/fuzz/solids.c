@@ -222,6 +222,24 @@ static void follow_curved(graze_context *context, const graze_solid *solid) {
     mpq_clears(point[0], point[1], point[2], NULL);
 }
 
+/* Points at rest: the box's lowest corner is not in the solid's interior, and what is beyond it is
+ * out. */
+static void leave_box(graze_context *context, const graze_solid *solid, mpq_t *low) {
+    graze_scene *rest = NULL;
+    graze_pmc pmc = GRAZE_PMC_NONE;
+    mpq_t one;
+    mpq_init(one);
+    mpq_set_ui(one, 1, 1);
+    EXPECT(graze_scene_at_rest(&rest, context, solid) == GRAZE_OK);
+    graze_scene_destroy(rest);
+    graze_status status = graze_solid_classify(&pmc, context, solid, low, 1);
+    EXPECT(status == GRAZE_ELIMIT || (status == GRAZE_OK && pmc != GRAZE_IN));
+    mpq_sub(low[0], low[0], one);
+    status = graze_solid_classify(&pmc, context, solid, low, 1);
+    EXPECT(status == GRAZE_ELIMIT || (status == GRAZE_OK && pmc == GRAZE_OUT));
+    mpq_clear(one);
+}
+
 /* A curved solid: its primitives have titles, and its box is one. */
 static void check_curved(graze_context *context, const graze_solid *solid) {
     mpq_t low[3], high[3];
@@ -235,6 +253,8 @@ static void check_curved(graze_context *context, const graze_solid *solid) {
     EXPECT(status == (bounded ? GRAZE_OK : GRAZE_EINPUT));
     for (int k = 0; bounded && k < graze_solid_dimension(solid); k++)
         EXPECT(mpq_cmp(low[k], high[k]) < 0);
+    if (bounded)
+        leave_box(context, solid, low);
     mpq_clears(low[0], low[1], low[2], high[0], high[1], high[2], NULL);
     follow_curved(context, solid);
 }

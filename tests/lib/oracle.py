@@ -23,7 +23,7 @@ from types import SimpleNamespace
 from harness import ROOT, Checks, bounded, run
 
 SOURCES = {"minkowski": "tests/agree/minkowski.cpp", "to_nef": "tests/agree/to_nef.cpp", "distances": "tests/distance/oracle.cpp",
-           "pairs": "tests/collide/oracle.cpp"}
+           "pairs": "tests/collide/oracle.cpp", "places": "tests/rest/oracle.cpp"}
 FOLDER = os.path.join(ROOT, "tests", "oracles")
 VERSION = "/usr/include/CGAL/version.h"
 INCLUDED = re.compile(r'^#include "(.*)"', re.M)

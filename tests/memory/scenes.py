@@ -72,6 +72,8 @@ BODY3 = """{"dimension": 3, "solid": {"difference": [{"union": [
   {"cone": {"point": ["1", "1", "3"], "axis": ["0", "0", "-1"], "slope": "1/2", "to": "1"}}]},
   {"cylinder": {"point": ["1", "1", "0"], "axis": ["0", "0", "1"], "radius": "1/2", "from": "0", "to": "2"}}]}}
 """
+CUT = ('{"dimension": 3, "solid": {"intersection": [{"halfspace": {"normal": [0, 3, 4], "offset": 25}}, '
+       '{"cylinder": {"point": [0, 0, 0], "axis": [0, 0, 1], "radius": 5, "from": 0}}]}}')
 PLANES = ", ".join(f'{{"union": [{{"halfspace": {{"normal": ["{k}", "{k * k + 1}"], "offset": "0"}}}}, '
                    f'{{"halfspace": {{"normal": ["{k + 1}", "{(k + 1) ** 2 + 1}"], "offset": "0"}}}}]}}' for k in range(1, 14))
 BODY2 = f"""{{"dimension": 2, "solid": {{"union": [
@@ -119,7 +121,7 @@ def put(folder):
     texts = {"cube.off": OFF, "cube.obj": OBJ, "cube.ply": PLY, "cube.stl": STL, "u.wkt": WKT, "turn.json": TURN,
              "roll.json": ROLL, "2.csv": POINTS2, "3.csv": POINTS3, "poses.csv": POSES, "matrices.csv": MATRICES, "program.nc": PROGRAM,
              "answers.csv": ANSWERS, "sites2.csv": SITES2, "sites3.csv": SITES3,
-             "touching.csg.json": TOUCHING, "touch.json": TOUCH, "touch.csv": "x,y,z\n13/5,0,4/5\n", "body3.csg.json": BODY3, "body2.csg.json": BODY2, "ball2.csg.json": BALL % 2, "ball3.csg.json": BALL % 3, "curved3.csv": CURVED3, "curved2.csv": CURVED2,
+             "touching.csg.json": TOUCHING, "touch.json": TOUCH, "touch.csv": "x,y,z\n13/5,0,4/5\n", "body3.csg.json": BODY3, "cut.csg.json": CUT, "body2.csg.json": BODY2, "ball2.csg.json": BALL % 2, "ball3.csg.json": BALL % 3, "curved3.csv": CURVED3, "curved2.csv": CURVED2,
              "golden-sites.csv": GOLDEN_SITES, "answered-sites.csv": ANSWERED_SITES}
     place = folder / "input"
     place.mkdir()
@@ -241,6 +243,9 @@ def make(graze, folder):
     yield Scene("curved-check", ["check", body3, turn])
     yield Scene("curved", ["classify", *one, "--format", "jsonl", body2, roll, at["curved2.csv"]])
     yield Scene("curved-3", ["classify", *one, body3, turn, at["curved3.csv"]])
+    yield Scene("curved-cut", ["check", at["cut.csg.json"], turn])
+    yield Scene("rest", ["classify", *one, "--at-rest", "--sdf", "1e-2r", "--format", "jsonl", cube, three], spared=NUMBERS)
+    yield Scene("rest-grid", ["classify", *one, "--at-rest", "--grid", "3,3,2", at["cut.csg.json"]])
     yield Scene("curved-touching", ["classify", *one, at["touching.csg.json"], at["touch.json"], at["touch.csv"]])
     yield Scene("curved-moments", ["classify", *one, "--moments", body3, turn, at["curved3.csv"]])
     yield Scene("curved-explain", ["explain", body2, roll, "0", "0", "--limit", "work=20000"])

@@ -169,9 +169,27 @@ graze_status scene_make(graze_scene *out, graze_context *context, const graze_so
     return status;
 }
 
+graze_status scene_at_rest(graze_scene *out, graze_context *context, const graze_solid *solid) {
+    static const char *const still[] = {
+        "{\"dimension\": 2, \"pieces\": [{\"t\": [0, 1], \"transform\": {\"translate\": [0, 0]}}]}",
+        "{\"dimension\": 3, \"pieces\": [{\"t\": [0, 1], \"transform\": {\"translate\": [0, 0, "
+        "0]}}]}"};
+    const char *text = still[solid->input.dimension - 2];
+    graze_motion *standing = NULL;
+    TRY(motion_from_text(&standing, context, text, strlen(text)));
+    graze_status status = scene_make(out, context, solid, standing, NULL);
+    if (status)
+        motion_destroy(standing);
+    else
+        out->standing = standing;
+    return status;
+}
+
 void scene_clear(graze_scene *scene) {
     free_memo(scene->memo);
     free_memo(scene->arc_maps);
     filter_clear(&scene->filter);
     surface_filter_free(scene->surfaces);
+    if (scene->standing)
+        motion_destroy(scene->standing);
 }

@@ -36,6 +36,7 @@ struct graze_scene {
     unsigned char sha256[32];    /* hash of the canonical text of solid and motion, see scene_hash
                                   */
     scene_memo *memo, *arc_maps; /* the memo of topo, and the memo of distances */
+    graze_motion *standing;      /* the scene's own motion, of a solid at rest; else NULL */
 };
 
 /**
@@ -45,6 +46,10 @@ struct graze_scene {
  */
 graze_status scene_make(graze_scene *out, graze_context *context, const graze_solid *solid,
                         const graze_motion *motion, const graze_options *options);
+
+/** Fill the scene of a solid that does not move: `standing` is the identity for t in [0, 1]. What
+ * it sweeps is the solid. Statuses of scene_make. */
+graze_status scene_at_rest(graze_scene *out, graze_context *context, const graze_solid *solid);
 
 void scene_clear(graze_scene *scene);
 

@@ -24,9 +24,21 @@ static csg_primitive_reader *const readers[KEYS - FIRST_PRIMITIVE] = {
     csg_read_cylinder,   csg_read_cone,       csg_read_torus,   csg_read_capsule,
     csg_read_polynomial, csg_read_polynomial, csg_read_polygon, csg_read_polyhedron};
 
-enum { DIGITS_A_LIMB = 20 }; /* at least the decimal digits of a limb */
-
 static graze_status read_node(size_t *node, csg_reader *r, const json *value);
+
+/* Note the half-spaces among the operands of an intersection. A fault in one is met again, in its
+ * turn, when the operands are read. */
+static graze_status note_cuts(csg_reader *r, const json *operands) {
+    graze_context *context = r->build.context;
+    unsigned long work = context->work;
+    graze_status status = GRAZE_OK;
+    for (const json *item = operands->first; item; item = item->next)
+        for (const json *member = item->first; member && !status; member = member->next)
+            if (item->kind == JSON_OBJECT && strcmp(member->key, key_names[FIRST_PRIMITIVE]) == 0)
+                status = csg_read_cut(r, member);
+    context->work = work;
+    return status == GRAZE_ESYSTEM || status == GRAZE_ECANCELED ? status : GRAZE_OK;
+}
 
 /* Read the nodes of an array as operands; those of a difference after the first are complemented.
  */
@@ -41,6 +53,9 @@ static graze_status read_operands(size_t *node, csg_reader *r, const json *value
     if (!part)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for %zu nodes", value->count);
     HELD(csg_box, box);
+    int around = r->cuts;
+    if (key == INTERSECTION)
+        TRY(note_cuts(r, value));
     for (const json *item = value->first; item; item = item->next) {
         TRY(read_node(&part[item->index], r, item));
         if (key == DIFFERENCE && item->index > 0)
@@ -53,6 +68,8 @@ static graze_status read_operands(size_t *node, csg_reader *r, const json *value
             csg_bound_intersection(&box, &r->box);
     }
     csg_box_set(&r->box, &box);
+    csg_cut_box(r, around);
+    r->cuts = around;
     return csg_add_node(node, &r->build, key == UNION ? CSG_ANY : CSG_ALL, part, value->count);
 }
 
@@ -70,22 +87,13 @@ static graze_status read_map(fmpq_mat_t map, fmpq_mat_t out, csg_reader *r, cons
     return GRAZE_OK;
 }
 
-/* Whether an integer has more digits than the limit allows; fmpz_sizeinbase may be one too large.
- */
-static int has_many_digits(const graze_context *context, const fmpz_t value) {
-    size_t digits = context->limits[GRAZE_LIMIT_DIGITS];
-    return (size_t)fmpz_size(value) > digits / DIGITS_A_LIMB &&
-           fmpz_sizeinbase(value, 10) - 1 > digits;
-}
-
 /* Return GRAZE_ELIMIT, with the place of `value`, if a number that was computed from it is too
  * long. */
 static graze_status check_digits(csg_reader *r, const fmpq *x, slong count, const json *value,
                                  const char *what) {
     graze_context *context = r->build.context;
     for (slong k = 0; k < count; k++)
-        if (has_many_digits(context, fmpq_numref(x + k)) ||
-            has_many_digits(context, fmpq_denref(x + k)))
+        if (csg_is_long(context, x + k))
             return json_at(context, context_limit(context, GRAZE_LIMIT_DIGITS, what), value);
     return GRAZE_OK;
 }

@@ -3,6 +3,7 @@
  */
 #include "input/csg/csg.h"
 
+#include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "input/csg/csg_reader.h"
@@ -15,6 +16,8 @@ void csg_reader_init(csg_reader *r, graze_context *context, csg *out, int dimens
     fmpq_mat_init(r->place, r->dimension + 1, r->dimension + 1);
     fmpq_mat_one(r->place);
     csg_box_init(&r->box);
+    r->cut = _fmpq_vec_init(4 * CSG_CUTS_MOST);
+    r->cuts = 0;
     for (int i = 0; i < r->dimension; i++) {
         fmpq_mpoly_init(&r->coordinate[i], ring);
         fmpq_mpoly_gen(&r->coordinate[i], i, ring);
@@ -30,6 +33,7 @@ void csg_reader_clear(csg_reader *r) {
     fmpq_mpoly_ctx_struct *ring = r->build.ring;
     fmpq_mat_clear(r->place);
     csg_box_clear(&r->box);
+    _fmpq_vec_clear(r->cut, 4 * CSG_CUTS_MOST);
     for (int i = 0; i < r->dimension; i++) {
         fmpq_mpoly_clear(&r->coordinate[i], ring);
         fmpq_mpoly_clear(&r->from[i], ring);
@@ -39,6 +43,21 @@ void csg_reader_clear(csg_reader *r) {
     fmpq_mpoly_clear(&r->f, ring);
     fmpq_mpoly_clear(&r->term, ring);
     fmpq_mpoly_ctx_clear(ring);
+}
+
+enum { DIGITS_A_LIMB = 20 }; /* at least the decimal digits of a limb */
+
+/* Whether an integer has more digits than the limit allows; fmpz_sizeinbase may be one too large.
+ */
+static int has_many_digits(const graze_context *context, const fmpz_t value) {
+    size_t digits = context->limits[GRAZE_LIMIT_DIGITS];
+    return (size_t)fmpz_size(value) > digits / DIGITS_A_LIMB &&
+           fmpz_sizeinbase(value, 10) - 1 > digits;
+}
+
+int csg_is_long(const graze_context *context, const fmpq_t value) {
+    return has_many_digits(context, fmpq_numref(value)) ||
+           has_many_digits(context, fmpq_denref(value));
 }
 
 graze_status csg_read_members(const json **out, csg_reader *r, const json *value,

@@ -56,7 +56,10 @@ typedef struct csg_reader {
     csg_builder build;
     int dimension;
     fmpq_mat_t place; /* from the frame of the node to that of the solid, homogeneous */
-    csg_box box;      /* holds the node read last; in the frame of the solid */
+    csg_box box;      /* holds what counts of the node read last; in the frame of the solid */
+    fmpq *cut; /* half-spaces around the node, in the frame of the solid: 4 numbers each; the first
+                  d + 1 are a form that is 0 or less there */
+    int cuts;  /* at most CSG_CUTS_MOST */
     fmpq_mpoly_struct coordinate[3];
     fmpq_mpoly_struct from[3];                /* the point minus a primitive's own point */
     fmpq_mpoly_struct square, along, f, term; /* |from|^2, axis . from, the polynomial, a summand */
@@ -90,7 +93,11 @@ void csg_linear_form(fmpq_mpoly_t out, csg_reader *r, const fmpq *factor,
 /** Add a node for the set r->f <= 0, or r->f >= 0 if `other`. */
 graze_status csg_add_side(size_t *node, csg_reader *r, int other);
 
-/* Boxes that hold the nodes of a curved solid (proofs/curved.md C102). */
+/** Has a number that was computed more digits than the limit allows? */
+int csg_is_long(const graze_context *context, const fmpq_t value);
+
+/* Boxes that hold the nodes of a curved solid, within the half-spaces around them
+ * (proofs/curved.md C102). */
 
 /** Enlarge the reader's box until it holds the Minkowski sum of a disk and a ball.
  * @param point the centre of the disk, in the frame of the node at hand
@@ -110,6 +117,29 @@ void csg_bound_corners(csg_reader *r, const fmpq *low, const fmpq *high);
  * stays. */
 void csg_bound_union(csg_box *box, const csg_box *other);
 void csg_bound_intersection(csg_box *box, const csg_box *other);
+
+/** Half-spaces of an intersection, and of those around it, that are noted. */
+enum { CSG_CUTS_MOST = 64 };
+
+/** Note a half-space normal . y <= offset, in the frame of the node at hand, if there is room. */
+void csg_add_cut(csg_reader *r, const fmpq *normal, const fmpq_t offset);
+
+/** Note the half-space that csg_read_halfspace reads of this value. */
+graze_status csg_read_cut(csg_reader *r, const json *value);
+
+/** A cylinder of radius `size`, or a cone whose radius is `size` times the distance from its point,
+ * in the frame of the node at hand. Borrowed. */
+typedef struct csg_round {
+    const fmpq *point, *axis, *length2, *size; /* length2: |axis|^2 */
+    int is_cone;
+} csg_round;
+
+/** Find how far along its axis, in lengths of it, the body reaches within the half-spaces noted:
+ * at most `out` if `upward`, else at least. Returns 0 if no half-space ends it. */
+int csg_cut_height(fmpq_t out, const csg_reader *r, const csg_round *body, int upward);
+
+/** Cut the reader's box by the half-spaces from number `first` on, or make one of them. */
+void csg_cut_box(csg_reader *r, int first);
 
 /* The readers of primitives, each a csg_primitive_reader: in polyhedron.c, polynomial.c,
  * primitives.c. */

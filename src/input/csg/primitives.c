@@ -127,13 +127,29 @@ static graze_status add_bounded(size_t *node, csg_reader *r, const placed *p) {
     return csg_add_node(node, &r->build, CSG_ALL, part, count);
 }
 
-/* If both bounds are given, enlarge the reader's box until it holds the disks at them. Their radius
- * is `first`, or, for a cone, `first` times the height. */
+/* Set the two ends of a cylinder or a cone: those given, or where the half-spaces around it end it.
+ * If these leave nothing, any end will do. Returns 0 if an end is missing. */
+static int round_ends(fmpq *end, const csg_reader *r, const placed *p, int cone) {
+    const csg_round body = {p->point, p->axis, p->length2, p->first, cone};
+    fmpq_set(end, p->from);
+    fmpq_set(end + 1, p->to);
+    if ((!p->has_from && !csg_cut_height(end, r, &body, 0)) ||
+        (!p->has_to && !csg_cut_height(end + 1, r, &body, 1)))
+        return 0;
+    if (fmpq_cmp(end, end + 1) >= 0)
+        fmpq_add_si(end + !p->has_to, end + p->has_to, p->has_to ? -1 : 1);
+    return 1;
+}
+
+/* Enlarge the reader's box until it holds the disks at both ends, if there are two. Their radius is
+ * `first`, or, for a cone, `first` times the height. A box whose numbers half-spaces made too long
+ * is dropped. */
 static void bound_between(csg_reader *r, const placed *p, int cone) {
-    LOCAL_VEC(fmpq, v, 5);
-    fmpq *zero = v + 3, *square = v + 4;
-    for (int k = 0; k < 2 && p->has_from && p->has_to; k++) {
-        const fmpq *bound = k ? p->to : p->from;
+    LOCAL_VEC(fmpq, v, 7);
+    fmpq *zero = v + 3, *square = v + 4, *end = v + 5;
+    int ended = round_ends(end, r, p, cone), given = p->has_from && p->has_to, is_long = 0;
+    for (int k = 0; k < 2 && ended; k++) {
+        const fmpq *bound = end + k;
         for (int i = 0; i < 3; i++) {
             fmpq_set(v + i, p->point + i);
             fmpq_addmul(v + i, bound, p->axis + i);
@@ -145,6 +161,10 @@ static void bound_between(csg_reader *r, const placed *p, int cone) {
             fmpq_mul(square, square, p->length2);
         csg_bound_round(r, v, p->axis, zero, square);
     }
+    for (int i = 0; i < 3 && !given; i++)
+        is_long |= csg_is_long(r->build.context, &r->box.low[i]) ||
+                   csg_is_long(r->build.context, &r->box.high[i]);
+    r->box.dimension = is_long ? 0 : r->box.dimension;
 }
 
 /* Enlarge the reader's box until it holds the box about the point with `axis` as half sides. */
@@ -158,18 +178,31 @@ static void bound_about(csg_reader *r, const placed *p) {
     csg_bound_corners(r, end, end + d);
 }
 
-graze_status csg_read_halfspace(size_t *node, csg_reader *r, const json *value) {
+/* Read the normal of a half-space into p->axis and its offset into p->first; set r->f. */
+static graze_status read_halfspace(placed *p, csg_reader *r, const json *value) {
     static const char *const names[] = {"normal", "offset"};
     const json *member[2];
-    HELD(placed, p);
     TRY(csg_read_members(member, r, value, names, 2, 2));
-    TRY(csg_read_vector(p.axis, r, member[0], (size_t)r->dimension));
-    TRY(csg_read_number(p.first, r, member[1]));
-    csg_linear_form(&r->f, r, p.axis, r->coordinate, p.first);
+    TRY(csg_read_vector(p->axis, r, member[0], (size_t)r->dimension));
+    TRY(csg_read_number(p->first, r, member[1]));
+    csg_linear_form(&r->f, r, p->axis, r->coordinate, p->first);
     if (fmpq_mpoly_is_fmpq(&r->f, r->build.ring))
         return json_fail(r->build.context, GRAZE_EILLEGAL, member[0],
                          "the normal is zero; expected a direction");
+    return GRAZE_OK;
+}
+
+graze_status csg_read_halfspace(size_t *node, csg_reader *r, const json *value) {
+    HELD(placed, p);
+    TRY(read_halfspace(&p, r, value));
     return csg_add_side(node, r, 0);
+}
+
+graze_status csg_read_cut(csg_reader *r, const json *value) {
+    HELD(placed, p);
+    TRY(read_halfspace(&p, r, value));
+    csg_add_cut(r, p.axis, p.first);
+    return GRAZE_OK;
 }
 
 graze_status csg_read_box(size_t *node, csg_reader *r, const json *value) {

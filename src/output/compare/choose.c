@@ -223,7 +223,8 @@ static graze_status choose_columns(graze_comparison *c, const table *golden,
     return values_choose(c, golden);
 }
 
-/* Take over from the golden table the options of `graze explain`. */
+/* Take over from the golden table the options of `graze explain`, or of `graze classify --at-rest`.
+ */
 static graze_status note_options(graze_comparison *c, graze_context *context, const table *t) {
     text options;
     const char *round = t->notes[NOTE_ROUND], *folds = t->notes[NOTE_FOLDS];
@@ -238,6 +239,7 @@ static graze_status note_options(graze_comparison *c, graze_context *context, co
         text_put(&options, " --operation unsweep");
     if (cut && strcmp(cut, "yes") == 0)
         text_put(&options, " --triangulate");
+    text_put(&options, t->notes[NOTE_AT_REST] ? " --at-rest" : "");
     return text_finish(&c->explain_options, context, &options);
 }
 

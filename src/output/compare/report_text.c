@@ -26,6 +26,12 @@ static void put_word(text *out, const char *word) {
 char *explain_command(const graze_comparison *c, const disagreement *d) {
     text command;
     text_init(&command);
+    if (strstr(c->explain_options, " --at-rest")) {
+        text_format(&command, "echo %s | graze classify ", d->point);
+        put_word(&command, c->solid);
+        text_format(&command, " -%s", c->explain_options);
+        return text_take(&command);
+    }
     text_put(&command, "graze explain ");
     put_word(&command, c->solid);
     text_put(&command, " ");

@@ -21,6 +21,7 @@ typedef enum note {
     NOTE_SOLID,
     NOTE_MOTION,
     NOTE_SCENE,
+    NOTE_AT_REST,
     NOTE_OPERATION,
     NOTE_FOLDS,
     NOTE_ROUND,

@@ -22,7 +22,7 @@ static const char *const column_names[COLUMN_COUNT] = {
     "right", "trimmed", "status", "near",    "near_in",       "shift"};
 
 static const char *const note_names[NOTE_COUNT] = {
-    "graze", "dimension", "solid-sha256", "motion-sha256", "scene-sha256", "operation",
+    "graze", "dimension", "solid-sha256", "motion-sha256", "scene-sha256", "at-rest", "operation",
     "folds", "round",     "triangulate",  "columns",       "sdf",          "diagonal"};
 
 const char *column_name(column c) {

@@ -74,7 +74,8 @@ static const column_set column_sets[] = {
      MEMBER(sdf),
      .asked = ASKED_BY_WIDTH_DOWN,
      .needs = NEEDS_CONTACTS,
-     .names = "sdf_low,sdf_high,sdf_t",
+     .at_rest = 1,
+     .names = "sdf_low,sdf_high,sdf_t!",
      .kind = TYPED_DOUBLE,
      .find = find_distance,
      .put = report_distance,
@@ -182,7 +183,8 @@ size_t columns_kinds(typed_kind out[COLUMNS_MOST], const graze_row_options *show
     size_t count = 0;
     for (const column_set *set = NULL; (set = columns_next(set, shown));)
         for (size_t k = columns_names(names, 1u << (set - column_sets)); k > 0; k--)
-            out[count++] = set->kind;
+            if (!shown->at_rest || names[k - 1].start[names[k - 1].length - 1] != '!')
+                out[count++] = set->kind;
     return count;
 }
 
@@ -191,9 +193,9 @@ void columns_put_names(text *out, const graze_scene *scene, const graze_row_opti
     size_t count = columns_names(names, wanted_sets(shown));
     for (size_t k = 0; k < count; k++) {
         char mark = names[k].start[names[k].length - 1];
-        if (mark == '*' && !scene->motion->has_rows)
+        if ((mark == '*' && !scene->motion->has_rows) || (mark == '!' && shown->at_rest))
             continue;
         text_put(out, ",");
-        text_bytes(out, names[k].start, names[k].length - (mark == '*' || mark == '?'));
+        text_bytes(out, names[k].start, names[k].length - (strchr("*?!", mark) != NULL));
     }
 }

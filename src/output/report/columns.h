@@ -26,9 +26,11 @@ typedef struct column_set {
     column_asked asked;
     column_needs needs;
     int beside_sdf;        /* it needs --sdf beside it */
+    int at_rest;           /* a solid that does not move has it too */
     int is_exact;          /* it has exact times, which binary rows cannot hold */
     const char *undecided; /* subject of the note on undecided rows; NULL: it needs none */
-    /* Comma-joined; older tables may lack a name with `?`; one with `*` needs rows of a log. */
+    /* Comma-joined; older tables may lack a name with `?`; one with `*` needs rows of a log, one
+     * with `!` a motion. */
     const char *names;
     typed_kind kind;                                      /* in binary rows */
     graze_status (*find)(row *r, graze_context *context); /* NULL: another set finds it */

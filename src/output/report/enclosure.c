@@ -64,7 +64,10 @@ void report_distance(text *out, const row *r) {
     char low[BOUND_ROOM], high[BOUND_ROOM];
     report_bound(low, r->space.low, 0);
     report_bound(high, r->space.high, 1);
-    text_format(out, ",%s,%s,", low, high);
+    text_format(out, ",%s,%s", low, high);
+    if (r->shown->at_rest)
+        return;
+    text_put(out, ",");
     report_distance_time(out, r->scene, &r->space);
 }
 

@@ -47,7 +47,6 @@ static void json_undecided(json_writer *w, const graze_scene *scene, const undec
 }
 
 static void json_verdict(json_writer *w, const graze_scene *scene, const graze_verdict *v) {
-    json_text(w, "pmc", graze_pmc_name(v->pmc));
     if (scene->options.operation != GRAZE_SWEEP)
         return;
     json_text(w, "class", graze_class_name(v->class_));
@@ -62,20 +61,26 @@ static void json_verdict(json_writer *w, const graze_scene *scene, const graze_v
     json_count(w, "t", v->t);
 }
 
+/* Write the verdict, the word and the contacts. */
+static void json_trace(json_writer *w, const graze_scene *scene, const graze_trace *trace) {
+    json_verdict(w, scene, &trace->verdict);
+    json_text(w, "word", trace->word);
+    json_open(w, "contacts", '[');
+    for (size_t k = 0; k < trace->contact_count && !trace->undecided; k++)
+        json_contact(w, scene, &trace->contact[k]);
+    json_close(w, ']');
+    if (trace->undecided)
+        json_undecided(w, scene, trace->undecided);
+}
+
 void report_json(text *out, const row *r) {
-    const graze_trace *trace = r->trace;
     int d = r->scene->motion->dimension;
     json_writer w = {.out = out};
     json_open(&w, NULL, '{');
     json_point(&w, "point", r->point, d);
-    json_verdict(&w, r->scene, &trace->verdict);
-    json_text(&w, "word", trace->word);
-    json_open(&w, "contacts", '[');
-    for (size_t k = 0; k < trace->contact_count && !trace->undecided; k++)
-        json_contact(&w, r->scene, &trace->contact[k]);
-    json_close(&w, ']');
-    if (trace->undecided)
-        json_undecided(&w, r->scene, trace->undecided);
+    json_text(&w, "pmc", graze_pmc_name(r->trace->verdict.pmc));
+    if (!r->shown->at_rest)
+        json_trace(&w, r->scene, r->trace);
     for (const column_set *set = NULL; (set = columns_next(set, r->shown));)
         set->json(&w, r);
     json_close(&w, '}');

@@ -138,6 +138,8 @@ void json_distance(json_writer *w, const row *r) {
     const distance *found = &r->space;
     json_bound(w, "sdf_low", found->low, 0);
     json_bound(w, "sdf_high", found->high, 1);
+    if (r->shown->at_rest)
+        return;
     if (found->at) {
         json_time(w, "sdf_t", found->at);
         return;

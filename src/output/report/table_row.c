@@ -10,8 +10,8 @@
 #include "questions/topo/topo.h"
 
 trace_detail row_detail(const graze_row_options *shown) {
-    trace_detail detail = shown->format == GRAZE_FORMAT_JSONL   ? TRACE_CONTACTS
-                          : shown->columns == GRAZE_COLUMNS_PMC ? TRACE_PMC
+    trace_detail detail = shown->columns == GRAZE_COLUMNS_PMC   ? TRACE_PMC
+                          : shown->format == GRAZE_FORMAT_JSONL ? TRACE_CONTACTS
                                                                 : TRACE_WORD;
     for (const column_set *set = NULL; (set = columns_next(set, shown));)
         detail = set->needs == NEEDS_CONTACTS ? TRACE_CONTACTS : detail;
@@ -27,7 +27,7 @@ graze_status row_answer(row *out, graze_context *context, const graze_scene *sce
     for (const column_set *set = NULL; (set = columns_next(set, shown));)
         if (set->find)
             TRY(set->find(out, context));
-    return shown->format == GRAZE_FORMAT_JSONL || shown->sdf > 0
+    return !shown->at_rest && (shown->format == GRAZE_FORMAT_JSONL || shown->sdf > 0)
                ? trace_canonicalise(trace, context)
                : GRAZE_OK;
 }

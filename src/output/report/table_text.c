@@ -37,17 +37,18 @@ static void put_column_note(text *t, graze_context *context, const graze_scene *
 static void put_notes(text *t, graze_context *context, const graze_scene *scene, const char *notes,
                       const graze_row_options *shown) {
     const graze_options *options = &scene->options;
-    int unsweep = options->operation == GRAZE_UNSWEEP;
+    int unsweep = options->operation == GRAZE_UNSWEEP, moves = !shown->at_rest;
     text_format(t, "# graze " GRAZE_VERSION "\n# contract %d\n", scene->solid->curved ? 2 : 1);
     text_format(t, "# dimension %d\n", scene->motion->dimension);
     put_hash(t, "solid-sha256", scene->solid->input.sha256);
-    put_hash(t, "motion-sha256", scene->motion->sha256);
+    if (moves)
+        put_hash(t, "motion-sha256", scene->motion->sha256);
     put_hash(t, "scene-sha256", scene->sha256);
-    text_format(t, "# operation %s\n", unsweep ? "unsweep" : "sweep");
-    text_format(t, "# overlap %s\n",
-                options->overlap == GRAZE_OVERLAP_REJECT ? "reject" : "extend");
-    text_format(t, "# folds %s\n",
-                options->folds == GRAZE_FOLDS_COMBINED ? "combined" : "separate");
+    if (moves)
+        text_format(t, "# operation %s\n# overlap %s\n# folds %s\n", unsweep ? "unsweep" : "sweep",
+                    options->overlap == GRAZE_OVERLAP_REJECT ? "reject" : "extend",
+                    options->folds == GRAZE_FOLDS_COMBINED ? "combined" : "separate");
+    text_put(t, moves ? "" : "# at-rest yes\n");
     text_format(t, "# round %s\n", graze_rounding_name(context->rounding));
     for (const column_set *set = NULL; (set = columns_next(set, shown));)
         put_column_note(t, context, scene, set, shown);
@@ -55,10 +56,11 @@ static void put_notes(text *t, graze_context *context, const graze_scene *scene,
         text_put(t, "# columns pmc\n");
     if (notes)
         text_put(t, notes);
-    text_format(t, "# ends-meet %s\n",
-                scene->ends == GRAZE_ENDS_UNDECIDED ? "undecided"
-                : scene->ends == GRAZE_ENDS_MEET    ? "yes"
-                                                    : "no");
+    if (moves)
+        text_format(t, "# ends-meet %s\n",
+                    scene->ends == GRAZE_ENDS_UNDECIDED ? "undecided"
+                    : scene->ends == GRAZE_ENDS_MEET    ? "yes"
+                                                        : "no");
 }
 
 void table_columns(text *t, const graze_scene *scene, const char *columns,

@@ -3,6 +3,7 @@
  */
 #include "program/cli/cli.h"
 
+#include <string.h>
 #include "output/report/columns.h"
 #include "program/cli/values.h"
 #include "program/io/io.h"
@@ -14,11 +15,14 @@ static const char classify_help[] =
     "\n"
     "Example: graze classify cube.off move.json points.csv -o table.csv\n"
     "         graze classify cube.off move.json --grid 50,20,20 --format vtk -o grid.vtk\n"
+    "         graze classify cube.off points.csv --at-rest\n"
     "\n"
     "POINTS is a CSV or .npy file, or - for CSV on standard input; a header may name x, y, z\n"
     "among other columns, which are kept. Numbers: -12, 0.1, 1.5e-3, 22/7, all exact.\n"
     "\n"
     "  -o, --output FILE    write there instead of to standard output\n"
+    "  --at-rest            no MOTION: in, on, out of the solid as it stands, with --sdf the\n"
+    "                       distance to it; not with what needs a motion\n"
     "  --grid NX,NY[,NZ]    a grid of points instead of POINTS, each number at least 2\n"
     "  --box x0,y0[,z0],x1,y1[,z1]   the grid's corners; default: a box around the sweep\n"
     "  --format csv|jsonl|vtk|npy   a table (default; whole only with its last line\n"
@@ -63,6 +67,7 @@ int value_shard(void *to, const char *name, const char *value) {
 }
 
 static const option_entry classify_table[] = {
+    FLAG("at-rest", classify_options, scene.rows.at_rest, value_flag),
     OPTION("grid", classify_options, grid.sizes, value_text),
     OPTION("box", classify_options, grid.box, value_text),
     OPTION("operation", classify_options, scene.scene.operation, value_operation),
@@ -94,10 +99,11 @@ static const option_entry classify_table[] = {
 
 void classify_add_record(guard *g, const void *options, const operands *given) {
     const classify_options *o = options;
-    (void)given;
     const char *path = o->resume ? o->resume : o->output;
     if (path && !output_is_standard(path))
         guard_add(g, GUARD_WRITTEN, o->resume ? "resume" : "output", path, RECORD_ENDING);
+    if (o->scene.rows.at_rest && given->count == 2) /* POINTS, which may be standard input */
+        guard_add(g, GUARD_INPUT, NULL, given->item[1], "");
 }
 
 int classify_check_files(const classify_options *o) {
@@ -179,18 +185,51 @@ static int check_coordinates(classify_options *o) {
     return coordinates_check(&o->coordinates);
 }
 
-int classify_take(classify_options *o, const operands *given) {
-    int wanted = o->grid.sizes ? 2 : 3;
-    if (o->grid.box && !o->grid.sizes)
-        return complain(EXIT_USAGE, "--box goes with --grid; see graze classify --help");
+static int was_given(const operands *given, const char *name) {
+    int k = 0;
+    while (strcmp(classify_table[k].name, name) != 0)
+        k++;
+    return given->options >> k & 1;
+}
+
+/* Refuse options that ask about a motion beside --at-rest, whose rows have pmc alone. */
+static int check_at_rest(classify_options *o, const operands *given) {
+    static const char *const moving[] = {"operation",    "overlap", "folds",  "boundary-distance",
+                                         "motion-error", "moments", "topo",   "regular",
+                                         "times",        "certify", "receipt"};
+    const char *named = was_given(given, "columns") && o->scene.rows.columns == GRAZE_COLUMNS_ALL
+                            ? "columns all"
+                            : NULL;
+    for (size_t k = 0; !named && k < sizeof moving / sizeof *moving; k++)
+        named = was_given(given, moving[k]) ? moving[k] : NULL;
+    if (named)
+        return complain(EXIT_USAGE, "--%s needs a motion; expected no --at-rest beside it", named);
+    o->scene.rows.columns = GRAZE_COLUMNS_PMC;
+    return EXIT_DONE;
+}
+
+/* Check the number of operands and take them over. */
+static int take_operands(classify_options *o, const operands *given) {
+    int rest = o->scene.rows.at_rest, wanted = (o->grid.sizes ? 2 : 3) - rest;
     if (given->count != wanted)
         return complain(EXIT_USAGE,
-                        "classify takes SOLID, MOTION and %s, %d operands given; see graze "
-                        "classify --help",
+                        "classify takes SOLID, %s %s, %d operands given; see graze classify --help",
+                        rest ? "with --at-rest no MOTION, and" : "MOTION and",
                         o->grid.sizes ? "with --grid no POINTS" : "POINTS or --grid", given->count);
-    int status = classify_check_files(o);
+    o->scene.solid = given->item[0];
+    o->scene.motion = rest ? NULL : given->item[1];
+    o->points = given->item[rest ? 1 : 2];
+    return EXIT_DONE;
+}
+
+int classify_take(classify_options *o, const operands *given) {
+    if (o->grid.box && !o->grid.sizes)
+        return complain(EXIT_USAGE, "--box goes with --grid; see graze classify --help");
+    int status = take_operands(o, given);
     if (!status)
-        status = check_columns(o);
+        status = classify_check_files(o);
+    if (!status)
+        status = o->scene.rows.at_rest ? check_at_rest(o, given) : check_columns(o);
     if (!status)
         status = check_coordinates(o);
     if (!status)
@@ -199,13 +238,7 @@ int classify_take(classify_options *o, const operands *given) {
         return status;
     if (o->times && !o->certificate)
         return complain(EXIT_USAGE, "--times goes with --certify; see graze classify --help");
-    status = classify_check_table(o);
-    if (status)
-        return status;
-    o->scene.solid = given->item[0];
-    o->scene.motion = given->item[1];
-    o->points = given->item[2];
-    return EXIT_DONE;
+    return classify_check_table(o);
 }
 
 static int run_classify(void *options, const operands *given) {

@@ -26,6 +26,7 @@ typedef struct operands {
     int count, repeated_count;
     char **item;
     const char **repeated;
+    unsigned long long options; /* bit k: option k of the command's table was given */
     const char *output; /* --output of a command without its own: the file for what it prints */
 } operands;
 

@@ -74,11 +74,13 @@ static int complain_of_word(const command *c, int code, const char *word) {
                     c->name);
 }
 
-static int read_option(operands *given, void *options, const option_entry *entry) {
+static int read_option(operands *given, void *options, const command *c,
+                       const option_entry *entry) {
     if (!entry) {
         given->output = optarg;
         return EXIT_DONE;
     }
+    given->options |= 1ull << (entry - c->options);
     const char *value = entry->kind == OPTION_FLAG ? "" : optarg;
     if (entry->read)
         return entry->read((char *)options + entry->offset, entry->name, value);
@@ -118,7 +120,7 @@ int command_read(operands *given, void *options, int *help, const command *c, in
         else if (code == 'h' || code == HELP)
             *help = 1;
         else
-            status = read_option(given, options, find_option(c->options, code));
+            status = read_option(given, options, c, find_option(c->options, code));
     }
     return status;
 }

@@ -110,6 +110,11 @@ static int compare_page(const char *file, const char *golden, const char *candid
     all.show = SIZE_MAX;
     TRY(context_make(&comparing, context));
     TRY(complain_of(graze_compare(&c, comparing, golden, candidate, &all), comparing));
+    if (strstr(graze_comparison_head(c), " --at-rest"))
+        return complain(EXIT_USAGE,
+                        "%s is a table of a solid at rest, which has no motion to show; expected "
+                        "no --page",
+                        golden);
     take_scene_options(&scene, graze_comparison_head(c));
     memcpy(scene.context.limits, context->limits, sizeof scene.context.limits);
     TRY(loaded_read(&l, &scene, EXIT_INPUT, NULL));

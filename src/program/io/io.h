@@ -111,7 +111,8 @@ typedef struct context_options {
 /** Options of a scene, its files, and what rows of it show. Strings are borrowed; the sizes of
  * options are set when the scene is read. */
 typedef struct scene_options {
-    const char *solid, *motion; /* motion NULL: the solid alone is read, and there is no scene */
+    const char *solid, *motion; /* motion NULL: the solid alone is read, and there is no scene
+                                 unless rows are at_rest */
     unsigned solid_flags;
     graze_options scene;
     graze_row_options rows;

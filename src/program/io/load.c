@@ -67,12 +67,17 @@ static int complain_of_scene(graze_status status, const loaded *l, const scene_o
                     helps ? "; graze mend makes a legal solid of it" : "");
 }
 
-/* Read the motion, and make the scene and the width of its enclosures. */
+/* Read the motion, unless the solid is at rest, and make the scene and the width of its enclosures.
+ */
 static graze_status read_scene(loaded *out, const scene_options *o) {
     graze_options scene = o->scene;
     scene.size = sizeof scene;
-    TRY(graze_motion_read(&out->motion, out->context, o->motion));
-    TRY(graze_scene_create(&out->scene, out->context, out->solid, out->motion, &scene));
+    if (o->rows.at_rest) {
+        TRY(graze_scene_at_rest(&out->scene, out->context, out->solid));
+    } else {
+        TRY(graze_motion_read(&out->motion, out->context, o->motion));
+        TRY(graze_scene_create(&out->scene, out->context, out->solid, out->motion, &scene));
+    }
     return o->sdf_relative
                ? graze_scene_width(&out->rows.sdf, out->context, out->scene, o->rows.sdf)
                : GRAZE_OK;
@@ -91,7 +96,7 @@ int loaded_read(loaded *out, const scene_options *o, int illegal, const unsigned
         TRY(check_rows(out->solid, o));
         if (*graze_solid_note(out->solid))
             complain(EXIT_DONE, "note: %s: %s", o->solid, graze_solid_note(out->solid));
-        status = o->motion ? read_scene(out, o) : GRAZE_OK;
+        status = o->motion || o->rows.at_rest ? read_scene(out, o) : GRAZE_OK;
     }
     int code = complain_of_scene(status, out, o);
     return status == GRAZE_EILLEGAL ? illegal : code;

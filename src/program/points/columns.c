@@ -52,7 +52,7 @@ static size_t count_last(const fields *first, unsigned sets, size_t most) {
     size_t count = 0;
     for (size_t k = columns_names(names, sets); k > 0 && count < most; k--) {
         field name = names[k - 1];
-        int may_lack = strchr("?*", name.start[name.length - 1]) != NULL;
+        int may_lack = strchr("?*!", name.start[name.length - 1]) != NULL;
         name.length -= (size_t)may_lack;
         int is_it = field_equal(field_content(first->item[first->count - 1 - count]), name);
         if (!is_it && !may_lack)

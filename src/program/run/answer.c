@@ -105,7 +105,8 @@ static void fail_row(answerer *a, row_run *r, graze_status status, const block *
 
 static int asks_for_members(const answer_task *task) {
     return task->source.grid && !task->one_by_one && task->rows->columns == GRAZE_COLUMNS_PMC &&
-           !task->certifier && task->source.coordinates.form == COORDINATES_EXACT;
+           !(task->rows->sdf > 0) && !task->certifier &&
+           task->source.coordinates.form == COORDINATES_EXACT;
 }
 
 size_t answer_most(const answer_task *task) {

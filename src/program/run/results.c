@@ -340,9 +340,13 @@ static void report_whole_rows(const results *out, int kind) {
 static void tell_undecided(const results *out) {
     const column_set *set = undecided_set(out);
     const char *bare = out->l->rows.columns == GRAZE_COLUMNS_PMC ? "pmc" : "the word";
-    complain(EXIT_DONE, "note: %s of %lu of %lu rows is undecided; graze explain%s%s says why",
-             set ? set->undecided : bare, out->at.undecided, out->file[RESULT_TABLE].rows,
-             set ? " --" : "", set ? set->option : "");
+    if (out->l->rows.at_rest) /* there is no motion to explain */
+        complain(EXIT_DONE, "note: %s of %lu of %lu rows is undecided", bare, out->at.undecided,
+                 out->file[RESULT_TABLE].rows);
+    else
+        complain(EXIT_DONE, "note: %s of %lu of %lu rows is undecided; graze explain%s%s says why",
+                 set ? set->undecided : bare, out->at.undecided, out->file[RESULT_TABLE].rows,
+                 set ? " --" : "", set ? set->option : "");
 }
 
 int results_close(results *out, int status) {

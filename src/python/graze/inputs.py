@@ -20,6 +20,7 @@ from ._meshes import arrays_of
 from ._motions import Joint
 from ._numbers import Rationals, numpy, read_points
 from ._poses import PoseForm, by_poses
+from ._progress import Progress
 from .errors import GrazeError, InputError, UseError, name_argument
 
 
@@ -170,6 +171,32 @@ class Solid(Expressions):
     def component_count(self) -> int:
         """Components of the boundary."""
         return int(library().graze_solid_component_count(self._handle.pointer))
+
+    def contains(self, points: Any, *, boundary: bool = True, jobs: Optional[int] = 1,
+                 progress: Progress = False) -> Any:
+        """Whether points are in the solid, exactly, with no motion.
+
+        Each call prepares the solid; for many calls, and for `on` as an answer of its own, distances
+        and grids, make `Scene(solid, None)` once.
+
+        Args:
+            points, jobs, progress: as of `Scene.classify`.
+            boundary: whether points on the boundary are in it.
+        Returns:
+            With numpy an array of bool, without it a list; one for each point.
+        Raises:
+            As `Scene.classify`; GrazeError: of a curved solid, where a point is not decided.
+        """
+        from .scene import Scene
+        scene = Scene(self, None, round=library().graze_rounding_name(self._settings.rounding).decode(),
+                      limits={library().graze_limit_name(k).decode(): value for k, value in self._settings.limits})
+        verdicts = scene.classify(points, jobs, progress)
+        pmc = [verdict.pmc for verdict in verdicts] if numpy is None else verdicts["pmc"].tolist()
+        if C.GRAZE_PMC_UNDECIDED in pmc:
+            raise GrazeError(f"point {pmc.index(C.GRAZE_PMC_UNDECIDED)}: whether it is in the solid is not decided")
+        taken = (C.GRAZE_IN, C.GRAZE_ON) if boundary else (C.GRAZE_IN,)
+        inside = [answer in taken for answer in pmc]
+        return inside if numpy is None else numpy.array(inside, dtype=bool)
 
     @property
     def note(self) -> str:

@@ -48,7 +48,7 @@ class Scene:
     """
 
     def __init__(self, solid: Any,
-                 motion: "Motion | str | os.PathLike[str] | Mapping[str, Any]",
+                 motion: "Motion | str | os.PathLike[str] | Mapping[str, Any] | None",
                  operation: str = "sweep", overlap: str = "extend", folds: str = "separate",
                  triangulate: bool = False, round: str = "none", *,
                  limits: Optional[Mapping[str, int]] = None, use_filter: bool = True,
@@ -59,7 +59,8 @@ class Scene:
 
         Args:
             solid: a `Solid`, or what one is made of: a path, or (vertices, facets).
-            motion: a `Motion`, or what one is made of: a path, JSON text, or a dict.
+            motion: a `Motion`, or what one is made of: a path, JSON text, or a dict. None: the solid
+                does not move, and verdicts, rows and tables have pmc alone, with sdf beside it.
             operation: `sweep`, or `unsweep`: the points that stay in the solid all the time.
             overlap: `reject` makes it an error that first and last position meet; else `extend`.
             folds: `separate`: Definitions 6 and 7; `combined`: 10 and 11 in their place.
@@ -93,12 +94,16 @@ class Scene:
         self._shown = C.graze_row_options(
             columns=choice("columns", columns, "graze_columns"), topo=int(topo), sdf=width,
             motion_error=_rounded("motion_error", motion_error, math.inf), moments=int(moments),
-            regular=int(regular), boundary=int(boundary_distance))
+            regular=int(regular), boundary=int(boundary_distance), at_rest=int(motion is None))
+        if motion is None:
+            if (operation, overlap, folds) != ("sweep", "extend", "separate"):
+                raise UseError("operation, overlap and folds need a motion; expected one")
+            columns, self._shown.columns = "pmc", choice("columns", "pmc", "graze_columns")
         if not isinstance(solid, Solid):
             solid = Solid(solid, triangulate=triangulate, round=round, limits=limits)
-        if not isinstance(motion, Motion):
+        if not isinstance(motion, (Motion, type(None))):
             motion = Motion(motion, round=round, limits=limits)
-        both: Tuple[Union[Solid, Motion], ...] = (solid, motion)
+        both: Tuple[Union[Solid, Motion], ...] = (solid,) if motion is None else (solid, motion)
         for made in both:
             if input_settings(made).rounding != chosen.rounding:
                 raise UseError("solid, motion and points must be rounded alike")
@@ -110,9 +115,13 @@ class Scene:
         self.boundary_distance = bool(boundary_distance)
         self._contexts = Contexts(chosen)
         context, pointer = self._contexts.mine(), ctypes.c_void_p()
-        parts = input_handle(solid), input_handle(motion)
-        context.run(library().graze_scene_create, ctypes.byref(pointer), context.pointer,
-                    parts[0].pointer, parts[1].pointer, ctypes.byref(options))
+        parts = tuple(input_handle(made) for made in both)
+        pointers = [part.pointer for part in parts]
+        if motion is None:
+            context.run(library().graze_scene_at_rest, ctypes.byref(pointer), context.pointer, *pointers)
+        else:
+            context.run(library().graze_scene_create, ctypes.byref(pointer), context.pointer, *pointers,
+                        ctypes.byref(options))
         self._handle = Handle(pointer, library().graze_scene_destroy, *parts)
         if relative:
             tolerance = ctypes.c_double()
@@ -122,6 +131,8 @@ class Scene:
         self._head("")  # do the options go together?
 
     def __repr__(self) -> str:
+        if self.motion is None:
+            return f"<graze.Scene, {self.solid!r} at rest>"
         return f"<graze.Scene, {self.operation} of {self.solid!r} by {self.motion!r}>"
 
     @property
