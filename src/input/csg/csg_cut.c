@@ -12,7 +12,7 @@
 #include "input/csg/csg_reader.h"
 
 /* Take the work with these numbers from what is left; returns 0 if that is less. */
-static int spend(csg_reader *r, const fmpq *number, int count) {
+static int spend_cut(csg_reader *r, const fmpq *number, int count) {
     unsigned long most = 0;
     for (int k = 0; k < count; k++) {
         unsigned long bits =
@@ -26,7 +26,7 @@ static int spend(csg_reader *r, const fmpq *number, int count) {
 
 void csg_add_cut(csg_reader *r, const fmpq *normal, const fmpq_t offset) {
     int d = r->dimension;
-    if (r->cuts == CSG_CUTS_MOST || !spend(r, r->place->entries, (d + 1) * (d + 1)))
+    if (r->cuts == CSG_CUTS_MOST || !spend_cut(r, r->place->entries, (d + 1) * (d + 1)))
         return;
     LOCAL(fmpq_mat, form, 1, d + 1);
     LOCAL(fmpq_mat, inverse, d + 1, d + 1);
@@ -68,11 +68,11 @@ int csg_cut_height(fmpq_t out, csg_reader *r, const csg_round *body, int upward)
     int d = r->dimension, found = 0;
     LOCAL(fmpq, height);
     LOCAL(fmpq_mat, form, 1, d + 1);
-    for (int k = 0; k < r->cuts && spend(r, r->cut + 4 * k, d + 1); k++) {
+    for (int k = 0; k < r->cuts && spend_cut(r, r->cut + 4 * k, d + 1); k++) {
         for (int i = 0; i <= d; i++)
             fmpq_set(fmpq_mat_entry(form, 0, i), r->cut + 4 * k + i);
         fmpq_mat_mul(form, form, r->place);
-        if (!spend(r, fmpq_mat_entry(form, 0, 0), d + 1) ||
+        if (!spend_cut(r, fmpq_mat_entry(form, 0, 0), d + 1) ||
             !bound_heights(height, body, fmpq_mat_entry(form, 0, 0), upward))
             continue;
         int order = found ? fmpq_cmp(height, out) : 0;
@@ -110,7 +110,7 @@ static int move_side(csg_box *box, unsigned *known, csg_reader *r, const fmpq *f
     int sign = high ? 1 : -1;
     if ((*known & side_bit(i, high) && sign * fmpq_cmp(bound, side) >= 0) ||
         (*known & side_bit(i, !high) && sign * fmpq_cmp(bound, other) <= 0) ||
-        csg_is_long(r->build.context, bound) || !spend(r, bound, 1))
+        csg_is_long(r->build.context, bound) || !spend_cut(r, bound, 1))
         return 0;
     fmpq_set(side, bound);
     *known |= side_bit(i, high);
