@@ -193,7 +193,7 @@ def node_is_plane(node, low):
     return not any(word in str(node) for word in ("cylinder", "cone"))
 
 
-def check_cut_bodies(checks, runs):
+def check_cut_bodies(checks, runs, rng):
     """The end that a slanted half-space makes is irrational: z <= 1 + sqrt 2. Of an empty set any box will do. Many
     half-spaces, and numbers that grow too long, leave no box or a larger one."""
     column = tube((0, 0, 0), (0, 0, 1), 1, 0)
@@ -209,6 +209,10 @@ def check_cut_bodies(checks, runs):
     done = runs.run("check", common(column, *walls), 3, 4)
     checks.equal(shown_box(done.stdout, "box of S"), ([-1, -1, 0], [1, 1, 37]), "many", done.stderr)
     node = common(column, halfspace((0, 0, F(10 ** 40 + 1, 10 ** 41 + 3)), F(10 ** 40 + 7, 10 ** 41 + 9)))
+    cuts = [halfspace((0, 0, F(rng.randrange(10 ** 100), 10 ** 100 + k)), 1) for k in range(64)]
+    for count, known in ((20, True), (400, False)):                       # 64 numbers of 200 digits for each: work of seconds
+        done = runs.run("check", common(*cuts, union(*[column] * count)), 3, 4)
+        checks.equal((done.returncode, bool(shown_box(done.stdout, "box of S"))), (0, known), "work", count, done.stderr)
     for more, known in (("--limit", "digits=50"), False), ((), True):     # the end has 82 digits
         done = runs.run("check", node, 3, 4, *more)
         checks.equal((done.returncode, bool(shown_box(done.stdout, "box of S"))), (0, known), "long", more, done.stderr)
@@ -313,7 +317,7 @@ def main():
         runs = Runs(args, folder)
         if args.derived:
             check_boxes(checks, runs)
-            check_cut_bodies(checks, runs)
+            check_cut_bodies(checks, runs, args.random)
             check_ends(checks, runs)
             check_grid(checks, runs)
             turned(checks, runs)

@@ -161,7 +161,7 @@ def check_compare(suite):
 
 
 def check_solids(suite):
-    """A disk of exact ends, a half-space, which has no box, a point that no rule decides, a polygon with a hole."""
+    """A ball, a half-plane, which has no box, a point that no rule decides, polygons with holes, a rounded point."""
     checks = suite.checks
     ball, half, flat = (suite.graze.write(f"{name}.csg.json", json.dumps(node)) for name, node in (("ball", BALL), ("half", HALF), ("flat", FLAT)))
     table = suite.run(ball, suite.graze.write("p.csv", "3,4,0\n0,3,4\n3,4,1e-30\n5,0,-1e-30\n2.99,4,0\n"), "--at-rest")
@@ -183,6 +183,9 @@ def check_solids(suite):
     checks.equal([row["pmc"] for row in rows_of(table)], ["in", "out", "on", "on", "on", "out"], "ring")
     for row, s in zip(rows_of(table), (-1, 1, 0, 0, 0)):
         checks.holds(F(row["sdf_low"]) <= s <= F(row["sdf_high"]), "ring", row)
+    touch = suite.graze.write("touch.wkt", "MULTIPOLYGON (((0 0, 6 0, 6 3, 0 3, 0 0), (3 0, 4 1, 3 2, 2 1, 3 0)), ((3 3, 4 5, 2 5, 3 3)))\n")
+    table = suite.run(touch, suite.graze.write("p.csv", "3,0\n3,1e-9\n3,3\n3,2.9\n3,3.1\n2.9,3.1\n2,1\n"), "--at-rest")
+    checks.equal([row["pmc"] for row in rows_of(table)], ["on", "out", "on", "in", "in", "out", "on"], "a hole and a part that touch the outer ring")
     rounded = suite.run(CUBE, suite.graze.write("p.csv", "2.00000001,1,1\n"), "--at-rest", "--round", "binary32")
     checks.equal([row["pmc"] for row in rows_of(rounded)], ["on"], "rounded to 2")
 

@@ -11,9 +11,22 @@
 #include "base/context/scope.h"
 #include "input/csg/csg_reader.h"
 
+/* Take the work with these numbers from what is left; returns 0 if that is less. */
+static int spend_cut(csg_reader *r, const fmpq *number, int count) {
+    unsigned long most = 0;
+    for (int k = 0; k < count; k++) {
+        unsigned long bits =
+            fmpz_bits(fmpq_numref(number + k)) + fmpz_bits(fmpq_denref(number + k));
+        most = bits > most ? bits : most;
+    }
+    unsigned long words = most / FLINT_BITS + 1;
+    r->cut_work = words * words < r->cut_work ? r->cut_work - words * words : 0;
+    return r->cut_work > 0;
+}
+
 void csg_add_cut(csg_reader *r, const fmpq *normal, const fmpq_t offset) {
     int d = r->dimension;
-    if (r->cuts == CSG_CUTS_MOST)
+    if (r->cuts == CSG_CUTS_MOST || !spend_cut(r, r->place->entries, (d + 1) * (d + 1)))
         return;
     LOCAL(fmpq_mat, form, 1, d + 1);
     LOCAL(fmpq_mat, inverse, d + 1, d + 1);
@@ -51,15 +64,16 @@ static int bound_heights(fmpq_t out, const csg_round *body, const fmpq *form, in
     return 1;
 }
 
-int csg_cut_height(fmpq_t out, const csg_reader *r, const csg_round *body, int upward) {
+int csg_cut_height(fmpq_t out, csg_reader *r, const csg_round *body, int upward) {
     int d = r->dimension, found = 0;
     LOCAL(fmpq, height);
     LOCAL(fmpq_mat, form, 1, d + 1);
-    for (int k = 0; k < r->cuts; k++) {
+    for (int k = 0; k < r->cuts && spend_cut(r, r->cut + 4 * k, d + 1); k++) {
         for (int i = 0; i <= d; i++)
             fmpq_set(fmpq_mat_entry(form, 0, i), r->cut + 4 * k + i);
         fmpq_mat_mul(form, form, r->place);
-        if (!bound_heights(height, body, fmpq_mat_entry(form, 0, 0), upward))
+        if (!spend_cut(r, fmpq_mat_entry(form, 0, 0), d + 1) ||
+            !bound_heights(height, body, fmpq_mat_entry(form, 0, 0), upward))
             continue;
         int order = found ? fmpq_cmp(height, out) : 0;
         if (!found || (upward ? order < 0 : order > 0))
@@ -78,7 +92,7 @@ static unsigned side_bit(int i, int high) {
 /* Move the side of coordinate i that a half-space bounds, if the others bound its other terms. The
  * side stays where the box would become empty, as the node then is, or the number too long. Returns
  * 1 if it moved. */
-static int move_side(csg_box *box, unsigned *known, const csg_reader *r, const fmpq *form, int i) {
+static int move_side(csg_box *box, unsigned *known, csg_reader *r, const fmpq *form, int i) {
     LOCAL(fmpq, bound);
     fmpq_set(bound, form + r->dimension);
     for (int j = 0; j < r->dimension; j++) {
@@ -96,7 +110,7 @@ static int move_side(csg_box *box, unsigned *known, const csg_reader *r, const f
     int sign = high ? 1 : -1;
     if ((*known & side_bit(i, high) && sign * fmpq_cmp(bound, side) >= 0) ||
         (*known & side_bit(i, !high) && sign * fmpq_cmp(bound, other) <= 0) ||
-        csg_is_long(r->build.context, bound))
+        csg_is_long(r->build.context, bound) || !spend_cut(r, bound, 1))
         return 0;
     fmpq_set(side, bound);
     *known |= side_bit(i, high);
@@ -109,7 +123,7 @@ void csg_cut_box(csg_reader *r, int first) {
     for (int round = 0; round < d && moved; round++) {
         moved = 0;
         for (int k = first; k < r->cuts; k++)
-            for (int i = 0; i < d; i++)
+            for (int i = 0; i < d && r->cut_work; i++)
                 if (!fmpq_is_zero(r->cut + 4 * k + i))
                     moved |= move_side(&r->box, &known, r, r->cut + 4 * k, i);
     }

@@ -18,6 +18,7 @@ void csg_reader_init(csg_reader *r, graze_context *context, csg *out, int dimens
     csg_box_init(&r->box);
     r->cut = _fmpq_vec_init(4 * CSG_CUTS_MOST);
     r->cuts = 0;
+    r->cut_work = CSG_CUT_WORK;
     for (int i = 0; i < r->dimension; i++) {
         fmpq_mpoly_init(&r->coordinate[i], ring);
         fmpq_mpoly_gen(&r->coordinate[i], i, ring);

@@ -60,6 +60,7 @@ typedef struct csg_reader {
     fmpq *cut; /* half-spaces around the node, in the frame of the solid: 4 numbers each; the first
                   d + 1 are a form that is 0 or less there */
     int cuts;  /* at most CSG_CUTS_MOST */
+    unsigned long cut_work; /* left for boxes within half-spaces */
     fmpq_mpoly_struct coordinate[3];
     fmpq_mpoly_struct from[3];                /* the point minus a primitive's own point */
     fmpq_mpoly_struct square, along, f, term; /* |from|^2, axis . from, the polynomial, a summand */
@@ -121,6 +122,9 @@ void csg_bound_intersection(csg_box *box, const csg_box *other);
 /** Half-spaces of an intersection, and of those around it, that are noted. */
 enum { CSG_CUTS_MOST = 64 };
 
+/** The work on them in one solid, as squares of words; beyond it they cut nothing. */
+enum { CSG_CUT_WORK = 1 << 20 };
+
 /** Note a half-space normal . y <= offset, in the frame of the node at hand, if there is room. */
 void csg_add_cut(csg_reader *r, const fmpq *normal, const fmpq_t offset);
 
@@ -136,7 +140,7 @@ typedef struct csg_round {
 
 /** Find how far along its axis, in lengths of it, the body reaches within the half-spaces noted:
  * at most `out` if `upward`, else at least. Returns 0 if no half-space ends it. */
-int csg_cut_height(fmpq_t out, const csg_reader *r, const csg_round *body, int upward);
+int csg_cut_height(fmpq_t out, csg_reader *r, const csg_round *body, int upward);
 
 /** Cut the reader's box by the half-spaces from number `first` on, or make one of them. */
 void csg_cut_box(csg_reader *r, int first);
