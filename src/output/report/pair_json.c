@@ -71,6 +71,8 @@ void pair_json(text *out, const graze_pair *pair) {
     json_text(&w, "word", pair->walk.word);
     if (first)
         json_text(&w, "next", *next ? next : NULL);
+    if (!fmpq_is_zero(pair->distance))
+        json_rational(&w, "clearance", pair->distance);
     put_first(&w, pair);
     json_open(&w, "contacts", '[');
     for (size_t k = 0; k < pair->walk.contact_count; k++)

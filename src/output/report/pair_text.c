@@ -98,6 +98,10 @@ static void tell_verdict(text *t, const graze_pair *pair) {
         text_put(t, "leaves at ");
         tell_pair_time(t, collide_overlap_time(pair));
     }
+    if (!fmpq_is_zero(pair->distance)) {
+        text_put(t, " at clearance ");
+        text_rational(t, pair->distance);
+    }
     text_put(t, "\n");
 }
 

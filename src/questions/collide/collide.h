@@ -9,11 +9,17 @@
 #include "input/motion/motion.h"
 #include "input/solid/solid.h"
 
+/** The square of the clearance on a piece, over / under, both positive on [0, 1]. */
+typedef struct clearance {
+    fmpz_poly_t over, under;
+} clearance;
+
 /** Two solids and the motion of `moving`, all borrowed, of one dimension; `fixed` does not move. */
 typedef struct solid_pair {
     const graze_solid *moving, *fixed;
     const graze_motion *motion;
-    int complement; /* 1: the closure of the complement of `fixed` stands for `fixed` */
+    int complement;        /* 1: the closure of the complement of `fixed` stands for `fixed` */
+    const clearance *near; /* of each piece: distances below it count as I, at it as B; NULL: 0 */
 } solid_pair;
 
 /* Pairs of boundary cells, one of each solid, that meet at a time. */
@@ -56,10 +62,18 @@ struct graze_pair {
     graze_motion *own; /* the relative motion if both solids move, else NULL */
     graze_time *start; /* t0 if the word begins with I, else NULL */
     graze_pair_options options;
+    fmpq_t distance;      /* options.clearance */
+    clearance *clearance; /* of each piece of the motion, or NULL */
 };
 
-/** Answer a pair with its solids, motion and options set. The caller calls collide_clear in any
- * case. Times of contacts become canonical. */
+/** Set the clearance of a pair with its motion, whose `distance` is not negative.
+ * @param frame the motion of the fixed solid, or NULL
+ * @return GRAZE_EILLEGAL the frame changes the ratios of distances */
+graze_status collide_set_clearance(graze_pair *pair, graze_context *context,
+                                   const graze_motion *frame);
+
+/** Answer a pair with its solids, motion, options and clearance set. The caller calls collide_clear
+ * in any case. Times of contacts become canonical. */
 graze_status collide_answer(graze_pair *pair, graze_context *context);
 void collide_clear(graze_pair *pair);
 

@@ -30,13 +30,29 @@ static void freeze(point_map *out, const point_map *map, const fmpq_t u) {
     fmpz_poly_set_fmpz(out->weight, entry + n);
 }
 
+static void freeze_clearance(clearance *out, const clearance *near, const fmpq_t u) {
+    LOCAL_VEC(fmpq, value, 2);
+    fmpz_poly_init(out->over);
+    fmpz_poly_init(out->under);
+    fmpz_poly_evaluate_fmpq(value, near->over, u);
+    fmpz_poly_evaluate_fmpq(value + 1, near->under, u);
+    fmpq_div(value, value, value + 1);
+    fmpz_poly_set_fmpz(out->over, fmpq_numref(value));
+    fmpz_poly_set_fmpz(out->under, fmpq_denref(value));
+}
+
 void placing_init(placing *p, graze_context *context, const solid_pair *pair, size_t piece,
                   const fmpq *u) {
     const motion_piece *m = &pair->motion->piece[piece];
     const point_map *map[] = {[SIDE_MOVING] = &m->forward, [SIDE_FIXED] = &m->inverse};
-    *p = (placing){.pair = pair, .context = context, .is_frozen = u != NULL};
+    *p = (placing){.pair = pair, .context = context, .is_frozen = u != NULL, .piece = piece};
     for (int k = 0; k < KNOWN_SIGNS; k++)
         fmpz_poly_init(&p->known.of[k]);
+    p->near = pair->near ? &pair->near[piece] : NULL;
+    if (p->near && u) {
+        freeze_clearance(&p->frozen_near, p->near, u);
+        p->near = &p->frozen_near;
+    }
     p->mirrored = is_mirrored(&pair->motion->piece[0].forward);
     for (int side = 0; side < 2; side++) {
         if (u)
@@ -51,6 +67,10 @@ void placing_set_time(placing *p, algebraic *when) {
 }
 
 void placing_clear(placing *p) {
+    if (p->near == &p->frozen_near) {
+        fmpz_poly_clear(p->frozen_near.over);
+        fmpz_poly_clear(p->frozen_near.under);
+    }
     for (int k = 0; k < KNOWN_SIGNS; k++)
         fmpz_poly_clear(&p->known.of[k]);
     for (int side = 0; side < 2; side++) {
@@ -126,8 +146,7 @@ void placing_side(fmpz_poly_t out, placing *p, pair_side side, uint32_t simplex,
         known_side(plane + 4, &p->forms[side], placing_solid(p, side), simplex, plane, k), vertex);
 }
 
-/* A vertex as d + 1 homogeneous integers, the last one positive. */
-static void homogeneous_vertex(fmpz *out, const graze_solid *solid, uint32_t vertex) {
+void homogeneous_vertex(fmpz *out, const graze_solid *solid, uint32_t vertex) {
     slong d = solid->input.dimension;
     _fmpq_vec_get_fmpz_vec_fmpz(out, out + d, solid->input.coordinates + vertex * (size_t)d, d);
 }
