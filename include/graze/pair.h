@@ -61,13 +61,14 @@ typedef struct graze_pair_contact {
 
 /**
  * Decide how a moving solid meets a fixed one. The solids may be one handle; all have one dimension
- * and are polyhedra or polygons. Solids and motions are borrowed: they outlive the pair.
+ * and are polyhedra, polygons, or unions of balls and capsules. Solids and motions are borrowed:
+ * they outlive the pair.
  * @param motion_of_fixed NULL: `fixed` stands still; else it is carried by this motion, and the
  * time span is that of both
  * @param options NULL: the defaults
- * @return GRAZE_EUSE a NULL, or a wrong option; GRAZE_EINPUT a curved solid; GRAZE_EILLEGAL
- * dimensions differ, the motions have no time span in common, or there is a clearance and
- * `motion_of_fixed` is no similarity; GRAZE_ELIMIT; GRAZE_ECANCELED; GRAZE_ESYSTEM
+ * @return GRAZE_EUSE a NULL, or a wrong option; GRAZE_EINPUT another curved solid;
+ * GRAZE_EILLEGAL dimensions differ, the motions have no time span in common, or there is a
+ * clearance or a ball and a motion is no similarity; GRAZE_ELIMIT; GRAZE_ECANCELED; GRAZE_ESYSTEM
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_pair_create(graze_pair **out, graze_context *context,
                                                        const graze_solid *moving,

@@ -15,8 +15,6 @@ static const char name[] = "graze_pair_create";
 
 static graze_status check_pair_solids(graze_context *context, const graze_solid *moving,
                                       const graze_motion *motion, const graze_solid *fixed) {
-    TRY(api_takes(context, "graze_pair_create: moving", moving));
-    TRY(api_takes(context, "graze_pair_create: fixed", fixed));
     if (moving->input.dimension != motion->dimension || fixed->input.dimension != motion->dimension)
         return context_fail(context, GRAZE_EILLEGAL,
                             "the moving solid, the motion and the fixed solid have dimensions %d, "

@@ -111,6 +111,10 @@ void csg_bound_corners(csg_reader *r, const fmpq *low, const fmpq *high);
 void csg_bound_union(csg_box *box, const csg_box *other);
 void csg_bound_intersection(csg_box *box, const csg_box *other);
 
+/** Note a ball, or with an axis a capsule, in the frame of the node at hand. GRAZE_ESYSTEM */
+graze_status csg_note_round(csg_reader *r, const fmpq *point, const fmpq *axis,
+                            const fmpq_t radius);
+
 /* The readers of primitives, each a csg_primitive_reader: in polyhedron.c, polynomial.c,
  * primitives.c. */
 

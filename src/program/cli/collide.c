@@ -20,6 +20,9 @@ static const char collide_help[] =
     "an interval of B, exactly, with all pairs of cells that meet when it begins.\n"
     "Exit status: 0 clear, 1 touch, overlap or, with --first, meets.\n"
     "\n"
+    "Both are polyhedra or polygons, or balls and capsules of a .csg.json or .csg and unions of "
+    "them.\n"
+    "\n"
     "  --first              stop just after the first contact begins, which is much cheaper:\n"
     "                       `clear`, `overlap` from the start or `meets`; the word: OBI, OBO,\n"
     "                       or OB where the contact lasts or the motion ends\n"
@@ -61,8 +64,7 @@ static const option_entry collide_table[] = {
     OPTIONS_END};
 
 static int read_side(graze_solid **out, graze_context *context, const char *path, unsigned flags) {
-    TRY(complain_of(graze_solid_read(out, context, path, flags), context));
-    return load_takes(*out, path, "collide", TAKES_STRAIGHT);
+    return complain_of(graze_solid_read(out, context, path, flags), context);
 }
 
 static int print_pair(graze_context *context, const graze_pair *pair, int json) {

@@ -93,7 +93,8 @@ def collide(moving: Any, motion: MotionLike, fixed: Any, motion_of_fixed: Option
     """Decide exactly how a moving solid meets a fixed one.
 
     Args:
-        moving, fixed: a `Solid`, or what one is made of; both may be one object.
+        moving, fixed: a `Solid`, or what one is made of; both may be one object. Curved ones are unions of balls and
+            capsules; in cells vertices are counted through these, one of a ball, two of a capsule.
         motion: a `Motion`, or what one is made of.
         motion_of_fixed: if given, `fixed` moves too; times are those that both motions have.
         first: end just after the first contact begins, which is much cheaper.
@@ -104,7 +105,7 @@ def collide(moving: Any, motion: MotionLike, fixed: Any, motion_of_fixed: Option
         round: `binary64` or `binary32` rounds every number of solids and motions first.
         limits: limits by name, as of `graze --limit`.
     Raises:
-        InputError: a curved solid; IllegalError: dimensions differ, or no time is in both motions;
+        InputError: another curved solid; IllegalError: dimensions differ, or no time is in both motions;
         LimitError; and what `Solid` and `Motion` raise.
     """
     chosen = settings(round, limits, True)

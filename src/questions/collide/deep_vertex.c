@@ -79,7 +79,7 @@ static graze_status time_before_root(fmpq_t u, placing *p, pair_side side, uint3
 }
 
 int placing_in_interior_then(placing *p, pair_side side, uint32_t vertex) {
-    if (p->is_frozen)
+    if (p->is_frozen || p->pair->round[!side])
         return placing_in_interior(p, side, vertex);
     LOCAL(fmpq, u);
     p->status = p->status ? p->status : time_before_root(u, p, side, vertex);

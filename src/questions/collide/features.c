@@ -21,13 +21,14 @@ int feature_kind_pierces(feature_kind kind, int dimension) {
 
 /* Give the faces of a simplex with `count` corners. @return their number */
 static int faces_of_simplex(corner_run out[3], const placing *p, pair_side side, uint32_t simplex,
-                      int count, int all) {
-    int d = p->pair->motion->dimension, found = 0;
-    unsigned made = all || d == 2 ? 0 : placing_solid(p, side)->cut.item[simplex].diagonal;
-    if (count == d)
-        out[found++] = (corner_run){simplex, 0, d};
-    for (int k = 0; k < d && count < d; k++)
-        if (count == 1 || !(made >> k & 1))
+                            int count, int all) {
+    int corners = simplex_corners(p, side, simplex), found = 0;
+    unsigned made =
+        all || corners < 3 || count != 2 ? 0 : placing_solid(p, side)->cut.item[simplex].diagonal;
+    if (count == corners)
+        out[found++] = (corner_run){simplex, 0, count};
+    for (int k = 0; k < corners && count < corners; k++)
+        if (!(made >> k & 1))
             out[found++] = (corner_run){simplex, k, count};
     return found;
 }
@@ -136,6 +137,7 @@ void stationary_init(stationary *s, placing *p, const feature_pair *features) {
     HELD(moving_vector, offset);
     LOCAL(fmpz_poly, weight);
     LOCAL(fmpz_poly, least);
+    LOCAL_VEC(fmpz_poly, near, 2);
     s->features = features;
     s->count = 0;
     fmpz_poly_init(s->gram);
@@ -153,8 +155,10 @@ void stationary_init(stationary *s, placing *p, const feature_pair *features) {
     set_distance(s->equation, s, &offset);
     square(least, weight);
     fmpz_poly_mul(least, least, s->gram);
-    fmpz_poly_mul(s->equation, s->equation, p->near->under);
-    fmpz_poly_mul(least, least, p->near->over);
+    clearance_square(near, p->near, p->pair,
+                     (near_pair){features->of[0].simplex, features->of[1].simplex});
+    fmpz_poly_mul(s->equation, s->equation, &near[1]);
+    fmpz_poly_mul(least, least, &near[0]);
     fmpz_poly_sub(s->equation, s->equation, least);
     divide_out(s->equation, p->map[SIDE_MOVING]->weight);
 }

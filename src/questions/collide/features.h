@@ -86,7 +86,18 @@ int edge_ends_touch(placing *p, const feature_pair *edges);
 /** The state at the placing's time without containment: I, B, or O (C131). */
 graze_state features_look(placing *p, const near_list *near);
 
-/* The clearance in doubles. */
+/* Solids of balls and capsules, and the clearance. */
+
+/** Replace a solid of balls and capsules by its base, in which each is a simplex with fewer
+ * corners. */
+graze_status collide_set_round(graze_pair *pair, graze_context *context, int side);
+
+/** The number of different corners of a simplex. */
+int simplex_corners(const placing *p, pair_side side, uint32_t simplex);
+
+/** Set out[0] / out[1] to the square of the clearance of two simplices. */
+void clearance_square(fmpz_poly_struct out[2], const clearance *near, const solid_pair *pair,
+                      near_pair simplices);
 
 /** Set the bounds of the clearance during an interval of a piece, or at one of its times. */
 void clearance_enclose(control_maps *maps, const solid_pair *pair, size_t piece,

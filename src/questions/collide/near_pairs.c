@@ -101,7 +101,8 @@ static void refine_pair(refiner *r, const moved_node *moved, uint32_t fixed) {
     }
     if (pair_apart(r, moved->node, fixed))
         return;
-    double other = box_extent(&b->box);
+    /* Points have no size, but their clearance has. */
+    double other = fmax(box_extent(&b->box), 0x1p-4 * r->maps->least);
     if (!r->at_once && box_extent(&moved->box) > moved->size + fmax(moved->size, other)) {
         r->status = node_list_add(r->coarse, r->context, (node_pair){moved->node, fixed});
     } else if (!a->child && !b->child) {

@@ -30,17 +30,6 @@ static void freeze(point_map *out, const point_map *map, const fmpq_t u) {
     fmpz_poly_set_fmpz(out->weight, entry + n);
 }
 
-static void freeze_clearance(clearance *out, const clearance *near, const fmpq_t u) {
-    LOCAL_VEC(fmpq, value, 2);
-    fmpz_poly_init(out->over);
-    fmpz_poly_init(out->under);
-    fmpz_poly_evaluate_fmpq(value, near->over, u);
-    fmpz_poly_evaluate_fmpq(value + 1, near->under, u);
-    fmpq_div(value, value, value + 1);
-    fmpz_poly_set_fmpz(out->over, fmpq_numref(value));
-    fmpz_poly_set_fmpz(out->under, fmpq_denref(value));
-}
-
 void placing_init(placing *p, graze_context *context, const solid_pair *pair, size_t piece,
                   const fmpq *u) {
     const motion_piece *m = &pair->motion->piece[piece];
@@ -50,7 +39,7 @@ void placing_init(placing *p, graze_context *context, const solid_pair *pair, si
         fmpz_poly_init(&p->known.of[k]);
     p->near = pair->near ? &pair->near[piece] : NULL;
     if (p->near && u) {
-        freeze_clearance(&p->frozen_near, p->near, u);
+        clearance_freeze(&p->frozen_near, p->near, u);
         p->near = &p->frozen_near;
     }
     p->mirrored = is_mirrored(&pair->motion->piece[0].forward);
@@ -67,10 +56,8 @@ void placing_set_time(placing *p, algebraic *when) {
 }
 
 void placing_clear(placing *p) {
-    if (p->near == &p->frozen_near) {
-        fmpz_poly_clear(p->frozen_near.over);
-        fmpz_poly_clear(p->frozen_near.under);
-    }
+    if (p->near == &p->frozen_near)
+        clearance_clear(&p->frozen_near);
     for (int k = 0; k < KNOWN_SIGNS; k++)
         fmpz_poly_clear(&p->known.of[k]);
     for (int side = 0; side < 2; side++) {
@@ -247,6 +234,8 @@ int placing_inside(unsigned *zero, placing *p, pair_side side, uint32_t simplex,
 
 int placing_in_interior(placing *p, pair_side side, uint32_t vertex) {
     int d = p->pair->motion->dimension, inside = 0;
+    if (p->pair->round[!side])
+        return 0;
     const trajectory *c = placing_vertex(p, side, vertex);
     LOCAL_VEC(fmpz, x, d + 1);
     for (int i = 0; i <= d && c; i++)

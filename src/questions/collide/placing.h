@@ -29,6 +29,11 @@ void near_list_clear(near_list *list);
  * carries vertices of the fixed solid into the moving solid's. Their places are polynomials in u,
  * at a rational time constants. */
 
+/** Clearances with ratios 1; at a time of a piece they are constants. */
+void clearance_init(clearance *near, const fmpq *distance);
+void clearance_clear(clearance *near);
+void clearance_freeze(clearance *out, const clearance *near, const fmpq_t u);
+
 /** The moving or the fixed solid. */
 typedef enum pair_side { SIDE_MOVING = 0, SIDE_FIXED = 1 } pair_side;
 
