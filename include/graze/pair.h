@@ -3,7 +3,8 @@
  *
  * The pair word ([IS] 1, 22, 23) has a letter for each state of the two closed solids, in order of
  * time: O apart, B they meet but their interiors do not, I their interiors meet
- * (proofs/collision.md).
+ * (proofs/collision.md). With a clearance R > 0: O further apart than R, B at distance R, I
+ * nearer.
  */
 #ifndef GRAZE_PAIR_H
 #define GRAZE_PAIR_H
@@ -38,6 +39,8 @@ typedef struct graze_pair_options {
     graze_pair_question question;
     int first; /**< 1: examine times only until just after the first contact begins, which is
                   cheaper */
+    mpq_srcptr clearance; /**< R >= 0: states tell the distance, O above R, B at R, I below R, where
+                             cells at distance R count as meeting; NULL or 0: the states above */
 } graze_pair_options;
 
 /** Two boundary cells, relatively open, that have a point in common; in the numbering of the input.
@@ -58,12 +61,14 @@ typedef struct graze_pair_contact {
 
 /**
  * Decide how a moving solid meets a fixed one. The solids may be one handle; all have one dimension
- * and are polyhedra or polygons. Solids and motions are borrowed: they outlive the pair.
+ * and are polyhedra, polygons, or unions of balls and capsules. Solids and motions are borrowed:
+ * they outlive the pair.
  * @param motion_of_fixed NULL: `fixed` stands still; else it is carried by this motion, and the
  * time span is that of both
  * @param options NULL: the defaults
- * @return GRAZE_EUSE a NULL; GRAZE_EINPUT a curved solid; GRAZE_EILLEGAL dimensions differ, or the
- * motions have no time span in common; GRAZE_ELIMIT; GRAZE_ECANCELED; GRAZE_ESYSTEM
+ * @return GRAZE_EUSE a NULL, or a wrong option; GRAZE_EINPUT another curved solid;
+ * GRAZE_EILLEGAL dimensions differ, the motions have no time span in common, or there is a
+ * clearance or a ball and a motion is no similarity; GRAZE_ELIMIT; GRAZE_ECANCELED; GRAZE_ESYSTEM
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_pair_create(graze_pair **out, graze_context *context,
                                                        const graze_solid *moving,

@@ -15,8 +15,6 @@ static const char name[] = "graze_pair_create";
 
 static graze_status check_pair_solids(graze_context *context, const graze_solid *moving,
                                       const graze_motion *motion, const graze_solid *fixed) {
-    TRY(api_takes(context, "graze_pair_create: moving", moving));
-    TRY(api_takes(context, "graze_pair_create: fixed", fixed));
     if (moving->input.dimension != motion->dimension || fixed->input.dimension != motion->dimension)
         return context_fail(context, GRAZE_EILLEGAL,
                             "the moving solid, the motion and the fixed solid have dimensions %d, "
@@ -30,10 +28,15 @@ static graze_status make_pair(graze_pair *made, graze_context *context,
                               const graze_motion *motion_of_fixed) {
     made->options = *options;
     made->pair = pair;
+    fmpq_init(made->distance);
+    if (options->clearance)
+        fmpq_set_mpq(made->distance, options->clearance);
+    made->options.clearance = NULL; /* the caller's, and only borrowed for the call */
     if (motion_of_fixed) {
         TRY(motion_relative(&made->own, context, made->pair.motion, motion_of_fixed));
         made->pair.motion = made->own;
     }
+    TRY(collide_set_clearance(made, context, motion_of_fixed));
     return collide_answer(made, context);
 }
 
@@ -44,6 +47,11 @@ static graze_status check_pair_options(graze_pair_options *out, graze_context *c
         return api_misuse(context, name, "the question has an unknown value");
     if (out->first != 0 && out->first != 1)
         return api_misuse(context, name, "options.first must be 0 or 1");
+    if (!out->clearance)
+        return GRAZE_OK;
+    TRY(api_rational_check(context, out->clearance));
+    if (mpq_sgn(out->clearance) < 0)
+        return api_misuse(context, name, "options.clearance must not be negative");
     return GRAZE_OK;
 }
 

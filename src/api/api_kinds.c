@@ -32,8 +32,6 @@ static const struct {
     {"graze_grid_create", BOXED, boxed},
     {"graze_judge", SOLID_POLYHEDRON, "a polyhedron"},
     {"graze_mesh_distances", SOLID_POLYHEDRON, "a polyhedron"},
-    {"graze_pair_create: fixed", SOLID_STRAIGHT, straight},
-    {"graze_pair_create: moving", SOLID_STRAIGHT, straight},
     {"graze_scene_box", BOXED, boxed},
     {"graze_scene_diagonal", SOLID_STRAIGHT, straight},
     {"graze_scene_width", SOLID_STRAIGHT, straight},

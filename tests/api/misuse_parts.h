@@ -354,6 +354,12 @@ static void pairs(bench *b) {
     WRONG_OUT(graze_pair, graze_pair_create(&out, c, s, m, NULL, NULL, NULL));
     WRONG_OUT(graze_pair, graze_pair_create(&out, c, s, m, s, NULL, &unknown));
     WRONG_OUT(graze_pair, graze_pair_create(&out, c, s, m, s, NULL, &twice));
+    mpq_t below;
+    mpq_init(below);
+    mpq_set_si(below, -1, 2);
+    graze_pair_options negative = {.size = sizeof negative, .clearance = below};
+    WRONG_OUT(graze_pair, graze_pair_create(&out, c, s, m, s, NULL, &negative));
+    mpq_clear(below);
     assert_int_equal(graze_pair_create(&p, c, s, m, s, NULL, NULL), GRAZE_OK);
     WRONG(graze_pair_text(NULL, c, p));
     WRONG_OUT(char, graze_pair_text(&out, NULL, p));

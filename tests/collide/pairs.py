@@ -42,8 +42,8 @@ class Pair:
 
 
 def cell_of(feature):
-    (kind, value), = feature.items()
-    return (kind,) + (tuple(value) if isinstance(value, list) else (value,))
+    (kind, value), *body = feature.items()
+    return (kind,) + (tuple(value) if isinstance(value, list) else (value,)) + tuple(k for _, k in body)
 
 
 def cell_pairs(contact):

@@ -40,6 +40,17 @@ class Collisions(unittest.TestCase):
             self.assertEqual((found.word, found.next, found.verdict), (word, following, verdict))
         self.assertIsNone(graze.collide(common.SQUARE, common.moved("t", "0", end="5"), FAR).next)
 
+    def test_clearance(self):
+        """The squares are 2 - t apart, then t - 4; 1/3 at 5/3 and 13/3. A clearance of 0 is none."""
+        motion = common.moved("t", "0", end="5")
+        for clearance in (Fraction(1, 3), "1/3"):
+            found = graze.collide(common.SQUARE, motion, FAR, clearance=clearance)
+            self.assertEqual((found.word, found.overlap), ("OBIBO", Fraction(5, 3)))
+            self.assertEqual([c.start for c in found.contacts], [Fraction(5, 3), Fraction(13, 3)])
+        self.assertEqual(graze.collide(common.SQUARE, motion, FAR, clearance=0.0), graze.collide(common.SQUARE, motion, FAR))
+        with self.assertRaises(graze.UseError):
+            graze.collide(common.SQUARE, motion, FAR, clearance=-1)
+
     def test_never(self):
         found = graze.collide(common.SQUARE, common.moved("t", "2"), FAR)
         self.assertEqual((found.verdict, found.word, found.contacts, found.overlap, bool(found)), ("clear", "O", (), None, False))

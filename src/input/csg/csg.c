@@ -43,6 +43,12 @@ void csg_clear(csg *solid) {
             fmpq_clear(&solid->primitive[k].middle[i]);
     }
     csg_box_clear(&solid->box);
+    for (size_t k = 0; k < solid->round_count; k++) {
+        fmpq_clear(solid->round[k].radius);
+        for (int i = 0; i < 6; i++)
+            fmpq_clear(&solid->round[k].end[i]);
+    }
+    free(solid->round);
     free(solid->surface);
     free(solid->node);
     free(solid->operand);

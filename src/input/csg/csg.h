@@ -54,6 +54,13 @@ typedef struct csg_primitive {
     fmpq middle[3]; /* the centre of a box that holds it; 0 if no box is known */
 } csg_primitive;
 
+/** The points at most `radius` from a point or a segment, its ends one after the other. */
+typedef struct csg_round {
+    int ends; /* 1 or 2 */
+    fmpq end[6];
+    fmpq_t radius;
+} csg_round;
+
 /** The operands of a node, if not surfaces, are nodes before it; the last node is the solid. */
 typedef struct csg {
     int dimension;
@@ -64,6 +71,9 @@ typedef struct csg {
     size_t *operand;
     csg_primitive *primitive;
     csg_box box;
+    size_t round_count, round_capacity;
+    csg_round *round; /* the balls and capsules, in the order of the file */
+    int not_round;    /* 1: the solid is not the union of these alone, with rational radii */
 } csg;
 
 void csg_clear(csg *solid);

@@ -12,7 +12,17 @@
 #include "input/motion/motion.h"
 
 /* The keys of a node, in the order of key_names: those of primitives begin at FIRST_PRIMITIVE. */
-enum { NAME, AFFINE, UNION, INTERSECTION, DIFFERENCE, FIRST_PRIMITIVE, KEYS = 17 };
+enum {
+    NAME,
+    AFFINE,
+    UNION,
+    INTERSECTION,
+    DIFFERENCE,
+    FIRST_PRIMITIVE,
+    BALL = FIRST_PRIMITIVE + 2,
+    CAPSULE = FIRST_PRIMITIVE + 7,
+    KEYS = 17
+};
 
 static const char *const key_names[KEYS] = {
     "name",    "affine",  "union",      "intersection", "difference", "halfspace",
@@ -175,6 +185,7 @@ static graze_status read_node(size_t *node, csg_reader *r, const json *value) {
                          "difference, not %d",
                          given);
     TRY(read_name(&name, r, member[NAME]));
+    r->build.out->not_round |= key != AFFINE && key != UNION && key != BALL && key != CAPSULE;
     if (key == AFFINE)
         return read_affine(node, r, member[key]);
     if (key < FIRST_PRIMITIVE)

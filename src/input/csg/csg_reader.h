@@ -145,6 +145,10 @@ int csg_cut_height(fmpq_t out, csg_reader *r, const csg_round *body, int upward)
 /** Cut the reader's box by the half-spaces from number `first` on, or make one of them. */
 void csg_cut_box(csg_reader *r, int first);
 
+/** Note a ball, or with an axis a capsule, in the frame of the node at hand. GRAZE_ESYSTEM */
+graze_status csg_note_round(csg_reader *r, const fmpq *point, const fmpq *axis,
+                            const fmpq_t radius);
+
 /* The readers of primitives, each a csg_primitive_reader: in polyhedron.c, polynomial.c,
  * primitives.c. */
 

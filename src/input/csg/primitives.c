@@ -235,6 +235,7 @@ graze_status csg_read_ball(size_t *node, csg_reader *r, const json *value) {
     TRY(read_size(p.first, r, member[0]));
     if (member[1])
         TRY(csg_read_vector(p.point, r, member[1], (size_t)r->dimension));
+    TRY(csg_note_round(r, p.point, NULL, p.first));
     set_from(r, p.point);
     return add_ball(node, r, &p, p.first);
 }
@@ -335,6 +336,7 @@ graze_status csg_read_capsule(size_t *node, csg_reader *r, const json *value) {
     TRY(csg_read_members(member, r, value, names, 3, 3));
     TRY(read_placed_axis(&p, r, member[0], member[1]));
     TRY(read_size(p.first, r, member[2]));
+    TRY(csg_note_round(r, p.point, p.axis, p.first));
     set_cylinder(r, &p);
     fmpq_one(p.to);
     p.has_from = p.has_to = 1;

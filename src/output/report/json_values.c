@@ -56,8 +56,7 @@ void json_time(json_writer *w, const char *key, const graze_time *time) {
         put_root(w, key, time);
 }
 
-void json_cell(json_writer *w, const char *key, const graze_cell *cell) {
-    json_open(w, key, '{');
+void json_cell_members(json_writer *w, const graze_cell *cell) {
     if (cell->kind == GRAZE_CELL_EDGE) {
         json_open(w, "edge", '[');
         json_count(w, NULL, cell->a);
@@ -66,6 +65,11 @@ void json_cell(json_writer *w, const char *key, const graze_cell *cell) {
     } else {
         json_count(w, cell->kind == GRAZE_CELL_FACE ? "face" : "vertex", cell->a);
     }
+}
+
+void json_cell(json_writer *w, const char *key, const graze_cell *cell) {
+    json_open(w, key, '{');
+    json_cell_members(w, cell);
     json_close(w, '}');
 }
 

@@ -22,12 +22,24 @@ static void put_near_decimal(json_writer *w, const graze_time *time) {
         json_index(w, "row", row != 0, row);
 }
 
-static void put_cell_pairs(json_writer *w, const cell_pairs *cells) {
+/* Write a cell; of one of several balls and capsules with its number. */
+static void put_body_cell(json_writer *w, const char *key, const graze_pair *pair, int side,
+                          graze_cell cell) {
+    size_t body;
+    json_open(w, key, '{');
+    int several = collide_in_body(&body, &cell, pair->base[side]);
+    json_cell_members(w, &cell);
+    if (several)
+        json_count(w, "body", body);
+    json_close(w, '}');
+}
+
+static void put_cell_pairs(json_writer *w, const graze_pair *pair, const cell_pairs *cells) {
     json_open(w, "cells", '[');
     for (size_t k = 0; cells && k < cells->count; k++) {
         json_open(w, NULL, '{');
-        json_cell(w, "moving", &cells->item[k].moving);
-        json_cell(w, "fixed", &cells->item[k].fixed);
+        put_body_cell(w, "moving", pair, 0, cells->item[k].moving);
+        put_body_cell(w, "fixed", pair, 1, cells->item[k].fixed);
         json_text(w, "type", cell_pair_name(&cells->item[k]));
         json_close(w, '}');
     }
@@ -41,7 +53,7 @@ static void put_pair_contact(json_writer *w, const char *key, const graze_pair *
     json_time(w, "to", pair->options.first ? NULL : c->to);
     put_near_decimal(w, c->from);
     json_contact_kind(w, "kind", pair->options.first ? 0 : verdict_kind(c->left, c->right));
-    put_cell_pairs(w, &c->cells);
+    put_cell_pairs(w, pair, &c->cells);
     json_close(w, '}');
 }
 
@@ -51,7 +63,7 @@ static void put_first(json_writer *w, const graze_pair *pair) {
         json_open(w, "first", '{');
         json_time(w, "from", pair->start);
         put_near_decimal(w, pair->start);
-        put_cell_pairs(w, NULL);
+        put_cell_pairs(w, pair, NULL);
         json_close(w, '}');
     } else if (pair->walk.contact_count) {
         put_pair_contact(w, "first", pair, &pair->walk.contact[0]);
@@ -71,6 +83,8 @@ void pair_json(text *out, const graze_pair *pair) {
     json_text(&w, "word", pair->walk.word);
     if (first)
         json_text(&w, "next", *next ? next : NULL);
+    if (!fmpq_is_zero(pair->distance))
+        json_rational(&w, "clearance", pair->distance);
     put_first(&w, pair);
     json_open(&w, "contacts", '[');
     for (size_t k = 0; k < pair->walk.contact_count; k++)

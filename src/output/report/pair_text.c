@@ -44,12 +44,21 @@ static void tell_pair_time(text *t, const graze_time *time) {
         text_format(t, "%srow %lu)", near ? ", " : " (", row);
 }
 
-static void tell_cells(text *t, const cell_pairs *cells) {
+/* Append a cell; of one of several balls and capsules with its number. */
+static void tell_body_cell(text *t, const graze_pair *pair, int side, graze_cell cell) {
+    size_t body;
+    int several = collide_in_body(&body, &cell, pair->base[side]);
+    report_put_cell(t, &cell);
+    if (several)
+        text_format(t, " of body %zu", body);
+}
+
+static void tell_cells(text *t, const graze_pair *pair, const cell_pairs *cells) {
     for (size_t k = 0; k < cells->count && k < CELLS_SHOWN; k++) {
         text_put(t, k ? ", " : ": ");
-        report_put_cell(t, &cells->item[k].moving);
+        tell_body_cell(t, pair, 0, cells->item[k].moving);
         text_put(t, " of MOVING with ");
-        report_put_cell(t, &cells->item[k].fixed);
+        tell_body_cell(t, pair, 1, cells->item[k].fixed);
     }
     if (cells->count > CELLS_SHOWN)
         text_format(t, ", and %zu more", cells->count - CELLS_SHOWN);
@@ -71,7 +80,7 @@ static void tell_contact(text *t, const graze_pair *pair, const pair_contact *c)
                                                : "");
     if (kind)
         text_put(t, kind == GRAZE_INTERSECTION ? ", intersection" : ", tangency");
-    tell_cells(t, &c->cells);
+    tell_cells(t, pair, &c->cells);
 }
 
 /* Append when the moving solid first touches or leaves the fixed one, and what follows. */
@@ -97,6 +106,10 @@ static void tell_verdict(text *t, const graze_pair *pair) {
     } else {
         text_put(t, "leaves at ");
         tell_pair_time(t, collide_overlap_time(pair));
+    }
+    if (!fmpq_is_zero(pair->distance)) {
+        text_put(t, " at clearance ");
+        text_rational(t, pair->distance);
     }
     text_put(t, "\n");
 }

@@ -94,6 +94,8 @@ void formula_rational(text *out, const fmpq_t value);
 void json_index(json_writer *w, const char *key, int is_there, size_t value);
 /** Write a cell as an object. */
 void json_cell(json_writer *w, const char *key, const graze_cell *cell);
+/** Write the members of json_cell's object. */
+void json_cell_members(json_writer *w, const graze_cell *cell);
 /** Write "intersection" or "tangency"; null for kind 0. */
 void json_contact_kind(json_writer *w, const char *key, graze_kind kind);
 /** Write "I", "B" or "O"; null beyond an end of the motion. */

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "program/cli/cli.h"
 
+#include <string.h>
 #include "base/context/scope.h"
 #include "program/cli/values.h"
 #include "program/io/io.h"
@@ -19,9 +20,16 @@ static const char collide_help[] =
     "an interval of B, exactly, with all pairs of cells that meet when it begins.\n"
     "Exit status: 0 clear, 1 touch, overlap or, with --first, meets.\n"
     "\n"
+    "Both are polyhedra or polygons, or balls and capsules of a .csg.json or .csg and unions of "
+    "them.\n"
+    "\n"
     "  --first              stop just after the first contact begins, which is much cheaper:\n"
     "                       `clear`, `overlap` from the start or `meets`; the word: OBI, OBO,\n"
     "                       or OB where the contact lasts or the motion ends\n"
+    "  --clearance R        letters tell the distance: O above R, B at R, I below R; cells are "
+    "those\n"
+    "                       with points at distance R. Both keep R >= 0 apart (default 0: as "
+    "above)\n"
     "  --ask any|overlap    what exit status 1 tells: touch or overlap (default), overlap alone\n"
     "  --inside             does MOVING stay inside FIXED? `inside`, `inside, touching`, or when "
     "it\n"
@@ -39,6 +47,7 @@ typedef struct collide_given {
     int overlap_alone;
     graze_comparison_format format; /* as in graze compare */
     const char *motion_of_fixed;
+    const char *clearance; /* NULL: 0 */
 } collide_given;
 
 static option_read value_ask;
@@ -48,14 +57,14 @@ static const option_entry collide_table[] = {
     FLAG("first", collide_given, pair.first, value_flag),
     OPTION("ask", collide_given, overlap_alone, value_ask),
     FLAG("inside", collide_given, pair.question, value_flag),
+    OPTION("clearance", collide_given, clearance, value_width),
     FILE_READ("motion-of-fixed", collide_given, motion_of_fixed),
     OPTION("format", collide_given, format, value_report),
     SOLID_OPTIONS(collide_given, solid_flags, context),
     OPTIONS_END};
 
 static int read_side(graze_solid **out, graze_context *context, const char *path, unsigned flags) {
-    TRY(complain_of(graze_solid_read(out, context, path, flags), context));
-    return load_takes(*out, path, "collide", TAKES_STRAIGHT);
+    return complain_of(graze_solid_read(out, context, path, flags), context);
 }
 
 static int print_pair(graze_context *context, const graze_pair *pair, int json) {
@@ -84,8 +93,13 @@ static int run_collide(void *given_options, const operands *given) {
     TRY(read_side(&fixed, context, file[2], o->solid_flags));
     if (o->motion_of_fixed)
         TRY(complain_of(graze_motion_read(&motion_of_fixed, context, o->motion_of_fixed), context));
+    LOCAL(mpq, clearance);
     graze_pair_options options = o->pair;
     options.size = sizeof options;
+    if (o->clearance)
+        TRY(complain_of(graze_number_parse(clearance, context, o->clearance, strlen(o->clearance)),
+                        context));
+    options.clearance = clearance;
     TRY(complain_of(
         graze_pair_create(&pair, context, moving, motion, fixed, motion_of_fixed, &options),
         context));

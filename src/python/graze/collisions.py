@@ -12,6 +12,7 @@ from typing import Any, Mapping, Optional, Tuple, Union
 from ._abi import C
 from ._context import Context, settings
 from ._library import Handle, library
+from ._motions import filled
 from ._traces import cell_of, kind_of, time_of
 from .errors import UseError
 from .inputs import Motion, Solid, input_handle, input_settings
@@ -87,21 +88,24 @@ def _contact(made: ctypes.Structure) -> PairContact:
 
 
 def collide(moving: Any, motion: MotionLike, fixed: Any, motion_of_fixed: Optional[MotionLike] = None,
-            *, first: bool = False, inside: bool = False, round: str = "none",
+            *, first: bool = False, inside: bool = False, clearance: Any = 0, round: str = "none",
             limits: Optional[Mapping[str, int]] = None) -> Collision:
     """Decide exactly how a moving solid meets a fixed one.
 
     Args:
-        moving, fixed: a `Solid`, or what one is made of; both may be one object.
+        moving, fixed: a `Solid`, or what one is made of; both may be one object. Curved ones are unions of balls and
+            capsules; in cells vertices are counted through these, one of a ball, two of a capsule.
         motion: a `Motion`, or what one is made of.
         motion_of_fixed: if given, `fixed` moves too; times are those that both motions have.
         first: end just after the first contact begins, which is much cheaper.
         inside: put the closure of the complement of `fixed` in its place: `moving` stays inside unless
             the verdict is `overlap`; with `first`, up to the contact and, unless `next` is `I`, after it.
+        clearance: a number R >= 0. Above 0, letters tell the distance: `O` above R, `B` at R, `I` below; cells are
+            those with points at distance R.
         round: `binary64` or `binary32` rounds every number of solids and motions first.
         limits: limits by name, as of `graze --limit`.
     Raises:
-        InputError: a curved solid; IllegalError: dimensions differ, or no time is in both motions;
+        InputError: another curved solid; IllegalError: dimensions differ, or no time is in both motions;
         LimitError; and what `Solid` and `Motion` raise.
     """
     chosen = settings(round, limits, True)
@@ -114,7 +118,9 @@ def collide(moving: Any, motion: MotionLike, fixed: Any, motion_of_fixed: Option
         raise UseError("solids and motions must be rounded alike")
     parts = [input_handle(part) for part in made]
     context, pointer, call = Context(chosen), ctypes.c_void_p(), library()
-    options = C.graze_pair_options(question=C.GRAZE_PAIR_INSIDE if inside else C.GRAZE_PAIR_MEETS, first=int(first))
+    goal = filled([clearance], 1, context, "the clearance")
+    options = C.graze_pair_options(question=C.GRAZE_PAIR_INSIDE if inside else C.GRAZE_PAIR_MEETS, first=int(first),
+                                   clearance=goal.address)
     context.run(call.graze_pair_create, ctypes.byref(pointer), context.pointer, *(part.pointer for part in parts[:3]),
                 parts[3].pointer if len(parts) > 3 else None, ctypes.byref(options))
     with Handle(pointer, call.graze_pair_destroy, *parts) as pair:

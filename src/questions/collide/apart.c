@@ -22,9 +22,15 @@ static void take_place(extent *e, double x) {
     e->high = larger(e->high, x);
 }
 
-/* Are two extents disjoint by more than their errors? */
-static int extents_apart(extent a, extent b, const double n[3], double error) {
-    double bound = size1(n) * error + 0x1p-800;
+/* A bound of the clearance along n, in units of n. */
+static double clearance_along(const double n[3], double most) {
+    double length = dot3(n, n);
+    return most == 0 ? 0 : most * (length > 0x1p-900 ? sqrt(length) : size1(n)) * (1 + 0x1p-40);
+}
+
+/* Are two extents disjoint by more than their errors and the clearance? */
+static int extents_apart(extent a, extent b, const double n[3], double error, double most) {
+    double bound = size1(n) * error + 0x1p-800 + clearance_along(n, most);
     return bound < MOST_BOUND && (a.low - b.high > bound || b.low - a.high > bound);
 }
 
@@ -80,11 +86,12 @@ static extent group_extent(const point_group *g, const double n[3]) {
 
 typedef struct divider {
     const point_group *moved, *standing;
-    double error;
+    double error, most; /* the bound of the clearance */
 } divider;
 
 static int divides(const divider *d, const double n[3]) {
-    return extents_apart(group_extent(d->moved, n), group_extent(d->standing, n), n, d->error);
+    return extents_apart(group_extent(d->moved, n), group_extent(d->standing, n), n, d->error,
+                         d->most);
 }
 
 /* Give the edges between a group's points under the middle map. @return their number */
@@ -134,6 +141,41 @@ static int divides_in_space(double normal[3], const divider *d, double a[][3], i
     return 0;
 }
 
+/* Give the way from x to the nearest point of the segment from a to b. */
+static void way_to_segment(double out[3], const double *x, const double *a, const double *b) {
+    double along[3], off[3];
+    for (int i = 0; i < 3; i++) {
+        along[i] = b[i] - a[i];
+        off[i] = x[i] - a[i];
+    }
+    double length = dot3(along, along), share = dot3(off, along);
+    share = share <= 0 ? 0 : share >= length ? 1 : share / length;
+    for (int i = 0; i < 3; i++)
+        out[i] = share * along[i] - off[i];
+}
+
+/* Try the shortest way from a point of one group to a point, or a segment between points, of the
+ * other, under the middle map. */
+static int divides_nearest(const divider *d) {
+    const point_group *g[2] = {d->moved, d->standing};
+    double best[3] = {0, 0, 0}, least = INFINITY, way[3];
+    for (int side = 0; side < 2; side++) {
+        const point_group *own = g[side], *other = g[!side];
+        const double *x = own->at + own->maps / 2 * (size_t)(3 * own->count);
+        const double *y = other->at + other->maps / 2 * (size_t)(3 * other->count);
+        for (int i = 0; i < own->count; i++)
+            for (int j = 0; j < other->count; j++) {
+                way_to_segment(way, x + 3 * i, y + 3 * j, y + 3 * ((j + 1) % other->count));
+                if (dot3(way, way) < least) {
+                    least = dot3(way, way);
+                    for (int k = 0; k < 3; k++)
+                        best[k] = way[k];
+                }
+            }
+    }
+    return divides(d, best);
+}
+
 int corners_apart(const solid_pair *pair, const control_maps *maps, corner_run moving,
                   corner_run fixed, double error) {
     double room[9], a[3][3], b[3][3], normal[3] = {0, 0, 1};
@@ -141,8 +183,12 @@ int corners_apart(const solid_pair *pair, const control_maps *maps, corner_run m
         return 0;
     point_group moved = move(maps, &pair->moving->corners, moving);
     point_group standing = stand(room, &pair->fixed->corners, fixed, maps->dimension);
-    divider d = {&moved, &standing, error};
+    divider d = {&moved, &standing, error, maps->most};
     int edges_a = edges_of(a, &moved), edges_b = edges_of(b, &standing);
+    if (maps->most > 0 && divides_nearest(&d))
+        return 1;
+    if (edges_a + edges_b < maps->dimension - 1)
+        return 0;
     if (maps->dimension == 3 && divides_in_space(normal, &d, a, edges_a, b, edges_b))
         return 1;
     return divides_in_plane(&d, normal, a, edges_a) || divides_in_plane(&d, normal, b, edges_b);
@@ -211,8 +257,8 @@ static void carry_normal(double out[3], const control_maps *maps, const double n
 /* Do the extents along n separate two nodes? n is 0 for a slab without bounds. */
 static int slabs_apart_along(const flat_box *moved, const flat_box *standing,
                              const control_maps *maps, const double n[3], double error) {
-    return size1(n) > 0 &&
-           extents_apart(moved_extent(moved, maps, n), flat_extent(standing, n), n, error);
+    return size1(n) > 0 && extents_apart(moved_extent(moved, maps, n), flat_extent(standing, n), n,
+                                         error, maps->most);
 }
 
 int slabs_apart(const solid_pair *pair, const control_maps *maps, uint32_t moving, uint32_t fixed,

@@ -3,6 +3,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "base/context/array.h"
+#include "base/context/scope.h"
 #include "input/soup/soup.h"
 #include "questions/collide/near_pairs.h"
 
@@ -10,16 +11,35 @@
 typedef unsigned side_mask;
 enum { SIDE_MASKS = 64, FIXED_SHIFT = 3 };
 
-/* Mark the masks of the means of all sets of corners: the corners' masks, closed under
+/* Mark the mask of a corner and those of its means with others: masks are closed under
  * intersection. */
-static void close_masks(unsigned char held[SIDE_MASKS], const common_points *points) {
-    for (int k = 0; k < points->count; k++) {
-        side_mask corner = points->item[k].zero[0] | points->item[k].zero[1] << FIXED_SHIFT;
-        for (side_mask m = 0; m < SIDE_MASKS; m++)
-            if (held[m])
-                held[m & corner] = 1;
-        held[corner] = 1;
-    }
+static void close_masks(unsigned char held[SIDE_MASKS], const unsigned zero[2]) {
+    side_mask corner = zero[0] | zero[1] << FIXED_SHIFT;
+    for (side_mask m = 0; m < SIDE_MASKS; m++)
+        if (held[m])
+            held[m & corner] = 1;
+    held[corner] = 1;
+}
+
+/* Mark the masks of the means of all sets of common points. */
+static void hold_common(unsigned char held[SIDE_MASKS], placing *p, near_pair simplices) {
+    common_points found;
+    common_points_find(&found, p, simplices);
+    for (int k = 0; k < found.count && !p->status; k++)
+        close_masks(held, found.item[k].zero);
+}
+
+/* Mark the masks of the means of all sets of pairs of points at the clearance. */
+static void hold_near(unsigned char held[SIDE_MASKS], placing *p, near_pair simplices) {
+    int d = p->pair->motion->dimension;
+    ZEROED(feature_list, list);
+    feature_kind kind;
+    unsigned zero[2];
+    for (int k = 0; feature_kind_next(&kind, k, d) && !feature_kind_pierces(kind, d); k++)
+        features_add(&list, p, simplices, kind, 1);
+    for (size_t k = 0; k < list.count && !p->status; k++)
+        if (features_sign(zero, p, &list.item[k]) == 0)
+            close_masks(held, zero);
 }
 
 static void add_cell_pair(cell_pairs *out, placing *p, graze_cell moving, graze_cell fixed) {
@@ -49,11 +69,8 @@ static int compare_cell_pairs(const void *left, const void *right) {
 void cell_pairs_find(cell_pairs *out, placing *p, const near_list *near) {
     for (size_t k = 0; k < near->count && !p->status; k++) {
         unsigned char held[SIDE_MASKS] = {0};
-        common_points found;
-        common_points_find(&found, p, near->item[k]);
-        if (!p->status)
-            close_masks(held, &found);
-        for (side_mask m = 0; m < SIDE_MASKS; m++)
+        (p->near ? hold_near : hold_common)(held, p, near->item[k]);
+        for (side_mask m = 0; m < SIDE_MASKS && !p->status; m++)
             if (held[m])
                 add_names(out, p, near->item[k], m);
     }

@@ -1,6 +1,7 @@
 /* Answers pairs: finds the word and the contacts, and what they imply.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
+#include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "questions/collide/near_pairs.h"
@@ -30,6 +31,12 @@ graze_status collide_answer(graze_pair *pair, graze_context *context) {
 void collide_clear(graze_pair *pair) {
     pair_walk_clear(&pair->walk);
     time_destroy(pair->start);
+    for (size_t k = 0; pair->clearance && k < pair->pair.motion->piece_count; k++)
+        clearance_clear(&pair->clearance[k]);
+    free(pair->clearance);
+    for (int side = 0; side < 2; side++)
+        graze_solid_destroy(pair->base[side]);
+    fmpq_clear(pair->distance);
     if (pair->own)
         motion_destroy(pair->own);
 }

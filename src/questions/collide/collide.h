@@ -9,11 +9,26 @@
 #include "input/motion/motion.h"
 #include "input/solid/solid.h"
 
+/** A ratio of lengths on a piece as quotients, positive on [0, 1]: its square, and itself where it
+ * is a rational function. */
+typedef struct length_ratio {
+    fmpz_poly_struct square[2], root[2];
+} length_ratio;
+
+/** The clearance of two simplices is the distance that was asked for, the moving radius and the
+ * fixed radius, times these ratios. */
+typedef struct clearance {
+    const fmpq *distance; /* borrowed */
+    length_ratio ratio[3];
+} clearance;
+
 /** Two solids and the motion of `moving`, all borrowed, of one dimension; `fixed` does not move. */
 typedef struct solid_pair {
     const graze_solid *moving, *fixed;
     const graze_motion *motion;
-    int complement; /* 1: the closure of the complement of `fixed` stands for `fixed` */
+    int complement;        /* 1: the closure of the complement of `fixed` stands for `fixed` */
+    const clearance *near; /* of each piece: distances below it count as I, at it as B; NULL: 0 */
+    const csg_round *round[2]; /* of each simplex of a solid of balls and capsules; else NULL */
 } solid_pair;
 
 /* Pairs of boundary cells, one of each solid, that meet at a time. */
@@ -56,12 +71,27 @@ struct graze_pair {
     graze_motion *own; /* the relative motion if both solids move, else NULL */
     graze_time *start; /* t0 if the word begins with I, else NULL */
     graze_pair_options options;
+    fmpq_t distance;      /* options.clearance */
+    clearance *clearance; /* of each piece of the motion, or NULL */
+    graze_solid *base[2]; /* the points and segments of balls and capsules, or NULL */
 };
 
-/** Answer a pair with its solids, motion and options set. The caller calls collide_clear in any
- * case. Times of contacts become canonical. */
+/** Replace balls and capsules by their points and segments, and set the clearance of a pair with
+ * its motion, whose `distance` is not negative.
+ * @param frame the motion of the fixed solid, or NULL
+ * @return GRAZE_EINPUT another curved solid; GRAZE_EILLEGAL the frame, or a round solid's motion,
+ * changes the ratios of distances */
+graze_status collide_set_clearance(graze_pair *pair, graze_context *context,
+                                   const graze_motion *frame);
+
+/** Answer a pair with its solids, motion, options and clearance set. The caller calls collide_clear
+ * in any case. Times of contacts become canonical. */
 graze_status collide_answer(graze_pair *pair, graze_context *context);
 void collide_clear(graze_pair *pair);
+
+/** Find the ball or capsule of a cell of a `base` with several, and number the cell's vertices
+ * within it. @return 0 where there are not several, or `base` is NULL */
+int collide_in_body(size_t *body, graze_cell *cell, const graze_solid *base);
 
 /** The verdict that the word gives; GRAZE_PAIR_CONTACT if only the first contact was asked for, and
  * one was found.

@@ -56,6 +56,39 @@ static graze_status trace_vertex(deep_interval *out, placing *whole, pair_side s
     return GRAZE_OK;
 }
 
+/* Set u, from 0 up, to a rational time before the placing's time and after the last contact of a
+ * vertex's trajectory with the other boundary before that. */
+static graze_status time_before_root(fmpq_t u, placing *p, pair_side side, uint32_t vertex) {
+    const graze_solid *other = placing_solid(p, (pair_side)!side);
+    const trajectory *c = placing_vertex(p, side, vertex);
+    ZEROED(candidates, list);
+    HELD(touches, found);
+    LOCAL(fmpq, between);
+    TRY(p->status);
+    TRY(candidates_find(&list, p->context, other, c));
+    TRY(touches_find(&found, p->context, other, c, NULL, &list));
+    for (size_t k = 0; k < found.time.count; k++) {
+        int order = 0;
+        TRY(algebraic_compare(&order, p->context, &found.time.item[k], p->when));
+        if (order < 0)
+            TRY(algebraic_between(between, p->context, &found.time.item[k], p->when));
+        if (order < 0 && fmpq_cmp(between, u) > 0)
+            fmpq_set(u, between);
+    }
+    return GRAZE_OK;
+}
+
+int placing_in_interior_then(placing *p, pair_side side, uint32_t vertex) {
+    if (p->is_frozen || p->pair->round[!side])
+        return placing_in_interior(p, side, vertex);
+    LOCAL(fmpq, u);
+    p->status = p->status ? p->status : time_before_root(u, p, side, vertex);
+    HELD(placing, before, p->context, p->pair, p->piece, u);
+    int inside = !p->status && placing_in_interior(&before, side, vertex);
+    p->status = p->status ? p->status : before.status;
+    return inside;
+}
+
 graze_status deep_vertex_find(deep_interval *out, placing *whole, size_t piece,
                               const near_list *near, const dyadic_interval *interval) {
     int traced = 0;

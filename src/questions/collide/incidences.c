@@ -153,6 +153,37 @@ static void meet_two_edges(finder *f, const meeting_cells *m) {
     }
 }
 
+/* Note the times at which two features are at the clearance, unless they always are: where edges
+ * are parallel then, their ends tell (proofs/collision.md C132). */
+static void meet_features(finder *f, const feature_pair *features) {
+    unsigned zero[2];
+    if (runs_apart(f, features->of[SIDE_MOVING], features->of[SIDE_FIXED]))
+        return;
+    HELD(stationary, s, f->p, features);
+    HELD(algebraic_list, roots);
+    if (!fmpz_poly_is_zero(s.equation))
+        find_times(&roots, f, s.equation);
+    for (size_t k = 0; k < roots.count && !f->p->status; k++) {
+        placing_set_time(f->p, &roots.item[k]);
+        int found = s.count > 1 && placing_sign(f->p, s.gram) == 0
+                        ? edge_ends_touch(f->p, features)
+                        : stationary_inside(zero, f->p, &s);
+        if (found && !f->p->status)
+            note_time(f, &roots.item[k]);
+    }
+}
+
+static void meet_all_features(finder *f) {
+    int d = f->p->pair->motion->dimension;
+    ZEROED(feature_list, list);
+    feature_kind kind;
+    for (int k = 0; feature_kind_next(&kind, k, d) && !feature_kind_pierces(kind, d); k++) {
+        features_gather(&list, f->p, f->near, kind);
+        for (size_t i = 0; i < list.count && !f->p->status; i++)
+            meet_features(f, &list.item[i]);
+    }
+}
+
 /* Append the found times to `out`, sorted, without duplicates. */
 static void order_times(algebraic_list *out, finder *f) {
     size_t n = f->found.count;
@@ -174,14 +205,16 @@ graze_status incidences_find(algebraic_list *out, placing *p, const near_list *n
     f.error = error_of_places(p->pair, maps);
     cell_list list = {0};
     algebraic_list_init(&f.found);
-    for (int side = 0; side < 2 && !p->status; side++) {
+    if (p->near)
+        meet_all_features(&f);
+    for (int side = 0; side < 2 && !p->status && !p->near; side++) {
         list.count = 0;
         gather_vertices(&list, &f, (pair_side)side);
         for (size_t k = 0; k < list.count && !p->status; k++)
             meet_vertex(&f, (pair_side)side, &list.item[k]);
     }
     list.count = 0;
-    if (p->pair->motion->dimension == 3 && !p->status)
+    if (p->pair->motion->dimension == 3 && !p->status && !p->near)
         gather_edges(&list, &f);
     for (size_t k = 0; k < list.count && !p->status; k++)
         meet_two_edges(&f, &list.item[k]);

@@ -5,7 +5,7 @@
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "questions/collide/placing.h"
+#include "questions/collide/features.h"
 
 /** A common point, the key of its vertex or its two edges, and a pair of simplices whose common
  * part has the point as a corner. */
@@ -94,7 +94,7 @@ static int finds_inside(looker *l, placing *rational, pair_side side) {
             continue;
         seen[cut->item[k].component] = 1;
         left--;
-        found = !is_common(l, side, vertex) && placing_in_interior(rational, side, vertex);
+        found = !is_common(l, side, vertex) && placing_in_interior_then(rational, side, vertex);
         if (rational->status)
             l->p->status = rational->status;
     }
@@ -183,6 +183,12 @@ static int cones_meet(looker *l) {
 graze_state interiors_look(placing *p, const near_list *near, placing *before) {
     looker l = {.p = p};
     placing *rational = before ? before : p;
+    if (p->near) {
+        graze_state state = features_look(p, near);
+        int held = state != GRAZE_STATE_I && !p->status &&
+                   (finds_inside(&l, p, SIDE_MOVING) || finds_inside(&l, p, SIDE_FIXED));
+        return held ? GRAZE_STATE_I : state;
+    }
     gather_points(&l, near);
     int meet =
         l.crossing || (!p->status && (finds_inside(&l, rational, SIDE_MOVING) ||

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
+#include "base/number/doubles.h"
 #include "questions/collide/near_pairs.h"
 
 graze_status node_list_add(node_list *list, graze_context *context, node_pair item) {
@@ -61,6 +62,24 @@ static void move_node(moved_node *out, const refiner *r, uint32_t node) {
     out->size = box_extent(&begun);
 }
 
+/* Is the distance of two boxes certainly greater than the clearance? */
+static int boxes_far(const refiner *r, const box *a, const box *b) {
+    double gap[3];
+    if (r->maps->most == 0)
+        return !box_meets(a, b);
+    for (int i = 0; i < 3; i++)
+        gap[i] = fmax(0, fmax(a->low[i] - b->high[i], b->low[i] - a->high[i]));
+    return sqrt(dot3(gap, gap)) * (1 - 0x1p-48) > r->maps->most;
+}
+
+/* Are all points of two boxes certainly nearer than the clearance? */
+static int boxes_within(const refiner *r, const box *a, const box *b) {
+    double far[3];
+    for (int i = 0; i < 3; i++)
+        far[i] = fmax(a->high[i] - b->low[i], b->high[i] - a->low[i]);
+    return sqrt(dot3(far, far)) * (1 + 0x1p-48) < r->maps->least;
+}
+
 static int pair_apart(const refiner *r, uint32_t moving, uint32_t fixed) {
     const tree_node *a = &r->pair->moving->boxes.node[moving];
     const tree_node *b = &r->pair->fixed->boxes.node[fixed];
@@ -74,9 +93,16 @@ static int pair_apart(const refiner *r, uint32_t moving, uint32_t fixed) {
 static void refine_pair(refiner *r, const moved_node *moved, uint32_t fixed) {
     const tree_node *a = &r->pair->moving->boxes.node[moved->node];
     const tree_node *b = &r->pair->fixed->boxes.node[fixed];
-    if (r->status || !box_meets(&moved->box, &b->box) || pair_apart(r, moved->node, fixed))
+    if (r->status || r->near->within || boxes_far(r, &moved->box, &b->box))
         return;
-    double other = box_extent(&b->box);
+    if (boxes_within(r, &moved->box, &b->box)) {
+        r->near->within = 1;
+        return;
+    }
+    if (pair_apart(r, moved->node, fixed))
+        return;
+    /* Points have no size, but their clearance has. */
+    double other = fmax(box_extent(&b->box), 0x1p-4 * r->maps->least);
     if (!r->at_once && box_extent(&moved->box) > moved->size + fmax(moved->size, other)) {
         r->status = node_list_add(r->coarse, r->context, (node_pair){moved->node, fixed});
     } else if (!a->child && !b->child) {

@@ -3,7 +3,7 @@
 #ifndef GRAZE_QUESTIONS_COLLIDE_NEAR_PAIRS_H
 #define GRAZE_QUESTIONS_COLLIDE_NEAR_PAIRS_H
 
-#include "questions/collide/placing.h"
+#include "questions/collide/features.h"
 
 /* Pairs of boundary cells, one of each solid, that meet at a time. */
 
@@ -13,8 +13,9 @@
  * @param near all pairs of simplices that meet then, and perhaps others */
 void cell_pairs_find(cell_pairs *out, placing *p, const near_list *near);
 
-/* Pairs of simplices that may meet during an interval: two trees of boxes and separating
- * directions exclude all others, in doubles with proved bounds (proofs/collision.md C108). */
+/* Pairs of simplices that may meet, or come as near as the clearance, during an interval: two trees
+ * of boxes and separating directions exclude all others, in doubles with proved bounds
+ * (proofs/collision.md C108). */
 
 /** Two nodes, one of each solid's tree. */
 typedef struct node_pair {
@@ -24,13 +25,15 @@ typedef struct node_pair {
 typedef struct node_list {
     size_t count, capacity;
     node_pair *item;
+    int within; /* 1: all points of some pair are nearer than the clearance, always; the list is not
+                   complete then */
 } node_list;
 
 /** Refine pairs of nodes down to leaves; drop pairs that are certainly apart.
  * @param maps    the motion during the interval
  * @param in the pairs of nodes to refine
- * @param[out] near the pairs of leaves that are left are appended; without `at_once` only those
- * that do not move much further than they are large
+ * @param[out] near the pairs of leaves that are left are appended, or `within` is set; without
+ * `at_once` only those that do not move much further than they are large
  * @param[out] coarse pairs of nodes that move further than they are large are appended, for a
  * shorter interval; with `at_once` there are none
  * @return GRAZE_ESYSTEM, GRAZE_ECANCELED */
@@ -73,23 +76,17 @@ graze_status pair_walk_end(pair_walk *walk);
 /* Directions that separate corners, or the simplices below two nodes, during an interval of time,
  * in doubles with proved bounds (proofs/collision.md C108). */
 
-/** Corners first, first + 1, ... of a simplex, in cyclic order. */
-typedef struct corner_run {
-    uint32_t simplex;
-    int first, count;
-} corner_run;
-
 /** A bound of the sum of the errors of a moved and of a standing corner in doubles; infinite if
  * none is known. */
 double error_of_places(const solid_pair *pair, const control_maps *maps);
 
-/** Are the convex hulls of some corners of the moving and of the fixed solid certainly disjoint
- * during the interval of the maps?
+/** Are the convex hulls of some corners of the moving and of the fixed solid certainly disjoint,
+ * and further apart than the clearance, during the interval of the maps?
  * @param error from error_of_places */
 int corners_apart(const solid_pair *pair, const control_maps *maps, corner_run moving,
                   corner_run fixed, double error);
 
-/** Are all simplices below two nodes certainly disjoint, by the nodes' slabs? */
+/** Are all simplices below two nodes certainly apart like this, by the nodes' slabs? */
 int slabs_apart(const solid_pair *pair, const control_maps *maps, uint32_t moving, uint32_t fixed,
                 double error);
 

@@ -4,52 +4,10 @@
  * On the sphere, parts of the cones' arcs bound the intersection of both open sets, so one point of
  * each part is enough.
  */
-#include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "questions/collide/placing.h"
-
-static void moving_vector_init(moving_vector *v) {
-    for (int i = 0; i < 3; i++)
-        fmpz_poly_init(&v->c[i]);
-}
-
-static void moving_vector_clear(moving_vector *v) {
-    for (int i = 0; i < 3; i++)
-        fmpz_poly_clear(&v->c[i]);
-}
-
-static void moving_set(moving_vector *out, const moving_vector *v) {
-    for (int i = 0; i < 3; i++)
-        fmpz_poly_set(&out->c[i], &v->c[i]);
-}
-
-static void moving_negate(moving_vector *v) {
-    for (int i = 0; i < 3; i++)
-        fmpz_poly_neg(&v->c[i], &v->c[i]);
-}
-
-static void dot_moving(fmpz_poly_t out, const moving_vector *a, const moving_vector *b) {
-    LOCAL(fmpz_poly, term);
-    fmpz_poly_zero(out);
-    for (int i = 0; i < 3; i++) {
-        fmpz_poly_mul(term, &a->c[i], &b->c[i]);
-        fmpz_poly_add(out, out, term);
-    }
-}
-
-/* out = a x b; `out` is neither. */
-static void cross_moving(moving_vector *out, const moving_vector *a, const moving_vector *b) {
-    LOCAL(fmpz_poly, term);
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        fmpz_poly_mul(&out->c[i], &a->c[j], &b->c[k]);
-        fmpz_poly_mul(term, &a->c[k], &b->c[j]);
-        fmpz_poly_sub(&out->c[i], &out->c[i], term);
-    }
-}
+#include "questions/collide/features.h"
 
 static int dot_sign(placing *p, const moving_vector *a, const moving_vector *b) {
     LOCAL(fmpz_poly, dot);
@@ -117,31 +75,6 @@ static void add_sector(sectors_about *list, placing *p, const moving_vector *fro
     moving_set(&s->from, from);
     moving_set(&s->to, to);
     cross_moving(&s->normal, from, to);
-}
-
-/* The vector from corner a to corner b of a simplex, in the fixed solid's space. */
-static void edge_vector(moving_vector *out, placing *p, pair_side side, uint32_t simplex, int a,
-                        int b) {
-    const graze_solid *solid = placing_solid(p, side);
-    slong d = solid->input.dimension;
-    const uint32_t *vertex = solid->cut.item[simplex].vertex;
-    LOCAL_VEC(fmpq, difference, d);
-    LOCAL_VEC(fmpz, integer, d + 1);
-    LOCAL(fmpz_poly, term);
-    for (slong i = 0; i < d; i++)
-        fmpq_sub(difference + i, solid->input.coordinates + vertex[b] * (size_t)d + i,
-                 solid->input.coordinates + vertex[a] * (size_t)d + i);
-    _fmpq_vec_get_fmpz_vec_fmpz(integer, integer + d, difference, d);
-    const point_map *map = p->map[SIDE_MOVING];
-    for (slong i = 0; i < d; i++) {
-        fmpz_poly_zero(&out->c[i]);
-        if (side == SIDE_FIXED)
-            fmpz_poly_set_fmpz(&out->c[i], integer + i);
-        for (slong j = 0; j < d && side == SIDE_MOVING; j++) {
-            fmpz_poly_scalar_mul_fmpz(term, &map->entry[i * (d + 1) + j], integer + j);
-            fmpz_poly_add(&out->c[i], &out->c[i], term);
-        }
-    }
 }
 
 /* Append a sector, with its orientation reversed if the motion mirrors or the solid is a

@@ -135,9 +135,12 @@ static graze_status search_stretch(searcher *s, stretch_forms *during, const nod
     ZEROED(control_maps, maps);
     if (!control_maps_set(&maps, &during->motion))
         return context_fail(s->walk->context, GRAZE_ESYSTEM, "out of memory for a motion");
+    clearance_enclose(&maps, s->walk->pair, s->piece, &during->interval);
     int halve = during->level < MOST_HALVINGS;
     TRY(near_pairs_refine(&left, halve ? &coarse : NULL, s->walk->context, s->walk->pair, &maps, of,
                           !halve));
+    if (left.within)
+        return go_over(s, &during->interval, pair_walk_pass);
     halve = halve && (coarse.count > 0 || (s->walk->first && becomes_less(during, left.count)));
     for (size_t k = 0; k < coarse.count; k++)
         TRY(node_list_add(&left, s->walk->context, coarse.item[k]));
@@ -151,7 +154,7 @@ static graze_status search_piece(pair_walk *walk, size_t piece) {
     const motion_piece *m = &walk->pair->motion->piece[piece];
     stretch_forms whole = {.level = 0};
     node_pair roots = {0, 0};
-    const node_list all = {1, 1, &roots};
+    const node_list all = {1, 1, &roots, 0};
     dyadic_interval_init(&whole.interval);
     dyadic_interval_set_si(&whole.interval, 0, 1);
     map_forms_init(&whole.motion, &m->forward, &whole.interval);

@@ -53,7 +53,7 @@ static graze_status lack_memory(graze_context *context) {
  * @param made 0 if there was no memory for the maps */
 static graze_status take_near(scene_then *out, pair_walk *walk, int made, const node_list *of) {
     node_pair roots = {0, 0};
-    const node_list all = {1, 1, &roots};
+    const node_list all = {1, 1, &roots, 0};
     TRY(made ? GRAZE_OK : lack_memory(walk->context));
     TRY(near_pairs_refine(&out->leaves, NULL, walk->context, walk->pair, &out->maps, of ? of : &all,
                           1));
@@ -68,6 +68,7 @@ static graze_status find_near_at(scene_then *out, pair_walk *walk, size_t piece,
     LOCAL_VEC(fmpq, map, d * (d + 1));
     point_map_at(map, &m->forward, u);
     int made = control_maps_set_one(&out->maps, map, d);
+    clearance_enclose_at(&out->maps, walk->pair, piece, u);
     return take_near(out, walk, made, of);
 }
 
@@ -91,6 +92,7 @@ static graze_status find_near_root(scene_then *out, pair_walk *walk, size_t piec
         return find_near_at(out, walk, piece, time->value, of);
     HELD(map_forms, forms, &m->forward, &time->where);
     int made = control_maps_set(&out->maps, &forms);
+    clearance_enclose(&out->maps, walk->pair, piece, &time->where);
     return take_near(out, walk, made, of);
 }
 
@@ -154,7 +156,8 @@ static graze_status enter_start(pair_walk *walk, graze_state state, scene_then *
 static graze_status look_into_gap(pair_walk *walk, size_t piece, const fmpq_t u) {
     ZEROED(scene_then, then);
     TRY(place_both_at(&then, walk, piece, u, NULL));
-    graze_state state = interiors_look(&then.p, &then.near, NULL);
+    graze_state state =
+        then.leaves.within ? GRAZE_STATE_I : interiors_look(&then.p, &then.near, NULL);
     TRY(then.p.status);
     return walk->last ? enter_gap(walk, state) : enter_start(walk, state, &then);
 }
@@ -206,7 +209,9 @@ static graze_status know_gap(pair_walk *walk, size_t *piece, fmpq_t u, graze_tim
  * has the state I. `u`, on the piece `before`, is a rational time in that gap. */
 static graze_status look_at_contact(graze_state *out, pair_walk *walk, scene_then *then, placing *p,
                                     int at_start, size_t before, const fmpq_t u) {
-    if (!p->is_frozen && !at_start) {
+    if (then->leaves.within) {
+        *out = GRAZE_STATE_I;
+    } else if (!p->is_frozen && !at_start && !p->near) {
         HELD(placing, rational, walk->context, walk->pair, before, u);
         *out = interiors_look(p, &then->near, &rational);
     } else {

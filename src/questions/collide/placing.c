@@ -34,9 +34,14 @@ void placing_init(placing *p, graze_context *context, const solid_pair *pair, si
                   const fmpq *u) {
     const motion_piece *m = &pair->motion->piece[piece];
     const point_map *map[] = {[SIDE_MOVING] = &m->forward, [SIDE_FIXED] = &m->inverse};
-    *p = (placing){.pair = pair, .context = context, .is_frozen = u != NULL};
+    *p = (placing){.pair = pair, .context = context, .is_frozen = u != NULL, .piece = piece};
     for (int k = 0; k < KNOWN_SIGNS; k++)
         fmpz_poly_init(&p->known.of[k]);
+    p->near = pair->near ? &pair->near[piece] : NULL;
+    if (p->near && u) {
+        clearance_freeze(&p->frozen_near, p->near, u);
+        p->near = &p->frozen_near;
+    }
     p->mirrored = is_mirrored(&pair->motion->piece[0].forward);
     for (int side = 0; side < 2; side++) {
         if (u)
@@ -51,6 +56,8 @@ void placing_set_time(placing *p, algebraic *when) {
 }
 
 void placing_clear(placing *p) {
+    if (p->near == &p->frozen_near)
+        clearance_clear(&p->frozen_near);
     for (int k = 0; k < KNOWN_SIGNS; k++)
         fmpz_poly_clear(&p->known.of[k]);
     for (int side = 0; side < 2; side++) {
@@ -126,8 +133,7 @@ void placing_side(fmpz_poly_t out, placing *p, pair_side side, uint32_t simplex,
         known_side(plane + 4, &p->forms[side], placing_solid(p, side), simplex, plane, k), vertex);
 }
 
-/* A vertex as d + 1 homogeneous integers, the last one positive. */
-static void homogeneous_vertex(fmpz *out, const graze_solid *solid, uint32_t vertex) {
+void homogeneous_vertex(fmpz *out, const graze_solid *solid, uint32_t vertex) {
     slong d = solid->input.dimension;
     _fmpq_vec_get_fmpz_vec_fmpz(out, out + d, solid->input.coordinates + vertex * (size_t)d, d);
 }
@@ -228,6 +234,8 @@ int placing_inside(unsigned *zero, placing *p, pair_side side, uint32_t simplex,
 
 int placing_in_interior(placing *p, pair_side side, uint32_t vertex) {
     int d = p->pair->motion->dimension, inside = 0;
+    if (p->pair->round[!side])
+        return 0;
     const trajectory *c = placing_vertex(p, side, vertex);
     LOCAL_VEC(fmpz, x, d + 1);
     for (int i = 0; i <= d && c; i++)

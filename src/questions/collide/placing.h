@@ -29,6 +29,11 @@ void near_list_clear(near_list *list);
  * carries vertices of the fixed solid into the moving solid's. Their places are polynomials in u,
  * at a rational time constants. */
 
+/** Clearances with ratios 1; at a time of a piece they are constants. */
+void clearance_init(clearance *near, const fmpq *distance);
+void clearance_clear(clearance *near);
+void clearance_freeze(clearance *out, const clearance *near, const fmpq_t u);
+
 /** The moving or the fixed solid. */
 typedef enum pair_side { SIDE_MOVING = 0, SIDE_FIXED = 1 } pair_side;
 
@@ -62,6 +67,9 @@ typedef struct placing {
     form_memory forms[2];
     algebraic *when;
     known_signs known;
+    size_t piece;
+    const clearance *near; /* NULL: 0 */
+    clearance frozen_near;
     int mirrored; /* the motion reverses orientation */
 } placing;
 
@@ -89,6 +97,9 @@ static inline uint32_t simplex_of(near_pair simplices, pair_side side) {
  */
 const trajectory *placing_vertex(placing *p, pair_side side, uint32_t vertex);
 
+/** A vertex as d + 1 homogeneous integers, the last one positive. */
+void homogeneous_vertex(fmpz *out, const graze_solid *solid, uint32_t vertex);
+
 /** The value of the plane form of a simplex of the solid `side` at a vertex of the other solid. */
 void placing_plane(fmpz_poly_t out, placing *p, pair_side side, uint32_t simplex, uint32_t vertex);
 /** The value of the form of the simplex's side k at a vertex; the simplex is of the solid `side`,
@@ -114,6 +125,8 @@ int placing_inside(unsigned *zero, placing *p, pair_side side, uint32_t simplex,
 /** Is a vertex of the solid `side` in the other solid's interior? The placing must be at a rational
  * time. */
 int placing_in_interior(placing *p, pair_side side, uint32_t vertex);
+/** As placing_in_interior at any time, at which the vertex is not on the other boundary. */
+int placing_in_interior_then(placing *p, pair_side side, uint32_t vertex);
 
 /* The common part of two simplices at a time, given by its corners. */
 
@@ -160,11 +173,12 @@ int edges_cross(placing *p, near_pair simplices, int k, int l, int plane[2][3]);
  * C108). Each entry differs from the exact one by at most 2^-48 of its size, or 2^-900. */
 typedef struct control_maps {
     int dimension;
-    size_t count;  /* 0: no maps are known, and points may be anywhere */
-    double *entry; /* dimension * (dimension + 1) for each map */
-    double *room;  /* scratch memory: nine numbers for each map */
-    double shift;  /* bound of the absolute values of the rows' last entries */
-    double slope;  /* bound of the sums of the absolute values of a row's other entries */
+    size_t count;       /* 0: no maps are known, and points may be anywhere */
+    double *entry;      /* dimension * (dimension + 1) for each map */
+    double *room;       /* scratch memory: nine numbers for each map */
+    double shift;       /* bound of the absolute values of the rows' last entries */
+    double slope;       /* bound of the sums of the absolute values of a row's other entries */
+    double least, most; /* bounds of the clearance; both 0 if there is none */
 } control_maps;
 
 /** The Bernstein coefficients of a point map's entries and of its weight, all of one degree, on an
@@ -211,7 +225,8 @@ graze_status deep_vertex_find(deep_interval *out, placing *whole, size_t piece,
 /** Find times in a closed interval of a piece such that between two of them the result of
  * common_points_find does not change for any pair, and at each of them some pair has a common
  * point. Of a contact that lasts, only the times are found at which its incidences change
- * (proofs/collision.md C110).
+ * (proofs/collision.md C110). With a clearance: no state changes between the times, and at each
+ * some pair is at the clearance (C132).
  * @param[out] out the times, ascending, without duplicates
  * @param p a placing on the whole piece
  * @param maps the motion during the interval, for tests in doubles */
@@ -220,9 +235,9 @@ graze_status incidences_find(algebraic_list *out, placing *p, const near_list *n
 
 /* The state of a pair at one time, at which the boundaries may meet. */
 
-/** The state of the pair at the placing's time: I, B or O (proofs/collision.md C109, C111). The
- * time is rational, or the boundaries meet at it. After a failure of the placing the result is
- * invalid.
+/** The state of the pair at the placing's time: I, B or O (proofs/collision.md C109, C111; with a
+ * clearance C131). The time is rational, or the boundaries meet at it or are at the clearance.
+ * After a failure of the placing the result is invalid.
  * @param near all pairs of simplices that meet then, and perhaps others
  * @param before for an irrational time: a placing at a rational time such that between both times
  * no vertex changes its state; else NULL */

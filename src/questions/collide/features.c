@@ -1,0 +1,286 @@
+/* Pairs of features, whose equation, feet and cells come from the vectors that span them.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ */
+#include <stdlib.h>
+#include <string.h>
+#include "base/context/scope.h"
+#include "questions/collide/features.h"
+
+int feature_kind_next(feature_kind *out, int k, int dimension) {
+    static const feature_kind kinds[] = {{{1, 1}}, {{1, 2}}, {{2, 1}}, {{2, 2}},
+                                         {{1, 3}}, {{3, 1}}, {{2, 3}}, {{3, 2}}};
+    if (k >= (dimension == 3 ? 8 : 4))
+        return 0;
+    *out = kinds[k];
+    return 1;
+}
+
+int feature_kind_pierces(feature_kind kind, int dimension) {
+    return kind.count[0] + kind.count[1] == dimension + 2;
+}
+
+/* Give the faces of a simplex with `count` corners. @return their number */
+static int faces_of_simplex(corner_run out[3], const placing *p, pair_side side, uint32_t simplex,
+                            int count, int all) {
+    int corners = simplex_corners(p, side, simplex), found = 0;
+    unsigned made =
+        all || corners < 3 || count != 2 ? 0 : placing_solid(p, side)->cut.item[simplex].diagonal;
+    if (count == corners)
+        out[found++] = (corner_run){simplex, 0, count};
+    for (int k = 0; k < corners && count < corners; k++)
+        if (!(made >> k & 1))
+            out[found++] = (corner_run){simplex, k, count};
+    return found;
+}
+
+static int compare_numbers(const void *left, const void *right) {
+    uint32_t a = *(const uint32_t *)left, b = *(const uint32_t *)right;
+    return a < b ? -1 : a > b;
+}
+
+static uint32_t run_vertex(const placing *p, pair_side side, corner_run run, int k) {
+    const simplex *s = &placing_solid(p, side)->cut.item[run.simplex];
+    return s->vertex[(run.first + k) % p->pair->motion->dimension];
+}
+
+static void name_face(uint32_t key[3], const placing *p, pair_side side, corner_run run) {
+    for (int k = 0; k < 3; k++)
+        key[k] = k < run.count ? run_vertex(p, side, run, k) : UINT32_MAX;
+    qsort(key, 3, sizeof *key, compare_numbers);
+}
+
+void features_add(feature_list *out, placing *p, near_pair simplices, feature_kind kind, int all) {
+    corner_run moving[3], fixed[3];
+    int m = faces_of_simplex(moving, p, SIDE_MOVING, simplices.moving, kind.count[0], all);
+    int n = faces_of_simplex(fixed, p, SIDE_FIXED, simplices.fixed, kind.count[1], all);
+    for (int i = 0; i < m; i++)
+        for (int j = 0; j < n && PLACING_ROOM(p, out, "pairs of features"); j++) {
+            feature_pair *f = &out->item[out->count++];
+            *f = (feature_pair){.of = {moving[i], fixed[j]}};
+            name_face(f->key, p, SIDE_MOVING, moving[i]);
+            name_face(f->key + 3, p, SIDE_FIXED, fixed[j]);
+        }
+}
+
+static int compare_features(const void *left, const void *right) {
+    const feature_pair *a = left, *b = right;
+    for (int i = 0; i < 6; i++)
+        if (a->key[i] != b->key[i])
+            return a->key[i] < b->key[i] ? -1 : 1;
+    return 0;
+}
+
+void features_gather(feature_list *out, placing *p, const near_list *near, feature_kind kind) {
+    out->count = 0;
+    for (size_t k = 0; k < near->count && !p->status; k++)
+        features_add(out, p, near->item[k], kind, 0);
+    out->count = array_sort_once(out->item, out->count, sizeof *out->item, compare_features);
+}
+
+/* Set the vector from a corner of the moving face to one of the fixed face, times `weight`, which
+ * is positive. */
+static void set_offset(moving_vector *out, fmpz_poly_t weight, placing *p, uint32_t moving,
+                       uint32_t fixed) {
+    int d = p->pair->motion->dimension;
+    const trajectory *x = placing_vertex(p, SIDE_MOVING, moving);
+    LOCAL_VEC(fmpz, y, 4);
+    LOCAL(fmpz_poly, term);
+    if (!x)
+        return;
+    homogeneous_vertex(y, p->pair->fixed, fixed);
+    for (int i = 0; i < d; i++) {
+        fmpz_poly_scalar_mul_fmpz(&out->c[i], &x->x[d], y + i);
+        fmpz_poly_scalar_mul_fmpz(term, &x->x[i], y + d);
+        fmpz_poly_sub(&out->c[i], &out->c[i], term);
+    }
+    fmpz_poly_scalar_mul_fmpz(weight, &x->x[d], y + d);
+}
+
+static void square(fmpz_poly_t out, const fmpz_poly_t p) {
+    fmpz_poly_mul(out, p, p);
+}
+
+/* Set the squared distance of the hulls, times the square of the offset's weight and the Gram
+ * determinant of the vectors, and set that. */
+static void set_distance(fmpz_poly_t out, stationary *s, const moving_vector *offset) {
+    HELD(moving_vector, cross);
+    LOCAL(fmpz_poly, height);
+    if (s->count == 0) {
+        fmpz_poly_one(s->gram);
+        dot_moving(out, offset, offset);
+    } else if (s->count == 1) {
+        dot_moving(s->gram, &s->span[0], &s->span[0]);
+        cross_moving(&cross, offset, &s->span[0]);
+        dot_moving(out, &cross, &cross);
+    } else {
+        cross_moving(&cross, &s->span[0], &s->span[1]);
+        dot_moving(s->gram, &cross, &cross);
+        dot_moving(height, &cross, s->count == 2 ? offset : &s->span[2]);
+        square(s->count == 2 ? out : s->gram, height);
+    }
+}
+
+/* Divide by the common factors with the weight, which is positive. */
+static void divide_out(fmpz_poly_t out, const fmpz_poly_t weight) {
+    LOCAL(fmpz_poly, factor);
+    fmpz_poly_gcd(factor, out, weight);
+    while (fmpz_poly_degree(factor) > 0 && !fmpz_poly_is_zero(out)) {
+        if (fmpz_sgn(fmpz_poly_lead(factor)) != fmpz_sgn(fmpz_poly_lead(weight)))
+            fmpz_poly_neg(factor, factor);
+        fmpz_poly_div(out, out, factor);
+        fmpz_poly_gcd(factor, out, weight);
+    }
+}
+
+void stationary_init(stationary *s, placing *p, const feature_pair *features) {
+    uint32_t base[2];
+    HELD(moving_vector, offset);
+    LOCAL(fmpz_poly, weight);
+    LOCAL(fmpz_poly, least);
+    LOCAL_VEC(fmpz_poly, near, 2);
+    s->features = features;
+    s->count = 0;
+    fmpz_poly_init(s->gram);
+    fmpz_poly_init(s->equation);
+    for (int k = 0; k < 3; k++)
+        moving_vector_init(&s->span[k]);
+    for (int side = 0; side < 2; side++) {
+        corner_run run = features->of[side];
+        base[side] = run_vertex(p, (pair_side)side, run, 0);
+        for (int k = 1; k < run.count; k++)
+            edge_vector(&s->span[s->count++], p, (pair_side)side, run.simplex, run.first,
+                        (run.first + k) % p->pair->motion->dimension);
+    }
+    set_offset(&offset, weight, p, base[SIDE_MOVING], base[SIDE_FIXED]);
+    set_distance(s->equation, s, &offset);
+    square(least, weight);
+    fmpz_poly_mul(least, least, s->gram);
+    clearance_square(near, p->near, p->pair,
+                     (near_pair){features->of[0].simplex, features->of[1].simplex});
+    fmpz_poly_mul(s->equation, s->equation, &near[1]);
+    fmpz_poly_mul(least, least, &near[0]);
+    fmpz_poly_sub(s->equation, s->equation, least);
+    divide_out(s->equation, p->map[SIDE_MOVING]->weight);
+}
+
+void stationary_clear(stationary *s) {
+    for (int k = 0; k < 3; k++)
+        moving_vector_clear(&s->span[k]);
+    fmpz_poly_clear(s->gram);
+    fmpz_poly_clear(s->equation);
+}
+
+/* Set `out` to the part of v that is perpendicular to up to two vectors, times a positive number at
+ * the placing's time. */
+static void perpendicular_part(moving_vector *out, placing *p, const moving_vector *v,
+                               const moving_vector *other[2], int count) {
+    HELD(moving_vector, cross);
+    LOCAL(fmpz_poly, along);
+    if (count == 0) {
+        moving_set(out, v);
+    } else if (count == 1) {
+        cross_moving(&cross, v, other[0]);
+        cross_moving(out, other[0], &cross);
+    } else {
+        cross_moving(out, other[0], other[1]);
+        dot_moving(along, out, v);
+        if (placing_sign(p, along) < 0)
+            moving_negate(out);
+    }
+}
+
+/* The sign of the share that a corner of one face has in the face's stationary point. */
+static int foot_sign(placing *p, const stationary *s, pair_side side, int corner) {
+    const corner_run *run = s->features->of, own = run[side];
+    int d = p->pair->motion->dimension, n = own.count, others = 0;
+    int at = (own.first + corner) % d, from = (own.first + (corner + 1) % n) % d;
+    uint32_t base[2] = {run_vertex(p, SIDE_MOVING, run[0], 0),
+                        run_vertex(p, SIDE_FIXED, run[1], 0)};
+    const moving_vector *other[2];
+    HELD(moving_vector, to);
+    HELD(moving_vector, across);
+    HELD(moving_vector, beside);
+    HELD(moving_vector, offset);
+    LOCAL(fmpz_poly, q);
+    edge_vector(&to, p, side, own.simplex, from, at);
+    if (n == 3) {
+        edge_vector(&beside, p, side, own.simplex, from, (corner + 2) % 3);
+        other[others++] = &beside;
+    }
+    for (int k = 0; k < s->count; k++)
+        if ((k >= run[0].count - 1) != (side == SIDE_FIXED))
+            other[others++] = &s->span[k];
+    base[side] = run_vertex(p, side, own, (corner + 1) % n);
+    set_offset(&offset, q, p, base[0], base[1]);
+    perpendicular_part(&across, p, &to, other, others);
+    dot_moving(q, &across, &offset);
+    return side == SIDE_MOVING ? placing_sign(p, q) : -placing_sign(p, q);
+}
+
+/* The sides of a simplex that hold the corners whose bits are set. */
+static unsigned sides_around(int d, unsigned corners) {
+    unsigned sides = 0;
+    for (int k = 0; k < d; k++) {
+        unsigned side = d == 3 ? 1u << k | 1u << (k + 1) % 3 : 1u << k;
+        sides |= corners & ~side ? 0 : 1u << k;
+    }
+    return sides;
+}
+
+int stationary_inside(unsigned zero[2], placing *p, const stationary *s) {
+    int d = p->pair->motion->dimension;
+    for (int side = 0; side < 2; side++) {
+        corner_run run = s->features->of[side];
+        unsigned corners = run.count == 1 ? 1u << run.first : 0;
+        for (int k = 0; k < run.count && run.count > 1; k++) {
+            int sign = foot_sign(p, s, (pair_side)side, k);
+            if (sign < 0 || p->status)
+                return 0;
+            corners |= sign ? 1u << (run.first + k) % d : 0;
+        }
+        zero[side] = sides_around(d, corners);
+    }
+    return 1;
+}
+
+int features_sign(unsigned zero[2], placing *p, const feature_pair *features) {
+    HELD(stationary, s, p, features);
+    int sign = placing_sign(p, s.equation);
+    if (sign > 0 || (s.count > 1 && placing_sign(p, s.gram) == 0))
+        return 1;
+    return stationary_inside(zero, p, &s) ? sign : 1;
+}
+
+int edge_ends_touch(placing *p, const feature_pair *edges) {
+    int d = p->pair->motion->dimension, found = 0;
+    unsigned zero[2];
+    for (int i = 0; i < 3 && !found; i++)
+        for (int j = 0; j < 3 && !found && i + j < 4; j++) {
+            feature_pair ends = *edges;
+            int part[2] = {i, j};
+            for (int side = 0; side < 2; side++)
+                if (part[side] < 2) {
+                    ends.of[side].first = (ends.of[side].first + part[side]) % d;
+                    ends.of[side].count = 1;
+                }
+            found = features_sign(zero, p, &ends) == 0;
+        }
+    return found && !p->status;
+}
+
+graze_state features_look(placing *p, const near_list *near) {
+    int d = p->pair->motion->dimension, least = 1;
+    ZEROED(feature_list, list);
+    feature_kind kind;
+    unsigned zero[2];
+    for (int k = 0; feature_kind_next(&kind, k, d) && least >= 0; k++) {
+        features_gather(&list, p, near, kind);
+        for (size_t i = 0; i < list.count && least >= 0 && !p->status; i++) {
+            int sign = features_sign(zero, p, &list.item[i]);
+            least = sign < least ? sign : least;
+            if (i % 64 == 63 && !p->status)
+                p->status = context_poll(p->context);
+        }
+    }
+    return least < 0 ? GRAZE_STATE_I : least ? GRAZE_STATE_O : GRAZE_STATE_B;
+}
