@@ -33,8 +33,9 @@ int load_takes(const graze_solid *solid, const char *path, const char *what, uns
     int space = graze_solid_dimension(solid) == 3, curved = graze_solid_primitive_count(solid) > 0;
     if (!curved && kinds & (space ? TAKES_POLYHEDRA : TAKES_POLYGONS))
         return EXIT_DONE;
-    return complain(EXIT_INPUT, "%s: the solid is a %s; %s takes %s", path, is[2 * curved + space],
-                    what, words[kinds - 1]);
+    const char *note = curved ? graze_solid_note(solid) : "";
+    return complain(EXIT_INPUT, "%s: the solid is a %s%s%s; %s takes %s", path,
+                    is[2 * curved + space], *note ? ": " : "", note, what, words[kinds - 1]);
 }
 
 /* Refuse positions and distances of curved solids, and --regular for a sweep, which has no dangling
@@ -89,7 +90,7 @@ int loaded_read(loaded *out, const scene_options *o, int illegal, const unsigned
             : graze_solid_read(&out->solid, out->context, o->solid, o->solid_flags);
     if (!status) {
         TRY(check_rows(out->solid, o));
-        if (*graze_solid_note(out->solid))
+        if (*graze_solid_note(out->solid) && graze_solid_primitive_count(out->solid) == 0)
             complain(EXIT_DONE, "note: %s: %s", o->solid, graze_solid_note(out->solid));
         status = o->motion ? read_scene(out, o) : GRAZE_OK;
     }
