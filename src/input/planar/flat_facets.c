@@ -150,7 +150,7 @@ static int find_box(double *low, double *high, const flat_walk *w, const csg *so
     return reach < 0x1p890;
 }
 
-graze_status flat_soup(soup *out, csg_form *form, graze_context *context, const csg *solid) {
+graze_status planar_soup(soup *out, csg_form *form, graze_context *context, const csg *solid) {
     ZEROED(flat_walk, w);
     double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
     soup_init(out, solid->dimension);

@@ -286,8 +286,8 @@ static int facing_of(edge_line *e, size_t plane) {
     return in[0] - in[1];
 }
 
-/* Add the pieces along an interval of the line. In the plane, with n the plane's normal, n is on the
- * left of n cross (0, 0, 1), and the line's direction is a multiple of that. */
+/* Add the pieces along an interval of the line. In the plane, with n the plane's normal, n is on
+ * the left of n cross (0, 0, 1), and the line's direction is a multiple of that. */
 static graze_status add_interval(edge_line *e, const fmpq *from, const fmpq *to) {
     flat_walk *w = e->w;
     fmpz *away = e->value, *sign = e->value + 3;

@@ -15,6 +15,6 @@ int flat_surfaces(const csg *solid);
  * CSG_FACETS. Cleared by soup_clear, also after a failure
  * @return GRAZE_ELIMIT `work`, `cells`; GRAZE_ECANCELED; GRAZE_ESYSTEM
  */
-graze_status flat_soup(soup *out, csg_form *form, graze_context *context, const csg *solid);
+graze_status planar_soup(soup *out, csg_form *form, graze_context *context, const csg *solid);
 
 #endif

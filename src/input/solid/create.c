@@ -81,7 +81,7 @@ graze_status solid_is_another(graze_context *context, const char *path) {
 static graze_status take_planes(graze_solid **out, graze_context *context, csg *given,
                                 const unsigned char sha256[32], unsigned flags) {
     soup input;
-    graze_status status = flat_soup(&input, &given->form, context, given);
+    graze_status status = planar_soup(&input, &given->form, context, given);
     if (status || given->form != CSG_FACETS) {
         soup_clear(&input);
         return status;

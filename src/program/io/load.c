@@ -5,6 +5,7 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 #include "base/context/scope.h"
 
 static int signal_came(void *data) {
@@ -68,6 +69,13 @@ static int complain_of_scene(graze_status status, const loaded *l, const scene_o
                     helps ? "; graze mend makes a legal solid of it" : "");
 }
 
+/* A curved solid's note says why it is not taken as a mesh, and is told in refusals alone; that of
+ * one of OpenSCAD is on parts of the file. */
+static int notes_are_shown(const graze_solid *solid, const char *path) {
+    size_t n = strlen(path);
+    return graze_solid_primitive_count(solid) == 0 || (n > 4 && !strcasecmp(path + n - 4, ".csg"));
+}
+
 /* Read the motion, and make the scene and the width of its enclosures. */
 static graze_status read_scene(loaded *out, const scene_options *o) {
     graze_options scene = o->scene;
@@ -90,7 +98,7 @@ int loaded_read(loaded *out, const scene_options *o, int illegal, const unsigned
             : graze_solid_read(&out->solid, out->context, o->solid, o->solid_flags);
     if (!status) {
         TRY(check_rows(out->solid, o));
-        if (*graze_solid_note(out->solid) && graze_solid_primitive_count(out->solid) == 0)
+        if (*graze_solid_note(out->solid) && notes_are_shown(out->solid, o->solid))
             complain(EXIT_DONE, "note: %s: %s", o->solid, graze_solid_note(out->solid));
         status = o->motion ? read_scene(out, o) : GRAZE_OK;
     }
