@@ -62,7 +62,8 @@ graze_status api_takes(graze_context *context, const char *name, const graze_sol
     if (!(kinds & kind)) {
         int turned = kind & SOLID_CURVED && !(kinds & SOLID_CURVED);
         return context_fail(context, turned ? GRAZE_EINPUT : GRAZE_EILLEGAL,
-                            "%s: the solid is %s; expected %s", name, is[__builtin_ctz(kind)],
+                            "%s: the solid is %s%s%s; expected %s", name, is[__builtin_ctz(kind)],
+                            turned && *solid->note ? ": " : "", turned ? solid->note : "",
                             table[k].expected);
     }
     if (kinds != BOXED || solid_bounded(solid))

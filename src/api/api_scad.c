@@ -3,6 +3,7 @@
  */
 #include "api/api.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/file.h"
@@ -13,17 +14,19 @@
 /* The hash of an OpenSCAD file, the `.csg.json` text made of it, and the report. */
 typedef struct scad_work {
     unsigned char sha256[32];
-    text made, report;
+    text made, report, note;
 } scad_work;
 
 static void scad_work_init(scad_work *w) {
     text_init(&w->made);
     text_init(&w->report);
+    text_init(&w->note);
 }
 
 static void scad_work_clear(scad_work *w) {
     text_clear(&w->made);
     text_clear(&w->report);
+    text_clear(&w->note);
 }
 
 /* Write the `.csg.json` text of a file and read the solid from it. The text's numbers are already
@@ -34,13 +37,15 @@ static graze_status read_made(graze_solid **out, scad_work *w, graze_context *co
     size_t length;
     graze_rounding rounding = context->rounding;
     TRY(file_read(&bytes, &length, w->sha256, context, path));
-    TRY(scad_write(&w->made, &w->report, context, path, bytes, length, choice));
-    if (w->made.failed || w->report.failed)
+    TRY(scad_write(&w->made, &w->report, &w->note, context, path, bytes, length, choice));
+    if (w->made.failed || w->report.failed || w->note.failed)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for a solid");
     context->rounding = GRAZE_ROUND_NONE;
     graze_status status =
         solid_create_curved_text(out, context, path, w->made.data, w->made.length, w->sha256);
     context->rounding = rounding;
+    if (!status && w->note.length > 0)
+        snprintf((*out)->note, sizeof(*out)->note, "%s", w->note.data);
     return status;
 }
 
@@ -84,6 +89,8 @@ graze_status graze_scad_text(char **out, char **report, graze_context *context, 
     TRY(take_choice(&choice, tolerance, context, &o));
     TRY(read_made(&solid, &w, context, path, &choice));
     graze_solid_destroy(solid);
+    if (w.note.length > 0)
+        text_format(&w.report, "%s\n", w.note.data);
     TRY(text_finish(out, context, &w.made));
     if (!report || !text_finish(report, context, &w.report))
         return GRAZE_OK;

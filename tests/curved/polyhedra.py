@@ -3,7 +3,8 @@
 """Golden polygons as `polygon`, convex golden polyhedra as intersections of half-spaces: words, times, classes are those of
 the meshes, in both operations, folds and overlaps (C94 to C97).
 
-The meshes are traced by their simplices, the expressions by signs of planes: nothing but the roots of polynomials is shared.
+The meshes are traced by their simplices, the expressions by signs of planes: nothing but the roots of polynomials is shared. A
+ball around all keeps them from becoming meshes.
 SPDX-License-Identifier: GPL-3.0-or-later
 """
 import glob
@@ -13,7 +14,7 @@ import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
 
-from scenes import Checks, Curved, Graze, common, halfspace, options, union  # noqa: E402
+from scenes import Checks, Curved, Graze, ball, common, halfspace, options, union  # noqa: E402
 from exact import Fraction as F  # noqa: E402
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
@@ -74,7 +75,7 @@ def main():
         if not parts:
             continue
         node = union(*parts) if flat else common(*parts)
-        flags = []
+        flags, around = [], (0, 0) if flat else (0, 0, 0)
         for line in re.findall(r"^options: (.*)$", readme, re.M):
             words = line.split()
             for k in range(0, len(words) - 1):
@@ -85,7 +86,7 @@ def main():
         for operation in ("sweep", "unsweep"):
             more = flags if "--operation" in flags else [*flags, "--operation", operation]
             want = graze.classify(name, mesh, folder + "motion.json", points, *more)
-            got = graze.classify(name + " curved", Curved(2 if flat else 3, node), folder + "motion.json", points, *more)
+            got = graze.classify(name + " curved", Curved(len(around), common(node, ball(around, 10**6))), folder + "motion.json", points, *more)
             if not want or not got:
                 continue
             scenes += 1

@@ -70,6 +70,7 @@ QUARTER = ((0, -1, 0, 0), (1, 0, 0, 0), (0, 0, 1, 0))
 VASE = "polygon(points = [[0, 0], [8, 4], [4, 8], [4, 12], [12, 16], [0, 20]], paths = undef, convexity = 1);"
 PYRAMID = ("polyhedron(points = [[10, 0, 0], [0, 10, 0], [-10, 0, 0], [0, -10, 0], [0, 0, 10]], "
            "faces = [[0, 1, 2, 3], [4, 1, 0], [4, 2, 1], [4, 3, 2], [4, 0, 3]], convexity = 1);")
+SIMPLEX = "polyhedron(points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], faces = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]]);"
 PLATE = "polygon(points = [[0, 0], [4, 0], [4, 4], [0, 4], [1, 1], [2, 1], [2, 2]], paths = [[0, 1, 2, 3], [4, 5, 6]], convexity = 1);"
 # name, text, path over [-20, 20], word, times
 SCENES = [
@@ -114,12 +115,29 @@ SCENES = [
     ("square", mapped(QUARTER, square(2, 6)), ("t", "1"), "OBIBO", [-6, 0]),
     # At height 3/2 the triangle reaches from 3/2 to 2.
     ("polygon with a path inside", PLATE, ("t", "3/2"), "OBIBOBIBO", [0, F(3, 2), 2, 4]),
-    ("marks", of("intersection", cube(1, 1, 1), "%\t" + cube(3, 3, 3), "*hull() {" + cube(5, 5, 5) + "}", "#\t" + cube(2, 2, 2)),
+    ("marks", of("intersection", cube(1, 1, 1), "%\t" + cube(3, 3, 3), "*roof() {" + cube(5, 5, 5) + "}", "#\t" + cube(2, 2, 2)),
      ("t", "1/2", "1/2"), "OBIBO", [0, 1]),
     ("background first", of("difference", "%" + cube(9, 9, 9), cube(2, 2, 2), cube(1, 2, 2)), ("t", "1", "1"), "OBIBO", [1, 2]),
     ("root", moved(5, 0, 0, "!" + cube(1, 1, 1), "import(file = \"a.stl\");"), ("t", "1/2", "1/2"), "OBIBO", [0, 1]),
     ("nothing taken away", of("difference", cube(1, 1, 1), "group();", of("intersection", cube(2, 2, 2), "group();")) + "group();",
      ("t", "1/2", "1/2"), "OBIBO", [0, 1]),
+    ("comments", "// cube(size = [9, 9, 9]);\n/* a { brace\n * and *///\n" + cube(1, 1, 1) + " // end", ("t", "1/2", "1/2"), "OBIBO", [0, 1]),
+    ("parts of size 0", of("difference", cube(2, 2, 2), cube(0, 9, 9), "polyhedron(points = [], faces = []);", rod(1, 0, 0),
+                           mapped(((1, 0, 0, 0), (0, 0, 0, 0), (0, 0, 1, 0)), sphere(9)), "sphere(r = inf);"), ("t", "1", "1"), "OBIBO", [0, 2]),
+    # Two rods that cross: x + y <= 13/4 is its side between their ends.
+    ("hull", of("hull", cube(6, 0.5, 0.5, center="true"), cube(0.5, 6, 0.5, center="true")), ("t", "1", "0"), "OBIBO", [F(-9, 4), F(9, 4)]),
+    ("hull between", of("hull", cube(1, 1, 1), moved(4, 2, 0, cube(1, 1, 1))), ("t", "3/2", "1/2"), "OBIBO", [1, 4]),
+    ("hull in the plane", of("hull", square(1, 1), moved(4, 2, 0, square(1, 1))), ("t", "3/2"), "OBIBO", [1, 4]),
+    ("hull that is extruded", prism(2, of("hull", square(1, 1), moved(4, 2, 0, square(1, 1)))), ("t", "3/2", "1"), "OBIBO", [1, 4]),
+    # The outline's edges from (1, 0) to (5, 2) and from (0, 1) to (4, 3), turned: at height 3/2 from 1 to 4.
+    ("hull that is turned", turned(of("hull", square(1, 1), moved(4, 2, 0, square(1, 1)))), ("t", "0", "3/2"), "OBIBOBIBO",
+     [-4, -1, 1, 4]),
+    ("sum of boxes", of("minkowski", cube(2, 2, 2), moved(1, 0, 0, cube(1, 1, 1)), arguments="convexity = 0"), ("t", "1", "1"),
+     "OBIBO", [1, 4]),
+    # The cube [0, 1]^3 and x, y, z >= 0, x + y + z <= 1: x + y + z <= 3 + 1 cuts the corner of [0, 2]^3.
+    ("sum of a box and a simplex", of("minkowski", cube(1, 1, 1), SIMPLEX), ("t", "5/4", "5/4"), "OBIBO", [0, F(3, 2)]),
+    ("sum in the plane", of("minkowski", square(1, 1), "polygon(points = [[0, 0], [1, 0], [0, 1]]);"), ("t", "3/2"), "OBIBO",
+     [0, F(3, 2)]),
     ("exponents", "sphere(r = 1e-2);", ("t", "0", "0"), "OBIBO", [F(-1, 100), F(1, 100)]),
 ]
 # OpenSCAD's text of a solid and its nodes of .csg.json: equal at points of a lattice, which meets the surfaces, and at random fractions.

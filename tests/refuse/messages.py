@@ -54,6 +54,8 @@ UNREACHED = {
     "this processor does not obey the rounding mode": "needs an emulator such as valgrind",
     "a contact ends between two pieces": "a fault of Graze itself",
     "a polynomial cannot be factored": "a fault of Graze itself",
+    "the edges of a facet do not close": "a fault of Graze itself",
+    "the points of a hull are in one plane": "a fault of Graze itself",
     "a number that is not zero has the sign 0": "a fault of Graze itself",
     "a form of low degree is refused": "a fault of Graze itself",
     "two rules disagree on the surfaces": "a fault of Graze itself",

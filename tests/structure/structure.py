@@ -34,7 +34,7 @@ import rooms  # noqa: E402
 # Wings from the bottom to the top, and in each its rooms, floor by floor; those of one floor know nothing of one another.
 WINGS = {
     "base": ["context", "number"],
-    "input": ["delimited motion soup", "csg", "validate", "read", "solid", "convert mend", "scad"],
+    "input": ["delimited motion soup", "csg", "validate", "read", "planar", "solid", "convert mend", "scad"],
     "decide": ["bounds", "surfaces", "filter", "scene", "trace", "curved", "verdict", "lattice"],
     "questions": ["topo", "contact distance collide", "envelope generate certify", "boundary judge"],
     "output": ["table", "report", "compare", "draw", "page png"],

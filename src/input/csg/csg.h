@@ -61,9 +61,14 @@ typedef struct csg_round {
     fmpq_t radius;
 } csg_round;
 
+/** How a solid is taken: by its expression, or, if all its surfaces are planes (in the plane
+ * lines), by its facets, if it has some, is bounded and within 2^890 of the origin. */
+typedef enum csg_form { CSG_CURVED, CSG_FACETS, CSG_EMPTY, CSG_UNBOUNDED, CSG_WIDE } csg_form;
+
 /** The operands of a node, if not surfaces, are nodes before it; the last node is the solid. */
 typedef struct csg {
     int dimension;
+    csg_form form;
     size_t surface_count, surface_capacity, node_count, node_capacity;
     size_t operand_count, operand_capacity, primitive_count, primitive_capacity;
     csg_surface *surface;

@@ -43,7 +43,7 @@ void csg_add_cut(csg_reader *r, const fmpq *normal, const fmpq_t offset) {
 /* Bound the heights along the axis at which the primitive comes into a half-space, `form` in the
  * frame of the node: by `out` from above if `upward`, else from below. Returns 0 if there is no
  * bound. */
-static int bound_heights(fmpq_t out, const csg_round *body, const fmpq *form, int upward) {
+static int bound_heights(fmpq_t out, const csg_shaft *body, const fmpq *form, int upward) {
     LOCAL_VEC(fmpq, v, 4);
     fmpq *along = v, *part = v + 1, *side = v + 2, *rim = v + 3;
     _fmpq_vec_dot(along, form, body->axis, 3);
@@ -64,7 +64,7 @@ static int bound_heights(fmpq_t out, const csg_round *body, const fmpq *form, in
     return 1;
 }
 
-int csg_cut_height(fmpq_t out, csg_reader *r, const csg_round *body, int upward) {
+int csg_cut_height(fmpq_t out, csg_reader *r, const csg_shaft *body, int upward) {
     int d = r->dimension, found = 0;
     LOCAL(fmpq, height);
     LOCAL(fmpq_mat, form, 1, d + 1);

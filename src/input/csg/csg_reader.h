@@ -133,14 +133,14 @@ graze_status csg_read_cut(csg_reader *r, const json *value);
 
 /** A cylinder of radius `size`, or a cone whose radius is `size` times the distance from its point,
  * in the frame of the node at hand. Borrowed. */
-typedef struct csg_round {
+typedef struct csg_shaft {
     const fmpq *point, *axis, *length2, *size; /* length2: |axis|^2 */
     int is_cone;
-} csg_round;
+} csg_shaft;
 
 /** Find how far along its axis, in lengths of it, the body reaches within the half-spaces noted:
  * at most `out` if `upward`, else at least. Returns 0 if no half-space ends it. */
-int csg_cut_height(fmpq_t out, csg_reader *r, const csg_round *body, int upward);
+int csg_cut_height(fmpq_t out, csg_reader *r, const csg_shaft *body, int upward);
 
 /** Cut the reader's box by the half-spaces from number `first` on, or make one of them. */
 void csg_cut_box(csg_reader *r, int first);

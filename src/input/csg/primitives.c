@@ -130,7 +130,7 @@ static graze_status add_bounded(size_t *node, csg_reader *r, const placed *p) {
 /* Set the two ends of a cylinder or a cone: those given, or where the half-spaces around it end it.
  * If these leave nothing, any end will do. Returns 0 if an end is missing. */
 static int round_ends(fmpq *end, csg_reader *r, const placed *p, int cone) {
-    const csg_round body = {p->point, p->axis, p->length2, p->first, cone};
+    const csg_shaft body = {p->point, p->axis, p->length2, p->first, cone};
     fmpq_set(end, p->from);
     fmpq_set(end + 1, p->to);
     if ((!p->has_from && !csg_cut_height(end, r, &body, 0)) ||

@@ -2,10 +2,23 @@
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include <ctype.h>
+#include <stdarg.h>
+#include <stdio.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "input/scad/arguments.h"
+
+graze_status scad_fail(const scad_place *p, graze_status status, const char *format, ...) {
+    const scad_node *n = &p->file->node[p->node];
+    char said[CONTEXT_MESSAGE_SIZE];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(said, sizeof said, format, arguments);
+    va_end(arguments);
+    return context_fail_in(p->context, status, p->file->source, n->line, "%.*s: %s",
+                           FIELD_SHOWN(n->name), said);
+}
 
 static field trimmed(field s) {
     for (; s.length > 0 && isspace((unsigned char)*s.start); s.length--)

@@ -18,6 +18,8 @@ typedef enum scad_role {
     SCAD_MAP,
     SCAD_EXTRUSION,
     SCAD_REVOLUTION,
+    SCAD_HULL,
+    SCAD_MINKOWSKI,
     SCAD_CUBE,
     SCAD_SPHERE,
     SCAD_CYLINDER,
@@ -43,7 +45,8 @@ typedef struct scad_node {
 typedef struct scad {
     const char *source; /* name of the file, borrowed, for messages */
     scad_node *node;
-    size_t count, capacity, root; /* the root is node 0 or the first one with `!` */
+    size_t count, capacity, root;  /* the root is node 0 or the first one with `!` */
+    size_t nothing, first_nothing; /* parts that are empty by themselves, and a line of one */
 } scad;
 
 /**
@@ -72,6 +75,10 @@ typedef struct scad_place {
 /** Fail with "source:line: name: message". */
 graze_status scad_fail(const scad_place *p, graze_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
+
+/** Whether a part is empty by its own arguments: of size zero, without points, or a singular map.
+ */
+int scad_is_nothing(const scad_place *p);
 
 /** Take the next item of a list whose items stand between commas.
  * @param[in,out] rest the list; afterwards the items behind this one

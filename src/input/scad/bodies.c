@@ -4,6 +4,7 @@
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
 #include "input/scad/arguments.h"
+#include "input/scad/hull.h"
 #include "input/scad/writer.h"
 
 static graze_status write_cube(scad_writer *w, const scad_place *p) {
@@ -64,8 +65,6 @@ static graze_status write_cylinder(scad_writer *w, const scad_place *p) {
     TRY(scad_named_number(radius, p, "r1"));
     TRY(scad_named_number(radius + 1, p, "r2"));
     const fmpq *most = fmpq_cmp(radius, radius + 1) < 0 ? radius + 1 : radius;
-    if (fmpq_sgn(radius) < 0 || fmpq_sgn(radius + 1) < 0 || fmpq_sgn(most) <= 0)
-        return scad_fail(p, GRAZE_EILLEGAL, "expected radii of 0 or more, one of them positive");
     fmpq_add(w->reach, height, most);
     if (scad_flag(p, "center"))
         fmpq_div_2exp(low, height, 1);
@@ -111,8 +110,33 @@ static graze_status write_polyhedron(scad_writer *w, const scad_place *p) {
     return GRAZE_OK;
 }
 
+static graze_status write_hull(scad_writer *w, const scad_place *p) {
+    ZEROED(hull_points, points);
+    ZEROED(hull_faces, faces);
+    TRY(scad_known(p, "convexity"));
+    TRY(scad_hull(&points, &faces, w, p));
+    scad_open(w, p, "polyhedron", '{');
+    json_open(&w->json, "points", '[');
+    for (size_t k = 0; k < points.count; k++) {
+        json_point(&w->json, NULL, points.at + 3 * k, 3);
+        scad_hold(w->reach, points.at + 3 * k, 3);
+    }
+    json_close(&w->json, ']');
+    json_open(&w->json, "faces", '[');
+    for (size_t k = 0; k < faces.count; k++) {
+        json_open(&w->json, NULL, '[');
+        for (int i = 0; i < 3; i++)
+            json_count(&w->json, NULL, faces.item[k].corner[i]);
+        json_close(&w->json, ']');
+    }
+    json_close(&w->json, ']');
+    scad_end(w, p);
+    return GRAZE_OK;
+}
+
 graze_status scad_write_body(scad_writer *w, const scad_place *p) {
     static graze_status (*const writers[])(scad_writer *, const scad_place *) = {
         write_cube, write_sphere, write_cylinder, write_polyhedron};
-    return writers[p->file->node[p->node].role - SCAD_CUBE](w, p);
+    scad_role role = p->file->node[p->node].role;
+    return role < SCAD_CUBE ? write_hull(w, p) : writers[role - SCAD_CUBE](w, p);
 }

@@ -8,6 +8,7 @@
 #include "input/csg/csg.h"
 #include "input/motion/motion.h"
 #include "input/scad/arguments.h"
+#include "input/scad/hull.h"
 #include "input/scad/writer.h"
 
 /* Rings of points, to which the writer's map has been applied. */
@@ -101,9 +102,22 @@ static graze_status read_square(rings *r, scad_writer *w, const scad_place *p) {
     return end_ring(r, w);
 }
 
+/* The hull, or the sum, of the parts of a node. */
+static graze_status read_hull(rings *r, scad_writer *w, const scad_place *p) {
+    ZEROED(hull_points, points);
+    ZEROED(hull_faces, none);
+    TRY(scad_known(p, "convexity"));
+    TRY(scad_hull(&points, &none, w, p));
+    for (size_t k = 0; k < points.count; k++)
+        TRY(take_corner(r, w, points.at + 3 * k));
+    return end_ring(r, w);
+}
+
 static graze_status read_rings(rings *r, scad_writer *w, const scad_place *p) {
-    return p->file->node[p->node].role == SCAD_SQUARE ? read_square(r, w, p)
-                                                      : scad_polygon(r, w, p);
+    scad_role role = p->file->node[p->node].role;
+    return role == SCAD_SQUARE ? read_square(r, w, p)
+           : role < SCAD_CUBE  ? read_hull(r, w, p)
+                               : scad_polygon(r, w, p);
 }
 
 /* A square as a box. */

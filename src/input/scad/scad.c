@@ -6,8 +6,6 @@
  * nodes.
  */
 #include <ctype.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
@@ -33,6 +31,8 @@ static const struct {
              {"multmatrix", SCAD_MAP},
              {"linear_extrude", SCAD_EXTRUSION},
              {"rotate_extrude", SCAD_REVOLUTION},
+             {"hull", SCAD_HULL},
+             {"minkowski", SCAD_MINKOWSKI},
              {"cube", SCAD_CUBE},
              {"sphere", SCAD_SPHERE},
              {"cylinder", SCAD_CYLINDER},
@@ -40,17 +40,6 @@ static const struct {
              {"square", SCAD_SQUARE},
              {"circle", SCAD_CIRCLE},
              {"polygon", SCAD_POLYGON}};
-
-graze_status scad_fail(const scad_place *p, graze_status status, const char *format, ...) {
-    const scad_node *n = &p->file->node[p->node];
-    char said[CONTEXT_MESSAGE_SIZE];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(said, sizeof said, format, arguments);
-    va_end(arguments);
-    return context_fail_in(p->context, status, p->file->source, n->line, "%.*s: %s",
-                           FIELD_SHOWN(n->name), said);
-}
 
 static graze_status fail_here(scan *s, const char *what) {
     return context_fail_in(s->context, GRAZE_EINPUT, s->file->source, s->line, "%s", what);
@@ -60,10 +49,33 @@ static graze_status limit_here(scan *s, graze_limit limit, const char *what) {
     return context_in(s->context, context_limit(s->context, limit, what), s->file->source, s->line);
 }
 
+/* Go to the last byte of a comment that begins here; 0 if none does, or if it does not end. */
+static int skip_comment(scan *s) {
+    const char *text = s->text + s->at, *end = s->text + s->length;
+    if (end - text < 2 || text[0] != '/' || (text[1] != '/' && text[1] != '*'))
+        return 0;
+    size_t at = s->at + 2, lines = 0;
+    for (; at < s->length; at++) {
+        lines += s->text[at] == '\n';
+        if (text[1] == '/' ? s->text[at] == '\n'
+                           : s->text[at] == '/' && s->text[at - 1] == '*' && at > s->at + 2)
+            break;
+    }
+    if (at == s->length && text[1] == '*')
+        return 0;
+    s->line += lines;
+    s->at = at < s->length ? at : at - 1;
+    return 1;
+}
+
 /* Go to the next byte that is no blank; 0 at the end of the text, and at a NUL byte. */
 static char next_byte(scan *s) {
-    for (; s->at < s->length && isspace((unsigned char)s->text[s->at]); s->at++)
-        s->line += s->text[s->at] == '\n';
+    for (; s->at < s->length; s->at++) {
+        if (isspace((unsigned char)s->text[s->at]))
+            s->line += s->text[s->at] == '\n';
+        else if (!skip_comment(s))
+            break;
+    }
     return s->at < s->length ? s->text[s->at] : 0;
 }
 
@@ -200,11 +212,22 @@ size_t scad_first(const scad *file, size_t node) {
     return child && file->node[child].absent ? scad_next(file, child) : child;
 }
 
+/* Take a node as empty if it is so by itself. */
+static void take_nothing(scad *file, graze_context *context, size_t k) {
+    scad_node *n = &file->node[k];
+    if (n->empty || !scad_is_nothing(&(scad_place){file, context, k}))
+        return;
+    n->empty = 1;
+    file->nothing++;
+    file->first_nothing = n->line;
+}
+
 /* Find whether a node is empty, and its dimension, from its children. */
 static graze_status take_dimension(scad *file, graze_context *context, size_t k) {
     scad_node *n = &file->node[k];
     if (n->role >= SCAD_CUBE) {
         n->dimension = n->role < SCAD_SQUARE ? 3 : 2;
+        take_nothing(file, context, k);
         return GRAZE_OK;
     }
     size_t first = scad_first(file, k);
@@ -221,6 +244,7 @@ static graze_status take_dimension(scad *file, graze_context *context, size_t k)
         n->dimension = child->dimension ? child->dimension : n->dimension;
     }
     n->empty |= !some;
+    take_nothing(file, context, k);
     if (n->role != SCAD_EXTRUSION && n->role != SCAD_REVOLUTION)
         return GRAZE_OK;
     if (n->dimension == 3)

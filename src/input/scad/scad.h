@@ -21,11 +21,13 @@ typedef struct scad_choice {
  * what is written name lines of the text.
  * @param[out] out initialised
  * @param[out] report lines on rotations that were taken; initialised
+ * @param[out] note a line on parts that are empty, initialised; stays empty if none is
  * @return GRAZE_EINPUT the text is not as OpenSCAD writes it, or has a node that is not taken;
  * GRAZE_EILLEGAL nothing is left of the solid, or a primitive has no interior, as a sphere of
  * radius 0; GRAZE_ELIMIT `depth`, `cells`; GRAZE_ECANCELED; GRAZE_ESYSTEM
  */
-graze_status scad_write(text *out, text *report, graze_context *context, const char *source,
-                        const char *bytes, size_t length, const scad_choice *choice);
+graze_status scad_write(text *out, text *report, text *note, graze_context *context,
+                        const char *source, const char *bytes, size_t length,
+                        const scad_choice *choice);
 
 #endif

@@ -101,8 +101,12 @@ static void reset_map(scad_writer *w, int sign) {
 static graze_status find_extent(fmpq *out, scad_writer *w, size_t node) {
     scad_place p = {w->file, w->context, node};
     scad_role role = w->file->node[node].role;
-    if (role >= SCAD_CUBE)
-        return scad_outline_extent(out, w, &p);
+    if (role >= SCAD_HULL) {
+        size_t before = w->turned;
+        graze_status found = scad_outline_extent(out, w, &p);
+        w->turned = before;
+        return found;
+    }
     LOCAL_VEC(fmpq, v, 8);
     fmpq *inner = v, *next = v + 6, *outer = w->map;
     size_t c = 0;
@@ -202,10 +206,45 @@ static graze_status write_node(scad_writer *w, size_t node) {
         return write_prism(w, &p);
     if (role == SCAD_REVOLUTION)
         return write_revolution(w, &p);
-    if (role < SCAD_CUBE)
+    int hull = role == SCAD_HULL || role == SCAD_MINKOWSKI;
+    if (role < SCAD_CUBE && !hull)
         return write_operands(w, &p);
-    TRY(role < SCAD_SQUARE ? scad_write_body(w, &p) : scad_write_outline(w, &p));
+    TRY(w->file->node[node].dimension == 3 ? scad_write_body(w, &p) : scad_write_outline(w, &p));
     return context_work(w->context, 16);
+}
+
+/* A writer of a node as a solid, in the frame of another one; v has 10 zeros. */
+static scad_writer begin_writer(text *out, const scad_writer *frame, fmpq *v, size_t node) {
+    scad_writer w = *frame;
+    w.json = (json_writer){.out = out};
+    w.line = 1;
+    w.key = "solid";
+    w.dimension = w.file->node[node].dimension;
+    w.form = SCAD_ITSELF;
+    w.height = v;
+    w.map = v + 2;
+    w.reach = v + 8;
+    w.moved = v + 9;
+    w.turned = 0;
+    reset_map(&w, 1);
+    return w;
+}
+
+static void put_dimension(scad_writer *w) {
+    json_open(&w->json, NULL, '{');
+    json_count(&w->json, "dimension", (unsigned long)w->dimension);
+}
+
+/* As scad_writer.part. The state of the writer around it stays. */
+static graze_status write_part(text *out, scad_writer *around, size_t node) {
+    LOCAL_VEC(fmpq, v, 10);
+    scad_writer w = begin_writer(out, around, v, node);
+    put_dimension(&w);
+    TRY(write_node(&w, node));
+    json_close(&w.json, '}');
+    fmpq_add(around->moved, around->moved, w.moved);
+    around->turned += w.turned;
+    return GRAZE_OK;
 }
 
 /* Report the rotations that were taken. */
@@ -221,28 +260,23 @@ static void put_report(text *report, const scad_writer *w) {
     text_put(report, "\n");
 }
 
-graze_status scad_write(text *out, text *report, graze_context *context, const char *source,
-                        const char *bytes, size_t length, const scad_choice *choice) {
+graze_status scad_write(text *out, text *report, text *note, graze_context *context,
+                        const char *source, const char *bytes, size_t length,
+                        const scad_choice *choice) {
     ZEROED(scad, file);
     LOCAL_VEC(fmpq, v, 10);
     TRY(scad_parse(&file, context, source, bytes, length));
-    scad_writer w = {.file = &file,
-                     .context = context,
-                     .choice = choice,
-                     .json.out = out,
-                     .line = 1,
-                     .key = "solid",
-                     .dimension = file.node[file.root].dimension,
-                     .height = v,
-                     .map = v + 2,
-                     .reach = v + 8,
-                     .moved = v + 9};
-    reset_map(&w, 1);
-    json_open(&w.json, NULL, '{');
-    json_count(&w.json, "dimension", (unsigned long)w.dimension);
+    scad_writer frame = {.file = &file, .context = context, .choice = choice, .part = write_part};
+    scad_writer w = begin_writer(out, &frame, v, file.root);
+    put_dimension(&w);
     TRY(write_node(&w, file.root));
     json_close(&w.json, '}');
     text_put(out, "\n");
     put_report(report, &w);
+    if (file.nothing)
+        text_format(
+            note,
+            "parts that are empty, of size zero or by a singular map: %zu, in line %zu the first",
+            file.nothing, file.first_nothing);
     return GRAZE_OK;
 }

@@ -57,9 +57,6 @@ void scad_hold(fmpq_t reach, const fmpq *x, int dimension) {
 graze_status scad_box(fmpq *low, fmpq *high, scad_writer *w, const scad_place *p, int dimension) {
     TRY(scad_known(p, "size center"));
     TRY(scad_named_vector(high, p, "size", dimension));
-    for (int i = 0; i < dimension; i++)
-        if (fmpq_sgn(high + i) <= 0)
-            return scad_fail(p, GRAZE_EILLEGAL, "expected a size of positive numbers");
     for (int i = 0; i < dimension && scad_flag(p, "center"); i++) {
         fmpq_div_2exp(high + i, high + i, 1);
         fmpq_neg(low + i, high + i);

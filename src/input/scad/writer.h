@@ -30,6 +30,8 @@ typedef struct scad_writer {
     fmpq *reach, *moved; /* bounds for the last node: how far points of its primitives are from the
                           * origin of its frame, and how far rotations taken move them */
     size_t turned;       /* maps replaced by rotations */
+    /* Write a node as a solid of its own. */
+    graze_status (*part)(text *out, struct scad_writer *w, size_t node);
 } scad_writer;
 
 /** Begin a node in the line in which the file has it. `key` is its kind, whose value, an object or
@@ -55,7 +57,7 @@ void scad_put_box(scad_writer *w, const scad_place *p, const fmpq *low, const fm
 
 /* Primitives of space of OpenSCAD's files. */
 
-/** Write a cube, a sphere, a cylinder or a polyhedron; `reach` is set. */
+/** Write a cube, a sphere, a cylinder, a polyhedron, a hull or a sum; `reach` is set. */
 graze_status scad_write_body(scad_writer *w, const scad_place *p);
 
 /* Maps of OpenSCAD's nodes. */
@@ -99,7 +101,7 @@ void scad_norm(fmpq_t out, const fmpq *matrix);
 
 /* Primitives of the plane of OpenSCAD's files. */
 
-/** Write a square, a circle or a polygon in the writer's form; `reach` is set. */
+/** Write a square, a circle, a polygon, a hull or a sum in the writer's form; `reach` is set. */
 graze_status scad_write_outline(scad_writer *w, const scad_place *p);
 
 /** Find the ends of an interval that holds the first coordinates of an outline after

@@ -9,6 +9,7 @@
 #include <string.h>
 #include "base/context/scope.h"
 #include "input/csg/csg.h"
+#include "input/planar/planar.h"
 #include "input/soup/soup.h"
 #include "input/validate/validate.h"
 
@@ -75,9 +76,32 @@ graze_status solid_is_another(graze_context *context, const char *path) {
                            "is not the file that was validated: its SHA-256 is another");
 }
 
+/* Make a solid of an expression whose surfaces are all planes. Only where given->form is CSG_FACETS
+ * afterwards is there one. */
+static graze_status take_planes(graze_solid **out, graze_context *context, csg *given,
+                                const unsigned char sha256[32], unsigned flags) {
+    soup input;
+    graze_status status = planar_soup(&input, &given->form, context, given);
+    if (status || given->form != CSG_FACETS) {
+        soup_clear(&input);
+        return status;
+    }
+    memcpy(input.sha256, sha256, sizeof input.sha256);
+    return solid_create(out, context, &input, flags);
+}
+
 /* Make a solid of an expression. The function takes the expression over, also on failure. */
 static graze_status take_curved(graze_solid **out, graze_context *context, csg *given,
-                                const unsigned char sha256[32]) {
+                                const unsigned char sha256[32], unsigned flags) {
+    static const char *const why[] = {
+        [CSG_EMPTY] = "empty", [CSG_UNBOUNDED] = "unbounded", [CSG_WIDE] = "too large for a mesh"};
+    if (flat_surfaces(given)) {
+        graze_status status = take_planes(out, context, given, sha256, flags);
+        if (status || given->form == CSG_FACETS) {
+            csg_clear(given);
+            return status;
+        }
+    }
     graze_solid *solid = calloc(1, sizeof *solid);
     csg *curved = calloc(1, sizeof *curved);
     if (!solid || !curved) {
@@ -91,6 +115,10 @@ static graze_status take_curved(graze_solid **out, graze_context *context, csg *
     solid->number = next_number();
     solid->input.dimension = curved->dimension;
     solid->curved = curved;
+    if (why[curved->form])
+        snprintf(solid->note, sizeof solid->note,
+                 "all its surfaces are %s, but it is %s, so it is taken as a curved solid",
+                 curved->dimension == 3 ? "planes" : "lines", why[curved->form]);
     *out = solid;
     return GRAZE_OK;
 }
@@ -105,7 +133,9 @@ graze_status solid_create_curved(graze_solid **out, graze_context *context, cons
         csg_clear(&curved);
         return solid_is_another(context, path);
     }
-    return take_curved(out, context, &curved, found);
+    return context_in(
+        context, take_curved(out, context, &curved, found, sha256 ? VALIDATE_TRUST_CONTACTS : 0),
+        path, 0);
 }
 
 graze_status solid_create_curved_text(graze_solid **out, graze_context *context, const char *name,
@@ -114,7 +144,7 @@ graze_status solid_create_curved_text(graze_solid **out, graze_context *context,
     csg curved;
     *out = NULL;
     TRY(csg_read_text(&curved, context, name, text, length));
-    return take_curved(out, context, &curved, sha256);
+    return context_in(context, take_curved(out, context, &curved, sha256, 0), name, 0);
 }
 
 void graze_solid_destroy(graze_solid *solid) {

@@ -90,8 +90,8 @@ static int convert_scad_file(const convert_options *o, graze_context *context) {
                                   .smooth = o->smooth,
                                   .near_rotation = o->near_rotation ? tolerance.at[0] : NULL};
     TRY(complain_of(graze_scad_text(&text, &report, context, o->file, &options), context));
-    if (*report)
-        complain(EXIT_DONE, "note: %s: %.*s", o->file, (int)strcspn(report, "\n"), report);
+    for (const char *line = report; *line; line += strcspn(line, "\n") + 1)
+        complain(EXIT_DONE, "note: %s: %.*s", o->file, (int)strcspn(line, "\n"), line);
     return put_converted(o, text, ".csg.json");
 }
 

@@ -5,6 +5,7 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 #include "base/context/scope.h"
 
 static int signal_came(void *data) {
@@ -33,8 +34,9 @@ int load_takes(const graze_solid *solid, const char *path, const char *what, uns
     int space = graze_solid_dimension(solid) == 3, curved = graze_solid_primitive_count(solid) > 0;
     if (!curved && kinds & (space ? TAKES_POLYHEDRA : TAKES_POLYGONS))
         return EXIT_DONE;
-    return complain(EXIT_INPUT, "%s: the solid is a %s; %s takes %s", path, is[2 * curved + space],
-                    what, words[kinds - 1]);
+    const char *note = curved ? graze_solid_note(solid) : "";
+    return complain(EXIT_INPUT, "%s: the solid is a %s%s%s; %s takes %s", path,
+                    is[2 * curved + space], *note ? ": " : "", note, what, words[kinds - 1]);
 }
 
 /* Refuse positions and distances of curved solids, and --regular for a sweep, which has no dangling
@@ -67,6 +69,13 @@ static int complain_of_scene(graze_status status, const loaded *l, const scene_o
                     helps ? "; graze mend makes a legal solid of it" : "");
 }
 
+/* A curved solid's note says why it is not taken as a mesh, and is told in refusals alone; that of
+ * one of OpenSCAD is on parts of the file. */
+static int notes_are_shown(const graze_solid *solid, const char *path) {
+    size_t n = strlen(path);
+    return graze_solid_primitive_count(solid) == 0 || (n > 4 && !strcasecmp(path + n - 4, ".csg"));
+}
+
 /* Read the motion, unless the solid is at rest, and make the scene and the width of its enclosures.
  */
 static graze_status read_scene(loaded *out, const scene_options *o) {
@@ -94,7 +103,7 @@ int loaded_read(loaded *out, const scene_options *o, int illegal, const unsigned
             : graze_solid_read(&out->solid, out->context, o->solid, o->solid_flags);
     if (!status) {
         TRY(check_rows(out->solid, o));
-        if (*graze_solid_note(out->solid))
+        if (*graze_solid_note(out->solid) && notes_are_shown(out->solid, o->solid))
             complain(EXIT_DONE, "note: %s: %s", o->solid, graze_solid_note(out->solid));
         status = o->motion || o->rows.at_rest ? read_scene(out, o) : GRAZE_OK;
     }
