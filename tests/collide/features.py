@@ -29,7 +29,7 @@ MOST = 13  # vertices of both parts in space, beyond which the algebra is slow
 
 # ------------------------------------------------------------------------------------ one instant
 class Features:
-    """Of a convex part: its Part, and three corners of each triangle that its facets are cut into, which are all edges' too."""
+    """A convex part: its Part, and three corners of each triangle that its facets are cut into, which are all edges' too."""
 
     def __init__(self, solid):
         self.part = Part(solid)
@@ -75,7 +75,7 @@ def of_edges(at, edges, to, others):
 
 
 def square_distance(one, at, other, to, nothing=0):
-    """Of two convex parts in place; widths from -nothing on are no gap."""
+    """The square distance of two convex parts in place; widths from -nothing on are no gap."""
     if width(one.part, at, other.part, to) >= -nothing:
         return 0
     found = [dot(minus(x, y), minus(x, y)) for x in at for y in to]
