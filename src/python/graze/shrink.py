@@ -1,4 +1,4 @@
-"""The smallest scene in which a candidate is still wrong.
+"""The smallest scene in which a candidate is still wrong::
 
     python3 -m graze.shrink SOLID MOTION FOLDER --candidate 'CMD {solid} {motion} {points} {out}'
 
