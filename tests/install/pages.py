@@ -113,7 +113,7 @@ def check_format(page):
 def headers():
     """The text of graze.h and of its parts."""
     return read("include", "graze.h") + "".join(read("include", "graze", name)
-                                                for name in sorted(os.listdir(os.path.join(ROOT, "include", "graze"))))
+                                                for name in sorted(os.listdir(os.path.join(ROOT, "include", "graze"))) if name.endswith(".h"))
 
 
 def check_header(page):

@@ -75,6 +75,9 @@ class Labels(unittest.TestCase):
         with self.assertRaises(graze.testing.WrongLabels) as failed:
             self.check(closed, on="out", points=POINTS)
         self.assertEqual([row.number for row in failed.exception.wrong], [1, 2])
+        with self.assertRaises(graze.testing.WrongLabels) as failed:
+            self.check(lambda points: ["out"] * len(points), on="any", points=POINTS)
+        self.assertEqual([row.number for row in failed.exception.wrong], [0])
 
 
 class Failure(unittest.TestCase):

@@ -51,7 +51,7 @@ ROWS = [
     Row("explain S.wkt M.json 3 2", SCENE, {"--svg": "o.svg", "--output": "o"}),
     Row("generate S.wkt M.json -n 3 --seed 1", SCENE, {"--output": "o"}),
     Row("compare T.csv T2.csv", ["T.csv", "T2.csv"], {"--output": "o", "--page": "o.html"}, reads=["--solid", "--motion"]),
-    Row("validate S.wkt M.json -n 3 --candidate", SCENE, {"--output": "o", "--keep": "o"}),
+    Row("validate S.wkt M.json -n 3 --candidate", SCENE, {"--output": "o", "--keep": "o"}, others=["--shrink"]),
     Row("validate S.wkt M.json --candidate", SCENE, {"--output": "o", "--keep": "o"}, reads=["--points"]),
     Row("draw S.wkt M.json P.csv --grid 4", SCENE + ["P.csv"], {"--output": "o.svg", "-o": "o.svg"}),
     Row("boundary S.wkt M.json --depth 2", SCENE, {"--surface": "o.vtk", "--cells": "o.vtk", "--points": "o.vtk", "--output": "o"}),
@@ -77,7 +77,8 @@ TEXTS = {"by", "format", "grid", "box", "at", "strata", "times", "plane", "view"
          "degrees", "axis", "center", "pitch", "tolerance", "radius", "affine", "shortest", "long", "slerp", "scale", "from", "to", "every",
          "numbers", "dyadic", "dimension", "folder", "o", "columns", "angles", "diameter", "length", "corner", "taper", "size",
          "near-rotation"}
-EXTRA = {("validate", "keep"), ("validate", "output")}  # their commands add what they write
+# Their commands add what they write; the folder of --shrink must be new or empty.
+EXTRA = {("validate", "keep"), ("validate", "output"), ("validate", "shrink")}
 COLUMNS = {("motion", "--ignore")}
 # Commands whose report --output takes, an option of all commands without a row in their table; beside a file it yields to it.
 REPORTS = {"check", "explain", "boundary", "envelope", "collide", "judge", "cases"}

@@ -23,6 +23,8 @@ static int check_folder(const char *path) {
     DIR *folder = opendir(path);
     if (!folder && errno == ENOENT)
         return EXIT_DONE;
+    if (!folder && errno == ENOMEM)
+        return complain(EXIT_IO, "out of memory");
     int empty = folder && holds_nothing(folder);
     if (folder)
         closedir(folder);

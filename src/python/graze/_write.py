@@ -48,9 +48,16 @@ def write_folder(folder: str, model: Optional[Model], given: Scene, point: Point
     again = shlex.join(["graze", "validate", solid, "motion.json", "--points", "point.csv", *options, "--candidate", candidate])
     check = f"; `graze-check {solid} motion.json certificate.txt expected.csv` proves it" if certified else ""
     _write(path("README.md"),
-           f"({', '.join(map(str, point))}) is `{kind[1]}`, given {kind[2] if kind[0] == 'pmc' else (kind[0] + ' ' + kind[2] if kind[0] == 'sdf' else 'another ' + kind[0])}. {why(trace, scene.operation)}\n"
+           f"({', '.join(map(str, point))}) is `{kind[1]}`, given {_given(kind)}. {why(trace, scene.operation)}\n"
            f"`{explain}` has the whole reasoning{check}.\n"
            + (f"`{again}` shows it.\n" if candidate else "`expected.csv` has the row that a test expects of the point in `point.csv`.\n"))
+
+
+def _given(kind: Kind) -> str:
+    """The wrong answer in words."""
+    if kind[0] == "pmc":
+        return kind[2]
+    return f"another {kind[0]}" if kind[0] != "sdf" else "the distance 0" if kind[2] == "0" else f"a wrong, {kind[2]} distance"
 
 
 def _write(path: str, text: str) -> None:

@@ -1,4 +1,4 @@
-"""Fixtures for pytest, which finds them where Graze is installed; else `-p graze.pytest_plugin`.
+"""Fixtures for pytest, which finds them where Graze is installed; else `-p graze.pytest_plugin`::
 
     def test_mine(graze_check, graze_golden):
         graze_check(mine_for(graze_golden.solid, graze_golden.motion), graze_golden.scene)

@@ -1,4 +1,4 @@
-"""The smallest scene in which a candidate is still wrong.
+"""The smallest scene in which a candidate is still wrong::
 
     python3 -m graze.shrink SOLID MOTION FOLDER --candidate 'CMD {solid} {motion} {points} {out}'
 
@@ -30,7 +30,7 @@ from ._plain import Model
 from ._reductions import digits, simpler_motions, simpler_points, simpler_solids, small_motions, small_solids, to_integers, to_whole_point
 from ._write import write_folder
 from .comparison import compare
-from .errors import GrazeError, MachineError, UseError
+from .errors import GrazeError, LimitError, UseError
 from .scene import Scene
 
 __all__ = ["Model", "Shrunk", "main", "shrink"]
@@ -317,49 +317,59 @@ def _wrong_at_first(judge: CommandJudge, scene: Scene, o: argparse.Namespace) ->
 def _main(o: argparse.Namespace) -> int:
     """The work of the command; its exit status."""
     _free(o.folder)
-    settings = Settings(o.question, o.on_as, o.candidate_has, o.truth, o.sdf_tolerance)
-    judge = CommandJudge(o.candidate, o.solid, settings, o.timeout)
+    judge = CommandJudge(o.candidate, o.solid, Settings(o.question, o.on_as, o.candidate_has, o.truth, o.sdf_tolerance), o.timeout)
     try:
-        scene = Scene(o.solid, o.motion, operation=o.operation, folds=o.folds, overlap=o.overlap, triangulate=o.triangulate)
-        if scene.solid.primitives:
-            raise UseError(f"--shrink: {o.solid} is curved; expected a polyhedron or polygon")
-        wrong = _wrong_at_first(judge, scene, o)
-        if not wrong:
-            return 0
-        search = _Search(judge, o.runs, o.seconds, not o.quiet and sys.stderr.isatty())
-        kind = next((other for _, other in wrong if other[0] in ("pmc", "sdf")), wrong[0][1])
-        search.start([point for point, other in wrong if other == kind], kind)
-        given = Model.of(scene)
-        found, ended = _run(search, given)
-        options = [word for name in ("question", "on_as", "candidate_has", "truth", "sdf_tolerance", "operation", "folds", "overlap")
-                   for word in (f"--{name.replace('_', '-')}", getattr(o, name))
-                   if getattr(o, name) not in (None, "open", "on", "columns", "pseudo", "sweep", "separate", "extend")]
-        write_folder(o.folder, found.model or given, scene, found.point, found.kind, o.candidate, options)
+        return _shrunk(judge, o)
     finally:
         judge.close()
-        if o.remove:
-            shutil.rmtree(o.remove, ignore_errors=True)
+
+
+def _shrunk(judge: CommandJudge, o: argparse.Namespace) -> int:
+    scene = Scene(o.solid, o.motion, operation=o.operation, folds=o.folds, overlap=o.overlap, triangulate=o.triangulate)
+    if scene.solid.primitives:
+        raise UseError(f"--shrink: {o.solid} is curved; expected a polyhedron or polygon")
+    wrong = _wrong_at_first(judge, scene, o)
+    if not wrong:
+        return 0
+    search = _Search(judge, o.runs, o.seconds, not o.quiet and sys.stderr.isatty())
+    # An answer for membership that is wrong goes before a wrong class or count.
+    kind = next((other for _, other in wrong if other[0] in ("pmc", "sdf")), wrong[0][1])
+    search.start([point for point, other in wrong if other == kind], kind)
+    given = Model.of(scene)
+    found, ended = _run(search, given)
     model = found.model or given
+    write_folder(o.folder, model, scene, found.point, found.kind, o.candidate, _options(o))
     print(f"graze: shrunk to {model.facet_count} {'facets' if model.dimension == 3 else 'edges'} and {len(model.pieces)} "
           f"piece{'s' * (len(model.pieces) > 1)} in {found.runs} runs of the candidate and {found.seconds:.1f} s"
           f"{'' if found.finished else ', not to the end'}: {o.folder}", file=sys.stderr)
-    if ended:
-        signal.signal(ended, signal.SIG_DFL)
-        os.kill(os.getpid(), ended)
-    return 1
+    return -ended or 1
+
+
+def _options(o: argparse.Namespace) -> List[str]:
+    """The options that judge, as words of a command line."""
+    usual = (None, "open", "on", "columns", "pseudo", "sweep", "separate", "extend")
+    names = ("question", "on_as", "candidate_has", "truth", "sdf_tolerance", "operation", "folds", "overlap")
+    return [word for name in names if getattr(o, name) not in usual for word in (f"--{name.replace('_', '-')}", getattr(o, name))]
 
 
 def main(words: Optional[Sequence[str]] = None) -> int:
-    """The command; its exit status is that of `graze validate`."""
+    """The command; its exit status is that of `graze validate`. A signal ends it as it ends others, once the folder is written."""
     o = _arguments(words)
     try:
-        return _main(o)
+        status = _main(o)
     except GrazeError as problem:
         print(f"graze: {problem}", file=sys.stderr)
-        return 2 if isinstance(problem, UseError) else 3 if isinstance(problem, (ValueError, MachineError)) else 6
+        status = 2 if isinstance(problem, UseError) else 3 if isinstance(problem, ValueError) or not isinstance(problem, LimitError) else 6
     except OSError as problem:
         print(f"graze: {problem.filename or o.folder}: {problem.strerror}", file=sys.stderr)
-        return 5
+        status = 5
+    finally:
+        if o.remove:
+            shutil.rmtree(o.remove, ignore_errors=True)
+    if status < 0:
+        signal.signal(-status, signal.SIG_DFL)
+        os.kill(os.getpid(), -status)
+    return status
 
 
 if __name__ == "__main__":

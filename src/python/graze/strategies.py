@@ -1,4 +1,4 @@
-"""Strategies for Hypothesis: scenes of small integers, and points on contacts of every kind.
+"""Strategies for Hypothesis: scenes of small integers, and points on contacts of every kind::
 
     @given(graze.strategies.models(3), st.data())
     def test_mine(model, data):
