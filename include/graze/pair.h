@@ -43,8 +43,9 @@ typedef struct graze_pair_options {
                              cells at distance R count as meeting; NULL or 0: the states above */
 } graze_pair_options;
 
-/** Two boundary cells, relatively open, that have a point in common; in the numbering of the input.
- */
+/** Two boundary cells, relatively open, that have a point in common, or points at the clearance; in
+ * the numbering of the input. Vertices of a union of balls and capsules are counted through these:
+ * one of a ball, its centre, two of a capsule, which have an edge. */
 typedef struct graze_cell_pair {
     graze_cell moving, fixed;
 } graze_cell_pair;

@@ -63,7 +63,6 @@ static void test_curved(void **state) {
     graze_envelope *envelope;
     graze_boundary *boundary;
     graze_certifier *certifier;
-    graze_pair *pair;
     char *text;
     double width;
     graze_boundary_options coarse = {.size = sizeof coarse, .depth = 2};
@@ -81,8 +80,23 @@ static void test_curved(void **state) {
            "graze_distances_doubles");
     CURVED(graze_report_header(&text, s.context, s.scene, NULL, NULL, &topo), "topo");
     CURVED(graze_report_header(&text, s.context, s.scene, NULL, NULL, &sdf), "sdf");
-    CURVED(graze_pair_create(&pair, s.context, s.solid, s.motion, s.solid, NULL, NULL),
-           "graze_pair_create: moving");
+    end(&s);
+}
+
+static void test_round(void **state) {
+    (void)state;
+    swept s;
+    graze_pair *pair = NULL;
+    begin(&s, BALL);
+    assert_int_equal(graze_pair_create(&pair, s.context, s.solid, s.motion, s.solid, NULL, NULL),
+                     GRAZE_OK);
+    graze_pair_destroy(pair);
+    end(&s);
+    begin(&s, HALF);
+    expect(&s, graze_pair_create(&pair, s.context, s.solid, s.motion, s.solid, NULL, NULL),
+           GRAZE_EINPUT,
+           "the moving solid is curved and no union of balls and capsules, with rational radii; "
+           "expected such a union, a polygon or a polyhedron");
     end(&s);
 }
 
@@ -129,6 +143,7 @@ static void test_dimensions(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_curved),
+        cmocka_unit_test(test_round),
         cmocka_unit_test(test_boxes),
         cmocka_unit_test(test_dimensions),
     };

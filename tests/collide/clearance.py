@@ -175,13 +175,12 @@ def check_near(collide, checks, name, moving, motion, fixed, clearance, word, co
 
 
 def same_at_zero(collide, checks, name, moving, motion, fixed, word, contacts, frame, flags):
-    """Without the option, and with a clearance of 0, in words and as JSON."""
+    """Without the option, and with a clearance of 0."""
     files = [collide.file("zero" + tag, thing, end) for tag, thing, end in (
         ("a", moving, moving.suffix), ("m", motion, ".json"), ("b", fixed, fixed.suffix))]
     more = ["--motion-of-fixed", collide.file("zerof", frame, ".json")] if frame else []
-    for form in ("text", "json"):
-        plain, zero = (collide.graze.call("collide", *files, *more, *flags, "--format", form, *r) for r in ((), ("--clearance", "0.0")))
-        checks.equal((zero.returncode, zero.stdout), (plain.returncode, plain.stdout), name, "clearance 0", form)
+    plain, zero = (collide.graze.call("collide", *files, *more, *flags, "--format", "json", *r) for r in ((), ("--clearance", "0.0")))
+    checks.equal((zero.returncode, zero.stdout), (plain.returncode, plain.stdout), name, "clearance 0")
 
 
 def text(collide, checks):
