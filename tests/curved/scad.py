@@ -208,6 +208,21 @@ def check_smooth(bench):
     round_one = bench.convert(re.sub(r"\$fn = \d+", "$fn = 0", text))
     smooth = bench.convert(text, "--smooth")
     bench.checks.equal((smooth.returncode, smooth.stdout), (0, round_one.stdout), "smooth", smooth.stderr)
+    bench.checks.holds("taken as round: 4, with sides: 0, as empty: 0" in smooth.stderr, "smooth, counts", smooth.stderr)
+    # A nut trap stays: corners of a square, a cone's rings, and of a ball of 5 sides 3 rings.
+    for sides, text, says, facets in (
+            (7, "cylinder($fn = 4, h = 2, r1 = 2, r2 = 2);", "taken as round: 0, with sides: 1", "8 vertices and 6 facets"),
+            (7, "cylinder($fn = 4, h = 2, r1 = 2, r2 = 0);", "taken as round: 0, with sides: 1", "5 vertices and 5 facets"),
+            (9, "sphere($fn = 5, r = 2);", "taken as round: 0, with sides: 1", "15 vertices and 12 facets"),
+            (4, "cylinder($fn = 4, h = 2, r1 = 2, r2 = 2);", "taken as round: 1, with sides: 0", None),
+            (7, prism(1, "circle($fn = 6, r = 2);") + cube(0, 1, 1), "taken as round: 0, with sides: 1, as empty: 1", "12 vertices and 8 facets")):
+        made = bench.convert(text, f"--smooth={sides}", "-o", os.path.join(bench.folder, "m.csg.json"))
+        mesh = run([bench.args.graze, "convert", os.path.join(bench.folder, "m.csg.json")])
+        bench.checks.holds(made.returncode == 0 and says in made.stderr, "sides", text, made.stderr)
+        bench.checks.holds(facets in mesh.stderr if facets else mesh.returncode == 3, "sides", text, mesh.stderr)
+    square_rod = bench.convert("cylinder($fn = 4, h = 2, r1 = 2, r2 = 2);", "--smooth=5")
+    points = [[F(x) for x in p] for p in json.loads(square_rod.stdout)["solid"]["polyhedron"]["points"]]
+    bench.checks.equal(sorted(map(tuple, points)), sorted((x, y, z) for x, y in ((2, 0), (-2, 0), (0, 2), (0, -2)) for z in (0, 2)), "corners")
 
 
 def matrices(node, out):

@@ -113,11 +113,25 @@ static graze_status read_hull(rings *r, scad_writer *w, const scad_place *p) {
     return end_ring(r, w);
 }
 
+static graze_status read_sided_circle(rings *r, scad_writer *w, const scad_place *p) {
+    LOCAL_VEC(fmpq, v, 3);
+    size_t sides;
+    TRY(scad_known(p, "r"));
+    TRY(scad_sides(&sides, w, p));
+    TRY(scad_size(v + 2, p, "r"));
+    for (size_t k = 0; k < sides; k++) {
+        scad_corner(v, k, sides, v + 2);
+        TRY(take_corner(r, w, v));
+    }
+    return end_ring(r, w);
+}
+
 static graze_status read_rings(rings *r, scad_writer *w, const scad_place *p) {
     scad_role role = p->file->node[p->node].role;
-    return role == SCAD_SQUARE ? read_square(r, w, p)
-           : role < SCAD_CUBE  ? read_hull(r, w, p)
-                               : scad_polygon(r, w, p);
+    return role == SCAD_SQUARE   ? read_square(r, w, p)
+           : role == SCAD_CIRCLE ? read_sided_circle(r, w, p)
+           : role < SCAD_CUBE    ? read_hull(r, w, p)
+                                 : scad_polygon(r, w, p);
 }
 
 /* A square as a box. */
@@ -216,7 +230,6 @@ static void put_disk_prism(scad_writer *w, const scad_place *p, const fmpq_t rad
 
 static graze_status read_circle(fmpq_t radius, scad_writer *w, const scad_place *p) {
     TRY(scad_known(p, "r"));
-    TRY(scad_round(w, p));
     TRY(scad_size(radius, p, "r"));
     fmpq_set(w->reach, radius);
     return map_radius(radius, w, p);
@@ -240,7 +253,10 @@ static graze_status write_circle(scad_writer *w, const scad_place *p) {
 graze_status scad_outline_extent(fmpq *low_high, scad_writer *w, const scad_place *p) {
     ZEROED(rings, r);
     fmpq *low = low_high, *high = low_high + 1;
-    if (p->file->node[p->node].role == SCAD_CIRCLE) {
+    size_t sides = 1;
+    if (p->file->node[p->node].role == SCAD_CIRCLE)
+        TRY(scad_sides(&sides, w, p));
+    if (sides == 0) {
         TRY(read_circle(high, w, p));
         fmpq_sub(low, w->map + 2, high);
         fmpq_add(high, w->map + 2, high);
@@ -261,5 +277,8 @@ graze_status scad_write_outline(scad_writer *w, const scad_place *p) {
     scad_role role = p->file->node[p->node].role;
     if (role == SCAD_SQUARE && w->form != SCAD_REVOLVED)
         return write_square(w, p);
-    return role == SCAD_CIRCLE ? write_circle(w, p) : write_polygon(w, p);
+    size_t sides = 0;
+    if (role == SCAD_CIRCLE)
+        TRY(scad_sides(&sides, w, p));
+    return role == SCAD_CIRCLE && sides == 0 ? write_circle(w, p) : write_polygon(w, p);
 }

@@ -102,9 +102,11 @@ static graze_status find_extent(fmpq *out, scad_writer *w, size_t node) {
     scad_place p = {w->file, w->context, node};
     scad_role role = w->file->node[node].role;
     if (role >= SCAD_HULL) {
-        size_t before = w->turned;
+        scad_writer before = *w;
         graze_status found = scad_outline_extent(out, w, &p);
-        w->turned = before;
+        w->turned = before.turned;
+        w->round = before.round;
+        w->sided = before.sided;
         return found;
     }
     LOCAL_VEC(fmpq, v, 8);
@@ -145,9 +147,14 @@ static graze_status find_side(scad_writer *w, const scad_place *p) {
 
 static graze_status write_revolution(scad_writer *w, const scad_place *p) {
     field value;
+    size_t sides;
     LOCAL(fmpq, angle);
     TRY(scad_known(p, "angle start convexity"));
-    TRY(scad_round(w, p));
+    TRY(scad_sides(&sides, w, p));
+    if (sides > 0)
+        return scad_fail(p, GRAZE_EINPUT,
+                         "a turn of %zu sides is not taken; expected --smooth of at most as many",
+                         sides);
     fmpq_set_si(angle, 360, 1);
     if (scad_value(&value, p, "angle"))
         TRY(scad_number(angle, p, value));
@@ -195,10 +202,23 @@ static graze_status write_prism(scad_writer *w, const scad_place *p) {
     return GRAZE_OK;
 }
 
+/* Count a part that could be round. */
+static graze_status count_sides(scad_writer *w, const scad_place *p) {
+    scad_role role = p->file->node[p->node].role;
+    size_t sides;
+    if (role != SCAD_SPHERE && role != SCAD_CYLINDER && role != SCAD_CIRCLE &&
+        role != SCAD_REVOLUTION)
+        return GRAZE_OK;
+    TRY(scad_sides(&sides, w, p));
+    *(sides > 0 ? &w->sided : &w->round) += 1;
+    return GRAZE_OK;
+}
+
 static graze_status write_node(scad_writer *w, size_t node) {
     scad_place p = {w->file, w->context, node};
     fmpq_zero(w->reach);
     fmpq_zero(w->moved);
+    TRY(count_sides(w, &p));
     scad_role role = w->file->node[node].role;
     if (role == SCAD_MAP)
         return write_mapped(w, &p);
@@ -225,7 +245,7 @@ static scad_writer begin_writer(text *out, const scad_writer *frame, fmpq *v, si
     w.map = v + 2;
     w.reach = v + 8;
     w.moved = v + 9;
-    w.turned = 0;
+    w.turned = w.round = w.sided = 0;
     reset_map(&w, 1);
     return w;
 }
@@ -244,11 +264,16 @@ static graze_status write_part(text *out, scad_writer *around, size_t node) {
     json_close(&w.json, '}');
     fmpq_add(around->moved, around->moved, w.moved);
     around->turned += w.turned;
+    around->round += w.round;
+    around->sided += w.sided;
     return GRAZE_OK;
 }
 
-/* Report the rotations that were taken. */
+/* Report what is round, and the rotations that were taken. */
 static void put_report(text *report, const scad_writer *w) {
+    if (w->choice->smooth)
+        text_format(report, "taken as round: %zu, with sides: %zu, as empty: %zu\n", w->round,
+                    w->sided, w->file->nothing);
     if (!w->choice->near_rotation)
         return;
     fmpq_set_si(w->height, 101, 100); /* rounding to three digits takes away at most 0.5 % */
