@@ -100,6 +100,14 @@ SCENES = [
     ("ring", turned(moved(10, 0, 0, square(5, 5))), ("t", "0", "1"), "OBIBOBIBO", [-15, -10, 10, 15]),
     ("ring of what is on the left", turned(moved(-15, 0, 0, square(5, 5))), ("0", "t", "1"), "OBIBOBIBO", [-15, -10, 10, 15]),
     ("torus", turned(moved(5, 1, 0, circle(2))), ("t", "0", "1"), "OBIBOBIBO", [-7, -3, 3, 7]),
+    # (x - 2)^2 + z^2 <= 4 touches the axis; at height 1 it reaches from 2 - sqrt 3 to 2 + sqrt 3, at (2, 1) upwards from -sqrt 3 on.
+    ("horn torus", turned(moved(2, 1, 0, circle(2))), ("2", "0", "t"), "OBIBO", [-1, 3]),
+    # A ring from 2 to 3, along rays of (3, 4): in from 2/5 to 3/5 on the one side of the axis that is in the turn.
+    *((f"turn of {what}", of("rotate_extrude", moved(x, 0, 0, square(1, 1)), arguments=f"{what}, convexity = 2"), (*path, "1/2"),
+       "OBIBO", [F(2, 5), F(3, 5)])
+      for what, x, path in (("angle = 90", 2, ("3*t", "4*t")), ("angle = 135", 2, ("-3*t", "4*t")), ("angle = 270", 2, ("-3*t", "4*t")),
+                            ("angle = -90", 2, ("3*t", "-4*t")), ("angle = 45, start = 45", 2, ("3*t", "4*t")),
+                            ("angle = 90", -3, ("-3*t", "-4*t")), ("angle = 180", 2, ("3*t", "4*t")))),
     ("torus of a turned disk", turned(mapped(QUARTER, moved(0, -5, 0, circle(2)))), ("t", "0", "2"), "OBOBO", [-5, 5]),     # its top
     ("ball of half a disk", turned(of("intersection", circle(5), moved(0, -5, 0, square(5, 10)))), ("t", "3", "0"), "OBIBO",
      [-4, 4]),
