@@ -147,7 +147,7 @@ static graze_status find_side(scad_writer *w, const scad_place *p) {
 }
 
 /* Write the half-space on the left of a direction, in eighths of a turn, or on its right. */
-static void put_half_space(scad_writer *w, int direction, int right) {
+static void put_wedge_side(scad_writer *w, int direction, int right) {
     static const int x[] = {1, 1, 0, -1, -1, -1, 0, 1};
     int sign = right ? -1 : 1;
     LOCAL_VEC(fmpq, normal, 3);
@@ -165,9 +165,9 @@ static void put_half_space(scad_writer *w, int direction, int right) {
 static void put_wedge(scad_writer *w, int from, int count) {
     json_open(&w->json, NULL, '{');
     json_open(&w->json, count < 4 ? "intersection" : "union", '[');
-    put_half_space(w, from, 0);
+    put_wedge_side(w, from, 0);
     if (count != 4)
-        put_half_space(w, from + count, 1);
+        put_wedge_side(w, from + count, 1);
     json_close(&w->json, ']');
     json_close(&w->json, '}');
 }
