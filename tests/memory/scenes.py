@@ -78,6 +78,10 @@ BODY2 = f"""{{"dimension": 2, "solid": {{"union": [
   {{"intersection": [{{"polynomial": {{"0,2": "1", "3,0": "-1"}}}}, {{"ball": {{"center": ["5", "0"], "radius": "2"}}}}]}},
   {{"polygon": {{"points": [["6", "-3"], ["8", "-3"], ["8", "-2"]]}}}}]}}}}
 """
+WEDGE = ('{"dimension": 3, "solid": {"difference": [{"polygon": {"points": [[0, 0], [1, 0], [0, 1]], "extrude": [0, 1]}}, '
+         '{"halfspace": {"normal": [2, 0, 1], "offset": "1/2"}}]}}')
+HULL = ("// a hull\nhull() {cube(size = [1, 1, 1]); cube(size = [0, 1, 1]); multmatrix([[1, 0, 0, 2], [0, 1, 0, 1], [0, 0, 1, 0], "
+        "[0, 0, 0, 1]]) {cube(size = [1, 1, 1]);}}")
 BALL = '{"dimension": %d, "solid": {"ball": {"radius": "1"}}}'
 TOUCHING = """{"dimension": 3, "solid": {"difference": [
   {"torus": {"point": ["0", "0", "0"], "axis": ["0", "0", "1"], "major": "2", "minor": "1"}},
@@ -119,7 +123,7 @@ def put(folder):
              "roll.json": ROLL, "2.csv": POINTS2, "3.csv": POINTS3, "poses.csv": POSES, "matrices.csv": MATRICES,
              "answers.csv": ANSWERS, "sites2.csv": SITES2, "sites3.csv": SITES3,
              "touching.csg.json": TOUCHING, "touch.json": TOUCH, "touch.csv": "x,y,z\n13/5,0,4/5\n", "body3.csg.json": BODY3, "body2.csg.json": BODY2, "ball2.csg.json": BALL % 2, "ball3.csg.json": BALL % 3, "curved3.csv": CURVED3, "curved2.csv": CURVED2,
-             "golden-sites.csv": GOLDEN_SITES, "answered-sites.csv": ANSWERED_SITES}
+             "wedge.csg.json": WEDGE, "hull.csg": HULL, "golden-sites.csv": GOLDEN_SITES, "answered-sites.csv": ANSWERED_SITES}
     place = folder / "input"
     place.mkdir()
     for name, text in texts.items():
@@ -241,6 +245,8 @@ def make(graze, folder):
     yield Scene("curved", ["classify", *one, "--format", "jsonl", body2, roll, at["curved2.csv"]])
     yield Scene("curved-3", ["classify", *one, body3, turn, at["curved3.csv"]])
     yield Scene("curved-touching", ["classify", *one, at["touching.csg.json"], at["touch.json"], at["touch.csv"]])
+    yield Scene("planes-convert", ["convert", at["wedge.csg.json"]])
+    yield Scene("hull-convert", ["convert", at["hull.csg"], "--smooth=5"])
     yield Scene("curved-moments", ["classify", *one, "--moments", body3, turn, at["curved3.csv"]])
     yield Scene("curved-explain", ["explain", body2, roll, "0", "0", "--limit", "work=20000"])
     yield Scene("curved-draw", ["draw", at["ball2.csg.json"], roll, "--grid", "2", "-p", "5,1", "-o", "made.svg"])
