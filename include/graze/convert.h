@@ -268,9 +268,10 @@ GRAZE_API GRAZE_CHECKED graze_status graze_solid_write_exact_shape(char **out, c
 /** How OpenSCAD's `.csg` files are taken. Zeros: as they stand. */
 typedef struct graze_scad_options {
     size_t size;              /**< sizeof(graze_scad_options) */
-    int smooth;               /**< 1: spheres, cylinders, circles and solids of revolution are round
-                                   even if $fn gives a number of sides; 0: with $fn they are
-                                   refused */
+    int smooth;               /**< spheres, cylinders, circles and solids of revolution are round
+                                   even if $fn gives this number of sides or more; with fewer they
+                                   have sides, as OpenSCAD makes them; 1: all are round; 0: with
+                                   $fn they are refused */
     mpq_srcptr near_rotation; /**< positive: a multmatrix is taken as a number times a rotation if
                                  each entry of its linear part, divided by that number, is within
                                  this of the rotation's; borrowed. NULL: as it stands */
@@ -281,10 +282,12 @@ typedef struct graze_scad_options {
  * options graze_solid_read reads such files itself.
  * @param[out] out    text for graze_free, with each node on the line on which the file has it; NULL
  * on failure
- * @param[out] report text for graze_free: with `near_rotation` how many maps are taken as rotations
- * and how far they move a point at most, which is proved; may be NULL
+ * @param[out] report text for graze_free, a line each: with `smooth` how many parts are round, have
+ * sides and are empty; with `near_rotation` how many maps are taken as rotations and how far they
+ * move a point at most, which is proved; a note on empty parts; may be NULL
  * @param options may be NULL
- * @return as graze_solid_read; GRAZE_EUSE also for a `near_rotation` that is not positive
+ * @return as graze_solid_read; GRAZE_EUSE also for a `near_rotation` that is not positive, a
+ * `smooth` below 0
  */
 GRAZE_API GRAZE_CHECKED graze_status graze_scad_text(char **out, char **report,
                                                      graze_context *context, const char *path,

@@ -65,7 +65,9 @@ graze_status api_scad_solid(graze_solid **out, graze_context *context, const cha
 /* Check the caller's options and take them over. */
 static graze_status take_choice(scad_choice *out, fmpq_t tolerance, graze_context *context,
                                 const graze_scad_options *o) {
-    *out = (scad_choice){.smooth = o->smooth != 0};
+    *out = (scad_choice){.smooth = o->smooth};
+    if (o->smooth < 0)
+        return api_misuse(context, "graze_scad_text", "smooth must be 0 or more");
     if (!o->near_rotation)
         return GRAZE_OK;
     graze_status status = api_rational(tolerance, context, o->near_rotation);

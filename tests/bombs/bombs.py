@@ -157,6 +157,12 @@ BOMBS = [
          {"s.csg.json": json.dumps({"dimension": 3, "solid": {"affine": {"matrix": TILTED, "of": {"difference": TOUCHING}}}}),
           "move.json": slid("t^2-1/2", "1/2-t^2", "2*t^2-1"), "points.csv": "1/99999999,1/3,-1/12\n"},
          "--limit work=1000000000000000", 0, "pmc of 1 of 1 rows is undecided"),
+    Bomb("work-of-facets", "work", CURVED + " --limit work=3000000", {"s.csg.json": json.dumps({"dimension": 3, "solid": {"union": [
+        {"box": {"low": [k * 7 % 101, k * 11 % 103, k * 13 % 107], "high": [k * 7 % 101 + 9, k * 11 % 103 + 9, k * 13 % 107 + 9]}}
+        for k in range(3000)]}})}, "--limit work=1000000000000000"),
+    Bomb("work-of-a-hull", "work", SCAD + " --limit work=1000000", {"s.csg": "hull() {" + "".join(
+        f"multmatrix([[1, 0, 0, {k}], [0, 1, 0, {k * k}], [0, 0, 1, {k * k * k}], [0, 0, 0, 1]]) {{cube(size = [1, 1, 1]);}}"
+        for k in range(300)) + "}"}, "--limit work=1000000000000000"),
     Bomb("cells-of-openscad", "cells", SCAD + " --limit cells=100000", {"s.csg": "sphere(r = 1);" * 200000}, None),
     Bomb("grid-of-many", "grid", "classify --jobs 1 {cube.off} {move.json} --grid 3000,3000,3000", {},
          "--limit grid=1000000000000000000"),

@@ -100,6 +100,14 @@ SCENES = [
     ("ring", turned(moved(10, 0, 0, square(5, 5))), ("t", "0", "1"), "OBIBOBIBO", [-15, -10, 10, 15]),
     ("ring of what is on the left", turned(moved(-15, 0, 0, square(5, 5))), ("0", "t", "1"), "OBIBOBIBO", [-15, -10, 10, 15]),
     ("torus", turned(moved(5, 1, 0, circle(2))), ("t", "0", "1"), "OBIBOBIBO", [-7, -3, 3, 7]),
+    # (x - 2)^2 + z^2 <= 4 touches the axis; at height 1 it reaches from 2 - sqrt 3 to 2 + sqrt 3, at (2, 1) upwards from -sqrt 3 on.
+    ("horn torus", turned(moved(2, 1, 0, circle(2))), ("2", "0", "t"), "OBIBO", [-1, 3]),
+    # A ring from 2 to 3, along rays of (3, 4): in from 2/5 to 3/5 on the one side of the axis that is in the turn.
+    *((f"turn of {what}", of("rotate_extrude", moved(x, 0, 0, square(1, 1)), arguments=f"{what}, convexity = 2"), (*path, "1/2"),
+       "OBIBO", [F(2, 5), F(3, 5)])
+      for what, x, path in (("angle = 90", 2, ("3*t", "4*t")), ("angle = 135", 2, ("-3*t", "4*t")), ("angle = 270", 2, ("-3*t", "4*t")),
+                            ("angle = -90", 2, ("3*t", "-4*t")), ("angle = 45, start = 45", 2, ("3*t", "4*t")),
+                            ("angle = 90", -3, ("-3*t", "-4*t")), ("angle = 180", 2, ("3*t", "4*t")))),
     ("torus of a turned disk", turned(mapped(QUARTER, moved(0, -5, 0, circle(2)))), ("t", "0", "2"), "OBOBO", [-5, 5]),     # its top
     ("ball of half a disk", turned(of("intersection", circle(5), moved(0, -5, 0, square(5, 10)))), ("t", "3", "0"), "OBIBO",
      [-4, 4]),
@@ -208,6 +216,21 @@ def check_smooth(bench):
     round_one = bench.convert(re.sub(r"\$fn = \d+", "$fn = 0", text))
     smooth = bench.convert(text, "--smooth")
     bench.checks.equal((smooth.returncode, smooth.stdout), (0, round_one.stdout), "smooth", smooth.stderr)
+    bench.checks.holds("taken as round: 4, with sides: 0, as empty: 0" in smooth.stderr, "smooth, counts", smooth.stderr)
+    # A nut trap stays: corners of a square, a cone's rings, and of a ball of 5 sides 3 rings.
+    for sides, text, says, facets in (
+            (7, "cylinder($fn = 4, h = 2, r1 = 2, r2 = 2);", "taken as round: 0, with sides: 1", "8 vertices and 6 facets"),
+            (7, "cylinder($fn = 4, h = 2, r1 = 2, r2 = 0);", "taken as round: 0, with sides: 1", "5 vertices and 5 facets"),
+            (9, "sphere($fn = 5, r = 2);", "taken as round: 0, with sides: 1", "15 vertices and 12 facets"),
+            (4, "cylinder($fn = 4, h = 2, r1 = 2, r2 = 2);", "taken as round: 1, with sides: 0", None),
+            (7, prism(1, "circle($fn = 6, r = 2);") + cube(0, 1, 1), "taken as round: 0, with sides: 1, as empty: 1", "12 vertices and 8 facets")):
+        made = bench.convert(text, f"--smooth={sides}", "-o", os.path.join(bench.folder, "m.csg.json"))
+        mesh = run([bench.args.graze, "convert", os.path.join(bench.folder, "m.csg.json")])
+        bench.checks.holds(made.returncode == 0 and says in made.stderr, "sides", text, made.stderr)
+        bench.checks.holds(facets in mesh.stderr if facets else mesh.returncode == 3, "sides", text, mesh.stderr)
+    square_rod = bench.convert("cylinder($fn = 4, h = 2, r1 = 2, r2 = 2);", "--smooth=5")
+    points = [[F(x) for x in p] for p in json.loads(square_rod.stdout)["solid"]["polyhedron"]["points"]]
+    bench.checks.equal(sorted(map(tuple, points)), sorted((x, y, z) for x, y in ((2, 0), (-2, 0), (0, 2), (0, -2)) for z in (0, 2)), "corners")
 
 
 def matrices(node, out):

@@ -81,6 +81,10 @@ BODY2 = f"""{{"dimension": 2, "solid": {{"union": [
   {{"intersection": [{{"polynomial": {{"0,2": "1", "3,0": "-1"}}}}, {{"ball": {{"center": ["5", "0"], "radius": "2"}}}}]}},
   {{"polygon": {{"points": [["6", "-3"], ["8", "-3"], ["8", "-2"]]}}}}]}}}}
 """
+WEDGE = ('{"dimension": 3, "solid": {"difference": [{"polygon": {"points": [[0, 0], [1, 0], [0, 1]], "extrude": [0, 1]}}, '
+         '{"halfspace": {"normal": [2, 0, 1], "offset": "1/2"}}]}}')
+HULL = ("// a hull\nhull() {cube(size = [1, 1, 1]); cube(size = [0, 1, 1]); multmatrix([[1, 0, 0, 2], [0, 1, 0, 1], [0, 0, 1, 0], "
+        "[0, 0, 0, 1]]) {cube(size = [1, 1, 1]);}}")
 BALL = '{"dimension": %d, "solid": {"ball": {"radius": "1"}}}'
 TOUCHING = """{"dimension": 3, "solid": {"difference": [
   {"torus": {"point": ["0", "0", "0"], "axis": ["0", "0", "1"], "major": "2", "minor": "1"}},
@@ -121,7 +125,7 @@ def put(folder):
     texts = {"cube.off": OFF, "cube.obj": OBJ, "cube.ply": PLY, "cube.stl": STL, "u.wkt": WKT, "turn.json": TURN,
              "roll.json": ROLL, "2.csv": POINTS2, "3.csv": POINTS3, "poses.csv": POSES, "matrices.csv": MATRICES, "program.nc": PROGRAM,
              "answers.csv": ANSWERS, "sites2.csv": SITES2, "sites3.csv": SITES3,
-             "touching.csg.json": TOUCHING, "touch.json": TOUCH, "touch.csv": "x,y,z\n13/5,0,4/5\n", "body3.csg.json": BODY3, "cut.csg.json": CUT, "body2.csg.json": BODY2, "ball2.csg.json": BALL % 2, "ball3.csg.json": BALL % 3, "curved3.csv": CURVED3, "curved2.csv": CURVED2,
+             "touching.csg.json": TOUCHING, "touch.json": TOUCH, "touch.csv": "x,y,z\n13/5,0,4/5\n", "body3.csg.json": BODY3, "cut.csg.json": CUT, "wedge.csg.json": WEDGE, "hull.csg": HULL, "body2.csg.json": BODY2, "ball2.csg.json": BALL % 2, "ball3.csg.json": BALL % 3, "curved3.csv": CURVED3, "curved2.csv": CURVED2,
              "golden-sites.csv": GOLDEN_SITES, "answered-sites.csv": ANSWERED_SITES}
     place = folder / "input"
     place.mkdir()
@@ -248,6 +252,8 @@ def make(graze, folder):
     yield Scene("rest", ["classify", *one, "--at-rest", "--sdf", "1e-2r", "--format", "jsonl", cube, three], spared=NUMBERS)
     yield Scene("rest-grid", ["classify", *one, "--at-rest", "--grid", "3,3,2", at["cut.csg.json"]])
     yield Scene("curved-touching", ["classify", *one, at["touching.csg.json"], at["touch.json"], at["touch.csv"]])
+    yield Scene("planes-convert", ["convert", at["wedge.csg.json"]])
+    yield Scene("hull-convert", ["convert", at["hull.csg"], "--smooth=5"])
     yield Scene("curved-moments", ["classify", *one, "--moments", body3, turn, at["curved3.csv"]])
     yield Scene("curved-explain", ["explain", body2, roll, "0", "0", "--limit", "work=20000"])
     yield Scene("curved-draw", ["draw", at["ball2.csg.json"], roll, "--grid", "2", "-p", "5,1", "-o", "made.svg"])

@@ -15,10 +15,26 @@ static graze_status write_cube(scad_writer *w, const scad_place *p) {
     return GRAZE_OK;
 }
 
+/* Write the polyhedron that OpenSCAD makes of a sphere: rings halfway between equal angles. */
+static void put_sided_sphere(scad_writer *w, const scad_place *p, size_t sides) {
+    size_t rings = (sides + 1) / 2;
+    LOCAL_VEC(fmpq, ring, (slong)(2 * rings));
+    for (size_t k = 0; k < rings; k++) {
+        scad_corner(ring + 2 * k, 2 * (rings - k) - 1, 4 * rings, w->reach);
+        fmpq_swap(ring + 2 * k, ring + 2 * k + 1);
+    }
+    scad_put_rings(w, p, ring, rings, sides);
+}
+
 static graze_status write_sphere(scad_writer *w, const scad_place *p) {
+    size_t sides;
     TRY(scad_known(p, "r"));
-    TRY(scad_round(w, p));
+    TRY(scad_sides(&sides, w, p));
     TRY(scad_size(w->reach, p, "r"));
+    if (sides > 0) {
+        put_sided_sphere(w, p, sides);
+        return GRAZE_OK;
+    }
     scad_open(w, p, "ball", '{');
     json_rational(&w->json, "radius", w->reach);
     scad_end(w, p);
@@ -56,11 +72,22 @@ static void put_cylinder(scad_writer *w, const scad_place *p, const fmpq *height
     scad_end(w, p);
 }
 
+static void put_sided_cylinder(scad_writer *w, const scad_place *p, const fmpq *height,
+                               const fmpq *low, const fmpq *radius, size_t sides) {
+    LOCAL_VEC(fmpq, ring, 4);
+    fmpq_set(ring, radius);
+    fmpq_set(ring + 1, low);
+    fmpq_set(ring + 2, radius + 1);
+    fmpq_add(ring + 3, low, height);
+    scad_put_rings(w, p, ring, 2, sides);
+}
+
 static graze_status write_cylinder(scad_writer *w, const scad_place *p) {
     LOCAL_VEC(fmpq, v, 4);
     fmpq *height = v, *low = v + 1, *radius = v + 2;
     TRY(scad_known(p, "h r1 r2 center"));
-    TRY(scad_round(w, p));
+    size_t sides;
+    TRY(scad_sides(&sides, w, p));
     TRY(scad_size(height, p, "h"));
     TRY(scad_named_number(radius, p, "r1"));
     TRY(scad_named_number(radius + 1, p, "r2"));
@@ -69,7 +96,10 @@ static graze_status write_cylinder(scad_writer *w, const scad_place *p) {
     if (scad_flag(p, "center"))
         fmpq_div_2exp(low, height, 1);
     fmpq_neg(low, low);
-    put_cylinder(w, p, height, low, radius);
+    if (sides > 0)
+        put_sided_cylinder(w, p, height, low, radius, sides);
+    else
+        put_cylinder(w, p, height, low, radius);
     return GRAZE_OK;
 }
 

@@ -67,6 +67,8 @@ int scad_is_nothing(const scad_place *p) {
         return !has_items(p, "points");
     case SCAD_EXTRUSION:
         return least_sign(p, "height") == 0;
+    case SCAD_REVOLUTION:
+        return least_sign(p, "angle") == 0;
     case SCAD_MAP:
         return is_singular(p);
     default:

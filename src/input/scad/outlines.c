@@ -113,11 +113,25 @@ static graze_status read_hull(rings *r, scad_writer *w, const scad_place *p) {
     return end_ring(r, w);
 }
 
+static graze_status read_sided_circle(rings *r, scad_writer *w, const scad_place *p) {
+    LOCAL_VEC(fmpq, v, 3);
+    size_t sides;
+    TRY(scad_known(p, "r"));
+    TRY(scad_sides(&sides, w, p));
+    TRY(scad_size(v + 2, p, "r"));
+    for (size_t k = 0; k < sides; k++) {
+        scad_corner(v, k, sides, v + 2);
+        TRY(take_corner(r, w, v));
+    }
+    return end_ring(r, w);
+}
+
 static graze_status read_rings(rings *r, scad_writer *w, const scad_place *p) {
     scad_role role = p->file->node[p->node].role;
-    return role == SCAD_SQUARE ? read_square(r, w, p)
-           : role < SCAD_CUBE  ? read_hull(r, w, p)
-                               : scad_polygon(r, w, p);
+    return role == SCAD_SQUARE   ? read_square(r, w, p)
+           : role == SCAD_CIRCLE ? read_sided_circle(r, w, p)
+           : role < SCAD_CUBE    ? read_hull(r, w, p)
+                                 : scad_polygon(r, w, p);
 }
 
 /* A square as a box. */
@@ -176,6 +190,51 @@ static graze_status map_radius(fmpq_t out, const scad_writer *w, const scad_plac
                              "maps make it an ellipse; expected a circle that is revolved");
 }
 
+/* Write the torus of a circle that touches the axis: (x^2 + y^2 + z^2)^2 <= 4 r^2 (x^2 + y^2),
+ * moved to its centre. Half of a box about it holds it. */
+static void put_horn_torus(scad_writer *w, const scad_place *p, const fmpq_t radius,
+                           const fmpq *center) {
+    static const char *const terms[] = {"4,0,0", "0,4,0", "0,0,4", "2,2,0",
+                                        "2,0,2", "0,2,2", "2,0,0", "0,2,0"};
+    LOCAL_VEC(fmpq, v, 10);
+    fmpq *factor = v, *low = v + 1, *high = v + 4, *row = v + 7;
+    scad_open(w, p, "intersection", '[');
+    for (int i = 0; i < 3; i++) {
+        fmpq_mul_2exp(high + i, radius, i < 2);
+        fmpq_neg(low + i, high + i);
+        fmpq_add(low + i, low + i, center + i);
+        fmpq_add(high + i, high + i, center + i);
+    }
+    scad_put_box(w, p, low, high, 3);
+    json_open(&w->json, NULL, '{');
+    json_open(&w->json, "affine", '{');
+    json_open(&w->json, "matrix", '[');
+    json_open(&w->json, NULL, '[');
+    for (int k = 0; k < 12; k++) {
+        fmpq_set_si(row, k % 5 == 0, 1);
+        json_rational(&w->json, NULL, k % 4 == 3 ? center + k / 4 : row);
+        if (k % 4 == 3 && k < 11) {
+            json_close(&w->json, ']');
+            json_open(&w->json, NULL, '[');
+        }
+    }
+    json_close(&w->json, ']');
+    json_close(&w->json, ']');
+    w->key = "of";
+    scad_open(w, p, "polynomial", '{');
+    fmpq_mul(row, radius, radius);
+    fmpq_mul_si(row, row, -4);
+    for (int k = 0; k < 8; k++) {
+        fmpq_set_si(factor, k < 3 ? 1 : 2, 1);
+        json_rational(&w->json, terms[k], k < 6 ? factor : row);
+    }
+    scad_end(w, p);
+    json_close(&w->json, '}');
+    json_close(&w->json, '}');
+    json_close(&w->json, ']');
+    json_close(&w->json, '}');
+}
+
 /* A ball or a torus. */
 static graze_status put_revolved(scad_writer *w, const scad_place *p, const fmpq_t radius) {
     LOCAL_VEC(fmpq, center, 6);
@@ -184,10 +243,14 @@ static graze_status put_revolved(scad_writer *w, const scad_place *p, const fmpq
     int torus = !fmpq_is_zero(x);
     fmpq_set(center + 2, w->map + 5);
     fmpq_one(axis + 2);
-    if (torus && fmpq_cmp(x, radius) <= 0)
+    if (torus && fmpq_equal(x, radius)) {
+        put_horn_torus(w, p, radius, center);
+        return GRAZE_OK;
+    }
+    if (torus && fmpq_cmp(x, radius) < 0)
         return scad_fail(p, GRAZE_EILLEGAL,
                          "the circle meets the axis about which it is revolved; expected its "
-                         "centre on the axis, or all of it beside the axis");
+                         "centre on the axis, or none of it beyond the axis");
     scad_open(w, p, torus ? "torus" : "ball", '{');
     json_point(&w->json, torus ? "point" : "center", center, 3);
     if (torus) {
@@ -216,7 +279,6 @@ static void put_disk_prism(scad_writer *w, const scad_place *p, const fmpq_t rad
 
 static graze_status read_circle(fmpq_t radius, scad_writer *w, const scad_place *p) {
     TRY(scad_known(p, "r"));
-    TRY(scad_round(w, p));
     TRY(scad_size(radius, p, "r"));
     fmpq_set(w->reach, radius);
     return map_radius(radius, w, p);
@@ -240,7 +302,10 @@ static graze_status write_circle(scad_writer *w, const scad_place *p) {
 graze_status scad_outline_extent(fmpq *low_high, scad_writer *w, const scad_place *p) {
     ZEROED(rings, r);
     fmpq *low = low_high, *high = low_high + 1;
-    if (p->file->node[p->node].role == SCAD_CIRCLE) {
+    size_t sides = 1;
+    if (p->file->node[p->node].role == SCAD_CIRCLE)
+        TRY(scad_sides(&sides, w, p));
+    if (sides == 0) {
         TRY(read_circle(high, w, p));
         fmpq_sub(low, w->map + 2, high);
         fmpq_add(high, w->map + 2, high);
@@ -261,5 +326,8 @@ graze_status scad_write_outline(scad_writer *w, const scad_place *p) {
     scad_role role = p->file->node[p->node].role;
     if (role == SCAD_SQUARE && w->form != SCAD_REVOLVED)
         return write_square(w, p);
-    return role == SCAD_CIRCLE ? write_circle(w, p) : write_polygon(w, p);
+    size_t sides = 0;
+    if (role == SCAD_CIRCLE)
+        TRY(scad_sides(&sides, w, p));
+    return role == SCAD_CIRCLE && sides == 0 ? write_circle(w, p) : write_polygon(w, p);
 }

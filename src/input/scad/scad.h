@@ -7,7 +7,8 @@
 
 /** Changes to a file that the caller allows. */
 typedef struct scad_choice {
-    int smooth; /* a number of sides, $fn, stands for a round surface */
+    int smooth; /* from this number of sides on, $fn stands for a round surface, and a smaller one
+                 * for as many sides; 1: always; 0: a number of sides is refused */
     /* A linear part whose entries, divided by a scale, differ from those of a rotation or
      * reflection by at most this is replaced by the rotation or reflection times the scale; NULL:
      * none is. */

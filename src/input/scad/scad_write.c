@@ -8,6 +8,7 @@
 #include "input/scad/scad.h"
 
 #include <flint/fmpq_vec.h>
+#include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
 #include "base/number/decimal.h"
@@ -102,9 +103,11 @@ static graze_status find_extent(fmpq *out, scad_writer *w, size_t node) {
     scad_place p = {w->file, w->context, node};
     scad_role role = w->file->node[node].role;
     if (role >= SCAD_HULL) {
-        size_t before = w->turned;
+        scad_writer before = *w;
         graze_status found = scad_outline_extent(out, w, &p);
-        w->turned = before;
+        w->turned = before.turned;
+        w->round = before.round;
+        w->sided = before.sided;
         return found;
     }
     LOCAL_VEC(fmpq, v, 8);
@@ -143,21 +146,78 @@ static graze_status find_side(scad_writer *w, const scad_place *p) {
     return GRAZE_OK;
 }
 
-static graze_status write_revolution(scad_writer *w, const scad_place *p) {
+/* Write the half-space on the left of a direction, in eighths of a turn, or on its right. */
+static void put_wedge_side(scad_writer *w, int direction, int right) {
+    static const int x[] = {1, 1, 0, -1, -1, -1, 0, 1};
+    int sign = right ? -1 : 1;
+    LOCAL_VEC(fmpq, normal, 3);
+    fmpq_set_si(normal, sign * x[(direction + 6) % 8], 1);
+    fmpq_set_si(normal + 1, -sign * x[direction % 8], 1);
+    json_open(&w->json, NULL, '{');
+    json_open(&w->json, "halfspace", '{');
+    json_point(&w->json, "normal", normal, 3);
+    json_count(&w->json, "offset", 0);
+    json_close(&w->json, '}');
+    json_close(&w->json, '}');
+}
+
+/* Write the points between two directions about the z axis, `count` eighths from `from` on. */
+static void put_wedge(scad_writer *w, int from, int count) {
+    json_open(&w->json, NULL, '{');
+    json_open(&w->json, count < 4 ? "intersection" : "union", '[');
+    put_wedge_side(w, from, 0);
+    if (count != 4)
+        put_wedge_side(w, from + count, 1);
+    json_close(&w->json, ']');
+    json_close(&w->json, '}');
+}
+
+/* Read an angle in eighths of a turn; `out` stays where none is given. */
+static graze_status read_eighths(int *out, const scad_place *p, const char *name) {
     field value;
     LOCAL(fmpq, angle);
+    if (!scad_value(&value, p, name))
+        return GRAZE_OK;
+    TRY(scad_number(angle, p, value));
+    fmpz_mul_ui(fmpq_denref(angle), fmpq_denref(angle), 45);
+    fmpq_canonicalise(angle);
+    if (!fmpz_is_one(fmpq_denref(angle)) || fmpz_cmp_si(fmpq_numref(angle), 8) > 0 ||
+        fmpz_cmp_si(fmpq_numref(angle), -8) < 0)
+        return scad_fail(p, GRAZE_EINPUT,
+                         "only whole turns and eighths of a turn are taken; expected angle = 360, "
+                         "or multiples of 45 for angle and start");
+    *out = (int)fmpz_get_si(fmpq_numref(angle));
+    return GRAZE_OK;
+}
+
+static graze_status write_revolution(scad_writer *w, const scad_place *p) {
+    size_t sides;
+    int count = 8, from = 0;
     TRY(scad_known(p, "angle start convexity"));
-    TRY(scad_round(w, p));
-    fmpq_set_si(angle, 360, 1);
-    if (scad_value(&value, p, "angle"))
-        TRY(scad_number(angle, p, value));
-    if (fmpq_cmp_si(angle, 360) != 0)
-        return scad_fail(p, GRAZE_EINPUT, "only whole turns are taken; expected angle = 360");
+    TRY(scad_sides(&sides, w, p));
+    if (sides > 0)
+        return scad_fail(p, GRAZE_EINPUT,
+                         "a turn of %zu sides is not taken; expected --smooth of at most as many",
+                         sides);
+    TRY(read_eighths(&count, p, "angle"));
+    if (count % 8)
+        TRY(read_eighths(&from, p, "start"));
     TRY(find_side(w, p));
+    from += count < 0 ? count + 16 : 8;
+    from += fmpq_sgn(w->map) < 0 ? 4 : 0;
+    count = abs(count);
+    if (count < 8) {
+        scad_open(w, p, "intersection", '[');
+        put_wedge(w, from, count);
+    }
     w->form = SCAD_REVOLVED;
     TRY(write_operands(w, p));
     w->form = SCAD_ITSELF;
     reset_map(w, 1);
+    if (count < 8) {
+        json_close(&w->json, ']');
+        json_close(&w->json, '}');
+    }
     return GRAZE_OK;
 }
 
@@ -195,10 +255,23 @@ static graze_status write_prism(scad_writer *w, const scad_place *p) {
     return GRAZE_OK;
 }
 
+/* Count a part that could be round. */
+static graze_status count_sides(scad_writer *w, const scad_place *p) {
+    scad_role role = p->file->node[p->node].role;
+    size_t sides;
+    if (role != SCAD_SPHERE && role != SCAD_CYLINDER && role != SCAD_CIRCLE &&
+        role != SCAD_REVOLUTION)
+        return GRAZE_OK;
+    TRY(scad_sides(&sides, w, p));
+    *(sides > 0 ? &w->sided : &w->round) += 1;
+    return GRAZE_OK;
+}
+
 static graze_status write_node(scad_writer *w, size_t node) {
     scad_place p = {w->file, w->context, node};
     fmpq_zero(w->reach);
     fmpq_zero(w->moved);
+    TRY(count_sides(w, &p));
     scad_role role = w->file->node[node].role;
     if (role == SCAD_MAP)
         return write_mapped(w, &p);
@@ -225,7 +298,7 @@ static scad_writer begin_writer(text *out, const scad_writer *frame, fmpq *v, si
     w.map = v + 2;
     w.reach = v + 8;
     w.moved = v + 9;
-    w.turned = 0;
+    w.turned = w.round = w.sided = 0;
     reset_map(&w, 1);
     return w;
 }
@@ -244,11 +317,16 @@ static graze_status write_part(text *out, scad_writer *around, size_t node) {
     json_close(&w.json, '}');
     fmpq_add(around->moved, around->moved, w.moved);
     around->turned += w.turned;
+    around->round += w.round;
+    around->sided += w.sided;
     return GRAZE_OK;
 }
 
-/* Report the rotations that were taken. */
+/* Report what is round, and the rotations that were taken. */
 static void put_report(text *report, const scad_writer *w) {
+    if (w->choice->smooth)
+        text_format(report, "taken as round: %zu, with sides: %zu, as empty: %zu\n", w->round,
+                    w->sided, w->file->nothing);
     if (!w->choice->near_rotation)
         return;
     fmpq_set_si(w->height, 101, 100); /* rounding to three digits takes away at most 0.5 % */

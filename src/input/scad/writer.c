@@ -30,19 +30,6 @@ graze_status scad_size(fmpq_t out, const scad_place *p, const char *name) {
     return GRAZE_OK;
 }
 
-graze_status scad_round(const scad_writer *w, const scad_place *p) {
-    field value;
-    LOCAL(fmpq, sides);
-    if (scad_value(&value, p, "$fn"))
-        TRY(scad_number(sides, p, value));
-    if (fmpq_sgn(sides) > 0 && !w->choice->smooth)
-        return scad_fail(p, GRAZE_EINPUT,
-                         "$fn = %.*s asks for so many sides; expected 0, or smooth: graze "
-                         "convert --smooth takes it as round",
-                         value.length < 20 ? (int)value.length : 20, value.start);
-    return GRAZE_OK;
-}
-
 void scad_hold(fmpq_t reach, const fmpq *x, int dimension) {
     LOCAL_VEC(fmpq, v, 2);
     fmpq *sum = v, *size = v + 1;

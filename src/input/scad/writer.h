@@ -30,6 +30,7 @@ typedef struct scad_writer {
     fmpq *reach, *moved; /* bounds for the last node: how far points of its primitives are from the
                           * origin of its frame, and how far rotations taken move them */
     size_t turned;       /* maps replaced by rotations */
+    size_t round, sided; /* parts with and without $fn that are round; those with sides */
     /* Write a node as a solid of its own. */
     graze_status (*part)(text *out, struct scad_writer *w, size_t node);
 } scad_writer;
@@ -43,8 +44,18 @@ void scad_end(scad_writer *w, const scad_place *p);
 /** Read an argument that must be a positive number. */
 graze_status scad_size(fmpq_t out, const scad_place *p, const char *name);
 
-/** Return GRAZE_EINPUT if $fn asks for a number of sides, unless the choice is `smooth`. */
-graze_status scad_round(const scad_writer *w, const scad_place *p);
+/** Find the number of sides of a part that is not taken as round, else 0. GRAZE_EINPUT: $fn asks
+ * for some, and the choice has no `smooth`. GRAZE_ELIMIT `cells`. */
+graze_status scad_sides(size_t *sides, const scad_writer *w, const scad_place *p);
+
+/** Corner k of a regular polygon about the origin, whose corner 0 is on the x axis, within 2^-60
+ * radii. */
+void scad_corner(fmpq *out, size_t k, size_t count, const fmpq_t radius);
+
+/** Write a polyhedron of regular polygons about the z axis.
+ * @param ring radius and height of each, upwards; the first or the last may have radius 0 */
+void scad_put_rings(scad_writer *w, const scad_place *p, const fmpq *ring, size_t rings,
+                    size_t sides);
 
 /** Let `reach` be at least the distance of a point from the origin. */
 void scad_hold(fmpq_t reach, const fmpq *x, int dimension);

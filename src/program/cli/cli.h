@@ -15,7 +15,7 @@ typedef int option_read(void *to, const char *name, const char *value);
  * times: operands.repeated has its values. */
 typedef struct option_entry {
     const char *name; /* NULL ends a table */
-    enum { OPTION_VALUE, OPTION_FLAG, OPTION_READ, OPTION_WRITTEN } kind;
+    enum { OPTION_VALUE, OPTION_FLAG, OPTION_MAYBE, OPTION_READ, OPTION_WRITTEN } kind;
     option_read *read;
     size_t offset; /* of the field in the command's struct */
 } option_entry;

@@ -29,7 +29,9 @@ static void make_option_table(option_table *t, const option_entry *options) {
     t->entries[0] = (struct option){"help", no_argument, NULL, HELP};
     struct option *next = t->entries + 1;
     for (int k = 0; options[k].name; k++) {
-        int argument = options[k].kind == OPTION_FLAG ? no_argument : required_argument;
+        int argument = options[k].kind == OPTION_FLAG    ? no_argument
+                       : options[k].kind == OPTION_MAYBE ? optional_argument
+                                                         : required_argument;
         if (options[k].name[1])
             *next++ = (struct option){options[k].name, argument, NULL, FIRST_OPTION + k};
         else
@@ -81,7 +83,7 @@ static int read_option(operands *given, void *options, const command *c,
         return EXIT_DONE;
     }
     given->options |= 1ull << (entry - c->options);
-    const char *value = entry->kind == OPTION_FLAG ? "" : optarg;
+    const char *value = entry->kind == OPTION_FLAG || !optarg ? "" : optarg;
     if (entry->read)
         return entry->read((char *)options + entry->offset, entry->name, value);
     given->repeated[given->repeated_count++] = value;

@@ -3,6 +3,8 @@
  */
 #include "program/cli/cli.h"
 
+#include <stddef.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 #include "base/context/scope.h"
@@ -22,7 +24,8 @@ static const char convert_help[] =
     "same; facets and edges have new numbers. Make tables and certificates from these files.\n"
     "\n"
     "  -o, --output FILE    write there instead of to standard output\n"
-    "  --smooth             FILE.csg: what has a number of sides, $fn, is meant round\n"
+    "  --smooth[=N]         FILE.csg: what has N sides or more, $fn, is meant round (without N\n"
+    "                       all), and what has fewer has sides, as OpenSCAD makes them\n"
     "  --near-rotation TOL  FILE.csg: take the rotation, times a number, that each entry of a\n"
     "                       multmatrix over that number is within TOL of; how far that moves a\n"
     "                       point at most is on standard error\n"
@@ -105,11 +108,23 @@ static int convert_motion_file(const convert_options *o, graze_context *context)
                     graze_motion_piece_count(motion));
 }
 
+/* --smooth, or --smooth=N. */
+static int read_smooth(void *to, const char *name, const char *value) {
+    char *end;
+    long sides = *value ? strtol(value, &end, 10) : 1;
+    if (*value && (*end || sides < 3 || sides > 1000000))
+        return complain(EXIT_USAGE, "--%s=%s: expected a number of sides from 3 to 1000000", name,
+                        value);
+    *(int *)to = (int)sides;
+    return EXIT_DONE;
+}
+
 static const option_entry convert_table[] = {
-    FLAG("smooth", convert_options, smooth, value_flag),
+    {"smooth", OPTION_MAYBE, read_smooth, offsetof(convert_options, smooth)},
     OPTION("near-rotation", convert_options, near_rotation, value_text),
     SOLID_OPTIONS(convert_options, solid_flags, context),
-    OUTPUT(convert_options, output, value_text), OPTIONS_END};
+    OUTPUT(convert_options, output, value_text),
+    OPTIONS_END};
 
 static int run_convert(void *options, const operands *given) {
     convert_options *o = options;

@@ -97,12 +97,13 @@ class Solid(Expressions):
         self._kept = Handle(pointer, library().graze_solid_destroy)
 
     @classmethod
-    def scad(cls, path: Any, *, smooth: bool = False, near_rotation: Any = None,
+    def scad(cls, path: Any, *, smooth: int = False, near_rotation: Any = None,
              limits: "Mapping[str, int] | None" = None) -> "Solid":
         """The solid of an OpenSCAD file, `.csg`, as an expression (`graze convert`).
 
         Args:
-            smooth: take what has a number of sides, `$fn`, as round; else it is refused.
+            smooth: take what has this number of sides, `$fn`, or more as round, and what has fewer with its
+                sides; True: all as round; False: refuse it.
             near_rotation: take the rotation, times a number, that each entry of a map is so near to;
                 six digits of OpenSCAD make a turned ball an ellipsoid.
         """
