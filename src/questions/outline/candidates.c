@@ -182,7 +182,6 @@ static graze_status set_slant(outline_curve *c, graze_context *context, const mo
     fmpz_poly_neg(&c->x[0], &c->x[0]);
     fmpz_poly_mul(&c->x[1], &e->along[0], e->weight);
     determinant(&c->x[2], e->start, e->along);
-    fmpz_poly_neg(&c->x[2], &c->x[2]);
     fmpz_poly_add(end, &e->start[c->axis], &e->along[c->axis]);
     TRY(image_number(&c->from, context, &e->start[c->axis], e->weight, &c->at));
     TRY(image_number(&c->to, context, end, e->weight, &c->at));

@@ -67,8 +67,8 @@ graze_status number_in_bracket(int *found, algebraic *out, graze_context *contex
 static int quotient_at(bracket *out, const fmpz_poly_t num, const fmpz_poly_t den,
                        const bracket *at, ulong places) {
     HELD(bracket, below);
-    bracket_evaluate(out, num, at, places);
     bracket_evaluate(&below, den, at, places);
+    bracket_evaluate(out, num, at, places);
     return bracket_div(out, out, &below, places);
 }
 
