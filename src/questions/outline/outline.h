@@ -56,6 +56,11 @@ typedef struct outline_equation {
     fmpz_poly_struct *point;
 } outline_equation;
 
+/** Both coordinates of a point. */
+typedef struct point_place {
+    bracket xy[2];
+} point_place;
+
 /** A part of a curve between neighbouring cuts. */
 typedef struct outline_piece {
     size_t curve, cut; /* from cut number `cut` to the next one */
