@@ -201,6 +201,8 @@ static graze_status add_flats(graze_outline *o, graze_context *context, const mo
     HELD(dyadic_interval, whole);
     dyadic_interval_set_si(&whole, 0, 1);
     LOCAL(fmpz_poly_factor, factors);
+    if (fmpz_poly_degree(e->common) > (slong)context->limits[GRAZE_LIMIT_CURVE])
+        return context_limit(context, GRAZE_LIMIT_CURVE, "the degree of the times of flat edges");
     if (fmpz_poly_degree(e->common) > 0)
         fmpz_poly_factor(factors, e->common);
     for (slong f = 0; f < factors->num; f++) {

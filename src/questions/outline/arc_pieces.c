@@ -32,8 +32,6 @@ void outline_curve_at(fmpq *point, const outline_curve *c, const fmpq_t s) {
 static graze_status append_arc_piece(graze_outline *o, graze_context *context, size_t curve,
                                      size_t cut) {
     outline_curve *c = &o->curve[curve];
-    if (o->piece_count >= context->limits[GRAZE_LIMIT_ARCS])
-        return context_limit(context, GRAZE_LIMIT_ARCS, "the pieces of curves of an outline");
     TRY(array_grow(context, &o->piece, &o->piece_capacity, o->piece_count + 1, sizeof *o->piece,
                    "the pieces of an outline"));
     outline_piece *p = &o->piece[o->piece_count];

@@ -188,7 +188,10 @@ static graze_status order_cuts(cutter *k) {
     c->cut_count = last - first + 1;
     for (size_t i = 0; i < c->cut_count; i++)
         c->cut[i] = c->cut[first + i];
-    return GRAZE_OK;
+    k->o->all_cuts += c->cut_count;
+    return k->o->all_cuts > k->context->limits[GRAZE_LIMIT_ARCS]
+               ? context_limit(k->context, GRAZE_LIMIT_ARCS, "the pieces of curves of an outline")
+               : GRAZE_OK;
 }
 
 static void append_cut(outline_curve *c, const algebraic *s) {

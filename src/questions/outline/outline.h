@@ -119,7 +119,7 @@ struct graze_outline {
     size_t curve_count, curve_capacity, equation_count, equation_capacity;
     outline_curve *curve;
     outline_equation *equation;
-    size_t fixed_count, fixed_capacity;
+    size_t all_cuts, fixed_count, fixed_capacity;
     fmpq *fixed; /* points at which a path or an envelope rests, two coordinates each */
     size_t piece_count, piece_capacity, point_count, point_capacity;
     outline_piece *piece;
