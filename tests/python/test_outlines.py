@@ -24,7 +24,7 @@ def area(points):
 
 class Outlines(unittest.TestCase):
     def test_turn(self):
-        """1 + pi/2, of which a polyline of 400 points lacks less than 10^-5."""
+        """1 + pi/2; a polyline of 400 points lacks less than 10^-5."""
         outline = graze.Scene(SQUARE, TURN).outline()
         low, high = outline.area_bounds
         self.assertIsNone(outline.area)
