@@ -62,7 +62,3 @@ class Outlines(unittest.TestCase):
             self.skipTest("shapely is not installed")
         shape = graze.Scene(FRAME, along("t", "0")).outline().to_shapely()
         self.assertEqual((shape.area, shape.is_valid), (18, True))
-
-
-if __name__ == "__main__":
-    unittest.main()

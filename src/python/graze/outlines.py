@@ -5,6 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 from __future__ import annotations
 
 import ctypes
+import importlib
 import json
 from fractions import Fraction
 from typing import Any, Dict, List, NamedTuple, Optional, Tuple
@@ -58,9 +59,9 @@ class Outline(NamedTuple):
 
     def to_shapely(self, points: int = 32) -> Any:
         """A MultiPolygon of shapely, which must be installed, of these rings: one polygon for each component of the interior."""
-        from shapely.geometry import MultiPolygon, Polygon
+        geometry = importlib.import_module("shapely.geometry")
         rings = self.rings(points)
-        return MultiPolygon([Polygon(r.points, [h.points for h in rings if h.within == k]) for k, r in enumerate(rings) if not r.hole])
+        return geometry.MultiPolygon([geometry.Polygon(r.points, [h.points for h in rings if h.within == k]) for k, r in enumerate(rings) if not r.hole])
 
     def _repr_svg_(self) -> str:
         rings = self.rings()
@@ -89,7 +90,7 @@ def _along(arc: Dict[str, Any], vertices: List[Dict[str, Any]], points: int) -> 
         return tuple(float(eval(f, {"__builtins__": {}}, {"t": t})) for f in (x, y))  # type: ignore[return-value]  # the library's own text
 
     def gap(p: Tuple[float, float], q: Any) -> float:
-        return abs(p[0] - q[0]) + abs(p[1] - q[1])
+        return abs(p[0] - float(q[0])) + abs(p[1] - float(q[1]))
 
     if gap(at(low), start) + gap(at(high), end) > gap(at(low), end) + gap(at(high), start):
         low, high = high, low
