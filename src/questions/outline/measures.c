@@ -62,17 +62,6 @@ static void arc_ends(algebraic **end, const graze_outline *o, const outline_arc 
     end[1] = piece_end(o, first->turn > 0 ? last : first, 1);
 }
 
-/* x y' - x' y for two polynomials and their derivatives. */
-static void slope_product(fmpz_poly_t out, const fmpz_poly_t x, const fmpz_poly_t y) {
-    LOCAL(fmpz_poly, slope);
-    LOCAL(fmpz_poly, product);
-    fmpz_poly_derivative(slope, x);
-    fmpz_poly_mul(product, slope, y);
-    fmpz_poly_derivative(slope, y);
-    fmpz_poly_mul(out, slope, x);
-    fmpz_poly_sub(out, out, product);
-}
-
 static void integrand_init(integrand *f) {
     fmpz_poly_init(f->num);
     fmpz_poly_init(f->den);
