@@ -1,0 +1,81 @@
+# suite
+"""`graze outline` against two methods that have no candidate curves: exact unions along legs, slices otherwise; and a formula.
+
+SPDX-License-Identifier: GPL-3.0-or-later
+
+Along legs area and numbers are those of the union of the solid at the path's corners and of parallelograms (unions.py), equal as
+ratios. A convex polygon along a leg has its area and width times length more. Curved motions are compared with slices (slices.py),
+which are good to a millionth.
+"""
+from drawn import SOLIDS, convex, path, scene
+from motion import legs
+from outlines import Checks, Program, middle, options
+from refine import complement
+from slices import Slices
+from unions import along, unswept
+
+LEGS, LEAVES, CONVEX, CURVED = 48, 24, 40, 12  # rounds at scale 1
+NEAR = 1e-6
+
+
+def exact(checks, program, args):
+    for k in args.rounds(LEGS, "legs"):
+        rng = args.random
+        solid = rng.choice(list(SOLIDS))
+        way = path(rng, rng.randint(1, 3), rng.random() < 0.8)
+        compare(checks, program, f"legs {k} {solid}", SOLIDS[solid], way, along(SOLIDS[solid], way), False)
+    for k in args.rounds(LEAVES, "leaves"):
+        rng = args.random
+        solid = rng.choice(list(SOLIDS))
+        way = [(x / 4, y / 4) for x, y in path(rng, rng.randint(1, 3))]
+        compare(checks, program, f"leaves {k} {solid}", SOLIDS[solid], way, unswept(SOLIDS[solid], way, complement, 50), True)
+
+
+def compare(checks, program, name, solid, way, union, unsweep):
+    outline = program.outline(name, solid, legs(way), unsweep=unsweep)
+    if outline:
+        checks.equal(outline.area(), (union.area, union.area), name, [tuple(map(str, p)) for p in way], "area")
+        checks.holds("exact" in outline.record["area"], name, "a ratio", outline.record["area"])
+        checks.equal(outline.numbers()[:3], numbers(union), name, [tuple(map(str, p)) for p in way], "components, of the interior, holes")
+
+
+def numbers(found):
+    return [found.components, found.interior_components, found.holes]
+
+
+def translates(checks, program, args):
+    """Of the convex: width times length is the sum over sides of the cross product with the leg, where it is positive."""
+    for k in args.rounds(CONVEX, "convex"):
+        solid = convex(args.random, 9)
+        (_, leg) = path(args.random, 1, False)
+        sides = [(solid.vertices[u], solid.vertices[v]) for u, v in solid.edges]
+        area = sum(p[0] * q[1] - p[1] * q[0] for p, q in sides) / 2
+        area += sum(max(0, leg[0] * (q[1] - p[1]) - leg[1] * (q[0] - p[0])) for p, q in sides)
+        outline = program.outline(f"convex {k}", solid, legs([(0, 0), leg]))
+        if outline:
+            checks.equal(outline.area(), (area, area), f"convex {k}", solid.text(), leg, "area")
+            checks.equal(outline.numbers(), [1, 1, 0, 1], f"convex {k}", solid.text(), leg)
+
+
+def curved(checks, program, args):
+    for k in args.rounds(CURVED, "curved"):
+        name, solid, motion, unsweep = scene(args.random, k)
+        outline = program.outline(name, solid, motion, unsweep=unsweep)
+        if outline:
+            found = Slices(solid, motion, unsweep)
+            area = middle(outline.area())
+            checks.holds(abs(area - found.area) <= NEAR * max(1, area), name, motion.text(), "area", area, "by slices", found.area)
+            checks.equal(outline.numbers()[:3], numbers(found), name, motion.text(), "components, of the interior, holes, by slices")
+
+
+def main():
+    args = options(__doc__.splitlines()[0])
+    checks = Checks()
+    program = Program(args, checks)
+    for part in (exact, translates, curved):
+        part(checks, program, args)
+    checks.finish()
+
+
+if __name__ == "__main__":
+    main()
