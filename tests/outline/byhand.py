@@ -89,6 +89,18 @@ scene("corner pair at rest", PAIR, legs([(0, 0), (0, 0)]), F(2), interior=2, len
 # scaled by 1 to 2 about the corner (1, 1): the squares [-1, 1]^2 and [1, 3]^2
 scene("corner pair scaled", PAIR, build([(0, 1, scaling([[1, 1], [1, 1]], center=[F(1), F(1)]))]), F(8), interior=2, length=number(16))
 
+# two boxes, far from one another, and as far as the leg: x = 2 is reached at the end and left at once, a seam from side to side
+scene("two boxes far apart", Polygon([[box_ring(0, 0, 1, 1)], [box_ring(5, 0, 6, 1)]]), legs([(0, 0), (1, 0)]), F(4), components=2, interior=2,
+      length=number(12))
+scene("two boxes that meet", Polygon([[box_ring(0, 0, 1, 1)], [box_ring(2, 0, 3, 1)]]), legs([(0, 0), (1, 0)]), F(4), lower=1, length=number(10))
+# an island in a hole: [11/4, 13/4]^2 in (2, 4)^2, by 1/4 to the right: 25/4 · 6 - 7/4 · 2 + 3/4 · 1/2
+ISLAND = Polygon([[box_ring(0, 0, 6, 6), box_ring(2, 2, 4, 4)], [box_ring(F(11, 4), F(11, 4), F(13, 4), F(13, 4))]])
+scene("an island in a hole", ISLAND, legs([(0, 0), (F(1, 4), 0)]), F(75, 2) - F(7, 2) + F(3, 8), components=2, interior=2, holes=1,
+      length=number(F(49, 2) + F(15, 2) + F(5, 2)))
+# at rest: a hole that touches its outer ring in (3, 0), and a triangle that stands on the top side: 18 - 2 + 2
+scene("parts that touch", Polygon([[box_ring(0, 0, 6, 3), ring((3, 0), (4, 1), (3, 2), (2, 1))], [ring((3, 3), (4, 5), (2, 5))]]),
+      legs([(0, 0), (0, 0)]), F(18), interior=2, holes=1, length=20 + 4 * sqrt(2) + 2 * sqrt(5))
+
 # ---------------------------------------------------------------------------- closed paths and holes
 
 # along the sides of [0, p]^2: [0, p + 1]^2 without the open square (1, p)^2
@@ -136,6 +148,9 @@ ARCH_AREA = 2 * (2 - integral([0, 0, 1], -1, 0)) + 1 + 2 * integral([0, 0, 1], F
 scene("square along a parabola", UNIT, ARCH, ARCH_AREA)
 scene("square along a parabola and back", UNIT, build([(-1, 1, translate([[0, 1], [0, 0, 1]])), (1, 3, translate([[2, -1], [4, -4, 1]]))]),
       ARCH_AREA)
+# (t², t⁴) there and back, twice over one curve: columns [0, 1 + x²] and [(x - 1)², 2]; two arcs of y = x², √5 / 2 + ln(2 + √5) / 4 each
+scene("square along a parabola, twice in one piece", UNIT, moved(-1, 1, [0, 0, 1], [0, 0, 0, 0, 1]), F(3),
+      length=4 + sqrt(5) + log(2 + sqrt(5)) / 2)
 # the star's half height over x is g = 2 - 3 |x| for |x| <= 1/2 and (2 - |x|) / 3 further out: both the greater of two lines there, so
 # greatest t² + g(x - t) is at t = x or an end: for 0 <= x <= 1 x² + 2, then 1 + g(x - 1). Least t² - g is that of t² - 2 + 3 |x - t|, x² - 2 on
 # [0, 1] and 3 x - 4 beyond, or of t² - 2/3 + |x - t| / 3, x / 3 - 25/36 (t = 1/6); they cross at x = 119/96. From 13/6 the tip (x - 2)² is least
@@ -301,6 +316,10 @@ unsweep("box that is passed, a segment", TWO, legs([(0, 0), (2, 0)]), F(0), lowe
 unsweep("box that is passed, a point", TWO, legs([(0, 0), (2, 2)]), F(0), points=1, **NOTHING)
 # the points that stay in the frame: the hole becomes [2 - 1, 4], the box [0, 5] x [0, 6]
 unsweep("frame unswept", FRAME, legs([(0, 0), (1, 0)]), F(30 - 6), holes=1, length=number(22 + 10))
+
+# by 2 and 3 the side bars, as wide as 2, keep a side each, from box to box, and nothing
+unsweep("frame unswept to two boxes and their ties", FRAME, legs([(0, 0), (2, 0)]), F(16), components=2, interior=2, lower=4, length=number(24))
+unsweep("frame unswept to two boxes", FRAME, legs([(0, 0), (3, 0)]), F(12), components=2, interior=2, length=number(20))
 
 # [IS] Figure 2, in the plane: rings that stay in a rectangle; (b) a triangle about the centre of its inscribed circle
 unsweep("[IS] Figure 2(a)", box(-4, -3, 4, 3), quarters(4), 9 * PI, length=6 * PI)

@@ -5,7 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 Along legs area and numbers are those of the union of the solid at the path's corners and of parallelograms (unions.py), equal as
 ratios. A convex polygon along a leg has its area and width times length more. Curved motions are compared with slices (slices.py),
-which are good to a millionth.
+whose areas are good to a millionth, lengths to a thousandth.
 """
 from drawn import SOLIDS, convex, path, scene
 from motion import legs
@@ -14,8 +14,8 @@ from refine import complement
 from slices import Slices
 from unions import along, unswept
 
-LEGS, LEAVES, CONVEX, CURVED = 48, 24, 40, 12  # rounds at scale 1
-NEAR = 1e-6
+LEGS, LEAVES, CONVEX, CURVED = 60, 30, 40, 24  # rounds at scale 1
+NEAR, ROUGH = 1e-6, 1e-3
 
 
 def exact(checks, program, args):
@@ -66,6 +66,8 @@ def curved(checks, program, args):
             area = middle(outline.area())
             checks.holds(abs(area - found.area) <= NEAR * max(1, area), name, motion.text(), "area", area, "by slices", found.area)
             checks.equal(outline.numbers()[:3], numbers(found), name, motion.text(), "components, of the interior, holes, by slices")
+            for what, got, want in zip(("length", "length of the lower part"), (middle(outline.length()), outline.lower_length()), found.lengths()):
+                checks.holds(abs(got - want) <= ROUGH * max(1, want), name, motion.text(), what, got, "by slices", want)
 
 
 def main():
