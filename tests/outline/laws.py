@@ -15,7 +15,7 @@ from byhand import SCENES, box
 from drawn import scene
 
 from motion import Motion, conjugated, cut, mobius, reparametrised, reversed_in_time, squared
-from outlines import Checks, F, Program, middle, options, to_double
+from outlines import Checks, F, Program, middle, off, options, places, to_double
 from refine import bounds, complement
 
 ROWS, COLUMNS = 12, 25    # points of a scene
@@ -31,6 +31,7 @@ def winding(checks, program, args, name, solid, motion, unsweep):
     outline = program.outline(name, solid, motion, unsweep=unsweep)
     if not outline:
         return None
+    sources(checks, program, name, solid, motion, unsweep, outline)
     (x0, x1), (y0, y1) = frame(outline, solid)
     rows = [y0 + (y1 - y0) * F(args.random.randint(1, 10 ** 6), 10 ** 6 + 3) for _ in range(ROWS)]
     points = [(x0 + (x1 - x0) * F(args.random.randint(1, 10 ** 6), 10 ** 6 + 3), y) for y in rows for _ in range(COLUMNS)]
@@ -45,6 +46,20 @@ def winding(checks, program, args, name, solid, motion, unsweep):
             continue
         checks.equal(sum(step for _, step in row[k:]), 1 if word == "in" else 0, name, motion.text(), (str(x), str(y)), word, "winding number")
     return outline
+
+
+def sources(checks, program, name, solid, motion, unsweep, outline):
+    """Each source of an arc ends where the arc does; each sample is on the side that it says."""
+    size = max([1.0] + [abs(c) for p in outline.places for c in p])
+    for arc in outline.arcs:
+        ends = [outline.places[arc[end]] for end in ("from", "to")]
+        for source in arc["sources"]:
+            there = places(source, solid, motion, unsweep)
+            gap = min(max(off(p, q) for p, q in zip(there, order)) for order in (ends, ends[::-1]))
+            checks.holds(gap < NEAR * size, name, motion.text(), "ends of a source", source, there, ends)
+    samples = [tuple(F(x) for x in arc["sample"][side]) for arc in outline.arcs for side in ("in", "out")]
+    words = program.pmc(name + " samples", solid, motion, samples, unsweep) if samples else []
+    checks.equal(words, ["in", "out"] * len(outline.arcs), name, motion.text(), "samples")
 
 
 def frame(outline, solid):

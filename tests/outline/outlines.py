@@ -165,6 +165,31 @@ class Outline:
         return sorted(c for curve in self.curves for c in curve.crossings(y))
 
 
+def places(source, solid, motion, unsweep):
+    """Where a source says that its arc ends, as pairs of doubles; of an envelope two segments that hold these ends."""
+    def image(t, point):
+        t = min(max(t, motion.start), motion.end)
+        p = motion.back(point, t) if unsweep else motion.map(point, t)
+        return tuple(map(to_double, p))
+    first, last = near(source["from"]), near(source["to"])
+    if source["kind"] == "path":
+        return [image(t, solid.vertices[source["vertex"]]) for t in (first, last)]
+    u, v = (solid.vertices[k] for k in source["edge"])
+    if source["kind"] == "edge":
+        return [image(near(source["at"]), tuple(a + s * (b - a) for a, b in zip(u, v))) for s in (first, last)]
+    return [(image(t, u), image(t, v)) for t in (first, last)]
+
+
+def off(place, end):
+    """The distance of an end of an arc from a place, a point or a segment."""
+    if not isinstance(place[0], tuple):
+        return math.dist(place, end)
+    (a, b), (c, d) = place
+    square = (c - a) ** 2 + (d - b) ** 2
+    s = min(max(((end[0] - a) * (c - a) + (end[1] - b) * (d - b)) / square, 0), 1)
+    return math.dist((a + s * (c - a), b + s * (d - b)), end)
+
+
 def enclosure(value):
     """(low, high) as Fractions or Decimals, equal where the value is exact."""
     if "exact" in value:
