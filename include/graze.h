@@ -81,6 +81,7 @@
 #include <graze/contact.h>  /* contact points of the envelope */
 #include <graze/envelope.h> /* events of the envelope */
 #include <graze/judge.h>    /* a mesh against a sweep */
+#include <graze/outline.h>  /* the exact boundary of a planar sweep */
 #include <graze/pair.h>     /* a moving solid against a fixed one */
 
 #endif

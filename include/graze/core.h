@@ -53,7 +53,8 @@ typedef enum graze_limit {
                                  see formats.md */
     GRAZE_LIMIT_CURVE = 10, /**< `curve`, 20: degree in time of the curves by which a position
                                  relative to the closed sweep is decided in the plane */
-    GRAZE_LIMIT_COUNT = 11
+    GRAZE_LIMIT_ARCS = 11,  /**< `arcs`, 10^6: pieces of curves of an outline */
+    GRAZE_LIMIT_COUNT = 12
 } graze_limit;
 
 /** Rounding of number tokens, to nearest, ties to even. Overflow is an error. */

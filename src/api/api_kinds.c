@@ -32,6 +32,8 @@ static const struct {
     {"graze_grid_create", BOXED, boxed},
     {"graze_judge", SOLID_POLYHEDRON, "a polyhedron"},
     {"graze_mesh_distances", SOLID_POLYHEDRON, "a polyhedron"},
+    {"graze_outline_create", SOLID_POLYGON,
+     "a polygon; graze_boundary_create and graze_draw take others"},
     {"graze_pair_create: fixed", SOLID_STRAIGHT, straight},
     {"graze_pair_create: moving", SOLID_STRAIGHT, straight},
     {"graze_scene_box", BOXED, boxed},

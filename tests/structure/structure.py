@@ -36,7 +36,7 @@ WINGS = {
     "base": ["context", "number"],
     "input": ["delimited motion soup", "csg", "validate", "read", "solid", "convert mend", "scad"],
     "decide": ["bounds", "surfaces", "filter", "scene", "trace", "curved", "verdict", "lattice"],
-    "questions": ["topo", "contact distance collide", "envelope generate certify", "boundary judge"],
+    "questions": ["topo", "contact distance collide", "envelope generate certify outline", "boundary judge"],
     "output": ["table", "report", "compare", "draw", "page png"],
     "api": ["api"],
     "program": ["io", "points", "run", "cli", "mpi"],
@@ -60,7 +60,7 @@ TOP = {"src", "include", "tests", "proofs", "cases", "Makefile", "README.md", ".
 CORE = "include/graze/core.h"
 MOST_HEADERS = 130  # of all rooms but the checker's
 PARTS = {room: room for room in ("report", "generate", "compare", "convert", "draw", "boundary", "certify",
-                                  "topo", "contact", "distance", "envelope", "curved", "judge")}
+                                  "topo", "contact", "distance", "envelope", "curved", "judge", "outline")}
 PARTS["table"] = "report"
 PARTS["page"] = "draw"
 PARTS["collide"] = "pair"

@@ -30,6 +30,7 @@ static const struct {
     [GRAZE_LIMIT_WORK] = {"work", 100000000, 1000000000000000},
     [GRAZE_LIMIT_BITS] = {"bits", 100000, 1000000000},
     [GRAZE_LIMIT_CURVE] = {"curve", 20, 1000000},
+    [GRAZE_LIMIT_ARCS] = {"arcs", 1000000, 1000000000},
 };
 
 graze_status graze_context_create(graze_context **out) {

@@ -110,23 +110,21 @@ static void coordinate_in_u(fmpq_poly_t numerator, fmpq_poly_t weight, const poi
     fmpq_poly_set_fmpz_poly(weight, map->weight);
 }
 
-/* Substitute u = (t - lo)/(hi - lo) in numerator and weight, divide both by their common factor,
- * and scale them so that the weight is a primitive integer polynomial with positive leading
- * coefficient.
- */
-static void to_lowest_terms(fmpq_poly_t numerator, fmpq_poly_t weight, const motion_piece *piece) {
+void formula_lowest_terms(fmpq_poly_t numerator, fmpq_poly_t weight, const motion_piece *piece) {
     LOCAL_VEC(fmpq, slope, 2);
     fmpq *shift = slope + 1;
     LOCAL(fmpq_poly, local);
     LOCAL(fmpq_poly, factor);
-    fmpq_sub(slope, piece->hi, piece->lo);
-    fmpq_inv(slope, slope);
-    fmpq_mul(shift, piece->lo, slope);
-    fmpq_neg(shift, shift);
-    fmpq_poly_set_coeff_fmpq(local, 1, slope);
-    fmpq_poly_set_coeff_fmpq(local, 0, shift);
-    fmpq_poly_compose(numerator, numerator, local);
-    fmpq_poly_compose(weight, weight, local);
+    if (piece) {
+        fmpq_sub(slope, piece->hi, piece->lo);
+        fmpq_inv(slope, slope);
+        fmpq_mul(shift, piece->lo, slope);
+        fmpq_neg(shift, shift);
+        fmpq_poly_set_coeff_fmpq(local, 1, slope);
+        fmpq_poly_set_coeff_fmpq(local, 0, shift);
+        fmpq_poly_compose(numerator, numerator, local);
+        fmpq_poly_compose(weight, weight, local);
+    }
     fmpq_poly_gcd(factor, numerator, weight);
     if (fmpq_poly_degree(factor) > 0) {
         fmpq_poly_div(numerator, numerator, factor);
@@ -145,7 +143,7 @@ void formula_coordinate(text *out, const motion_piece *piece, const point_map *m
     LOCAL(fmpq_poly, numerator);
     LOCAL(fmpq_poly, weight);
     coordinate_in_u(numerator, weight, map, coordinate, point);
-    to_lowest_terms(numerator, weight, piece);
+    formula_lowest_terms(numerator, weight, piece);
     int constant = fmpq_poly_degree(weight) <= 0;
     if (constant) {
         fmpq_poly_div(numerator, numerator, weight);

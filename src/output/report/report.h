@@ -17,6 +17,7 @@
 #include "questions/contact/contact.h"
 #include "questions/distance/distance.h"
 #include "questions/envelope/envelope.h"
+#include "questions/outline/outline.h"
 #include "questions/topo/topo.h"
 
 /** The first or the last time at which a point is in the closed solid: an end of the motion or of a
@@ -153,6 +154,16 @@ const char *cell_pair_name(const graze_cell_pair *cells);
 void pair_text(text *out, const graze_pair *pair);
 /** Append the object of a pair. */
 void pair_json(text *out, const graze_pair *pair);
+
+/* Outlines (src/program/cli/formats.md, Outlines). Points get their coordinates when they are
+ * written. */
+
+/** Append the numbers of an outline, a line each. */
+void outline_text(text *out, const graze_outline *o);
+/** Append an outline as an object. */
+graze_status outline_json(text *out, graze_context *context, graze_outline *o);
+/** Append the table of an outline's arcs. */
+graze_status outline_csv(text *out, graze_context *context, graze_outline *o);
 
 /* Sites as rows of a table or lines of JSON (src/program/cli/formats.md, Contact points). */
 

@@ -12,7 +12,7 @@ static const command *const commands[] = {
     &command_check, &command_classify, &command_merge,    &command_explain, &command_generate,
     &command_cases, &command_compare,  &command_validate, &command_motion,  &command_boundary,
     &command_draw,  &command_certify,  &command_convert,  &command_contact, &command_envelope,
-    &command_mend,  &command_solid,    &command_collide,  &command_judge};
+    &command_mend,  &command_solid,    &command_collide,  &command_judge,   &command_outline};
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
 static const char overview[] =
@@ -41,6 +41,7 @@ static const char overview[] =
     "  graze contact SOLID MOTION CONTACTS  boundary points at given times, and the envelope\n"
     "  graze envelope SOLID MOTION          when the contact with the envelope changes\n"
     "  graze collide MOVING MOTION FIXED    do two solids meet, when first, with which cells\n"
+    "  graze outline SOLID MOTION           the exact boundary in the plane: arcs, holes, area\n"
     "  graze judge SOLID MOTION MESH        how far a mesh is from the boundary of the sweep\n"
     "  graze cases                          the golden cases and what they show\n"
     "  graze COMMAND --help                 examples on these files, options; or graze help "

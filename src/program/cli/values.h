@@ -150,7 +150,7 @@ int value_shard(void *to, const char *name, const char *value);
 extern const command command_check, command_explain, command_generate, command_cases,
     command_compare, command_validate, command_merge, command_motion, command_boundary,
     command_draw, command_certify, command_convert, command_contact, command_envelope, command_mend,
-    command_solid, command_collide, command_judge;
+    command_solid, command_collide, command_judge, command_outline;
 
 /* Parts that graze validate shares with graze compare. */
 

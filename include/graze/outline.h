@@ -1,0 +1,75 @@
+/* graze/outline.h - the exact boundary of a planar sweep or unsweep: arcs, rings, area.
+ * SPDX-License-Identifier: GPL-3.0-or-later
+ *
+ * The outline of a sweep is the boundary of the closed sweep; that of an unsweep is the boundary of
+ * the closure of the unsweep's interior. It consists of arcs of finitely many algebraic curves:
+ * paths of vertices, edges at a time, envelopes of edges. formats.md (Outlines) and
+ * proofs/outline.md define the words.
+ */
+#ifndef GRAZE_OUTLINE_H
+#define GRAZE_OUTLINE_H
+
+#include <graze/core.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct graze_outline graze_outline;
+
+/** Options of an outline (rule 6). */
+typedef struct graze_outline_options {
+    size_t size;  /**< sizeof(graze_outline_options) */
+    double width; /**< greatest width of an enclosed area or length, relative to its size: 1e-300 to
+                     0.1; 0: the default, 1e-12 */
+} graze_outline_options;
+
+/** Numbers of an outline. */
+typedef struct graze_outline_facts {
+    size_t vertices, arcs, rings;
+    size_t components;               /**< of the closed set */
+    size_t interior_components;      /**< of its interior */
+    size_t holes;                    /**< bounded components of its complement */
+    long euler;                      /**< components - holes */
+    size_t lower_arcs, lower_points; /**< seams of a sweep, dangling parts of an unsweep */
+    size_t undecided;                /**< arcs and points of which it is not known */
+    double area_low, area_high;      /**< bounds of the area */
+    double length_low, length_high;  /**< bounds of the boundary's length */
+    int area_is_rational;            /**< 1: graze_outline_area gives the area */
+} graze_outline_facts;
+
+/**
+ * Find the outline of a scene of a polygon. The scene is borrowed and must outlive the outline. One
+ * thread uses an outline at a time.
+ * @param options NULL: the defaults
+ * @return GRAZE_EUSE a NULL or a bad option; GRAZE_EINPUT a curved solid; GRAZE_EILLEGAL a
+ * polyhedron; GRAZE_ELIMIT limits `curve`, `arcs`, `bits`; GRAZE_ECANCELED; GRAZE_ESYSTEM;
+ * GRAZE_EINTERNAL
+ */
+GRAZE_API GRAZE_CHECKED graze_status graze_outline_create(graze_outline **out,
+                                                          graze_context *context,
+                                                          const graze_scene *scene,
+                                                          const graze_outline_options *options);
+/** Free an outline. NULL is allowed. */
+GRAZE_API void graze_outline_destroy(graze_outline *outline);
+/** Numbers of an outline; zeros for NULL. */
+GRAZE_API graze_outline_facts graze_outline_get(const graze_outline *outline);
+/** The area, if it is known as a rational: 1, and `out`, initialised, is set; else 0. */
+GRAZE_API int graze_outline_area(mpq_t out, const graze_outline *outline);
+/** Lines of text, as graze outline prints them. @param[out] out text for graze_free
+ * @return GRAZE_EUSE, GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM */
+GRAZE_API GRAZE_CHECKED graze_status graze_outline_text(char **out, graze_context *context,
+                                                        graze_outline *outline);
+/** One object of JSON (formats.md, Outlines). @param[out] out text for graze_free
+ * @return GRAZE_EUSE, GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM */
+GRAZE_API GRAZE_CHECKED graze_status graze_outline_json(char **out, graze_context *context,
+                                                        graze_outline *outline);
+/** A table of arcs, one row each, CSV. @param[out] out text for graze_free
+ * @return GRAZE_EUSE, GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM */
+GRAZE_API GRAZE_CHECKED graze_status graze_outline_csv(char **out, graze_context *context,
+                                                       graze_outline *outline);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

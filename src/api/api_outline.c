@@ -1,0 +1,76 @@
+/* The public functions of outlines. SPDX-License-Identifier: GPL-3.0-or-later */
+#include "api/api.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include "base/context/scope.h"
+#include "graze/outline.h"
+#include "output/report/report.h"
+#include "questions/outline/outline.h"
+
+graze_status graze_outline_create(graze_outline **out, graze_context *context,
+                                  const graze_scene *scene, const graze_outline_options *options) {
+    const double standard = 1e-12, least = 1e-300, greatest = 0.1;
+    PUBLIC_OUT(out, context, scene);
+    graze_outline_options checked;
+    TRY(api_options(&checked, sizeof checked, context, __func__, options));
+    double width = checked.width != 0 ? checked.width : standard;
+    REFUSED(!(width >= least && width <= greatest), "options.width must be 1e-300 to 0.1");
+    TRY(api_takes(context, __func__, scene->solid));
+    CREATE(out, made, graze_outline_destroy, outline_make(made, context, scene, width));
+}
+
+void graze_outline_destroy(graze_outline *outline) {
+    if (!outline)
+        return;
+    outline_clear(outline);
+    free(outline);
+}
+
+graze_outline_facts graze_outline_get(const graze_outline *outline) {
+    graze_outline_facts out = {0};
+    if (!outline)
+        return out;
+    out.vertices = outline->vertex_count;
+    out.arcs = outline->arc_count;
+    out.rings = outline->ring_count;
+    out.components = outline->components;
+    out.interior_components = outline->interior_components;
+    out.holes = outline->holes;
+    out.euler = outline->euler;
+    out.lower_arcs = outline_lower_count(outline);
+    out.lower_points = outline->spot_count;
+    out.undecided = outline->undecided;
+    outline_bounds(&out.area_low, &out.area_high, outline, &outline->area);
+    outline_bounds(&out.length_low, &out.length_high, outline, &outline->length);
+    out.area_is_rational = outline->area.is_exact;
+    return out;
+}
+
+int graze_outline_area(mpq_t out, const graze_outline *outline) {
+    if (!outline || !outline->area.is_exact)
+        return 0;
+    api_rational_out(out, outline->area.exact);
+    return 1;
+}
+
+graze_status graze_outline_text(char **out, graze_context *context, graze_outline *outline) {
+    PUBLIC_OUT(out, context, outline);
+    HELD(text, t);
+    outline_text(&t, outline);
+    return text_finish(out, context, &t);
+}
+
+graze_status graze_outline_json(char **out, graze_context *context, graze_outline *outline) {
+    PUBLIC_OUT(out, context, outline);
+    HELD(text, t);
+    TRY(outline_json(&t, context, outline));
+    return text_finish(out, context, &t);
+}
+
+graze_status graze_outline_csv(char **out, graze_context *context, graze_outline *outline) {
+    PUBLIC_OUT(out, context, outline);
+    HELD(text, t);
+    TRY(outline_csv(&t, context, outline));
+    return text_finish(out, context, &t);
+}

@@ -1,0 +1,82 @@
+/* graze outline: the exact boundary of a planar sweep or unsweep.
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "program/cli/cli.h"
+
+#include "base/context/scope.h"
+#include "program/cli/values.h"
+#include "program/io/io.h"
+
+static const char outline_help[] =
+    "graze outline SOLID MOTION: the exact boundary of a planar sweep: arcs, holes, area\n"
+    "\n"
+    "Example: graze outline square.wkt turn.json\n"
+    "         graze outline square.wkt turn.json --format json -o outline.json\n"
+    "         graze outline square.wkt turn.json --operation unsweep --arcs arcs.csv\n"
+    "\n"
+    "SOLID is a polygon, with holes or without. Prints components, holes, the Euler\n"
+    "characteristic, the number of arcs, area and length of the boundary, and lower parts: seams\n"
+    "of a sweep, dangling parts of an unsweep. The area is a rational where it is known as one,\n"
+    "else it lies between two decimals.\n"
+    "\n"
+    "  --operation sweep|unsweep   as in graze classify; of an unsweep: the boundary of the\n"
+    "                       closure of its interior\n"
+    "  --width TOL          greatest width of an enclosed area or length, relative to its size\n"
+    "                       (1e-12)\n"
+    "  --format text|json   json: one object, with vertices, arcs, their sources, and rings\n"
+    "  --arcs FILE          a table of arcs, CSV, a row each\n"
+    "  -o, --output FILE    write there instead of to standard output\n"
+    "  --overlap, --round, --triangulate, --limit NAME=V   as in graze classify\n";
+
+typedef struct outline_given {
+    scene_options scene;
+    graze_outline_options options;
+    graze_comparison_format format; /* as in graze compare */
+    const char *arcs;               /* file; NULL: none */
+} outline_given;
+
+static const option_entry outline_table[] = {
+    OPTION("operation", outline_given, scene.scene.operation, value_operation),
+    OPTION("width", outline_given, options.width, value_motion_error),
+    OPTION("format", outline_given, format, value_report),
+    FILE_WRITTEN("arcs", outline_given, arcs),
+    SCENE_OPTIONS(outline_given, scene),
+    OPTIONS_END};
+
+static int write_arcs(const char *path, graze_context *context, graze_outline *outline) {
+    FREED(char, table, NULL);
+    TRY(complain_of(graze_outline_csv(&table, context, outline), context));
+    return output_text(path, table);
+}
+
+/* Refuse other solids than polygons, with the commands that take them. */
+static int check_kind(const graze_solid *solid, const char *path) {
+    int space = graze_solid_dimension(solid) == 3, curved = graze_solid_primitive_count(solid) > 0;
+    if (!space && !curved)
+        return EXIT_DONE;
+    return complain(EXIT_INPUT, "%s: the solid is a %s; outline takes polygons%s", path,
+                    curved ? "curved solid" : "polyhedron",
+                    curved ? ", draw shows others" : ", boundary samples others");
+}
+
+static int run_outline(void *options, const operands *given) {
+    outline_given *o = options;
+    ZEROED(loaded, l);
+    OWNED(graze_outline, outline);
+    FREED(char, written, NULL);
+    if (o->options.width != 0 && !(o->options.width >= 1e-300 && o->options.width <= 0.1))
+        return complain(EXIT_USAGE, "--width: expected a number from 1e-300 to 0.1");
+    scene_files(&o->scene, given);
+    TRY(loaded_read(&l, &o->scene, EXIT_INPUT, NULL));
+    TRY(check_kind(l.solid, o->scene.solid));
+    o->options.size = sizeof o->options;
+    TRY(complain_of(graze_outline_create(&outline, l.context, l.scene, &o->options), l.context));
+    if (o->arcs)
+        TRY(write_arcs(o->arcs, l.context, outline));
+    TRY(complain_of(o->format == GRAZE_COMPARISON_JSON
+                        ? graze_outline_json(&written, l.context, outline)
+                        : graze_outline_text(&written, l.context, outline),
+                    l.context));
+    return output_text(NULL, written);
+}
+
+COMMAND(outline, outline_given, .takes = "SOLID and MOTION", .least = 2, .reads = 2);

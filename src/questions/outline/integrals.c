@@ -1,0 +1,270 @@
+/* Integrals of functions num/den and sqrt(num)/den of polynomials, in brackets, by Taylor series at
+ * the middle of cells; the last coefficient over the whole cell bounds the rest
+ * (proofs/outline.md C139).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include "questions/outline/integrals.h"
+
+#include <flint/fmpz_vec.h>
+#include "base/context/scope.h"
+
+/* Terms of a series; the last one, of even order, is the rest. */
+enum { TERMS = 14 };
+
+/* A cell [low, high] / 2^exponent, and brackets of the function's series in sigma: the parameter is
+ * the cell's middle + sigma times its radius, -1 <= sigma <= 1. */
+typedef struct cell {
+    const integrand *f;
+    ulong places;
+    fmpz_t low, high;
+    ulong exponent;
+    bracket num[TERMS + 1], den[TERMS + 1], value[TERMS + 1], spare;
+} cell;
+
+static void cell_init(cell *c, const integrand *f, ulong places) {
+    c->f = f;
+    c->places = places;
+    c->exponent = 0;
+    fmpz_init(c->low);
+    fmpz_init(c->high);
+    for (int k = 0; k <= TERMS; k++) {
+        bracket_init(&c->num[k]);
+        bracket_init(&c->den[k]);
+        bracket_init(&c->value[k]);
+    }
+    bracket_init(&c->spare);
+}
+
+static void cell_clear(cell *c) {
+    fmpz_clear(c->low);
+    fmpz_clear(c->high);
+    for (int k = 0; k <= TERMS; k++) {
+        bracket_clear(&c->num[k]);
+        bracket_clear(&c->den[k]);
+        bracket_clear(&c->value[k]);
+    }
+    bracket_clear(&c->spare);
+}
+
+/* p as a polynomial of sigma, times 2^*scale. */
+static void in_sigma(fmpz_poly_t out, slong *scale, const cell *c, const fmpz_poly_t p) {
+    slong n = fmpz_poly_degree(p), e = (slong)c->exponent + 1;
+    LOCAL(fmpz_poly, place);
+    LOCAL(fmpz, sum);
+    fmpz_add(sum, c->low, c->high);
+    fmpz_poly_set_coeff_fmpz(place, 0, sum);
+    fmpz_sub(sum, c->high, c->low);
+    fmpz_poly_set_coeff_fmpz(place, 1, sum);
+    fmpz_poly_set(out, p);
+    for (slong k = 0; k <= n; k++)
+        fmpz_mul_2exp(out->coeffs + k, out->coeffs + k, (ulong)(e * (n - k)));
+    fmpz_poly_compose(out, out, place);
+    *scale = n < 0 ? 0 : e * n;
+}
+
+/* out = integer 2^shift, rounded outward. */
+static void bracket_shift(bracket *out, const fmpz_t low, const fmpz_t high, slong shift) {
+    if (shift >= 0) {
+        fmpz_mul_2exp(out->low, low, (ulong)shift);
+        fmpz_mul_2exp(out->high, high, (ulong)shift);
+    } else {
+        fmpz_fdiv_q_2exp(out->low, low, (ulong)-shift);
+        fmpz_cdiv_q_2exp(out->high, high, (ulong)-shift);
+    }
+}
+
+/* The coefficients of the series of p at the middle or, if `whole`, at all points of the cell, in
+ * brackets of p 2^shift. */
+static void set_series(bracket *out, const fmpz_poly_t p, slong shift, int whole) {
+    LOCAL(fmpz, low);
+    LOCAL(fmpz, high);
+    LOCAL(fmpz, term);
+    slong n = fmpz_poly_degree(p);
+    for (slong j = 0; j <= TERMS; j++) {
+        fmpz_poly_get_coeff_fmpz(low, p, j);
+        fmpz_set(high, low);
+        for (slong i = j + 1; i <= n && whole; i++) {
+            fmpz_bin_uiui(term, (ulong)i, (ulong)j);
+            fmpz_mul(term, term, fmpz_poly_get_coeff_ptr(p, i));
+            fmpz_abs(term, term);
+            fmpz_sub(low, low, term);
+            fmpz_add(high, high, term);
+        }
+        bracket_shift(&out[j], low, high, shift);
+    }
+}
+
+/* num[0] ... num[last] become the series of their square root. */
+static int take_root(cell *c, int last) {
+    bracket *s = c->num, *g = c->value;
+    if (!bracket_sqrt(&g[0], &s[0], c->places))
+        return 0;
+    for (int j = 1; j <= last; j++) {
+        bracket_set(&g[j], &s[j]);
+        for (int i = 1; i < j; i++) {
+            bracket_mul(&c->spare, &g[i], &g[j - i], c->places);
+            bracket_sub(&g[j], &g[j], &c->spare);
+        }
+        bracket_add(&c->spare, &g[0], &g[0]);
+        if (!bracket_div(&g[j], &g[j], &c->spare, c->places))
+            return 0;
+    }
+    for (int j = 0; j <= last; j++)
+        bracket_set(&s[j], &g[j]);
+    return 1;
+}
+
+/* value[0] ... value[last]: the function's series, at the middle or over the whole cell. Returns 0
+ * where the denominator, or what a root is taken of, may vanish. */
+static int function_series(cell *c, int last, int whole) {
+    slong num_scale, den_scale;
+    LOCAL(fmpz_poly, num);
+    LOCAL(fmpz_poly, den);
+    LOCAL(fmpz, middle);
+    in_sigma(num, &num_scale, c, c->f->num);
+    in_sigma(den, &den_scale, c, c->f->den);
+    fmpz_poly_get_coeff_fmpz(middle, den, 0);
+    /* Both are divided by a power of 2 near the denominator. */
+    slong size = (slong)fmpz_bits(middle) - den_scale;
+    set_series(c->num, num, (slong)c->places - num_scale - (c->f->root ? 2 * size : size), whole);
+    set_series(c->den, den, (slong)c->places - den_scale - size, whole);
+    if (c->f->root && !take_root(c, last))
+        return 0;
+    for (int j = 0; j <= last; j++) {
+        bracket_set(&c->value[j], &c->num[j]);
+        for (int i = 1; i <= j; i++) {
+            bracket_mul(&c->spare, &c->den[i], &c->value[j - i], c->places);
+            bracket_sub(&c->value[j], &c->value[j], &c->spare);
+        }
+        if (!bracket_div(&c->value[j], &c->value[j], &c->den[0], c->places))
+            return 0;
+    }
+    return 1;
+}
+
+/* out += x times the cell's radius. */
+static void add_scaled(bracket *out, const bracket *x, const cell *c) {
+    LOCAL(fmpz, width);
+    HELD(bracket, product);
+    fmpz_sub(width, c->high, c->low);
+    fmpz_mul(product.low, x->low, width);
+    fmpz_mul(product.high, x->high, width);
+    bracket_shift(&product, product.low, product.high, -(slong)(c->exponent + 1));
+    bracket_add(out, out, &product);
+}
+
+static int is_tight(const bracket *x, ulong bits) {
+    LOCAL(fmpz, width);
+    fmpz_sub(width, x->high, x->low);
+    return fmpz_bits(width) <= bits;
+}
+
+/* The integral over the cell by its series; 0 where that is not possible. */
+static int by_series(bracket *out, cell *c) {
+    HELD(bracket, sum);
+    HELD(bracket, term);
+    HELD(bracket, rest);
+    if (!function_series(c, TERMS, 1))
+        return 0;
+    bracket_set(&rest, &c->value[TERMS]);
+    if (!function_series(c, TERMS - 1, 0))
+        return 0;
+    for (int j = 0; j <= TERMS; j += 2) {
+        bracket_set(&term, j < TERMS ? &c->value[j] : &rest);
+        bracket_add(&term, &term, &term);
+        fmpz_fdiv_q_si(term.low, term.low, j + 1);
+        fmpz_cdiv_q_si(term.high, term.high, j + 1);
+        bracket_add(&sum, &sum, &term);
+    }
+    fmpz_zero(out->low);
+    fmpz_zero(out->high);
+    add_scaled(out, &sum, c);
+    return 1;
+}
+
+/* The integral over the cell, or over a part of it that begins or ends where it does if `part`, by
+ * the function's range; 0 where that is unbounded. */
+static int by_range(bracket *out, cell *c, int part) {
+    HELD(bracket, range);
+    HELD(bracket, zero);
+    int root = c->f->root;
+    if (!function_series(c, 0, 1)) {
+        /* Only a root of what may vanish is bounded: by 0 and the root of the upper end. */
+        if (!root || bracket_sign(&c->den[0]) <= 0 || fmpz_sgn(c->num[0].high) < 0)
+            return 0;
+        fmpz_set(c->num[0].low, c->num[0].high);
+        fmpz_add_ui(c->num[0].low, c->num[0].low, 1);
+        fmpz_set(c->num[0].high, c->num[0].low);
+        if (!bracket_sqrt(&range, &c->num[0], c->places) ||
+            !bracket_div(&range, &range, &c->den[0], c->places))
+            return 0;
+        fmpz_zero(range.low);
+    } else {
+        bracket_set(&range, &c->value[0]);
+    }
+    if (part)
+        bracket_join(&range, &zero);
+    bracket_add(&range, &range, &range);
+    fmpz_zero(out->low);
+    fmpz_zero(out->high);
+    add_scaled(out, &range, c);
+    return 1;
+}
+
+/* Add the integral over the cell, halved until each part's bracket has at most `bits` bits. */
+static graze_status add_cells(bracket *out, graze_context *context, cell *c, ulong bits) {
+    HELD(bracket, part);
+    if ((by_series(&part, c) && is_tight(&part, bits)) ||
+        (by_range(&part, c, 0) && is_tight(&part, bits))) {
+        bracket_add(out, out, &part);
+        return context_work(context, 50000);
+    }
+    if (c->exponent > 8 * c->places)
+        return context_limit(context, GRAZE_LIMIT_BITS, "the cells of an integral");
+    HELD(cell, half, c->f, c->places);
+    half.exponent = c->exponent + 1;
+    for (int upper = 0; upper < 2; upper++) {
+        fmpz_mul_2exp(half.low, c->low, 1);
+        fmpz_mul_2exp(half.high, c->high, 1);
+        fmpz_add(upper ? half.low : half.high, c->low, c->high);
+        TRY(add_cells(out, context, &half, bits));
+    }
+    return GRAZE_OK;
+}
+
+/* Add the integral from the number within the bracket `at`, which ends at its higher end (`from`),
+ * or to it from the lower one. */
+static graze_status add_end(bracket *out, graze_context *context, const integrand *f,
+                            const bracket *at, ulong places) {
+    HELD(cell, c, f, places);
+    HELD(bracket, part);
+    if (fmpz_equal(at->low, at->high))
+        return GRAZE_OK;
+    c.exponent = places;
+    fmpz_set(c.low, at->low);
+    fmpz_set(c.high, at->high);
+    if (!by_range(&part, &c, 1))
+        return context_limit(context, GRAZE_LIMIT_BITS, "the ends of an integral");
+    bracket_add(out, out, &part);
+    return GRAZE_OK;
+}
+
+graze_status integral_between(bracket *out, graze_context *context, const integrand *f,
+                              algebraic *from, algebraic *to, ulong places, ulong bits) {
+    HELD(bracket, first);
+    HELD(bracket, last);
+    HELD(cell, c, f, places);
+    TRY(bracket_of_number(&first, context, from, places));
+    TRY(bracket_of_number(&last, context, to, places));
+    fmpz_zero(out->low);
+    fmpz_zero(out->high);
+    if (fmpz_cmp(first.high, last.low) >= 0) {
+        bracket_join(&first, &last);
+        return add_end(out, context, f, &first, places);
+    }
+    TRY(add_end(out, context, f, &first, places));
+    TRY(add_end(out, context, f, &last, places));
+    c.exponent = places;
+    fmpz_set(c.low, first.high);
+    fmpz_set(c.high, last.low);
+    return add_cells(out, context, &c, bits);
+}

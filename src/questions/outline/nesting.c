@@ -1,0 +1,253 @@
+/* Rings in one another, components and holes (proofs/outline.md C138).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <flint/fmpq_vec.h>
+#include <stdlib.h>
+#include "base/context/scope.h"
+#include "base/number/isolate.h"
+#include "base/number/order.h"
+#include "base/number/rounding.h"
+#include "base/number/vector.h"
+#include "base/number/sign.h"
+#include "questions/outline/complex.h"
+
+/* A ray from a point in the direction in which the coordinate `along` grows; the other one is
+ * `level`. It meets no end of a boundary piece. */
+typedef struct ray {
+    graze_outline *o;
+    graze_context *context;
+    fmpq *at;
+    int along;
+    double low, high; /* bounds of the coordinate `along` of the point */
+    double level_low, level_high;
+} ray;
+
+/* The sign of the level coordinate, against the ray's, at an end of a piece. */
+static graze_status end_level(int *out, const ray *r, const outline_piece *p, int end) {
+    bracket xy[2];
+    HELD(bracket, level);
+    *out = 0;
+    bracket_init(&xy[0]);
+    bracket_init(&xy[1]);
+    graze_status status = GRAZE_OK;
+    for (ulong places = 64; !*out && !status; places *= 2) {
+        outline_curve *c = &r->o->curve[p->curve];
+        status = places > r->context->limits[GRAZE_LIMIT_BITS]
+                     ? context_limit(r->context, GRAZE_LIMIT_BITS, "the places of a ray")
+                     : outline_curve_place(xy, r->context, c, piece_end(r->o, p, end), places);
+        bracket_set_rational(&level, r->at + 1 - r->along, places);
+        bracket_sub(&level, &xy[1 - r->along], &level);
+        *out = bracket_sign(&level);
+    }
+    bracket_clear(&xy[0]);
+    bracket_clear(&xy[1]);
+    return status;
+}
+
+/* Is the point of a straight or slanted piece at the ray's level beyond the ray's beginning? */
+static graze_status slant_is_beyond(int *out, const ray *r, outline_curve *c) {
+    HELD(bracket, other);
+    HELD(bracket, begin);
+    int own = c->axis, sign = 0;
+    graze_status status = GRAZE_OK;
+    c->axis = 1 - r->along;
+    for (ulong places = 64; !sign && !status; places *= 2) {
+        status = places > r->context->limits[GRAZE_LIMIT_BITS]
+                     ? context_limit(r->context, GRAZE_LIMIT_BITS, "the places of a ray")
+                     : slant_other(&other, r->context, c, r->at + 1 - r->along, places);
+        bracket_set_rational(&begin, r->at + r->along, places);
+        bracket_sub(&begin, &other, &begin);
+        sign = bracket_sign(&begin);
+    }
+    c->axis = own;
+    *out = sign > 0;
+    return status;
+}
+
+/* The crossings of a curved piece: each root of odd order of its level, beyond the beginning. */
+static graze_status count_roots(int *out, const ray *r, const outline_piece *p) {
+    const outline_curve *c = &r->o->curve[p->curve];
+    LOCAL(fmpz_poly, level);
+    LOCAL(fmpz_poly, along);
+    HELD(dyadic_interval, range);
+    HELD(algebraic_list, roots);
+    LOCAL(fmpq, gap);
+    int before = 0;
+    for (int i = 0; i < 2; i++) {
+        fmpz_poly_struct *f = i ? along : level;
+        const fmpq *at = r->at + (i ? r->along : 1 - r->along);
+        fmpz_poly_scalar_mul_fmpz(f, &c->x[i ? r->along : 1 - r->along], fmpq_denref(at));
+        fmpz_poly_scalar_submul_fmpz(f, &c->x[2], fmpq_numref(at));
+    }
+    algebraic *from = piece_end(r->o, p, 0), *to = piece_end(r->o, p, 1);
+    interval_of(&range, from, to);
+    TRY(algebraic_roots(&roots, r->context, level, &range));
+    TRY(algebraic_between(gap, r->context, from, to));
+    int weight_sign = rational_sign(&c->x[2], gap);
+    algebraic *previous = from;
+    for (size_t k = 0; k <= roots.count; k++) {
+        algebraic *next = k < roots.count ? &roots.item[k] : to;
+        int order = 0, beyond = 0;
+        TRY(algebraic_compare(&order, r->context, previous, next));
+        if (order >= 0)
+            continue; /* a root before the piece */
+        TRY(algebraic_compare(&order, r->context, next, to));
+        if (order > 0)
+            next = to;
+        TRY(algebraic_between(gap, r->context, previous, next));
+        int sign = rational_sign(level, gap);
+        if (previous != from && sign != before) {
+            TRY(algebraic_sign_at(&beyond, r->context, along, previous));
+            *out += beyond * weight_sign > 0;
+        }
+        before = sign;
+        previous = next;
+        if (next == to)
+            break;
+    }
+    return GRAZE_OK;
+}
+
+/* Count the crossings of a piece with the ray, modulo 2. */
+static graze_status cross_piece(int *out, const ray *r, const outline_piece *p) {
+    int level[2], beyond = 1;
+    outline_curve *c = &r->o->curve[p->curve];
+    const box *b = &p->box;
+    *out = 0;
+    if (b->high[r->along] < r->low || b->low[1 - r->along] > r->level_high ||
+        b->high[1 - r->along] < r->level_low)
+        return GRAZE_OK;
+    if (!c->slant && outline_curve_degree(c) > 1 && b->low[r->along] <= r->high)
+        return count_roots(out, r, p);
+    for (int end = 0; end < 2; end++)
+        TRY(end_level(&level[end], r, p, end));
+    if (level[0] == level[1])
+        return GRAZE_OK;
+    if (b->low[r->along] <= r->high && c->slant)
+        TRY(slant_is_beyond(&beyond, r, c));
+    else if (b->low[r->along] <= r->high)
+        return count_roots(out, r, p);
+    *out = beyond;
+    return GRAZE_OK;
+}
+
+static graze_status ring_holds(int *out, const ray *r, const outline_ring *ring) {
+    const graze_outline *o = r->o;
+    *out = 0;
+    for (size_t k = ring->first; k < ring->first + ring->count; k++) {
+        const outline_arc *arc = &o->arc[o->ring_arc[k]];
+        for (size_t i = arc->first; i < arc->first + arc->count; i++) {
+            int crossings;
+            TRY(cross_piece(&crossings, r, &o->piece[o->arc_piece[i]]));
+            *out ^= crossings & 1;
+        }
+    }
+    return GRAZE_OK;
+}
+
+/* Set a ray from a point beside a piece, in the set, on the piece's crossing segment, across which
+ * the ray runs. The point is the segment's end or nearer to the piece, so that the ray meets no
+ * point of the boundary at which pieces end. */
+static graze_status set_ray(ray *r, const outline_piece *p) {
+    graze_outline *o = r->o;
+    LOCAL_VEC(fmpq, half, 2);
+    HELD(bracket, level);
+    vector_set(r->at, p->sample, 2);
+    int axis = fmpq_equal(&p->sample[0], &p->sample[2]) ? 1 : 0;
+    r->along = 1 - axis;
+    fmpq_sub(half, &p->sample[2 + axis], r->at + axis);
+    fmpq_div_2exp(half, half, 2); /* half of the way to the piece */
+    for (slong n = 1;; n++) {
+        int meets = 0;
+        bracket_set_rational(&level, r->at + axis, POINT_PLACES);
+        for (size_t k = 0; k < o->point_count && !meets; k++)
+            meets = bracket_meets(&level, &o->point[k].place[axis]);
+        if (!meets)
+            break;
+        if ((size_t)n > o->point_count + 1)
+            return context_limit(r->context, GRAZE_LIMIT_BITS, "the places of a ray");
+        fmpq_set_si(half + 1, n, (ulong)n + 1);
+        fmpq_mul(half + 1, half + 1, half);
+        fmpq_add(r->at + axis, &p->sample[axis], half + 1);
+    }
+    rational_bounds(&r->low, &r->high, r->at + r->along);
+    rational_bounds(&r->level_low, &r->level_high, r->at + axis);
+    return GRAZE_OK;
+}
+
+/* Is the area of ring a less than that of ring b, which holds it or is held by it? */
+static int is_less(const outline_ring *a, const outline_ring *b) {
+    return a->area.is_exact && b->area.is_exact
+               ? fmpq_cmp(a->area.exact, b->area.exact) < 0
+               : fmpz_cmp(a->area.bounds.high, b->area.bounds.low) < 0;
+}
+
+/* The least ring around a ring of a walk that bounds a hole alone. */
+static graze_status find_around(graze_outline *o, graze_context *context, outline_ring *hole) {
+    LOCAL_VEC(fmpq, at, 2);
+    ray r = {.o = o, .context = context, .at = at};
+    TRY(set_ray(&r, &o->piece[o->arc_piece[o->arc[o->ring_arc[hole->first]].first]]));
+    size_t found = OUTLINE_NONE;
+    for (size_t k = 0; k < o->ring_count; k++) {
+        int holds = 0;
+        if (o->ring[k].hole)
+            continue;
+        TRY(ring_holds(&holds, &r, &o->ring[k]));
+        if (holds && (found == OUTLINE_NONE || is_less(&o->ring[k], &o->ring[found])))
+            found = k;
+    }
+    if (found == OUTLINE_NONE)
+        return context_fail(context, GRAZE_EINTERNAL, "a hole of the outline is in no ring");
+    hole->within = found;
+    return GRAZE_OK;
+}
+
+/* Find the ring around each hole: the other ring of its walk, if that has one. */
+static graze_status find_nesting(graze_outline *o, graze_context *context) {
+    for (size_t k = 0; k < o->ring_count; k++) {
+        outline_ring *ring = &o->ring[k];
+        if (!ring->hole)
+            continue;
+        ring->within = OUTLINE_NONE;
+        for (size_t i = 0; i < o->ring_count; i++)
+            if (o->ring[i].walk == ring->walk && !o->ring[i].hole)
+                ring->within = i;
+        if (ring->within == OUTLINE_NONE)
+            TRY(find_around(o, context, ring));
+    }
+    return GRAZE_OK;
+}
+
+/* The vertices of the complex of arcs. */
+static graze_status count_vertices(graze_outline *o, graze_context *context) {
+    FREED(unsigned char, seen, calloc(o->point_count + 1, 1));
+    if (!seen)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for an outline");
+    for (size_t k = 0; k < o->arc_count; k++) {
+        seen[o->arc[k].from] = seen[o->arc[k].to] = 1;
+    }
+    for (size_t k = 0; k < o->point_count; k++)
+        o->vertex_count += seen[k];
+    return GRAZE_OK;
+}
+
+graze_status outline_nesting(graze_outline *o, graze_context *context) {
+    for (size_t k = 0; k < o->ring_count; k++) {
+        o->ring[k].hole = outline_sign(&o->ring[k].area) < 0;
+        o->interior_components += !o->ring[k].hole;
+    }
+    for (size_t i = 0; i < o->ring_count; i++)
+        for (size_t k = 0; k < i; k++)
+            if (o->ring[i].walk == o->ring[k].walk && !o->ring[i].hole && !o->ring[k].hole)
+                return context_fail(context, GRAZE_EINTERNAL, "a walk has two outer rings");
+    for (size_t k = 0; k < o->around_count; k++)
+        *(outline_sign(&o->around[k].area) > 0 ? &o->components : &o->holes) += 1;
+    o->euler = (long)o->components - (long)o->holes;
+    TRY(count_vertices(o, context));
+    long faces = (long)o->interior_components, walks = (long)o->walk_count;
+    if (o->euler != (long)o->vertex_count - (long)o->arc_count + 2 * faces - walks)
+        return context_fail(context, GRAZE_EINTERNAL,
+                            "two counts of the Euler characteristic differ");
+    if (outline_sign(&o->area) < 0)
+        return context_fail(context, GRAZE_EINTERNAL, "the area of an outline is negative");
+    return find_nesting(o, context);
+}

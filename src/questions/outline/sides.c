@@ -1,0 +1,250 @@
+/* The two sides of each piece, by a crossing segment whose ends are rational points
+ * (proofs/outline.md C135).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <flint/fmpq_vec.h>
+#include <math.h>
+#include <stdlib.h>
+#include "base/context/scope.h"
+#include "base/number/rounding.h"
+#include "base/number/vector.h"
+#include "decide/verdict/verdict.h"
+#include "questions/outline/complex.h"
+
+/* The segment of all points whose coordinate along `axis` differs from that of `at` by at most
+ * 2^-k, for one piece. `turn`: 1 if the end with the greater coordinate is on the left in the
+ * curve's direction, else -1. */
+typedef struct prober {
+    graze_outline *o;
+    graze_context *context;
+    const tree *boxes;
+    const size_t *of_box; /* the piece of each box */
+    size_t piece;
+    fmpq_t s; /* the sample's parameter */
+    fmpq *at;
+    int axis, turn;
+    ulong k;
+    box around;
+    int blocked; /* another curve may meet the segment */
+} prober;
+
+/* A form along the segment, a polynomial of the distance from `at`. */
+static void form_on_segment(fmpz_poly_t out, const prober *p, const outline_equation *e) {
+    LOCAL_VEC(fmpz_poly, x, 3);
+    LOCAL_VEC(fmpz, v, 3);
+    _fmpq_vec_get_fmpz_vec_fmpz(v, v + 2, p->at, 2);
+    for (int i = 0; i < 3; i++)
+        fmpz_poly_set_fmpz(x + i, v + i);
+    fmpz_poly_set_coeff_fmpz(x + p->axis, 1, v + 2);
+    form_pullback(out, e->form, e->degree, x, p->o->ring_of_forms);
+}
+
+/* Is |q_0| larger than all other terms of q together on [-2^-k, 2^-k]? */
+static int constant_prevails(const fmpz_poly_t q, ulong k) {
+    LOCAL(fmpz, sum);
+    LOCAL(fmpz, term);
+    slong n = fmpz_poly_degree(q);
+    for (slong i = 1; i <= n; i++) {
+        fmpz_abs(term, fmpz_poly_get_coeff_ptr(q, i));
+        fmpz_mul_2exp(term, term, k * (ulong)(n - i));
+        fmpz_add(sum, sum, term);
+    }
+    if (n < 0)
+        return 0;
+    fmpz_mul_2exp(term, fmpz_poly_get_coeff_ptr(q, 0), k * (ulong)n);
+    return fmpz_cmpabs(term, sum) > 0;
+}
+
+/* Has the piece's own form one root on the segment, a simple one, inside? */
+static int crosses_once(const prober *p) {
+    LOCAL(fmpz_poly, q);
+    LOCAL(fmpz_poly, slope);
+    LOCAL_VEC(fmpz, end, 2);
+    form_on_segment(q, p, &p->o->equation[p->o->curve[p->o->piece[p->piece].curve].equation]);
+    fmpz_poly_derivative(slope, q);
+    fmpz_set_si(end, -1);
+    fmpz_one(end + 1);
+    return constant_prevails(slope, p->k) &&
+           dyadic_sign(q, end, p->k) * dyadic_sign(q, end + 1, p->k) < 0;
+}
+
+/* An end of the segment. */
+static void end_of(fmpq *out, const prober *p, int upper) {
+    LOCAL(fmpq, step);
+    fmpq_one(step);
+    fmpq_div_2exp(step, step, p->k);
+    vector_set(out, p->at, 2);
+    (upper ? fmpq_add : fmpq_sub)(out + p->axis, out + p->axis, step);
+}
+
+static graze_status find_obstacles(prober *p, size_t index) {
+    const tree_node *node = &p->boxes->node[index];
+    if (p->blocked || !box_meets(&node->box, &p->around))
+        return GRAZE_OK;
+    if (node->child) {
+        TRY(find_obstacles(p, node->child));
+        return find_obstacles(p, node->child + 1);
+    }
+    const graze_outline *o = p->o;
+    size_t own = o->curve[o->piece[p->piece].curve].equation;
+    size_t equation = o->curve[o->piece[p->of_box[node->simplex]].curve].equation;
+    if (equation == own)
+        return GRAZE_OK;
+    LOCAL(fmpz_poly, q);
+    form_on_segment(q, p, &o->equation[equation]);
+    p->blocked = !constant_prevails(q, p->k);
+    return context_work(p->context, 100);
+}
+
+/* Set the box around the segment. */
+static void set_around(prober *p) {
+    LOCAL_VEC(fmpq, end, 2);
+    double bound;
+    p->around = (box){{0}, {0}};
+    for (int upper = 0; upper < 2; upper++) {
+        end_of(end, p, upper);
+        for (int i = 0; i < 2; i++)
+            if (upper)
+                rational_bounds(&bound, &p->around.high[i], end + i);
+            else
+                rational_bounds(&p->around.low[i], &bound, end + i);
+    }
+}
+
+/* Set the sample: a rational point of the curve; or, on a slanted one, a point within a sixteenth
+ * of the segment. */
+static graze_status set_sample(prober *p) {
+    outline_curve *c = &p->o->curve[p->o->piece[p->piece].curve];
+    if (!c->slant) {
+        outline_curve_at(p->at, c, p->s);
+        return GRAZE_OK;
+    }
+    HELD(bracket, other);
+    TRY(slant_other(&other, p->context, c, p->s, p->k + 5));
+    fmpq_set(p->at + c->axis, p->s);
+    bracket_middle(p->at + 1 - c->axis, &other, p->k + 5);
+    return GRAZE_OK;
+}
+
+/* Choose the segment's axis: across the direction of the curve. */
+static void set_axis(prober *p) {
+    outline_curve *c = &p->o->curve[p->o->piece[p->piece].curve];
+    if (c->slant) {
+        p->axis = 1 - c->axis;
+        p->turn = c->axis == 0 ? 1 : -1;
+        return;
+    }
+    LOCAL_VEC(fmpq, v, 2);
+    LOCAL(fmpz_poly, slope);
+    LOCAL(fmpz_poly, product);
+    for (int i = 0; i < 2; i++) {
+        fmpz_poly_derivative(slope, &c->x[i]);
+        fmpz_poly_mul(product, slope, &c->x[2]);
+        fmpz_poly_derivative(slope, &c->x[2]);
+        fmpz_poly_mul(slope, slope, &c->x[i]);
+        fmpz_poly_sub(product, product, slope);
+        fmpz_poly_evaluate_fmpq(v + i, product, p->s);
+    }
+    int sign[2] = {fmpq_sgn(v), fmpq_sgn(v + 1)};
+    fmpq_abs(v, v);
+    fmpq_abs(v + 1, v + 1);
+    p->axis = fmpq_cmp(v, v + 1) >= 0;
+    p->turn = p->axis ? sign[0] : -sign[1];
+}
+
+/* Find a segment that meets no curve but the piece, and the piece once. */
+static graze_status find_segment(prober *p) {
+    const outline_piece *piece = &p->o->piece[p->piece];
+    int exponent = 0;
+    double size = box_extent(&piece->box);
+    if (isfinite(size))
+        (void)frexp(size, &exponent);
+    TRY(piece_middle(p->s, p->context, p->o, piece));
+    set_axis(p);
+    for (p->k = exponent < 3 ? (ulong)(3 - exponent) : 0;; p->k += 6) {
+        if (p->k > p->context->limits[GRAZE_LIMIT_BITS])
+            return context_limit(p->context, GRAZE_LIMIT_BITS, "the places of a crossing segment");
+        TRY(set_sample(p));
+        if (!crosses_once(p))
+            continue;
+        set_around(p);
+        p->blocked = 0;
+        TRY(find_obstacles(p, 0));
+        if (!p->blocked)
+            return GRAZE_OK;
+    }
+}
+
+static graze_status pmc_of(graze_pmc *out, const prober *p, const fmpq *point,
+                           trace_detail detail) {
+    graze_verdict verdict;
+    TRY(classify_answer(&verdict, p->context, p->o->scene, (query_point){.rational = point},
+                        detail));
+    *out = verdict.pmc;
+    return GRAZE_OK;
+}
+
+/* A piece with the set, or its complement, on both sides: is it a lower part? */
+static graze_status decide_lower(prober *p, outline_piece *piece, graze_pmc pmc) {
+    int is_sweep = p->o->scene->options.operation == GRAZE_SWEEP;
+    if (pmc != (is_sweep ? GRAZE_IN : GRAZE_OUT))
+        return GRAZE_OK;
+    if (p->o->curve[piece->curve].slant) {
+        piece->lower = -1;
+        return GRAZE_OK;
+    }
+    graze_pmc at_sample;
+    TRY(pmc_of(&at_sample, p, p->at, TRACE_PMC));
+    piece->lower = at_sample == GRAZE_ON;
+    return GRAZE_OK;
+}
+
+static graze_status decide_piece(prober *p) {
+    outline_piece *piece = &p->o->piece[p->piece];
+    graze_pmc pmc[2];
+    TRY(find_segment(p));
+    for (int upper = 0; upper < 2; upper++) {
+        end_of(piece->sample + 2 * upper, p, upper);
+        TRY(pmc_of(&pmc[upper], p, piece->sample + 2 * upper, TRACE_PMC_BESIDE));
+        if (pmc[upper] == GRAZE_ON)
+            return context_fail(p->context, GRAZE_EINTERNAL,
+                                "a point beside a curve of the outline is on its boundary");
+    }
+    if (pmc[0] == pmc[1])
+        return decide_lower(p, piece, pmc[0]);
+    piece->turn = pmc[1] == GRAZE_IN ? p->turn : -p->turn;
+    for (int i = 0; i < 2 && pmc[1] == GRAZE_IN; i++)
+        fmpq_swap(&piece->sample[i], &piece->sample[2 + i]);
+    return GRAZE_OK;
+}
+
+static graze_status decide_pieces(prober *p) {
+    graze_outline *o = p->o;
+    for (p->piece = 0; p->piece < o->piece_count; p->piece++)
+        if (o->piece[p->piece].same == p->piece)
+            TRY(decide_piece(p));
+    return GRAZE_OK;
+}
+
+graze_status outline_sides(graze_outline *o, graze_context *context) {
+    size_t count = 0;
+    LOCAL_VEC(fmpq, at, 2);
+    if (o->piece_count == 0)
+        return GRAZE_OK;
+    FREED(box, around, malloc(o->piece_count * sizeof *around));
+    FREED(size_t, of_box, malloc(o->piece_count * sizeof *of_box));
+    if (!around || !of_box)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for an outline");
+    for (size_t k = 0; k < o->piece_count; k++)
+        if (o->piece[k].same == k) {
+            around[count] = o->piece[k].box;
+            of_box[count++] = k;
+        }
+    ZEROED(tree, boxes);
+    if (tree_build(&boxes, around, count))
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for an outline");
+    prober p = {.o = o, .context = context, .boxes = &boxes, .of_box = of_box, .at = at};
+    fmpq_init(p.s);
+    graze_status status = decide_pieces(&p);
+    fmpq_clear(p.s);
+    return status;
+}

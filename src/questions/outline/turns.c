@@ -1,0 +1,340 @@
+/* The order of boundary pieces about a point, by their crossings with the border of a box
+ * (proofs/outline.md C137).
+ * SPDX-License-Identifier: GPL-3.0-or-later */
+#include <flint/fmpq_vec.h>
+#include <math.h>
+#include <stdlib.h>
+#include "base/context/scope.h"
+#include "base/number/isolate.h"
+#include "base/number/order.h"
+#include "base/number/rounding.h"
+#include "questions/outline/complex.h"
+
+/* One end of a boundary piece at its point. It leaves the box through side `side`: 0 bottom, 1
+ * right, 2 top, 3 left; `at` is the parameter there of a curve that is not slanted. */
+typedef struct turn_end {
+    size_t point, piece;
+    int end, side;
+    algebraic at;
+} turn_end;
+
+static void turn_end_init(turn_end *e) {
+    *e = (turn_end){0};
+    algebraic_init(&e->at);
+}
+
+static void turn_end_clear(turn_end *e) {
+    algebraic_clear(&e->at);
+}
+
+/* A box about a point, whose places are compared with `places` binary places. `unclear`: something
+ * on the border is not told apart, and another box is to be tried. */
+typedef struct border {
+    graze_outline *o;
+    graze_context *context;
+    fmpq *end; /* low x, high x, low y, high y */
+    ulong places;
+    int unclear, crossings;
+} border;
+
+static const int side_axis[] = {1, 0, 1, 0}, side_upper[] = {0, 1, 1, 0};
+
+/* Where is a number against the box's range on an axis: -1 below, 0 inside, 1 above? */
+static int range_place(border *b, const bracket *x, int axis) {
+    HELD(bracket, low);
+    HELD(bracket, high);
+    bracket_set_rational(&low, b->end + 2 * axis, b->places);
+    bracket_set_rational(&high, b->end + 2 * axis + 1, b->places);
+    b->unclear = b->unclear || bracket_meets(x, &low) || bracket_meets(x, &high);
+    return fmpz_cmp(x->high, low.low) < 0 ? -1 : fmpz_cmp(x->low, high.high) > 0;
+}
+
+/* The coordinate along a side at which a curve crosses it. */
+static graze_status crossing_place(bracket *out, const border *b, outline_curve *c, algebraic *at,
+                                   int side, ulong places) {
+    int axis = side_axis[side];
+    if (!c->slant) {
+        bracket xy[2];
+        bracket_init(&xy[0]);
+        bracket_init(&xy[1]);
+        graze_status status = outline_curve_place(xy, b->context, c, at, places);
+        bracket_set(out, &xy[1 - axis]);
+        bracket_clear(&xy[0]);
+        bracket_clear(&xy[1]);
+        return status;
+    }
+    int own = c->axis; /* a line has either coordinate for its parameter */
+    c->axis = axis;
+    graze_status status =
+        slant_other(out, b->context, c, b->end + 2 * axis + side_upper[side], places);
+    c->axis = own;
+    return status;
+}
+
+/* Count a crossing of a side's line if it lies on the side; `e` keeps it. */
+static graze_status count_crossing(border *b, outline_curve *c, algebraic *at, int side,
+                                   turn_end *e) {
+    HELD(bracket, along);
+    TRY(crossing_place(&along, b, c, at, side, b->places));
+    if (range_place(b, &along, 1 - side_axis[side]) || b->unclear)
+        return GRAZE_OK;
+    b->crossings++;
+    e->side = side;
+    if (!c->slant)
+        algebraic_set(&e->at, at);
+    return GRAZE_OK;
+}
+
+/* Is a number strictly between two others? */
+static graze_status lies_between(int *out, graze_context *context, algebraic *low, algebraic *x,
+                                 algebraic *high) {
+    int order = 0;
+    TRY(algebraic_compare(&order, context, low, x));
+    *out = order < 0;
+    if (*out) {
+        TRY(algebraic_compare(&order, context, x, high));
+        *out = order < 0;
+    }
+    return GRAZE_OK;
+}
+
+/* The crossings of a curve with a side, strictly between two parameters. */
+static graze_status cross_side(border *b, outline_curve *c, algebraic *from, algebraic *to,
+                               int side, turn_end *e) {
+    LOCAL(fmpz_poly, p);
+    HELD(dyadic_interval, range);
+    HELD(algebraic_list, roots);
+    const fmpq *at = b->end + 2 * side_axis[side] + side_upper[side];
+    fmpz_poly_scalar_mul_fmpz(p, &c->x[side_axis[side]], fmpq_denref(at));
+    fmpz_poly_scalar_submul_fmpz(p, &c->x[2], fmpq_numref(at));
+    b->unclear = b->unclear || fmpz_poly_is_zero(p);
+    if (b->unclear)
+        return GRAZE_OK;
+    interval_of(&range, from, to);
+    TRY(algebraic_roots(&roots, b->context, p, &range));
+    for (size_t k = 0; k < roots.count && !b->unclear; k++) {
+        int inside = 0;
+        TRY(lies_between(&inside, b->context, from, &roots.item[k], to));
+        if (inside)
+            TRY(count_crossing(b, c, &roots.item[k], side, e));
+    }
+    return GRAZE_OK;
+}
+
+/* Where an end of a part of a curve lies against both ranges. */
+static graze_status place_end(int *out, border *b, outline_curve *c, algebraic *s) {
+    bracket xy[2];
+    bracket_init(&xy[0]);
+    bracket_init(&xy[1]);
+    graze_status status = outline_curve_place(xy, b->context, c, s, b->places);
+    for (int k = 0; k < 2 && !status; k++)
+        out[k] = range_place(b, &xy[k], k);
+    bracket_clear(&xy[0]);
+    bracket_clear(&xy[1]);
+    return status;
+}
+
+/* Find the crossings of the part of a curve between two parameters with the box's border, and how
+ * many of its ends are inside. */
+static graze_status find_crossings(int *inside, border *b, outline_curve *c, algebraic *from,
+                                   algebraic *to, turn_end *e) {
+    int place[2][2] = {{0}, {0}};
+    b->crossings = 0;
+    TRY(place_end(place[0], b, c, from));
+    TRY(place_end(place[1], b, c, to));
+    *inside = !(place[0][0] || place[0][1]) + !(place[1][0] || place[1][1]);
+    for (int side = 0; side < 4 && !b->unclear; side++) {
+        int axis = side_axis[side], beyond = side_upper[side] ? 1 : -1;
+        if (!c->slant)
+            TRY(cross_side(b, c, from, to, side, e));
+        else if ((place[0][axis] == beyond) != (place[1][axis] == beyond))
+            TRY(count_crossing(b, c, NULL, side, e));
+    }
+    return GRAZE_OK;
+}
+
+/* The part of a piece that leaves its point at an end: all of it, or half of a loop. */
+static graze_status cross_at_end(border *b, turn_end *e) {
+    const outline_piece *p = &b->o->piece[e->piece];
+    int inside = 0;
+    HELD(algebraic, middle);
+    algebraic *from = piece_end(b->o, p, 0), *to = piece_end(b->o, p, 1);
+    if (p->end[0] == p->end[1]) {
+        TRY(piece_middle(middle.value, b->context, b->o, p));
+        if (e->end)
+            from = &middle;
+        else
+            to = &middle;
+    }
+    TRY(find_crossings(&inside, b, &b->o->curve[p->curve], from, to, e));
+    b->unclear = b->unclear || b->crossings != 1 || inside != 1;
+    return GRAZE_OK;
+}
+
+/* Pieces that do not end in the point miss the box. */
+static graze_status check_others(border *b, size_t point) {
+    box around = {{0}, {0}};
+    double other;
+    HELD(turn_end, unused);
+    for (int k = 0; k < 2; k++) {
+        rational_bounds(&around.low[k], &other, b->end + 2 * k);
+        rational_bounds(&other, &around.high[k], b->end + 2 * k + 1);
+    }
+    for (size_t k = 0; k < b->o->piece_count && !b->unclear; k++) {
+        outline_piece *p = &b->o->piece[k];
+        int inside = 0;
+        if (!p->turn || p->end[0] == point || p->end[1] == point || !box_meets(&p->box, &around))
+            continue;
+        TRY(find_crossings(&inside, b, &b->o->curve[p->curve], piece_end(b->o, p, 0),
+                           piece_end(b->o, p, 1), &unused));
+        b->unclear = b->unclear || b->crossings || inside;
+    }
+    return GRAZE_OK;
+}
+
+/* Set a box of about 2^-m around the point; its shape depends on m, so that no curve leaves all
+ * boxes through a corner. */
+static graze_status set_border(border *b, size_t point, ulong m) {
+    const outline_point *p = &b->o->point[point];
+    outline_curve *c = &b->o->curve[p->curve];
+    bracket xy[2];
+    LOCAL_VEC(fmpq, half, 2);
+    fmpq *middle = half + 1;
+    bracket_init(&xy[0]);
+    bracket_init(&xy[1]);
+    graze_status status = outline_curve_place(xy, b->context, c, c->cut[p->cut], m + 8);
+    for (int k = 0; k < 2 && !status; k++) {
+        fmpq_set_si(half, k ? 64 : 33 + (slong)(7 * m % 31), 64);
+        fmpq_div_2exp(half, half, m);
+        bracket_middle(middle, &xy[k], m + 8);
+        fmpq_sub(b->end + 2 * k, middle, half);
+        fmpq_add(b->end + 2 * k + 1, middle, half);
+    }
+    bracket_clear(&xy[0]);
+    bracket_clear(&xy[1]);
+    b->places = m + 64;
+    b->unclear = 0;
+    return status;
+}
+
+/* *before becomes 1 if end x leaves the box earlier than y, counter-clockwise from the lower left
+ * corner. */
+static graze_status leaves_before(int *before, border *b, turn_end *x, turn_end *y) {
+    *before = x->side < y->side;
+    if (x->side != y->side)
+        return GRAZE_OK;
+    HELD(bracket, at_x);
+    HELD(bracket, at_y);
+    for (ulong places = b->places;; places *= 2) {
+        if (places > b->context->limits[GRAZE_LIMIT_BITS])
+            return context_limit(b->context, GRAZE_LIMIT_BITS, "the places of a crossing");
+        TRY(crossing_place(&at_x, b, &b->o->curve[b->o->piece[x->piece].curve], &x->at, x->side,
+                           places));
+        TRY(crossing_place(&at_y, b, &b->o->curve[b->o->piece[y->piece].curve], &y->at, y->side,
+                           places));
+        if (!bracket_meets(&at_x, &at_y))
+            break;
+    }
+    *before = (fmpz_cmp(at_x.high, at_y.low) < 0) == (x->side < 2);
+    return GRAZE_OK;
+}
+
+static graze_status sort_ends(border *b, turn_end *end, size_t count) {
+    for (size_t i = 1; i < count; i++)
+        for (size_t k = i; k > 0; k--) {
+            int before = 0;
+            TRY(leaves_before(&before, b, &end[k], &end[k - 1]));
+            if (!before)
+                break;
+            turn_end swap = end[k];
+            end[k] = end[k - 1];
+            end[k - 1] = swap;
+        }
+    return GRAZE_OK;
+}
+
+/* Sort the ends at a point of more than two. */
+static graze_status order_ends(graze_outline *o, graze_context *context, turn_end *end,
+                               size_t count) {
+    LOCAL_VEC(fmpq, ends, 4);
+    border b = {.o = o, .context = context, .end = ends, .unclear = 1};
+    double size = INFINITY;
+    int exponent = 0;
+    for (size_t k = 0; k < count; k++)
+        size = fmin(size, box_extent(&o->piece[end[k].piece].box));
+    if (isfinite(size))
+        (void)frexp(size, &exponent);
+    for (ulong m = exponent < 3 ? (ulong)(3 - exponent) : 0; b.unclear; m += 3) {
+        if (m > context->limits[GRAZE_LIMIT_BITS])
+            return context_limit(context, GRAZE_LIMIT_BITS, "the places of a box about a point");
+        TRY(set_border(&b, end->point, m));
+        for (size_t k = 0; k < count && !b.unclear; k++)
+            TRY(cross_at_end(&b, &end[k]));
+        if (!b.unclear)
+            TRY(check_others(&b, end->point));
+    }
+    return sort_ends(&b, end, count);
+}
+
+/* Does the set's boundary, with the set on the left, arrive at the point along this end? */
+static int is_incoming(const graze_outline *o, const turn_end *e) {
+    return (o->piece[e->piece].turn > 0) == (e->end == 1);
+}
+
+/* Link the sorted ends of one point. Around it they arrive and leave by turns. */
+static graze_status link_ends(turn_order *out, const graze_outline *o, graze_context *context,
+                              const turn_end *end, size_t count) {
+    for (size_t k = 0; k < count; k++) {
+        const turn_end *next = &end[(k + 1) % count];
+        size_t here = 2 * end[k].piece + (size_t)end[k].end;
+        size_t there = 2 * next->piece + (size_t)next->end;
+        if (is_incoming(o, &end[k]) == is_incoming(o, next))
+            return context_fail(context, GRAZE_EINTERNAL,
+                                "the boundary's pieces do not alternate about a point");
+        out->next[here] = there;
+        out->previous[there] = here;
+    }
+    return GRAZE_OK;
+}
+
+static int compare_ends(const void *left, const void *right) {
+    const turn_end *a = left, *b = right;
+    if (a->point != b->point)
+        return a->point < b->point ? -1 : 1;
+    size_t i = 2 * a->piece + (size_t)a->end, k = 2 * b->piece + (size_t)b->end;
+    return i < k ? -1 : i > k;
+}
+
+static graze_status order_points(turn_order *out, graze_outline *o, graze_context *context,
+                                 turn_end *end, size_t count) {
+    qsort(end, count, sizeof *end, compare_ends);
+    for (size_t first = 0, next; first < count; first = next) {
+        for (next = first; next < count && end[next].point == end[first].point;)
+            next++;
+        if (next - first > 2)
+            TRY(order_ends(o, context, end + first, next - first));
+        TRY(link_ends(out, o, context, end + first, next - first));
+    }
+    return GRAZE_OK;
+}
+
+graze_status outline_turns(turn_order *out, graze_outline *o, graze_context *context) {
+    size_t count = 0;
+    FREED(turn_end, end, malloc((2 * o->piece_count + 1) * sizeof *end));
+    out->next = malloc((2 * o->piece_count + 1) * sizeof *out->next);
+    out->previous = malloc((2 * o->piece_count + 1) * sizeof *out->previous);
+    if (!end || !out->next || !out->previous)
+        return context_fail(context, GRAZE_ESYSTEM, "out of memory for an outline");
+    for (size_t k = 0; k < o->piece_count; k++)
+        for (int i = 0; i < 2 && o->piece[k].turn; i++) {
+            turn_end *e = &end[count++];
+            turn_end_init(e);
+            e->point = o->piece[k].end[i];
+            e->piece = k;
+            e->end = i;
+        }
+    graze_status status = order_points(out, o, context, end, count);
+    for (size_t k = 0; k < count; k++)
+        turn_end_clear(&end[k]);
+    return status;
+}
