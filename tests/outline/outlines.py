@@ -84,7 +84,7 @@ class Curve:
 
     def __init__(self, arc, ends):
         self.ends = ends
-        if arc["curve"] is None:
+        if arc["curve"] is None or arc["sources"][0]["from"] is None:  # a flat: straight
             self.x, self.y = ([b - a, a] for a, b in zip(*ends))
             self.w, self.marks = [1.0], [0.0, 1.0]
             return
@@ -158,7 +158,7 @@ class Outline:
         return enclosure(self.record["length"])
 
     def lower_length(self):
-        return sum(Curve(a, (self.places[a["from"]], self.places[a["to"]])).length() for a in self.record["lower"]["arcs"])
+        return sum(Curve(a, (tuple(a["from"]["near"]), tuple(a["to"]["near"]))).length() for a in self.record["lower"]["arcs"])
 
     def row(self, y):
         """Sorted (x, step) of the row at y: to the right of an x the winding number is less by its step."""
@@ -171,6 +171,8 @@ def places(source, solid, motion, unsweep):
         t = min(max(t, motion.start), motion.end)
         p = motion.back(point, t) if unsweep else motion.map(point, t)
         return tuple(map(to_double, p))
+    if source["from"] is None:
+        return [tuple(image(near(source["at"]), solid.vertices[k]) for k in source["edge"])] * 2
     first, last = near(source["from"]), near(source["to"])
     if source["kind"] == "path":
         return [image(t, solid.vertices[source["vertex"]]) for t in (first, last)]
@@ -191,10 +193,10 @@ def off(place, end):
 
 
 def enclosure(value):
-    """(low, high) as Fractions or Decimals, equal where the value is exact."""
+    """(low, high): Fractions, equal, where the value is exact, else Decimals of the doubles, which are bounds themselves."""
     if "exact" in value:
         return F(value["exact"]), F(value["exact"])
-    return Decimal(str(value["low"])), Decimal(str(value["high"]))
+    return Decimal(value["low"]), Decimal(value["high"])
 
 
 def middle(value):
