@@ -32,7 +32,7 @@ typedef struct graze_outline_facts {
     size_t holes;                    /**< bounded components of its complement */
     long euler;                      /**< components - holes */
     size_t lower_arcs, lower_points; /**< seams of a sweep, dangling parts of an unsweep */
-    size_t undecided;                /**< arcs and points of which it is not known */
+    size_t undecided;                /**< arcs and points that may be lower parts */
     double area_low, area_high;      /**< bounds of the area */
     double length_low, length_high;  /**< bounds of the boundary's length */
     int area_is_rational;            /**< 1: graze_outline_area gives the area */

@@ -21,11 +21,12 @@ DOCUMENTS = ("proofs/claims.md", "proofs/filter.md", "proofs/separation.md", "pr
              "proofs/envelope.md", "proofs/doubles.md", "proofs/distance.md", "proofs/closure.md",
              "proofs/snap.md", "proofs/cells.md", "proofs/events.md", "proofs/bricks.md", "proofs/gaps.md",
              "proofs/maps.md", "proofs/roots.md", "proofs/slabs.md", "proofs/curved.md", "proofs/surfaces.md", "proofs/collision.md",
-             "proofs/dangling.md", "proofs/mesh.md", "proofs/judging.md", "proofs/flows.md")
+             "proofs/dangling.md", "proofs/mesh.md", "proofs/judging.md", "proofs/flows.md",
+             "proofs/outline.md")
 HEADING = re.compile(r"^## C(\d+) .*?(?=^## C|^# |\Z)", re.M | re.S)
 CERTIFICATE = re.compile(r"^## (K\d+) .*?(?=^## K|^# |\Z)", re.M | re.S)
 # Outside proofs/ a number is cited behind the name of its document, perhaps over the end of a comment's line.
-CITED = re.compile(r"(?:claims|filter|separation|topology|membership|doubles|envelope|distance|closure|snap|cells|events|bricks|gaps|maps|roots|slabs|curved|surfaces|collision|dangling|mesh|judging|flows)\.md\)?,?[\s*/#]*((?:C\d+(?:[\s*/#]*(?:,|;|and|to)?[\s*/#]+(?=(?:and )?C\d)(?:and )?)?)+)")
+CITED = re.compile(r"(?:claims|filter|separation|topology|membership|doubles|envelope|distance|closure|snap|cells|events|bricks|gaps|maps|roots|slabs|curved|surfaces|collision|dangling|mesh|judging|flows|outline)\.md\)?,?[\s*/#]*((?:C\d+(?:[\s*/#]*(?:,|;|and|to)?[\s*/#]+(?=(?:and )?C\d)(?:and )?)?)+)")
 CHECKED = re.compile(r"^\*Machine-checked:\* (.*?)(?=\n\n|\s*\Z)", re.M | re.S)
 ELSEWHERE = ("src/**/*.[ch]", "src/**/*.[ch]pp", "src/**/*.md", "include/**/*.h", "tests/**/*.[ch]", "tests/**/*.py",
              "tests/**/*.cpp", "tests/**/*.h", "tests/mutants.txt", "cases/**/*.md", "*.md")

@@ -42,7 +42,7 @@ static graze_status put_time_of(outline_writer *j, const char *key, const graze_
     return status;
 }
 
-static graze_status put_point(outline_writer *j, const char *key, size_t point) {
+static graze_status put_outline_point(outline_writer *j, const char *key, size_t point) {
     outline_point *p = &j->outline->point[point];
     TRY(outline_point_make(j->outline, j->context, p));
     json_open(&j->w, key, '{');
@@ -109,7 +109,7 @@ static void put_function(outline_writer *j, const char *key, const outline_curve
     text_put(out, whole ? "\"" : ")\"");
 }
 
-static void put_curve(outline_writer *j, const outline_curve *c) {
+static void put_outline_curve(outline_writer *j, const outline_curve *c) {
     const char *name = c->axis == 0               ? "x"
                        : c->axis == 1             ? "y"
                        : c->source == SOURCE_EDGE ? "s"
@@ -175,7 +175,7 @@ static graze_status put_sources(outline_writer *j, const outline_arc *arc, size_
         TRY(put_source(j, p, last ? last : p));
     }
     json_close(&j->w, ']');
-    put_curve(j, &o->curve[o->piece[first].curve]);
+    put_outline_curve(j, &o->curve[o->piece[first].curve]);
     return GRAZE_OK;
 }
 
@@ -227,7 +227,7 @@ static void put_measure(outline_writer *j, const char *key, const outline_measur
     json_close(&j->w, '}');
 }
 
-static void put_ring(outline_writer *j, const outline_ring *ring) {
+static void put_outline_ring(outline_writer *j, const outline_ring *ring) {
     json_open(&j->w, NULL, '{');
     json_open(&j->w, "arcs", '[');
     for (size_t k = 0; k < ring->count; k++)
@@ -248,8 +248,8 @@ static graze_status put_lower(outline_writer *j) {
         if (o->piece[k].lower != 1)
             continue;
         json_open(&j->w, NULL, '{');
-        TRY(put_point(j, "from", o->piece[k].end[0]));
-        TRY(put_point(j, "to", o->piece[k].end[1]));
+        TRY(put_outline_point(j, "from", o->piece[k].end[0]));
+        TRY(put_outline_point(j, "to", o->piece[k].end[1]));
         TRY(put_sources(j, NULL, k));
         json_close(&j->w, '}');
     }
@@ -264,7 +264,7 @@ static graze_status put_lower(outline_writer *j) {
 }
 
 /* Number the points at which arcs end, and write them. */
-static graze_status put_vertices(outline_writer *j) {
+static graze_status put_outline_vertices(outline_writer *j) {
     graze_outline *o = j->outline;
     size_t count = 0;
     for (size_t k = 0; k < o->arc_count; k++)
@@ -273,7 +273,7 @@ static graze_status put_vertices(outline_writer *j) {
     for (size_t k = 0; k < o->point_count; k++)
         if (j->vertex[k]) {
             j->vertex[k] = count++;
-            TRY(put_point(j, NULL, k));
+            TRY(put_outline_point(j, NULL, k));
         }
     json_close(&j->w, ']');
     return GRAZE_OK;
@@ -287,14 +287,14 @@ graze_status outline_json(text *out, graze_context *context, graze_outline *o) {
     int is_sweep = o->scene->options.operation == GRAZE_SWEEP;
     json_open(&j.w, NULL, '{');
     json_text(&j.w, "operation", is_sweep ? "sweep" : "unsweep");
-    TRY(put_vertices(&j));
+    TRY(put_outline_vertices(&j));
     json_open(&j.w, "arcs", '[');
     for (size_t k = 0; k < o->arc_count; k++)
         TRY(put_arc(&j, &o->arc[k]));
     json_close(&j.w, ']');
     json_open(&j.w, "rings", '[');
     for (size_t k = 0; k < o->ring_count; k++)
-        put_ring(&j, &o->ring[k]);
+        put_outline_ring(&j, &o->ring[k]);
     json_close(&j.w, ']');
     json_count(&j.w, "components", o->components);
     json_count(&j.w, "interior_components", o->interior_components);
@@ -347,8 +347,8 @@ void outline_text(text *t, const graze_outline *o) {
 }
 
 /* Append an exact number as in tables. */
-static graze_status put_number(outline_writer *j, const graze_motion *motion, size_t piece,
-                               const algebraic *u) {
+static graze_status put_outline_number(outline_writer *j, const graze_motion *motion, size_t piece,
+                                       const algebraic *u) {
     graze_time *time;
     graze_status status = make_time(&time, j->context, motion, piece, u);
     if (!status)
@@ -370,15 +370,16 @@ static graze_status put_arc_row(outline_writer *j, size_t number, const size_t *
     for (int k = 0; k < 2; k++) {
         outline_point *p = &j->outline->point[k ? arc->to : arc->from];
         TRY(outline_point_make(j->outline, j->context, p));
-        TRY(put_number(j, &number_line, 0, &p->coordinate[0]));
-        TRY(put_number(j, &number_line, 0, &p->coordinate[1]));
+        TRY(put_outline_number(j, &number_line, 0, &p->coordinate[0]));
+        TRY(put_outline_number(j, &number_line, 0, &p->coordinate[1]));
     }
     if (c->source == SOURCE_PATH)
         text_format(j->w.out, "path,%zu,%zu,", c->a, c->piece);
     else
         text_format(j->w.out, "%s,%zu-%zu,%zu,", kind_names[c->source], c->a, c->b, c->piece);
     for (int k = 0; k < 2; k++)
-        TRY(put_number(j, o->scene->motion, c->piece, c->source == SOURCE_EDGE ? &c->at : end[k]));
+        TRY(put_outline_number(j, o->scene->motion, c->piece,
+                               c->source == SOURCE_EDGE ? &c->at : end[k]));
     for (int k = 0; k < 4; k++) {
         text_rational(j->w.out, &first->sample[k]);
         text_put(j->w.out, k < 3 ? "," : "\n");

@@ -64,7 +64,8 @@ static int run_outline(void *options, const operands *given) {
     OWNED(graze_outline, outline);
     FREED(char, written, NULL);
     if (o->options.width != 0 && !(o->options.width >= 1e-300 && o->options.width <= 0.1))
-        return complain(EXIT_USAGE, "--width: expected a number from 1e-300 to 0.1");
+        return complain(EXIT_USAGE, "--width %g: expected a number from 1e-300 to 0.1",
+                        o->options.width);
     scene_files(&o->scene, given);
     TRY(loaded_read(&l, &o->scene, EXIT_INPUT, NULL));
     TRY(check_kind(l.solid, o->scene.solid));

@@ -28,7 +28,8 @@ void outline_curve_drop_last(graze_outline *o);
 void outline_curve_clear(outline_curve *c);
 /** Divide by the common factor of the three polynomials; returns 1 if the curve is one point. */
 int outline_curve_reduce(outline_curve *c);
-/** The polynomial whose roots are the parameters at which the curve, not slanted, passes a point.
+/** The polynomial whose roots are the parameters at which the curve, not slanted, piece_passes a
+ * point.
  */
 void outline_curve_at_point(fmpz_poly_t out, const outline_curve *c, const fmpq *point);
 /** The degree of the curve's polynomials. */

@@ -15,6 +15,16 @@ void bracket_clear(bracket *x) {
     fmpz_clear(x->high);
 }
 
+void point_place_init(point_place *p) {
+    bracket_init(&p->xy[0]);
+    bracket_init(&p->xy[1]);
+}
+
+void point_place_clear(point_place *p) {
+    bracket_clear(&p->xy[0]);
+    bracket_clear(&p->xy[1]);
+}
+
 void bracket_set(bracket *x, const bracket *y) {
     fmpz_set(x->low, y->low);
     fmpz_set(x->high, y->high);
@@ -119,7 +129,7 @@ void bracket_evaluate(bracket *out, const fmpz_poly_t p, const bracket *at, ulon
 }
 
 /* Is the number's interval at most 2^-places wide? */
-static int is_narrow(const dyadic_interval *where, ulong places) {
+static int is_short(const dyadic_interval *where, ulong places) {
     LOCAL(fmpz, width);
     fmpz_sub(width, where->high, where->low);
     return fmpz_bits(width) + places <= where->exponent + 1;
@@ -129,7 +139,7 @@ graze_status bracket_of_number(bracket *out, graze_context *context, algebraic *
     ulong gain = FIRST_GAIN;
     LOCAL_VEC(fmpq, low, 2);
     fmpq *high = low + 1;
-    for (int step = 0; !algebraic_is_rational(x) && !is_narrow(&x->where, places + 1); step++)
+    for (int step = 0; !algebraic_is_rational(x) && !is_short(&x->where, places + 1); step++)
         TRY(algebraic_narrow(context, x, step, &gain));
     HELD(bracket, upper);
     algebraic_bounds(low, high, x);
@@ -156,8 +166,8 @@ int slant_place(bracket *out, const outline_curve *c, const bracket *at, const b
 }
 
 /* Both coordinates with `working` places; 0 where these are too few. */
-static graze_status try_place(int *done, bracket *xy, graze_context *context, outline_curve *c,
-                              algebraic *s, ulong working) {
+static graze_status place_with(int *done, bracket *xy, graze_context *context, outline_curve *c,
+                               algebraic *s, ulong working) {
     HELD(bracket, at);
     HELD(bracket, weight);
     TRY(bracket_of_number(&at, context, s, working));
@@ -182,7 +192,7 @@ graze_status outline_curve_place(bracket *xy, graze_context *context, outline_cu
     LOCAL(fmpz, width);
     for (ulong guard = 64;; guard *= 2) {
         int done = 0;
-        TRY(try_place(&done, xy, context, c, s, places + guard));
+        TRY(place_with(&done, xy, context, c, s, places + guard));
         for (int k = 0; k < 2 && done; k++) {
             fmpz_sub(width, xy[k].high, xy[k].low);
             done = fmpz_bits(width) <= guard;

@@ -1,4 +1,4 @@
-/* Intervals with fixed binary places, and places of curves in them.
+/* Intervals with fixed binary places, places of curves in them, and integrals.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef GRAZE_QUESTIONS_OUTLINE_BRACKET_H
 #define GRAZE_QUESTIONS_OUTLINE_BRACKET_H
@@ -13,6 +13,8 @@
 
 void bracket_init(bracket *x);
 void bracket_clear(bracket *x);
+void point_place_init(point_place *p);
+void point_place_clear(point_place *p);
 void bracket_set(bracket *x, const bracket *y);
 void bracket_set_rational(bracket *x, const fmpq_t value, ulong places);
 void bracket_low(fmpq_t out, const bracket *x, ulong places);
@@ -50,5 +52,22 @@ graze_status outline_curve_place(bracket *xy, graze_context *context, outline_cu
  * returns 0 where too few places are kept. `at` is the bracket of its time. */
 int slant_place(bracket *out, const outline_curve *c, const bracket *at, const bracket *s,
                 ulong places);
+
+/* Integrals over parts of curves (integrals.c). */
+
+/** The function num/den or, if `root`, sqrt(num)/den; den > 0. */
+typedef struct integrand {
+    fmpz_poly_t num, den;
+    int root;
+} integrand;
+
+/**
+ * Enclose the integral of a function between two numbers.
+ * @param places kept in all numbers
+ * @param bits   the bits that the width of each part may have, in units of 2^-places
+ * @return GRAZE_ELIMIT, GRAZE_ECANCELED
+ */
+graze_status integral_between(bracket *out, graze_context *context, const integrand *f,
+                              algebraic *from, algebraic *to, ulong places, ulong bits);
 
 #endif

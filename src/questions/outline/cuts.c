@@ -30,7 +30,7 @@ static void cutter_clear(cutter *k) {
 }
 
 /* Cut at all roots of a polynomial in the curve's range. */
-static graze_status cut_at_roots(cutter *k, const fmpz_poly_t p) {
+static graze_status cut_at_zeros(cutter *k, const fmpz_poly_t p) {
     if (fmpz_poly_is_zero(p))
         return context_fail(k->context, GRAZE_EINTERNAL, "a curve is cut by its own equation");
     return algebraic_roots(&k->curve->cut_number, k->context, p, &k->range);
@@ -92,7 +92,7 @@ static graze_status keep_points(graze_outline *o, graze_context *context, outlin
 static graze_status cut_at_points(cutter *k, const fmpz_poly_t p) {
     const outline_curve *c = k->curve;
     if (c->slant)
-        return cut_at_roots(k, p);
+        return cut_at_zeros(k, p);
     LOCAL(fmpz_poly, sum);
     LOCAL(fmpz_poly, power);
     LOCAL(fmpz_poly, term);
@@ -103,7 +103,7 @@ static graze_status cut_at_points(cutter *k, const fmpz_poly_t p) {
         fmpz_poly_add(sum, sum, term);
         fmpz_poly_mul(power, power, &c->x[2]);
     }
-    return cut_at_roots(k, sum);
+    return cut_at_zeros(k, sum);
 }
 
 /* Cut a slanted line where another form vanishes. */
@@ -114,7 +114,7 @@ static graze_status cut_slant(cutter *k, const fmpz_mpoly_t form) {
     LOCAL(fmpz_poly, p);
     TRY(form_eliminate(rest, k->context, form, k->equation->form, other, ring));
     form_to_poly(p, rest, axis, ring);
-    return cut_at_roots(k, p);
+    return cut_at_zeros(k, p);
 }
 
 /* Cut where the curve's own equation is singular. */
@@ -134,7 +134,7 @@ static graze_status cut_singular(cutter *k) {
         form_pullback(p + i, slope, e->degree - 1, k->curve->x, ring);
     }
     fmpz_poly_gcd(p, p, p + 1);
-    return cut_at_roots(k, p);
+    return cut_at_zeros(k, p);
 }
 
 static graze_status cut_by_other(cutter *k, const outline_equation *other) {
@@ -142,10 +142,10 @@ static graze_status cut_by_other(cutter *k, const outline_equation *other) {
         return cut_slant(k, other->form);
     LOCAL(fmpz_poly, p);
     form_pullback(p, other->form, other->degree, k->curve->x, k->o->ring_of_forms);
-    return cut_at_roots(k, p);
+    return cut_at_zeros(k, p);
 }
 
-/* Cut where the curve passes a point of two rationals. */
+/* Cut where the curve piece_passes a point of two rationals. */
 static graze_status cut_at_fixed(cutter *k, const fmpq *point) {
     outline_curve *c = k->curve;
     LOCAL_VEC(fmpz_poly, p, 3);
@@ -161,7 +161,7 @@ static graze_status cut_at_fixed(cutter *k, const fmpq *point) {
         return GRAZE_OK;
     }
     outline_curve_at_point(p, c, point);
-    return fmpz_poly_degree(p) > 0 ? cut_at_roots(k, p) : GRAZE_OK;
+    return fmpz_poly_degree(p) > 0 ? cut_at_zeros(k, p) : GRAZE_OK;
 }
 
 void outline_curve_at_point(fmpz_poly_t out, const outline_curve *c, const fmpq *point) {
@@ -188,20 +188,23 @@ static graze_status order_cuts(cutter *k) {
     c->cut_count = last - first + 1;
     for (size_t i = 0; i < c->cut_count; i++)
         c->cut[i] = c->cut[first + i];
-    return GRAZE_OK;
+    k->o->all_cuts += c->cut_count;
+    return k->o->all_cuts > k->context->limits[GRAZE_LIMIT_ARCS]
+               ? context_limit(k->context, GRAZE_LIMIT_ARCS, "the pieces of curves of an outline")
+               : GRAZE_OK;
 }
 
-static void add_cut(outline_curve *c, const algebraic *s) {
+static void append_cut(outline_curve *c, const algebraic *s) {
     algebraic_set(algebraic_list_append(&c->cut_number), s);
 }
 
 static graze_status cut_curve(graze_outline *o, graze_context *context, outline_curve *c,
                               const unsigned char *is_near) {
     HELD(cutter, k, o, context, c);
-    add_cut(c, &c->from);
-    add_cut(c, &c->to);
+    append_cut(c, &c->from);
+    append_cut(c, &c->to);
     for (size_t i = 0; i < c->mark.count; i++)
-        add_cut(c, &c->mark.item[i]);
+        append_cut(c, &c->mark.item[i]);
     TRY(cut_singular(&k));
     for (size_t i = 0; i < o->equation_count; i++)
         if (is_near[i] && i != c->equation) {

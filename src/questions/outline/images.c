@@ -64,11 +64,11 @@ graze_status number_in_bracket(int *found, algebraic *out, graze_context *contex
 }
 
 /* The quotient of two values at a bracket; 0 where too few places are kept. */
-static int quotient_at(bracket *out, const fmpz_poly_t num, const fmpz_poly_t den,
-                       const bracket *at, ulong places) {
+static int bracket_quotient(bracket *out, const fmpz_poly_t num, const fmpz_poly_t den,
+                            const bracket *at, ulong places) {
     HELD(bracket, below);
-    bracket_evaluate(out, num, at, places);
     bracket_evaluate(&below, den, at, places);
+    bracket_evaluate(out, num, at, places);
     return bracket_div(out, out, &below, places);
 }
 
@@ -95,7 +95,7 @@ graze_status image_number(algebraic *out, graze_context *context, const fmpz_pol
     int found = 0;
     for (ulong places = 64; !found; places *= 2) {
         TRY(bracket_of_number(&at, context, x, places));
-        if (quotient_at(&at, num, den, &at, places))
+        if (bracket_quotient(&at, num, den, &at, places))
             TRY(number_in_bracket(&found, out, context, p, &at, places));
     }
     return GRAZE_OK;

@@ -2,7 +2,7 @@
  * the middle of cells; the last coefficient over the whole cell bounds the rest
  * (proofs/outline.md C139).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include "questions/outline/integrals.h"
+#include "questions/outline/bracket.h"
 
 #include <flint/fmpz_vec.h>
 #include "base/context/scope.h"
@@ -211,7 +211,7 @@ static int by_range(bracket *out, cell *c, int part) {
 }
 
 /* Add the integral over the cell, halved until each part's bracket has at most `bits` bits. */
-static graze_status add_cells(bracket *out, graze_context *context, cell *c, ulong bits) {
+static graze_status integrate_cells(bracket *out, graze_context *context, cell *c, ulong bits) {
     HELD(bracket, part);
     if ((by_series(&part, c) && is_tight(&part, bits)) ||
         (by_range(&part, c, 0) && is_tight(&part, bits))) {
@@ -226,15 +226,15 @@ static graze_status add_cells(bracket *out, graze_context *context, cell *c, ulo
         fmpz_mul_2exp(half.low, c->low, 1);
         fmpz_mul_2exp(half.high, c->high, 1);
         fmpz_add(upper ? half.low : half.high, c->low, c->high);
-        TRY(add_cells(out, context, &half, bits));
+        TRY(integrate_cells(out, context, &half, bits));
     }
     return GRAZE_OK;
 }
 
 /* Add the integral from the number within the bracket `at`, which ends at its higher end (`from`),
  * or to it from the lower one. */
-static graze_status add_end(bracket *out, graze_context *context, const integrand *f,
-                            const bracket *at, ulong places) {
+static graze_status integrate_end(bracket *out, graze_context *context, const integrand *f,
+                                  const bracket *at, ulong places) {
     HELD(cell, c, f, places);
     HELD(bracket, part);
     if (fmpz_equal(at->low, at->high))
@@ -259,12 +259,12 @@ graze_status integral_between(bracket *out, graze_context *context, const integr
     fmpz_zero(out->high);
     if (fmpz_cmp(first.high, last.low) >= 0) {
         bracket_join(&first, &last);
-        return add_end(out, context, f, &first, places);
+        return integrate_end(out, context, f, &first, places);
     }
-    TRY(add_end(out, context, f, &first, places));
-    TRY(add_end(out, context, f, &last, places));
+    TRY(integrate_end(out, context, f, &first, places));
+    TRY(integrate_end(out, context, f, &last, places));
     c.exponent = places;
     fmpz_set(c.low, first.high);
     fmpz_set(c.high, last.low);
-    return add_cells(out, context, &c, bits);
+    return integrate_cells(out, context, &c, bits);
 }

@@ -4,8 +4,8 @@
 #include <math.h>
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
-#include "questions/outline/complex.h"
-#include "questions/outline/integrals.h"
+#include "questions/outline/arc_complex.h"
+#include "questions/outline/bracket.h"
 
 void measure_init(outline_measure *m) {
     m->is_exact = 1;
@@ -63,7 +63,7 @@ static void arc_ends(algebraic **end, const graze_outline *o, const outline_arc 
 }
 
 /* x y' - x' y for two polynomials and their derivatives. */
-static void wronskian(fmpz_poly_t out, const fmpz_poly_t x, const fmpz_poly_t y) {
+static void slope_product(fmpz_poly_t out, const fmpz_poly_t x, const fmpz_poly_t y) {
     LOCAL(fmpz_poly, slope);
     LOCAL(fmpz_poly, product);
     fmpz_poly_derivative(slope, x);
@@ -99,7 +99,7 @@ static void set_exact_area(outline_measure *m, const outline_curve *c, algebraic
     }
     LOCAL(fmpz_poly, w);
     LOCAL(fmpq_poly, sum);
-    wronskian(w, &c->x[0], &c->x[1]);
+    slope_product(w, &c->x[0], &c->x[1]);
     fmpq_poly_set_fmpz_poly(sum, w);
     fmpq_poly_integral(sum, sum);
     for (int k = 0; k < 2; k++)
@@ -112,7 +112,7 @@ static void set_exact_area(outline_measure *m, const outline_curve *c, algebraic
     fmpq_div(m->exact, m->exact, at);
 }
 
-static void halve(bracket *x) {
+static void halve_bracket(bracket *x) {
     fmpz_fdiv_q_2exp(x->low, x->low, 1);
     fmpz_cdiv_q_2exp(x->high, x->high, 1);
 }
@@ -132,7 +132,7 @@ static graze_status measure_straight(bracket *area, bracket *length, const measu
     bracket_mul(area, &at[0][0], &at[1][1], m->places);
     bracket_mul(&product, &at[0][1], &at[1][0], m->places);
     bracket_sub(area, area, &product);
-    halve(area);
+    halve_bracket(area);
     fmpz_zero(length->low);
     fmpz_zero(length->high);
     for (int i = 0; i < 2; i++) {
@@ -155,14 +155,14 @@ static graze_status measure_curved(bracket *area, bracket *length, const measure
                                    const outline_curve *c, algebraic **end) {
     HELD(integrand, f);
     LOCAL(fmpz_poly, speed);
-    wronskian(f.num, &c->x[0], &c->x[1]);
+    slope_product(f.num, &c->x[0], &c->x[1]);
     fmpz_poly_mul(f.den, &c->x[2], &c->x[2]);
     fmpz_poly_scalar_mul_2exp(f.den, f.den, 1);
     TRY(integral_between(area, m->context, &f, end[0], end[1], m->places, m->bits));
     f.root = 1;
     fmpz_poly_zero(f.num);
     for (int i = 0; i < 2; i++) {
-        wronskian(speed, &c->x[i], &c->x[2]);
+        slope_product(speed, &c->x[i], &c->x[2]);
         fmpz_poly_mul(speed, speed, speed);
         fmpz_poly_add(f.num, f.num, speed);
     }

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "questions/outline/complex.h"
+#include "questions/outline/arc_complex.h"
 
 static void turn_order_clear(turn_order *t) {
     free(t->next);

@@ -56,6 +56,11 @@ typedef struct outline_equation {
     fmpz_poly_struct *point;
 } outline_equation;
 
+/** Both coordinates of a point. */
+typedef struct point_place {
+    bracket xy[2];
+} point_place;
+
 /** A part of a curve between neighbouring cuts. */
 typedef struct outline_piece {
     size_t curve, cut; /* from cut number `cut` to the next one */
@@ -114,7 +119,7 @@ struct graze_outline {
     size_t curve_count, curve_capacity, equation_count, equation_capacity;
     outline_curve *curve;
     outline_equation *equation;
-    size_t fixed_count, fixed_capacity;
+    size_t all_cuts, fixed_count, fixed_capacity;
     fmpq *fixed; /* points at which a path or an envelope rests, two coordinates each */
     size_t piece_count, piece_capacity, point_count, point_capacity;
     outline_piece *piece;

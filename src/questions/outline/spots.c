@@ -13,7 +13,7 @@
 #include "base/number/rounding.h"
 #include "base/number/vector.h"
 #include "decide/verdict/verdict.h"
-#include "questions/outline/complex.h"
+#include "questions/outline/arc_complex.h"
 
 /* Images of a box's corners in the solid's frame, two rationals each. */
 typedef struct corner_images {
@@ -21,12 +21,12 @@ typedef struct corner_images {
     box around;
 } corner_images;
 
-static int misses(const corner_images *c, const graze_solid *solid, size_t index) {
+static int images_miss(const corner_images *c, const graze_solid *solid, size_t index) {
     const tree_node *node = &solid->boxes.node[index];
     if (!box_meets(&node->box, &c->around))
         return 1;
     if (node->child)
-        return misses(c, solid, node->child) && misses(c, solid, node->child + 1);
+        return images_miss(c, solid, node->child) && images_miss(c, solid, node->child + 1);
     LOCAL_VEC(fmpz, form, 3);
     LOCAL(fmpq, sum);
     LOCAL(fmpq, term);
@@ -64,7 +64,7 @@ static int misses_at(const graze_scene *scene, const fmpq *box_ends, size_t piec
             c.around.low[i] = k && c.around.low[i] < low ? c.around.low[i] : low;
             c.around.high[i] = k && c.around.high[i] > high ? c.around.high[i] : high;
         }
-    return misses(&c, scene->solid, 0);
+    return images_miss(&c, scene->solid, 0);
 }
 
 /* Look at one rational time in each gap of a trace with the state. */
@@ -116,17 +116,14 @@ static graze_status is_surely_within(int *out, graze_context *context, const gra
 /* The box of a place, and whether it is proved to be within. */
 static graze_status place_is_within(int *out, const graze_outline *o, graze_context *context,
                                     outline_curve *c, algebraic *s) {
-    bracket xy[2];
+    HELD(point_place, here);
     LOCAL_VEC(fmpq, ends, 4);
-    bracket_init(&xy[0]);
-    bracket_init(&xy[1]);
-    graze_status status = outline_curve_place(xy, context, c, s, POINT_PLACES);
+    TRY(outline_curve_place(here.xy, context, c, s, POINT_PLACES));
     for (int k = 0; k < 2; k++) {
-        bracket_low(ends + 2 * k, &xy[k], POINT_PLACES);
-        bracket_high(ends + 2 * k + 1, &xy[k], POINT_PLACES);
-        bracket_clear(&xy[k]);
+        bracket_low(ends + 2 * k, &here.xy[k], POINT_PLACES);
+        bracket_high(ends + 2 * k + 1, &here.xy[k], POINT_PLACES);
     }
-    return status ? status : is_surely_within(out, context, o->scene, ends);
+    return is_surely_within(out, context, o->scene, ends);
 }
 
 /* Decide the pieces on irrational lines that may be lower parts. */

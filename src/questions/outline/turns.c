@@ -8,7 +8,7 @@
 #include "base/number/isolate.h"
 #include "base/number/order.h"
 #include "base/number/rounding.h"
-#include "questions/outline/complex.h"
+#include "questions/outline/arc_complex.h"
 
 /* One end of a boundary piece at its point. It leaves the box through side `side`: 0 bottom, 1
  * right, 2 top, 3 left; `at` is the parameter there of a curve that is not slanted. */
@@ -54,14 +54,10 @@ static graze_status crossing_place(bracket *out, const border *b, outline_curve 
                                    int side, ulong places) {
     int axis = side_axis[side];
     if (!c->slant) {
-        bracket xy[2];
-        bracket_init(&xy[0]);
-        bracket_init(&xy[1]);
-        graze_status status = outline_curve_place(xy, b->context, c, at, places);
-        bracket_set(out, &xy[1 - axis]);
-        bracket_clear(&xy[0]);
-        bracket_clear(&xy[1]);
-        return status;
+        HELD(point_place, here);
+        TRY(outline_curve_place(here.xy, b->context, c, at, places));
+        bracket_set(out, &here.xy[1 - axis]);
+        return GRAZE_OK;
     }
     int own = c->axis; /* a line has either coordinate for its parameter */
     c->axis = axis;
@@ -99,8 +95,8 @@ static graze_status lies_between(int *out, graze_context *context, algebraic *lo
 }
 
 /* The crossings of a curve with a side, strictly between two parameters. */
-static graze_status cross_side(border *b, outline_curve *c, algebraic *from, algebraic *to,
-                               int side, turn_end *e) {
+static graze_status cross_border_side(border *b, outline_curve *c, algebraic *from, algebraic *to,
+                                      int side, turn_end *e) {
     LOCAL(fmpz_poly, p);
     HELD(dyadic_interval, range);
     HELD(algebraic_list, roots);
@@ -123,15 +119,11 @@ static graze_status cross_side(border *b, outline_curve *c, algebraic *from, alg
 
 /* Where an end of a part of a curve lies against both ranges. */
 static graze_status place_end(int *out, border *b, outline_curve *c, algebraic *s) {
-    bracket xy[2];
-    bracket_init(&xy[0]);
-    bracket_init(&xy[1]);
-    graze_status status = outline_curve_place(xy, b->context, c, s, b->places);
-    for (int k = 0; k < 2 && !status; k++)
-        out[k] = range_place(b, &xy[k], k);
-    bracket_clear(&xy[0]);
-    bracket_clear(&xy[1]);
-    return status;
+    HELD(point_place, here);
+    TRY(outline_curve_place(here.xy, b->context, c, s, b->places));
+    for (int k = 0; k < 2; k++)
+        out[k] = range_place(b, &here.xy[k], k);
+    return GRAZE_OK;
 }
 
 /* Find the crossings of the part of a curve between two parameters with the box's border, and how
@@ -146,7 +138,7 @@ static graze_status find_crossings(int *inside, border *b, outline_curve *c, alg
     for (int side = 0; side < 4 && !b->unclear; side++) {
         int axis = side_axis[side], beyond = side_upper[side] ? 1 : -1;
         if (!c->slant)
-            TRY(cross_side(b, c, from, to, side, e));
+            TRY(cross_border_side(b, c, from, to, side, e));
         else if ((place[0][axis] == beyond) != (place[1][axis] == beyond))
             TRY(count_crossing(b, c, NULL, side, e));
     }
@@ -197,24 +189,20 @@ static graze_status check_others(border *b, size_t point) {
 static graze_status set_border(border *b, size_t point, ulong m) {
     const outline_point *p = &b->o->point[point];
     outline_curve *c = &b->o->curve[p->curve];
-    bracket xy[2];
+    HELD(point_place, here);
     LOCAL_VEC(fmpq, half, 2);
     fmpq *middle = half + 1;
-    bracket_init(&xy[0]);
-    bracket_init(&xy[1]);
-    graze_status status = outline_curve_place(xy, b->context, c, c->cut[p->cut], m + 8);
-    for (int k = 0; k < 2 && !status; k++) {
+    TRY(outline_curve_place(here.xy, b->context, c, c->cut[p->cut], m + 8));
+    for (int k = 0; k < 2; k++) {
         fmpq_set_si(half, k ? 64 : 33 + (slong)(7 * m % 31), 64);
         fmpq_div_2exp(half, half, m);
-        bracket_middle(middle, &xy[k], m + 8);
+        bracket_middle(middle, &here.xy[k], m + 8);
         fmpq_sub(b->end + 2 * k, middle, half);
         fmpq_add(b->end + 2 * k + 1, middle, half);
     }
-    bracket_clear(&xy[0]);
-    bracket_clear(&xy[1]);
     b->places = m + 64;
     b->unclear = 0;
-    return status;
+    return GRAZE_OK;
 }
 
 /* *before becomes 1 if end x leaves the box earlier than y, counter-clockwise from the lower left
@@ -254,8 +242,8 @@ static graze_status sort_ends(border *b, turn_end *end, size_t count) {
 }
 
 /* Sort the ends at a point of more than two. */
-static graze_status order_ends(graze_outline *o, graze_context *context, turn_end *end,
-                               size_t count) {
+static graze_status order_turns(graze_outline *o, graze_context *context, turn_end *end,
+                                size_t count) {
     LOCAL_VEC(fmpq, ends, 4);
     border b = {.o = o, .context = context, .end = ends, .unclear = 1};
     double size = INFINITY;
@@ -282,8 +270,8 @@ static int is_incoming(const graze_outline *o, const turn_end *e) {
 }
 
 /* Link the sorted ends of one point. Around it they arrive and leave by turns. */
-static graze_status link_ends(turn_order *out, const graze_outline *o, graze_context *context,
-                              const turn_end *end, size_t count) {
+static graze_status link_turns(turn_order *out, const graze_outline *o, graze_context *context,
+                               const turn_end *end, size_t count) {
     for (size_t k = 0; k < count; k++) {
         const turn_end *next = &end[(k + 1) % count];
         size_t here = 2 * end[k].piece + (size_t)end[k].end;
@@ -297,7 +285,7 @@ static graze_status link_ends(turn_order *out, const graze_outline *o, graze_con
     return GRAZE_OK;
 }
 
-static int compare_ends(const void *left, const void *right) {
+static int compare_turn_ends(const void *left, const void *right) {
     const turn_end *a = left, *b = right;
     if (a->point != b->point)
         return a->point < b->point ? -1 : 1;
@@ -305,15 +293,15 @@ static int compare_ends(const void *left, const void *right) {
     return i < k ? -1 : i > k;
 }
 
-static graze_status order_points(turn_order *out, graze_outline *o, graze_context *context,
-                                 turn_end *end, size_t count) {
-    qsort(end, count, sizeof *end, compare_ends);
+static graze_status order_all_points(turn_order *out, graze_outline *o, graze_context *context,
+                                     turn_end *end, size_t count) {
+    qsort(end, count, sizeof *end, compare_turn_ends);
     for (size_t first = 0, next; first < count; first = next) {
         for (next = first; next < count && end[next].point == end[first].point;)
             next++;
         if (next - first > 2)
-            TRY(order_ends(o, context, end + first, next - first));
-        TRY(link_ends(out, o, context, end + first, next - first));
+            TRY(order_turns(o, context, end + first, next - first));
+        TRY(link_turns(out, o, context, end + first, next - first));
     }
     return GRAZE_OK;
 }
@@ -333,7 +321,7 @@ graze_status outline_turns(turn_order *out, graze_outline *o, graze_context *con
             e->piece = k;
             e->end = i;
         }
-    graze_status status = order_points(out, o, context, end, count);
+    graze_status status = order_all_points(out, o, context, end, count);
     for (size_t k = 0; k < count; k++)
         turn_end_clear(&end[k]);
     return status;

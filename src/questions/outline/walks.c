@@ -4,7 +4,7 @@
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "questions/outline/complex.h"
+#include "questions/outline/arc_complex.h"
 
 /* The number of a piece's end, at which it arrives (1) or from which it leaves (0), with the set on
  * its left. */

@@ -42,7 +42,8 @@ static void moving_edge_clear(moving_edge *e) {
 }
 
 /* out = a[0] b[1] - a[1] b[0] */
-static void determinant(fmpz_poly_t out, const fmpz_poly_struct *a, const fmpz_poly_struct *b) {
+static void cross_polynomials(fmpz_poly_t out, const fmpz_poly_struct *a,
+                              const fmpz_poly_struct *b) {
     LOCAL(fmpz_poly, product);
     LOCAL(fmpz_poly, sum);
     fmpz_poly_mul(sum, a, b + 1);
@@ -81,10 +82,10 @@ static void set_across(moving_edge *e) {
         fmpz_poly_mul(product, &e->start[i], slope);
         fmpz_poly_sub(d + i, d + i, product);
     }
-    determinant(e->across, e->along, d);
+    cross_polynomials(e->across, e->along, d);
     for (int i = 0; i < 2; i++)
         fmpz_poly_derivative(d + i, &e->along[i]);
-    determinant(&e->across[1], e->along, d);
+    cross_polynomials(&e->across[1], e->along, d);
     fmpz_poly_mul(&e->across[1], &e->across[1], e->weight);
     fmpz_poly_gcd(e->common, e->across, &e->across[1]);
     for (int i = 0; i < 2 && !fmpz_poly_is_zero(e->common); i++)
@@ -118,8 +119,8 @@ static graze_status finish_curve(graze_outline *o, graze_context *context) {
     return GRAZE_OK;
 }
 
-static graze_status begin_curve(outline_curve **out, graze_outline *o, graze_context *context,
-                                curve_source source, const moving_edge *e) {
+static graze_status begin_candidate(outline_curve **out, graze_outline *o, graze_context *context,
+                                    curve_source source, const moving_edge *e) {
     TRY(outline_curve_append(out, o, context));
     (*out)->source = source;
     (*out)->piece = e->piece;
@@ -133,7 +134,7 @@ static graze_status begin_curve(outline_curve **out, graze_outline *o, graze_con
 static graze_status add_vertex_path(graze_outline *o, graze_context *context,
                                     const moving_edge *e) {
     outline_curve *c;
-    TRY(begin_curve(&c, o, context, SOURCE_PATH, e));
+    TRY(begin_candidate(&c, o, context, SOURCE_PATH, e));
     fmpz_poly_set(&c->x[0], &e->start[0]);
     fmpz_poly_set(&c->x[1], &e->start[1]);
     fmpz_poly_set(&c->x[2], e->weight);
@@ -144,7 +145,7 @@ static graze_status add_vertex_path(graze_outline *o, graze_context *context,
 static graze_status add_edge_at(graze_outline *o, graze_context *context, const moving_edge *e,
                                 const fmpq_t u) {
     outline_curve *c;
-    TRY(begin_curve(&c, o, context, SOURCE_EDGE, e));
+    TRY(begin_candidate(&c, o, context, SOURCE_EDGE, e));
     algebraic_set_rational(&c->at, u);
     LOCAL_VEC(fmpq, value, 5);
     LOCAL_VEC(fmpz, v, 6);
@@ -181,8 +182,7 @@ static graze_status set_slant(outline_curve *c, graze_context *context, const mo
     fmpz_poly_mul(&c->x[0], &e->along[1], e->weight);
     fmpz_poly_neg(&c->x[0], &c->x[0]);
     fmpz_poly_mul(&c->x[1], &e->along[0], e->weight);
-    determinant(&c->x[2], e->start, e->along);
-    fmpz_poly_neg(&c->x[2], &c->x[2]);
+    cross_polynomials(&c->x[2], e->start, e->along);
     fmpz_poly_add(end, &e->start[c->axis], &e->along[c->axis]);
     TRY(image_number(&c->from, context, &e->start[c->axis], e->weight, &c->at));
     TRY(image_number(&c->to, context, end, e->weight, &c->at));
@@ -201,6 +201,8 @@ static graze_status add_flats(graze_outline *o, graze_context *context, const mo
     HELD(dyadic_interval, whole);
     dyadic_interval_set_si(&whole, 0, 1);
     LOCAL(fmpz_poly_factor, factors);
+    if (fmpz_poly_degree(e->common) > (slong)context->limits[GRAZE_LIMIT_CURVE])
+        return context_limit(context, GRAZE_LIMIT_CURVE, "the degree of the times of flat edges");
     if (fmpz_poly_degree(e->common) > 0)
         fmpz_poly_factor(factors, e->common);
     for (slong f = 0; f < factors->num; f++) {
@@ -209,7 +211,7 @@ static graze_status add_flats(graze_outline *o, graze_context *context, const mo
         for (size_t k = 0; k < roots.count; k++) {
             outline_curve *c;
             if (!algebraic_is_rational(&roots.item[k])) {
-                TRY(begin_curve(&c, o, context, SOURCE_EDGE, e));
+                TRY(begin_candidate(&c, o, context, SOURCE_EDGE, e));
                 algebraic_set(&c->at, &roots.item[k]);
                 TRY(set_slant(c, context, e, factors->p + f));
             } else if (!fmpz_is_one(fmpq_denref(roots.item[k].value))) {
@@ -231,7 +233,7 @@ static graze_status add_envelope_part(graze_outline *o, graze_context *context,
                                       const algebraic *to) {
     outline_curve *c;
     LOCAL(fmpz_poly, product);
-    TRY(begin_curve(&c, o, context, SOURCE_ENVELOPE, e));
+    TRY(begin_candidate(&c, o, context, SOURCE_ENVELOPE, e));
     for (int i = 0; i < 2; i++) {
         fmpz_poly_mul(&c->x[i], &e->start[i], &e->reduced[1]);
         fmpz_poly_mul(product, &e->along[i], e->reduced);
@@ -244,7 +246,8 @@ static graze_status add_envelope_part(graze_outline *o, graze_context *context,
 }
 
 /* Append the roots in [0, 1] to a list. */
-static graze_status add_roots(algebraic_list *list, graze_context *context, const fmpz_poly_t p) {
+static graze_status append_roots_in_piece(algebraic_list *list, graze_context *context,
+                                          const fmpz_poly_t p) {
     HELD(dyadic_interval, whole);
     dyadic_interval_set_si(&whole, 0, 1);
     return fmpz_poly_is_zero(p) ? GRAZE_OK : algebraic_roots(list, context, p, &whole);
@@ -259,9 +262,9 @@ static graze_status add_envelope(graze_outline *o, graze_context *context, const
     LOCAL(fmpq, middle);
     (void)algebraic_list_append(&list);
     fmpq_one(algebraic_list_append(&list)->value);
-    TRY(add_roots(&list, context, e->reduced));
-    TRY(add_roots(&list, context, &e->reduced[1]));
-    TRY(add_roots(&list, context, e->total));
+    TRY(append_roots_in_piece(&list, context, e->reduced));
+    TRY(append_roots_in_piece(&list, context, &e->reduced[1]));
+    TRY(append_roots_in_piece(&list, context, e->total));
     FREED(algebraic *, order, malloc(list.count * sizeof *order));
     if (!order)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for an envelope");
@@ -311,7 +314,8 @@ static void set_edge(moving_edge *e, const path_finder *f, size_t piece, size_t 
 /* Mark the path of an end of the edge where that end moves along the edge. */
 static graze_status mark_path(const path_finder *f, size_t position, const fmpz_poly_t across) {
     size_t path = f->path[position];
-    return path == NO_PATH ? GRAZE_OK : add_roots(&f->o->curve[path].mark, f->context, across);
+    return path == NO_PATH ? GRAZE_OK
+                           : append_roots_in_piece(&f->o->curve[path].mark, f->context, across);
 }
 
 static graze_status add_of_edge(const path_finder *f, size_t piece, size_t k) {

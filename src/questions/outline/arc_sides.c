@@ -8,7 +8,7 @@
 #include "base/number/rounding.h"
 #include "base/number/vector.h"
 #include "decide/verdict/verdict.h"
-#include "questions/outline/complex.h"
+#include "questions/outline/arc_complex.h"
 
 /* The segment of all points whose coordinate along `axis` differs from that of `at` by at most
  * 2^-k, for one piece. `turn`: 1 if the end with the greater coordinate is on the left in the
@@ -96,7 +96,7 @@ static graze_status find_obstacles(prober *p, size_t index) {
 }
 
 /* Set the box around the segment. */
-static void set_around(prober *p) {
+static void set_segment_box(prober *p) {
     LOCAL_VEC(fmpq, end, 2);
     double bound;
     p->around = (box){{0}, {0}};
@@ -166,7 +166,7 @@ static graze_status find_segment(prober *p) {
         TRY(set_sample(p));
         if (!crosses_once(p))
             continue;
-        set_around(p);
+        set_segment_box(p);
         p->blocked = 0;
         TRY(find_obstacles(p, 0));
         if (!p->blocked)

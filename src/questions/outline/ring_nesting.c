@@ -8,7 +8,7 @@
 #include "base/number/rounding.h"
 #include "base/number/vector.h"
 #include "base/number/sign.h"
-#include "questions/outline/complex.h"
+#include "questions/outline/arc_complex.h"
 
 /* A ray from a point in the direction in which the coordinate `along` grows; the other one is
  * `level`. It meets no end of a boundary piece. */
@@ -23,24 +23,17 @@ typedef struct ray {
 
 /* The sign of the level coordinate, against the ray's, at an end of a piece. */
 static graze_status end_level(int *out, const ray *r, const outline_piece *p, int end) {
-    bracket xy[2];
+    HELD(point_place, here);
     HELD(bracket, level);
     *out = 0;
-    bracket_init(&xy[0]);
-    bracket_init(&xy[1]);
-    graze_status status = GRAZE_OK;
-    for (ulong places = 64; !*out && !status; places *= 2) {
+    for (ulong places = 64; !*out; places *= 2) {
         outline_curve *c = &r->o->curve[p->curve];
-        status = places > r->context->limits[GRAZE_LIMIT_BITS]
-                     ? context_limit(r->context, GRAZE_LIMIT_BITS, "the places of a ray")
-                     : outline_curve_place(xy, r->context, c, piece_end(r->o, p, end), places);
+        TRY(outline_curve_place(here.xy, r->context, c, piece_end(r->o, p, end), places));
         bracket_set_rational(&level, r->at + 1 - r->along, places);
-        bracket_sub(&level, &xy[1 - r->along], &level);
+        bracket_sub(&level, &here.xy[1 - r->along], &level);
         *out = bracket_sign(&level);
     }
-    bracket_clear(&xy[0]);
-    bracket_clear(&xy[1]);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Is the point of a straight or slanted piece at the ray's level beyond the ray's beginning? */

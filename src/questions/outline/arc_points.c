@@ -6,7 +6,7 @@
 #include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/order.h"
-#include "questions/outline/complex.h"
+#include "questions/outline/arc_complex.h"
 
 /* Let a number's polynomial be its minimal one. */
 static void number_reduce(algebraic *x) {
@@ -41,19 +41,13 @@ static graze_status slant_coordinate(algebraic *out, graze_outline *o, graze_con
     fmpz_poly_derivative(common, p);
     fmpz_poly_gcd(common, common, p);
     fmpz_poly_div(p, p, common);
-    bracket xy[2];
-    bracket_init(&xy[0]);
-    bracket_init(&xy[1]);
-    graze_status status = GRAZE_OK;
-    for (ulong places = 64; !found && !status; places *= 2) {
-        status = outline_curve_place(xy, context, c, s, places);
-        if (!status)
-            status = number_in_bracket(&found, out, context, p, &xy[1 - c->axis], places);
+    HELD(point_place, here);
+    for (ulong places = 64; !found; places *= 2) {
+        TRY(outline_curve_place(here.xy, context, c, s, places));
+        TRY(number_in_bracket(&found, out, context, p, &here.xy[1 - c->axis], places));
     }
-    bracket_clear(&xy[0]);
-    bracket_clear(&xy[1]);
     number_reduce(out);
-    return status;
+    return GRAZE_OK;
 }
 
 graze_status outline_point_make(graze_outline *o, graze_context *context, outline_point *p) {

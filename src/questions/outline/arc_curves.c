@@ -82,23 +82,19 @@ void interval_of(dyadic_interval *out, const algebraic *from, const algebraic *t
 static graze_status box_add_place(box *out, graze_context *context, outline_curve *c,
                                   algebraic *s) {
     enum { PLACES = 80 };
-    bracket xy[2];
+    HELD(point_place, here);
     LOCAL(fmpq, end);
     double low, high;
-    bracket_init(&xy[0]);
-    bracket_init(&xy[1]);
-    graze_status status = outline_curve_place(xy, context, c, s, PLACES);
-    for (int k = 0; k < 2 && !status; k++) {
-        bracket_low(end, &xy[k], PLACES);
+    TRY(outline_curve_place(here.xy, context, c, s, PLACES));
+    for (int k = 0; k < 2; k++) {
+        bracket_low(end, &here.xy[k], PLACES);
         rational_bounds(&low, &high, end);
         out->low[k] = fmin(out->low[k], low);
-        bracket_high(end, &xy[k], PLACES);
+        bracket_high(end, &here.xy[k], PLACES);
         rational_bounds(&low, &high, end);
         out->high[k] = fmax(out->high[k], high);
     }
-    bracket_clear(&xy[0]);
-    bracket_clear(&xy[1]);
-    return status;
+    return GRAZE_OK;
 }
 
 /* Narrow both ends until each is known to an eighth of the part's length. */

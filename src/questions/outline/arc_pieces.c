@@ -9,7 +9,7 @@
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "base/number/order.h"
-#include "questions/outline/complex.h"
+#include "questions/outline/arc_complex.h"
 
 algebraic *piece_end(const graze_outline *o, const outline_piece *p, int end) {
     return o->curve[p->curve].cut[p->cut + (size_t)end];
@@ -29,11 +29,9 @@ void outline_curve_at(fmpq *point, const outline_curve *c, const fmpq_t s) {
     }
 }
 
-static graze_status append_piece(graze_outline *o, graze_context *context, size_t curve,
-                                 size_t cut) {
+static graze_status append_arc_piece(graze_outline *o, graze_context *context, size_t curve,
+                                     size_t cut) {
     outline_curve *c = &o->curve[curve];
-    if (o->piece_count >= context->limits[GRAZE_LIMIT_ARCS])
-        return context_limit(context, GRAZE_LIMIT_ARCS, "the pieces of curves of an outline");
     TRY(array_grow(context, &o->piece, &o->piece_capacity, o->piece_count + 1, sizeof *o->piece,
                    "the pieces of an outline"));
     outline_piece *p = &o->piece[o->piece_count];
@@ -53,8 +51,8 @@ static graze_status append_piece(graze_outline *o, graze_context *context, size_
 }
 
 /* Is a number strictly inside a piece's interval of parameters? */
-static graze_status is_inside(int *out, graze_context *context, const graze_outline *o,
-                              const outline_piece *p, algebraic *s) {
+static graze_status lies_within(int *out, graze_context *context, const graze_outline *o,
+                                const outline_piece *p, algebraic *s) {
     int order = 0;
     TRY(algebraic_compare(&order, context, piece_end(o, p, 0), s));
     *out = order < 0;
@@ -66,8 +64,8 @@ static graze_status is_inside(int *out, graze_context *context, const graze_outl
 }
 
 /* Does a piece that is not slanted pass a point, within? */
-static graze_status passes(int *out, graze_context *context, const graze_outline *o,
-                           const outline_piece *p, const fmpq *point) {
+static graze_status piece_passes(int *out, graze_context *context, const graze_outline *o,
+                                 const outline_piece *p, const fmpq *point) {
     LOCAL(fmpz_poly, at_point);
     HELD(dyadic_interval, range);
     HELD(algebraic_list, roots);
@@ -78,7 +76,7 @@ static graze_status passes(int *out, graze_context *context, const graze_outline
     interval_of(&range, piece_end(o, p, 0), piece_end(o, p, 1));
     TRY(algebraic_roots(&roots, context, at_point, &range));
     for (size_t k = 0; k < roots.count && !*out; k++)
-        TRY(is_inside(out, context, o, p, &roots.item[k]));
+        TRY(lies_within(out, context, o, p, &roots.item[k]));
     return GRAZE_OK;
 }
 
@@ -96,14 +94,10 @@ graze_status slant_other(bracket *out, graze_context *context, outline_curve *c,
                          ulong places) {
     HELD(algebraic, at);
     algebraic_set_rational(&at, s);
-    bracket xy[2];
-    bracket_init(&xy[0]);
-    bracket_init(&xy[1]);
-    graze_status status = outline_curve_place(xy, context, c, &at, places);
-    bracket_set(out, &xy[1 - c->axis]);
-    bracket_clear(&xy[0]);
-    bracket_clear(&xy[1]);
-    return status;
+    HELD(point_place, here);
+    TRY(outline_curve_place(here.xy, context, c, &at, places));
+    bracket_set(out, &here.xy[1 - c->axis]);
+    return GRAZE_OK;
 }
 
 /* Do two slanted curves of one equation meet where their parameter is s? There all lines of the
@@ -131,7 +125,7 @@ static graze_status slants_are_same(int *out, graze_context *context, const graz
                                     const outline_piece *p, const outline_piece *q) {
     HELD(algebraic, s);
     TRY(piece_middle(s.value, context, o, p));
-    TRY(is_inside(out, context, o, q, &s));
+    TRY(lies_within(out, context, o, q, &s));
     return *out ? lines_meet(out, context, o, &o->curve[p->curve], &o->curve[q->curve], s.value)
                 : GRAZE_OK;
 }
@@ -157,7 +151,7 @@ static graze_status find_same(graze_outline *o, graze_context *context, const si
         if (q->same != order[k] || !box_meets(&p->box, &q->box))
             continue;
         TRY(is_slant ? slants_are_same(&same, context, o, p, q)
-                     : passes(&same, context, o, q, point));
+                     : piece_passes(&same, context, o, q, point));
         if (same) {
             q->same = order[first];
             *tail = order[k];
@@ -188,7 +182,7 @@ static graze_status find_same_of_equation(graze_outline *o, graze_context *conte
 graze_status outline_pieces(graze_outline *o, graze_context *context) {
     for (size_t k = 0; k < o->curve_count; k++)
         for (size_t cut = 0; cut + 1 < o->curve[k].cut_count; cut++)
-            TRY(append_piece(o, context, k, cut));
+            TRY(append_arc_piece(o, context, k, cut));
     FREED(size_t, order, malloc((o->piece_count + 1) * sizeof *order));
     if (!order)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for an outline");
