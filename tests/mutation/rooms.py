@@ -50,6 +50,7 @@ ROOMS = {
     "questions/envelope": ["api/test_envelope", "envelope/hand", "envelope/joints", "envelope/figures", "envelope/vertex",
                            "envelope/saucer", "envelope/cusps", "envelope/patches", "envelope/singular", "envelope/curve",
                            "envelope/laws", "envelope/derivation"],
+    "questions/outline": ["outline/hand", "outline/scenes", "outline/method", "outline/laws"],
     "questions/collide": ["unit/test_apart", "api/test_pair", "collide/hand", "collide/convex", "collide/polycubes", "collide/laws"],
     "questions/generate": ["generate/generate", "generate/levels", "refuse/run generate"],
     "questions/certify": ["unit/test_control", "check/golden", "api/test_certificate", "check/contacts", "shards/certificates"],

@@ -48,7 +48,7 @@ def main():
     args = options(__doc__.splitlines()[0])
     checks = Checks()
     program = Program(args, checks)
-    for _, scene in args.cycle(SCENES):
+    for scene in SCENES:
         found = Slices(scene.solid, scene.motion, scene.unsweep)
         agree(checks, scene, found)
         members(checks, program, args, scene, found)

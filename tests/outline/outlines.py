@@ -104,7 +104,11 @@ class Curve:
             self.marks = [1 - s for s in reversed(self.marks)]
 
     def backward(self, arc):
-        return arc.get("reversed", False)
+        """Does a loop run against its parameter? The set is on the left of it, so where the sample's segment crosses it."""
+        (a, b), (c, d) = ([to_double(F(x)) for x in arc["sample"][side]] for side in ("out", "in"))
+        spot = min((k / 1024 for k in range(1, 1024)), key=lambda s: math.dist(self.at(s), ((a + c) / 2, (b + d) / 2)))
+        (x, y), (u, v) = self.at(spot - 1 / 4096), self.at(spot + 1 / 4096)
+        return (u - x) * (d - b) - (v - y) * (c - a) < 0
 
     def at(self, s):
         w = at(self.w, s)
