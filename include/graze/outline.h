@@ -30,11 +30,11 @@ typedef struct graze_outline_facts {
     size_t components;               /**< of the closed set */
     size_t interior_components;      /**< of its interior */
     size_t holes;                    /**< bounded components of its complement */
-    long euler;                      /**< components - holes */
     size_t lower_arcs, lower_points; /**< seams of a sweep, dangling parts of an unsweep */
     size_t undecided;                /**< arcs and points that may be lower parts */
     double area_low, area_high;      /**< bounds of the area */
     double length_low, length_high;  /**< bounds of the boundary's length */
+    int euler;                       /**< components - holes */
     int area_is_rational;            /**< 1: graze_outline_area gives the area */
 } graze_outline_facts;
 
@@ -59,15 +59,15 @@ GRAZE_API int graze_outline_area(mpq_t out, const graze_outline *outline);
 /** Lines of text, as graze outline prints them. @param[out] out text for graze_free
  * @return GRAZE_EUSE, GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM */
 GRAZE_API GRAZE_CHECKED graze_status graze_outline_text(char **out, graze_context *context,
-                                                        graze_outline *outline);
+                                                        const graze_outline *outline);
 /** One object of JSON (formats.md, Outlines). @param[out] out text for graze_free
  * @return GRAZE_EUSE, GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM */
 GRAZE_API GRAZE_CHECKED graze_status graze_outline_json(char **out, graze_context *context,
-                                                        graze_outline *outline);
+                                                        const graze_outline *outline);
 /** A table of arcs, one row each, CSV. @param[out] out text for graze_free
  * @return GRAZE_EUSE, GRAZE_ELIMIT, GRAZE_ECANCELED, GRAZE_ESYSTEM */
 GRAZE_API GRAZE_CHECKED graze_status graze_outline_csv(char **out, graze_context *context,
-                                                       graze_outline *outline);
+                                                       const graze_outline *outline);
 
 #ifdef __cplusplus
 }

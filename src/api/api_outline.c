@@ -37,7 +37,7 @@ graze_outline_facts graze_outline_get(const graze_outline *outline) {
     out.components = outline->components;
     out.interior_components = outline->interior_components;
     out.holes = outline->holes;
-    out.euler = outline->euler;
+    out.euler = (int)outline->euler;
     out.lower_arcs = outline_lower_count(outline);
     out.lower_points = outline->spot_count;
     out.undecided = outline->undecided;
@@ -54,21 +54,21 @@ int graze_outline_area(mpq_t out, const graze_outline *outline) {
     return 1;
 }
 
-graze_status graze_outline_text(char **out, graze_context *context, graze_outline *outline) {
+graze_status graze_outline_text(char **out, graze_context *context, const graze_outline *outline) {
     PUBLIC_OUT(out, context, outline);
     HELD(text, t);
     outline_text(&t, outline);
     return text_finish(out, context, &t);
 }
 
-graze_status graze_outline_json(char **out, graze_context *context, graze_outline *outline) {
+graze_status graze_outline_json(char **out, graze_context *context, const graze_outline *outline) {
     PUBLIC_OUT(out, context, outline);
     HELD(text, t);
     TRY(outline_json(&t, context, outline));
     return text_finish(out, context, &t);
 }
 
-graze_status graze_outline_csv(char **out, graze_context *context, graze_outline *outline) {
+graze_status graze_outline_csv(char **out, graze_context *context, const graze_outline *outline) {
     PUBLIC_OUT(out, context, outline);
     HELD(text, t);
     TRY(outline_csv(&t, context, outline));

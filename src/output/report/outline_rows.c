@@ -28,7 +28,7 @@ static graze_status make_time(graze_time **out, graze_context *context, const gr
 typedef struct outline_writer {
     json_writer w;
     graze_context *context;
-    graze_outline *outline;
+    const graze_outline *outline;
     size_t *vertex; /* numbers of points in the list of vertices */
 } outline_writer;
 
@@ -194,9 +194,10 @@ static graze_status put_arc(outline_writer *j, const outline_arc *arc) {
     return GRAZE_OK;
 }
 
-/* Decimals of both bounds, rounded outward, with enough digits for the outline's width. */
+/* Decimals of both bounds, rounded outward, with enough digits for the outline's width; of widths
+ * that doubles have, so far that the nearest doubles are bounds too. */
 static void put_bounds(char *out[2], const graze_outline *o, const outline_measure *m) {
-    int digits = 4 - (int)floor(log10(o->width));
+    int digits = 3 - (int)floor(log10(o->width));
     LOCAL_VEC(fmpq, x, 2);
     LOCAL(fmpq, step);
     LOCAL(fmpz, power);
@@ -207,7 +208,7 @@ static void put_bounds(char *out[2], const graze_outline *o, const outline_measu
         fmpq_abs(step, x + k);
         fmpq_div_fmpz(step, step, power);
         (k ? fmpq_add : fmpq_sub)(x + k, x + k, step);
-        out[k] = decimal_of_rational(NULL, x + k, digits + 1);
+        out[k] = decimal_of_rational(NULL, x + k, digits + 2);
     }
 }
 
@@ -265,7 +266,7 @@ static graze_status put_lower(outline_writer *j) {
 
 /* Number the points at which arcs end, and write them. */
 static graze_status put_outline_vertices(outline_writer *j) {
-    graze_outline *o = j->outline;
+    const graze_outline *o = j->outline;
     size_t count = 0;
     for (size_t k = 0; k < o->arc_count; k++)
         j->vertex[o->arc[k].from] = j->vertex[o->arc[k].to] = 1;
@@ -279,7 +280,7 @@ static graze_status put_outline_vertices(outline_writer *j) {
     return GRAZE_OK;
 }
 
-graze_status outline_json(text *out, graze_context *context, graze_outline *o) {
+graze_status outline_json(text *out, graze_context *context, const graze_outline *o) {
     FREED(size_t, vertex, calloc(o->point_count + 1, sizeof *vertex));
     if (!vertex)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for an outline");
@@ -387,7 +388,7 @@ static graze_status put_arc_row(outline_writer *j, size_t number, const size_t *
     return GRAZE_OK;
 }
 
-graze_status outline_csv(text *out, graze_context *context, graze_outline *o) {
+graze_status outline_csv(text *out, graze_context *context, const graze_outline *o) {
     char *head = NULL;
     FREED(size_t, ring_of, calloc(o->arc_count + 1, sizeof *ring_of));
     if (!ring_of)

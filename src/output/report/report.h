@@ -161,9 +161,9 @@ void pair_json(text *out, const graze_pair *pair);
 /** Append the numbers of an outline, a line each. */
 void outline_text(text *out, const graze_outline *o);
 /** Append an outline as an object. */
-graze_status outline_json(text *out, graze_context *context, graze_outline *o);
+graze_status outline_json(text *out, graze_context *context, const graze_outline *o);
 /** Append the table of an outline's arcs. */
-graze_status outline_csv(text *out, graze_context *context, graze_outline *o);
+graze_status outline_csv(text *out, graze_context *context, const graze_outline *o);
 
 /* Sites as rows of a table or lines of JSON (src/program/cli/formats.md, Contact points). */
 

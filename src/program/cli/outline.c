@@ -42,7 +42,7 @@ static const option_entry outline_table[] = {
     SCENE_OPTIONS(outline_given, scene),
     OPTIONS_END};
 
-static int write_arcs(const char *path, graze_context *context, graze_outline *outline) {
+static int write_arcs(const char *path, graze_context *context, const graze_outline *outline) {
     FREED(char, table, NULL);
     TRY(complain_of(graze_outline_csv(&table, context, outline), context));
     return output_text(path, table);

@@ -26,7 +26,7 @@ static void number_reduce(algebraic *x) {
 }
 
 /* The coordinate of a slanted line beside its parameter, from the form of its conjugates. */
-static graze_status slant_coordinate(algebraic *out, graze_outline *o, graze_context *context,
+static graze_status slant_coordinate(algebraic *out, const graze_outline *o, graze_context *context,
                                      outline_curve *c, algebraic *s) {
     const fmpz_mpoly_ctx_struct *ring = o->ring_of_forms;
     int found = 0;
@@ -50,7 +50,7 @@ static graze_status slant_coordinate(algebraic *out, graze_outline *o, graze_con
     return GRAZE_OK;
 }
 
-graze_status outline_point_make(graze_outline *o, graze_context *context, outline_point *p) {
+graze_status outline_point_make(const graze_outline *o, graze_context *context, outline_point *p) {
     outline_curve *c = &o->curve[p->curve];
     algebraic *s = c->cut[p->cut];
     if (p->made)

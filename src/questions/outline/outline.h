@@ -143,7 +143,7 @@ graze_status outline_make(graze_outline *out, graze_context *context, const graz
 void outline_clear(graze_outline *o);
 
 /** Make both coordinates of a point: roots of minimal polynomials. */
-graze_status outline_point_make(graze_outline *o, graze_context *context, outline_point *p);
+graze_status outline_point_make(const graze_outline *o, graze_context *context, outline_point *p);
 
 /** The sign of a measure; 0 where it is not known, or zero. */
 int outline_sign(const outline_measure *m);
