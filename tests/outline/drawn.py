@@ -59,7 +59,7 @@ def piece(rng, sort, start):
     if sort == "scaling":
         return compose(scaling([[1, F(rng.randint(-2, 4), 5)]] * 2, center=center), move, shift)
     if sort == "shear":
-        return compose(matrix([[[1], [0, simple(rng, 1, 3)], []], [[0, simple(rng, 1, 5)], [1], []]], [1]), shift)
+        return compose(matrix([[[1], [0, simple(rng, 1, 3)], []], [[0, F(rng.randint(-2, 2), 5)], [1], []]], [1]), shift)
     return compose(matrix([[[1, 2, 1], [], []], [[], [1], []]], [1, 1]), shift)  # diag(1 + t, 1 / (1 + t))
 
 

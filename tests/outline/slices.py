@@ -268,8 +268,9 @@ class Cells:
 class Slices:
     """Of a sweep, or of the regularised unsweep: `area`, `components` of the closed set, `interior_components`, `holes`."""
 
-    def __init__(self, solid, motion, unsweep=False):
-        self.outside = unsweep
+    def __init__(self, solid, motion, unsweep=False, spots=7):
+        """`spots`: lines of each stretch between extrema of paths at which signatures are compared; parts between two are missed."""
+        self.outside, self.spots = unsweep, spots
         maps = turned(inverse(motion) if unsweep else motion, *TURN)
         self.runs = [Run(k, p, solid) for k, p in enumerate(maps.pieces)]
         ends = [b for r in self.runs for _, _, b in r.corners]
@@ -320,7 +321,7 @@ class Slices:
         for a, b in zip(marks, marks[1:]):
             if b - a < 8 * step:
                 continue
-            spots = [a + step] + [a + (b - a) * f for f in (0.11, 0.29, 0.5, 0.71, 0.89)] + [b - step]
+            spots = [a + step + (b - a - 2 * step) * k / (self.spots - 1) for k in range(self.spots)]
             signs = [self.signature(x) for x in spots]
             begin = a
             for (x, p), (y, q) in zip(zip(spots, signs), zip(spots[1:], signs[1:])):
