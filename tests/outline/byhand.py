@@ -19,7 +19,7 @@ from collections import namedtuple
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "agree", "lib"))
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "lib"))
 
-from closed import PI, acos, asin, atan, integral, log, number, root, sqrt  # noqa: E402
+from closed import PI, Decimal, acos, asin, atan, integral, log, number, root, sqrt  # noqa: E402
 from exact import Fraction as F  # noqa: E402
 from motion import build, compose, legs, matrix, rotation, scaling, translate, turn  # noqa: E402
 from solids import Polygon, box_ring, ring  # noqa: E402
@@ -183,7 +183,7 @@ scene("tangent pinch", TIP, pinch(0), PINCH, holes=1)
 for text, e in SMALL:
     scene(f"tangent gap of {text}", TIP, pinch(e), PINCH + 2 * e, fine=True)
     shared = F(4, 3) * F(1, 2 ** 60) if e == F(1, 2 ** 40) else number(F(4, 3)) * number(e) * sqrt(e)
-    scene(f"tangent overlap of {text}", TIP, pinch(-e), PINCH - 2 * e - shared if isinstance(shared, F) else number(PINCH - 2 * e) - shared,
+    scene(f"tangent overlap of {text}", TIP, pinch(-e), number(PINCH - 2 * e) - shared if isinstance(shared, Decimal) else PINCH - 2 * e - shared,
           holes=1, fine=True)
 # The top of the square at height -1 comes to y = 0, where the side of t = 0 was: from (1, 1) by (4, 1), (4, -1) to (-3, -1) it covers
 # [-3, 5] x [-1, 0]. Over (0, 1) both are on y = 0, nothing inside: a seam of length 1 between a hole and the outside, which it parts.
