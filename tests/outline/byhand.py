@@ -97,6 +97,11 @@ scene("two boxes that meet", Polygon([[box_ring(0, 0, 1, 1)], [box_ring(2, 0, 3,
 ISLAND = Polygon([[box_ring(0, 0, 6, 6), box_ring(2, 2, 4, 4)], [box_ring(F(11, 4), F(11, 4), F(13, 4), F(13, 4))]])
 scene("an island in a hole", ISLAND, legs([(0, 0), (F(1, 4), 0)]), F(75, 2) - F(7, 2) + F(3, 8), components=2, interior=2, holes=1,
       length=number(F(49, 2) + F(15, 2) + F(5, 2)))
+# the island is a frame itself, and so is the one in its hole, with 20, 18, 12, 10, 4 and 2 a side
+NEST = Polygon([[box_ring(0, 0, 20, 20), box_ring(1, 1, 19, 19)], [box_ring(4, 4, 16, 16), box_ring(5, 5, 15, 15)],
+                [box_ring(8, 8, 12, 12), box_ring(9, 9, 11, 11)]])
+scene("frames in frames", NEST, legs([(0, 0), (0, 0)]), F(400 - 324 + 144 - 100 + 16 - 4), components=3, interior=3, holes=3,
+      length=number(80 + 72 + 48 + 40 + 16 + 8))
 # at rest: a hole that touches its outer ring in (3, 0), and a triangle that stands on the top side: 18 - 2 + 2
 scene("parts that touch", Polygon([[box_ring(0, 0, 6, 3), ring((3, 0), (4, 1), (3, 2), (2, 1))], [ring((3, 3), (4, 5), (2, 5))]]),
       legs([(0, 0), (0, 0)]), F(18), interior=2, holes=1, length=20 + 4 * sqrt(2) + 2 * sqrt(5))
@@ -148,6 +153,13 @@ ARCH_AREA = 2 * (2 - integral([0, 0, 1], -1, 0)) + 1 + 2 * integral([0, 0, 1], F
 scene("square along a parabola", UNIT, ARCH, ARCH_AREA)
 scene("square along a parabola and back", UNIT, build([(-1, 1, translate([[0, 1], [0, 0, 1]])), (1, 3, translate([[2, -1], [4, -4, 1]]))]),
       ARCH_AREA)
+# A unit square with (0, 0) as its lower left corner, and a triangle below with y <= 2 x <= 0, along (t, t²): while t < 0 the corner's path has
+# the square above it and the triangle below, and neither comes over it: a seam, half of the parabola; from t = 0 on, where the corner
+# moves along the square's side, the square comes over it. Columns with the triangle, whose top is x² and 3 + 2 x left of -1, its floor
+# (x + 1/2)² - 1, -1, x² - 1: with v = x + 1/2 3 + 2 v - v² on [-1, -1/2], 3 - v² on [-1/2, 0], then 3, 2 - x² + the greater of x² and (1 - x)², 2 - (x - 1)²
+scene("corner path that is a seam at first", Polygon([[box_ring(0, 0, 1, 1)], [ring((0, 0), (-F(1, 2), -1), (0, -1))]]), ARCH,
+      integral([3, 2, -1], -1, -F(1, 2)) + integral([3, 0, -1], -F(1, 2), 0) + F(3, 2) + integral([2, 0, -1], 0, 1)
+      + 2 * integral([0, 0, 1], F(1, 2), 1) + integral([2, 0, -1], 0, 1), lower=sqrt(5) / 2 + log(2 + sqrt(5)) / 4)
 # (t², t⁴) there and back, twice over one curve: columns [0, 1 + x²] and [(x - 1)², 2]; two arcs of y = x², √5 / 2 + ln(2 + √5) / 4 each
 scene("square along a parabola, twice in one piece", UNIT, moved(-1, 1, [0, 0, 1], [0, 0, 0, 0, 1]), F(3),
       length=4 + sqrt(5) + log(2 + sqrt(5)) / 2)
@@ -257,6 +269,8 @@ scene("side's middle, quarter", SIDE, quarters(1), PI + 1)
 # the ray at the angle 0 is on the lower side at the start and, at the end, again, never inside: a seam from the centre to (1, 0); on the
 # ray at the angle π the body comes over it: the line y = 0 has a seam on one half alone
 scene("side's middle, half", SIDE, quarters(2), 3 * PI / 2 + 1, lower=1, length=2 + 3 * PI / sqrt(2))
+# the same in one piece, by 4 atan(t), where no side at a break cuts the line in its middle
+scene("side's middle, half in one piece", SIDE, build([(0, 1, rotation([0, 1], times=2))]), 3 * PI / 2 + 1, lower=1, length=2 + 3 * PI / sqrt(2))
 scene("side's middle, full", SIDE, quarters(4), 2 * PI, points=1, length=2 * sqrt(2) * PI)
 # rings about a far point: r² = 4, R² = 10 of [2, 3] x [0, 1]; 4 and 37/4 of [2, 3] x [-1/2, 1/2], whose inner circle is the envelope of a side.
 # From r = 3 on that has two arcs, 2 acos(3/r) apart, between which the turn fills too: ∫ 2 acos(3/r) r dr = 37/4 atan(1/6) - 3/2

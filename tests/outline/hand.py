@@ -5,7 +5,7 @@ SPDX-License-Identifier: GPL-3.0-or-later
 
 The scenes and their derivations stand in byhand.py.
 """
-from outlines import Checks, Program, enclosure, middle, options, within
+from outlines import Checks, F, Program, enclosure, middle, options, to_double, within
 from byhand import SCENES
 
 WIDTH = "1e-12"
@@ -58,6 +58,22 @@ def walks(checks, outline, scene):
         checks.holds(area[1] < 0 if r["hole"] else area[0] > 0, scene.name, "sign of a ring's area", r["hole"], r["area"])
 
 
+def nesting(checks, outline, scene):
+    """A hole is within the least outer ring around the set beside it."""
+    for r in outline.rings:
+        if not r["hole"]:
+            checks.equal(r["within"], None, scene.name, "an outer ring is within nothing")
+            continue
+        x, y = (to_double(F(c)) for c in outline.arcs[r["arcs"][0]]["sample"]["in"])
+        around = [k for k, other in enumerate(outline.rings) if not other["hole"] and encloses(outline, other, x, y)]
+        least = min(around, key=lambda k: middle(enclosure(outline.rings[k]["area"])), default=None)
+        checks.equal(r["within"], least, scene.name, "the ring around a hole")
+
+
+def encloses(outline, ring, x, y):
+    return sum(step for k in ring["arcs"] for at, step in outline.curves[k].crossings(y) if at > x) != 0
+
+
 def main():
     args = options(__doc__.splitlines()[0], ("--only", {"default": "", "help": "scenes whose name contains this text"}))
     checks = Checks()
@@ -66,7 +82,7 @@ def main():
         if args.only in scene.name:
             outline = program.outline(scene.name, scene.solid, scene.motion, unsweep=scene.unsweep)
             if outline:
-                for check in (numbers, measures, lower, walks):
+                for check in (numbers, measures, lower, walks, nesting):
                     check(checks, outline, scene)
     checks.holds(len(SCENES) >= 40, "scenes", len(SCENES))
     checks.finish()

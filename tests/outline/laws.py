@@ -97,7 +97,7 @@ def same(checks, one, other, where, factor=1):
 
 
 def alike(checks, one, other, where):
-    """The same set: lengths and lower parts too."""
+    """Do two outlines of one set agree, in lengths and lower parts too?"""
     same(checks, one, other, where)
     lengths = middle(one.length()), middle(other.length())
     checks.holds(abs(lengths[0] - lengths[1]) <= 4e-12 * max(1, *lengths), *where, "length", *lengths)

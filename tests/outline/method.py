@@ -7,11 +7,15 @@ Along legs area and numbers are those of the union of the solid at the path's co
 ratios. A convex polygon along a leg has its area and width times length more. Curved motions are compared with slices (slices.py),
 whose areas are good to a millionth, lengths to a thousandth.
 """
+from itertools import chain
+
+from byhand import F, plane
 from drawn import SOLIDS, convex, path, scene
-from motion import legs
+from motion import build, legs, translate
 from outlines import Checks, Program, middle, options
 from refine import complement
 from slices import Slices
+from solids import ring
 from unions import along, unswept
 
 LEGS, LEAVES, CONVEX, CURVED = 60, 30, 40, 24  # rounds at scale 1
@@ -45,7 +49,7 @@ def numbers(found):
 
 
 def translates(checks, program, args):
-    """Of the convex: width times length is the sum over sides of the cross product with the leg, where it is positive."""
+    """Convex polygons: width times length is the sum over sides of the cross product with the leg, where it is positive."""
     for k in args.rounds(CONVEX, "convex"):
         solid = convex(args.random, 9)
         (_, leg) = path(args.random, 1, False)
@@ -58,9 +62,19 @@ def translates(checks, program, args):
             checks.equal(outline.numbers(), [1, 1, 0, 1], f"convex {k}", solid.text(), leg)
 
 
+def loops():
+    """(name, solid, motion, unsweep): paths of tips that cross themselves, in a corner of the boundary for the one that points up."""
+    way = ([-2, 0, 1], [0, -2, 0, 1])  # (s² - 2, s³ - 2 s), at ±√2 in (0, 0)
+    for name, (x, y) in (("up", (F(1, 8), -1)), ("down", (F(1, 8), 1)), ("wide", (1, F(-1, 2)))):
+        tip = plane(ring((0, 0), (x, y), (-x, y)))
+        yield f"loop {name}", tip, build([(-2, 2, translate([list(p) for p in way]))]), False
+        yield f"loop {name} and back", tip, build([(-2, 2, translate([list(p) for p in way])),
+                                                   (2, 6, translate([[14, -8, 1], [56, -46, 12, -1]]))]), False
+
+
 def curved(checks, program, args):
-    for k in args.rounds(CURVED, "curved"):
-        name, solid, motion, unsweep = scene(args.random, k)
+    drawn = (scene(args.random, k) for k in args.rounds(CURVED, "curved"))
+    for name, solid, motion, unsweep in chain(loops() if args.derived else (), drawn):
         outline = program.outline(name, solid, motion, unsweep=unsweep)
         if outline:
             found = Slices(solid, motion, unsweep)

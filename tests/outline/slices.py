@@ -166,7 +166,7 @@ def divided(p, g):
 
 
 def branches(p, q):
-    """Of polynomials with Fractions; none where −p/q is constant."""
+    """The branches of −p/q, polynomials with Fractions; none where it is constant."""
     speed = minus(times(slope(p), q), times(p, slope(q)))
     if not speed:
         return []
@@ -266,7 +266,7 @@ class Cells:
 
 
 class Slices:
-    """Of a sweep, or of the regularised unsweep: `area`, `components` of the closed set, `interior_components`, `holes`."""
+    """A sweep, or a regularised unsweep: `area`, `components` of the closed set, `interior_components`, `holes`."""
 
     def __init__(self, solid, motion, unsweep=False, spots=7):
         """`spots`: lines of each stretch between extrema of paths at which signatures are compared; parts between two are missed."""
@@ -347,7 +347,7 @@ class Slices:
         yield from self.changes(b, r, y, q, step, most - 1)
 
     def integral(self, a, b, whole, depth=0):
-        """Of the measure of the slice; halves show whether the rule is good enough, and what no signature has shown."""
+        """The integral of the measure of the slice; halves show whether the rule is good enough, and what no signature has shown."""
         middle = (a + b) / 2
         left, right = self.gauss(a, middle), self.gauss(middle, b)
         if abs(left + right - whole) < EXACT * self.width ** 2 or depth == DEEP:
@@ -364,7 +364,7 @@ class Slices:
         return total
 
     def lengths(self, step=1e-7):
-        """Of the boundary and of the lower part, to about 1e-5: in a slab both are graphs, whose slopes are differences."""
+        """Lengths of the boundary and of the lower part, to about 1e-5: in a slab both are graphs, whose slopes are differences."""
         def heights(x):
             cells, touches = self.cover(x)
             return [y for cell in cells for y in (cell[0], cell[2])], touches
@@ -428,6 +428,6 @@ class Slices:
 
     @staticmethod
     def gaps(cells):
-        """What is between the cells of a slice, in the same form."""
+        """The stretches between the cells of a slice, in the same form."""
         ends = [(-INFINITE, ()), *((x, label) for cell in cells for x, label in (cell[:2], cell[2:])), (INFINITE, ())]
         return [(*p, *q) for p, q in zip(ends[0::2], ends[1::2])]

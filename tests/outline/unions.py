@@ -117,6 +117,6 @@ def along(solid, path):
 
 
 def unswept(solid, path, complement, size):
-    """Of the points that stay in the solid: what no sweep of its complement in a box of `size` back along the path covers."""
+    """The set of points that stay in the solid: what no sweep of its complement in a box of `size` back along the path covers."""
     around, _ = complement(solid, F(size))
     return Union(swept(around, [(F(-x), F(-y)) for x, y in path]), outside=True)
