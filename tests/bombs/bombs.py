@@ -244,6 +244,11 @@ BOMBS = [
                        '{"translate": ["(4/3)*(2-t)-(t-1)", "(-4/5)*(2-t)-7*(t-1)"]}}, {"t": [2, 4], "transform": '
                        '{"translate": ["t-3", "-6-(t-3)^2"]}}]}'},
          "--limit curve=1000000", 0, "the position of 1 of 1 rows is undecided"),
+    # 2000 legs to and fro; each crosses half of the others.
+    Bomb("arcs-of-an-outline", "arcs", "outline {square.wkt} {legs.json}",
+         {"square.wkt": "POLYGON((0 0,1 0,1 1,0 1,0 0))",
+          "legs.json": json.dumps({"dimension": 2, "keyframes": [{"t": k, "position": [k % 2 * 1000 + k * 7 % 13, k * 37 % 1001]} for k in range(2001)]})},
+         "--limit arcs=1000000000"),
 ]
 
 checks = Checks()

@@ -193,6 +193,7 @@ def make(graze, folder):
     yield Scene("collide", ["collide", cube, turn, cube, "--motion-of-fixed", turn, "--format", "json"], 1)
     yield Scene("collide-turn", ["collide", cube, turn, cube, "--inside", "--first"], 1)
     yield Scene("collide-2", ["collide", u, roll, u], 1)
+    yield Scene("outline", ["outline", u, roll, "--operation", "unsweep", "--arcs", "a.csv", "--format", "json"], tables=("a.csv",))
     yield Scene("judge", ["judge", cube, turn, cube, "--within", "1r", "--count", "3", "--vertices", "v.csv"], tables=("v.csv",),
                 spared=NUMBERS)
     yield Scene("judge-page", ["judge", cube, turn, cube, "--within", "1r", "--budget", "1", "--no-points", "--page", "p.html"],

@@ -89,7 +89,7 @@ scene("corner pair at rest", PAIR, legs([(0, 0), (0, 0)]), F(2), interior=2, len
 # scaled by 1 to 2 about the corner (1, 1): the squares [-1, 1]^2 and [1, 3]^2
 scene("corner pair scaled", PAIR, build([(0, 1, scaling([[1, 1], [1, 1]], center=[F(1), F(1)]))]), F(8), interior=2, length=number(16))
 
-# two boxes, far from one another, and as far as the leg: x = 2 is reached at the end and left at once, a seam from side to side
+# two boxes, 4 apart, and 1 apart, which is the leg: x = 2 is reached at the end and left at once, a seam from side to side
 scene("two boxes far apart", Polygon([[box_ring(0, 0, 1, 1)], [box_ring(5, 0, 6, 1)]]), legs([(0, 0), (1, 0)]), F(4), components=2, interior=2,
       length=number(12))
 scene("two boxes that meet", Polygon([[box_ring(0, 0, 1, 1)], [box_ring(2, 0, 3, 1)]]), legs([(0, 0), (1, 0)]), F(4), lower=1, length=number(10))
@@ -372,7 +372,7 @@ def disk(low, high):
     return (number(high) ** 2 - number(low) ** 2) / 2
 
 
-# Their union on the circle r, as arcs of w radians of which w - φ stay: to 2√2 of S1 alone, |θ| <= acos(2/r), from √5 on; to √34 from
+# The union meets the circle r in arcs; of w radians w - φ stay: to 2√2 of S1 alone, |θ| <= acos(2/r), from √5 on; to √34 from
 # -asin(2/r) to π/2, as S1 and S2 overlap; then of S2 from acos(5/r) to π/2, from r = 6 on to asin(6/r), up to (5, 10/3)
 PHI = acos(F(3, 5))
 unsweep("[IS] Figure 10, both", BOTH, RADIAN,

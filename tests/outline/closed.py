@@ -55,7 +55,7 @@ def value(poly, x):
 
 
 def integral(poly, a, b):
-    """Of a polynomial, lowest power first: a Fraction where the ends are rational, else a Decimal."""
+    """The integral of a polynomial, lowest power first: a Fraction where the ends are rational, else a Decimal."""
     if isinstance(a, Decimal) or isinstance(b, Decimal):
         upper = [0] + [number(c) / (k + 1) for k, c in enumerate(poly)]
         return value(upper, b) - value(upper, a)

@@ -42,6 +42,11 @@ def root(x):
     return Decimal(x).sqrt()
 
 
+def arctan(n):
+    """The angle whose tangent is 1/n, by its series."""
+    return sum(Decimal((-1) ** k) / (2 * k + 1) / n ** (2 * k + 1) for k in range(60))
+
+
 QUARTER = {"rotate": {"tan_half": "t"}}
 SECOND_QUARTER = {"compose": [{"matrix": [["0", "-1", "0"], ["1", "0", "0"]]}, {"rotate": {"tan_half": "t - 1"}}]}
 LOOP = [along("4*t", "0"), along("4", "4*(t - 1)"), along("4 - 4*(t - 2)", "4"), along("0", "4 - 4*(t - 3)")]
@@ -77,6 +82,9 @@ SCENES = [
     # A point at distance r <= 1 covers its whole circle, from 0 to 2 pi, and meets itself on the right: a seam from the centre to (1, 0). For
     # 1 < r <= sqrt 2 angles from acos(1/r) to 2 pi - acos(1/r): the area is pi + pi - 2 times the integral of r acos(1/r), pi/4 - 1/2.
     ("half turn", box(1, 1, -1), motion(QUARTER, SECOND_QUARTER), "sweep", 1 + 3 * PI / 2, None, 1, 1, 0, [((0, 0), (1, 0))], 0),
+    # At radius r the box holds angles of its own; a turn by pi/2 adds pi/2 for 2 <= r <= sqrt 10, and fills the gap of 2 acos(3/r) for r > 3. So
+    # the area is 2 + 3 pi/2 + twice the integral of r acos(3/r), 5 atan(1/3) - 3/2. The inner border is an envelope, of radius 2.
+    ("about a far point", box(3, 1, 2, -1), motion(QUARTER), "sweep", 3 * PI / 2 + 10 * arctan(3) - 1, None, 1, 1, 0, [], 0),
     # [0, 2]^2.
     ("growth", SQUARE, motion({"scale": "1 + t"}), "sweep", Fraction(4), Decimal(8), 1, 1, 0, [], 0),
 ]
@@ -170,4 +178,5 @@ def main():
     checks.finish()
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -21,6 +21,7 @@ from ._samples import samples
 from ._traces import cell_given, read_topology, read_trace, verdict_of
 from .boundaries import BUDGET, CONTACTS, DEPTH, Boundary, boundary
 from .envelopes import Envelope, read_envelope
+from .outlines import Outline, read_outline
 from .errors import GrazeError, UseError
 from .inputs import Motion, Solid, input_handle, input_settings
 from .judgements import Judgement, judge
@@ -327,6 +328,15 @@ class Scene:
         context.run(library().graze_envelope_create, ctypes.byref(pointer), context.pointer,
                     self._handle.pointer)
         return read_envelope(Handle(pointer, library().graze_envelope_destroy, self._handle), self)
+
+    def outline(self, width: float = 1e-12) -> Outline:
+        """The exact boundary in the plane: arcs, rings, area. `width`: the greatest width of an
+        enclosed area or length, relative to its size.
+
+        Raises:
+            UseError: the width; InputError: a curved solid; IllegalError: a polyhedron; LimitError, InternalError.
+        """
+        return read_outline(self._context(), self._handle, width)
 
     def rows(self, points: Any, format: str = "csv", jobs: Optional[int] = 1,
              progress: Progress = False) -> List[str]:

@@ -8,8 +8,7 @@
 #include "base/number/order.h"
 #include "questions/outline/arc_complex.h"
 
-/* Let a number's polynomial be its minimal one. */
-static void number_reduce(algebraic *x) {
+void number_reduce(algebraic *x) {
     LOCAL(fmpz_poly, p);
     LOCAL(fmpq, value);
     if (algebraic_is_rational(x))
@@ -97,6 +96,7 @@ static graze_status add_ends(point_finder *f, outline_piece *p) {
     for (size_t end = 0; end < 2; end++) {
         size_t *known = &f->known[f->start[p->curve] + p->cut + end];
         if (!*known) {
+            number_reduce(piece_end(f->o, p, (int)end));
             TRY(append_point(f, p->curve, p->cut + end));
             *known = f->o->point_count;
         }

@@ -60,6 +60,8 @@ graze_status form_eliminate(fmpz_mpoly_t out, graze_context *context, const fmpz
 
 /** The minimal polynomial of a number, which is irrational unless the polynomial is linear. */
 void number_minimal(fmpz_poly_t out, const algebraic *x);
+/** Let a number's polynomial be its minimal one; a rational number is known as such then. */
+void number_reduce(algebraic *x);
 /** A polynomial that vanishes at num/den of all roots of q, den not 0 there. */
 void image_polynomial(fmpz_poly_t out, const fmpz_poly_t q, const fmpz_poly_t num,
                       const fmpz_poly_t den);

@@ -87,9 +87,7 @@ static graze_status append_equation(graze_outline *o, graze_context *context,
     fmpz_mpoly_set(e->form, form, o->ring_of_forms);
     e->degree = fmpz_mpoly_total_degree_si(form, o->ring_of_forms);
     e->axis = fmpz_mpoly_degree_si(form, FORM_Y, o->ring_of_forms) == 0 ? 1 : 0;
-    return e->degree > (slong)context->limits[GRAZE_LIMIT_CURVE]
-               ? context_limit(context, GRAZE_LIMIT_CURVE, "the degree of a curve's equation")
-               : GRAZE_OK;
+    return GRAZE_OK;
 }
 
 /* Find the equation of a curve among the known ones, or append it. */

@@ -184,6 +184,7 @@ static graze_status add_spot(graze_outline *o, graze_context *context, const fmp
 static graze_status decide_cut(graze_outline *o, graze_context *context, size_t curve, size_t cut) {
     outline_curve *c = &o->curve[curve];
     LOCAL_VEC(fmpq, point, 2);
+    number_reduce(c->cut[cut]);
     int known = 0, is_rational = !c->slant && algebraic_is_rational(c->cut[cut]);
     if (is_rational) {
         graze_verdict verdict;
