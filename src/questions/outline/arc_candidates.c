@@ -73,15 +73,8 @@ static void set_places(moving_edge *e, const point_map *map, const fmpq *a, cons
  * and along' h stand for both velocities. */
 static void set_across(moving_edge *e) {
     LOCAL_VEC(fmpz_poly, d, 2);
-    LOCAL(fmpz_poly, slope);
-    LOCAL(fmpz_poly, product);
-    fmpz_poly_derivative(slope, e->weight);
-    for (int i = 0; i < 2; i++) {
-        fmpz_poly_derivative(d + i, &e->start[i]);
-        fmpz_poly_mul(d + i, d + i, e->weight);
-        fmpz_poly_mul(product, &e->start[i], slope);
-        fmpz_poly_sub(d + i, d + i, product);
-    }
+    for (int i = 0; i < 2; i++)
+        slope_product(d + i, e->weight, &e->start[i]);
     cross_polynomials(e->across, e->along, d);
     for (int i = 0; i < 2; i++)
         fmpz_poly_derivative(d + i, &e->along[i]);

@@ -22,6 +22,9 @@ graze_status points_equal(int *out, graze_outline *o, graze_context *context, ou
 
 /** The cuts at the ends of a piece. */
 algebraic *piece_end(const graze_outline *o, const outline_piece *p, int end);
+/** Is a number strictly between two others? */
+graze_status number_between(int *out, graze_context *context, algebraic *low, algebraic *x,
+                            algebraic *high);
 /** A rational parameter within a piece. */
 graze_status piece_middle(fmpq_t s, graze_context *context, const graze_outline *o,
                           const outline_piece *p);

@@ -7,7 +7,6 @@
 #include "base/context/scope.h"
 #include "base/number/bernstein.h"
 #include "base/number/order.h"
-#include "base/number/refine.h"
 #include "base/number/rounding.h"
 #include "decide/trace/trace.h"
 #include "questions/outline/arcs.h"
@@ -78,45 +77,25 @@ void interval_of(dyadic_interval *out, const algebraic *from, const algebraic *t
         fmpz_add_ui(out->high, out->high, 1);
 }
 
+/* Binary places to which ends of parts are known. */
+enum { END_PLACES = 80 };
+
 /* Widen a box to hold a place of a curve. */
 static graze_status box_add_place(box *out, graze_context *context, outline_curve *c,
                                   algebraic *s) {
-    enum { PLACES = 80 };
     HELD(point_place, here);
     LOCAL(fmpq, end);
     double low, high;
-    TRY(outline_curve_place(here.xy, context, c, s, PLACES));
+    TRY(outline_curve_place(here.xy, context, c, s, END_PLACES));
     for (int k = 0; k < 2; k++) {
-        bracket_low(end, &here.xy[k], PLACES);
+        bracket_low(end, &here.xy[k], END_PLACES);
         rational_bounds(&low, &high, end);
         out->low[k] = fmin(out->low[k], low);
-        bracket_high(end, &here.xy[k], PLACES);
+        bracket_high(end, &here.xy[k], END_PLACES);
         rational_bounds(&low, &high, end);
         out->high[k] = fmax(out->high[k], high);
     }
     return GRAZE_OK;
-}
-
-/* Narrow both ends until each is known to an eighth of the part's length. */
-static graze_status narrow_ends(graze_context *context, algebraic *from, algebraic *to) {
-    ulong gain[] = {FIRST_GAIN, FIRST_GAIN};
-    LOCAL_VEC(fmpq, low, 4);
-    for (int step = 0;; step++) {
-        int wide = 0;
-        algebraic_bounds(low, low + 1, from);
-        algebraic_bounds(low + 2, low + 3, to);
-        fmpq_sub(low + 1, low + 1, low);
-        fmpq_sub(low, low + 3, low);
-        fmpq_sub(low + 2, low + 3, low + 2);
-        fmpq_div_2exp(low, low, 3);
-        for (int k = 0; k < 2; k++)
-            if (fmpq_cmp(low + 1 + k, low) > 0) {
-                wide = 1;
-                TRY(algebraic_narrow(context, k ? to : from, step, &gain[k]));
-            }
-        if (!wide)
-            return GRAZE_OK;
-    }
 }
 
 static graze_status box_of_part(box *out, graze_context *context, outline_curve *c, algebraic *from,
@@ -124,8 +103,10 @@ static graze_status box_of_part(box *out, graze_context *context, outline_curve 
     slong n = outline_curve_degree(c) + 1;
     LOCAL_VEC(fmpz, b, 3 * n);
     HELD(dyadic_interval, part);
+    HELD(bracket, end);
     trajectory t = {.dimension = 2, .degree = n - 1};
-    TRY(narrow_ends(context, from, to));
+    TRY(bracket_of_number(&end, context, from, END_PLACES));
+    TRY(bracket_of_number(&end, context, to, END_PLACES));
     interval_of(&part, from, to);
     for (int k = 0; k < 3; k++) {
         t.x[k] = c->x[k]; /* borrowed */

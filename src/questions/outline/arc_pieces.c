@@ -50,16 +50,14 @@ static graze_status append_arc_piece(graze_outline *o, graze_context *context, s
     return context_work(context, 10000);
 }
 
-/* Is a number strictly inside a piece's interval of parameters? */
-static graze_status lies_within(int *out, graze_context *context, const graze_outline *o,
-                                const outline_piece *p, algebraic *s) {
+graze_status number_between(int *out, graze_context *context, algebraic *low, algebraic *x,
+                            algebraic *high) {
     int order = 0;
-    TRY(algebraic_compare(&order, context, piece_end(o, p, 0), s));
+    TRY(algebraic_compare(&order, context, low, x));
     *out = order < 0;
-    if (*out) {
-        TRY(algebraic_compare(&order, context, s, piece_end(o, p, 1)));
-        *out = order < 0;
-    }
+    if (*out)
+        TRY(algebraic_compare(&order, context, x, high));
+    *out = *out && order < 0;
     return GRAZE_OK;
 }
 
@@ -76,7 +74,7 @@ static graze_status piece_passes(int *out, graze_context *context, const graze_o
     interval_of(&range, piece_end(o, p, 0), piece_end(o, p, 1));
     TRY(algebraic_roots(&roots, context, at_point, &range));
     for (size_t k = 0; k < roots.count && !*out; k++)
-        TRY(lies_within(out, context, o, p, &roots.item[k]));
+        TRY(number_between(out, context, piece_end(o, p, 0), &roots.item[k], piece_end(o, p, 1)));
     return GRAZE_OK;
 }
 
@@ -125,7 +123,7 @@ static graze_status slants_are_same(int *out, graze_context *context, const graz
                                     const outline_piece *p, const outline_piece *q) {
     HELD(algebraic, s);
     TRY(piece_middle(s.value, context, o, p));
-    TRY(lies_within(out, context, o, q, &s));
+    TRY(number_between(out, context, piece_end(o, q, 0), &s, piece_end(o, q, 1)));
     return *out ? lines_meet(out, context, o, &o->curve[p->curve], &o->curve[q->curve], s.value)
                 : GRAZE_OK;
 }

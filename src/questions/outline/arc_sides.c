@@ -134,15 +134,10 @@ static void set_axis(prober *p) {
         return;
     }
     LOCAL_VEC(fmpq, v, 2);
-    LOCAL(fmpz_poly, slope);
-    LOCAL(fmpz_poly, product);
+    LOCAL(fmpz_poly, speed);
     for (int i = 0; i < 2; i++) {
-        fmpz_poly_derivative(slope, &c->x[i]);
-        fmpz_poly_mul(product, slope, &c->x[2]);
-        fmpz_poly_derivative(slope, &c->x[2]);
-        fmpz_poly_mul(slope, slope, &c->x[i]);
-        fmpz_poly_sub(product, product, slope);
-        fmpz_poly_evaluate_fmpq(v + i, product, p->s);
+        slope_product(speed, &c->x[2], &c->x[i]);
+        fmpz_poly_evaluate_fmpq(v + i, speed, p->s);
     }
     int sign[2] = {fmpq_sgn(v), fmpq_sgn(v + 1)};
     fmpq_abs(v, v);

@@ -28,6 +28,8 @@ void outline_curve_drop_last(graze_outline *o);
 void outline_curve_clear(outline_curve *c);
 /** Divide by the common factor of the three polynomials; returns 1 if the curve is one point. */
 int outline_curve_reduce(outline_curve *c);
+/** The polynomial whose roots are the parameters at which a coordinate has a value. */
+void outline_curve_level(fmpz_poly_t out, const outline_curve *c, int coordinate, const fmpq_t at);
 /** The polynomial whose roots are the parameters at which the curve, not slanted, piece_passes a
  * point.
  */
@@ -58,6 +60,8 @@ graze_status form_eliminate(fmpz_mpoly_t out, graze_context *context, const fmpz
 
 /* Numbers that are images of algebraic numbers. */
 
+/** out = x y' - x' y. */
+void slope_product(fmpz_poly_t out, const fmpz_poly_t x, const fmpz_poly_t y);
 /** The minimal polynomial of a number, which is irrational unless the polynomial is linear. */
 void number_minimal(fmpz_poly_t out, const algebraic *x);
 /** Let a number's polynomial be its minimal one; a rational number is known as such then. */

@@ -42,17 +42,10 @@ static graze_status mark_folds(graze_outline *o, graze_context *context, outline
         return GRAZE_OK;
     HELD(cutter, k, o, context, c);
     LOCAL_VEC(fmpz_poly, v, 2);
-    LOCAL(fmpz_poly, slope);
-    LOCAL(fmpz_poly, product);
-    for (int i = 0; i < 2; i++) {
-        fmpz_poly_derivative(slope, &c->x[i]);
-        fmpz_poly_mul(v + i, slope, &c->x[2]);
-        fmpz_poly_derivative(slope, &c->x[2]);
-        fmpz_poly_mul(product, slope, &c->x[i]);
-        fmpz_poly_sub(v + i, v + i, product);
-    }
-    fmpz_poly_gcd(product, v, v + 1);
-    return algebraic_roots(&c->mark, context, product, &k.range);
+    for (int i = 0; i < 2; i++)
+        slope_product(v + i, &c->x[2], &c->x[i]);
+    fmpz_poly_gcd(v, v, v + 1);
+    return algebraic_roots(&c->mark, context, v, &k.range);
 }
 
 /* Keep a polynomial whose roots hold the coordinate of a curve's point at s. */
@@ -164,12 +157,15 @@ static graze_status cut_at_fixed(cutter *k, const fmpq *point) {
     return fmpz_poly_degree(p) > 0 ? cut_at_zeros(k, p) : GRAZE_OK;
 }
 
+void outline_curve_level(fmpz_poly_t out, const outline_curve *c, int coordinate, const fmpq_t at) {
+    fmpz_poly_scalar_mul_fmpz(out, &c->x[coordinate], fmpq_denref(at));
+    fmpz_poly_scalar_submul_fmpz(out, &c->x[2], fmpq_numref(at));
+}
+
 void outline_curve_at_point(fmpz_poly_t out, const outline_curve *c, const fmpq *point) {
     LOCAL_VEC(fmpz_poly, p, 2);
-    for (int i = 0; i < 2; i++) {
-        fmpz_poly_scalar_mul_fmpz(p + i, &c->x[i], fmpq_denref(point + i));
-        fmpz_poly_scalar_submul_fmpz(p + i, &c->x[2], fmpq_numref(point + i));
-    }
+    for (int i = 0; i < 2; i++)
+        outline_curve_level(p + i, c, i, point + i);
     fmpz_poly_gcd(out, p, p + 1);
 }
 

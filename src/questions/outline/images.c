@@ -7,6 +7,16 @@
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
 
+void slope_product(fmpz_poly_t out, const fmpz_poly_t x, const fmpz_poly_t y) {
+    LOCAL(fmpz_poly, slope);
+    LOCAL(fmpz_poly, product);
+    fmpz_poly_derivative(slope, x);
+    fmpz_poly_mul(product, slope, y);
+    fmpz_poly_derivative(slope, y);
+    fmpz_poly_mul(slope, slope, x);
+    fmpz_poly_sub(out, slope, product);
+}
+
 void number_minimal(fmpz_poly_t out, const algebraic *x) {
     fmpz_poly_zero(out);
     if (algebraic_is_rational(x)) {

@@ -62,17 +62,6 @@ static void arc_ends(algebraic **end, const graze_outline *o, const outline_arc 
     end[1] = piece_end(o, first->turn > 0 ? last : first, 1);
 }
 
-/* x y' - x' y for two polynomials and their derivatives. */
-static void slope_product(fmpz_poly_t out, const fmpz_poly_t x, const fmpz_poly_t y) {
-    LOCAL(fmpz_poly, slope);
-    LOCAL(fmpz_poly, product);
-    fmpz_poly_derivative(slope, x);
-    fmpz_poly_mul(product, slope, y);
-    fmpz_poly_derivative(slope, y);
-    fmpz_poly_mul(out, slope, x);
-    fmpz_poly_sub(out, out, product);
-}
-
 static void integrand_init(integrand *f) {
     fmpz_poly_init(f->num);
     fmpz_poly_init(f->den);
@@ -120,35 +109,27 @@ static void halve_bracket(bracket *x) {
 /* Area and length of a straight arc by its ends, the lower cut's first. */
 static graze_status measure_straight(bracket *area, bracket *length, const measurer *m,
                                      outline_curve *c, algebraic **end) {
-    bracket at[2][2];
+    HELD(point_place, a);
+    HELD(point_place, b);
     HELD(bracket, product);
-    graze_status status = GRAZE_OK;
-    for (int k = 0; k < 2; k++) {
-        bracket_init(&at[k][0]);
-        bracket_init(&at[k][1]);
-        if (!status)
-            status = outline_curve_place(at[k], m->context, c, end[k], m->places);
-    }
-    bracket_mul(area, &at[0][0], &at[1][1], m->places);
-    bracket_mul(&product, &at[0][1], &at[1][0], m->places);
+    TRY(outline_curve_place(a.xy, m->context, c, end[0], m->places));
+    TRY(outline_curve_place(b.xy, m->context, c, end[1], m->places));
+    bracket_mul(area, &a.xy[0], &b.xy[1], m->places);
+    bracket_mul(&product, &a.xy[1], &b.xy[0], m->places);
     bracket_sub(area, area, &product);
     halve_bracket(area);
     fmpz_zero(length->low);
     fmpz_zero(length->high);
     for (int i = 0; i < 2; i++) {
-        bracket_sub(&product, &at[1][i], &at[0][i]);
+        bracket_sub(&product, &b.xy[i], &a.xy[i]);
         bracket_mul(&product, &product, &product, m->places);
         bracket_add(length, length, &product);
     }
-    if (!status && !bracket_sqrt(length, length, m->places)) {
+    if (!bracket_sqrt(length, length, m->places)) {
         fmpz_zero(length->low); /* too short for these places */
         fmpz_one_2exp(length->high, m->places);
     }
-    for (int k = 0; k < 2; k++) {
-        bracket_clear(&at[k][0]);
-        bracket_clear(&at[k][1]);
-    }
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status measure_curved(bracket *area, bracket *length, const measurer *m,

@@ -65,12 +65,8 @@ static graze_status count_roots(int *out, const ray *r, const outline_piece *p) 
     HELD(algebraic_list, roots);
     LOCAL(fmpq, gap);
     int before = 0;
-    for (int i = 0; i < 2; i++) {
-        fmpz_poly_struct *f = i ? along : level;
-        const fmpq *at = r->at + (i ? r->along : 1 - r->along);
-        fmpz_poly_scalar_mul_fmpz(f, &c->x[i ? r->along : 1 - r->along], fmpq_denref(at));
-        fmpz_poly_scalar_submul_fmpz(f, &c->x[2], fmpq_numref(at));
-    }
+    outline_curve_level(level, c, 1 - r->along, r->at + 1 - r->along);
+    outline_curve_level(along, c, r->along, r->at + r->along);
     algebraic *from = piece_end(r->o, p, 0), *to = piece_end(r->o, p, 1);
     interval_of(&range, from, to);
     TRY(algebraic_roots(&roots, r->context, level, &range));

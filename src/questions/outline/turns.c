@@ -81,19 +81,6 @@ static graze_status count_crossing(border *b, outline_curve *c, algebraic *at, i
     return GRAZE_OK;
 }
 
-/* Is a number strictly between two others? */
-static graze_status lies_between(int *out, graze_context *context, algebraic *low, algebraic *x,
-                                 algebraic *high) {
-    int order = 0;
-    TRY(algebraic_compare(&order, context, low, x));
-    *out = order < 0;
-    if (*out) {
-        TRY(algebraic_compare(&order, context, x, high));
-        *out = order < 0;
-    }
-    return GRAZE_OK;
-}
-
 /* The crossings of a curve with a side, strictly between two parameters. */
 static graze_status cross_border_side(border *b, outline_curve *c, algebraic *from, algebraic *to,
                                       int side, turn_end *e) {
@@ -101,8 +88,7 @@ static graze_status cross_border_side(border *b, outline_curve *c, algebraic *fr
     HELD(dyadic_interval, range);
     HELD(algebraic_list, roots);
     const fmpq *at = b->end + 2 * side_axis[side] + side_upper[side];
-    fmpz_poly_scalar_mul_fmpz(p, &c->x[side_axis[side]], fmpq_denref(at));
-    fmpz_poly_scalar_submul_fmpz(p, &c->x[2], fmpq_numref(at));
+    outline_curve_level(p, c, side_axis[side], at);
     b->unclear = b->unclear || fmpz_poly_is_zero(p);
     if (b->unclear)
         return GRAZE_OK;
@@ -110,7 +96,7 @@ static graze_status cross_border_side(border *b, outline_curve *c, algebraic *fr
     TRY(algebraic_roots(&roots, b->context, p, &range));
     for (size_t k = 0; k < roots.count && !b->unclear; k++) {
         int inside = 0;
-        TRY(lies_between(&inside, b->context, from, &roots.item[k], to));
+        TRY(number_between(&inside, b->context, from, &roots.item[k], to));
         if (inside)
             TRY(count_crossing(b, c, &roots.item[k], side, e));
     }
