@@ -48,7 +48,8 @@ def path(rng, legs, whole=True):
 def piece(rng, sort, start):
     """A transform on [0, 1] that begins with a translation by `start`, and the sort."""
     shift = translate([[start[0]], [start[1]]])
-    center = [simple(rng, 2, 3), simple(rng, 2, 3)]
+    # on no line of a solid's side: turned about the middle of one, two parts may touch with one tangent, which no slice shows
+    center = [simple(rng, 2, 3) + F(1, 11), simple(rng, 2, 3) + F(1, 13)]
     move = translate([[0] + polynomial(rng, 1)[:1], [0] + polynomial(rng, 1)[:1]])
     if sort == "polynomial":
         return translate([[start[0]] + polynomial(rng, rng.randint(0, 2)), [start[1]] + polynomial(rng, rng.randint(0, 2))])
