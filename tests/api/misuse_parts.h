@@ -340,6 +340,28 @@ static void grids(bench *b) {
         mpq_clears(low[k], high[k], NULL);
 }
 
+static void outlines(bench *b) {
+    graze_context *c = b->s.context;
+    const graze_scene *s = b->s.scene;
+    graze_outline_options wide = {.size = sizeof wide, .width = 1};
+    WRONG(graze_outline_create(NULL, c, s, NULL));
+    WRONG_OUT(graze_outline, graze_outline_create(&out, NULL, s, NULL));
+    WRONG_OUT(graze_outline, graze_outline_create(&out, c, NULL, NULL));
+    WRONG_OUT(graze_outline, graze_outline_create(&out, c, s, &wide));
+    WRONG(graze_outline_text(NULL, c, NULL));
+    WRONG_OUT(char, graze_outline_text(&out, NULL, NULL));
+    WRONG_OUT(char, graze_outline_text(&out, c, NULL));
+    WRONG(graze_outline_json(NULL, c, NULL));
+    WRONG_OUT(char, graze_outline_json(&out, NULL, NULL));
+    WRONG_OUT(char, graze_outline_json(&out, c, NULL));
+    WRONG(graze_outline_csv(NULL, c, NULL));
+    WRONG_OUT(char, graze_outline_csv(&out, NULL, NULL));
+    WRONG_OUT(char, graze_outline_csv(&out, c, NULL));
+    HARMLESS(graze_outline_destroy, CALLS(graze_outline_destroy(NULL)));
+    HARMLESS(graze_outline_get, graze_outline_get(NULL).arcs == 0);
+    HARMLESS(graze_outline_area, !graze_outline_area(b->half, NULL));
+}
+
 static void pairs(bench *b) {
     graze_context *c = b->s.context;
     graze_pair *p = NULL;

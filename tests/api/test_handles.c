@@ -117,7 +117,7 @@ static void limits_and_roundings(void **state) {
     }
     assert_null(graze_limit_name(GRAZE_LIMIT_COUNT));
     assert_int_equal(graze_context_set_limit(c, GRAZE_LIMIT_COUNT, 7), GRAZE_EUSE);
-    assert_non_null(strstr(graze_context_message(c), "limit 11: expected 0 to 10"));
+    assert_non_null(strstr(graze_context_message(c), "limit 12: expected 0 to 11"));
     assert_int_equal(graze_context_set_rounding(c, (graze_rounding)9), GRAZE_EUSE);
     assert_non_null(
         strstr(graze_context_message(c), "rounding 9: expected none, binary64 or binary32"));

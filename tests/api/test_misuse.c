@@ -297,6 +297,7 @@ static void all(void **state) {
     distances(&b);
     grids(&b);
     envelopes(&b);
+    outlines(&b);
     pairs(&b);
     meshes(&b);
     contact_points(&b);

@@ -112,7 +112,7 @@ static int place_order(const void *left, const void *right) {
 }
 
 /* Append the point of a line at a place. */
-static graze_status append_point(flat_points *p, flat_walk *w, const fmpz *line, const fmpz *foot,
+static graze_status append_place(flat_points *p, flat_walk *w, const fmpz *line, const fmpz *foot,
                                  const fmpq *place) {
     TRY(array_grow(w->context, &p->at, &p->capacity, 3 * p->count + 3, sizeof *p->at,
                    "the vertices of a solid"));
@@ -143,7 +143,7 @@ static graze_status add_line(flat_edges *out, flat_points *points, flat_walk *w,
     size_t first = points->count;
     flat_foot(foot, line);
     for (size_t k = 0; k < places; k++)
-        TRY(append_point(points, w, line, foot, place[k]));
+        TRY(append_place(points, w, line, foot, place[k]));
     for (size_t k = 0; k < count; k++) {
         const flat_piece *p = &piece[k];
         const fmpq *begin = &p->from;

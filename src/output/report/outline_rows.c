@@ -179,7 +179,7 @@ static graze_status put_sources(outline_writer *j, const outline_arc *arc, size_
     return GRAZE_OK;
 }
 
-static graze_status put_arc(outline_writer *j, const outline_arc *arc) {
+static graze_status write_arc(outline_writer *j, const outline_arc *arc) {
     const graze_outline *o = j->outline;
     size_t first = o->arc_piece[arc->first];
     json_open(&j->w, NULL, '{');
@@ -291,7 +291,7 @@ graze_status outline_json(text *out, graze_context *context, const graze_outline
     TRY(put_outline_vertices(&j));
     json_open(&j.w, "arcs", '[');
     for (size_t k = 0; k < o->arc_count; k++)
-        TRY(put_arc(&j, &o->arc[k]));
+        TRY(write_arc(&j, &o->arc[k]));
     json_close(&j.w, ']');
     json_open(&j.w, "rings", '[');
     for (size_t k = 0; k < o->ring_count; k++)

@@ -70,7 +70,7 @@ static graze_status keep_point(graze_outline *o, graze_context *context, const o
     return GRAZE_OK;
 }
 
-static graze_status keep_points(graze_outline *o, graze_context *context, outline_curve *c) {
+static graze_status store_cuts(graze_outline *o, graze_context *context, outline_curve *c) {
     const outline_equation *e = &o->equation[c->equation];
     if (e->curve_count == 1 && c->proper)
         return GRAZE_OK;
@@ -237,7 +237,7 @@ graze_status outline_cuts(graze_outline *o, graze_context *context) {
     for (size_t k = 0; k < o->curve_count; k++)
         TRY(mark_folds(o, context, &o->curve[k]));
     for (size_t k = 0; k < o->curve_count; k++)
-        TRY(keep_points(o, context, &o->curve[k]));
+        TRY(store_cuts(o, context, &o->curve[k]));
     for (size_t k = 0; k < o->curve_count; k++)
         if (o->curve[k].group == k)
             TRY(cut_group(o, context, k, is_near));

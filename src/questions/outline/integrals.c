@@ -94,7 +94,7 @@ static void set_series(bracket *out, const fmpz_poly_t p, slong shift, int whole
 }
 
 /* num[0] ... num[last] become the series of their square root. */
-static int take_root(cell *c, int last) {
+static int take_square_root(cell *c, int last) {
     bracket *s = c->num, *g = c->value;
     if (!bracket_sqrt(&g[0], &s[0], c->places))
         return 0;
@@ -127,7 +127,7 @@ static int function_series(cell *c, int last, int whole) {
     slong size = (slong)fmpz_bits(middle) - den_scale;
     set_series(c->num, num, (slong)c->places - num_scale - (c->f->root ? 2 * size : size), whole);
     set_series(c->den, den, (slong)c->places - den_scale - size, whole);
-    if (c->f->root && !take_root(c, last))
+    if (c->f->root && !take_square_root(c, last))
         return 0;
     for (int j = 0; j <= last; j++) {
         bracket_set(&c->value[j], &c->num[j]);
