@@ -163,7 +163,7 @@ def check_columns(columns, tables):
     names = [one["name"] for one in columns]
     checks.equal(len(set(names)), len(names), "columns.json names a column once")
     source = read(ROOT, "src", "output", "report", "columns.c").decode()
-    in_c = [name.rstrip("?*") for line in re.findall(r'\.names = "([^"]*)"', source) for name in line.split(",")]
+    in_c = [name.rstrip("?*!") for line in re.findall(r'\.names = "([^"]*)"', source) for name in line.split(",")]
     checks.equal([name for name in names if name in in_c], in_c, "the table of columns")
     for path, (found, _) in tables.items():
         unknown = [] if "/poses-" in path else [name for name in found if name not in names]

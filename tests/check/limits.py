@@ -197,7 +197,7 @@ def check_notes(b):
     """graze-check verifies the columns that a certificate claims, and its note names each other one that graze writes."""
     with open(os.path.join(harness.ROOT, "src", "output", "report", "columns.c"), encoding="utf-8") as file:
         table = file.read()
-    known = {name.rstrip("?") for names in re.findall(r'\.names = "([^"]+)"', table) for name in names.split(",") if name[-1] != "*"}
+    known = {name.rstrip("?!") for names in re.findall(r'\.names = "([^"]+)"', table) for name in names.split(",") if name[-1] != "*"}
     seen = set()
     for d, words in ((2, []), (3, []), (2, ["--operation", "unsweep"]), (3, ["--operation", "unsweep"])):
         points = b.file("points.csv", ",".join("xyz"[:d]) + ',"user, own"\n' + "1000," * d + "7\n")

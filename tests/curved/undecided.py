@@ -44,6 +44,7 @@ REASONS = [(3, [], "more than 12 surfaces meet there"), (2, ["--limit", "work=88
 
 
 # Seven sectors between lines through the origin, less than a quarter turn apart in all, times [-1, 1]: 14 planes in the z axis.
+# A ball around all, without which the solids would be meshes, has no other part in it.
 STAR = {"polygon": {"points": [[str(c) for c in p] for k in range(1, 8) for p in ((0, 0), (10, -k * k - 20), (10, -k * k - 20 - k))],
                     "extrude": ["-1", "1"]}}
 
@@ -52,6 +53,7 @@ def moved(low, high, *by):
     return Motion(3, [(low, high, {"translate": by})])
 
 
+AROUND = {"ball": {"radius": 1000}}
 LARGE, SLAB, EDGE = box((-9, -9, -9), (9, 9, 9)), box((2, -1, -1), (3, 1, 1)), box((2, -1, 0), (3, 1, 1))
 BESIDE = minus(LARGE, FLAT, box((2, -1, 0), (3, 1, 1)))   # the complement of both, cut off where no trajectory comes
 RIGHT = moved(-1, 4, "t", "0", "0")
@@ -74,8 +76,8 @@ OPEN = [
     ("never out, touched", BESIDE, RIGHT, "II?II", "II?IBBBII"),
     ("never out, at rest in ?, touched", BESIDE, REST, "???II", "???IBBBII"),
     ("out at the end", minus(LARGE, FLAT, SLAB), moved(0, F(5, 2), "t", "0", "0"), "?II", "?IBOO"),
-    ("through a line of many planes", union(STAR, EDGE), RIGHT, None, "OO?OBBBOO"),
-    ("along a line of many planes", union(STAR, box((2, -1, F(1, 2)), (3, 1, 1))), UP, None, "???OBBBOO"),
+    ("through a line of many planes", common(union(STAR, EDGE), AROUND), RIGHT, None, "OO?OBBBOO"),
+    ("along a line of many planes", common(union(STAR, box((2, -1, F(1, 2)), (3, 1, 1))), AROUND), UP, None, "???OBBBOO"),
 ]
 
 

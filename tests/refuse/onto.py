@@ -63,9 +63,11 @@ ROWS = [
     Row("envelope S.wkt M.json --at 1/2 -n 2", SCENE,
         {"--events": "o", "--curve": "o", "--patches": "o", "--joints": "o", "--points": "o", "--output": "o"}),
     Row("collide S.wkt M.json S.wkt", SCENE, {"--output": "o", "-o": "o"}, reads=["--motion-of-fixed"], ends=1),
+    Row("outline S.wkt M.json", SCENE, {"--arcs": "o", "--output": "o", "-o": "o"}),
     Row("judge B.off B.json B.off --within 1 --count 1", ["B.off", "B.json"], {"--vertices": "o.csv", "--answers": "o.csv", "--page": "o.html", "--output": "o"},
         reads=["--points"]),
     Row("motion poses Q.csv", ["Q.csv"], {"--output": "o", "--report": "o"}),
+    Row("motion gcode G.nc", ["G.nc"], {"--output": "o", "--report": "o"}),
     Row("motion dyadic M.json", ["M.json"], {"--output": "o", "--report": "o"}),
     Row("motion line --by 1,0,0", [], {"--output": "o", "--report": "o"}),
     Row("motion joints slide:1,0,0", [], {"--output": "o", "--report": "o"}),
@@ -76,12 +78,12 @@ ROWS = [
 TEXTS = {"by", "format", "grid", "box", "at", "strata", "times", "plane", "view", "title", "depth", "coarse", "budget", "contacts", "candidate",
          "degrees", "axis", "center", "pitch", "tolerance", "radius", "affine", "shortest", "long", "slerp", "scale", "from", "to", "every",
          "numbers", "dyadic", "dimension", "folder", "o", "columns", "angles", "diameter", "length", "corner", "taper", "size",
-         "near-rotation"}
+         "near-rotation", "start"}
 # Their commands add what they write; the folder of --shrink must be new or empty.
 EXTRA = {("validate", "keep"), ("validate", "output"), ("validate", "shrink")}
 COLUMNS = {("motion", "--ignore")}
 # Commands whose report --output takes, an option of all commands without a row in their table; beside a file it yields to it.
-REPORTS = {"check", "explain", "boundary", "envelope", "collide", "judge", "cases"}
+REPORTS = {"check", "explain", "boundary", "envelope", "collide", "outline", "judge", "cases"}
 
 
 class Bench:
@@ -95,7 +97,7 @@ class Bench:
         for name, old in (("S.wkt", "square.wkt"), ("M.json", "move2.json"), ("S.off", "cube.off"), ("B.off", "cube.off"),
                           ("B.json", "move3.json")):
             shutil.copy(COMMON / old, self.inputs / name)
-        for name, text in (("P.csv", CSV), ("B.csv", "1,1,1\n"), ("C.csv", SITES), ("Q.csv", "t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,1,0,0,1,0,0,0\n")):
+        for name, text in (("P.csv", CSV), ("B.csv", "1,1,1\n"), ("C.csv", SITES), ("G.nc", "G0 X0 Y0 Z0\nG1 X1\n"), ("Q.csv", "t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,1,0,0,1,0,0,0\n")):
             (self.inputs / name).write_text(text)
         for words in ("check S.wkt M.json --receipt R", "classify S.wkt M.json P.csv -o T.csv", "classify S.wkt M.json P.csv -o T2.csv",
                       "classify S.wkt M.json P.csv --shard 1/2 -o 1.csv", "classify S.wkt M.json P.csv --shard 2/2 -o 2.csv"):

@@ -9,9 +9,9 @@
 static const char outline_help[] =
     "graze outline SOLID MOTION: the exact boundary of a planar sweep: arcs, holes, area\n"
     "\n"
-    "Example: graze outline square.wkt turn.json\n"
-    "         graze outline square.wkt turn.json --format json -o outline.json\n"
-    "         graze outline square.wkt turn.json --operation unsweep --arcs arcs.csv\n"
+    "Example: echo 'POLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))' > bar.wkt\n"
+    "         graze motion rotate --degrees 90 --dimension 2 -o quarter.json\n"
+    "         graze outline bar.wkt quarter.json --arcs arcs.csv\n"
     "\n"
     "SOLID is a polygon, with holes or without. Prints components, holes, the Euler\n"
     "characteristic, the number of arcs, area and length of the boundary, and lower parts: seams\n"

@@ -14,7 +14,8 @@ from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
 from ._context import Context
 from ._hull import Point, normal
 from ._library import library, take_text
-from .inputs import Solid, input_handle, input_settings
+from .errors import UseError
+from .inputs import Motion, Solid, input_handle, input_settings
 from .scene import Scene
 
 Poly = Tuple[Fraction, ...]  # coefficients, the constant first
@@ -64,6 +65,13 @@ def number(value: Fraction) -> str:
         return str(value.numerator)
     digits = str(abs(value.numerator) * 10 ** places // value.denominator).rjust(places + 1, "0")
     return ("-" if value < 0 else "") + digits[:-places] + "." + digits[-places:]
+
+
+def motion_of(scene: Scene) -> Motion:
+    """The motion of a scene, which must have one."""
+    if scene.motion is None:
+        raise UseError("the solid is at rest; expected a scene with a motion")
+    return scene.motion
 
 
 @dataclass(frozen=True)
@@ -122,7 +130,7 @@ class Model:
         text = _solid_text(scene.solid)
         vertices, facets = _read_wkt(text) if scene.dimension == 2 else _read_off(text)
         pieces = []
-        for piece in json.loads(scene.motion.json())["pieces"]:
+        for piece in json.loads(motion_of(scene).json())["pieces"]:
             rows = [[entry[1:-1].split(")/(") if entry.startswith("(") else [entry, "1"] for entry in row] for row in piece["transform"]["matrix"]]
             weight = _poly(rows[0][0][1])
             pieces.append(Piece(Fraction(piece["t"][0]), Fraction(piece["t"][1]), tuple(tuple(_poly(e[0]) for e in row) for row in rows), weight))

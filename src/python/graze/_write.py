@@ -14,7 +14,7 @@ from ._hull import Point
 from ._judges import Kind
 from ._library import Handle, library, take_text
 from ._numbers import Rationals
-from ._plain import Model, number, written_ending
+from ._plain import Model, motion_of, number, written_ending
 from .errors import GrazeError
 from .inputs import source_of
 from .scene import Scene
@@ -32,7 +32,7 @@ def write_folder(folder: str, model: Optional[Model], given: Scene, point: Point
         return os.path.join(folder, name)
 
     _write(path(solid), model.solid_text(ending) if model else given.solid.json())
-    _write(path("motion.json"), model.motion_text() if model else given.motion.json())
+    _write(path("motion.json"), model.motion_text() if model else motion_of(given).json())
     scene = Scene(path(solid), path("motion.json"), **of)
     names = "x,y,z"[:2 * d - 1]
     _write(path("point.csv"), f"{names},id\n{','.join(map(number, point))},1\n")

@@ -19,6 +19,7 @@ from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Optional, Seq
 from ._kit import case, case_names, write_benchmark
 from ._labels import ON_AS, WORDS, Labels, is_wrong, read_labels
 from ._numbers import numpy
+from ._plain import motion_of
 from .errors import GrazeError, UseError
 from .inputs import source_of
 from .results import PMC_NAMES, Trace, pmc_names
@@ -87,6 +88,7 @@ def check(classify: Callable[..., Any], scene: Any, n: int = 1000, seed: int = 1
     """
     __tracebackhide__ = True  # pytest shows the line of the test
     made = scene_of(scene)
+    motion_of(made)  # one at rest is refused before it is asked
     wrong, checked = wrong_rows(classify, made, n, seed, on, tolerance=tolerance, labels=labels, points=points, strata=strata)
     if wrong:
         raise WrongLabels(message(made, wrong, checked, show, "" if points is not None else f"n={n}, seed={seed}"),
@@ -213,7 +215,7 @@ def message(scene: Scene, wrong: Sequence[WrongRow], checked: Checked, show: int
 def explains(scene: Scene, point: Sequence[Fraction]) -> str:
     """The command that gives the whole reasoning, or the call where solid or motion is no file."""
     numbers = [str(value) for value in point]
-    files = source_of(scene.solid), source_of(scene.motion)
+    files = source_of(scene.solid), source_of(motion_of(scene))
     if None in files:
         return f"scene.explain({numbers!r})"
     options = [word for name, word, usual in (("--operation", scene.operation, "sweep"), ("--folds", scene.folds, "separate"),
