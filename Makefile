@@ -26,7 +26,8 @@ ALL_CXXFLAGS = -std=c++17 -frounding-math $(NOT_UNIQUE) $(COMMON) $(CXXFLAGS)
 RPATH = -Wl,-rpath,'$$ORIGIN:$$ORIGIN/$(1)'
 VERSION := $(shell sed -n 's/.*define GRAZE_VERSION "\(.*\)"/\1/p' include/graze/version.h)
 SONAME := libgraze.so.$(firstword $(subst ., ,$(VERSION)))
-LIBS := $(filter -L%,$(ELSEWHERE)) -lyajl -lmd -lflint -lmpfr -lgmp -lstdc++ -lm -pthread
+LIBS := -lyajl -lmd -lflint -lmpfr -lgmp -lstdc++ -lm -pthread
+LIBS += $(filter -L%,$(ELSEWHERE))
 ifneq ($(COUNT),)
 LIBS += $(COUNT)
 endif

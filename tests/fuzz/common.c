@@ -21,7 +21,7 @@ static const struct {
     [GRAZE_LIMIT_GRID] = {500, "grid=500"},   [GRAZE_LIMIT_LINE] = {2000, "line=2000"},
     [GRAZE_LIMIT_CELLS] = {300, "cells=300"}, [GRAZE_LIMIT_BYTES] = {50000, "bytes=50000"},
     [GRAZE_LIMIT_BITS] = {2000, "bits=2000"}, [GRAZE_LIMIT_WORK] = {300000, "work=300000"},
-    [GRAZE_LIMIT_CURVE] = {4, "curve=4"},    [GRAZE_LIMIT_ARCS] = {1000, "arcs=1000"},
+    [GRAZE_LIMIT_CURVE] = {4, "curve=4"},     [GRAZE_LIMIT_ARCS] = {1000, "arcs=1000"},
 };
 
 void fuzz_broken(const char *promise, const char *file, int line) {

@@ -84,8 +84,8 @@ void report_put_time_near(text *t, const graze_time *time);
  */
 void formula_coordinate(text *out, const motion_piece *piece, const point_map *map, int coordinate,
                         const fmpq *point);
-/** Substitute u = (t - lo)/(hi - lo) in numerator and weight, unless `piece` is NULL, divide both by
- * their common factor, and scale them so that the weight is a primitive integer polynomial with
+/** Substitute u = (t - lo)/(hi - lo) in numerator and weight, unless `piece` is NULL, divide both
+ * by their common factor, and scale them so that the weight is a primitive integer polynomial with
  * positive leading coefficient. */
 void formula_lowest_terms(fmpq_poly_t numerator, fmpq_poly_t weight, const motion_piece *piece);
 /** Append an integer polynomial in t, highest power first; shortened like a coordinate. */

@@ -55,7 +55,8 @@ static const char classify_help[] =
     "  --no-filter          the exact path alone: the same answers, slower\n"
     "  --limit NAME=V       digits 10000, degree 200, pieces 10000, depth 100, grid 10^10, line "
     "10^7,\n"
-    "                       cells 10^8, bytes 4*10^9, bits 100000, work 10^8, curve 20, arcs 10^6\n";
+    "                       cells 10^8, bytes 4*10^9, bits 100000, work 10^8, curve 20, arcs "
+    "10^6\n";
 
 int value_shard(void *to, const char *name, const char *value) {
     struct shard_choice *out = to;
