@@ -377,7 +377,8 @@ def check_tables(graze):
 
 def check_options(graze):
     files = {"cube.off": CUBE, "move.json": MOVE, "poses.csv": "t,x,y,z\n0,0,0,0\n1,1,0,0\n", "g.csv": SIGNED,
-             "ball.csg": "sphere($fn = 0, $fa = 12, $fs = 2, r = 1);\n"}
+             "ball.csg": "sphere($fn = 0, $fa = 12, $fs = 2, r = 1);\n", "square.wkt": "POLYGON((0 0,1 0,1 1,0 1,0 0))",
+             "slide.json": json.dumps({"dimension": 2, "pieces": [{"t": [0, 1], "transform": {"translate": ["t", "0"]}}]})}
     with tempfile.TemporaryDirectory(prefix="graze-bombs-") as folder:
         for name, content in files.items():
             put(os.path.join(folder, name), content, None)
