@@ -214,6 +214,27 @@ scene("a side at a break on the line of a flat", box(0, 0, 4, 1),
       build([(0, 2, translate([[0, 1], HUMP])), (2, 3, translate([[0, 1], [-10, 3]]))]),
       number(30 + integral(HUMP, 0, 2)) - integral([-3, 0, 4, 0, -1], sqrt(3), number(2)) + number(F(5, 2)))
 
+# FRAME by t - t³ and back within [0, 1], greatest H = 2 / (3 √3) at the irrational time 1 / √3: 6 (6 + H) without a hole of 2 (2 - H)
+H, THERE = 2 / (3 * sqrt(3)), [0, 1, 0, -1]
+for way, x, y in (("up", [], THERE), ("right", THERE, []), ("down", [], [-c for c in THERE]), ("left", [-c for c in THERE], [])):
+    scene(f"frame {way} to an irrational place and back", FRAME, moved(0, 1, x, y), 32 + 8 * H, holes=1, length=number(32))
+    scene(f"frame {way} to an irrational place and back, all askew", FRAME.mapped(lambda p: (p[0] - p[1], p[0] + p[1])),
+          moved(0, 1, [-c for c in y] or x, x or y), 2 * (32 + 8 * H), holes=1, length=32 * sqrt(2))
+    # In NEST each frame is higher by H, and its hole lower
+    scene(f"frames in frames {way} to an irrational place and back, all askew", NEST.mapped(lambda p: (p[0] - p[1], p[0] + p[1])),
+          moved(0, 1, [-c for c in y] or x, x or y), 2 * (400 - 324 + 144 - 100 + 16 - 4 + (20 + 18 + 12 + 10 + 4 + 2) * H),
+          components=3, interior=3, holes=3, length=4 * (20 + 18 + 12 + 10 + 4 + 2) * sqrt(2))
+
+# Right triangles with legs of 60, a hole's of 20 and an island's of 6, by (t - t³)(1, 1): the long sides have flats on irrational lines that slope.
+# A triangle grows by H √2 times its width, twice its leg over √2; the hole's legs are 20 - 2 H
+BACK = [-c for c in THERE]
+LEGS = Polygon([[ring((0, 0), (60, 0), (0, 60)), ring((10, 10), (30, 10), (10, 30))], [ring((12, 12), (18, 12), (12, 18))]])
+for quarter, x, y in ((0, THERE, THERE), (1, BACK, THERE), (2, BACK, BACK), (3, THERE, BACK)):
+    scene(f"triangles along their heights, turned {quarter} times",
+          LEGS.mapped(lambda p, n=quarter: ((p[0], p[1]), (-p[1], p[0]), (-p[0], -p[1]), (p[1], -p[0]))[n]), moved(0, 1, x, y),
+          1800 + 120 * H - (20 - 2 * H) ** 2 / 2 + 18 + 12 * H, components=2, interior=2, holes=1,
+          length=172 - 4 * H + (86 + 2 * H) * sqrt(2))
+
 # (t, y), y = 3 t - 5 t³, -1 <= t <= 1, extreme at ±m = ±1/√5, ±Y = ±2/√5, y(-1) = 2. Columns have t in [x - 1, x]. Greatest: 2 to x = 0, y(x - 1)
 # to r, where y(r) = y(r - 1), 15 r² - 15 r + 2 = 0, y(x) to m, Y to 1 + m, y(x - 1); least: the greatest turned about. With d = 1 - 2 r = √105 / 15
 # the integral of the greatest is 2 + Y + 7 d / 12
