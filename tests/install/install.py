@@ -19,7 +19,7 @@ from programs import ROOT, check, checks, options, output, read, run, same
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 PREFIX = "/opt/graze"
-PARTS = "version core report generate compare convert draw boundary certify topo contact envelope grid distance curved pair judge".split()
+PARTS = "version core report generate compare convert draw boundary certify topo contact envelope grid distance curved pair judge solid outline".split()
 # c(t) = P - (8t, 0, 0): at y = z = 1 it enters the cube [0, 2]^3 at x = 2 and leaves it at x = 0; at z = 2 it
 # slides along the top; at y = 3 it passes by. Without its last facet the cube is open.
 C_OUTPUT = "regular OBIBO\nboundary OBO\nexterior O\nrefused\n7\n"

@@ -21,6 +21,8 @@ def commands_of(graze):
 def accepted(graze, command, folder):
     """{option: words it takes, or None} by the complaints about each option of the program."""
     tables = {path: set(re.findall(r'\b(OPTION|FLAG|REPEATED|FILE_READ|FILE_WRITTEN)\("([a-z-]{2,})"', read(path))) for path in glob.glob("src/program/cli/*.c")}
+    for path, found in tables.items():
+        found |= {("FLAG", name) for name in re.findall(r'\{"([a-z-]{2,})", OPTION_MAYBE', read(path))}  # with a value or without
     own = {name for kind, name in tables[f"src/program/cli/{command}.c"]}
     names = set().union({("FLAG", "help")}, *tables.values())
     check(len(names) > 20 and own, f"long options of the program: {names}")

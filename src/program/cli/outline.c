@@ -9,8 +9,8 @@
 static const char outline_help[] =
     "graze outline SOLID MOTION: the exact boundary of a planar sweep: arcs, holes, area\n"
     "\n"
-    "Example: echo 'POLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))' > bar.wkt\n"
-    "         graze motion rotate --degrees 90 --dimension 2 -o quarter.json\n"
+    "Example: graze motion rotate --degrees 90 --dimension 2 -o quarter.json\n"
+    "         echo 'POLYGON ((0 0, 2 0, 2 1, 0 1, 0 0))' > bar.wkt\n"
     "         graze outline bar.wkt quarter.json --arcs arcs.csv\n"
     "\n"
     "SOLID is a polygon, with holes or without. Prints components, holes, the Euler\n"
