@@ -147,6 +147,20 @@ class rationals {
     std::size_t count_;
 };
 
+namespace detail {
+
+/** How many points `count` numbers are. */
+inline std::size_t points_of(std::size_t count, int dimension) {
+    const std::size_t each = dimension == 2 || dimension == 3 ? std::size_t(dimension) : 0;
+    if (!each || count % each)
+        throw std::invalid_argument(std::to_string(count) + " numbers in dimension " +
+                                    std::to_string(dimension) +
+                                    "; expected a multiple of the dimension");
+    return count / each;
+}
+
+} // namespace detail
+
 /** A legal solid. */
 class solid {
   public:
@@ -171,10 +185,9 @@ class solid {
             corners.insert(corners.end(), facet.begin(), facet.end());
         }
         graze_solid *made = nullptr;
-        with.check(graze_solid_from_doubles(
-            &made, with.get(), dimension, coordinates.data(),
-            dimension > 0 ? coordinates.size() / static_cast<std::size_t>(dimension) : 0,
-            sizes.data(), sizes.size(), corners.data(), flags));
+        with.check(graze_solid_from_doubles(&made, with.get(), dimension, coordinates.data(),
+                                            detail::points_of(coordinates.size(), dimension),
+                                            sizes.data(), sizes.size(), corners.data(), flags));
         held_.reset(made, graze_solid_destroy);
     }
     /** The box between two corners along the axes; in the plane a rectangle. */
@@ -274,6 +287,19 @@ inline std::string name_of(const graze_cell &cell) {
     return kinds[cell.kind] + std::to_string(cell.a) + second;
 }
 
+inline std::string name_of(const graze_cell_pair &cells) {
+    return name_of(cells.moving) + " on " + name_of(cells.fixed);
+}
+
+/** A contact of a trace or of a pair. */
+template <class Made> contact contact_of(const Made &made, context &with) {
+    contact out{
+        made.kind, made.left, made.right, moment_of(made.from, with), moment_of(made.to, with), {}};
+    for (std::size_t k = 0; k < made.cell_count; k++)
+        out.cells.push_back(name_of(made.cells[k]));
+    return out;
+}
+
 } // namespace detail
 
 /** A solid that moves; points are classified against what it sweeps. */
@@ -301,7 +327,7 @@ class scene {
     /** The verdicts of points, `dimension` numbers each. */
     std::vector<graze_verdict> classify(const std::vector<double> &points,
                                         context &with = context::mine()) const {
-        std::vector<graze_verdict> out(points.size() / static_cast<std::size_t>(dimension()));
+        std::vector<graze_verdict> out(detail::points_of(points.size(), dimension()));
         with.check(graze_classify_doubles(out.data(), with.get(), get(), points.data(), out.size(),
                                           GRAZE_COLUMNS_ALL));
         return out;
@@ -327,7 +353,7 @@ class trace {
         word_ = graze_trace_word(made);
         verdict_ = graze_trace_verdict(made);
         for (std::size_t k = 0; k < graze_trace_contact_count(made); k++)
-            contacts_.push_back(contact_of(graze_trace_contact(made, k), with));
+            contacts_.push_back(detail::contact_of(graze_trace_contact(made, k), with));
     }
     const std::string &word() const noexcept {
         return word_;
@@ -340,17 +366,6 @@ class trace {
     }
 
   private:
-    static contact contact_of(const graze_contact &made, context &with) {
-        contact out{made.kind,
-                    made.left,
-                    made.right,
-                    detail::moment_of(made.from, with),
-                    detail::moment_of(made.to, with),
-                    {}};
-        for (std::size_t k = 0; k < made.cell_count; k++)
-            out.cells.push_back(detail::name_of(made.cells[k]));
-        return out;
-    }
     std::string word_;
     graze_verdict verdict_ = {};
     std::vector<contact> contacts_;
@@ -373,7 +388,7 @@ class pair {
         word_ = graze_pair_word(made);
         verdict_ = graze_pair_get_verdict(made);
         for (std::size_t k = 0; k < graze_pair_contact_count(made); k++)
-            contacts_.push_back(contact_of(graze_pair_get_contact(made, k), with));
+            contacts_.push_back(detail::contact_of(graze_pair_get_contact(made, k), with));
     }
     const std::string &word() const noexcept {
         return word_;
@@ -390,18 +405,6 @@ class pair {
     }
 
   private:
-    static contact contact_of(const graze_pair_contact &made, context &with) {
-        contact out{made.kind,
-                    made.left,
-                    made.right,
-                    detail::moment_of(made.from, with),
-                    detail::moment_of(made.to, with),
-                    {}};
-        for (std::size_t k = 0; k < made.cell_count; k++)
-            out.cells.push_back(detail::name_of(made.cells[k].moving) + " on " +
-                                detail::name_of(made.cells[k].fixed));
-        return out;
-    }
     std::string word_;
     graze_pair_verdict verdict_ = GRAZE_PAIR_NONE;
     std::vector<contact> contacts_;

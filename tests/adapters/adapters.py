@@ -55,11 +55,22 @@ int main() {
     } catch (const std::invalid_argument &problem) {
         std::cout << problem.what() << "\n";
     }
+    try {
+        kept.classify({1, 2, 3});
+    } catch (const std::invalid_argument &problem) {
+        std::cout << problem.what() << "\n";
+    }
+    try {
+        graze::solid(2, {0, 0, 1, 0, 0, 1, 7}, {{0, 1, 2}});
+    } catch (const std::invalid_argument &problem) {
+        std::cout << problem.what() << "\n";
+    }
 }
 """
 # c(t) = (5 - 8t, 1) is in [0, 2]^2 from t = 3/8 to 5/8. The second pair meets where t^2 = 2.
 PRINTED = ("in on out OBIBO 3/8 edge 1-3\nOBIBO 1/4 0.25 2\n[] 1.414214\nillegal 1\nsystem /nowhere/motion.json\n"
-           "a point; expected as many numbers as the dimension\n")
+           "a point; expected as many numbers as the dimension\n3 numbers in dimension 2; expected a multiple of the dimension\n"
+           "7 numbers in dimension 2; expected a multiple of the dimension\n")
 
 
 def compiled(checks, source, program, build, *more):

@@ -6,6 +6,7 @@
  * give nothing. That no function is left out is read from the headers themselves.
  */
 #include "misuse_parts.h"
+#include "misuse_questions.h"
 #include <glob.h>
 
 static void contexts(bench *b) {

@@ -7,6 +7,7 @@ Head on, the time is the way over the speed. Two edges that cross, and a tip ove
 one's lowest point is above the fixed one's highest. A box slides on a box while their sides overlap. A near miss has the sign of its
 gap. The list says which word and time follow, and `graze collide --first` must say the same. DART's spline is at the root of
 8 t^3 - 12 t^2 + 1: the cube's side x is -2 + 12 t^2 - 8 t^3, and it meets the fixed one where that is -1.
+Whole words and all times of pairs of convex solids agree with separating axes (contact_axes.py).
 """
 import json
 import os
@@ -19,11 +20,13 @@ from exact import Fraction as F  # noqa: E402
 from harness import ROOT, Checks, options, run  # noqa: E402
 
 CONTACTS = os.path.join(ROOT, "cases", "contacts")
-sys.path.insert(0, CONTACTS)
+sys.path[:0] = [CONTACTS, os.path.join(ROOT, "cases", "benchmark")]
 
+import contact_axes  # noqa: E402
 import golden  # noqa: E402
 import pairs  # noqa: E402
 
+FACETS = 80     # of both solids, of a pair that separating axes are asked about
 KNOWN = ("head-on", "edges", "grazes", "slides", "near-misses")
 
 
@@ -39,10 +42,13 @@ def first_is_known(checks, graze, out, pair):
         checks.equal(found["first"]["from"], pair["known_first"], f"{pair['id']}: time of --first")
 
 
+def ask_list(graze, out):
+    return run([sys.executable, os.path.join(CONTACTS, "golden.py"), "--graze", graze, out, "--count", str(golden.FEW)])
+
+
 def check_list(checks, graze, out):
-    """Answers of the first pairs: known ones, hashes; an answer that is changed is noticed."""
-    given = ["--graze", graze, out, "--count", str(golden.FEW)]
-    done = run([sys.executable, os.path.join(CONTACTS, "golden.py"), *given])
+    """Answers of the first pairs: known ones, hashes."""
+    done = ask_list(graze, out)
     checks.equal((done.returncode, done.stdout), (0, "no difference\n"), "the first pairs of each family")
     hashed = {family for family, count in golden.read_hashes() if count == golden.FEW}
     checks.equal(hashed, set(pairs.FAMILIES), "families with a hash of their first pairs")
@@ -51,15 +57,29 @@ def check_list(checks, graze, out):
         checks.holds(bool(pair["known"]) == (pair["family"] in KNOWN or pair["id"] == "splines-0000"), "known answers", pair["id"])
         if pair["family"] in KNOWN:
             first_is_known(checks, graze, out, pair)
+
+
+def check_changed(checks, graze, out):
+    """An answer that is changed is noticed."""
     path = os.path.join(out, "slides.jsonl")
     with open(path, encoding="utf-8") as file:
         text = file.read()
     with open(path, "w", encoding="utf-8") as file:
         file.write(text.replace('"word": "OB', '"word": "OI', 1))
-    done = run([sys.executable, os.path.join(CONTACTS, "golden.py"), *given])
+    done = ask_list(graze, out)
     said = done.stdout.splitlines()
     checks.holds(done.returncode == 1 and said[0].startswith("slides-") and "known: OB" in said[0] and "another hash" in said[-1],
                  "a changed answer", said)
+
+
+def check_axes(checks, out):
+    """Words and times of the pairs of convex solids, by separating axes."""
+    with open(os.path.join(out, "golden.jsonl"), encoding="utf-8") as file:
+        answers = map(json.loads, file)
+        asked = [pair["family"] for pair, found in zip(golden.read_pairs(out), answers)
+                 if contact_axes.check_pair(checks, out, pair, found, FACETS)]
+    # None of the first ten logs has two convex solids of few facets.
+    checks.equal(set(asked), set(pairs.FAMILIES) - {"logs"}, "families whose pairs are asked of separating axes")
 
 
 def check_dart(checks, out):
@@ -76,6 +96,8 @@ def main():
     with tempfile.TemporaryDirectory() as out:
         check_list(checks, chosen.graze, out)
         check_dart(checks, out)
+        check_axes(checks, out)
+        check_changed(checks, chosen.graze, out)
     checks.finish()
 
 
