@@ -2,8 +2,9 @@
  * advancement of btContinuousConvexCollision, with GJK and EPA, in double precision.
  * SPDX-License-Identifier: CC0-1.0
  *
- * Usage: bullet hull|box MOVING FIXED. Solids are OFF: `hull` takes the convex hull of the vertices
- * without a margin, `box` their box as btBoxShape with Bullet's own margin. Answers one line
+ * Usage: bullet hull|box MOVING FIXED [RADIUS]. Solids are OFF: `hull` takes the convex hull of the
+ * vertices without a margin, `box` their box as btBoxShape with Bullet's own margin. With RADIUS,
+ * MOVING is an OFF of one vertex or two, of a ball or of a capsule about them. Answers one line
  * `key=value ...` when both are loaded, then one for each line of standard input:
  *   advance N MOTION   N parts of the motion, each given by its end poses
  * as fcl.cpp does. A motion is rigid and starts and ends within doubles.
@@ -67,6 +68,21 @@ static body box_of(const scene &s) {
     return b;
 }
 
+static body round_of(const scene &s, double radius) {
+    if (s.vertices != 1 && s.vertices != 2)
+        refuse("expected one vertex, of a ball, or two, of a capsule");
+    btVector3 from = vertex_of(s, 0), to = vertex_of(s, s.vertices - 1);
+    body b;
+    b.place.setOrigin((from + to) / 2);
+    if (s.vertices == 1) {
+        b.shape = std::make_unique<btSphereShape>(radius);
+        return b;
+    }
+    b.shape = std::make_unique<btCapsuleShapeZ>(radius, (to - from).length());
+    b.place.setRotation(shortestArcQuat(btVector3(0, 0, 1), (to - from).normalized()));
+    return b;
+}
+
 /* M(t) at N + 1 times. */
 static std::vector<btTransform> poses_of(const scene &s, int parts) {
     std::vector<btTransform> out;
@@ -98,14 +114,18 @@ static double advance(const body &a, const body &b, const std::vector<btTransfor
 }
 
 int main(int argc, char **argv) {
-    if (argc != 4 || (std::strcmp(argv[1], "hull") != 0 && std::strcmp(argv[1], "box") != 0))
-        refuse("expected hull or box, MOVING and FIXED");
+    if ((argc != 4 && argc != 5) ||
+        (std::strcmp(argv[1], "hull") != 0 && std::strcmp(argv[1], "box") != 0))
+        refuse("expected hull or box, MOVING, FIXED and perhaps RADIUS");
     scene solids[2]; /* the first one takes the motions */
     body bodies[2];
     double start = seconds();
     for (int k = 0; k < 2; k++) {
         scene_read_solid(&solids[k], argv[2 + k]);
-        bodies[k] = *argv[1] == 'h' ? hull_of(solids[k]) : box_of(solids[k]);
+        bool round = argc == 5 && k == 0;
+        bodies[k] = round             ? round_of(solids[k], std::atof(argv[4]))
+                    : *argv[1] == 'h' ? hull_of(solids[k])
+                                      : box_of(solids[k]);
     }
     std::printf("loaded=%.9f\n", seconds() - start);
     std::fflush(stdout);

@@ -2,16 +2,18 @@
  * conservative advancement, and its discrete test at evenly spread times.
  * SPDX-License-Identifier: CC0-1.0
  *
- * Usage: fcl mesh|box MOVING FIXED. Solids are OFF of triangles; `box` takes the box of each one's
- * vertices as FCL's shape instead. Answers one line `key=value ...` when both are loaded, then one
- * for each line of standard input:
- *   discrete N MOTION   collide at N evenly spread times, the first that says yes
- *   every N MOTION      the same, and no time is left out after that
- *   advance N MOTION    continuousCollide of N parts of the motion, each given by its end poses
- * A motion is rigid and starts and ends within doubles. `hit` is 0 or 1, `t` the time of contact,
- * `seconds` the CPU time without reading anything; `loaded` is that of building FCL's models.
+ * Usage: fcl mesh|box MOVING FIXED [RADIUS]. Solids are OFF of triangles; `box` takes the box of
+ * each one's vertices as FCL's shape instead. With RADIUS, MOVING is an OFF of one vertex or two,
+ * of a ball about it or of a capsule about the segment between them. Answers one line `key=value
+ * ...` when both are loaded, then one for each line of standard input: discrete N MOTION   collide
+ * at N evenly spread times, the first that says yes every N MOTION      the same, and no time is
+ * left out after that advance N MOTION    continuousCollide of N parts of the motion, each given by
+ * its end poses A motion is rigid and starts and ends within doubles. `hit` is 0 or 1, `t` the time
+ * of contact, `seconds` the CPU time without reading anything; `loaded` is that of building FCL's
+ * models.
  *
- *   c++ -std=c++17 -O2 -DNDEBUG -I/usr/include/eigen3 fcl.cpp scene.o motion.o -lfcl -lccd -lyajl -lm
+ *   c++ -std=c++17 -O2 -DNDEBUG -I/usr/include/eigen3 fcl.cpp scene.o motion.o -lfcl -lccd -lyajl
+ * -lm
  */
 #include <cmath>
 #include <cstdio>
@@ -77,6 +79,22 @@ static body box_of(const scene &s) {
     return b;
 }
 
+static body round_of(const scene &s, double radius) {
+    if (s.vertices != 1 && s.vertices != 2)
+        refuse("expected one vertex, of a ball, or two, of a capsule");
+    Eigen::Vector3d from(s.vertex[0]), to(s.vertex[s.vertices - 1]);
+    body b;
+    if (s.vertices == 1)
+        b.shape = std::make_shared<fcl::Sphered>(radius);
+    else
+        b.shape = std::make_shared<fcl::Capsuled>(radius, (to - from).norm());
+    b.place.translation() = (from + to) / 2;
+    if (s.vertices == 2)
+        b.place.linear() = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), to - from)
+                               .toRotationMatrix();
+    return b;
+}
+
 static std::vector<Pose> poses_of(const scene &s, int count) {
     std::vector<Pose> out;
     inverse *all = scene_sample(&s, count - 1);
@@ -139,15 +157,19 @@ static void answer(const body &a, const body &b, scene &s, const char *method, i
 }
 
 int main(int argc, char **argv) {
-    if (argc != 4 || (std::strcmp(argv[1], "mesh") != 0 && std::strcmp(argv[1], "box") != 0))
-        refuse("expected mesh or box, MOVING and FIXED");
+    if ((argc != 4 && argc != 5) ||
+        (std::strcmp(argv[1], "mesh") != 0 && std::strcmp(argv[1], "box") != 0))
+        refuse("expected mesh or box, MOVING, FIXED and perhaps RADIUS");
     scene solids[2]; /* the first one takes the motions */
     body bodies[2];
     double loaded = 0;
     for (int k = 0; k < 2; k++) {
         scene_read_solid(&solids[k], argv[2 + k]);
         double start = seconds();
-        bodies[k] = *argv[1] == 'm' ? mesh_of(solids[k]) : box_of(solids[k]);
+        bool round = argc == 5 && k == 0;
+        bodies[k] = round             ? round_of(solids[k], std::atof(argv[4]))
+                    : *argv[1] == 'm' ? mesh_of(solids[k])
+                                      : box_of(solids[k]);
         loaded += seconds() - start;
     }
     std::printf("loaded=%.9f\n", loaded);

@@ -8,6 +8,7 @@ the table of the README. What is not installed is left out, and it says so. Ever
 SPDX-License-Identifier: CC0-1.0
 """
 import argparse
+import functools
 import json
 import math
 import os
@@ -27,7 +28,7 @@ GRANTED = 2e-4  # of the motion, early or late: ContinuousCollisionRequest's toc
 # Code, shape, method, number of parts or of times.
 METHODS = (("fcl", "box", "advance", 1), ("fcl", "mesh", "advance", 1), ("fcl", "mesh", "advance", 64), ("fcl", "box", "discrete", 1000),
            ("fcl", "mesh", "discrete", 1000), ("bullet", "box", "advance", 1), ("bullet", "hull", "advance", 1), ("bullet", "hull", "advance", 64))
-WORDS = {"missed": "missed", "false": "made up", "late": "late", "inside": "late and inside", "early": "early"}
+WORDS = {"missed": "missed", "false": "made up", "late": "late", "inside": "late and inside", "early": "early", "crashed": "crashed"}
 GARBAGE = dict(os.environ, MALLOC_PERTURB_="191")  # glibc hands out memory full of 32.5 as doubles
 TRIANGLES = "3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n"
 
@@ -178,17 +179,23 @@ class Truth:
         return letters[passed] == "I" and not any(start <= t <= end for start, end in self.contacts)
 
 
-def answers(programs, methods, paths, environment=None):
-    """(hit, share of the motion) of each method."""
+def answers(programs, methods, paths, more=(), environment=None):
+    """(hit, share of the motion) of each method, a hit of None if it crashes; `more` are further arguments of the programs."""
     moving, path, fixed = paths
     out = {}
     for code, shape in dict.fromkeys(m[:2] for m in methods):
-        asked = [m for m in methods if m[:2] == (code, shape)]
-        lines = [f"{method} {n} {path}" for *_, method, n in asked]
-        run = subprocess.run([programs[code], shape, moving, fixed], input="\n".join(lines) + "\n", check=True, stdout=subprocess.PIPE, text=True,
-                             env=environment)
-        found = [dict(word.split("=") for word in line.split()) for line in run.stdout.splitlines()[1:]]
-        out.update((m, (one["hit"] == "1", float(one["t"]))) for m, one in zip(asked, found))
+        waiting = [m for m in methods if m[:2] == (code, shape)]
+        while waiting:
+            lines = [f"{method} {n} {path}" for *_, method, n in waiting]
+            run = subprocess.run([programs[code], shape, moving, fixed, *more], input="\n".join(lines) + "\n", check=False, stdout=subprocess.PIPE,
+                                 text=True, env=environment)
+            if run.returncode > 0:
+                raise SystemExit(f"{code}: status {run.returncode}")
+            found = [dict(word.split("=") for word in line.split()) for line in run.stdout.splitlines()[1:]]
+            out.update((m, (one["hit"] == "1", float(one["t"]))) for m, one in zip(waiting, found))
+            if run.returncode:
+                out[waiting[len(found)]] = None, 0.0
+            waiting = waiting[len(found) + 1:]
     return out
 
 
@@ -205,6 +212,8 @@ def by_angle(t, parts):
 
 def judge(truth, hit, t):
     """What is wrong with an answer, if anything, and by how much time."""
+    if hit is None:
+        return "crashed", 0
     if truth.first is None:
         return ("false" if hit else "right"), 0
     if not hit:
@@ -232,18 +241,24 @@ class Tally:
         return ", ".join(wrong) or "right"
 
 
-def family(options, folder, programs, methods, name, tally):
-    rng, make, meet = random.Random(options.seed), FAMILIES[name], 0
+def written(folder, moving, path, fixed):
+    """A pair as files: paths for graze, paths for the codes, further arguments of these."""
     paths = [os.path.join(folder, end) for end in ("moving.off", "motion.json", "fixed.off")]
+    for where, text in zip(paths, (moving.text(), path, fixed.text())):
+        write(where, text)
+    return paths, paths, ()
+
+
+def family(options, make, pair_files, programs, methods, name, tally):
+    """Judges the pairs of a family and prints its row; `pair_files` writes a pair, as written() does."""
+    rng, meet = random.Random(options.seed), 0
     for _ in range(options.count):
-        moving, path, fixed = make(rng)
-        for where, text in zip(paths, (moving.text(), path, fixed.text())):
-            write(where, text)
-        truth = Truth(options.graze, paths)
+        ours, theirs, more = pair_files(*make(rng))
+        truth = Truth(options.graze, ours)
         meet += truth.first is not None
-        found, other = answers(programs, methods, paths), answers(programs, methods, paths, GARBAGE)
+        found, other = (answers(programs, methods, theirs, more, environment) for environment in (None, GARBAGE))
         for method, (hit, share) in found.items():
-            clock = by_angle if make is turning and method[2] == "advance" else even
+            clock = by_angle if getattr(make, "__name__", "") == "turning" and method[2] == "advance" else even
             tally.add(name, method, *judge(truth, hit, clock(share, method[3])))
             tally.changed[method] += found[method] != other[method]
     print_row(name, f"{meet} of {options.count}", *(tally.cell(name, m) for m in methods))
@@ -253,8 +268,9 @@ def print_row(*cells):
     print("| " + " | ".join(map(str, cells)) + " |", flush=True)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+def main(about, families, pair_files):
+    """Prints the table of all families."""
+    parser = argparse.ArgumentParser(description=about.split("\n", maxsplit=1)[0])
     parser.add_argument("--graze", default="build/graze")
     parser.add_argument("--count", type=int, default=100, help="pairs of each family")
     parser.add_argument("--seed", type=int, default=1)
@@ -268,12 +284,12 @@ def main():
         tally = Tally()
         print_row("family", "meet", *(f"{code} {method} {n}, {shape}" for code, shape, method, n in methods))
         print("|---" * (2 + len(methods)) + "|")
-        for name in FAMILIES:
+        for name in families:
             if options.only in name:
-                family(options, folder, programs, methods, name, tally)
+                family(options, families[name], functools.partial(pair_files, folder), programs, methods, name, tally)
         print_row("latest, of the motion", "", *(f"{tally.latest[m]:.2g}" for m in methods))
         print_row("other answers where new memory is not 0", "", *(tally.changed[m] for m in methods))
 
 
 if __name__ == "__main__":
-    main()
+    main(__doc__, FAMILIES, written)
