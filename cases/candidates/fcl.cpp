@@ -4,13 +4,13 @@
  *
  * Usage: fcl mesh|box MOVING FIXED [RADIUS]. Solids are OFF of triangles; `box` takes the box of
  * each one's vertices as FCL's shape instead. With RADIUS, MOVING is an OFF of one vertex or two,
- * of a ball about it or of a capsule about the segment between them. Answers one line `key=value
- * ...` when both are loaded, then one for each line of standard input: discrete N MOTION   collide
- * at N evenly spread times, the first that says yes every N MOTION      the same, and no time is
- * left out after that advance N MOTION    continuousCollide of N parts of the motion, each given by
- * its end poses A motion is rigid and starts and ends within doubles. `hit` is 0 or 1, `t` the time
- * of contact, `seconds` the CPU time without reading anything; `loaded` is that of building FCL's
- * models.
+ * of a ball or of a capsule about them. Answers one line `key=value ...` when both are loaded, then
+ * one for each line of standard input: discrete N MOTION   collide at N evenly spread times, the
+ * first that says yes every N MOTION      the same, and no time is left out after that distance N
+ * MOTION   the least distance at N evenly spread times, as `distance` advance N MOTION
+ * continuousCollide of N parts of the motion, each given by its end poses A motion is rigid and
+ * starts and ends within doubles. `hit` is 0 or 1, `t` the time of contact, `seconds` the CPU time
+ * without reading anything; `loaded` is that of building FCL's models.
  *
  *   c++ -std=c++17 -O2 -DNDEBUG -I/usr/include/eigen3 fcl.cpp scene.o motion.o -lfcl -lccd -lyajl
  * -lm
@@ -125,6 +125,18 @@ static contact discrete(const body &a, const body &b, const std::vector<Pose> &p
     return found;
 }
 
+static double nearest(const body &a, const body &b, const std::vector<Pose> &poses) {
+    double least = HUGE_VAL;
+    for (const Pose &pose : poses) {
+        fcl::DistanceRequestd request;
+        fcl::DistanceResultd result;
+        Pose moved = pose * a.place;
+        fcl::distance(a.shape.get(), moved, b.shape.get(), b.place, request, result);
+        least = std::min(least, result.min_distance);
+    }
+    return least;
+}
+
 /* FCL's own requests, but for the kinds of motion and solver. */
 static contact advance(const body &a, const body &b, const std::vector<Pose> &poses) {
     bool straight = true;
@@ -148,10 +160,15 @@ static void answer(const body &a, const body &b, scene &s, const char *method, i
                    const char *motion) {
     contact found;
     scene_read_motion(&s, motion);
-    bool sampled = std::strcmp(method, "discrete") == 0 || std::strcmp(method, "every") == 0;
-    std::vector<Pose> poses = poses_of(s, sampled ? n : n + 1);
+    bool advances = std::strcmp(method, "advance") == 0;
+    std::vector<Pose> poses = poses_of(s, advances ? n + 1 : n);
     double start = seconds();
-    found = sampled ? discrete(a, b, poses, *method == 'e') : advance(a, b, poses);
+    if (std::strcmp(method, "distance") == 0) {
+        double least = nearest(a, b, poses);
+        std::printf("distance=%.17g seconds=%.9f\n", least, seconds() - start);
+        return;
+    }
+    found = advances ? advance(a, b, poses) : discrete(a, b, poses, *method == 'e');
     double spent = seconds() - start, from = s.piece[0].from, to = s.piece[s.pieces - 1].to;
     std::printf("hit=%d t=%.17g seconds=%.9f\n", found.hit, from + (to - from) * found.at, spent);
 }

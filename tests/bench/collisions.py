@@ -1,4 +1,5 @@
-"""First contacts of pairs of solids beside FCL's discrete test at 1,000 times, on the same meshes and motions.
+"""First contacts of pairs of solids beside FCL's discrete test at 1,000 times, on the same meshes and motions; and first times at a
+clearance of 1/128 beside FCL's distances at 1,000 times.
 
 What each family's verdict must be follows from how it is made.
 Both sides have loaded the meshes and built their trees before; FCL's time is that of all 1,000 tests.
@@ -17,6 +18,7 @@ SIZES = (1000, 100000)
 TIMES = 1000
 PAIRS = 100
 MEDIAN, WORST = 5, 15
+NEAR_MEDIAN, NEAR_WORST = 3, 10
 MEMORY = 300
 NEAR = F(1, 10 ** 6)
 
@@ -102,9 +104,9 @@ def slide(_, rng):
     return Way(rng, (F(0), F(0), F(1))).text((F(rng.randint(-16, 16), 64), F(rng.randint(-16, 16), 64), 1), (0, 0, 0))
 
 
-# name -> mesh, whether they meet, (its ends, random numbers) -> motion
-FAMILIES = {"pass by": ("torus", False, pass_by), "collision": ("torus", True, collision), "near miss of 1e-6": ("torus", False, near_miss),
-            "slide": ("block", True, slide)}
+# name -> mesh, whether they meet and come within 1/128, (its ends, random numbers) -> motion
+FAMILIES = {"pass by": ("torus", (False, False), pass_by), "collision": ("torus", (True, True), collision),
+            "near miss of 1e-6": ("torus", (False, True), near_miss), "slide": ("block", (True, True), slide)}
 
 
 class Family:
@@ -112,7 +114,7 @@ class Family:
         self.name, self.faces = name, faces
         _, self.meets, self.make = FAMILIES[name]
         self.extremes, self.bench = extremes, bench
-        self.graze, self.fcl, self.first = [], [], []
+        self.graze, self.fcl, self.first, self.near, self.distances = [], [], [], [], []
         self.wrong, self.wrong_fcl = 0, 0
 
     def ask(self, graze, fcl, count):
@@ -122,12 +124,16 @@ class Family:
                 file.write(self.make(self.extremes, rng))
             mine = graze.ask("first", path)
             self.graze.append(mine["seconds"])
-            self.wrong += bool(mine["hit"]) != self.meets
+            self.wrong += bool(mine["hit"]) != self.meets[0]
+            near = graze.ask("near", path)
+            self.near.append(near["seconds"])
+            self.wrong += bool(near["hit"]) != self.meets[1]
             if fcl:
+                self.distances.append(fcl.ask("distance", TIMES, path)["seconds"])
                 every = fcl.ask("every", TIMES, path)
                 self.fcl.append(every["seconds"])
                 self.first.append(fcl.ask("discrete", TIMES, path)["seconds"])
-                self.wrong_fcl += bool(every["hit"]) != self.meets
+                self.wrong_fcl += bool(every["hit"]) != self.meets[0]
 
     def rows(self):
         table, what = self.bench.table, f"{self.name}, {self.faces:,} faces"
@@ -139,14 +145,18 @@ class Family:
             peer = statistics.median(self.fcl)
             table.row(f"first contact, {what} ({len(ratios)} pairs), median", statistics.median(ratios), most=MEDIAN, graze=graze, peer=peer)
             table.row(f"first contact, {what}, worst", max(ratios), most=WORST, graze=max(self.graze), peer=max(self.fcl))
+            ratios = [a / b for a, b in zip(self.near, self.distances)]
+            table.row(f"first time within 1/128, {what}, median", statistics.median(ratios), most=NEAR_MEDIAN,
+                      graze=statistics.median(self.near), peer=statistics.median(self.distances))
+            table.row(f"first time within 1/128, {what}, worst", max(ratios), most=NEAR_WORST, graze=max(self.near), peer=max(self.distances))
             early = statistics.median(a / b for a, b in zip(self.graze, self.first))
             table.note(f"against FCL's tests up to its first hit: {early:.3g} times; FCL's verdicts wrong: {self.wrong_fcl} of {len(ratios)}")
-        table.row(f"wrong verdicts, {what}", self.wrong, most=0, unit="")
+        table.row(f"wrong verdicts, with a clearance and without, {what}", self.wrong, most=0, unit="")
 
 
 def measure(bench):
     peer = os.path.join(bench.programs, "fcl")
-    bench.table.head(f"First contacts of pairs, against FCL's discrete test at {TIMES:,} times")
+    bench.table.head(f"First contacts of pairs, against FCL's discrete test, and with a clearance its distance, at {TIMES:,} times")
     if not os.path.exists(peer):
         bench.table.note("FCL is left out: libfcl-dev is not installed")
     count = 10 if bench.options.quick else PAIRS

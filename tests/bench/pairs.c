@@ -4,6 +4,7 @@
  * Usage: pairs MOVING FIXED. Answers one line `key=value ...` when the solids are loaded, then one
  * a line of standard input:
  *   first MOTION    up to the first contact; hit is 0 or 1
+ *   near MOTION     the same, at a clearance of 1/128
  *   whole MOTION    the whole word
  *   memory          the most bytes that the process has had in memory since the solids were loaded,
  *                   beyond those it had then
@@ -44,10 +45,15 @@ static unsigned long peak(void) {
     return 1024 * kilobytes;
 }
 
-static void query(const bench *b, const char *path, int first) {
+static void query(const bench *b, const char *path, const char *verb) {
     graze_motion *motion;
     graze_pair *pair;
-    const graze_pair_options options = {.size = sizeof options, .first = first};
+    mpq_t clearance;
+    mpq_init(clearance);
+    if (*verb == 'n')
+        mpq_set_ui(clearance, 1, 128);
+    const graze_pair_options options = {
+        .size = sizeof options, .first = *verb != 'w', .clearance = clearance};
     check(graze_motion_read(&motion, b->context, path), b, path);
     double start = seconds();
     check(graze_pair_create(&pair, b->context, b->moving, motion, b->fixed, NULL, &options), b,
@@ -56,6 +62,7 @@ static void query(const bench *b, const char *path, int first) {
            graze_pair_get_verdict(pair) != GRAZE_PAIR_CLEAR, (int)graze_pair_get_verdict(pair));
     graze_pair_destroy(pair);
     graze_motion_destroy(motion);
+    mpq_clear(clearance);
 }
 
 int main(int count, char **arguments) {
@@ -72,8 +79,8 @@ int main(int count, char **arguments) {
     forget_peak();
     while (fgets(line, sizeof line, stdin)) {
         int words = sscanf(line, "%15s %1999s", verb, path);
-        if (words == 2 && (strcmp(verb, "first") == 0 || strcmp(verb, "whole") == 0))
-            query(&b, path, *verb == 'f');
+        if (words == 2 && strstr("first near whole", verb))
+            query(&b, path, verb);
         else if (words == 1 && strcmp(verb, "memory") == 0)
             printf("bytes=%ld\n", (long)(peak() - b.loaded));
         else

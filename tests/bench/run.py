@@ -18,6 +18,7 @@ import contacts
 import curved
 import distances
 import judging
+import outlines
 import positions
 import scenes
 import turns
@@ -326,6 +327,7 @@ class Bench:
         certificates.run(self.table, self.graze, self.folder, 60 if self.options.quick else 300)
         contacts.run(self.table, self.graze, self.folder, 500 if self.options.quick else 2000)
         judging.run(self.table, self.graze, self.folder, self.options.quick)
+        outlines.run(self.table, self.graze, self.folder)
         positions.run(self.table, self.graze, self.folder, 20 if self.options.quick else 100)
         self.table.end(self.options.json)
 
