@@ -3,17 +3,17 @@
  * SPDX-License-Identifier: CC0-1.0
  *
  * Usage: fcl mesh|box MOVING FIXED [RADIUS]. Solids are OFF of triangles; `box` takes the box of
- * each one's vertices as FCL's shape instead. With RADIUS, MOVING is an OFF of one vertex or two,
- * of a ball or of a capsule about them. Answers one line `key=value ...` when both are loaded, then
- * one for each line of standard input: discrete N MOTION   collide at N evenly spread times, the
- * first that says yes every N MOTION      the same, and no time is left out after that distance N
- * MOTION   the least distance at N evenly spread times, as `distance` advance N MOTION
- * continuousCollide of N parts of the motion, each given by its end poses A motion is rigid and
- * starts and ends within doubles. `hit` is 0 or 1, `t` the time of contact, `seconds` the CPU time
- * without reading anything; `loaded` is that of building FCL's models.
+ * each one's vertices as FCL's shape instead. With RADIUS, MOVING is an OFF of one vertex or
+ * two, of a ball or of a capsule about them. Answers one line `key=value ...` when both are
+ * loaded, then one for each line of standard input:
+ *   discrete N MOTION   collide at N evenly spread times, the first that says yes
+ *   every N MOTION      the same, and no time is left out after that
+ *   distance N MOTION   the least distance at N evenly spread times, as `distance`
+ *   advance N MOTION    continuousCollide of N parts of the motion, each given by its end poses
+ * A motion is rigid and starts and ends within doubles. `hit` is 0 or 1, `t` the time of contact,
+ * `seconds` the CPU time without reading anything; `loaded` is that of building FCL's models.
  *
- *   c++ -std=c++17 -O2 -DNDEBUG -I/usr/include/eigen3 fcl.cpp scene.o motion.o -lfcl -lccd -lyajl
- * -lm
+ *   c++ -std=c++17 -O2 -DNDEBUG -I/usr/include/eigen3 fcl.cpp scene.o motion.o -lfcl -lccd -lyajl -lm
  */
 #include <cmath>
 #include <cstdio>

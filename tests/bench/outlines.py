@@ -27,7 +27,7 @@ FOOTPRINT = [(-1, -1), (2, -1), ("5/2", "-1/2"), ("5/2", "1/2"), (2, 1), (-1, 1)
 
 
 def star(points):
-    """A star of so many corners, half of them reflex, as dyadic numbers."""
+    """A star, half of its corners reflex, as dyadic numbers."""
     return [tuple(F(round(1024 * r * f(2 * math.pi * k / points)), 1024) for f in (math.cos, math.sin))
             for k, r in enumerate([1, F(1, 2)] * (points // 2))]
 
