@@ -94,19 +94,9 @@ static graze_status finish_curve(graze_outline *o, graze_context *context) {
                    ? context_limit(context, GRAZE_LIMIT_CURVE, "the degree of a curve's parameter")
                    : GRAZE_OK;
     if (c->source != SOURCE_EDGE) {
-        size_t before = o->fixed_capacity;
-        TRY(array_grow(context, &o->fixed, &o->fixed_capacity, o->fixed_count + 1,
-                       2 * sizeof *o->fixed, "the points of an outline"));
-        for (size_t k = 2 * before; k < 2 * o->fixed_capacity; k++)
-            fmpq_init(o->fixed + k);
-        for (int i = 0; i < 2; i++) {
-            fmpq *x = o->fixed + 2 * o->fixed_count + i;
-            LOCAL_VEC(fmpz, ratio, 2);
-            for (int k = 0; k < 2; k++)
-                fmpz_poly_get_coeff_fmpz(ratio + k, &c->x[k ? 2 : i], 0);
-            fmpq_set_fmpz_frac(x, ratio, ratio + 1);
-        }
-        o->fixed_count++;
+        LOCAL_VEC(fmpq, point, 3);
+        outline_curve_at(point, c, point + 2);
+        TRY(outline_keep_point(&o->fixed, &o->fixed_count, &o->fixed_capacity, context, point));
     }
     outline_curve_drop_last(o);
     return GRAZE_OK;
@@ -153,32 +143,22 @@ static graze_status add_edge_at(graze_outline *o, graze_context *context, const 
     return finish_curve(o, context);
 }
 
-/* out = p modulo q, times a positive number. */
-static void reduce_by(fmpz_poly_t out, const fmpz_poly_t p, const fmpz_poly_t q) {
-    LOCAL(fmpq_poly, a);
-    LOCAL(fmpq_poly, b);
-    fmpq_poly_set_fmpz_poly(a, p);
-    fmpq_poly_set_fmpz_poly(b, q);
-    fmpq_poly_rem(a, a, b);
-    fmpq_poly_get_numerator(out, a);
-}
-
 /* The line of an edge at a root of q, an irreducible polynomial of degree 2 or more, and the ends
  * along the coordinate `axis`. */
-static graze_status set_slant(outline_curve *c, graze_context *context, const moving_edge *e,
-                              const fmpz_poly_t q) {
-    LOCAL(fmpz_poly, rest);
+static graze_status set_slant(outline_curve *c, graze_outline *o, graze_context *context,
+                              const moving_edge *e, const fmpz_poly_t q) {
     LOCAL(fmpz_poly, end);
-    reduce_by(rest, &e->along[0], q);
-    c->axis = fmpz_poly_is_zero(rest);
+    outline_curve path = {.x = {e->start[0], e->start[1], *e->weight}}; /* borrowed */
+    c->axis = fmpz_poly_divides(end, &e->along[0], q);
     c->slant = 1;
     fmpz_poly_mul(&c->x[0], &e->along[1], e->weight);
     fmpz_poly_neg(&c->x[0], &c->x[0]);
     fmpz_poly_mul(&c->x[1], &e->along[0], e->weight);
     cross_polynomials(&c->x[2], e->start, e->along);
     fmpz_poly_add(end, &e->start[c->axis], &e->along[c->axis]);
-    TRY(image_number(&c->from, context, &e->start[c->axis], e->weight, &c->at));
-    TRY(image_number(&c->to, context, end, e->weight, &c->at));
+    TRY(outline_coordinate(&c->from, o, context, &path, &c->at, c->axis));
+    path.x[c->axis] = *end;
+    TRY(outline_coordinate(&c->to, o, context, &path, &c->at, c->axis));
     int order = 0;
     TRY(algebraic_compare(&order, context, &c->from, &c->to));
     if (order > 0) {
@@ -206,7 +186,7 @@ static graze_status add_flats(graze_outline *o, graze_context *context, const mo
             if (!algebraic_is_rational(&roots.item[k])) {
                 TRY(begin_candidate(&c, o, context, SOURCE_EDGE, e));
                 algebraic_set(&c->at, &roots.item[k]);
-                TRY(set_slant(c, context, e, factors->p + f));
+                TRY(set_slant(c, o, context, e, factors->p + f));
             } else if (!fmpz_is_one(fmpq_denref(roots.item[k].value))) {
                 TRY(add_edge_at(o, context, e, roots.item[k].value));
             }

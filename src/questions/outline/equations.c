@@ -7,6 +7,19 @@
 #include "base/context/scope.h"
 #include "questions/outline/arcs.h"
 
+/* form += p(s) times FORM_X or FORM_Y or, for `variable` 2, 1. */
+static void add_multiple(fmpz_mpoly_t form, const fmpz_poly_t p, int variable,
+                         const fmpz_mpoly_ctx_t ring) {
+    IN_RING(fmpz_mpoly, term, ring);
+    IN_RING(fmpz_mpoly, x, ring);
+    fmpz_mpoly_set_fmpz_poly(term, p, FORM_S, ring);
+    if (variable < 2) {
+        fmpz_mpoly_gen(x, variable, ring);
+        fmpz_mpoly_mul(term, term, x, ring);
+    }
+    fmpz_mpoly_add(form, form, term, ring);
+}
+
 /* Set the form to the resultant of W x - X and W y - Y, or of a line and the polynomial of its
  * time. A constant coordinate is its own equation. */
 static graze_status find_resultant(fmpz_mpoly_t form, graze_context *context,
@@ -16,15 +29,16 @@ static graze_status find_resultant(fmpz_mpoly_t form, graze_context *context,
     LOCAL(fmpz_poly, minimal);
     if (c->slant) {
         number_minimal(minimal, &c->at);
-        form_add(first, minimal, FORM_S, 0, 0, 1, ring);
-        for (int k = 0; k < 3; k++)
-            form_add(second, &c->x[k], FORM_S, k == 0, k == 1, 1, ring);
-        return form_eliminate(form, context, first, second, FORM_S, ring);
+        add_multiple(first, minimal, 2, ring);
     }
-    form_add(first, &c->x[2], FORM_S, 1, 0, 1, ring);
-    form_add(first, &c->x[0], FORM_S, 0, 0, -1, ring);
-    form_add(second, &c->x[2], FORM_S, 0, 1, 1, ring);
-    form_add(second, &c->x[1], FORM_S, 0, 0, -1, ring);
+    for (int k = 0; k < 3 && c->slant; k++)
+        add_multiple(second, &c->x[k], k, ring);
+    for (int k = 0; k < 2 && !c->slant; k++) {
+        fmpz_mpoly_struct *side = k ? second : first;
+        add_multiple(side, &c->x[k], 2, ring);
+        fmpz_mpoly_neg(side, side, ring);
+        add_multiple(side, &c->x[2], k, ring);
+    }
     return form_eliminate(form, context, first, second, FORM_S, ring);
 }
 
