@@ -3,7 +3,6 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include <flint/fmpz_poly_factor.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
@@ -122,63 +121,42 @@ static graze_status slants_are_same(int *out, graze_context *context, const graz
     return GRAZE_OK;
 }
 
-/* Find the later pieces of one equation, from entry `first` of `order` on, that are the piece
- * `first`. */
-static graze_status find_same(graze_outline *o, graze_context *context, const size_t *order,
-                              size_t first, size_t end) {
-    outline_piece *p = &o->piece[order[first]];
+/* Find the later pieces of the equation that are the piece `first`. */
+static graze_status find_same(graze_outline *o, graze_context *context, size_t first) {
+    outline_piece *p = &o->piece[first];
+    const outline_curve *c = &o->curve[p->curve];
     LOCAL(fmpq, s);
     LOCAL_VEC(fmpq, point, 2);
-    int is_slant = o->curve[p->curve].slant;
-    if (p->same != order[first])
+    /* A proper curve that is alone covers no piece twice. */
+    if (p->same != first || (c->proper && o->equation[c->equation].curve_count == 1))
         return GRAZE_OK;
-    if (!is_slant) {
+    if (!c->slant) {
         TRY(piece_middle(s, context, o, p));
-        outline_curve_at(point, &o->curve[p->curve], s);
+        outline_curve_at(point, c, s);
     }
     size_t *tail = &p->next_same;
-    for (size_t k = first + 1; k < end; k++) {
-        outline_piece *q = &o->piece[order[k]];
+    for (size_t k = first + 1; k < o->piece_count; k++) {
+        outline_piece *q = &o->piece[k];
         int same = 0;
-        if (q->same != order[k] || !box_meets(&p->box, &q->box))
+        if (q->same != k || !box_meets(&p->box, &q->box) ||
+            o->curve[q->curve].equation != c->equation)
             continue;
-        TRY(is_slant ? slants_are_same(&same, context, o, p, q)
+        TRY(c->slant ? slants_are_same(&same, context, o, p, q)
                      : piece_passes(&same, context, o, q, point));
         if (same) {
-            q->same = order[first];
-            *tail = order[k];
+            q->same = first;
+            *tail = k;
             tail = &q->next_same;
         }
     }
-    return context_work(context, 1000 + end - first);
-}
-
-/* Number the pieces of an equation; several curves or one curve that is not proper may cover a
- * piece more than once. */
-static graze_status find_same_of_equation(graze_outline *o, graze_context *context, size_t equation,
-                                          size_t *order) {
-    size_t count = 0;
-    int is_proper = 1;
-    for (size_t k = 0; k < o->piece_count; k++)
-        if (o->curve[o->piece[k].curve].equation == equation) {
-            is_proper = is_proper && o->curve[o->piece[k].curve].proper;
-            order[count++] = k;
-        }
-    if (o->equation[equation].curve_count == 1 && is_proper)
-        return GRAZE_OK;
-    for (size_t k = 0; k < count; k++)
-        TRY(find_same(o, context, order, k, count));
-    return GRAZE_OK;
+    return context_work(context, 1000 + o->piece_count - first);
 }
 
 graze_status outline_pieces(graze_outline *o, graze_context *context) {
     for (size_t k = 0; k < o->curve_count; k++)
         for (size_t cut = 0; cut + 1 < o->curve[k].cut_count; cut++)
             TRY(append_arc_piece(o, context, k, cut));
-    FREED(size_t, order, malloc((o->piece_count + 1) * sizeof *order));
-    if (!order)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for an outline");
-    for (size_t k = 0; k < o->equation_count; k++)
-        TRY(find_same_of_equation(o, context, k, order));
+    for (size_t k = 0; k < o->piece_count; k++)
+        TRY(find_same(o, context, k));
     return GRAZE_OK;
 }

@@ -15,7 +15,6 @@ typedef struct prober {
     graze_outline *o;
     graze_context *context;
     const tree *boxes;
-    const size_t *of_box; /* the piece of each box */
     size_t piece;
     algebraic *s;   /* the sample's parameter, a rational */
     fmpq *at, *end; /* the sample; both ends, the lower one first */
@@ -65,8 +64,8 @@ static graze_status find_obstacles(prober *p, size_t index) {
     }
     const graze_outline *o = p->o;
     size_t own = o->curve[o->piece[p->piece].curve].equation;
-    size_t equation = o->curve[o->piece[p->of_box[node->simplex]].curve].equation;
-    if (equation == own)
+    size_t equation = o->curve[o->piece[node->simplex].curve].equation;
+    if (equation == own || o->piece[node->simplex].same != node->simplex)
         return GRAZE_OK;
     LOCAL(fmpz_poly, q);
     form_on_line(q, o, &o->equation[equation], p->at, p->axis);
@@ -190,27 +189,19 @@ static graze_status decide_piece(prober *p) {
 }
 
 graze_status outline_sides(graze_outline *o, graze_context *context) {
-    size_t count = 0;
     LOCAL_VEC(fmpq, at, 6);
     HELD(algebraic, s);
     if (o->piece_count == 0)
         return GRAZE_OK;
     FREED(box, around, malloc(o->piece_count * sizeof *around));
-    FREED(size_t, of_box, malloc(o->piece_count * sizeof *of_box));
-    if (!around || !of_box)
+    if (!around)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for an outline");
     for (size_t k = 0; k < o->piece_count; k++)
-        if (o->piece[k].same == k) {
-            around[count] = o->piece[k].box;
-            of_box[count++] = k;
-        }
+        around[k] = o->piece[k].box;
     ZEROED(tree, boxes);
-    if (tree_build(&boxes, around, count))
+    if (tree_build(&boxes, around, o->piece_count))
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for an outline");
-    prober p = {.o = o, .context = context, .boxes = &boxes, .of_box = of_box};
-    p.s = &s;
-    p.at = at;
-    p.end = at + 2;
+    prober p = {.o = o, .context = context, .boxes = &boxes, .s = &s, .at = at, .end = at + 2};
     for (p.piece = 0; p.piece < o->piece_count; p.piece++)
         if (o->piece[p.piece].same == p.piece)
             TRY(decide_piece(&p));

@@ -77,17 +77,14 @@ static void make_rational_line(outline_curve *c, const fmpz_mpoly_t form,
         fmpz_mpoly_get_coeff_fmpz_ui(v + k, form, power, ring);
         fmpz_poly_zero(&c->x[k]);
     }
-    int s = c->axis, other = 1 - s;
-    if (fmpz_sgn(v + other) < 0)
-        for (int k = 0; k < 3; k++)
-            fmpz_neg(v + k, v + k);
+    int s = c->axis, other = 1 - s, flip = fmpz_sgn(v + other) < 0;
     fmpz_poly_set_coeff_fmpz(&c->x[s], 1, v + other);
     fmpz_poly_set_fmpz(&c->x[2], v + other);
-    for (int k = 0; k < 2; k++) {
-        fmpz *from = v + (k ? s : 2);
-        fmpz_neg(from, from);
-        fmpz_poly_set_coeff_fmpz(&c->x[other], k, from);
-    }
+    fmpz_poly_set_coeff_fmpz(&c->x[other], 0, v + 2);
+    fmpz_poly_set_coeff_fmpz(&c->x[other], 1, v + s);
+    fmpz_poly_neg(&c->x[flip ? s : other], &c->x[flip ? s : other]);
+    if (flip)
+        fmpz_poly_neg(&c->x[2], &c->x[2]);
     c->slant = 0;
 }
 

@@ -30,14 +30,14 @@ typedef struct border {
 /* Of each side: the coordinate that is constant, and its entry of `end`. */
 static const int side_axis[] = {1, 0, 1, 0}, side_end[] = {1, 2, 3, 0};
 
-/* Where is a number against the box's range on an axis: -1 below, 0 inside, 1 above? */
-static int range_place(border *b, const bracket *x, int axis) {
+/* Is a number in the box's range on an axis? */
+static int is_in_range(border *b, const bracket *x, int axis) {
     HELD(bracket, low);
     HELD(bracket, high);
     bracket_set_rational(&low, b->end + axis, b->places);
     bracket_set_rational(&high, b->end + 2 + axis, b->places);
     b->unclear = b->unclear || bracket_meets(x, &low) || bracket_meets(x, &high);
-    return fmpz_cmp(x->high, low.low) < 0 ? -1 : fmpz_cmp(x->low, high.high) > 0;
+    return fmpz_cmp(x->low, low.low) > 0 && fmpz_cmp(x->high, high.high) < 0;
 }
 
 /* Count a crossing of a side's line, at a parameter, if it lies on the side. */
@@ -45,7 +45,7 @@ static graze_status count_crossing(border *b, outline_curve *c, algebraic *at, i
     int axis = 1 - side_axis[side];
     HELD(point_place, here);
     TRY(outline_curve_place(here.xy, b->context, c, at, b->places));
-    if (range_place(b, &here.xy[axis], axis) || b->unclear)
+    if (!is_in_range(b, &here.xy[axis], axis) || b->unclear)
         return GRAZE_OK;
     b->crossings++;
     b->side = side;
@@ -53,12 +53,12 @@ static graze_status count_crossing(border *b, outline_curve *c, algebraic *at, i
     return GRAZE_OK;
 }
 
-/* Where an end of a part of a curve lies against both ranges. */
-static graze_status place_end(int *out, border *b, outline_curve *c, algebraic *s) {
+/* Count an end of a part of a curve if it is inside. */
+static graze_status count_end(int *inside, border *b, outline_curve *c, algebraic *s) {
     HELD(point_place, here);
     TRY(outline_curve_place(here.xy, b->context, c, s, b->places));
-    for (int k = 0; k < 2; k++)
-        out[k] = range_place(b, &here.xy[k], k);
+    /* Both ranges are looked at: either may be unclear. */
+    *inside += is_in_range(b, &here.xy[0], 0) & is_in_range(b, &here.xy[1], 1);
     return GRAZE_OK;
 }
 
@@ -66,11 +66,9 @@ static graze_status place_end(int *out, border *b, outline_curve *c, algebraic *
  * many of its ends are inside. */
 static graze_status find_crossings(int *inside, border *b, outline_curve *c, algebraic *from,
                                    algebraic *to) {
-    int place[2][2] = {{0}, {0}};
-    b->crossings = 0;
-    TRY(place_end(place[0], b, c, from));
-    TRY(place_end(place[1], b, c, to));
-    *inside = !(place[0][0] || place[0][1]) + !(place[1][0] || place[1][1]);
+    *inside = b->crossings = 0;
+    TRY(count_end(inside, b, c, from));
+    TRY(count_end(inside, b, c, to));
     for (int side = 0; side < 4 && !b->unclear; side++) {
         HELD(algebraic_list, at);
         TRY(outline_crossings(&at, b->o, b->context, c, from, to, side_axis[side],
