@@ -18,28 +18,9 @@
 enum { EDGE_POLYNOMIALS = 11 };
 
 typedef struct moving_edge {
-    const motion_piece *motion;
     size_t piece, a, b;
-    fmpz_poly_struct poly[EDGE_POLYNOMIALS], *start, *along, *weight, *across, *common, *reduced,
-        *total; /* parts of `poly` */
+    fmpz_poly_struct *start, *along, *weight, *across, *common, *reduced, *total;
 } moving_edge;
-
-static void moving_edge_init(moving_edge *e) {
-    for (int k = 0; k < EDGE_POLYNOMIALS; k++)
-        fmpz_poly_init(&e->poly[k]);
-    e->start = e->poly;
-    e->along = e->poly + 2;
-    e->weight = e->poly + 4;
-    e->across = e->poly + 5;
-    e->common = e->poly + 7;
-    e->reduced = e->poly + 8;
-    e->total = e->poly + 10;
-}
-
-static void moving_edge_clear(moving_edge *e) {
-    for (int k = 0; k < EDGE_POLYNOMIALS; k++)
-        fmpz_poly_clear(&e->poly[k]);
-}
 
 /* out = a[0] b[1] - a[1] b[0] */
 static void cross_polynomials(fmpz_poly_t out, const fmpz_poly_struct *a,
@@ -94,19 +75,9 @@ static graze_status finish_curve(graze_outline *o, graze_context *context) {
                    ? context_limit(context, GRAZE_LIMIT_CURVE, "the degree of a curve's parameter")
                    : GRAZE_OK;
     if (c->source != SOURCE_EDGE) {
-        size_t before = o->fixed_capacity;
-        TRY(array_grow(context, &o->fixed, &o->fixed_capacity, o->fixed_count + 1,
-                       2 * sizeof *o->fixed, "the points of an outline"));
-        for (size_t k = 2 * before; k < 2 * o->fixed_capacity; k++)
-            fmpq_init(o->fixed + k);
-        for (int i = 0; i < 2; i++) {
-            fmpq *x = o->fixed + 2 * o->fixed_count + i;
-            LOCAL_VEC(fmpz, ratio, 2);
-            for (int k = 0; k < 2; k++)
-                fmpz_poly_get_coeff_fmpz(ratio + k, &c->x[k ? 2 : i], 0);
-            fmpq_set_fmpz_frac(x, ratio, ratio + 1);
-        }
-        o->fixed_count++;
+        LOCAL_VEC(fmpq, point, 3);
+        outline_curve_at(point, c, point + 2);
+        TRY(outline_keep_point(&o->fixed, &o->fixed_count, &o->fixed_capacity, context, point));
     }
     outline_curve_drop_last(o);
     return GRAZE_OK;
@@ -153,32 +124,30 @@ static graze_status add_edge_at(graze_outline *o, graze_context *context, const 
     return finish_curve(o, context);
 }
 
-/* out = p modulo q, times a positive number. */
-static void reduce_by(fmpz_poly_t out, const fmpz_poly_t p, const fmpz_poly_t q) {
-    LOCAL(fmpq_poly, a);
-    LOCAL(fmpq_poly, b);
-    fmpq_poly_set_fmpz_poly(a, p);
-    fmpq_poly_set_fmpz_poly(b, q);
-    fmpq_poly_rem(a, a, b);
-    fmpq_poly_get_numerator(out, a);
+/* Append the roots in [0, 1] to a list. */
+static graze_status append_roots_in_piece(algebraic_list *list, graze_context *context,
+                                          const fmpz_poly_t p) {
+    HELD(dyadic_interval, whole);
+    dyadic_interval_set_si(&whole, 0, 1);
+    return fmpz_poly_is_zero(p) ? GRAZE_OK : algebraic_roots(list, context, p, &whole);
 }
 
 /* The line of an edge at a root of q, an irreducible polynomial of degree 2 or more, and the ends
  * along the coordinate `axis`. */
-static graze_status set_slant(outline_curve *c, graze_context *context, const moving_edge *e,
-                              const fmpz_poly_t q) {
-    LOCAL(fmpz_poly, rest);
+static graze_status set_slant(outline_curve *c, graze_outline *o, graze_context *context,
+                              const moving_edge *e, const fmpz_poly_t q) {
     LOCAL(fmpz_poly, end);
-    reduce_by(rest, &e->along[0], q);
-    c->axis = fmpz_poly_is_zero(rest);
+    outline_curve path = {.x = {e->start[0], e->start[1], *e->weight}}; /* borrowed */
+    c->axis = fmpz_poly_divides(end, &e->along[0], q);
     c->slant = 1;
     fmpz_poly_mul(&c->x[0], &e->along[1], e->weight);
     fmpz_poly_neg(&c->x[0], &c->x[0]);
     fmpz_poly_mul(&c->x[1], &e->along[0], e->weight);
     cross_polynomials(&c->x[2], e->start, e->along);
     fmpz_poly_add(end, &e->start[c->axis], &e->along[c->axis]);
-    TRY(image_number(&c->from, context, &e->start[c->axis], e->weight, &c->at));
-    TRY(image_number(&c->to, context, end, e->weight, &c->at));
+    TRY(outline_coordinate(&c->from, o, context, &path, &c->at, c->axis));
+    path.x[c->axis] = *end;
+    TRY(outline_coordinate(&c->to, o, context, &path, &c->at, c->axis));
     int order = 0;
     TRY(algebraic_compare(&order, context, &c->from, &c->to));
     if (order > 0) {
@@ -191,8 +160,6 @@ static graze_status set_slant(outline_curve *c, graze_context *context, const mo
 
 /* The edge at each time within the piece at which all its points move along it. */
 static graze_status add_flats(graze_outline *o, graze_context *context, const moving_edge *e) {
-    HELD(dyadic_interval, whole);
-    dyadic_interval_set_si(&whole, 0, 1);
     LOCAL(fmpz_poly_factor, factors);
     if (fmpz_poly_degree(e->common) > (slong)context->limits[GRAZE_LIMIT_CURVE])
         return context_limit(context, GRAZE_LIMIT_CURVE, "the degree of the times of flat edges");
@@ -200,13 +167,13 @@ static graze_status add_flats(graze_outline *o, graze_context *context, const mo
         fmpz_poly_factor(factors, e->common);
     for (slong f = 0; f < factors->num; f++) {
         HELD(algebraic_list, roots);
-        TRY(algebraic_roots(&roots, context, factors->p + f, &whole));
+        TRY(append_roots_in_piece(&roots, context, factors->p + f));
         for (size_t k = 0; k < roots.count; k++) {
             outline_curve *c;
             if (!algebraic_is_rational(&roots.item[k])) {
                 TRY(begin_candidate(&c, o, context, SOURCE_EDGE, e));
                 algebraic_set(&c->at, &roots.item[k]);
-                TRY(set_slant(c, context, e, factors->p + f));
+                TRY(set_slant(c, o, context, e, factors->p + f));
             } else if (!fmpz_is_one(fmpq_denref(roots.item[k].value))) {
                 TRY(add_edge_at(o, context, e, roots.item[k].value));
             }
@@ -238,37 +205,25 @@ static graze_status add_envelope_part(graze_outline *o, graze_context *context,
     return finish_curve(o, context);
 }
 
-/* Append the roots in [0, 1] to a list. */
-static graze_status append_roots_in_piece(algebraic_list *list, graze_context *context,
-                                          const fmpz_poly_t p) {
-    HELD(dyadic_interval, whole);
-    dyadic_interval_set_si(&whole, 0, 1);
-    return fmpz_poly_is_zero(p) ? GRAZE_OK : algebraic_roots(list, context, p, &whole);
-}
-
 /* The envelope is cut where it reaches an end of the edge, and where it has a pole. */
 static graze_status add_envelope(graze_outline *o, graze_context *context, const moving_edge *e) {
     if (fmpz_poly_is_zero(&e->across[1]) || fmpz_poly_is_zero(e->across) ||
         fmpz_poly_is_zero(e->total))
         return GRAZE_OK;
     HELD(algebraic_list, list);
+    LOCAL(fmpz_poly, p);
     LOCAL(fmpq, middle);
-    (void)algebraic_list_append(&list);
-    fmpq_one(algebraic_list_append(&list)->value);
-    TRY(append_roots_in_piece(&list, context, e->reduced));
-    TRY(append_roots_in_piece(&list, context, &e->reduced[1]));
-    TRY(append_roots_in_piece(&list, context, e->total));
-    FREED(algebraic *, order, malloc(list.count * sizeof *order));
-    if (!order)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory for an envelope");
-    size_t count = list.count;
-    for (size_t k = 0; k < count; k++)
-        order[k] = &list.item[k];
-    TRY(algebraic_sort_once(order, &count, context, NULL, NULL));
-    for (size_t k = 0; k + 1 < count; k++) {
-        TRY(algebraic_between(middle, context, order[k], order[k + 1]));
+    fmpz_poly_set_coeff_si(p, 1, 1); /* u (u - 1): the ends are roots too */
+    fmpz_poly_set_coeff_si(p, 2, -1);
+    for (int k = 0; k < 3; k++) /* `total` follows `reduced` */
+        fmpz_poly_mul(p, p, e->reduced + k);
+    TRY(append_roots_in_piece(&list, context, p));
+    for (size_t k = 0; k < list.count; k++)
+        number_reduce(&list.item[k]);
+    for (size_t k = 0; k + 1 < list.count; k++) {
+        TRY(algebraic_between(middle, context, &list.item[k], &list.item[k + 1]));
         if (is_in_edge(e, middle))
-            TRY(add_envelope_part(o, context, e, order[k], order[k + 1]));
+            TRY(add_envelope_part(o, context, e, &list.item[k], &list.item[k + 1]));
     }
     return GRAZE_OK;
 }
@@ -292,15 +247,15 @@ static size_t position_at(const path_finder *f, size_t vertex) {
     return 0;
 }
 
-static void set_edge(moving_edge *e, const path_finder *f, size_t piece, size_t k) {
+/* Set an edge, with memory for its polynomials. */
+static void set_edge(moving_edge *e, fmpz_poly_struct *poly, const path_finder *f, size_t piece,
+                     size_t k) {
     const graze_scene *scene = f->o->scene;
-    const simplex *edge = &f->cut->item[k];
-    e->motion = &scene->motion->piece[piece];
-    e->piece = piece;
-    e->a = edge->vertex[0];
-    e->b = edge->vertex[1];
-    set_places(e, motion_placing(e->motion, scene->options.operation), f->at + 2 * e->a,
-               f->at + 2 * e->b);
+    const uint32_t *end = f->cut->item[k].vertex;
+    *e = (moving_edge){piece,    end[0],   end[1],   poly,     poly + 2,
+                       poly + 4, poly + 5, poly + 7, poly + 8, poly + 10};
+    set_places(e, motion_placing(&scene->motion->piece[piece], scene->options.operation),
+               f->at + 2 * e->a, f->at + 2 * e->b);
     set_across(e);
 }
 
@@ -313,10 +268,11 @@ static graze_status mark_path(const path_finder *f, size_t position, const fmpz_
 
 static graze_status add_of_edge(const path_finder *f, size_t piece, size_t k) {
     graze_outline *o = f->o;
-    HELD(moving_edge, e);
+    LOCAL_VEC(fmpz_poly, poly, EDGE_POLYNOMIALS);
+    moving_edge e;
     LOCAL(fmpz_poly, at_end);
     LOCAL(fmpq, u);
-    set_edge(&e, f, piece, k);
+    set_edge(&e, poly, f, piece, k);
     if (piece == 0)
         TRY(add_edge_at(o, f->context, &e, u));
     fmpq_one(u);
@@ -334,9 +290,10 @@ static graze_status add_of_piece(const path_finder *f, size_t piece) {
         f->path[k] = NO_PATH;
         if (f->begin[k] != k)
             continue;
-        HELD(moving_edge, e);
+        LOCAL_VEC(fmpz_poly, poly, EDGE_POLYNOMIALS);
+        moving_edge e;
         size_t before = f->o->curve_count;
-        set_edge(&e, f, piece, k);
+        set_edge(&e, poly, f, piece, k);
         TRY(add_vertex_path(f->o, f->context, &e));
         if (f->o->curve_count > before)
             f->path[k] = before;

@@ -3,6 +3,7 @@
 #ifndef GRAZE_QUESTIONS_OUTLINE_COMPLEX_H
 #define GRAZE_QUESTIONS_OUTLINE_COMPLEX_H
 
+#include "decide/verdict/verdict.h"
 #include "questions/outline/arcs.h"
 #include "questions/outline/outline.h"
 #include "questions/outline/bracket.h"
@@ -16,27 +17,29 @@ graze_status outline_sides(graze_outline *o, graze_context *context);
 /** Find the points at which boundary pieces end, each once (C139). */
 graze_status outline_points(graze_outline *o, graze_context *context);
 
+/** A point at a cut, without its place, and its memory. */
+void outline_point_init(outline_point *p, size_t curve, size_t cut);
+void outline_point_clear(outline_point *p);
 /** Are two points, whose places meet, one point? */
 graze_status points_equal(int *out, graze_outline *o, graze_context *context, outline_point *a,
                           outline_point *b);
 
 /** The cuts at the ends of a piece. */
 algebraic *piece_end(const graze_outline *o, const outline_piece *p, int end);
-/** Is a number strictly between two others? */
-graze_status number_between(int *out, graze_context *context, algebraic *low, algebraic *x,
-                            algebraic *high);
 /** A rational parameter within a piece. */
 graze_status piece_middle(fmpq_t s, graze_context *context, const graze_outline *o,
                           const outline_piece *p);
-/** The rational point of a curve that is not slanted. */
-void outline_curve_at(fmpq *point, const outline_curve *c, const fmpq_t s);
 
-/** The form of a slanted curve where its parameter is s, as a polynomial of the other coordinate.
- */
-void slant_section(fmpz_poly_t out, const graze_outline *o, const outline_curve *c, const fmpq_t s);
-/** The other coordinate of a slanted curve where its parameter is s. */
-graze_status slant_other(bracket *out, graze_context *context, outline_curve *c, const fmpq_t s,
-                         ulong places);
+/** Append the parameters strictly between two at which a coordinate passes a rational value. */
+graze_status outline_crossings(algebraic_list *out, const graze_outline *o, graze_context *context,
+                               outline_curve *c, algebraic *from, algebraic *to, int axis,
+                               const fmpq_t value);
+/** The sign of a coordinate at a parameter, minus a rational value. */
+graze_status outline_side(int *out, const graze_outline *o, graze_context *context,
+                          outline_curve *c, algebraic *s, int axis, const fmpq_t value);
+/** The membership of a rational point. */
+graze_status outline_pmc(graze_pmc *out, const graze_outline *o, graze_context *context,
+                         const fmpq *point, trace_detail detail);
 
 /* The order of pieces about a point, and walks. */
 

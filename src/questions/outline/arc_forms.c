@@ -2,34 +2,8 @@
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "questions/outline/arcs.h"
 
+#include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
-
-void form_add(fmpz_mpoly_t form, const fmpz_poly_t p, int variable, ulong i, ulong j, slong sign,
-              const fmpz_mpoly_ctx_t ring) {
-    IN_RING(fmpz_mpoly, sum, ring);
-    LOCAL(fmpz, c);
-    for (slong k = 0; k < fmpz_poly_length(p); k++) {
-        ulong power[FORM_VARIABLES] = {i, j, 0};
-        power[variable] += (ulong)k;
-        fmpz_mul_si(c, fmpz_poly_get_coeff_ptr(p, k), sign);
-        fmpz_mpoly_push_term_fmpz_ui(sum, c, power, ring);
-    }
-    fmpz_mpoly_sort_terms(sum, ring);
-    fmpz_mpoly_combine_like_terms(sum, ring);
-    fmpz_mpoly_add(form, form, sum, ring);
-}
-
-void form_to_poly(fmpz_poly_t out, const fmpz_mpoly_t form, int variable,
-                  const fmpz_mpoly_ctx_t ring) {
-    LOCAL(fmpz, c);
-    fmpz_poly_zero(out);
-    for (slong k = 0; k < fmpz_mpoly_length(form, ring); k++) {
-        ulong power[FORM_VARIABLES];
-        fmpz_mpoly_get_term_exp_ui(power, form, k, ring);
-        fmpz_mpoly_get_term_coeff_fmpz(c, form, k, ring);
-        fmpz_poly_set_coeff_fmpz(out, (slong)power[variable], c);
-    }
-}
 
 void form_pullback(fmpz_poly_t out, const fmpz_mpoly_t form, slong degree,
                    const fmpz_poly_struct *x, const fmpz_mpoly_ctx_t ring) {
@@ -50,6 +24,17 @@ void form_pullback(fmpz_poly_t out, const fmpz_mpoly_t form, slong degree,
         fmpz_poly_mul(term, term, power + 2 * (degree + 1) + degree - (slong)(e[0] + e[1]));
         fmpz_poly_scalar_addmul_fmpz(out, term, c);
     }
+}
+
+void form_on_line(fmpz_poly_t out, const graze_outline *o, const outline_equation *e,
+                  const fmpq *point, int axis) {
+    LOCAL_VEC(fmpz_poly, x, 3);
+    LOCAL_VEC(fmpz, v, 3);
+    _fmpq_vec_get_fmpz_vec_fmpz(v, v + 2, point, 2);
+    for (int i = 0; i < 3; i++)
+        fmpz_poly_set_fmpz(x + i, v + i);
+    fmpz_poly_set_coeff_fmpz(x + axis, 1, v + 2);
+    form_pullback(out, e->form, e->degree, x, o->ring_of_forms);
 }
 
 graze_status form_eliminate(fmpz_mpoly_t out, graze_context *context, const fmpz_mpoly_t a,

@@ -1,11 +1,9 @@
 /* The two sides of each piece, by a crossing segment whose ends are rational points
  * (proofs/outline.md C138).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <flint/fmpq_vec.h>
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "base/number/rounding.h"
 #include "base/number/vector.h"
 #include "decide/verdict/verdict.h"
 #include "questions/outline/arc_complex.h"
@@ -17,26 +15,14 @@ typedef struct prober {
     graze_outline *o;
     graze_context *context;
     const tree *boxes;
-    const size_t *of_box; /* the piece of each box */
     size_t piece;
-    fmpq_t s; /* the sample's parameter */
-    fmpq *at;
+    algebraic *s;   /* the sample's parameter, a rational */
+    fmpq *at, *end; /* the sample; both ends, the lower one first */
     int axis, turn;
     ulong k;
     box around;
     int blocked; /* another curve may meet the segment */
 } prober;
-
-/* A form along the segment, a polynomial of the distance from `at`. */
-static void form_on_segment(fmpz_poly_t out, const prober *p, const outline_equation *e) {
-    LOCAL_VEC(fmpz_poly, x, 3);
-    LOCAL_VEC(fmpz, v, 3);
-    _fmpq_vec_get_fmpz_vec_fmpz(v, v + 2, p->at, 2);
-    for (int i = 0; i < 3; i++)
-        fmpz_poly_set_fmpz(x + i, v + i);
-    fmpz_poly_set_coeff_fmpz(x + p->axis, 1, v + 2);
-    form_pullback(out, e->form, e->degree, x, p->o->ring_of_forms);
-}
 
 /* Is |q_0| larger than all other terms of q together on [-2^-k, 2^-k]? */
 static int constant_prevails(const fmpz_poly_t q, ulong k) {
@@ -59,21 +45,13 @@ static int crosses_once(const prober *p) {
     LOCAL(fmpz_poly, q);
     LOCAL(fmpz_poly, slope);
     LOCAL_VEC(fmpz, end, 2);
-    form_on_segment(q, p, &p->o->equation[p->o->curve[p->o->piece[p->piece].curve].equation]);
+    size_t own = p->o->curve[p->o->piece[p->piece].curve].equation;
+    form_on_line(q, p->o, &p->o->equation[own], p->at, p->axis);
     fmpz_poly_derivative(slope, q);
     fmpz_set_si(end, -1);
     fmpz_one(end + 1);
     return constant_prevails(slope, p->k) &&
            dyadic_sign(q, end, p->k) * dyadic_sign(q, end + 1, p->k) < 0;
-}
-
-/* An end of the segment. */
-static void end_of(fmpq *out, const prober *p, int upper) {
-    LOCAL(fmpq, step);
-    fmpq_one(step);
-    fmpq_div_2exp(step, step, p->k);
-    vector_set(out, p->at, 2);
-    (upper ? fmpq_add : fmpq_sub)(out + p->axis, out + p->axis, step);
 }
 
 static graze_status find_obstacles(prober *p, size_t index) {
@@ -86,27 +64,26 @@ static graze_status find_obstacles(prober *p, size_t index) {
     }
     const graze_outline *o = p->o;
     size_t own = o->curve[o->piece[p->piece].curve].equation;
-    size_t equation = o->curve[o->piece[p->of_box[node->simplex]].curve].equation;
-    if (equation == own)
+    size_t equation = o->curve[o->piece[node->simplex].curve].equation;
+    if (equation == own || o->piece[node->simplex].same != node->simplex)
         return GRAZE_OK;
     LOCAL(fmpz_poly, q);
-    form_on_segment(q, p, &o->equation[equation]);
+    form_on_line(q, o, &o->equation[equation], p->at, p->axis);
     p->blocked = !constant_prevails(q, p->k);
     return context_work(p->context, 100);
 }
 
-/* Set the box around the segment. */
-static void set_segment_box(prober *p) {
-    LOCAL_VEC(fmpq, end, 2);
-    double bound;
-    p->around = (box){{0}, {0}};
+/* Set the ends of the segment, and the box around it. */
+static void set_ends(prober *p) {
+    LOCAL(fmpq, step);
+    fmpq_one(step);
+    fmpq_div_2exp(step, step, p->k);
+    box_empty(&p->around);
     for (int upper = 0; upper < 2; upper++) {
-        end_of(end, p, upper);
-        for (int i = 0; i < 2; i++)
-            if (upper)
-                rational_bounds(&bound, &p->around.high[i], end + i);
-            else
-                rational_bounds(&p->around.low[i], &bound, end + i);
+        fmpq *end = p->end + 2 * upper;
+        vector_set(end, p->at, 2);
+        (upper ? fmpq_add : fmpq_sub)(end + p->axis, end + p->axis, step);
+        box_add_point(&p->around, end);
     }
 }
 
@@ -115,13 +92,13 @@ static void set_segment_box(prober *p) {
 static graze_status set_sample(prober *p) {
     outline_curve *c = &p->o->curve[p->o->piece[p->piece].curve];
     if (!c->slant) {
-        outline_curve_at(p->at, c, p->s);
+        outline_curve_at(p->at, c, p->s->value);
         return GRAZE_OK;
     }
-    HELD(bracket, other);
-    TRY(slant_other(&other, p->context, c, p->s, p->k + 5));
-    fmpq_set(p->at + c->axis, p->s);
-    bracket_middle(p->at + 1 - c->axis, &other, p->k + 5);
+    LOCAL_VEC(fmpq, corner, 4);
+    TRY(outline_curve_corners(corner, p->context, c, p->s, p->k + 5));
+    vector_middle(p->at, corner, corner + 2, 2);
+    fmpq_set(p->at + c->axis, p->s->value);
     return GRAZE_OK;
 }
 
@@ -137,7 +114,7 @@ static void set_axis(prober *p) {
     LOCAL(fmpz_poly, speed);
     for (int i = 0; i < 2; i++) {
         slope_product(speed, &c->x[2], &c->x[i]);
-        fmpz_poly_evaluate_fmpq(v + i, speed, p->s);
+        fmpz_poly_evaluate_fmpq(v + i, speed, p->s->value);
     }
     int sign[2] = {fmpq_sgn(v), fmpq_sgn(v + 1)};
     fmpq_abs(v, v);
@@ -153,7 +130,7 @@ static graze_status find_segment(prober *p) {
     double size = box_extent(&piece->box);
     if (isfinite(size))
         (void)frexp(size, &exponent);
-    TRY(piece_middle(p->s, p->context, p->o, piece));
+    TRY(piece_middle(p->s->value, p->context, p->o, piece));
     set_axis(p);
     for (p->k = exponent < 3 ? (ulong)(3 - exponent) : 0;; p->k += 6) {
         if (p->k > p->context->limits[GRAZE_LIMIT_BITS])
@@ -161,7 +138,7 @@ static graze_status find_segment(prober *p) {
         TRY(set_sample(p));
         if (!crosses_once(p))
             continue;
-        set_segment_box(p);
+        set_ends(p);
         p->blocked = 0;
         TRY(find_obstacles(p, 0));
         if (!p->blocked)
@@ -169,11 +146,10 @@ static graze_status find_segment(prober *p) {
     }
 }
 
-static graze_status pmc_of(graze_pmc *out, const prober *p, const fmpq *point,
-                           trace_detail detail) {
+graze_status outline_pmc(graze_pmc *out, const graze_outline *o, graze_context *context,
+                         const fmpq *point, trace_detail detail) {
     graze_verdict verdict;
-    TRY(classify_answer(&verdict, p->context, p->o->scene, (query_point){.rational = point},
-                        detail));
+    TRY(classify_answer(&verdict, context, o->scene, (query_point){.rational = point}, detail));
     *out = verdict.pmc;
     return GRAZE_OK;
 }
@@ -188,7 +164,7 @@ static graze_status decide_lower(prober *p, outline_piece *piece, graze_pmc pmc)
         return GRAZE_OK;
     }
     graze_pmc at_sample;
-    TRY(pmc_of(&at_sample, p, p->at, TRACE_PMC));
+    TRY(outline_pmc(&at_sample, p->o, p->context, p->at, TRACE_PMC));
     piece->lower = at_sample == GRAZE_ON;
     return GRAZE_OK;
 }
@@ -197,9 +173,9 @@ static graze_status decide_piece(prober *p) {
     outline_piece *piece = &p->o->piece[p->piece];
     graze_pmc pmc[2];
     TRY(find_segment(p));
+    vector_set(piece->sample, p->end, 4);
     for (int upper = 0; upper < 2; upper++) {
-        end_of(piece->sample + 2 * upper, p, upper);
-        TRY(pmc_of(&pmc[upper], p, piece->sample + 2 * upper, TRACE_PMC_BESIDE));
+        TRY(outline_pmc(&pmc[upper], p->o, p->context, p->end + 2 * upper, TRACE_PMC_BESIDE));
         if (pmc[upper] == GRAZE_ON)
             return context_fail(p->context, GRAZE_EINTERNAL,
                                 "a point beside a curve of the outline is on its boundary");
@@ -212,34 +188,22 @@ static graze_status decide_piece(prober *p) {
     return GRAZE_OK;
 }
 
-static graze_status decide_pieces(prober *p) {
-    graze_outline *o = p->o;
-    for (p->piece = 0; p->piece < o->piece_count; p->piece++)
-        if (o->piece[p->piece].same == p->piece)
-            TRY(decide_piece(p));
-    return GRAZE_OK;
-}
-
 graze_status outline_sides(graze_outline *o, graze_context *context) {
-    size_t count = 0;
-    LOCAL_VEC(fmpq, at, 2);
+    LOCAL_VEC(fmpq, at, 6);
+    HELD(algebraic, s);
     if (o->piece_count == 0)
         return GRAZE_OK;
     FREED(box, around, malloc(o->piece_count * sizeof *around));
-    FREED(size_t, of_box, malloc(o->piece_count * sizeof *of_box));
-    if (!around || !of_box)
+    if (!around)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for an outline");
     for (size_t k = 0; k < o->piece_count; k++)
-        if (o->piece[k].same == k) {
-            around[count] = o->piece[k].box;
-            of_box[count++] = k;
-        }
+        around[k] = o->piece[k].box;
     ZEROED(tree, boxes);
-    if (tree_build(&boxes, around, count))
+    if (tree_build(&boxes, around, o->piece_count))
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for an outline");
-    prober p = {.o = o, .context = context, .boxes = &boxes, .of_box = of_box, .at = at};
-    fmpq_init(p.s);
-    graze_status status = decide_pieces(&p);
-    fmpq_clear(p.s);
-    return status;
+    prober p = {.o = o, .context = context, .boxes = &boxes, .s = &s, .at = at, .end = at + 2};
+    for (p.piece = 0; p.piece < o->piece_count; p.piece++)
+        if (o->piece[p.piece].same == p.piece)
+            TRY(decide_piece(&p));
+    return GRAZE_OK;
 }

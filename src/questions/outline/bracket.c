@@ -45,12 +45,6 @@ void bracket_high(fmpq_t out, const bracket *x, ulong places) {
     dyadic_value(out, x->high, places);
 }
 
-void bracket_middle(fmpq_t out, const bracket *x, ulong places) {
-    LOCAL(fmpz, sum);
-    fmpz_add(sum, x->low, x->high);
-    dyadic_value(out, sum, places + 1);
-}
-
 void bracket_add(bracket *out, const bracket *a, const bracket *b) {
     fmpz_add(out->low, a->low, b->low);
     fmpz_add(out->high, a->high, b->high);
@@ -149,8 +143,10 @@ graze_status bracket_of_number(bracket *out, graze_context *context, algebraic *
     return GRAZE_OK;
 }
 
-int slant_place(bracket *out, const outline_curve *c, const bracket *at, const bracket *s,
-                ulong places) {
+/* The other coordinate of a slanted line where its parameter, a coordinate, is in a bracket; 0
+ * where too few places are kept. `at` is the bracket of its time. */
+static int slant_place(bracket *out, const outline_curve *c, const bracket *at, const bracket *s,
+                       ulong places) {
     HELD(bracket, along);
     HELD(bracket, across);
     HELD(bracket, constant);

@@ -19,7 +19,6 @@ void bracket_set(bracket *x, const bracket *y);
 void bracket_set_rational(bracket *x, const fmpq_t value, ulong places);
 void bracket_low(fmpq_t out, const bracket *x, ulong places);
 void bracket_high(fmpq_t out, const bracket *x, ulong places);
-void bracket_middle(fmpq_t out, const bracket *x, ulong places);
 
 void bracket_add(bracket *out, const bracket *a, const bracket *b);
 void bracket_sub(bracket *out, const bracket *a, const bracket *b);
@@ -47,11 +46,6 @@ graze_status bracket_of_number(bracket *out, graze_context *context, algebraic *
  * @param[out] xy two brackets */
 graze_status outline_curve_place(bracket *xy, graze_context *context, outline_curve *c,
                                  algebraic *s, ulong places);
-
-/** The other coordinate of a slanted line where its parameter, a coordinate, is in a bracket;
- * returns 0 where too few places are kept. `at` is the bracket of its time. */
-int slant_place(bracket *out, const outline_curve *c, const bracket *at, const bracket *s,
-                ulong places);
 
 /* Integrals over parts of curves (integrals.c). */
 

@@ -1,51 +1,37 @@
 /* Cuts of the candidate curves, each by the roots of polynomials of its parameter alone
  * (proofs/outline.md C136).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <flint/fmpq_vec.h>
 #include <stdlib.h>
 #include "base/context/array.h"
 #include "base/context/scope.h"
-#include "base/number/isolate.h"
 #include "base/number/order.h"
 #include "questions/outline/arcs.h"
 
-/* A curve that is being cut; `range` holds its interval of parameters. */
+/* A curve that is being cut. */
 typedef struct cutter {
     graze_outline *o;
     graze_context *context;
     outline_curve *curve;
     const outline_equation *equation;
-    dyadic_interval range;
 } cutter;
 
-static void cutter_init(cutter *k, graze_outline *o, graze_context *context, outline_curve *c) {
-    *k = (cutter){.o = o, .context = context, .curve = c};
-    k->equation = &o->equation[c->equation];
-    dyadic_interval_init(&k->range);
-    interval_of(&k->range, &c->from, &c->to);
-}
-
-static void cutter_clear(cutter *k) {
-    dyadic_interval_clear(&k->range);
-}
-
 /* Cut at all roots of a polynomial in the curve's range. */
-static graze_status cut_at_zeros(cutter *k, const fmpz_poly_t p) {
+static graze_status cut_at_zeros(const cutter *k, const fmpz_poly_t p) {
+    outline_curve *c = k->curve;
     if (fmpz_poly_is_zero(p))
         return context_fail(k->context, GRAZE_EINTERNAL, "a curve is cut by its own equation");
-    return algebraic_roots(&k->curve->cut_number, k->context, p, &k->range);
+    return roots_about(&c->cut_number, k->context, p, &c->from, &c->to);
 }
 
 /* Mark the folds and cusps: the common roots of both velocities. */
-static graze_status mark_folds(graze_outline *o, graze_context *context, outline_curve *c) {
+static graze_status mark_folds(graze_context *context, outline_curve *c) {
     if (c->slant || outline_curve_degree(c) == 1)
         return GRAZE_OK;
-    HELD(cutter, k, o, context, c);
     LOCAL_VEC(fmpz_poly, v, 2);
     for (int i = 0; i < 2; i++)
         slope_product(v + i, &c->x[2], &c->x[i]);
     fmpz_poly_gcd(v, v, v + 1);
-    return algebraic_roots(&c->mark, context, v, &k.range);
+    return roots_about(&c->mark, context, v, &c->from, &c->to);
 }
 
 /* Keep a polynomial whose roots hold the coordinate of a curve's point at s. */
@@ -81,37 +67,24 @@ static graze_status store_cuts(graze_outline *o, graze_context *context, outline
     return GRAZE_OK;
 }
 
-/* Cut at the points whose coordinate is a root of p. */
-static graze_status cut_at_points(cutter *k, const fmpz_poly_t p) {
+/* Cut where a form of the degree vanishes; a slanted line at the coordinate of such points of its
+ * conjugates. */
+static graze_status cut_by_form(const cutter *k, const fmpz_mpoly_t form, slong degree) {
     const outline_curve *c = k->curve;
-    if (c->slant)
-        return cut_at_zeros(k, p);
-    LOCAL(fmpz_poly, sum);
-    LOCAL(fmpz_poly, power);
-    LOCAL(fmpz_poly, term);
-    fmpz_poly_one(power);
-    for (slong i = fmpz_poly_degree(p); i >= 0; i--) {
-        fmpz_poly_mul(sum, sum, &c->x[k->equation->axis]);
-        fmpz_poly_scalar_mul_fmpz(term, power, fmpz_poly_get_coeff_ptr(p, i));
-        fmpz_poly_add(sum, sum, term);
-        fmpz_poly_mul(power, power, &c->x[2]);
-    }
-    return cut_at_zeros(k, sum);
-}
-
-/* Cut a slanted line where another form vanishes. */
-static graze_status cut_slant(cutter *k, const fmpz_mpoly_t form) {
     const fmpz_mpoly_ctx_struct *ring = k->o->ring_of_forms;
-    int axis = k->curve->axis, other = 1 - axis;
-    IN_RING(fmpz_mpoly, rest, ring);
     LOCAL(fmpz_poly, p);
-    TRY(form_eliminate(rest, k->context, form, k->equation->form, other, ring));
-    form_to_poly(p, rest, axis, ring);
+    if (c->slant) {
+        IN_RING(fmpz_mpoly, rest, ring);
+        TRY(form_eliminate(rest, k->context, form, k->equation->form, 1 - c->axis, ring));
+        (void)fmpz_mpoly_get_fmpz_poly(p, rest, c->axis, ring);
+    } else {
+        form_pullback(p, form, degree, c->x, ring);
+    }
     return cut_at_zeros(k, p);
 }
 
 /* Cut where the curve's own equation is singular. */
-static graze_status cut_singular(cutter *k) {
+static graze_status cut_singular(const cutter *k) {
     const outline_equation *e = k->equation;
     const fmpz_mpoly_ctx_struct *ring = k->o->ring_of_forms;
     if (e->degree < 2)
@@ -120,7 +93,7 @@ static graze_status cut_singular(cutter *k) {
     LOCAL_VEC(fmpz_poly, p, 2);
     if (k->curve->slant) {
         fmpz_mpoly_derivative(slope, e->form, 1 - k->curve->axis, ring);
-        return cut_slant(k, slope);
+        return cut_by_form(k, slope, e->degree - 1);
     }
     for (int i = 0; i < 2; i++) {
         fmpz_mpoly_derivative(slope, e->form, i, ring);
@@ -130,47 +103,30 @@ static graze_status cut_singular(cutter *k) {
     return cut_at_zeros(k, p);
 }
 
-static graze_status cut_by_other(cutter *k, const outline_equation *other) {
-    if (k->curve->slant)
-        return cut_slant(k, other->form);
-    LOCAL(fmpz_poly, p);
-    form_pullback(p, other->form, other->degree, k->curve->x, k->o->ring_of_forms);
-    return cut_at_zeros(k, p);
+/* Cut at the points whose coordinate is a root of p. */
+static graze_status cut_at_points(const cutter *k, const fmpz_poly_t p) {
+    IN_RING(fmpz_mpoly, form, k->o->ring_of_forms);
+    fmpz_mpoly_set_fmpz_poly(form, p, k->equation->axis, k->o->ring_of_forms);
+    return cut_by_form(k, form, fmpz_poly_degree(p));
 }
 
-/* Cut where the curve piece_passes a point of two rationals. */
-static graze_status cut_at_fixed(cutter *k, const fmpq *point) {
+/* Cut where the curve, or a conjugate of a slanted line, passes a point of two rationals. */
+static graze_status cut_at_fixed(const cutter *k, const fmpq *point) {
     outline_curve *c = k->curve;
-    LOCAL_VEC(fmpz_poly, p, 3);
-    LOCAL_VEC(fmpz, v, 3);
-    _fmpq_vec_get_fmpz_vec_fmpz(v, v + 2, point, 2);
-    for (int i = 0; i < 3; i++)
-        fmpz_poly_set_fmpz(p + i, v + i);
-    form_pullback(p, k->equation->form, k->equation->degree, p, k->o->ring_of_forms);
-    if (!fmpz_poly_is_zero(p))
-        return GRAZE_OK;
-    if (c->slant) {
-        algebraic_set_rational(algebraic_list_append(&c->cut_number), point + c->axis);
-        return GRAZE_OK;
+    LOCAL(fmpz_poly, p);
+    LOCAL(fmpq, zero);
+    if (!c->slant) {
+        outline_curve_at_point(p, c, point);
+        return fmpz_poly_degree(p) > 0 ? cut_at_zeros(k, p) : GRAZE_OK;
     }
-    outline_curve_at_point(p, c, point);
-    return fmpz_poly_degree(p) > 0 ? cut_at_zeros(k, p) : GRAZE_OK;
-}
-
-void outline_curve_level(fmpz_poly_t out, const outline_curve *c, int coordinate, const fmpq_t at) {
-    fmpz_poly_scalar_mul_fmpz(out, &c->x[coordinate], fmpq_denref(at));
-    fmpz_poly_scalar_submul_fmpz(out, &c->x[2], fmpq_numref(at));
-}
-
-void outline_curve_at_point(fmpz_poly_t out, const outline_curve *c, const fmpq *point) {
-    LOCAL_VEC(fmpz_poly, p, 2);
-    for (int i = 0; i < 2; i++)
-        outline_curve_level(p + i, c, i, point + i);
-    fmpz_poly_gcd(out, p, p + 1);
+    form_on_line(p, k->o, k->equation, point, c->axis);
+    if (rational_sign(p, zero) == 0)
+        algebraic_set_rational(algebraic_list_append(&c->cut_number), point + c->axis);
+    return GRAZE_OK;
 }
 
 /* Sort the cuts and keep those from one end of the curve to the other. */
-static graze_status order_cuts(cutter *k) {
+static graze_status order_cuts(const cutter *k) {
     outline_curve *c = k->curve;
     size_t count = c->cut_number.count, first = 0, last = 0;
     c->cut = flint_malloc(count * sizeof *c->cut);
@@ -196,7 +152,7 @@ static void append_cut(outline_curve *c, const algebraic *s) {
 
 static graze_status cut_curve(graze_outline *o, graze_context *context, outline_curve *c,
                               const unsigned char *is_near) {
-    HELD(cutter, k, o, context, c);
+    const cutter k = {o, context, c, &o->equation[c->equation]};
     append_cut(c, &c->from);
     append_cut(c, &c->to);
     for (size_t i = 0; i < c->mark.count; i++)
@@ -204,7 +160,7 @@ static graze_status cut_curve(graze_outline *o, graze_context *context, outline_
     TRY(cut_singular(&k));
     for (size_t i = 0; i < o->equation_count; i++)
         if (is_near[i] && i != c->equation) {
-            TRY(cut_by_other(&k, &o->equation[i]));
+            TRY(cut_by_form(&k, o->equation[i].form, o->equation[i].degree));
             TRY(context_work(context, 1000));
         }
     for (size_t i = 0; i < k.equation->point_count; i++)
@@ -235,7 +191,7 @@ graze_status outline_cuts(graze_outline *o, graze_context *context) {
     if (!is_near)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for an outline");
     for (size_t k = 0; k < o->curve_count; k++)
-        TRY(mark_folds(o, context, &o->curve[k]));
+        TRY(mark_folds(context, &o->curve[k]));
     for (size_t k = 0; k < o->curve_count; k++)
         TRY(store_cuts(o, context, &o->curve[k]));
     for (size_t k = 0; k < o->curve_count; k++)

@@ -7,6 +7,19 @@
 #include "base/context/scope.h"
 #include "questions/outline/arcs.h"
 
+/* form += p(s) times FORM_X or FORM_Y or, for `variable` 2, 1. */
+static void add_multiple(fmpz_mpoly_t form, const fmpz_poly_t p, int variable,
+                         const fmpz_mpoly_ctx_t ring) {
+    IN_RING(fmpz_mpoly, term, ring);
+    IN_RING(fmpz_mpoly, x, ring);
+    fmpz_mpoly_set_fmpz_poly(term, p, FORM_S, ring);
+    if (variable < 2) {
+        fmpz_mpoly_gen(x, variable, ring);
+        fmpz_mpoly_mul(term, term, x, ring);
+    }
+    fmpz_mpoly_add(form, form, term, ring);
+}
+
 /* Set the form to the resultant of W x - X and W y - Y, or of a line and the polynomial of its
  * time. A constant coordinate is its own equation. */
 static graze_status find_resultant(fmpz_mpoly_t form, graze_context *context,
@@ -16,15 +29,16 @@ static graze_status find_resultant(fmpz_mpoly_t form, graze_context *context,
     LOCAL(fmpz_poly, minimal);
     if (c->slant) {
         number_minimal(minimal, &c->at);
-        form_add(first, minimal, FORM_S, 0, 0, 1, ring);
-        for (int k = 0; k < 3; k++)
-            form_add(second, &c->x[k], FORM_S, k == 0, k == 1, 1, ring);
-        return form_eliminate(form, context, first, second, FORM_S, ring);
+        add_multiple(first, minimal, 2, ring);
     }
-    form_add(first, &c->x[2], FORM_S, 1, 0, 1, ring);
-    form_add(first, &c->x[0], FORM_S, 0, 0, -1, ring);
-    form_add(second, &c->x[2], FORM_S, 0, 1, 1, ring);
-    form_add(second, &c->x[1], FORM_S, 0, 0, -1, ring);
+    for (int k = 0; k < 3 && c->slant; k++)
+        add_multiple(second, &c->x[k], k, ring);
+    for (int k = 0; k < 2 && !c->slant; k++) {
+        fmpz_mpoly_struct *side = k ? second : first;
+        add_multiple(side, &c->x[k], 2, ring);
+        fmpz_mpoly_neg(side, side, ring);
+        add_multiple(side, &c->x[2], k, ring);
+    }
     return form_eliminate(form, context, first, second, FORM_S, ring);
 }
 
@@ -63,17 +77,14 @@ static void make_rational_line(outline_curve *c, const fmpz_mpoly_t form,
         fmpz_mpoly_get_coeff_fmpz_ui(v + k, form, power, ring);
         fmpz_poly_zero(&c->x[k]);
     }
-    int s = c->axis, other = 1 - s;
-    if (fmpz_sgn(v + other) < 0)
-        for (int k = 0; k < 3; k++)
-            fmpz_neg(v + k, v + k);
+    int s = c->axis, other = 1 - s, flip = fmpz_sgn(v + other) < 0;
     fmpz_poly_set_coeff_fmpz(&c->x[s], 1, v + other);
     fmpz_poly_set_fmpz(&c->x[2], v + other);
-    for (int k = 0; k < 2; k++) {
-        fmpz *from = v + (k ? s : 2);
-        fmpz_neg(from, from);
-        fmpz_poly_set_coeff_fmpz(&c->x[other], k, from);
-    }
+    fmpz_poly_set_coeff_fmpz(&c->x[other], 0, v + 2);
+    fmpz_poly_set_coeff_fmpz(&c->x[other], 1, v + s);
+    fmpz_poly_neg(&c->x[flip ? s : other], &c->x[flip ? s : other]);
+    if (flip)
+        fmpz_poly_neg(&c->x[2], &c->x[2]);
     c->slant = 0;
 }
 

@@ -1,4 +1,4 @@
-/* Numbers that are images of algebraic numbers, by resultants that are interpolated.
+/* Coordinates of points of curves as algebraic numbers, by resultants.
  * SPDX-License-Identifier: GPL-3.0-or-later */
 #include "questions/outline/arcs.h"
 
@@ -34,6 +34,22 @@ void number_minimal(fmpz_poly_t out, const algebraic *x) {
         fmpz_poly_neg(out, out);
 }
 
+void number_reduce(algebraic *x) {
+    LOCAL(fmpz_poly, p);
+    LOCAL(fmpq, value);
+    if (algebraic_is_rational(x))
+        return;
+    number_minimal(p, x);
+    if (fmpz_poly_degree(p) == 1) {
+        fmpq_set_fmpz_frac(value, p->coeffs, p->coeffs + 1);
+        fmpq_neg(value, value);
+        algebraic_set_rational(x, value);
+        return;
+    }
+    fmpz_poly_swap(x->poly, p);
+    x->low_sign = dyadic_sign(x->poly, x->where.low, x->where.exponent);
+}
+
 /* At x = k the value is the resultant of q and k den - num, which has the degree of q in x. Where
  * the second polynomial loses degree, the leading coefficient of q makes up for it. */
 void image_polynomial(fmpz_poly_t out, const fmpz_poly_t q, const fmpz_poly_t num,
@@ -57,8 +73,9 @@ void image_polynomial(fmpz_poly_t out, const fmpz_poly_t q, const fmpz_poly_t nu
     fmpz_poly_interpolate_fmpz_vec(out, at, value, n + 1);
 }
 
-graze_status number_in_bracket(int *found, algebraic *out, graze_context *context,
-                               const fmpz_poly_t p, const bracket *where, ulong places) {
+/* If the bracket holds exactly one root of p, set the number to it; p has no repeated root. */
+static graze_status number_in_bracket(int *found, algebraic *out, graze_context *context,
+                                      const fmpz_poly_t p, const bracket *where, ulong places) {
     HELD(dyadic_interval, interval);
     HELD(algebraic_list, roots);
     fmpz_set(interval.low, where->low);
@@ -73,40 +90,61 @@ graze_status number_in_bracket(int *found, algebraic *out, graze_context *contex
     return GRAZE_OK;
 }
 
-/* The quotient of two values at a bracket; 0 where too few places are kept. */
-static int bracket_quotient(bracket *out, const fmpz_poly_t num, const fmpz_poly_t den,
-                            const bracket *at, ulong places) {
-    HELD(bracket, below);
-    bracket_evaluate(&below, den, at, places);
-    bracket_evaluate(out, num, at, places);
-    return bracket_div(out, out, &below, places);
-}
-
-graze_status image_number(algebraic *out, graze_context *context, const fmpz_poly_t num,
-                          const fmpz_poly_t den, algebraic *x) {
+/* A polynomial that vanishes at the coordinate: on a slanted line from the form of its conjugates.
+ */
+static graze_status coordinate_polynomial(fmpz_poly_t out, const graze_outline *o,
+                                          graze_context *context, const outline_curve *c,
+                                          const algebraic *s, int axis) {
+    const fmpz_mpoly_ctx_struct *ring = o->ring_of_forms;
     LOCAL(fmpz_poly, q);
-    LOCAL(fmpz_poly, p);
-    if (algebraic_is_rational(x)) {
-        LOCAL_VEC(fmpq, value, 2);
-        fmpz_poly_evaluate_fmpq(value, num, x->value);
-        fmpz_poly_evaluate_fmpq(value + 1, den, x->value);
-        fmpq_div(value, value, value + 1);
-        algebraic_set_rational(out, value);
+    number_minimal(q, s);
+    if (!c->slant) {
+        image_polynomial(out, q, &c->x[axis], &c->x[2]);
         return GRAZE_OK;
     }
-    number_minimal(q, x);
-    image_polynomial(p, q, num, den);
-    /* q is irreducible, so p is a power of an irreducible polynomial. */
-    fmpz_poly_derivative(q, p);
-    fmpz_poly_gcd(q, q, p);
-    fmpz_poly_div(p, p, q);
-    fmpz_poly_primitive_part(p, p);
-    HELD(bracket, at);
-    int found = 0;
-    for (ulong places = 64; !found; places *= 2) {
-        TRY(bracket_of_number(&at, context, x, places));
-        if (bracket_quotient(&at, num, den, &at, places))
-            TRY(number_in_bracket(&found, out, context, p, &at, places));
-    }
+    IN_RING(fmpz_mpoly, at, ring);
+    IN_RING(fmpz_mpoly, rest, ring);
+    fmpz_mpoly_set_fmpz_poly(at, q, c->axis, ring);
+    TRY(form_eliminate(rest, context, o->equation[c->equation].form, at, c->axis, ring));
+    (void)fmpz_mpoly_get_fmpz_poly(out, rest, axis, ring);
     return GRAZE_OK;
+}
+
+graze_status outline_coordinate(algebraic *out, const graze_outline *o, graze_context *context,
+                                outline_curve *c, algebraic *s, int axis) {
+    LOCAL(fmpz_poly, p);
+    LOCAL(fmpz_poly, common);
+    HELD(point_place, here);
+    int found = c->slant && axis == c->axis;
+    if (found) {
+        algebraic_set(out, s);
+    } else if (!c->slant && algebraic_is_rational(s)) {
+        LOCAL_VEC(fmpq, point, 2);
+        outline_curve_at(point, c, s->value);
+        algebraic_set_rational(out, point + axis);
+        return GRAZE_OK;
+    } else {
+        TRY(coordinate_polynomial(p, o, context, c, s, axis));
+        fmpz_poly_derivative(common, p);
+        fmpz_poly_gcd(common, common, p);
+        fmpz_poly_div(p, p, common);
+        fmpz_poly_primitive_part(p, p);
+    }
+    for (ulong places = 64; !found; places *= 2) {
+        TRY(outline_curve_place(here.xy, context, c, s, places));
+        TRY(number_in_bracket(&found, out, context, p, &here.xy[axis], places));
+    }
+    if (c->slant)
+        number_reduce(out);
+    return GRAZE_OK;
+}
+
+graze_status outline_line_crossing(algebraic *out, const graze_outline *o, graze_context *context,
+                                   outline_curve *c, const fmpq_t value) {
+    HELD(algebraic, at);
+    algebraic_set_rational(&at, value);
+    c->axis = 1 - c->axis; /* a line has either coordinate for its parameter */
+    graze_status status = outline_coordinate(out, o, context, c, &at, 1 - c->axis);
+    c->axis = 1 - c->axis;
+    return status;
 }

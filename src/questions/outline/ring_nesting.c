@@ -1,135 +1,47 @@
 /* Rings in one another, components and holes (proofs/outline.md C141).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <flint/fmpq_vec.h>
+#include <math.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "base/number/isolate.h"
-#include "base/number/order.h"
-#include "base/number/rounding.h"
 #include "base/number/vector.h"
-#include "base/number/sign.h"
 #include "questions/outline/arc_complex.h"
 
-/* A ray from a point in the direction in which the coordinate `along` grows; the other one is
- * `level`. It meets no end of a boundary piece. */
+/* A ray from a point in the direction in which the coordinate `along` grows, and a box that holds
+ * it. It meets no end of a boundary piece. */
 typedef struct ray {
     graze_outline *o;
     graze_context *context;
     fmpq *at;
     int along;
-    double low, high; /* bounds of the coordinate `along` of the point */
-    double level_low, level_high;
+    box around;
 } ray;
 
-/* The sign of the level coordinate, against the ray's, at an end of a piece. */
-static graze_status end_level(int *out, const ray *r, const outline_piece *p, int end) {
-    HELD(point_place, here);
-    HELD(bracket, level);
-    *out = 0;
-    for (ulong places = 64; !*out; places *= 2) {
-        outline_curve *c = &r->o->curve[p->curve];
-        TRY(outline_curve_place(here.xy, r->context, c, piece_end(r->o, p, end), places));
-        bracket_set_rational(&level, r->at + 1 - r->along, places);
-        bracket_sub(&level, &here.xy[1 - r->along], &level);
-        *out = bracket_sign(&level);
-    }
-    return GRAZE_OK;
-}
-
-/* Is the point of a straight or slanted piece at the ray's level beyond the ray's beginning? */
-static graze_status slant_is_beyond(int *out, const ray *r, outline_curve *c) {
-    HELD(bracket, other);
-    HELD(bracket, begin);
-    int own = c->axis, sign = 0;
-    graze_status status = GRAZE_OK;
-    c->axis = 1 - r->along;
-    for (ulong places = 64; !sign && !status; places *= 2) {
-        status = places > r->context->limits[GRAZE_LIMIT_BITS]
-                     ? context_limit(r->context, GRAZE_LIMIT_BITS, "the places of a ray")
-                     : slant_other(&other, r->context, c, r->at + 1 - r->along, places);
-        bracket_set_rational(&begin, r->at + r->along, places);
-        bracket_sub(&begin, &other, &begin);
-        sign = bracket_sign(&begin);
-    }
-    c->axis = own;
-    *out = sign > 0;
-    return status;
-}
-
-/* The crossings of a curved piece: each root of odd order of its level, beyond the beginning. */
-static graze_status count_roots(int *out, const ray *r, const outline_piece *p) {
-    const outline_curve *c = &r->o->curve[p->curve];
-    LOCAL(fmpz_poly, level);
-    LOCAL(fmpz_poly, along);
-    HELD(dyadic_interval, range);
-    HELD(algebraic_list, roots);
-    LOCAL(fmpq, gap);
-    int before = 0;
-    outline_curve_level(level, c, 1 - r->along, r->at + 1 - r->along);
-    outline_curve_level(along, c, r->along, r->at + r->along);
-    algebraic *from = piece_end(r->o, p, 0), *to = piece_end(r->o, p, 1);
-    interval_of(&range, from, to);
-    TRY(algebraic_roots(&roots, r->context, level, &range));
-    TRY(algebraic_between(gap, r->context, from, to));
-    int weight_sign = rational_sign(&c->x[2], gap);
-    algebraic *previous = from;
-    for (size_t k = 0; k <= roots.count; k++) {
-        algebraic *next = k < roots.count ? &roots.item[k] : to;
-        int order = 0, beyond = 0;
-        TRY(algebraic_compare(&order, r->context, previous, next));
-        if (order >= 0)
-            continue; /* a root before the piece */
-        TRY(algebraic_compare(&order, r->context, next, to));
-        if (order > 0)
-            next = to;
-        TRY(algebraic_between(gap, r->context, previous, next));
-        int sign = rational_sign(level, gap);
-        if (previous != from && sign != before) {
-            TRY(algebraic_sign_at(&beyond, r->context, along, previous));
-            *out += beyond * weight_sign > 0;
-        }
-        before = sign;
-        previous = next;
-        if (next == to)
-            break;
-    }
-    return GRAZE_OK;
-}
-
-/* Count the crossings of a piece with the ray, modulo 2. */
+/* Count the crossings of a piece with the ray. */
 static graze_status cross_piece(int *out, const ray *r, const outline_piece *p) {
-    int level[2], beyond = 1;
-    outline_curve *c = &r->o->curve[p->curve];
-    const box *b = &p->box;
-    *out = 0;
-    if (b->high[r->along] < r->low || b->low[1 - r->along] > r->level_high ||
-        b->high[1 - r->along] < r->level_low)
-        return GRAZE_OK;
-    if (!c->slant && outline_curve_degree(c) > 1 && b->low[r->along] <= r->high)
-        return count_roots(out, r, p);
-    for (int end = 0; end < 2; end++)
-        TRY(end_level(&level[end], r, p, end));
-    if (level[0] == level[1])
-        return GRAZE_OK;
-    if (b->low[r->along] <= r->high && c->slant)
-        TRY(slant_is_beyond(&beyond, r, c));
-    else if (b->low[r->along] <= r->high)
-        return count_roots(out, r, p);
-    *out = beyond;
+    graze_outline *o = r->o;
+    outline_curve *c = &o->curve[p->curve];
+    int axis = 1 - r->along;
+    HELD(algebraic_list, places);
+    if (box_meets(&p->box, &r->around))
+        TRY(outline_crossings(&places, o, r->context, c, piece_end(o, p, 0), piece_end(o, p, 1),
+                              axis, r->at + axis));
+    for (size_t k = 0; k < places.count; k++) {
+        int side;
+        TRY(outline_side(&side, o, r->context, c, &places.item[k], r->along, r->at + r->along));
+        *out += side > 0;
+    }
     return GRAZE_OK;
 }
 
 static graze_status ring_holds(int *out, const ray *r, const outline_ring *ring) {
     const graze_outline *o = r->o;
-    *out = 0;
+    int crossings = 0;
     for (size_t k = ring->first; k < ring->first + ring->count; k++) {
         const outline_arc *arc = &o->arc[o->ring_arc[k]];
-        for (size_t i = arc->first; i < arc->first + arc->count; i++) {
-            int crossings;
+        for (size_t i = arc->first; i < arc->first + arc->count; i++)
             TRY(cross_piece(&crossings, r, &o->piece[o->arc_piece[i]]));
-            *out ^= crossings & 1;
-        }
     }
+    *out = crossings & 1;
     return GRAZE_OK;
 }
 
@@ -158,8 +70,9 @@ static graze_status set_ray(ray *r, const outline_piece *p) {
         fmpq_mul(half + 1, half + 1, half);
         fmpq_add(r->at + axis, &p->sample[axis], half + 1);
     }
-    rational_bounds(&r->low, &r->high, r->at + r->along);
-    rational_bounds(&r->level_low, &r->level_high, r->at + axis);
+    box_empty(&r->around);
+    box_add_point(&r->around, r->at);
+    r->around.high[r->along] = INFINITY;
     return GRAZE_OK;
 }
 

@@ -5,12 +5,9 @@
  * box around it is in the solid's interior (for an unsweep: in its exterior) at one time.
  */
 #include <flint/fmpq_vec.h>
-#include <flint/fmpz_vec.h>
 #include <stdlib.h>
-#include "base/context/array.h"
 #include "base/context/scope.h"
 #include "base/number/order.h"
-#include "base/number/rounding.h"
 #include "base/number/vector.h"
 #include "decide/verdict/verdict.h"
 #include "questions/outline/arc_complex.h"
@@ -45,42 +42,37 @@ static int images_miss(const corner_images *c, const graze_solid *solid, size_t 
     return 1;
 }
 
-/* Does the box, low and high x, low and high y, miss the solid's boundary at a time? */
-static int misses_at(const graze_scene *scene, const fmpq *box_ends, size_t piece, const fmpq_t u) {
+/* Does the box between two corners miss the solid's boundary at a time? */
+static int misses_at(const graze_scene *scene, const fmpq *corner, size_t piece, const fmpq_t u) {
     LOCAL_VEC(fmpq, map, 6);
     LOCAL_VEC(fmpq, at, 8);
-    LOCAL(fmpq, term);
-    corner_images c = {at, {{0}, {0}}};
+    corner_images c = {.at = at};
+    box_empty(&c.around);
     point_map_at(map, motion_tracing(&scene->motion->piece[piece], scene->options.operation), u);
-    for (int k = 0; k < 4; k++)
+    for (int k = 0; k < 4; k++) {
         for (int i = 0; i < 2; i++) {
             fmpq *x = at + 2 * k + i;
-            double low, high;
-            fmpq_mul(x, map + 3 * i, box_ends + (k & 1));
-            fmpq_mul(term, map + 3 * i + 1, box_ends + 2 + (k >> 1));
-            fmpq_add(x, x, term);
-            fmpq_add(x, x, map + 3 * i + 2);
-            rational_bounds(&low, &high, x);
-            c.around.low[i] = k && c.around.low[i] < low ? c.around.low[i] : low;
-            c.around.high[i] = k && c.around.high[i] > high ? c.around.high[i] : high;
+            fmpq_set(x, map + 3 * i + 2);
+            fmpq_addmul(x, map + 3 * i, corner + 2 * (k & 1));
+            fmpq_addmul(x, map + 3 * i + 1, corner + 2 * (k >> 1) + 1);
         }
+        box_add_point(&c.around, at + 2 * k);
+    }
     return images_miss(&c, scene->solid, 0);
 }
 
 /* Look at one rational time in each gap of a trace with the state. */
 static graze_status search_gaps(int *out, graze_context *context, const graze_scene *scene,
-                                const graze_trace *trace, graze_state state, const fmpq *box_ends,
+                                const graze_trace *trace, graze_state state, const fmpq *corner,
                                 graze_time *start, graze_time *end) {
     LOCAL(fmpq, u);
     size_t piece, n = trace->contact_count;
     for (size_t k = 0; k <= n && !*out; k++) {
-        graze_state here = k ? trace->contact[k - 1].right : trace->first;
-
-        if (here != state)
+        if ((k ? trace->contact[k - 1].right : trace->first) != state)
             continue;
         TRY(time_between(&piece, u, context, k ? trace->contact[k - 1].to : start,
                          k < n ? trace->contact[k].from : end));
-        *out = misses_at(scene, box_ends, piece, u);
+        *out = misses_at(scene, corner, piece, u);
     }
     return GRAZE_OK;
 }
@@ -88,7 +80,7 @@ static graze_status search_gaps(int *out, graze_context *context, const graze_sc
 /* *out becomes 1 if it is proved that all of a box is in the interior of the closed sweep's moving
  * solid at one time (for an unsweep, of its complement). */
 static graze_status is_surely_within(int *out, graze_context *context, const graze_scene *scene,
-                                     const fmpq *box_ends) {
+                                     const fmpq *corner) {
     int is_sweep = scene->options.operation == GRAZE_SWEEP;
     LOCAL_VEC(fmpq, middle, 2);
     HELD(algebraic, zero);
@@ -96,16 +88,13 @@ static graze_status is_surely_within(int *out, graze_context *context, const gra
     graze_trace trace;
     *out = 0;
     fmpq_one(one.value);
-    for (int i = 0; i < 2; i++) {
-        fmpq_add(middle + i, box_ends + 2 * i, box_ends + 2 * i + 1);
-        fmpq_div_2exp(middle + i, middle + i, 1);
-    }
+    vector_middle(middle, corner, corner + 2, 2);
     TRY(classify_point(&trace, context, scene, (query_point){.rational = middle}, TRACE_CONTACTS));
     graze_time *start = time_create(scene->motion, 0, &zero);
     graze_time *end = time_create(scene->motion, scene->motion->piece_count - 1, &one);
     graze_status status =
         start && end ? search_gaps(out, context, scene, &trace,
-                                   is_sweep ? GRAZE_STATE_I : GRAZE_STATE_O, box_ends, start, end)
+                                   is_sweep ? GRAZE_STATE_I : GRAZE_STATE_O, corner, start, end)
                      : context_fail(context, GRAZE_ESYSTEM, "out of memory for an outline");
     time_destroy(start);
     time_destroy(end);
@@ -116,14 +105,9 @@ static graze_status is_surely_within(int *out, graze_context *context, const gra
 /* The box of a place, and whether it is proved to be within. */
 static graze_status place_is_within(int *out, const graze_outline *o, graze_context *context,
                                     outline_curve *c, algebraic *s) {
-    HELD(point_place, here);
-    LOCAL_VEC(fmpq, ends, 4);
-    TRY(outline_curve_place(here.xy, context, c, s, POINT_PLACES));
-    for (int k = 0; k < 2; k++) {
-        bracket_low(ends + 2 * k, &here.xy[k], POINT_PLACES);
-        bracket_high(ends + 2 * k + 1, &here.xy[k], POINT_PLACES);
-    }
-    return is_surely_within(out, context, o->scene, ends);
+    LOCAL_VEC(fmpq, corner, 4);
+    TRY(outline_curve_corners(corner, context, c, s, POINT_PLACES));
+    return is_surely_within(out, context, o->scene, corner);
 }
 
 /* Decide the pieces on irrational lines that may be lower parts. */
@@ -145,39 +129,24 @@ static graze_status decide_slants(graze_outline *o, graze_context *context) {
 /* Is a cut's place, which may be rational, a point at which boundary or lower pieces end? */
 static graze_status is_point(int *out, graze_outline *o, graze_context *context, size_t curve,
                              size_t cut) {
-    outline_point here = {.curve = curve, .cut = cut};
+    HELD(outline_point, here, curve, cut);
     outline_curve *c = &o->curve[curve];
-    graze_status status = GRAZE_OK;
     *out = 0;
-    for (int k = 0; k < 2; k++) {
-        bracket_init(&here.place[k]);
-        algebraic_init(&here.coordinate[k]);
-    }
-    status = outline_curve_place(here.place, context, c, c->cut[cut], POINT_PLACES);
-    for (size_t k = 0; k < o->point_count && !status && !*out; k++) {
+    TRY(outline_curve_place(here.place, context, c, c->cut[cut], POINT_PLACES));
+    for (size_t k = 0; k < o->point_count && !*out; k++) {
         outline_point *p = &o->point[k];
         if (p->vertex == k && bracket_meets(&p->place[0], &here.place[0]) &&
             bracket_meets(&p->place[1], &here.place[1]))
-            status = points_equal(out, o, context, p, &here);
+            TRY(points_equal(out, o, context, p, &here));
     }
-    for (int k = 0; k < 2; k++) {
-        bracket_clear(&here.place[k]);
-        algebraic_clear(&here.coordinate[k]);
-    }
-    return status;
+    return GRAZE_OK;
 }
 
 static graze_status add_spot(graze_outline *o, graze_context *context, const fmpq *point) {
-    size_t before = o->spot_capacity;
     for (size_t k = 0; k < o->spot_count; k++)
         if (vector_compare(o->spot + 2 * k, point, 2) == 0)
             return GRAZE_OK;
-    TRY(array_grow(context, &o->spot, &o->spot_capacity, o->spot_count + 1, 2 * sizeof *o->spot,
-                   "the points of an outline"));
-    for (size_t k = 2 * before; k < 2 * o->spot_capacity; k++)
-        fmpq_init(o->spot + k);
-    vector_set(o->spot + 2 * o->spot_count++, point, 2);
-    return GRAZE_OK;
+    return outline_keep_point(&o->spot, &o->spot_count, &o->spot_capacity, context, point);
 }
 
 /* A cut of a curve: is it an isolated lower point? */
@@ -187,11 +156,10 @@ static graze_status decide_cut(graze_outline *o, graze_context *context, size_t 
     number_reduce(c->cut[cut]);
     int known = 0, is_rational = !c->slant && algebraic_is_rational(c->cut[cut]);
     if (is_rational) {
-        graze_verdict verdict;
+        graze_pmc pmc;
         outline_curve_at(point, c, c->cut[cut]->value);
-        TRY(classify_answer(&verdict, context, o->scene, (query_point){.rational = point},
-                            TRACE_PMC));
-        known = verdict.pmc != GRAZE_ON;
+        TRY(outline_pmc(&pmc, o, context, point, TRACE_PMC));
+        known = pmc != GRAZE_ON;
     } else {
         TRY(place_is_within(&known, o, context, c, c->cut[cut]));
     }

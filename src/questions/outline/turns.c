@@ -1,132 +1,80 @@
 /* The order of boundary pieces about a point, by their crossings with the border of a box
  * (proofs/outline.md C140).
  * SPDX-License-Identifier: GPL-3.0-or-later */
-#include <flint/fmpq_vec.h>
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "base/number/isolate.h"
 #include "base/number/order.h"
-#include "base/number/rounding.h"
+#include "base/number/vector.h"
 #include "questions/outline/arc_complex.h"
 
 /* One end of a boundary piece at its point. It leaves the box through side `side`: 0 bottom, 1
- * right, 2 top, 3 left; `at` is the parameter there of a curve that is not slanted. */
+ * right, 2 top, 3 left. */
 typedef struct turn_end {
     size_t point, piece;
     int end, side;
-    algebraic at;
+    algebraic at; /* the parameter there */
 } turn_end;
-
-static void turn_end_init(turn_end *e) {
-    *e = (turn_end){0};
-    algebraic_init(&e->at);
-}
-
-static void turn_end_clear(turn_end *e) {
-    algebraic_clear(&e->at);
-}
 
 /* A box about a point, whose places are compared with `places` binary places. `unclear`: something
  * on the border is not told apart, and another box is to be tried. */
 typedef struct border {
     graze_outline *o;
     graze_context *context;
-    fmpq *end; /* low x, high x, low y, high y */
+    fmpq *end; /* low x, low y, high x, high y */
     ulong places;
-    int unclear, crossings;
+    int unclear, crossings, side;
+    algebraic *at; /* the parameter of the last crossing, which is on `side` */
 } border;
 
-static const int side_axis[] = {1, 0, 1, 0}, side_upper[] = {0, 1, 1, 0};
+/* Of each side: the coordinate that is constant, and its entry of `end`. */
+static const int side_axis[] = {1, 0, 1, 0}, side_end[] = {1, 2, 3, 0};
 
-/* Where is a number against the box's range on an axis: -1 below, 0 inside, 1 above? */
-static int range_place(border *b, const bracket *x, int axis) {
+/* Is a number in the box's range on an axis? */
+static int is_in_range(border *b, const bracket *x, int axis) {
     HELD(bracket, low);
     HELD(bracket, high);
-    bracket_set_rational(&low, b->end + 2 * axis, b->places);
-    bracket_set_rational(&high, b->end + 2 * axis + 1, b->places);
+    bracket_set_rational(&low, b->end + axis, b->places);
+    bracket_set_rational(&high, b->end + 2 + axis, b->places);
     b->unclear = b->unclear || bracket_meets(x, &low) || bracket_meets(x, &high);
-    return fmpz_cmp(x->high, low.low) < 0 ? -1 : fmpz_cmp(x->low, high.high) > 0;
+    return fmpz_cmp(x->low, low.low) > 0 && fmpz_cmp(x->high, high.high) < 0;
 }
 
-/* The coordinate along a side at which a curve crosses it. */
-static graze_status crossing_place(bracket *out, const border *b, outline_curve *c, algebraic *at,
-                                   int side, ulong places) {
-    int axis = side_axis[side];
-    if (!c->slant) {
-        HELD(point_place, here);
-        TRY(outline_curve_place(here.xy, b->context, c, at, places));
-        bracket_set(out, &here.xy[1 - axis]);
-        return GRAZE_OK;
-    }
-    int own = c->axis; /* a line has either coordinate for its parameter */
-    c->axis = axis;
-    graze_status status =
-        slant_other(out, b->context, c, b->end + 2 * axis + side_upper[side], places);
-    c->axis = own;
-    return status;
-}
-
-/* Count a crossing of a side's line if it lies on the side; `e` keeps it. */
-static graze_status count_crossing(border *b, outline_curve *c, algebraic *at, int side,
-                                   turn_end *e) {
-    HELD(bracket, along);
-    TRY(crossing_place(&along, b, c, at, side, b->places));
-    if (range_place(b, &along, 1 - side_axis[side]) || b->unclear)
+/* Count a crossing of a side's line, at a parameter, if it lies on the side. */
+static graze_status count_crossing(border *b, outline_curve *c, algebraic *at, int side) {
+    int axis = 1 - side_axis[side];
+    HELD(point_place, here);
+    TRY(outline_curve_place(here.xy, b->context, c, at, b->places));
+    if (!is_in_range(b, &here.xy[axis], axis) || b->unclear)
         return GRAZE_OK;
     b->crossings++;
-    e->side = side;
-    if (!c->slant)
-        algebraic_set(&e->at, at);
+    b->side = side;
+    algebraic_set(b->at, at);
     return GRAZE_OK;
 }
 
-/* The crossings of a curve with a side, strictly between two parameters. */
-static graze_status cross_border_side(border *b, outline_curve *c, algebraic *from, algebraic *to,
-                                      int side, turn_end *e) {
-    LOCAL(fmpz_poly, p);
-    HELD(dyadic_interval, range);
-    HELD(algebraic_list, roots);
-    const fmpq *at = b->end + 2 * side_axis[side] + side_upper[side];
-    outline_curve_level(p, c, side_axis[side], at);
-    b->unclear = b->unclear || fmpz_poly_is_zero(p);
-    if (b->unclear)
-        return GRAZE_OK;
-    interval_of(&range, from, to);
-    TRY(algebraic_roots(&roots, b->context, p, &range));
-    for (size_t k = 0; k < roots.count && !b->unclear; k++) {
-        int inside = 0;
-        TRY(number_between(&inside, b->context, from, &roots.item[k], to));
-        if (inside)
-            TRY(count_crossing(b, c, &roots.item[k], side, e));
-    }
-    return GRAZE_OK;
-}
-
-/* Where an end of a part of a curve lies against both ranges. */
-static graze_status place_end(int *out, border *b, outline_curve *c, algebraic *s) {
+/* Count an end of a part of a curve if it is inside. */
+static graze_status count_end(int *inside, border *b, outline_curve *c, algebraic *s) {
     HELD(point_place, here);
     TRY(outline_curve_place(here.xy, b->context, c, s, b->places));
-    for (int k = 0; k < 2; k++)
-        out[k] = range_place(b, &here.xy[k], k);
+    /* Both ranges are looked at: either may be unclear. */
+    *inside += is_in_range(b, &here.xy[0], 0) & is_in_range(b, &here.xy[1], 1);
     return GRAZE_OK;
 }
 
 /* Find the crossings of the part of a curve between two parameters with the box's border, and how
  * many of its ends are inside. */
 static graze_status find_crossings(int *inside, border *b, outline_curve *c, algebraic *from,
-                                   algebraic *to, turn_end *e) {
-    int place[2][2] = {{0}, {0}};
-    b->crossings = 0;
-    TRY(place_end(place[0], b, c, from));
-    TRY(place_end(place[1], b, c, to));
-    *inside = !(place[0][0] || place[0][1]) + !(place[1][0] || place[1][1]);
+                                   algebraic *to) {
+    *inside = b->crossings = 0;
+    TRY(count_end(inside, b, c, from));
+    TRY(count_end(inside, b, c, to));
     for (int side = 0; side < 4 && !b->unclear; side++) {
-        int axis = side_axis[side], beyond = side_upper[side] ? 1 : -1;
-        if (!c->slant)
-            TRY(cross_border_side(b, c, from, to, side, e));
-        else if ((place[0][axis] == beyond) != (place[1][axis] == beyond))
-            TRY(count_crossing(b, c, NULL, side, e));
+        HELD(algebraic_list, at);
+        TRY(outline_crossings(&at, b->o, b->context, c, from, to, side_axis[side],
+                              b->end + side_end[side]));
+        for (size_t k = 0; k < at.count && !b->unclear; k++)
+            TRY(count_crossing(b, c, &at.item[k], side));
     }
     return GRAZE_OK;
 }
@@ -144,27 +92,26 @@ static graze_status cross_at_end(border *b, turn_end *e) {
         else
             to = &middle;
     }
-    TRY(find_crossings(&inside, b, &b->o->curve[p->curve], from, to, e));
+    TRY(find_crossings(&inside, b, &b->o->curve[p->curve], from, to));
+    e->side = b->side;
+    algebraic_set(&e->at, b->at);
     b->unclear = b->unclear || b->crossings != 1 || inside != 1;
     return GRAZE_OK;
 }
 
 /* Pieces that do not end in the point miss the box. */
 static graze_status check_others(border *b, size_t point) {
-    box around = {{0}, {0}};
-    double other;
-    HELD(turn_end, unused);
-    for (int k = 0; k < 2; k++) {
-        rational_bounds(&around.low[k], &other, b->end + 2 * k);
-        rational_bounds(&other, &around.high[k], b->end + 2 * k + 1);
-    }
+    box around;
+    box_empty(&around);
+    box_add_point(&around, b->end);
+    box_add_point(&around, b->end + 2);
     for (size_t k = 0; k < b->o->piece_count && !b->unclear; k++) {
         outline_piece *p = &b->o->piece[k];
         int inside = 0;
         if (!p->turn || p->end[0] == point || p->end[1] == point || !box_meets(&p->box, &around))
             continue;
         TRY(find_crossings(&inside, b, &b->o->curve[p->curve], piece_end(b->o, p, 0),
-                           piece_end(b->o, p, 1), &unused));
+                           piece_end(b->o, p, 1)));
         b->unclear = b->unclear || b->crossings || inside;
     }
     return GRAZE_OK;
@@ -175,16 +122,14 @@ static graze_status check_others(border *b, size_t point) {
 static graze_status set_border(border *b, size_t point, ulong m) {
     const outline_point *p = &b->o->point[point];
     outline_curve *c = &b->o->curve[p->curve];
-    HELD(point_place, here);
-    LOCAL_VEC(fmpq, half, 2);
-    fmpq *middle = half + 1;
-    TRY(outline_curve_place(here.xy, b->context, c, c->cut[p->cut], m + 8));
+    LOCAL(fmpq, half);
+    TRY(outline_curve_corners(b->end, b->context, c, c->cut[p->cut], m + 8));
+    vector_middle(b->end, b->end, b->end + 2, 2);
     for (int k = 0; k < 2; k++) {
         fmpq_set_si(half, k ? 64 : 33 + (slong)(7 * m % 31), 64);
         fmpq_div_2exp(half, half, m);
-        bracket_middle(middle, &here.xy[k], m + 8);
-        fmpq_sub(b->end + 2 * k, middle, half);
-        fmpq_add(b->end + 2 * k + 1, middle, half);
+        fmpq_add(b->end + 2 + k, b->end + k, half);
+        fmpq_sub(b->end + k, b->end + k, half);
     }
     b->places = m + 64;
     b->unclear = 0;
@@ -193,27 +138,24 @@ static graze_status set_border(border *b, size_t point, ulong m) {
 
 /* *before becomes 1 if end x leaves the box earlier than y, counter-clockwise from the lower left
  * corner. */
-static graze_status leaves_before(int *before, border *b, turn_end *x, turn_end *y) {
+static graze_status leaves_before(int *before, const border *b, turn_end *x, turn_end *y) {
     *before = x->side < y->side;
     if (x->side != y->side)
         return GRAZE_OK;
-    HELD(bracket, at_x);
-    HELD(bracket, at_y);
-    for (ulong places = b->places;; places *= 2) {
-        if (places > b->context->limits[GRAZE_LIMIT_BITS])
-            return context_limit(b->context, GRAZE_LIMIT_BITS, "the places of a crossing");
-        TRY(crossing_place(&at_x, b, &b->o->curve[b->o->piece[x->piece].curve], &x->at, x->side,
-                           places));
-        TRY(crossing_place(&at_y, b, &b->o->curve[b->o->piece[y->piece].curve], &y->at, y->side,
-                           places));
-        if (!bracket_meets(&at_x, &at_y))
-            break;
-    }
-    *before = (fmpz_cmp(at_x.high, at_y.low) < 0) == (x->side < 2);
+    HELD(algebraic, at_x);
+    HELD(algebraic, at_y);
+    graze_outline *o = b->o;
+    int order = 0, along = 1 - side_axis[x->side];
+    TRY(outline_coordinate(&at_x, o, b->context, &o->curve[o->piece[x->piece].curve], &x->at,
+                           along));
+    TRY(outline_coordinate(&at_y, o, b->context, &o->curve[o->piece[y->piece].curve], &y->at,
+                           along));
+    TRY(algebraic_compare(&order, b->context, &at_x, &at_y));
+    *before = (order < 0) == (x->side < 2);
     return GRAZE_OK;
 }
 
-static graze_status sort_ends(border *b, turn_end *end, size_t count) {
+static graze_status sort_ends(const border *b, turn_end *end, size_t count) {
     for (size_t i = 1; i < count; i++)
         for (size_t k = i; k > 0; k--) {
             int before = 0;
@@ -231,7 +173,8 @@ static graze_status sort_ends(border *b, turn_end *end, size_t count) {
 static graze_status order_turns(graze_outline *o, graze_context *context, turn_end *end,
                                 size_t count) {
     LOCAL_VEC(fmpq, ends, 4);
-    border b = {.o = o, .context = context, .end = ends, .unclear = 1};
+    HELD(algebraic, at);
+    border b = {.o = o, .context = context, .end = ends, .unclear = 1, .at = &at};
     double size = INFINITY;
     int exponent = 0;
     for (size_t k = 0; k < count; k++)
@@ -302,13 +245,11 @@ graze_status outline_turns(turn_order *out, graze_outline *o, graze_context *con
     for (size_t k = 0; k < o->piece_count; k++)
         for (int i = 0; i < 2 && o->piece[k].turn; i++) {
             turn_end *e = &end[count++];
-            turn_end_init(e);
-            e->point = o->piece[k].end[i];
-            e->piece = k;
-            e->end = i;
+            *e = (turn_end){.point = o->piece[k].end[i], .piece = k, .end = i};
+            algebraic_init(&e->at);
         }
     graze_status status = order_all_points(out, o, context, end, count);
     for (size_t k = 0; k < count; k++)
-        turn_end_clear(&end[k]);
+        algebraic_clear(&end[k].at);
     return status;
 }

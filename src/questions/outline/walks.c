@@ -113,12 +113,11 @@ static graze_status keep_ring(outline_ring **list, size_t *count, size_t *capaci
     return GRAZE_OK;
 }
 
-/* Add an arc to the ring that is being made; if it comes back to a point of it, the arcs since then
- * are a ring of their own. */
-static graze_status push_arc(walker *w, size_t arc) {
+/* If the last arc comes back to a point of the ring that is being made, the arcs since then are a
+ * ring of their own. */
+static graze_status cut_ring(walker *w, size_t arc) {
     graze_outline *o = w->o;
     size_t to = o->arc[arc].to;
-    w->stack[w->depth++] = arc;
     if (!w->at[to]) {
         w->at[to] = w->depth + 1;
         return GRAZE_OK;
@@ -132,31 +131,26 @@ static graze_status push_arc(walker *w, size_t arc) {
     return GRAZE_OK;
 }
 
-/* Follow one walk through the interior, cut into simple rings. */
-static graze_status walk_inside(walker *w, size_t start) {
+/* Follow one walk through the interior, cut into simple rings, or through the complement. */
+static graze_status follow_walk(walker *w, size_t start, int inner) {
     graze_outline *o = w->o;
     size_t from = o->arc[start].from;
     w->at[from] = 1;
-    for (size_t arc = start; !w->done[arc]; arc = arc_after(w, arc, 1)) {
+    for (size_t arc = start; !w->done[arc]; arc = arc_after(w, arc, inner)) {
         w->done[arc] = 1;
-        TRY(push_arc(w, arc));
+        w->stack[w->depth++] = arc;
+        if (inner)
+            TRY(cut_ring(w, arc));
     }
     w->at[from] = 0;
-    o->walk_count++;
-    return w->depth == 0 ? GRAZE_OK
-                         : context_fail(w->context, GRAZE_EINTERNAL,
-                                        "a walk along the boundary does not close");
-}
-
-/* Follow one walk through the complement. */
-static graze_status walk_around(walker *w, size_t start) {
-    graze_outline *o = w->o;
-    size_t count = 0;
-    for (size_t arc = start; !w->done[arc]; arc = arc_after(w, arc, 0)) {
-        w->done[arc] = 1;
-        w->stack[count++] = arc;
-    }
-    return keep_ring(&o->around, &o->around_count, &o->around_capacity, w, w->stack, count,
+    o->walk_count += (size_t)inner;
+    if (inner)
+        return w->depth == 0 ? GRAZE_OK
+                             : context_fail(w->context, GRAZE_EINTERNAL,
+                                            "a walk along the boundary does not close");
+    size_t length = w->depth;
+    w->depth = 0;
+    return keep_ring(&o->around, &o->around_count, &o->around_capacity, w, w->stack, length,
                      o->around_count);
 }
 
@@ -164,13 +158,12 @@ static graze_status walk_all(walker *w) {
     graze_outline *o = w->o;
     for (size_t k = 0; k < o->arc_count; k++)
         w->of_piece[o->arc_piece[o->arc[k].first]] = k;
-    for (size_t k = 0; k < o->arc_count; k++)
-        if (!w->done[k])
-            TRY(walk_inside(w, k));
-    memset(w->done, 0, o->arc_count);
-    for (size_t k = 0; k < o->arc_count; k++)
-        if (!w->done[k])
-            TRY(walk_around(w, k));
+    for (int inner = 1; inner >= 0; inner--) {
+        memset(w->done, 0, o->arc_count);
+        for (size_t k = 0; k < o->arc_count; k++)
+            if (!w->done[k])
+                TRY(follow_walk(w, k, inner));
+    }
     return GRAZE_OK;
 }
 
