@@ -125,7 +125,7 @@ graze_site_germ graze_site_germ_at(mpq_t speed, mpq_t drift, mpq_t theta, const 
 graze_status graze_site_header(char **out, graze_context *context, const graze_scene *scene,
                                const char *notes, const char *columns) {
     PUBLIC_OUT(out, context, scene);
-    return report_contact_header(out, context, scene, notes, columns);
+    return report_table_head(out, context, scene, TABLE_SITES, notes, columns);
 }
 
 graze_status graze_site_row(char **out, graze_context *context, const graze_site *site,

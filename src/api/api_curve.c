@@ -45,7 +45,7 @@ void graze_curve_ends(mpq_t *a, mpq_t *b, const graze_curve *curve, size_t index
 graze_status graze_curve_header(char **out, graze_context *context, const graze_envelope *envelope,
                                 const char *notes) {
     PUBLIC_OUT(out, context, envelope);
-    return report_curve_header(out, context, envelope->scene, notes);
+    return report_table_head(out, context, envelope->scene, TABLE_CURVES, notes, NULL);
 }
 
 graze_status graze_curve_row(char **out, graze_context *context, const graze_curve *curve,

@@ -69,7 +69,7 @@ graze_event graze_envelope_event(const graze_envelope *envelope, size_t index) {
 graze_status graze_envelope_header(char **out, graze_context *context,
                                    const graze_envelope *envelope, const char *notes) {
     PUBLIC_OUT(out, context, envelope);
-    return report_events_header(out, context, envelope->scene, notes);
+    return report_table_head(out, context, envelope->scene, TABLE_EVENTS, notes, NULL);
 }
 
 graze_status graze_envelope_row(char **out, graze_context *context, const graze_envelope *envelope,

@@ -65,13 +65,13 @@ graze_patch_joint graze_patches_joint(const graze_patches *patches, size_t index
 graze_status graze_patches_header(char **out, graze_context *context,
                                   const graze_envelope *envelope, const char *notes) {
     PUBLIC_OUT(out, context, envelope);
-    return report_patches_header(out, context, envelope->scene, notes);
+    return report_table_head(out, context, envelope->scene, TABLE_PATCHES, notes, NULL);
 }
 
 graze_status graze_patches_joint_header(char **out, graze_context *context,
                                         const graze_envelope *envelope, const char *notes) {
     PUBLIC_OUT(out, context, envelope);
-    return report_joints_header(out, context, envelope->scene, notes);
+    return report_table_head(out, context, envelope->scene, TABLE_JOINTS, notes, NULL);
 }
 
 /* Make the two times of a row canonical, and then write the row. */

@@ -6,7 +6,7 @@
 
 #include <fenv.h>
 
-#include "base/number/rootless.h"
+#include "base/number/simplest.h"
 
 enum { ROUNDS = 20000 };
 

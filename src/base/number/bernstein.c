@@ -7,6 +7,99 @@
 #include <string.h>
 #include "base/context/scope.h"
 
+/* Vectors of integers of one width, on top of GMP's unsigned limb kernels, which wrap around as
+ * two's complement does. Sums, products and left shifts are right modulo 2^(64 limbs) whatever is
+ * lost on the way, so only a result whose sign or value is read must fit. */
+
+/* Zeros, wide enough for every integer below 2^bits in size. */
+static void wide_init(wide_vector *v, slong count, ulong bits) {
+    v->count = count;
+    v->limbs = (slong)(bits / FLINT_BITS) + 1;
+    v->limb = flint_calloc((size_t)(count * v->limbs), sizeof *v->limb);
+}
+
+/* Copy the integers into a new vector whose entries have at least as many limbs. */
+static void wide_init_wider(wide_vector *v, const wide_vector *narrow, ulong bits) {
+    wide_init(v, narrow->count, bits);
+    for (slong i = 0; i < v->count; i++) {
+        mp_limb_t *out = wide_entry(v, i);
+        memcpy(out, wide_entry(narrow, i), (size_t)narrow->limbs * sizeof *out);
+        if (wide_sign(narrow, i) < 0)
+            memset(out + narrow->limbs, 0xff, (size_t)(v->limbs - narrow->limbs) * sizeof *out);
+    }
+}
+
+void wide_get_fmpz(fmpz_t out, const wide_vector *v, slong i) {
+    fmpz_set_signed_ui_array(out, wide_entry(v, i), v->limbs);
+}
+
+/* The limbs of |integer|, lowest first; `small` holds them if there is one. */
+static const mp_limb_t *magnitude(slong *limbs, mp_limb_t *small, const fmpz_t integer) {
+    if (COEFF_IS_MPZ(*integer)) {
+        const __mpz_struct *big = COEFF_TO_PTR(*integer);
+        *limbs = (slong)mpz_size(big);
+        return mpz_limbs_read(big);
+    }
+    *small = (mp_limb_t)FLINT_ABS(*integer);
+    *limbs = *small != 0;
+    return small;
+}
+
+/* Entry i becomes its sum with entry j. */
+static void wide_add(wide_vector *v, slong i, slong j) {
+    mpn_add_n(wide_entry(v, i), wide_entry(v, i), wide_entry(v, j), v->limbs);
+}
+
+/* Entry i becomes its sum with `factor` times entry j. */
+static void wide_addmul(wide_vector *v, slong i, slong j, const fmpz_t factor) {
+    slong limbs;
+    mp_limb_t small, *to = wide_entry(v, i);
+    const mp_limb_t *digit = magnitude(&limbs, &small, factor), *from = wide_entry(v, j);
+    for (slong k = 0; k < limbs && k < v->limbs; k++)
+        if (fmpz_sgn(factor) > 0)
+            mpn_addmul_1(to + k, from, v->limbs - k, digit[k]);
+        else
+            mpn_submul_1(to + k, from, v->limbs - k, digit[k]);
+}
+
+/* Multiply in place, from the highest limb down: each limb is replaced by the lowest one of its
+ * product, and the others are added to the limbs above. */
+static void mul_magnitude(mp_limb_t *entry, slong limbs, const mp_limb_t *factor, slong digits) {
+    for (slong at = limbs - 1; at >= 0; at--) {
+        mp_limb_t own = entry[at];
+        slong count = FLINT_MIN(digits, limbs - at);
+        entry[at] = 0;
+        mp_limb_t carry = mpn_addmul_1(entry + at, factor, count, own);
+        if (at + count < limbs)
+            mpn_add_1(entry + at + count, entry + at + count, limbs - at - count, carry);
+    }
+}
+
+static void wide_mul(wide_vector *v, slong i, const fmpz_t factor) {
+    slong digits;
+    mp_limb_t small, *entry = wide_entry(v, i);
+    const mp_limb_t *digit = magnitude(&digits, &small, factor);
+    if (digits == 0)
+        memset(entry, 0, (size_t)v->limbs * sizeof *entry);
+    else if (digits == 1)
+        mpn_mul_1(entry, entry, v->limbs, *digit);
+    else
+        mul_magnitude(entry, v->limbs, digit, digits);
+    if (fmpz_sgn(factor) < 0)
+        mpn_neg(entry, entry, v->limbs);
+}
+
+/* Entry i becomes entry j times 2^bits. */
+static void wide_shift(wide_vector *v, slong i, slong j, ulong bits) {
+    mp_limb_t *to = wide_entry(v, i);
+    const mp_limb_t *from = wide_entry(v, j);
+    slong whole = (slong)FLINT_MIN(bits / FLINT_BITS, (ulong)v->limbs);
+    memmove(to + whole, from, (size_t)(v->limbs - whole) * sizeof *to);
+    memset(to, 0, (size_t)whole * sizeof *to);
+    if (bits % FLINT_BITS && whole < v->limbs)
+        mpn_lshift(to + whole, to + whole, v->limbs - whole, (unsigned)(bits % FLINT_BITS));
+}
+
 /* The least common multiple of the binomials C(n, 0) ... C(n, n) for n = 0 to 24. */
 static const ulong COMMON_BINOMIAL[] = {
     1,        1,        2,        3,        12,        10,        60,        105,    280,
@@ -31,7 +124,7 @@ void common_binomial(fmpz_t out, slong n) {
 static void pull_to_unit(wide_vector *out, const fmpz_poly_t p, const dyadic_interval *interval) {
     slong n = out->count - 1, degree = fmpz_poly_degree(p);
     for (slong i = 0; i <= degree; i++) {
-        wide_set_fmpz(out, i, p->coeffs + i);
+        fmpz_get_signed_ui_array(wide_entry(out, i), out->limbs, p->coeffs + i);
         if (interval->exponent)
             wide_shift(out, i, i, interval->exponent * (ulong)(n - i));
     }
@@ -89,7 +182,7 @@ void bernstein_form_init(bernstein_form *out, const fmpz_poly_t p, slong n,
 }
 
 void bernstein_form_clear(bernstein_form *form) {
-    wide_clear(&form->c);
+    flint_free(form->c.limb);
 }
 
 void bernstein_from_poly(fmpz *out, const fmpz_poly_t p, slong n, const dyadic_interval *interval) {
@@ -138,7 +231,7 @@ void bernstein_form_split(bernstein_form *form, bernstein_form *right) {
     }
     for (slong i = 0; i <= n; i++)
         wide_shift(&right->c, i, i, (ulong)(sums > 0 ? i : n));
-    wide_clear(&form->c);
+    flint_free(form->c.limb);
     form->c = left;
     form->bits = right->bits;
 }
@@ -148,11 +241,8 @@ slong bernstein_variations(const bernstein_form *form) {
     int last = 0;
     for (slong i = 0; i < form->c.count; i++) {
         int sign = wide_sign(&form->c, i);
-        if (sign == 0)
-            continue;
-        if (last != 0 && sign != last)
-            variations++;
-        last = sign;
+        variations += sign * last < 0;
+        last = sign ? sign : last;
     }
     return variations;
 }
@@ -161,11 +251,9 @@ int bernstein_one_sign(const bernstein_form *form) {
     int one = 0;
     for (slong i = 0; i < form->c.count; i++) {
         int sign = wide_sign(&form->c, i);
-        if (sign == 0)
-            continue;
-        if (one != 0 && sign != one)
+        if (sign * one < 0)
             return 0;
-        one = sign;
+        one = sign ? sign : one;
     }
     return one;
 }

@@ -5,7 +5,30 @@
 
 #include <flint/fmpz_poly.h>
 #include "base/number/dyadic.h"
-#include "base/number/wide.h"
+
+/** `count` signed integers modulo 2^(64 limbs) in two's complement, of `limbs` limbs each, lowest
+ * limb first, one after another. */
+typedef struct wide_vector {
+    slong count, limbs;
+    mp_limb_t *limb;
+} wide_vector;
+
+static inline mp_limb_t *wide_entry(const wide_vector *v, slong i) {
+    return v->limb + i * v->limbs;
+}
+
+/** Sign of an entry: -1, 0, 1. */
+static inline int wide_sign(const wide_vector *v, slong i) {
+    const mp_limb_t *entry = wide_entry(v, i);
+    if (entry[v->limbs - 1] >> (FLINT_BITS - 1))
+        return -1;
+    for (slong k = v->limbs - 1; k >= 0; k--)
+        if (entry[k])
+            return 1;
+    return 0;
+}
+
+void wide_get_fmpz(fmpz_t out, const wide_vector *v, slong i);
 
 /** The least common multiple of the binomials C(n, 0) ... C(n, n), n >= 0. */
 void common_binomial(fmpz_t out, slong n);

@@ -16,24 +16,6 @@ void dyadic_value(fmpq_t out, const fmpz_t numerator, ulong exponent) {
     fmpq_set_fmpz_frac(out, numerator, denominator);
 }
 
-/* Horner's scheme on sum p_i n^i 2^(e (degree - i)), which has the sign of p(n / 2^e). */
-void dyadic_evaluate(fmpz_t out, const fmpz_poly_t p, const fmpz_t numerator, ulong exponent) {
-    slong degree = fmpz_poly_degree(p);
-    if (degree < 0) {
-        fmpz_zero(out);
-        return;
-    }
-    LOCAL(fmpz, value);
-    fmpz_set(value, p->coeffs + degree);
-    LOCAL(fmpz, term);
-    for (slong i = degree - 1; i >= 0; i--) {
-        fmpz_mul(value, value, numerator);
-        fmpz_mul_2exp(term, p->coeffs + i, exponent * (ulong)(degree - i));
-        fmpz_add(value, value, term);
-    }
-    fmpz_swap(out, value);
-}
-
 /* The least r >= 0 with |numerator / 2^exponent| <= 2^r, or one more. */
 static ulong reach_of(const fmpz_t numerator, ulong exponent) {
     ulong bits = fmpz_bits(numerator);
@@ -71,8 +53,9 @@ static int sign_by_places(const fmpz_poly_t p, const fmpz_t numerator, ulong exp
     return fmpz_sgn(value);
 }
 
-/* A root m / 2^e in lowest terms has 2^e dividing the leading coefficient, so a number with a
- * longer denominator is not a root. */
+/* Horner's scheme on sum p_i n^i 2^(e (degree - i)), which has the sign of p(n / 2^e), unless that
+ * is long. A root m / 2^e in lowest terms has 2^e dividing the leading coefficient, so a number
+ * with a longer denominator is not a root. */
 int dyadic_sign(const fmpz_poly_t p, const fmpz_t numerator, ulong exponent) {
     slong degree = fmpz_poly_degree(p);
     if (degree <= 0 || fmpz_is_zero(numerator))
@@ -81,7 +64,12 @@ int dyadic_sign(const fmpz_poly_t p, const fmpz_t numerator, ulong exponent) {
     if (exponent > SHORT_VALUE / (ulong)degree && own > fmpz_val2(fmpz_poly_lead(p)))
         return sign_by_places(p, numerator, exponent);
     LOCAL(fmpz, value);
-    dyadic_evaluate(value, p, numerator, exponent);
+    LOCAL(fmpz, term);
+    for (slong i = degree; i >= 0; i--) {
+        fmpz_mul(value, value, numerator);
+        fmpz_mul_2exp(term, p->coeffs + i, exponent * (ulong)(degree - i));
+        fmpz_add(value, value, term);
+    }
     return fmpz_sgn(value);
 }
 
@@ -111,6 +99,22 @@ int dyadic_compare(const fmpz_t numerator, ulong exponent, const fmpq_t x) {
     fmpz_mul_2exp(b, fmpq_numref(x), exponent);
     int order = fmpz_cmp(a, b);
     return order > 0 ? 1 : -(order < 0);
+}
+
+void dyadic_pull(fmpz_poly_t out, const fmpz_poly_t p, const dyadic_interval *interval) {
+    slong n = fmpz_poly_degree(p);
+    LOCAL(fmpz, width);
+    LOCAL(fmpz, power);
+    fmpz_set_ui(power, 1);
+    fmpz_sub(width, interval->high, interval->low);
+    fmpz_poly_set(out, p);
+    for (slong i = 0; i <= n; i++)
+        fmpz_mul_2exp(out->coeffs + i, out->coeffs + i, interval->exponent * (ulong)(n - i));
+    fmpz_poly_taylor_shift(out, out, interval->low);
+    for (slong i = 0; i <= n; i++) {
+        fmpz_mul(out->coeffs + i, out->coeffs + i, power);
+        fmpz_mul(power, power, width);
+    }
 }
 
 void dyadic_interval_init(dyadic_interval *interval) {

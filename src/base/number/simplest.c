@@ -1,8 +1,8 @@
 /* The fraction of least denominator in an interval, by Euclid's algorithm on its ends, and whether
  * a polynomial vanishes there, by Horner's scheme in integers: nothing is taken for a root that is
- * none. SPDX-License-Identifier: GPL-3.0-or-later
+ * none; guesses, and intervals without a root, by doubles.
+ * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "base/number/rootless.h"
 #include "base/number/simplest.h"
 
 #include <math.h>
@@ -12,6 +12,10 @@
  * around a guess have GUESS_PLACES. Guesses are made up to GUESS_DEGREE, in GUESS_STEPS steps at
  * most. */
 enum { LONGEST = 60, GUESS_PLACES = 45, GUESS_DEGREE = 24, GUESS_STEPS = 20 };
+
+/* Polynomials of higher degree are not decided by doubles. Interval ends of up to PLACES binary
+ * places are exact as doubles. */
+enum { ROOTLESS_DEGREE = 16, PLACES = 50, LEAST_EXPONENT = -900 };
 
 /* The fraction p / q of least denominator with a / b <= p / q <= c / d, all of them at least 0: the
  * least integer in there if there is one; else both ends have the integral part n, and p / q is n +
@@ -49,6 +53,35 @@ static int divide_linear(fmpz_poly_t out, const fmpz_poly_t p, slong a, slong b)
     return divides;
 }
 
+/* The coefficient divided by 2^top, at most 1 in absolute value; 0 if that is below
+ * 2^LEAST_EXPONENT. */
+static double scaled_coefficient(const fmpz_t coefficient, slong top) {
+    slong exponent;
+    double mantissa = fmpz_get_d_2exp(&exponent, coefficient);
+    exponent -= top;
+    return exponent < LEAST_EXPONENT ? 0 : ldexp(mantissa, (int)exponent);
+}
+
+/* p has no root if its value at the middle exceeds the most by which p can change from the middle
+ * to an end plus a bound of the rounding errors. */
+int certainly_rootless(const fmpz_poly_t p, const dyadic_interval *interval) {
+    slong n = fmpz_poly_degree(p), top = FLINT_ABS(fmpz_poly_max_bits(p));
+    if (n > ROOTLESS_DEGREE || interval->exponent > PLACES || fmpz_sgn(interval->low) < 0 ||
+        fmpz_cmp_ui(interval->high, (ulong)1 << interval->exponent) > 0)
+        return 0;
+    double unit = ldexp(1, -(int)interval->exponent);
+    double low = fmpz_get_d(interval->low) * unit, high = fmpz_get_d(interval->high) * unit;
+    double middle = 0.5 * (low + high), reach = 0.5 * (high - low) + 0x1p-50;
+    double value = 0, slope = 0, sum = 0;
+    for (slong i = n; i >= 0; i--) {
+        double c = scaled_coefficient(p->coeffs + i, top);
+        value = value * middle + c;
+        slope += (double)i * fabs(c);
+        sum += fabs(c);
+    }
+    return fabs(value) > 1.001 * reach * slope + 0x1p-40 * sum;
+}
+
 int divide_by_simplest(fmpq_t root, fmpz_poly_t rest, int *empty, const fmpz_poly_t p,
                        const dyadic_interval *interval) {
     slong a, b;
@@ -76,11 +109,8 @@ int divide_by_simplest(fmpq_t root, fmpz_poly_t rest, int *empty, const fmpz_pol
 static double near_root(const fmpz_poly_t p, double low, double high) {
     double c[GUESS_DEGREE + 1] = {0}, x = 0.5 * (low + high);
     slong n = fmpz_poly_degree(p), top = FLINT_ABS(fmpz_poly_max_bits(p));
-    for (slong i = 0; i <= n; i++) {
-        slong exponent;
-        double mantissa = fmpz_get_d_2exp(&exponent, p->coeffs + i);
-        c[i] = ldexp(mantissa, (int)FLINT_MAX(exponent - top, -1000));
-    }
+    for (slong i = 0; i <= n; i++)
+        c[i] = scaled_coefficient(p->coeffs + i, top);
     for (int step = 0; step < GUESS_STEPS; step++) {
         double value = c[n], slope = 0, last = x;
         for (slong i = n - 1; i >= 0; i--) {

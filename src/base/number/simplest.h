@@ -1,4 +1,4 @@
-/* Roots that are simple fractions, divided out of a polynomial.
+/* Roots that are simple fractions, divided out of a polynomial; intervals without roots.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #ifndef GRAZE_NUMBER_SIMPLEST_H
@@ -22,5 +22,9 @@ int divide_by_simplest(fmpq_t root, fmpz_poly_t rest, int *empty, const fmpz_pol
  * if no guess is made.
  */
 int guess_interval(dyadic_interval *out, const fmpz_poly_t p, const dyadic_interval *interval);
+
+/** 1 if p, not zero, certainly has no root in the interval (proofs/roots.md C92); 0 says nothing,
+ * and is the answer for an interval that is not in [0, 1]. Any rounding mode may be set. */
+int certainly_rootless(const fmpz_poly_t p, const dyadic_interval *interval);
 
 #endif

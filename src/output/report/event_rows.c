@@ -7,13 +7,7 @@
 #include "output/report/row_parts.h"
 #include "questions/envelope/envelope.h"
 
-graze_status report_events_header(char **out, graze_context *context, const graze_scene *scene,
-                                  const char *notes) {
-    return table_head(out, context, scene, notes, "time,time_near,kind,facet,cell,before,after",
-                      NULL);
-}
-
-static const char *sign_text(int sign) {
+const char *report_sign(int sign) {
     return sign == GRAZE_SIGN_ABSENT ? "" : sign > 0 ? "+" : sign < 0 ? "-" : "0";
 }
 
@@ -26,15 +20,7 @@ void report_event(text *out, const graze_envelope *envelope, const found_event *
     report_put_cell(out, &event->other);
     text_put(out, ",");
     report_put_cell(out, &event->cell);
-    text_format(out, ",%s,%s\n", sign_text(event->before), sign_text(event->after));
-}
-
-graze_status report_curve_header(char **out, graze_context *context, const graze_scene *scene,
-                                 const char *notes) {
-    return table_head(out, context, scene, notes,
-                      scene->motion->dimension == 2 ? "time,kind,cell,ax,ay,bx,by"
-                                                    : "time,kind,cell,ax,ay,az,bx,by,bz",
-                      "theta_a,theta_b,orientation,status,chain,form");
+    text_format(out, ",%s,%s\n", report_sign(event->before), report_sign(event->after));
 }
 
 static const char *known_name(const char *name) {
@@ -50,24 +36,10 @@ void report_curve(text *out, const graze_curve *curve, const curve_part *part) {
         text_put(out, ",");
         text_rational(out, k < curve->dimension ? part->a + k : part->b + k - curve->dimension);
     }
-    text_format(out, ",%s,%s,%s,%s,", sign_text(f->theta_a), sign_text(f->theta_b),
+    text_format(out, ",%s,%s,%s,%s,", report_sign(f->theta_a), report_sign(f->theta_b),
                 known_name(graze_orientation_name(f->orientation)), graze_trim_name(f->trim));
     text_count(out, f->chain);
     text_format(out, ",%s\n", known_name(graze_chain_form_name(f->form)));
-}
-
-graze_status report_patches_header(char **out, graze_context *context, const graze_scene *scene,
-                                   const char *notes) {
-    return table_head(
-        out, context, scene, notes,
-        "patch,kind,cell,from,from_near,to,to_near,a,b,theta_a,theta_b,orientation,time",
-        scene->motion->dimension == 2 ? "bx,by,x,y,status" : "bx,by,bz,x,y,z,status");
-}
-
-graze_status report_joints_header(char **out, graze_context *context, const graze_scene *scene,
-                                  const char *notes) {
-    return table_head(out, context, scene, notes, "cell,from,from_near,to,to_near,form,patches",
-                      NULL);
 }
 
 /* `,from,from_near,to,to_near` */
@@ -90,7 +62,7 @@ void report_patch(text *out, const graze_patches *patches, size_t index) {
     report_put_cell(out, &f->a);
     text_put(out, ",");
     report_put_cell(out, &f->b);
-    text_format(out, ",%s,%s,%s,", sign_text(f->theta_a), sign_text(f->theta_b),
+    text_format(out, ",%s,%s,%s,", report_sign(f->theta_a), report_sign(f->theta_b),
                 known_name(graze_orientation_name(f->orientation)));
     text_rational(out, item->t);
     for (int k = 0; k < 2 * d; k++) {

@@ -159,10 +159,8 @@ static void put_cells(text *out, const graze_scene *scene, const contact *c) {
         text_put(out, k ? ", " : "");
         if (cell->kind == GRAZE_CELL_PRIMITIVE)
             text_put(out, scene->solid->curved->primitive[cell->a].title);
-        else if (cell->kind == GRAZE_CELL_EDGE)
-            text_format(out, "edge %zu-%zu", cell->a, cell->b);
         else
-            text_format(out, "%s %zu", cell->kind == GRAZE_CELL_FACE ? "face" : "vertex", cell->a);
+            report_put_cell(out, cell);
     }
     if (shown < c->cell_count)
         sentence_put(out, "meets-more", c->cell_count - shown);
@@ -266,9 +264,7 @@ static void put_undecided_place(text *out, const graze_scene *scene, const graze
 graze_status report_explain(char **out, graze_context *context, const row *r) {
     const graze_scene *scene = r->scene;
     int d = scene->motion->dimension, sweep = scene->options.operation == GRAZE_SWEEP;
-    text t;
-    graze_status status = GRAZE_OK;
-    text_init(&t);
+    HELD(text, t);
     put_answer(&t, scene, r->point, r->trace);
     if (r->trace->undecided) {
         put_trajectory(&t, scene, r->point, r->trace);
@@ -289,13 +285,10 @@ graze_status report_explain(char **out, graze_context *context, const row *r) {
     if (r->shown->regular)
         closed_explain_regular(&t, &r->regular, d);
     if ((sweep ? r->shown->topo : r->shown->regular) && r->trace->verdict.pmc == GRAZE_ON)
-        status = closings_explain(&t, context, scene, r->point, sweep ? &r->topo : &r->regular);
+        TRY(closings_explain(&t, context, scene, r->point, sweep ? &r->topo : &r->regular));
     if (r->shown->sdf > 0)
         explain_distance(&t, scene, &r->space);
     text_put(&t, sweep ? "\n[EI] Erdim and Ilies 2008. S^t is the solid moved by M(t).\n"
                        : "\n[IS] Ilies and Shapiro 1998.\n");
-    if (!status)
-        return text_finish(out, context, &t);
-    text_clear(&t);
-    return status;
+    return text_finish(out, context, &t);
 }

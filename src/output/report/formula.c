@@ -49,18 +49,22 @@ void formula_rational(text *out, const fmpq_t value) {
     free(number);
 }
 
-static void put_term(text *out, const fmpq_t coefficient, slong power, int first) {
+/* Append a term. In the variable `whole`, unless it is NULL, nothing is left out. */
+static void put_term(text *out, const fmpq_t coefficient, slong power, int first,
+                     const char *whole) {
     LOCAL(fmpq, size);
     fmpq_abs(size, coefficient);
     if (first)
         text_put(out, fmpq_sgn(coefficient) < 0 ? "-" : "");
     else
         text_put(out, fmpq_sgn(coefficient) < 0 ? " - " : " + ");
-    int unit = fmpq_is_one(size) && power > 0;
-    if (!unit)
+    int unit = fmpq_is_one(size) && power > 0 && !whole;
+    if (whole)
+        text_rational(out, size);
+    else if (!unit)
         formula_rational(out, size);
     if (power > 0)
-        text_put(out, unit ? "t" : "*t");
+        text_format(out, unit ? "%s" : "*%s", whole ? whole : "t");
     if (power > 1)
         text_format(out, "^%ld", (long)power);
 }
@@ -72,7 +76,7 @@ static slong term_count(const fmpq_poly_t p) {
     return count;
 }
 
-static void put_polynomial(text *out, const fmpq_poly_t p) {
+static void put_polynomial(text *out, const fmpq_poly_t p, const char *whole) {
     slong count = term_count(p), seen = 0;
     LOCAL(fmpq, coefficient);
     if (count == 0)
@@ -82,8 +86,8 @@ static void put_polynomial(text *out, const fmpq_poly_t p) {
         if (fmpq_is_zero(coefficient))
             continue;
         seen++;
-        if (count <= LONG_POLYNOMIAL || seen <= SHOWN_TERMS || seen > count - SHOWN_TERMS)
-            put_term(out, coefficient, k, seen == 1);
+        if (whole || count <= LONG_POLYNOMIAL || seen <= SHOWN_TERMS || seen > count - SHOWN_TERMS)
+            put_term(out, coefficient, k, seen == 1, whole);
         else if (seen == SHOWN_TERMS + 1)
             text_format(out, " + ... [%ld terms left out] ...", (long)(count - 2 * SHOWN_TERMS));
     }
@@ -92,7 +96,7 @@ static void put_polynomial(text *out, const fmpq_poly_t p) {
 void formula_polynomial(text *out, const fmpz_poly_t polynomial) {
     LOCAL(fmpq_poly, p);
     fmpq_poly_set_fmpz_poly(p, polynomial);
-    put_polynomial(out, p);
+    put_polynomial(out, p, NULL);
 }
 
 /* Numerator and weight of one coordinate as polynomials in u. */
@@ -110,7 +114,10 @@ static void coordinate_in_u(fmpq_poly_t numerator, fmpq_poly_t weight, const poi
     fmpq_poly_set_fmpz_poly(weight, map->weight);
 }
 
-void formula_lowest_terms(fmpq_poly_t numerator, fmpq_poly_t weight, const motion_piece *piece) {
+/* Substitute u = (t - lo)/(hi - lo) in numerator and weight, unless `piece` is NULL, divide both by
+ * their common factor, and scale them so that the weight is a primitive integer polynomial with
+ * positive leading coefficient. */
+static void to_lowest_terms(fmpq_poly_t numerator, fmpq_poly_t weight, const motion_piece *piece) {
     LOCAL_VEC(fmpq, slope, 2);
     fmpq *shift = slope + 1;
     LOCAL(fmpq_poly, local);
@@ -138,21 +145,26 @@ void formula_lowest_terms(fmpq_poly_t numerator, fmpq_poly_t weight, const motio
     fmpq_poly_scalar_mul_fmpq(numerator, numerator, slope);
 }
 
+void formula_quotient(text *out, fmpq_poly_t numerator, fmpq_poly_t weight,
+                      const motion_piece *piece, const char *whole) {
+    to_lowest_terms(numerator, weight, piece);
+    if (fmpq_poly_degree(weight) <= 0) {
+        fmpq_poly_div(numerator, numerator, weight);
+        put_polynomial(out, numerator, whole);
+        return;
+    }
+    int several = whole || term_count(numerator) > 1;
+    text_put(out, several ? "(" : "");
+    put_polynomial(out, numerator, whole);
+    text_put(out, several ? ")/(" : "/(");
+    put_polynomial(out, weight, whole);
+    text_put(out, ")");
+}
+
 void formula_coordinate(text *out, const motion_piece *piece, const point_map *map, int coordinate,
                         const fmpq *point) {
     LOCAL(fmpq_poly, numerator);
     LOCAL(fmpq_poly, weight);
     coordinate_in_u(numerator, weight, map, coordinate, point);
-    formula_lowest_terms(numerator, weight, piece);
-    int constant = fmpq_poly_degree(weight) <= 0;
-    if (constant) {
-        fmpq_poly_div(numerator, numerator, weight);
-        put_polynomial(out, numerator);
-    } else {
-        text_put(out, term_count(numerator) > 1 ? "(" : "");
-        put_polynomial(out, numerator);
-        text_put(out, term_count(numerator) > 1 ? ")/(" : "/(");
-        put_polynomial(out, weight);
-        text_put(out, ")");
-    }
+    formula_quotient(out, numerator, weight, piece, NULL);
 }

@@ -17,14 +17,6 @@ static const graze_motion number_line = {.dimension = 2, .piece_count = 1, .piec
 
 static const char *const kind_names[] = {"path", "edge", "envelope"};
 
-/* A number, or a time of a piece of the motion, in its canonical form. */
-static graze_status make_time(graze_time **out, graze_context *context, const graze_motion *motion,
-                              size_t piece, const algebraic *u) {
-    *out = time_create(motion, piece, u);
-    return *out ? time_canonicalise(*out, context)
-                : context_fail(context, GRAZE_ESYSTEM, "out of memory for an outline");
-}
-
 typedef struct outline_writer {
     json_writer w;
     graze_context *context;
@@ -32,60 +24,47 @@ typedef struct outline_writer {
     size_t *vertex; /* numbers of points in the list of vertices */
 } outline_writer;
 
-static graze_status put_time_of(outline_writer *j, const char *key, const graze_motion *motion,
-                                size_t piece, const algebraic *u) {
-    graze_time *time;
-    graze_status status = make_time(&time, j->context, motion, piece, u);
-    if (!status)
+/* Forms of an exact number: a value of JSON, its decimal in JSON, a field of a table. */
+typedef enum exact_form { AS_VALUE, AS_DECIMAL, AS_FIELD } exact_form;
+
+/* Write a number, or a time of a piece of the motion, in its canonical form. */
+static graze_status put_exact(outline_writer *j, exact_form form, const char *key,
+                              const graze_motion *motion, size_t piece, const algebraic *u) {
+    graze_time *time = time_create(motion, piece, u);
+    graze_status status =
+        time ? time_canonicalise(time, j->context)
+             : context_fail(j->context, GRAZE_ESYSTEM, "out of memory for an outline");
+    if (!status && form == AS_VALUE)
         json_time(&j->w, key, time);
+    else if (!status && form == AS_DECIMAL)
+        text_owned(json_begin(&j->w, key), decimal_of_time(NULL, time, NEAR_DIGITS));
+    else if (!status)
+        report_put_time(j->w.out, time);
+    text_put(j->w.out, form == AS_FIELD ? "," : "");
     time_destroy(time);
     return status;
 }
 
-static graze_status put_outline_point(outline_writer *j, const char *key, size_t point) {
-    outline_point *p = &j->outline->point[point];
-    TRY(outline_point_make(j->outline, j->context, p));
-    json_open(&j->w, key, '{');
+/* Write both coordinates of a point, whose members `keys` names. */
+static graze_status put_coordinates(outline_writer *j, exact_form form, const char *const *keys,
+                                    outline_point *p) {
     for (int k = 0; k < 2; k++)
-        TRY(put_time_of(j, k ? "y" : "x", &number_line, 0, &p->coordinate[k]));
-    json_open(&j->w, "near", '[');
-    for (int k = 0; k < 2; k++) {
-        graze_time *time;
-        graze_status status = make_time(&time, j->context, &number_line, 0, &p->coordinate[k]);
-        char *decimal = status ? NULL : decimal_of_time(NULL, time, NEAR_DIGITS);
-        time_destroy(time);
-        TRY(status);
-        if (decimal)
-            json_number(&j->w, NULL, decimal);
-        else
-            j->w.out->failed = 1;
-        free(decimal);
-    }
-    json_ends(&j->w, "]}");
+        TRY(put_exact(j, form, keys[k], &number_line, 0, &p->coordinate[k]));
     return GRAZE_OK;
 }
 
-/* Write a polynomial in the variable `name`, without terms that are zero. */
-static void put_terms(text *out, const fmpq_poly_t p, const char *name) {
-    LOCAL(fmpq, c);
-    int first = 1;
-    for (slong k = fmpq_poly_degree(p); k >= 0; k--) {
-        fmpq_poly_get_coeff_fmpq(c, p, k);
-        if (fmpq_is_zero(c))
-            continue;
-        if (!first)
-            text_put(out, fmpq_sgn(c) < 0 ? " - " : " + ");
-        if (!first)
-            fmpq_abs(c, c);
-        text_rational(out, c);
-        if (k > 0)
-            text_format(out, "*%s", name);
-        if (k > 1)
-            text_format(out, "^%ld", (long)k);
-        first = 0;
-    }
-    if (first)
-        text_put(out, "0");
+static const char *const no_keys[2];
+
+static graze_status put_outline_point(outline_writer *j, const char *key, size_t point) {
+    static const char *const keys[] = {"x", "y"};
+    outline_point *p = &j->outline->point[point];
+    TRY(outline_point_make(j->outline, j->context, p));
+    json_open(&j->w, key, '{');
+    TRY(put_coordinates(j, AS_VALUE, keys, p));
+    json_open(&j->w, "near", '[');
+    TRY(put_coordinates(j, AS_DECIMAL, no_keys, p));
+    json_ends(&j->w, "]}");
+    return GRAZE_OK;
 }
 
 static void put_function(outline_writer *j, const char *key, const outline_curve *c, int k,
@@ -95,18 +74,10 @@ static void put_function(outline_writer *j, const char *key, const outline_curve
     LOCAL(fmpq_poly, den);
     fmpq_poly_set_fmpz_poly(num, &c->x[k]);
     fmpq_poly_set_fmpz_poly(den, &c->x[2]);
-    formula_lowest_terms(num, den, c->source == SOURCE_EDGE ? NULL : piece);
     text *out = json_begin(&j->w, key);
-    int whole = fmpq_poly_degree(den) == 0;
-    if (whole)
-        fmpq_poly_div(num, num, den);
-    text_put(out, whole ? "\"" : "\"(");
-    put_terms(out, num, name);
-    if (!whole) {
-        text_put(out, ")/(");
-        put_terms(out, den, name);
-    }
-    text_put(out, whole ? "\"" : ")\"");
+    text_put(out, "\"");
+    formula_quotient(out, num, den, c->source == SOURCE_EDGE ? NULL : piece, name);
+    text_put(out, "\"");
 }
 
 static void put_outline_curve(outline_writer *j, const outline_curve *c) {
@@ -135,32 +106,32 @@ static void source_ends(const algebraic **end, const graze_outline *o, const out
     end[1] = c->cut[high + 1];
 }
 
+/* The cell that moves along a source, or that an edge is at one time. */
+static graze_cell source_cell(const outline_curve *c) {
+    return (graze_cell){c->source == SOURCE_PATH ? GRAZE_CELL_VERTEX : GRAZE_CELL_EDGE, c->a, c->b};
+}
+
 static graze_status put_source(outline_writer *j, const outline_piece *first,
                                const outline_piece *last) {
     const outline_curve *c = &j->outline->curve[first->curve];
+    const graze_cell cell = source_cell(c);
     const graze_motion *motion = j->outline->scene->motion;
+    int is_edge = c->source == SOURCE_EDGE;
     const algebraic *end[2];
     source_ends(end, j->outline, first, last);
     json_open(&j->w, NULL, '{');
     json_text(&j->w, "kind", kind_names[c->source]);
-    if (c->source == SOURCE_PATH) {
-        json_count(&j->w, "vertex", c->a);
-    } else {
-        json_open(&j->w, "edge", '[');
-        json_count(&j->w, NULL, c->a);
-        json_count(&j->w, NULL, c->b);
-        json_close(&j->w, ']');
-    }
+    json_cell_members(&j->w, &cell);
     json_count(&j->w, "piece", c->piece);
-    if (c->source == SOURCE_EDGE)
-        TRY(put_time_of(j, "at", motion, c->piece, &c->at));
+    if (is_edge)
+        TRY(put_exact(j, AS_VALUE, "at", motion, c->piece, &c->at));
     for (int k = 0; k < 2; k++) {
         const char *key = k ? "to" : "from";
         if (c->axis >= 0)
             json_text(&j->w, key, NULL);
         else
-            TRY(put_time_of(j, key, c->source == SOURCE_EDGE ? &number_line : motion,
-                            c->source == SOURCE_EDGE ? 0 : c->piece, end[k]));
+            TRY(put_exact(j, AS_VALUE, key, is_edge ? &number_line : motion, is_edge ? 0 : c->piece,
+                          end[k]));
     }
     json_close(&j->w, '}');
     return GRAZE_OK;
@@ -194,9 +165,9 @@ static graze_status write_arc(outline_writer *j, const outline_arc *arc) {
     return GRAZE_OK;
 }
 
-/* Decimals of both bounds, rounded outward, with enough digits for the outline's width; of widths
- * that doubles have, so far that the nearest doubles are bounds too. */
-static void put_bounds(char *out[2], const graze_outline *o, const outline_measure *m) {
+/* The decimal of a bound, rounded outward, with enough digits for the outline's width; of widths
+ * that doubles have, so far that the nearest double is a bound too. */
+static char *decimal_of_bound(const graze_outline *o, const outline_measure *m, int is_high) {
     int digits = 3 - (int)floor(log10(o->width));
     LOCAL_VEC(fmpq, x, 2);
     LOCAL(fmpq, step);
@@ -204,27 +175,18 @@ static void put_bounds(char *out[2], const graze_outline *o, const outline_measu
     fmpz_set_ui(power, 10);
     fmpz_pow_ui(power, power, (ulong)digits);
     outline_rational_bounds(x, x + 1, o, m);
-    for (int k = 0; k < 2; k++) {
-        fmpq_abs(step, x + k);
-        fmpq_div_fmpz(step, step, power);
-        (k ? fmpq_add : fmpq_sub)(x + k, x + k, step);
-        out[k] = decimal_of_rational(NULL, x + k, digits + 2);
-    }
+    fmpq_abs(step, x + is_high);
+    fmpq_div_fmpz(step, step, power);
+    (is_high ? fmpq_add : fmpq_sub)(x + is_high, x + is_high, step);
+    return decimal_of_rational(NULL, x + is_high, digits + 2);
 }
 
 static void put_measure(outline_writer *j, const char *key, const outline_measure *m) {
     json_open(&j->w, key, '{');
-    if (m->is_exact) {
+    if (m->is_exact)
         json_rational(&j->w, "exact", m->exact);
-    } else {
-        char *bound[2];
-        put_bounds(bound, j->outline, m);
-        for (int k = 0; k < 2; k++) {
-            j->w.out->failed |= !bound[k];
-            json_number(&j->w, k ? "high" : "low", bound[k] ? bound[k] : "");
-            free(bound[k]);
-        }
-    }
+    for (int k = 0; k < 2 && !m->is_exact; k++)
+        text_owned(json_begin(&j->w, k ? "high" : "low"), decimal_of_bound(j->outline, m, k));
     json_close(&j->w, '}');
 }
 
@@ -311,22 +273,18 @@ graze_status outline_json(text *out, graze_context *context, const graze_outline
 
 static void put_text_measure(text *t, const graze_outline *o, const char *name,
                              const outline_measure *m) {
-    text_format(t, "%s: ", name);
-    if (m->is_exact) {
-        int exact;
+    int exact;
+    text_format(t, m->is_exact ? "%s: " : "%s: between ", name);
+    if (!m->is_exact) {
+        text_owned(t, decimal_of_bound(o, m, 0));
+        text_put(t, " and ");
+        text_owned(t, decimal_of_bound(o, m, 1));
+    } else {
         text_rational(t, m->exact);
-        char *decimal = decimal_of_rational(&exact, m->exact, 12);
+        FREED(char, decimal, decimal_of_rational(&exact, m->exact, 12));
         if (!fmpz_is_one(fmpq_denref(m->exact)))
             text_format(t, exact ? " = %s" : ", about %s", decimal ? decimal : "");
         t->failed |= !decimal;
-        free(decimal);
-    } else {
-        char *bound[2];
-        put_bounds(bound, o, m);
-        t->failed |= !bound[0] || !bound[1];
-        text_format(t, "between %s and %s", bound[0] ? bound[0] : "", bound[1] ? bound[1] : "");
-        free(bound[0]);
-        free(bound[1]);
     }
     text_put(t, "\n");
 }
@@ -347,18 +305,6 @@ void outline_text(text *t, const graze_outline *o) {
     text_put(t, "\n");
 }
 
-/* Append an exact number as in tables. */
-static graze_status put_outline_number(outline_writer *j, const graze_motion *motion, size_t piece,
-                                       const algebraic *u) {
-    graze_time *time;
-    graze_status status = make_time(&time, j->context, motion, piece, u);
-    if (!status)
-        report_put_time(j->w.out, time);
-    text_put(j->w.out, ",");
-    time_destroy(time);
-    return status;
-}
-
 static graze_status put_arc_row(outline_writer *j, size_t number, const size_t *ring_of) {
     const graze_outline *o = j->outline;
     const outline_arc *arc = &o->arc[number];
@@ -371,16 +317,15 @@ static graze_status put_arc_row(outline_writer *j, size_t number, const size_t *
     for (int k = 0; k < 2; k++) {
         outline_point *p = &j->outline->point[k ? arc->to : arc->from];
         TRY(outline_point_make(j->outline, j->context, p));
-        TRY(put_outline_number(j, &number_line, 0, &p->coordinate[0]));
-        TRY(put_outline_number(j, &number_line, 0, &p->coordinate[1]));
+        TRY(put_coordinates(j, AS_FIELD, no_keys, p));
     }
     if (c->source == SOURCE_PATH)
         text_format(j->w.out, "path,%zu,%zu,", c->a, c->piece);
     else
         text_format(j->w.out, "%s,%zu-%zu,%zu,", kind_names[c->source], c->a, c->b, c->piece);
     for (int k = 0; k < 2; k++)
-        TRY(put_outline_number(j, o->scene->motion, c->piece,
-                               c->source == SOURCE_EDGE ? &c->at : end[k]));
+        TRY(put_exact(j, AS_FIELD, NULL, o->scene->motion, c->piece,
+                      c->source == SOURCE_EDGE ? &c->at : end[k]));
     for (int k = 0; k < 4; k++) {
         text_rational(j->w.out, &first->sample[k]);
         text_put(j->w.out, k < 3 ? "," : "\n");
@@ -393,10 +338,7 @@ graze_status outline_csv(text *out, graze_context *context, const graze_outline 
     FREED(size_t, ring_of, calloc(o->arc_count + 1, sizeof *ring_of));
     if (!ring_of)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory for an outline");
-    TRY(table_head(&head, context, o->scene, NULL,
-                   "arc,ring,from_x,from_y,to_x,to_y,kind,cell,piece,begin,end,in_x,in_y,out_x,"
-                   "out_y",
-                   NULL));
+    TRY(report_table_head(&head, context, o->scene, TABLE_ARCS, NULL, NULL));
     text_owned(out, head);
     outline_writer j = {{.out = out}, context, o, NULL};
     for (size_t k = 0; k < o->ring_count; k++)

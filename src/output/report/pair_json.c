@@ -1,7 +1,6 @@
 /* Verdict, word, contacts and cells. SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/report/report.h"
 
-#include <stdlib.h>
 #include "decide/trace/trace.h"
 #include "decide/verdict/verdict.h"
 #include "output/report/row_parts.h"
@@ -11,12 +10,7 @@ enum { NEAR_DIGITS = 17 };
 
 /* Write the decimal of a time and, where pieces have rows of a log, the row of its piece. */
 static void put_near_decimal(json_writer *w, const graze_time *time) {
-    char *decimal = decimal_of_time(NULL, time, NEAR_DIGITS);
-    if (decimal)
-        json_number(w, "near", decimal);
-    else
-        w->out->failed = 1;
-    free(decimal);
+    text_owned(json_begin(w, "near"), decimal_of_time(NULL, time, NEAR_DIGITS));
     unsigned long row = time->motion->piece[time_first_piece(time)].row;
     if (time->motion->has_rows)
         json_index(w, "row", row != 0, row);

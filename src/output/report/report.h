@@ -113,23 +113,13 @@ int time_is_rational(const graze_time *time);
 
 /* Events of an envelope as rows of a table (src/program/cli/formats.md, Envelope). */
 
-/** Head of the table of events. @param notes may be NULL */
-graze_status report_events_header(char **out, graze_context *context, const graze_scene *scene,
-                                  const char *notes);
 /** A row of the table of events, from a canonical time. */
 void report_event(text *out, const graze_envelope *envelope, const found_event *event);
 
-/** Head of the table of curves. @param notes may be NULL */
-graze_status report_curve_header(char **out, graze_context *context, const graze_scene *scene,
-                                 const char *notes);
+/** A row of the table of curves. */
 void report_curve(text *out, const graze_curve *curve, const curve_part *part);
 
-/** Heads of the tables of patches and joints. @param notes may be NULL */
-graze_status report_patches_header(char **out, graze_context *context, const graze_scene *scene,
-                                   const char *notes);
-graze_status report_joints_header(char **out, graze_context *context, const graze_scene *scene,
-                                  const char *notes);
-/** Rows of these tables, from canonical times. */
+/** Rows of the tables of patches and joints, from canonical times. */
 void report_patch(text *out, const graze_patches *patches, size_t index);
 void report_joint(text *out, const graze_patches *patches, size_t index);
 
@@ -167,12 +157,25 @@ graze_status outline_csv(text *out, graze_context *context, const graze_outline 
 
 /* Sites as rows of a table or lines of JSON (src/program/cli/formats.md, Contact points). */
 
-/** Head of the table. @param notes, columns may be NULL */
-graze_status report_contact_header(char **out, graze_context *context, const graze_scene *scene,
-                                   const char *notes, const char *columns);
 /** A row, from canonical times. @param rest further columns, or NULL */
 void report_contact_csv(text *out, const graze_site *site, const char *rest);
 void report_contact_json(text *out, const graze_site *site);
+
+/** Tables whose rows are not points. */
+typedef enum report_table {
+    TABLE_EVENTS,
+    TABLE_CURVES,
+    TABLE_PATCHES,
+    TABLE_JOINTS,
+    TABLE_SITES,
+    TABLE_ARCS
+} report_table;
+
+/** Write the head of such a table: `#` lines and the line of column names.
+ * @param notes further `# key value` lines, or NULL
+ * @param further further names, comma-joined, or NULL */
+graze_status report_table_head(char **out, graze_context *context, const graze_scene *scene,
+                               report_table table, const char *notes, const char *further);
 
 /* The table of a scene and its points (src/program/cli/formats.md, Tables). */
 

@@ -84,10 +84,11 @@ void report_put_time_near(text *t, const graze_time *time);
  */
 void formula_coordinate(text *out, const motion_piece *piece, const point_map *map, int coordinate,
                         const fmpq *point);
-/** Substitute u = (t - lo)/(hi - lo) in numerator and weight, unless `piece` is NULL, divide both
- * by their common factor, and scale them so that the weight is a primitive integer polynomial with
- * positive leading coefficient. */
-void formula_lowest_terms(fmpq_poly_t numerator, fmpq_poly_t weight, const motion_piece *piece);
+/** Append a quotient in the same form, whose numerator and weight are polynomials of a piece's u
+ * and are brought to lowest terms; `piece` is NULL where they stay in their own variable. Nothing
+ * is left out if `whole`, the variable's name, is not NULL. */
+void formula_quotient(text *out, fmpq_poly_t numerator, fmpq_poly_t weight,
+                      const motion_piece *piece, const char *whole);
 /** Append an integer polynomial in t, highest power first; shortened like a coordinate. */
 void formula_polynomial(text *out, const fmpz_poly_t polynomial);
 /** Append a rational; if it has many digits, the number of the middle digits replaces them. */
@@ -123,11 +124,8 @@ void report_put_width(text *out, const char *name, double width, int up);
 /** Append a cell: `face 3`, `edge 1-2`, `vertex 5`; nothing for kind 0. */
 void report_put_cell(text *t, const graze_cell *cell);
 
-/** Write the head of a table whose rows are not points: `#` lines and the line of column names.
- * @param notes further `# key value` lines, or NULL
- * @param further further names, comma-joined, that follow `names`, or NULL */
-graze_status table_head(char **out, graze_context *context, const graze_scene *scene,
-                        const char *notes, const char *names, const char *further);
+/** Append "+", "-" or "0"; nothing for GRAZE_SIGN_ABSENT. */
+const char *report_sign(int sign);
 
 /* Times in sentences and pictures: as numbers, or relative to t0 where t0 is large (time_origin).
  */

@@ -5,20 +5,6 @@
 #include "output/report/row_parts.h"
 #include "questions/contact/contact.h"
 
-#define SITE_ANSWERS                                                                               \
-    "cell,role,theta,contact_order,orientation,left,right,trimmed,status,near,near_decimal,near_"  \
-    "in,near_in_decimal,word"
-
-const char contact_columns[] = "time,bx,by,bz,x,y,z," SITE_ANSWERS ",shift";
-
-graze_status report_contact_header(char **out, graze_context *context, const graze_scene *scene,
-                                   const char *notes, const char *columns) {
-    return table_head(out, context, scene, notes,
-                      scene->motion->dimension == 2 ? "time,bx,by,x,y," SITE_ANSWERS
-                                                    : "time,bx,by,bz,x,y,z," SITE_ANSWERS,
-                      columns);
-}
-
 static void put_numbers(text *t, const fmpq *x, int count) {
     for (int k = 0; k < count; k++) {
         text_rational(t, x + k);
@@ -49,17 +35,13 @@ static int is_trimmed(const graze_site_facts *f) {
     return f->trim == GRAZE_TRIM_NEAR || f->trim == GRAZE_TRIM_FAR;
 }
 
-static const char *sign_name(int sign) {
-    return sign > 0 ? "+" : sign < 0 ? "-" : "0";
-}
-
 /* theta, contact_order, orientation */
 static void put_slice(text *t, const graze_site_facts *f) {
     if (!f->on_slice) {
         text_put(t, ",,,");
         return;
     }
-    text_format(t, "%s,", sign_name(f->theta));
+    text_format(t, "%s,", report_sign(f->theta));
     if (f->order == GRAZE_ORDER_VANISHES)
         text_put(t, "inf,");
     else
@@ -117,7 +99,7 @@ static void json_slice(json_writer *w, const graze_site_facts *f) {
         json_text(w, "orientation", NULL);
         return;
     }
-    json_text(w, "theta", sign_name(f->theta));
+    json_text(w, "theta", report_sign(f->theta));
     json_order(w, "contact_order", f->order);
     json_text(w, "orientation", graze_orientation_name(f->orientation));
 }
@@ -128,12 +110,12 @@ static void json_facets(json_writer *w, const graze_site *site) {
         const site_germ *germ = &site->germ[k];
         json_open(w, NULL, '{');
         json_cell(w, "facet", &site->place.facet[germ->facet].name);
-        json_text(w, "side", sign_name(germ->side));
+        json_text(w, "side", report_sign(germ->side));
         json_rational(w, "speed", germ->speed);
         json_rational(w, "drift", germ->drift);
         json_rational(w, "theta", germ->theta);
         json_order(w, "order", germ->order);
-        json_text(w, "sign", sign_name(germ->sign));
+        json_text(w, "sign", report_sign(germ->sign));
         json_close(w, '}');
     }
     json_close(w, ']');

@@ -86,15 +86,35 @@ graze_status report_header(char **out, graze_context *context, const graze_scene
     return text_finish(out, context, &t);
 }
 
-graze_status table_head(char **out, graze_context *context, const graze_scene *scene,
-                        const char *notes, const char *names, const char *further) {
-    text t;
-    text_init(&t);
+#define SITE_ANSWERS                                                                               \
+    "cell,role,theta,contact_order,orientation,left,right,trimmed,status,near,near_decimal,near_"  \
+    "in,near_in_decimal,word"
+
+const char contact_columns[] = "time,bx,by,bz,x,y,z," SITE_ANSWERS ",shift";
+
+/* Columns in the plane and, where they differ, in space. */
+static const char *const table_names[][2] = {
+    [TABLE_EVENTS] = {"time,time_near,kind,facet,cell,before,after"},
+    [TABLE_CURVES] = {"time,kind,cell,ax,ay,bx,by,theta_a,theta_b,orientation,status,chain,form",
+                      "time,kind,cell,ax,ay,az,bx,by,bz,theta_a,theta_b,orientation,status,chain,"
+                      "form"},
+    [TABLE_PATCHES] = {"patch,kind,cell,from,from_near,to,to_near,a,b,theta_a,theta_b,orientation,"
+                       "time,bx,by,x,y,status",
+                       "patch,kind,cell,from,from_near,to,to_near,a,b,theta_a,theta_b,orientation,"
+                       "time,bx,by,bz,x,y,z,status"},
+    [TABLE_JOINTS] = {"cell,from,from_near,to,to_near,form,patches"},
+    [TABLE_SITES] = {"time,bx,by,x,y," SITE_ANSWERS, "time,bx,by,bz,x,y,z," SITE_ANSWERS},
+    [TABLE_ARCS] = {"arc,ring,from_x,from_y,to_x,to_y,kind,cell,piece,begin,end,in_x,in_y,out_x,"
+                    "out_y"}};
+
+graze_status report_table_head(char **out, graze_context *context, const graze_scene *scene,
+                               report_table table, const char *notes, const char *further) {
+    const char *const *names = table_names[table];
+    HELD(text, t);
     put_notes(&t, context, scene, notes, &(graze_row_options){0});
-    text_put(&t, names);
+    text_put(&t, names[1] && scene->motion->dimension == 3 ? names[1] : names[0]);
     if (further)
-        text_put(&t, ",");
-    text_put(&t, further ? further : "");
+        text_format(&t, ",%s", further);
     text_put(&t, "\n");
     return text_finish(out, context, &t);
 }

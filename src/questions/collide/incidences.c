@@ -8,7 +8,7 @@
 #include "base/context/scope.h"
 #include "base/number/isolate.h"
 #include "base/number/order.h"
-#include "base/number/rootless.h"
+#include "base/number/simplest.h"
 #include "questions/collide/near_pairs.h"
 
 /** A vertex and a simplex of the other solid, or two edges, with a pair of simplices around them.

@@ -10,33 +10,22 @@
 /* Terms of a series; the last one, of even order, is the rest. */
 enum { TERMS = 14 };
 
-/* A cell [low, high] / 2^exponent, and brackets of the function's series in sigma: the parameter is
+/* A cell, and brackets of the function's series in sigma: the parameter is
  * the cell's middle + sigma times its radius, -1 <= sigma <= 1. */
 typedef struct cell {
     const integrand *f;
     ulong places;
-    fmpz_t low, high;
-    ulong exponent;
+    dyadic_interval where;
     bracket num[TERMS + 1], den[TERMS + 1], value[TERMS + 1], spare;
 } cell;
 
+/* Numbers that are all zero bits are initialised ones. */
 static void cell_init(cell *c, const integrand *f, ulong places) {
-    c->f = f;
-    c->places = places;
-    c->exponent = 0;
-    fmpz_init(c->low);
-    fmpz_init(c->high);
-    for (int k = 0; k <= TERMS; k++) {
-        bracket_init(&c->num[k]);
-        bracket_init(&c->den[k]);
-        bracket_init(&c->value[k]);
-    }
-    bracket_init(&c->spare);
+    *c = (cell){.f = f, .places = places};
 }
 
 static void cell_clear(cell *c) {
-    fmpz_clear(c->low);
-    fmpz_clear(c->high);
+    dyadic_interval_clear(&c->where);
     for (int k = 0; k <= TERMS; k++) {
         bracket_clear(&c->num[k]);
         bracket_clear(&c->den[k]);
@@ -47,18 +36,12 @@ static void cell_clear(cell *c) {
 
 /* p as a polynomial of sigma, times 2^*scale. */
 static void in_sigma(fmpz_poly_t out, slong *scale, const cell *c, const fmpz_poly_t p) {
-    slong n = fmpz_poly_degree(p), e = (slong)c->exponent + 1;
-    LOCAL(fmpz_poly, place);
-    LOCAL(fmpz, sum);
-    fmpz_add(sum, c->low, c->high);
-    fmpz_poly_set_coeff_fmpz(place, 0, sum);
-    fmpz_sub(sum, c->high, c->low);
-    fmpz_poly_set_coeff_fmpz(place, 1, sum);
-    fmpz_poly_set(out, p);
-    for (slong k = 0; k <= n; k++)
-        fmpz_mul_2exp(out->coeffs + k, out->coeffs + k, (ulong)(e * (n - k)));
-    fmpz_poly_compose(out, out, place);
-    *scale = n < 0 ? 0 : e * n;
+    HELD(dyadic_interval, from_middle);
+    fmpz_add(from_middle.low, c->where.low, c->where.high);
+    fmpz_mul_2exp(from_middle.high, c->where.high, 1);
+    from_middle.exponent = c->where.exponent + 1;
+    dyadic_pull(out, p, &from_middle);
+    *scale = (slong)from_middle.exponent * FLINT_MAX(fmpz_poly_degree(p), 0);
 }
 
 /* out = integer 2^shift, rounded outward. */
@@ -141,15 +124,13 @@ static int function_series(cell *c, int last, int whole) {
     return 1;
 }
 
-/* out += x times the cell's radius. */
-static void add_scaled(bracket *out, const bracket *x, const cell *c) {
+/* out = x times the cell's radius. */
+static void set_scaled_by(bracket *out, const bracket *x, const cell *c) {
     LOCAL(fmpz, width);
-    HELD(bracket, product);
-    fmpz_sub(width, c->high, c->low);
-    fmpz_mul(product.low, x->low, width);
-    fmpz_mul(product.high, x->high, width);
-    bracket_shift(&product, product.low, product.high, -(slong)(c->exponent + 1));
-    bracket_add(out, out, &product);
+    fmpz_sub(width, c->where.high, c->where.low);
+    fmpz_mul(out->low, x->low, width);
+    fmpz_mul(out->high, x->high, width);
+    bracket_shift(out, out->low, out->high, -(slong)(c->where.exponent + 1));
 }
 
 static int is_tight(const bracket *x, ulong bits) {
@@ -175,9 +156,7 @@ static int by_series(bracket *out, cell *c) {
         fmpz_cdiv_q_si(term.high, term.high, j + 1);
         bracket_add(&sum, &sum, &term);
     }
-    fmpz_zero(out->low);
-    fmpz_zero(out->high);
-    add_scaled(out, &sum, c);
+    set_scaled_by(out, &sum, c);
     return 1;
 }
 
@@ -204,9 +183,7 @@ static int by_range(bracket *out, cell *c, int part) {
     if (part)
         bracket_join(&range, &zero);
     bracket_add(&range, &range, &range);
-    fmpz_zero(out->low);
-    fmpz_zero(out->high);
-    add_scaled(out, &range, c);
+    set_scaled_by(out, &range, c);
     return 1;
 }
 
@@ -218,17 +195,14 @@ static graze_status integrate_cells(bracket *out, graze_context *context, cell *
         bracket_add(out, out, &part);
         return context_work(context, 50000);
     }
-    if (c->exponent > 8 * c->places)
+    if (c->where.exponent > 8 * c->places)
         return context_limit(context, GRAZE_LIMIT_BITS, "the cells of an integral");
     HELD(cell, half, c->f, c->places);
-    half.exponent = c->exponent + 1;
-    for (int upper = 0; upper < 2; upper++) {
-        fmpz_mul_2exp(half.low, c->low, 1);
-        fmpz_mul_2exp(half.high, c->high, 1);
-        fmpz_add(upper ? half.low : half.high, c->low, c->high);
-        TRY(integrate_cells(out, context, &half, bits));
-    }
-    return GRAZE_OK;
+    HELD(dyadic_interval, upper);
+    dyadic_interval_halves(&half.where, &upper, &c->where);
+    TRY(integrate_cells(out, context, &half, bits));
+    dyadic_interval_swap(&half.where, &upper);
+    return integrate_cells(out, context, &half, bits);
 }
 
 /* Add the integral from the number within the bracket `at`, which ends at its higher end (`from`),
@@ -239,9 +213,9 @@ static graze_status integrate_end(bracket *out, graze_context *context, const in
     HELD(bracket, part);
     if (fmpz_equal(at->low, at->high))
         return GRAZE_OK;
-    c.exponent = places;
-    fmpz_set(c.low, at->low);
-    fmpz_set(c.high, at->high);
+    c.where.exponent = places;
+    fmpz_set(c.where.low, at->low);
+    fmpz_set(c.where.high, at->high);
     if (!by_range(&part, &c, 1))
         return context_limit(context, GRAZE_LIMIT_BITS, "the ends of an integral");
     bracket_add(out, out, &part);
@@ -263,8 +237,8 @@ graze_status integral_between(bracket *out, graze_context *context, const integr
     }
     TRY(integrate_end(out, context, f, &first, places));
     TRY(integrate_end(out, context, f, &last, places));
-    c.exponent = places;
-    fmpz_set(c.low, first.high);
-    fmpz_set(c.high, last.low);
+    c.where.exponent = places;
+    fmpz_set(c.where.low, first.high);
+    fmpz_set(c.where.high, last.low);
     return integrate_cells(out, context, &c, bits);
 }

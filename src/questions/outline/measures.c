@@ -62,12 +62,6 @@ static void arc_ends(algebraic **end, const graze_outline *o, const outline_arc 
     end[1] = piece_end(o, first->turn > 0 ? last : first, 1);
 }
 
-static void integrand_init(integrand *f) {
-    fmpz_poly_init(f->num);
-    fmpz_poly_init(f->den);
-    f->root = 0;
-}
-
 static void integrand_clear(integrand *f) {
     fmpz_poly_clear(f->num);
     fmpz_poly_clear(f->den);
@@ -134,7 +128,7 @@ static graze_status measure_straight(bracket *area, bracket *length, const measu
 
 static graze_status measure_curved(bracket *area, bracket *length, const measurer *m,
                                    const outline_curve *c, algebraic **end) {
-    HELD(integrand, f);
+    ZEROED(integrand, f);
     LOCAL(fmpz_poly, speed);
     slope_product(f.num, &c->x[0], &c->x[1]);
     fmpz_poly_mul(f.den, &c->x[2], &c->x[2]);
