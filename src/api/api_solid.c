@@ -157,7 +157,8 @@ static graze_status add_vertices(soup *s, graze_context *context, const arrays *
 
 static graze_status add_facets(soup *s, graze_context *context, const arrays *a) {
     if (a->dimension == 2)
-        return nesting_add_rings(s, context, a->facet_sizes, a->facet_count, a->indices);
+        return nesting_add_rings(s, context, a->facet_sizes, a->facet_count, a->indices,
+                                 (const int[]){0, 1});
     const size_t *index = a->indices;
     for (size_t f = 0; f < a->facet_count; f++) {
         TRY(soup_add_facet(s, context));

@@ -79,3 +79,13 @@ void cross_rationals(fmpq_t out, const fmpq *p, const fmpq *q, const fmpq *r, in
     fmpz_mul(common, common, common);
     fmpq_set_fmpz_frac(out, product, common);
 }
+
+int vector_collinear(const fmpq *a, const fmpq *b, const fmpq *c) {
+    int zero = 1;
+    LOCAL(fmpq, area);
+    for (int i = 0; i < 3 && zero; i++) {
+        cross_rationals(area, a, b, c, i, (i + 1) % 3);
+        zero = fmpq_is_zero(area);
+    }
+    return zero;
+}

@@ -16,6 +16,8 @@ int vector_is_zero(const fmpq *a, int dimension);
 /** The lexicographic order of two points: negative, 0 or positive if a is before, equal to or
  * behind b. */
 int vector_compare(const fmpq *a, const fmpq *b, int dimension);
+/** Whether three points of space are on one line. */
+int vector_collinear(const fmpq *a, const fmpq *b, const fmpq *c);
 void vector_set(fmpq *out, const fmpq *a, int dimension);
 /** out = a x b, in space; `out` is neither a nor b. */
 void vector_cross(fmpq *out, const fmpq *a, const fmpq *b);

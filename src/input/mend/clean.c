@@ -4,30 +4,25 @@
 #define _GNU_SOURCE /* qsort_r */
 #include <stdlib.h>
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 #include "input/mend/mesh.h"
 
 static int order_of_points(const void *a, const void *b, void *data) {
     const mesh *m = data;
     uint32_t u = *(const uint32_t *)a, v = *(const uint32_t *)b;
-    const fmpq *p = mesh_point(m, u), *q = mesh_point(m, v);
-    int order = 0;
-    for (int k = 0; k < 3 && !order; k++)
-        order = fmpq_cmp(p + k, q + k);
+    int order = vector_compare(mesh_point(m, u), mesh_point(m, v), 3);
     return order ? order : (u > v) - (u < v);
-}
-
-static int at_one_position(const mesh *m, uint32_t u, uint32_t v) {
-    const fmpq *p = mesh_point(m, u), *q = mesh_point(m, v);
-    return fmpq_equal(p, q) && fmpq_equal(p + 1, q + 1) && fmpq_equal(p + 2, q + 2);
 }
 
 /* Replace each vertex in facets by the first one at its position, and report those replaced. */
 static void merge_vertices(mesh *m, const uint32_t *order, uint32_t *first) {
     size_t n = m->input->vertex_count;
     few merged = {0, {NULL, 0, 0, 0}};
-    for (size_t k = 0; k < n; k++)
-        first[order[k]] =
-            k && at_one_position(m, order[k - 1], order[k]) ? first[order[k - 1]] : order[k];
+    for (size_t k = 0; k < n; k++) {
+        const fmpq *at = mesh_point(m, order[k]);
+        int again = k > 0 && vector_compare(mesh_point(m, order[k - 1]), at, 3) == 0;
+        first[order[k]] = again ? first[order[k - 1]] : order[k];
+    }
     FREED(unsigned char, used, calloc(n + 1, 1));
     m->report.failed |= !used;
     for (size_t k = 0; used && k < m->now.corner_count; k++)

@@ -70,13 +70,7 @@ const fmpq *mesh_point(const mesh *m, uint32_t vertex) {
 }
 
 int mesh_collinear(const mesh *m, uint32_t a, uint32_t b, uint32_t c) {
-    int zero = 1;
-    LOCAL(fmpq, area);
-    for (int k = 0; k < 3 && zero; k++) {
-        cross_rationals(area, mesh_point(m, a), mesh_point(m, b), mesh_point(m, c), k, (k + 1) % 3);
-        zero = fmpq_is_zero(area);
-    }
-    return zero;
+    return vector_collinear(mesh_point(m, a), mesh_point(m, b), mesh_point(m, c));
 }
 
 static int order_of_sides(const void *a, const void *b) {

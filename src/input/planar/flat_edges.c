@@ -1,7 +1,8 @@
 /* Joins the pieces of edges that boxes have cut, and numbers the vertices.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include "input/planar/flat_edges.h"
+#define _GNU_SOURCE /* qsort_r */
+#include "input/planar/walk.h"
 
 #include <flint/fmpq_vec.h>
 #include <flint/fmpz_vec.h>
@@ -21,11 +22,6 @@ void flat_edges_clear(flat_edges *e) {
     free(e->item);
 }
 
-void flat_paths_clear(flat_paths *p) {
-    numbers_clear(&p->vertex);
-    numbers_clear(&p->size);
-}
-
 static int line_order(const fmpz *a, const fmpz *b) {
     int order = 0;
     for (int k = 0; k < LINE_FORM && order == 0; k++)
@@ -33,44 +29,25 @@ static int line_order(const fmpz *a, const fmpz *b) {
     return order;
 }
 
-static int entry_order(const void *left, const void *right) {
-    const fmpz *const *a = left, *const *b = right;
-    int order = line_order(*a, *b);
-    return order ? order : *a < *b ? -1 : *a > *b;
-}
-
-/* Give the pieces of one line one number. */
-static graze_status number_lines(flat_walk *w) {
-    size_t n = w->lines.count;
-    FREED(const fmpz *, entry, malloc((n + 1) * sizeof *entry));
-    FREED(size_t, number, malloc((n + 1) * sizeof *number));
-    if (!entry || !number)
-        return context_fail(w->context, GRAZE_ESYSTEM, "out of memory for %zu lines", n);
-    for (size_t k = 0; k < n; k++)
-        entry[k] = w->lines.item + LINE_FORM * k;
-    qsort(entry, n, sizeof *entry, entry_order);
-    for (size_t k = 0, first = 0; k < n; k++) {
-        if (k > 0 && line_order(entry[k - 1], entry[k]) != 0)
-            first = k;
-        number[(size_t)(entry[k] - w->lines.item) / LINE_FORM] =
-            (size_t)(entry[first] - w->lines.item) / LINE_FORM;
-    }
-    for (size_t k = 0; k < w->pieces.count; k++)
-        w->pieces.item[k].line = number[w->pieces.item[k].line];
-    return GRAZE_OK;
-}
-
 #define DIFFERENCE(member)                                                                         \
     if (a->member != b->member)                                                                    \
     return a->member < b->member ? -1 : 1
 
-static int piece_order(const void *left, const void *right) {
-    const flat_piece *a = left, *b = right;
-    DIFFERENCE(line);
+/* Order pieces by line and facet. */
+static int facet_order(const flat_piece *a, const flat_piece *b, const fmpz *lines) {
+    int order = line_order(lines + LINE_FORM * a->line, lines + LINE_FORM * b->line);
+    if (order)
+        return order;
     DIFFERENCE(plane);
     DIFFERENCE(facing);
     DIFFERENCE(along);
-    return fmpq_cmp(&a->from, &b->from);
+    return 0;
+}
+
+static int piece_order(const void *left, const void *right, void *lines) {
+    const flat_piece *a = left, *b = right;
+    int order = facet_order(a, b, lines);
+    return order ? order : fmpq_cmp(&a->from, &b->from);
 }
 
 static int flat_edge_order(const void *left, const void *right) {
@@ -83,13 +60,11 @@ static int flat_edge_order(const void *left, const void *right) {
 }
 
 /* Join sorted pieces of one line and facet that meet or overlap. */
-static void join_pieces(flat_pieces *p) {
+static void join_pieces(flat_pieces *p, const fmpz *lines) {
     size_t kept = 0;
     for (size_t k = 0; k < p->count; k++) {
         flat_piece *last = kept ? &p->item[kept - 1] : NULL, *next = &p->item[k];
-        if (last && last->line == next->line && last->plane == next->plane &&
-            last->facing == next->facing && last->along == next->along &&
-            fmpq_cmp(&next->from, &last->to) <= 0) {
+        if (last && facet_order(last, next, lines) == 0 && fmpq_cmp(&next->from, &last->to) <= 0) {
             if (fmpq_cmp(&next->to, &last->to) > 0)
                 fmpq_swap(&last->to, &next->to);
             continue;
@@ -160,10 +135,7 @@ static graze_status add_line(flat_edges *out, flat_points *points, flat_walk *w,
 
 static int point_order(const void *left, const void *right) {
     const fmpq *const *a = left, *const *b = right;
-    int order = 0;
-    for (int i = 0; i < 3 && order == 0; i++)
-        order = fmpq_cmp(*a + i, *b + i);
-    return order;
+    return vector_compare(*a, *b, 3);
 }
 
 /* Number the vertices. */
@@ -212,16 +184,10 @@ static int split_order(const void *left, const void *right) {
 static int is_on(const flat_points *p, size_t a, size_t b, size_t v) {
     const fmpq *from = p->at + 3 * p->first[a], *to = p->at + 3 * p->first[b];
     const fmpq *x = p->at + 3 * p->first[v];
-    LOCAL(fmpq, turn);
     for (int i = 1; i < 3; i++)
         if (fmpq_cmp(x + i, from + i) * fmpq_cmp(x + i, to + i) > 0)
             return 0;
-    for (int i = 0; i < 3; i++) {
-        cross_rationals(turn, from, to, x, i, (i + 1) % 3);
-        if (!fmpq_is_zero(turn))
-            return 0;
-    }
-    return 1;
+    return vector_collinear(from, to, x);
 }
 
 /* Find the vertices of a facet's edges that are inside another one of them. */
@@ -296,11 +262,12 @@ int flat_from_order(const void *left, const void *right) {
 
 graze_status flat_edges_find(flat_edges *out, flat_points *points, flat_walk *w) {
     flat_pieces *p = &w->pieces;
-    TRY(number_lines(w));
-    qsort(p->item, p->count, sizeof *p->item, piece_order);
-    join_pieces(p);
+    fmpz *lines = w->lines.item;
+    qsort_r(p->item, p->count, sizeof *p->item, piece_order, lines);
+    join_pieces(p, lines);
     for (size_t k = 0, end; k < p->count; k = end) {
-        for (end = k + 1; end < p->count && p->item[end].line == p->item[k].line;)
+        for (end = k + 1; end < p->count && line_order(lines + LINE_FORM * p->item[end].line,
+                                                       lines + LINE_FORM * p->item[k].line) == 0;)
             end++;
         TRY(add_line(out, points, w, p->item + k, end - k));
     }

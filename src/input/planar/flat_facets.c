@@ -1,12 +1,22 @@
 /* Gathers the edges of a flat solid's facets into cycles, and facets with their holes.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <flint/fmpq_vec.h>
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "input/planar/flat_edges.h"
+#include "input/planar/walk.h"
 #include "input/read/read.h"
+
+/* Closed paths without a vertex that stands twice in one. */
+typedef struct flat_paths {
+    numbers vertex; /* of all paths */
+    numbers size;
+} flat_paths;
+
+static void flat_paths_clear(flat_paths *p) {
+    numbers_clear(&p->vertex);
+    numbers_clear(&p->size);
+}
 
 /* Move the path's part behind the place at which its last vertex stood before to `out`. */
 static graze_status close_path(flat_paths *out, graze_context *context, numbers *path, size_t begin,
@@ -20,8 +30,10 @@ static graze_status close_path(flat_paths *out, graze_context *context, numbers 
     return GRAZE_OK;
 }
 
-graze_status flat_paths_find(flat_paths *out, graze_context *context, const flat_edge *edges,
-                             size_t count, size_t *place) {
+/* Append the paths of some edges. There are places for all vertices, 0 before and after the call.
+ */
+static graze_status find_paths(flat_paths *out, graze_context *context, const flat_edge *edges,
+                               size_t count, size_t *place) {
     ZEROED(numbers, path);
     FREED(char, used, calloc(count, 1));
     if (!used)
@@ -49,65 +61,23 @@ graze_status flat_paths_find(flat_paths *out, graze_context *context, const flat
                                           "the edges of a facet do not close: please report it");
 }
 
-/* Gather paths in the plane of two axes into polygons, with the vertices `vertex` of the solid as
- * 0, 1, ... */
-static graze_status nest(soup *out, graze_context *context, flat_paths *paths, const flat_points *p,
-                         const numbers *vertex, const int *axis) {
-    LOCAL_VEC(fmpq, x, 2);
-    for (size_t k = 0; k < vertex->count; k++) {
-        for (int i = 0; i < 2; i++)
-            fmpq_set(x + i, p->at + 3 * p->first[vertex->item[k]] + axis[i]);
-        TRY(soup_add_vertex(out, context, x));
-    }
-    for (size_t k = 0; k < paths->vertex.count; k++)
-        paths->vertex.item[k] = array_first(&paths->vertex.item[k], vertex->item, vertex->count,
-                                            sizeof *vertex->item, array_compare_numbers);
-    return nesting_add_rings(out, context, paths->size.item, paths->size.count, paths->vertex.item);
-}
-
-/* Append the facets of a soup of the plane. */
-static graze_status copy_facets(soup *out, graze_context *context, const soup *plane,
-                                const numbers *vertex, int reversed) {
-    for (size_t f = 0; f < plane->facet_count; f++) {
-        TRY(soup_add_facet(out, context));
-        for (size_t c = plane->facet_start[f]; c < plane->facet_start[f + 1]; c++) {
-            size_t begin = plane->cycle_start[c], end = plane->cycle_start[c + 1];
-            TRY(soup_add_cycle(out, context, NULL, 0));
-            for (size_t k = begin; k < end; k++) {
-                uint32_t at = plane->index[reversed ? begin + end - 1 - k : k];
-                TRY(soup_add_index(out, context, vertex->item[at]));
-            }
-        }
-    }
-    return GRAZE_OK;
-}
-
 /* Add the facets that some edges bound, which lie in one plane and are sorted by `from`. */
-static graze_status add_plane_facets(soup *out, flat_walk *w, const flat_points *points,
-                                     const flat_edge *edges, size_t count, size_t *place) {
+static graze_status add_plane_facets(soup *out, flat_walk *w, const flat_edge *edges, size_t count,
+                                     size_t *place) {
     ZEROED(flat_paths, paths);
-    ZEROED(numbers, vertex);
-    soup plane;
-    int axis[2] = {0, 1}, reversed = 0;
+    int axis[2] = {0, 1};
     if (w->dimension == 3) {
         const fmpz *form = w->form + 4 * edges->plane;
         int drop = 0;
         while (fmpz_is_zero(form + drop))
             drop++;
-        axis[0] = (drop + 1) % 3;
-        axis[1] = (drop + 2) % 3;
-        reversed = fmpz_sgn(form + drop) != edges->facing;
+        int back = fmpz_sgn(form + drop) != edges->facing;
+        axis[back] = (drop + 1) % 3;
+        axis[!back] = (drop + 2) % 3;
     }
-    TRY(flat_paths_find(&paths, w->context, edges, count, place));
-    for (size_t k = 0; k < count; k++)
-        TRY(numbers_add(&vertex, w->context, edges[k].from, "the facets of a solid"));
-    numbers_sort(&vertex);
-    soup_init(&plane, 2);
-    graze_status status = nest(&plane, w->context, &paths, points, &vertex, axis);
-    if (!status)
-        status = copy_facets(out, w->context, &plane, &vertex, reversed);
-    soup_clear(&plane);
-    return status;
+    TRY(find_paths(&paths, w->context, edges, count, place));
+    return nesting_add_rings(out, w->context, paths.size.item, paths.size.count, paths.vertex.item,
+                             axis);
 }
 
 graze_status flat_facets(soup *out, flat_walk *w) {
@@ -124,7 +94,7 @@ graze_status flat_facets(soup *out, flat_walk *w) {
         end = w->dimension == 2 ? edges.count : flat_facet_end(&edges, k);
         if (w->dimension == 2)
             qsort(edges.item, edges.count, sizeof *edges.item, flat_from_order);
-        TRY(add_plane_facets(out, w, &points, edges.item + k, end - k, place));
+        TRY(add_plane_facets(out, w, edges.item + k, end - k, place));
     }
     return GRAZE_OK;
 }

@@ -12,6 +12,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
+#include "base/number/rounding.h"
 
 /* Work of a line in a box, for each plane that may cut it. */
 enum { CUT_WORK = 8 };
@@ -50,12 +51,6 @@ static void cross_normals(fmpz *out, const fmpz *a, const fmpz *b) {
     }
 }
 
-static void dot_integers(fmpz_t out, const fmpz *a, const fmpz *b) {
-    fmpz_mul(out, a, b);
-    fmpz_addmul(out, a + 1, b + 1);
-    fmpz_addmul(out, a + 2, b + 2);
-}
-
 /* Set `line` to that in which two planes meet; returns 0 if they are parallel. With n . x = -c and
  * m . x = -e on it, x cross (n cross m) = n (m . x) - m (n . x) = c m - e n. */
 static int line_of_planes(fmpz *line, const fmpz *n, const fmpz *m) {
@@ -79,7 +74,7 @@ static int line_of_planes(fmpz *line, const fmpz *n, const fmpz *m) {
 
 void flat_foot(fmpz *out, const fmpz *line) {
     cross_normals(out, line, line + 3);
-    dot_integers(out + 3, line, line);
+    _fmpz_vec_dot(out + 3, line, line, 3);
 }
 
 /* Find the part of the line that is in the box; returns 0 if it has no length. */
@@ -92,11 +87,7 @@ static int clip(edge_line *e) {
         for (int k = 0; k < 2; k++) {
             /* The line has this coordinate where d . x = (|d|^2 end - foot) / d_i. */
             fmpq_set_fmpz_frac(v, e->foot + i, e->foot + 3);
-            mpq_t value;
-            mpq_init(value);
-            mpq_set_d(value, end[k]);
-            fmpq_set_mpq(v + 1, value);
-            mpq_clear(value);
+            (void)rational_from_double(v + 1, e->w->context, end[k]); /* finite, by find_box */
             fmpq_sub(v, v + 1, v);
             if (fmpz_is_zero(e->line + i)) {
                 if (fmpq_sgn(v) * (k ? 1 : -1) < 0)
@@ -170,12 +161,8 @@ static int near_clip(near_line *p, const double *low, const double *high) {
                 return 0;
             continue;
         }
-        double enter = (low[i] - p->error[i] - a) / length;
-        double leave = (high[i] + p->error[i] - a) / length;
-        if (length < 0) {
-            enter = (high[i] + p->error[i] - a) / length;
-            leave = (low[i] - p->error[i] - a) / length;
-        }
+        double side[2] = {low[i] - p->error[i], high[i] + p->error[i]};
+        double enter = (side[length < 0] - a) / length, leave = (side[length > 0] - a) / length;
         s[0] = fmax(s[0], enter - 0x1p-30 * (1 + fabs(enter)));
         s[1] = fmin(s[1], leave + 0x1p-30 * (1 + fabs(leave)));
     }
@@ -226,9 +213,8 @@ static int cut_order(const void *left, const void *right) {
 static void take_plane(edge_line *e, size_t plane) {
     const fmpz *form = plane_form(e->w, plane);
     fmpz *slope = e->value, *level = e->value + 1;
-    dot_integers(slope, form, e->line);
-    dot_integers(level, form, e->foot);
-    fmpz_addmul(level, form + 3, e->foot + 3);
+    _fmpz_vec_dot(slope, form, e->line, 3);
+    _fmpz_vec_dot(level, form, e->foot, 4);
     if (!fmpz_is_zero(slope)) {
         cut *next = &e->cut[e->cuts++];
         fmpz_neg(level, level);
@@ -297,7 +283,7 @@ static graze_status add_interval(edge_line *e, const fmpq *from, const fmpq *to)
         cross_normals(away, plane_form(w, plane), e->line);
         for (int s = 0; s < (w->dimension == 3 ? 2 : 1); s++) {
             for (size_t i = 0; i < e->through_count; i++) {
-                dot_integers(sign, plane_form(w, e->through[i]), away);
+                _fmpz_vec_dot(sign, plane_form(w, e->through[i]), away, 3);
                 w->sign[e->through[i]] = (signed char)(s ? fmpz_sgn(sign) : -fmpz_sgn(sign));
             }
             facing[s] = facing_of(e, plane);

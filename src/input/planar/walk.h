@@ -87,6 +87,44 @@ graze_status flat_pieces_find(flat_walk *w, const flat_live *live, const double 
  * d . x = 0. */
 void flat_foot(fmpz *out, const fmpz *line);
 
+/* Edges of facets. Pieces of one line and one facet are joined where boxes have cut them, and are
+ * cut where any facet along the line ends, so that facets have the edge in common. */
+
+/** An edge of a facet, which is on its left, seen from outside. */
+typedef struct flat_edge {
+    size_t plane;
+    int facing;
+    size_t from, to; /* vertices */
+} flat_edge;
+
+/** All edges, sorted by plane, facing and `from`. */
+typedef struct flat_edges {
+    size_t count, capacity;
+    flat_edge *item;
+} flat_edges;
+
+/** The ends of edges, each vertex once, in the order of their coordinates. */
+typedef struct flat_points {
+    size_t count, capacity;
+    fmpq *at;        /* 3 each, as they are found */
+    size_t *number;  /* of the vertex at each */
+    size_t vertices; /* how many there are */
+    size_t *first;   /* of the points at each vertex */
+} flat_points;
+
+void flat_points_clear(flat_points *p);
+
+/** Find the edges and the vertices; both are zero at first and cleared by the caller, also after a
+ * failure. The pieces are sorted. */
+graze_status flat_edges_find(flat_edges *out, flat_points *points, flat_walk *w);
+void flat_edges_clear(flat_edges *e);
+
+/** The end of the edges of one plane and facing that begin at `begin`. */
+size_t flat_facet_end(const flat_edges *edges, size_t begin);
+
+/** Order edges by `from`. */
+int flat_from_order(const void *left, const void *right);
+
 /** Make facets of the pieces. */
 graze_status flat_facets(soup *out, flat_walk *w);
 

@@ -1,4 +1,4 @@
-/* Gathers rings of E^2 into polygons with holes.
+/* Gathers rings of a plane into polygons with holes.
  * SPDX-License-Identifier: GPL-3.0-or-later
  *
  * Rings of a legal solid meet in finitely many points, so a ring lies inside another iff some point
@@ -21,16 +21,17 @@ typedef struct ring {
     int ccw;
     fmpq *box; /* low x, low y, high x, high y */
     size_t depth;
-    size_t parent; /* of a hole, the innermost ring around it; else its own number */
+    size_t parent;   /* of a hole, the innermost ring around it; else its own number */
+    const int *axis; /* the two coordinates in which it is seen */
 } ring;
 
 static const fmpq *at(const soup *s, const ring *r, size_t k) {
-    return s->coordinates + 2 * r->vertex[k % r->count];
+    return s->coordinates + (size_t)s->dimension * r->vertex[k % r->count];
 }
 
 /* Set `out` to the cross product (b - a) x (p - a) and return its sign. */
-static int ring_turn(fmpq_t out, const fmpq *a, const fmpq *b, const fmpq *p) {
-    cross_rationals(out, a, b, p, 0, 1);
+static int ring_turn(fmpq_t out, const ring *r, const fmpq *a, const fmpq *b, const fmpq *p) {
+    cross_rationals(out, a, b, p, r->axis[0], r->axis[1]);
     return fmpq_sgn(out);
 }
 
@@ -39,7 +40,7 @@ static int ring_orientation(const soup *s, const ring *r) {
     LOCAL_VEC(fmpq, sum, 2);
     fmpq *part = sum + 1;
     for (size_t k = 1; k + 1 < r->count; k++) {
-        ring_turn(part, at(s, r, 0), at(s, r, k), at(s, r, k + 1));
+        ring_turn(part, r, at(s, r, 0), at(s, r, k), at(s, r, k + 1));
         fmpq_add(sum, sum, part);
     }
     return fmpq_sgn(sum);
@@ -48,7 +49,7 @@ static int ring_orientation(const soup *s, const ring *r) {
 static void bound(const soup *s, ring *r) {
     for (size_t k = 0; k < r->count; k++)
         for (int i = 0; i < 2; i++) {
-            const fmpq *x = at(s, r, k) + i;
+            const fmpq *x = at(s, r, k) + r->axis[i];
             if (k == 0 || fmpq_cmp(x, r->box + i) < 0)
                 fmpq_set(r->box + i, x);
             if (k == 0 || fmpq_cmp(x, r->box + 2 + i) > 0)
@@ -62,15 +63,15 @@ static int between(const fmpq *x, const fmpq *a, const fmpq *b) {
 
 /* Locate a point: 1 inside the ring, 0 outside, -1 on it. */
 static int locate(const soup *s, const ring *r, const fmpq *p) {
-    int inside = 0;
+    int inside = 0, x = r->axis[0], y = r->axis[1];
     LOCAL(fmpq, cross);
     for (size_t k = 0; k < r->count && inside >= 0; k++) {
         const fmpq *a = at(s, r, k), *b = at(s, r, k + 1);
-        int above_a = fmpq_cmp(p + 1, a + 1) >= 0, above_b = fmpq_cmp(p + 1, b + 1) >= 0;
-        if (!between(p + 1, a + 1, b + 1))
+        int above_a = fmpq_cmp(p + y, a + y) >= 0, above_b = fmpq_cmp(p + y, b + y) >= 0;
+        if (!between(p + y, a + y, b + y))
             continue;
-        int side = ring_turn(cross, a, b, p);
-        if (side == 0 && between(p, a, b))
+        int side = ring_turn(cross, r, a, b, p);
+        if (side == 0 && between(p + x, a + x, b + x))
             inside = -1;
         else if (above_a != above_b && (side > 0) == above_a)
             inside = !inside;
@@ -88,14 +89,14 @@ static int within(const soup *s, const ring *inner, const ring *outer) {
     if (!box_within(inner, outer))
         return 0;
     const fmpq *a = at(s, inner, 0), *b = a;
-    for (size_t k = 1; k < inner->count && fmpq_equal(a, b) && fmpq_equal(a + 1, b + 1); k++)
+    for (size_t k = 1; k < inner->count && vector_compare(a, b, s->dimension) == 0; k++)
         b = at(s, inner, k);
-    LOCAL_VEC(fmpq, p, 2);
+    LOCAL_VEC(fmpq, p, 3);
     LOCAL(fmpq, share);
     int where = -1;
     for (size_t part = 2; part < outer->count + 3 && where < 0; part++) {
         fmpq_set_si(share, 1, part);
-        for (int i = 0; i < 2; i++) {
+        for (int i = 0; i < s->dimension; i++) {
             fmpq_sub(p + i, b + i, a + i);
             fmpq_mul(p + i, p + i, share);
             fmpq_add(p + i, p + i, a + i);
@@ -157,13 +158,13 @@ static graze_status refuse_flat(soup *s, graze_context *context, const ring *r, 
 }
 
 graze_status nesting_add_rings(soup *s, graze_context *context, const size_t *size,
-                               size_t ring_count, const size_t *index) {
+                               size_t ring_count, const size_t *index, const int axis[2]) {
     FREED(ring, rings, calloc(ring_count + 1, sizeof *rings));
     if (!rings)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory");
     LOCAL_VEC(fmpq, boxes, (slong)(4 * ring_count));
     for (size_t r = 0; r < ring_count; r++) {
-        rings[r] = (ring){index, size[r], 0, boxes + 4 * r, 0, r};
+        rings[r] = (ring){index, size[r], 0, boxes + 4 * r, 0, r, axis};
         index += size[r];
         bound(s, &rings[r]);
         int sign = ring_orientation(s, &rings[r]);

@@ -5,19 +5,20 @@
 
 #include "input/soup/soup.h"
 
-/* Polygons from rings of E^2: the nesting of the rings decides which are outer rings and holes. */
+/* Polygons from rings of a plane: their nesting decides which are outer rings and holes. */
 
 /**
- * Append rings to a soup of E^2 as polygons: a ring inside an even number of others is an outer one
+ * Append rings to a soup as polygons: a ring inside an even number of others is an outer one
  * and is turned counter-clockwise, the others are holes of the innermost ring around them and are
  * turned clockwise. Rings that cross are placed anyhow; validation refuses them.
  * @param size  ring_count sizes, each at least 3
  * @param index the vertices of all rings, in range of the soup's vertices
+ * @param axis  the two coordinates in which the rings are seen; 0 and 1 in E^2
  * @return GRAZE_EILLEGAL a ring has area zero; the message calls the ring a facet; GRAZE_ELIMIT;
  * GRAZE_ESYSTEM
  */
 graze_status nesting_add_rings(soup *s, graze_context *context, const size_t *size,
-                               size_t ring_count, const size_t *index);
+                               size_t ring_count, const size_t *index, const int axis[2]);
 
 /* Reading of solids from files. */
 

@@ -45,30 +45,28 @@ static graze_status write_sphere(scad_writer *w, const scad_place *p) {
  * height of the bottom. */
 static void put_cylinder(scad_writer *w, const scad_place *p, const fmpq *height, const fmpq *low,
                          const fmpq *radius) {
-    LOCAL_VEC(fmpq, v, 10);
-    fmpq *point = v, *axis = v + 3, *fall = v + 6, *slope = v + 7;
+    LOCAL_VEC(fmpq, v, 5);
+    fmpq *point = v, *slope = v + 1, *axis = v + 2, *end = v + 3;
     int order = fmpq_cmp(radius, radius + 1), up = order > 0;
-    fmpq_set(point + 2, low);
-    fmpq_set_si(axis + 2, up ? -1 : 1, 1);
-    fmpq_sub(fall, radius, radius + 1);
-    fmpq_abs(fall, fall);
-    fmpq_div(slope, fall, height);
+    fmpq_set_si(axis, up ? -1 : 1, 1);
+    fmpq_set(point, low);
+    fmpq_set(end + 1, height);
     if (order != 0) {
-        fmpq_div(v + 8, radius, slope);
-        fmpq_div(v + 9, radius + 1, slope);
-        if (up)
-            fmpq_add(point + 2, low, v + 8);
-        else
-            fmpq_sub(point + 2, low, v + 8);
-    } else {
-        fmpq_set(v + 9, height);
+        /* The apex is where the radius, which falls by `slope`, is 0. */
+        fmpq_sub(slope, radius, radius + 1);
+        fmpq_div(slope, slope, height);
+        fmpq_div(end, radius, slope);
+        fmpq_add(point, low, end);
+        fmpq_abs(slope, slope);
+        fmpq_div(end, radius, slope);
+        fmpq_div(end + 1, radius + 1, slope);
     }
     scad_open(w, p, order ? "cone" : "cylinder", '{');
-    json_point(&w->json, "point", point, 3);
-    json_point(&w->json, "axis", axis, 3);
+    json_form(json_begin(&w->json, "point"), "[\"0\",\"0\",%],\"axis\":[\"0\",\"0\",%]", point,
+              axis);
     json_rational(&w->json, order ? "slope" : "radius", order ? slope : radius);
-    json_rational(&w->json, "from", v + 8 + up);
-    json_rational(&w->json, "to", v + 9 - up);
+    json_rational(&w->json, "from", end + up);
+    json_rational(&w->json, "to", end + 1 - up);
     scad_end(w, p);
 }
 

@@ -22,23 +22,17 @@ void hull_faces_clear(hull_faces *f) {
     free(f->item);
 }
 
-graze_status hull_add_point(hull_points *p, graze_context *context, const fmpq *x) {
-    TRY(array_grow(context, &p->at, &p->capacity, 3 * p->count + 3, sizeof *p->at,
-                   "the points of a hull"));
-    for (int i = 0; i < 3; i++) {
+graze_status hull_add_point(hull_points *p, graze_context *context, const fmpq *x,
+                            const char *what) {
+    TRY(array_grow(context, &p->at, &p->capacity, 3 * p->count + 3, sizeof *p->at, what));
+    for (int i = 0; i < 3; i++)
         fmpq_init(p->at + 3 * p->count + i);
-        fmpq_set(p->at + 3 * p->count + i, x + i);
-    }
-    p->count++;
+    vector_set(p->at + 3 * p->count++, x, 3);
     return GRAZE_OK;
 }
 
 static int hull_point_order(const void *left, const void *right) {
-    const fmpq *a = left, *b = right;
-    int order = 0;
-    for (int i = 0; i < 3 && order == 0; i++)
-        order = fmpq_cmp(a + i, b + i);
-    return order;
+    return vector_compare(left, right, 3);
 }
 
 /* Keep the points with these numbers, in their order. */
@@ -47,7 +41,7 @@ static graze_status keep_points(hull_points *p, graze_context *context, const si
     hull_points kept = {.count = 0};
     graze_status status = GRAZE_OK;
     for (size_t k = 0; k < count && !status; k++)
-        status = hull_add_point(&kept, context, p->at + 3 * number[k]);
+        status = hull_add_point(&kept, context, p->at + 3 * number[k], "the points of a hull");
     hull_points_clear(p);
     *p = kept;
     return status;
@@ -88,14 +82,6 @@ static int hull_side(const hull_points *p, const size_t *corner, size_t point) {
     return fmpq_sgn(v);
 }
 
-static int on_line(const hull_points *p, size_t a, size_t b, size_t c) {
-    LOCAL_VEC(fmpq, v, 9);
-    vector_sub(v, p->at + 3 * b, p->at + 3 * a, 3);
-    vector_sub(v + 3, p->at + 3 * c, p->at + 3 * a, 3);
-    vector_cross(v + 6, v, v + 3);
-    return vector_is_zero(v + 6, 3);
-}
-
 static graze_status add_hull_face(hull_faces *f, graze_context *context, size_t a, size_t b,
                                   size_t c) {
     TRY(LIST_GROW(context, f, "the faces of a hull"));
@@ -106,7 +92,7 @@ static graze_status add_hull_face(hull_faces *f, graze_context *context, size_t 
 /* Begin with a tetrahedron; its corners become points 0 to 3. */
 static graze_status begin_hull(hull_faces *f, hull_points *p, graze_context *context) {
     size_t corner[4] = {0, 1, 2, 3};
-    while (corner[2] < p->count && on_line(p, 0, 1, corner[2]))
+    while (corner[2] < p->count && vector_collinear(p->at, p->at + 3, p->at + 3 * corner[2]))
         corner[2]++;
     corner[3] = 2;
     while (corner[3] < p->count && corner[2] < p->count && hull_side(p, corner, corner[3]) == 0)
@@ -165,17 +151,12 @@ static graze_status keep_corners(hull_faces *f, hull_points *p, graze_context *c
 
 graze_status hull_of_space(hull_faces *faces, hull_points *p, graze_context *context) {
     unsigned long work = 0, limit = context->limits[GRAZE_LIMIT_WORK];
+    ZEROED(numbers, once);
     qsort(p->at, p->count, 3 * sizeof *p->at, hull_point_order);
-    size_t kept = 0;
     for (size_t k = 0; k < p->count; k++)
-        if (k == 0 || hull_point_order(p->at + 3 * (kept - 1), p->at + 3 * k) != 0) {
-            for (int i = 0; i < 3; i++)
-                fmpq_swap(p->at + 3 * kept + i, p->at + 3 * k + i);
-            kept++;
-        }
-    for (size_t k = 3 * kept; k < 3 * p->count; k++)
-        fmpq_clear(p->at + k);
-    p->count = kept;
+        if (k == 0 || vector_compare(p->at + 3 * (k - 1), p->at + 3 * k, 3) != 0)
+            TRY(numbers_add(&once, context, k, "the points of a hull"));
+    TRY(keep_points(p, context, once.item, once.count));
     TRY(begin_hull(faces, p, context));
     for (size_t k = 0; k < p->count; k++) {
         TRY(insert_point(faces, p, context, k));

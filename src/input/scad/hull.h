@@ -22,8 +22,9 @@ typedef struct hull_points {
 
 void hull_points_clear(hull_points *p);
 
-/** Append a point. */
-graze_status hull_add_point(hull_points *p, graze_context *context, const fmpq *x);
+/** Append a point; `what` names the points where memory is short. */
+graze_status hull_add_point(hull_points *p, graze_context *context, const fmpq *x,
+                            const char *what);
 
 /** Three points counterclockwise, seen from outside. */
 typedef struct hull_face {

@@ -46,7 +46,7 @@ static graze_status add_mesh_points(hull_points *out, graze_context *context, co
     for (size_t v = 0; v < s->vertex_count; v++) {
         for (int i = 0; i < s->dimension; i++)
             fmpq_set(x + i, s->coordinates + v * (size_t)s->dimension + i);
-        TRY(hull_add_point(out, context, x));
+        TRY(hull_add_point(out, context, x, "the points of a hull"));
     }
     return GRAZE_OK;
 }
@@ -96,7 +96,7 @@ static graze_status add_sums(hull_points *sum, graze_context *context, const hul
         for (int i = 0; i < 3; i++)
             fmpq_add(x + i, sum->at + 3 * (k / part->count) + i,
                      part->at + 3 * (k % part->count) + i);
-        status = hull_add_point(&made, context, x);
+        status = hull_add_point(&made, context, x, "the points of a hull");
         if (!status && made.count > context->limits[GRAZE_LIMIT_CELLS])
             status = context_limit(context, GRAZE_LIMIT_CELLS, "points of a Minkowski sum");
     }

@@ -13,17 +13,13 @@
 
 /* Rings of points, to which the writer's map has been applied. */
 typedef struct rings {
-    fmpq *point; /* 2 each */
-    size_t count, capacity;
-    size_t *end; /* one past the last point of a ring */
-    size_t ends, end_capacity;
+    hull_points points;
+    numbers end; /* one past the last point of a ring */
 } rings;
 
 static void rings_clear(rings *r) {
-    for (size_t k = 0; k < 2 * r->count; k++)
-        fmpq_clear(r->point + k);
-    free(r->point);
-    free(r->end);
+    hull_points_clear(&r->points);
+    numbers_clear(&r->end);
 }
 
 /* The image of (x, y) under the writer's map. */
@@ -36,21 +32,14 @@ static void map_point(fmpq *out, const scad_writer *w, const fmpq *x) {
 }
 
 static graze_status take_corner(rings *r, scad_writer *w, const fmpq *x) {
-    TRY(array_grow(w->context, &r->point, &r->capacity, 2 * r->count + 2, sizeof *r->point,
-                   "the points of a polygon"));
-    fmpq *next = r->point + 2 * r->count++;
-    fmpq_init(next);
-    fmpq_init(next + 1);
-    map_point(next, w, x);
+    LOCAL_VEC(fmpq, image, 3);
+    map_point(image, w, x);
     scad_hold(w->reach, x, 2);
-    return GRAZE_OK;
+    return hull_add_point(&r->points, w->context, image, "the points of a polygon");
 }
 
 static graze_status end_ring(rings *r, scad_writer *w) {
-    TRY(array_grow(w->context, &r->end, &r->end_capacity, r->ends + 1, sizeof *r->end,
-                   "the rings of a polygon"));
-    r->end[r->ends++] = r->count;
-    return GRAZE_OK;
+    return numbers_add(&r->end, w->context, r->points.count, "the rings of a polygon");
 }
 
 /* Read a ring of points by their numbers. */
@@ -85,7 +74,7 @@ static graze_status scad_polygon(rings *r, scad_writer *w, const scad_place *p) 
             TRY(take_corner(r, w, point + 2 * k));
         TRY(end_ring(r, w));
     }
-    if (r->ends == 0)
+    if (r->end.count == 0)
         return scad_fail(p, GRAZE_EILLEGAL, "expected a path");
     return GRAZE_OK;
 }
@@ -148,8 +137,8 @@ static graze_status write_square(scad_writer *w, const scad_place *p) {
 
 static void put_scad_ring(scad_writer *w, const char *key, const rings *r, size_t ring) {
     json_open(&w->json, key, '[');
-    for (size_t k = ring ? r->end[ring - 1] : 0; k < r->end[ring]; k++)
-        json_point(&w->json, NULL, r->point + 2 * k, 2);
+    for (size_t k = ring ? r->end.item[ring - 1] : 0; k < r->end.item[ring]; k++)
+        json_point(&w->json, NULL, r->points.at + 3 * k, 2);
     json_close(&w->json, ']');
 }
 
@@ -158,11 +147,11 @@ static graze_status write_polygon(scad_writer *w, const scad_place *p) {
     TRY(read_rings(&r, w, p));
     scad_open(w, p, "polygon", '{');
     put_scad_ring(w, "points", &r, 0);
-    if (r.ends > 1)
+    if (r.end.count > 1)
         json_open(&w->json, "holes", '[');
-    for (size_t k = 1; k < r.ends; k++)
+    for (size_t k = 1; k < r.end.count; k++)
         put_scad_ring(w, NULL, &r, k);
-    if (r.ends > 1)
+    if (r.end.count > 1)
         json_close(&w->json, ']');
     if (w->form == SCAD_PRISM)
         json_point(&w->json, "extrude", w->height, 2);
@@ -193,58 +182,39 @@ static graze_status map_radius(fmpq_t out, const scad_writer *w, const scad_plac
 /* Write the torus of a circle that touches the axis: (x^2 + y^2 + z^2)^2 <= 4 r^2 (x^2 + y^2),
  * moved to its centre. Half of a box about it holds it. */
 static void put_horn_torus(scad_writer *w, const scad_place *p, const fmpq_t radius,
-                           const fmpq *center) {
-    static const char *const terms[] = {"4,0,0", "0,4,0", "0,0,4", "2,2,0",
-                                        "2,0,2", "0,2,2", "2,0,0", "0,2,0"};
-    LOCAL_VEC(fmpq, v, 10);
-    fmpq *factor = v, *low = v + 1, *high = v + 4, *row = v + 7;
+                           const fmpq_t height) {
+    LOCAL_VEC(fmpq, low, 7);
+    fmpq *high = low + 3, *square = low + 6;
     scad_open(w, p, "intersection", '[');
     for (int i = 0; i < 3; i++) {
         fmpq_mul_2exp(high + i, radius, i < 2);
         fmpq_neg(low + i, high + i);
-        fmpq_add(low + i, low + i, center + i);
-        fmpq_add(high + i, high + i, center + i);
     }
+    fmpq_add(low + 2, low + 2, height);
+    fmpq_add(high + 2, high + 2, height);
     scad_put_box(w, p, low, high, 3);
-    json_open(&w->json, NULL, '{');
-    json_open(&w->json, "affine", '{');
-    json_open(&w->json, "matrix", '[');
-    json_open(&w->json, NULL, '[');
-    for (int k = 0; k < 12; k++) {
-        fmpq_set_si(row, k % 5 == 0, 1);
-        json_rational(&w->json, NULL, k % 4 == 3 ? center + k / 4 : row);
-        if (k % 4 == 3 && k < 11) {
-            json_close(&w->json, ']');
-            json_open(&w->json, NULL, '[');
-        }
-    }
-    json_close(&w->json, ']');
-    json_close(&w->json, ']');
+    scad_open(w, p, "affine", '{');
+    json_form(json_begin(&w->json, "matrix"),
+              "[[\"1\",\"0\",\"0\",\"0\"],[\"0\",\"1\",\"0\",\"0\"],[\"0\",\"0\",\"1\",%]]",
+              height);
     w->key = "of";
     scad_open(w, p, "polynomial", '{');
-    fmpq_mul(row, radius, radius);
-    fmpq_mul_si(row, row, -4);
-    for (int k = 0; k < 8; k++) {
-        fmpq_set_si(factor, k < 3 ? 1 : 2, 1);
-        json_rational(&w->json, terms[k], k < 6 ? factor : row);
-    }
+    fmpq_mul(square, radius, radius);
+    fmpq_mul_si(square, square, -4);
+    json_form(json_begin(&w->json, "4,0,0"),
+              "\"1\",\"0,4,0\":\"1\",\"0,0,4\":\"1\",\"2,2,0\":\"2\",\"2,0,2\":\"2\","
+              "\"0,2,2\":\"2\",\"2,0,0\":%,\"0,2,0\":%",
+              square, square);
     scad_end(w, p);
-    json_close(&w->json, '}');
-    json_close(&w->json, '}');
-    json_close(&w->json, ']');
-    json_close(&w->json, '}');
+    json_ends(&w->json, "}}]}");
 }
 
 /* A ball or a torus. */
 static graze_status put_revolved(scad_writer *w, const scad_place *p, const fmpq_t radius) {
-    LOCAL_VEC(fmpq, center, 6);
-    fmpq *axis = center + 3;
-    const fmpq *x = w->map + 2;
+    const fmpq *x = w->map + 2, *height = w->map + 5;
     int torus = !fmpq_is_zero(x);
-    fmpq_set(center + 2, w->map + 5);
-    fmpq_one(axis + 2);
     if (torus && fmpq_equal(x, radius)) {
-        put_horn_torus(w, p, radius, center);
+        put_horn_torus(w, p, radius, height);
         return GRAZE_OK;
     }
     if (torus && fmpq_cmp(x, radius) < 0)
@@ -252,11 +222,9 @@ static graze_status put_revolved(scad_writer *w, const scad_place *p, const fmpq
                          "the circle meets the axis about which it is revolved; expected its "
                          "centre on the axis, or none of it beyond the axis");
     scad_open(w, p, torus ? "torus" : "ball", '{');
-    json_point(&w->json, torus ? "point" : "center", center, 3);
-    if (torus) {
-        json_point(&w->json, "axis", axis, 3);
-        json_rational(&w->json, "major", x);
-    }
+    json_form(json_begin(&w->json, torus ? "point" : "center"), "[\"0\",\"0\",%]", height);
+    if (torus)
+        json_form(json_begin(&w->json, "axis"), "[\"0\",\"0\",\"1\"],\"major\":%", x);
     json_rational(&w->json, torus ? "minor" : "radius", radius);
     scad_end(w, p);
     return GRAZE_OK;
@@ -264,16 +232,12 @@ static graze_status put_revolved(scad_writer *w, const scad_place *p, const fmpq
 
 /* Write the cylinder over a circle about the origin. */
 static void put_disk_prism(scad_writer *w, const scad_place *p, const fmpq_t radius) {
-    LOCAL_VEC(fmpq, point, 6);
-    fmpq *axis = point + 3;
-    fmpq_set(point + 2, w->height);
-    fmpq_sub(axis + 2, w->height + 1, w->height);
+    LOCAL(fmpq, length);
+    fmpq_sub(length, w->height + 1, w->height);
     scad_open(w, p, "cylinder", '{');
-    json_point(&w->json, "point", point, 3);
-    json_point(&w->json, "axis", axis, 3);
-    json_rational(&w->json, "radius", radius);
-    json_count(&w->json, "from", 0);
-    json_count(&w->json, "to", 1);
+    json_form(json_begin(&w->json, "point"),
+              "[\"0\",\"0\",%],\"axis\":[\"0\",\"0\",%],\"radius\":%,\"from\":0,\"to\":1",
+              w->height, length, radius);
     scad_end(w, p);
 }
 
@@ -312,8 +276,8 @@ graze_status scad_outline_extent(fmpq *low_high, scad_writer *w, const scad_plac
         return GRAZE_OK;
     }
     TRY(read_rings(&r, w, p));
-    for (size_t k = 0; k < r.count; k++) {
-        const fmpq *x = r.point + 2 * k;
+    for (size_t k = 0; k < r.points.count; k++) {
+        const fmpq *x = r.points.at + 3 * k;
         if (k == 0 || fmpq_cmp(x, low) < 0)
             fmpq_set(low, x);
         if (k == 0 || fmpq_cmp(x, high) > 0)

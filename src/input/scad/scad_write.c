@@ -43,8 +43,7 @@ static graze_status write_operands(scad_writer *w, const scad_place *p) {
         if (fmpq_cmp(w->moved, most + 1) > 0)
             fmpq_set(most + 1, w->moved);
     }
-    json_close(&w->json, ']');
-    json_close(&w->json, '}');
+    json_ends(&w->json, "]}");
     fmpq_swap(w->reach, most);
     fmpq_swap(w->moved, most + 1);
     return GRAZE_OK;
@@ -84,8 +83,7 @@ static graze_status write_mapped(scad_writer *w, const scad_place *p) {
         put_map_rows(w, &m);
         w->key = "of";
         TRY(write_operands(w, p));
-        json_close(&w->json, '}');
-        json_close(&w->json, '}');
+        json_ends(&w->json, "}}");
     }
     if (w->choice->near_rotation)
         scad_map_bounds(w, &m);
@@ -150,15 +148,9 @@ static graze_status find_side(scad_writer *w, const scad_place *p) {
 static void put_wedge_side(scad_writer *w, int direction, int right) {
     static const int x[] = {1, 1, 0, -1, -1, -1, 0, 1};
     int sign = right ? -1 : 1;
-    LOCAL_VEC(fmpq, normal, 3);
-    fmpq_set_si(normal, sign * x[(direction + 6) % 8], 1);
-    fmpq_set_si(normal + 1, -sign * x[direction % 8], 1);
-    json_open(&w->json, NULL, '{');
-    json_open(&w->json, "halfspace", '{');
-    json_point(&w->json, "normal", normal, 3);
-    json_count(&w->json, "offset", 0);
-    json_close(&w->json, '}');
-    json_close(&w->json, '}');
+    text_format(json_begin(&w->json, NULL),
+                "{\"halfspace\":{\"normal\":[\"%d\",\"%d\",\"0\"],\"offset\":0}}",
+                sign * x[(direction + 6) % 8], -sign * x[direction % 8]);
 }
 
 /* Write the points between two directions about the z axis, `count` eighths from `from` on. */
@@ -168,8 +160,7 @@ static void put_wedge(scad_writer *w, int from, int count) {
     put_wedge_side(w, from, 0);
     if (count != 4)
         put_wedge_side(w, from + count, 1);
-    json_close(&w->json, ']');
-    json_close(&w->json, '}');
+    json_ends(&w->json, "]}");
 }
 
 /* Read an angle in eighths of a turn; `out` stays where none is given. */
@@ -214,10 +205,8 @@ static graze_status write_revolution(scad_writer *w, const scad_place *p) {
     TRY(write_operands(w, p));
     w->form = SCAD_ITSELF;
     reset_map(w, 1);
-    if (count < 8) {
-        json_close(&w->json, ']');
-        json_close(&w->json, '}');
-    }
+    if (count < 8)
+        json_ends(&w->json, "]}");
     return GRAZE_OK;
 }
 

@@ -4,6 +4,7 @@
 #include "input/soup/soup.h"
 
 #include <stdlib.h>
+#include "base/context/array.h"
 
 int cell_compare(const void *left, const void *right) {
     const graze_cell *a = left, *b = right;
@@ -15,14 +16,7 @@ int cell_compare(const void *left, const void *right) {
 }
 
 const graze_cell *cell_names_of(size_t *count, const cell_names *table, const graze_cell *cell) {
-    size_t low = 0, high = table->count;
-    while (low < high) {
-        size_t middle = low + (high - low) / 2;
-        if (cell_compare(&table->key[middle], cell) < 0)
-            low = middle + 1;
-        else
-            high = middle;
-    }
+    size_t low = array_first(cell, table->key, table->count, sizeof *cell, cell_compare);
     *count = 0;
     while (low + *count < table->count && cell_compare(&table->key[low + *count], cell) == 0)
         ++*count;
