@@ -68,7 +68,7 @@ graze_status draft_spread(draft *d, graze_context *context) {
 }
 
 /* The share (t - lo) / (hi - lo) of a time in an interval. */
-static void share_of(fmpq_t out, const fmpq_t t, const fmpq_t lo, const fmpq_t hi) {
+static void interval_share(fmpq_t out, const fmpq_t t, const fmpq_t lo, const fmpq_t hi) {
     LOCAL(fmpq, span);
     fmpq_sub(span, hi, lo);
     fmpq_sub(out, t, lo);
@@ -80,8 +80,8 @@ static void cut_map(calculation *c, affine *out, const draft_piece *piece, const
                     const fmpq_t hi) {
     LOCAL_VEC(fmpq, low, 2);
     fmpq *high = low + 1;
-    share_of(low, lo, piece->lo, piece->hi);
-    share_of(high, hi, piece->lo, piece->hi);
+    interval_share(low, lo, piece->lo, piece->hi);
+    interval_share(high, hi, piece->lo, piece->hi);
     if (fmpq_is_zero(low) && fmpq_is_one(high))
         affine_set(out, &piece->map);
     else
@@ -138,9 +138,9 @@ graze_status draft_follow(draft *out, graze_context *context, const draft *next,
         const draft_piece *piece = &next->piece[k];
         draft_piece *copy;
         TRY(draft_append(&copy, context, out, 0));
-        share_of(copy->lo, piece->lo, first, last_hi);
+        interval_share(copy->lo, piece->lo, first, last_hi);
         fmpq_add_si(copy->lo, copy->lo, from);
-        share_of(copy->hi, piece->hi, first, last_hi);
+        interval_share(copy->hi, piece->hi, first, last_hi);
         fmpq_add_si(copy->hi, copy->hi, from);
         copy->row = piece->row;
         affine_multiply(&c, &copy->map, &piece->map, end);
