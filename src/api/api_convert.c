@@ -79,11 +79,9 @@ static graze_status take_joint(joint *out, graze_context *context, int dimension
     return GRAZE_OK;
 }
 
-static graze_status convert_chain(conversion *made, joint *joints, target *goal,
+static graze_status convert_chain(conversion *made, joint *joints, const target *goal,
                                   graze_context *context, const graze_joint *given, size_t count,
-                                  mpq_srcptr tolerance, mpq_srcptr radius, int uniform) {
-    TRY(take_positive(goal->tolerance, context, tolerance, 1, "tolerance"));
-    TRY(take_positive(goal->radius, context, radius, 0, "radius"));
+                                  int uniform) {
     for (size_t k = 0; k < count; k++)
         TRY(take_joint(joints + k, context, goal->dimension, given + k));
     TRY(joints_measure(joints, context, goal, count));
@@ -95,21 +93,19 @@ static graze_status chain(char **json, char **report, graze_context *context, in
                           const graze_joint *given, size_t count, mpq_srcptr tolerance,
                           mpq_srcptr radius, int uniform) {
     IN_ENVIRONMENT();
-    target goal = {.dimension = dimension};
+    LOCAL_VEC(fmpq, bound, 2);
+    target goal = {dimension, bound, bound + 1};
     HELD(conversion, made);
+    TRY(take_positive(goal.tolerance, context, tolerance, 1, "tolerance"));
+    TRY(take_positive(goal.radius, context, radius, 0, "radius"));
     FREED(joint, joints, calloc(count, sizeof *joints));
     if (!joints)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory");
-    fmpq_init(goal.tolerance);
-    fmpq_init(goal.radius);
     for (size_t k = 0; k < count; k++)
         joint_init(joints + k);
-    graze_status status =
-        convert_chain(&made, joints, &goal, context, given, count, tolerance, radius, uniform);
+    graze_status status = convert_chain(&made, joints, &goal, context, given, count, uniform);
     for (size_t k = 0; k < count; k++)
         joint_clear(joints + k);
-    fmpq_clear(goal.radius);
-    fmpq_clear(goal.tolerance);
     TRY(status);
     return finish_conversion(json, report, context, &made);
 }
@@ -140,27 +136,25 @@ graze_status graze_motion_write_joints(char **json, char **report, graze_context
     return chain(json, report, context, dimension, joints, count, tolerance, radius, 1);
 }
 
-static graze_status take_poses(pose_choice *out, graze_context *context,
+static graze_status take_poses(pose_choice *out, fmpq *number, graze_context *context,
                                const graze_pose_options *o) {
     *out = (pose_choice){.naming = {.ignored = o->ignored,
                                     .ignored_count = o->ignored_count,
                                     .columns = o->columns,
                                     .order = o->angles ? angle_order_of(o->angles) : NULL},
-                         .has_from = o->from != NULL,
-                         .has_to = o->to != NULL,
+                         .from = o->from ? number : NULL,
+                         .to = o->to ? number + 1 : NULL,
+                         .scale = number + 2,
                          .every = o->every ? o->every : 1,
                          .numbered = (o->flags & GRAZE_POSES_NUMBERED) != 0,
                          .text = o->text,
                          .length = o->length};
-    fmpq_init(out->from);
-    fmpq_init(out->to);
-    fmpq_init(out->scale);
-    fmpq_one(out->scale);
-    graze_status status =
-        o->scale ? take_positive(out->scale, context, o->scale, 1, "scale") : GRAZE_OK;
-    if (!status && o->from)
-        status = api_rational(out->from, context, o->from);
-    return !status && o->to ? api_rational(out->to, context, o->to) : status;
+    fmpq_one(number + 2);
+    if (o->scale)
+        TRY(take_positive(number + 2, context, o->scale, 1, "scale"));
+    if (o->from)
+        TRY(api_rational(number, context, o->from));
+    return o->to ? api_rational(number + 1, context, o->to) : GRAZE_OK;
 }
 
 /* Options that are known. */
@@ -169,17 +163,12 @@ static graze_status write_poses(char **json, char **report, graze_context *conte
     IN_ENVIRONMENT();
     HELD(conversion, made);
     pose_choice choice;
-    LOCAL(fmpq, tolerance);
+    LOCAL_VEC(fmpq, tolerance, 4);
     fmpq_set_si(tolerance, 1, 1000000);
-    graze_status status = take_poses(&choice, context, o);
-    if (!status && o->tolerance)
-        status = take_positive(tolerance, context, o->tolerance, 0, "tolerance");
-    if (!status)
-        status = convert_poses(&made, context, path, &choice, o->flags, tolerance);
-    fmpq_clear(choice.from);
-    fmpq_clear(choice.to);
-    fmpq_clear(choice.scale);
-    TRY(status);
+    TRY(take_poses(&choice, tolerance + 1, context, o));
+    if (o->tolerance)
+        TRY(take_positive(tolerance, context, o->tolerance, 0, "tolerance"));
+    TRY(convert_poses(&made, context, path, &choice, o->flags, tolerance));
     return finish_conversion(json, report, context, &made);
 }
 
@@ -296,6 +285,6 @@ graze_status graze_motion_write_dyadic(char **json, char **report, graze_context
     HELD(conversion, made);
     LOCAL(fmpq, allowed);
     TRY(take_positive(allowed, context, tolerance, 1, "tolerance"));
-    TRY(convert_dyadic(&made, context, motion, allowed));
+    convert_dyadic(&made, motion, allowed);
     return finish_conversion(json, report, context, &made);
 }

@@ -38,15 +38,15 @@ static graze_status finish_shape(char **const to[3], graze_context *context, tex
 /* Make the tool of a shape that is not a box. */
 static graze_status take_tool(tool *s, graze_context *context, const graze_shape *given) {
     int ball = given->kind == GRAZE_SHAPE_BALL, cutter = given->kind == GRAZE_SHAPE_CUTTER;
-    HELD(tool_numbers, n);
-    TRY(take_number(n.diameter, context, given->diameter, 1, "diameter"));
+    LOCAL_VEC(fmpq, n, TOOL_NUMBERS);
+    TRY(take_number(n + TOOL_DIAMETER, context, given->diameter, 1, "diameter"));
     if (!ball)
-        TRY(take_number(n.length, context, given->length, 1, "length"));
+        TRY(take_number(n + TOOL_LENGTH, context, given->length, 1, "length"));
     if (cutter)
-        TRY(take_number(n.corner, context, given->corner, 0, "corner"));
+        TRY(take_number(n + TOOL_CORNER, context, given->corner, 0, "corner"));
     if (cutter && given->taper)
-        TRY(api_rational(n.taper, context, given->taper));
-    return tool_take(s, context, &n, ball);
+        TRY(api_rational(n + TOOL_TAPER, context, given->taper));
+    return tool_take(s, context, n, ball);
 }
 
 static graze_status make_round(text *made, graze_context *context, const graze_shape *given,

@@ -22,6 +22,12 @@ void rational_to_mpfr(mpfr_t out, const fmpq_t value, mpfr_rnd_t round) {
     mpfr_set_q(out, copy, round);
 }
 
+void mpfr_to_rational(fmpq_t out, const mpfr_t value) {
+    LOCAL(mpq, copy);
+    mpfr_get_q(copy, value);
+    fmpq_set_mpq(out, copy);
+}
+
 int bound_exceeds(const mpfr_t bound, const fmpq_t most) {
     LOCAL(mpq, copy);
     fmpq_get_mpq(copy, most);
@@ -55,20 +61,16 @@ static void radians(mpfr_t out, const fmpq_t f) {
 
 void round_to_grid(fmpq_t out, const mpfr_t value, slong bits) {
     LOCAL_MPFR(scaled, ANGLE_BITS);
-    LOCAL(mpz, whole);
     mpfr_mul_2si(scaled, value, bits, MPFR_RNDN);
-    mpfr_get_z(whole, scaled, MPFR_RNDN);
-    fmpz_set_mpz(fmpq_numref(out), whole);
-    fmpz_one(fmpq_denref(out));
-    if (bits >= 0)
-        fmpq_div_2exp(out, out, (flint_bitcnt_t)bits);
-    else
-        fmpq_mul_2exp(out, out, (flint_bitcnt_t)-bits);
+    mpfr_rint(scaled, scaled, MPFR_RNDN);
+    mpfr_mul_2si(scaled, scaled, -bits, MPFR_RNDN);
+    mpfr_to_rational(out, scaled);
 }
 
 void half_angle_dyadic(half_angle *out, const fmpq_t f, const fmpq_t square, slong bits) {
-    mpfr_t angle, value, length;
-    mpfr_inits2(ANGLE_BITS, angle, value, length, (mpfr_ptr)0);
+    LOCAL_MPFR(angle, ANGLE_BITS);
+    LOCAL_MPFR(value, ANGLE_BITS);
+    LOCAL_MPFR(length, ANGLE_BITS);
     radians(angle, f);
     length_of(length, square);
     mpfr_cos(value, angle, MPFR_RNDN);
@@ -76,19 +78,17 @@ void half_angle_dyadic(half_angle *out, const fmpq_t f, const fmpq_t square, slo
     mpfr_sin(value, angle, MPFR_RNDN);
     mpfr_div(value, value, length, MPFR_RNDN);
     round_to_grid(out->c, value, bits + mpfr_get_exp(length));
-    mpfr_clears(angle, value, length, (mpfr_ptr)0);
 }
 
 /* arg(w + i c L), to nearest. */
 static void argument(mpfr_t out, const half_angle *h, const fmpq_t square) {
-    mpfr_t across, along;
-    mpfr_inits2(ANGLE_BITS, across, along, (mpfr_ptr)0);
+    LOCAL_MPFR(across, ANGLE_BITS);
+    LOCAL_MPFR(along, ANGLE_BITS);
     length_of(out, square);
     rational_to_mpfr(across, h->c, MPFR_RNDN);
     mpfr_mul(across, across, out, MPFR_RNDN);
     rational_to_mpfr(along, h->w, MPFR_RNDN);
     mpfr_atan2(out, across, along, MPFR_RNDN);
-    mpfr_clears(across, along, (mpfr_ptr)0);
 }
 
 static void add_slack(mpfr_t out) {
@@ -110,18 +110,17 @@ static void gap(mpfr_t out, const mpfr_t a, const mpfr_t b) {
 }
 
 void half_angle_error(mpfr_t out, const half_angle *h, const fmpq_t f, const fmpq_t square) {
-    mpfr_t asked, made;
+    LOCAL_MPFR(asked, ANGLE_BITS);
+    LOCAL_MPFR(made, ANGLE_BITS);
     if (fmpq_is_zero(f) && fmpq_is_zero(h->c) && fmpq_sgn(h->w) > 0) {
         mpfr_set_zero(out, 1);
         return;
     }
-    mpfr_inits2(ANGLE_BITS, asked, made, (mpfr_ptr)0);
     radians(asked, f);
     argument(made, h, square);
     gap(out, asked, made);
     add_slack(out);
     mpfr_mul_2ui(out, out, 1, MPFR_RNDU);
-    mpfr_clears(asked, made, (mpfr_ptr)0);
 }
 
 /* |w + i c L|^2, exactly. */
@@ -161,11 +160,12 @@ void half_angle_apart(mpfr_t out, const half_angle *from, const half_angle *to,
  * digits T^3 is below 2^-470. Both terms of g are between 0 and h, so b bounds 2 g where b is so
  * large that T is no small number. */
 void angle_sway(mpfr_t out, const mpfr_t apart) {
-    mpfr_t h, tangent, x;
     mpfr_set(out, apart, MPFR_RNDU);
     if (mpfr_cmp_d(apart, 2.8) > 0)
         return;
-    mpfr_inits2(ANGLE_BITS, h, tangent, x, (mpfr_ptr)0);
+    LOCAL_MPFR(h, ANGLE_BITS);
+    LOCAL_MPFR(tangent, ANGLE_BITS);
+    LOCAL_MPFR(x, ANGLE_BITS);
     mpfr_div_2ui(h, out, 1, MPFR_RNDU);
     mpfr_tan(tangent, h, MPFR_RNDN);
     mpfr_div(out, tangent, h, MPFR_RNDN);
@@ -177,7 +177,6 @@ void angle_sway(mpfr_t out, const mpfr_t apart) {
     mpfr_sub(out, out, x, MPFR_RNDN);
     add_slack(out);
     mpfr_mul_2ui(out, out, 1, MPFR_RNDU);
-    mpfr_clears(h, tangent, x, (mpfr_ptr)0);
 }
 
 /* For lengths r0 and r1 the argument is that for equal lengths at s' = s r1 / ((1 - s) r0 + s r1)
@@ -187,8 +186,8 @@ void angle_sway(mpfr_t out, const mpfr_t apart) {
  */
 void half_angle_sway(mpfr_t out, const half_angle *from, const half_angle *to,
                      const fmpq_t square) {
-    mpfr_t apart, share;
-    mpfr_inits2(ANGLE_BITS, apart, share, (mpfr_ptr)0);
+    LOCAL_MPFR(apart, ANGLE_BITS);
+    LOCAL_MPFR(share, ANGLE_BITS);
     half_angle_apart(apart, from, to, square);
     angle_sway(out, apart);
     mismatch(share, from, to, square);
@@ -197,7 +196,6 @@ void half_angle_sway(mpfr_t out, const half_angle *from, const half_angle *to,
     mpfr_add(out, out, share, MPFR_RNDU);
     mpfr_mul_2ui(apart, apart, 1, MPFR_RNDU);
     mpfr_min(out, out, apart, MPFR_RNDU);
-    mpfr_clears(apart, share, (mpfr_ptr)0);
 }
 
 static int angle_within(const half_angle *h, const fmpq_t f, const fmpq_t square,
@@ -207,54 +205,22 @@ static int angle_within(const half_angle *h, const fmpq_t f, const fmpq_t square
     return !bound_exceeds(error, tolerance);
 }
 
-/* The rational number that equals an MPFR number. */
-static void exact_value(fmpq_t out, const mpfr_t value) {
-    LOCAL(mpz, digits);
-    if (mpfr_zero_p(value)) {
-        fmpq_zero(out);
-    } else {
-        mpfr_exp_t exponent = mpfr_get_z_2exp(digits, value);
-        fmpz_set_mpz(fmpq_numref(out), digits);
-        fmpz_one(fmpq_denref(out));
-        if (exponent >= 0)
-            fmpq_mul_2exp(out, out, (flint_bitcnt_t)exponent);
-        else
-            fmpq_div_2exp(out, out, (flint_bitcnt_t)-exponent);
-    }
-}
-
 /* The last convergent is the approximation itself, which is within 2^-ANGLE_FINEST. */
 void half_angle_convergent(half_angle *out, const fmpq_t f, const fmpq_t square,
                            const fmpq_t tolerance) {
-    fmpz_t last[2], before[2];
-    mpfr_t tangent, length;
-    mpfr_inits2(ANGLE_BITS, tangent, length, (mpfr_ptr)0);
-    LOCAL(fmpq, x);
-    LOCAL_VEC(fmpz, whole, 2);
-    fmpz *rest = whole + 1;
-    fmpz_init_set_ui(last[0], 1);
-    fmpz_init_set_ui(last[1], 0);
-    fmpz_init_set_ui(before[0], 0);
-    fmpz_init_set_ui(before[1], 1);
+    LOCAL_MPFR(tangent, ANGLE_BITS);
+    LOCAL_MPFR(length, ANGLE_BITS);
+    LOCAL_VEC(fmpq, x, 2);
+    fmpq *rest = x + 1;
     radians(tangent, f);
     mpfr_tan(tangent, tangent, MPFR_RNDN);
     length_of(length, square);
     mpfr_div(tangent, tangent, length, MPFR_RNDN);
-    exact_value(x, tangent);
+    mpfr_to_rational(x, tangent);
+    LOCAL_VEC(fmpz, term, fmpq_cfrac_bound(x));
+    slong count = fmpq_get_cfrac(term, rest, x, fmpq_cfrac_bound(x)), n = 1;
     fmpq_one(out->w);
-    do {
-        fmpz_fdiv_qr(whole, rest, fmpq_numref(x), fmpq_denref(x));
-        for (int k = 0; k < 2; k++) {
-            fmpz_addmul(before[k], whole, last[k]);
-            fmpz_swap(before[k], last[k]);
-        }
-        fmpz_swap(fmpq_numref(x), fmpq_denref(x));
-        fmpz_swap(fmpq_denref(x), rest);
-        fmpq_set_fmpz_frac(out->c, last[0], last[1]);
-    } while (!angle_within(out, f, square, tolerance) && !fmpz_is_zero(fmpq_denref(x)));
-    for (int k = 0; k < 2; k++) {
-        fmpz_clear(last[k]);
-        fmpz_clear(before[k]);
-    }
-    mpfr_clears(tangent, length, (mpfr_ptr)0);
+    do
+        fmpq_set_cfrac(out->c, term, n);
+    while (!angle_within(out, f, square, tolerance) && n++ < count);
 }

@@ -63,6 +63,9 @@ void round_to_grid(fmpq_t out, const mpfr_t value, slong bits);
 /** Round a rational number to an MPFR number. */
 void rational_to_mpfr(mpfr_t out, const fmpq_t value, mpfr_rnd_t round);
 
+/** Set `out` to the exact value of an MPFR number. */
+void mpfr_to_rational(fmpq_t out, const mpfr_t value);
+
 /** Is a bound greater than a rational number? */
 int bound_exceeds(const mpfr_t bound, const fmpq_t most);
 
@@ -88,12 +91,11 @@ void put_fact(text *t, const char *name, const mpfr_t bound, const char *unit);
 void put_rational_fact(text *t, const char *name, const fmpq_t bound);
 
 /**
- * The bits a pair needs for an angle whose error moves no point by more than 1/8 of a joint's share
- * of the tolerance, the tolerance / `count`.
+ * Set the bits a pair needs for an angle whose error moves no point by more than 1/8 of a joint's
+ * share of the tolerance, the tolerance / `count`.
  * @return GRAZE_EUSE the tolerance asks for more than ANGLE_FINEST bits
  */
-graze_status joint_bits(slong *bits, graze_context *context, const joint *j, const target *goal,
-                        size_t count);
+graze_status joint_bits(joint *j, graze_context *context, const target *goal, size_t count);
 
 /** Make both polyhedra with `sides` sides a ring and `pieces` pieces of the arc; coordinates of
  * directions are multiples of 2^-bits. The caller clears `out` by tool_pair_clear. */

@@ -27,28 +27,28 @@ typedef struct conversion {
  * the parameter that runs from 0 to 1 along the piece are rounded to multiples of a power of two.
  * No entry is changed by more than the tolerance, which is positive, at any time. Other pieces are
  * kept, and so are the positions where a rounded piece meets one of them. */
-graze_status convert_dyadic(conversion *out, graze_context *context, const graze_motion *motion,
-                            const fmpq_t tolerance);
+void convert_dyadic(conversion *out, const graze_motion *motion, const fmpq_t tolerance);
 
 /** One joint of a chain. */
 typedef struct joint {
-    int is_slide;
-    fmpq_t degrees; /* angle of the whole motion; 0 for a slide */
-    fmpq_t advance; /* way along the axis in the whole motion, in the unit of the coordinates */
-    fmpq axis[3];   /* for a turn not zero, in the plane (0, 0, 1); for a slide the displacement of
-                     * the whole motion */
-    fmpq center[3];
-    int centered;  /* center is not the origin */
-    fmpq_t square; /* square of the axis's length */
-    fmpq_t length; /* the length, where it is rational, else 0 */
-    mpfr_t reach;  /* upper bound of the distance of points from the axis; 0 for a slide */
+    int is_slide, centered; /* centered: center is not the origin */
+    fmpq *degrees;          /* angle of the whole motion; 0 for a slide; first of all numbers */
+    fmpq *advance; /* way along the axis in the whole motion, in the unit of the coordinates */
+    fmpq *square;  /* square of the axis's length */
+    fmpq *length;  /* the length, where it is rational, else 0 */
+    fmpq *axis;    /* for a turn not zero, in the plane (0, 0, 1); for a slide the displacement of
+                    * the whole motion */
+    fmpq *center;
+    mpfr_t reach; /* upper bound of the distance of points from the axis; 0 for a slide */
+    mpfr_t off;   /* bound of the angle's distance from the uniform one; set with the pieces */
+    slong bits;   /* of the half angles; set by joint_bits */
 } joint;
 
 /** Tolerance of an approximation, and the points that it holds for. */
 typedef struct target {
     int dimension;
-    fmpq_t tolerance; /* positive; in the unit of the coordinates */
-    fmpq_t radius;    /* not negative; points at most that far from the origin before the motion */
+    fmpq *tolerance; /* positive; in the unit of the coordinates */
+    fmpq *radius;    /* not negative; points at most that far from the origin before the motion */
 } target;
 
 void joint_init(joint *j);
@@ -88,9 +88,8 @@ typedef struct pose_naming {
 /** The poses that are taken from a file or a text. */
 typedef struct pose_choice {
     pose_naming naming;
-    int has_from, has_to;
-    fmpq_t from, to;     /* first and last time, if has_from and has_to */
-    fmpq_t scale;        /* factor of positions, positive */
+    const fmpq *from, *to; /* first and last time; NULL: none */
+    const fmpq *scale;     /* factor of positions, positive */
     unsigned long every; /* n >= 1: of the poses in time the first, each n-th after it, and the last
                           */
     int numbered;        /* rows are numbered by poses, counting those that are not taken too */
@@ -149,8 +148,7 @@ void rotation_distance(fmpq_t out, const fmpq *rotation, const fmpq *matrix, int
  * sin) of the circle, low's angle the greater one, so that the body with `low` lies in the tool and
  * the body with `high` contains it. Both are equal if b is known exactly. */
 typedef struct tool {
-    fmpq_t flat, corner, height;
-    fmpq low[2], high[2];
+    fmpq *flat, *corner, *height, *low, *high; /* in one vector, whose first is `flat` */
     int ball;
 } tool;
 
@@ -159,17 +157,12 @@ void tool_clear(tool *s);
 
 /** The numbers of a tool: diameter where the corner is widest, corner radius, taper in degrees,
  * length. */
-typedef struct tool_numbers {
-    fmpq_t diameter, corner, taper, length;
-} tool_numbers;
-
-void tool_numbers_init(tool_numbers *n);
-void tool_numbers_clear(tool_numbers *n);
+enum { TOOL_DIAMETER, TOOL_CORNER, TOOL_TAPER, TOOL_LENGTH, TOOL_NUMBERS };
 
 /** The body of these numbers, its tip at the origin, its axis z; of a ball only the diameter
  * counts.
  * @return GRAZE_EUSE there is no such body */
-graze_status tool_take(tool *s, graze_context *context, const tool_numbers *given, int ball);
+graze_status tool_take(tool *s, graze_context *context, const fmpq *given, int ball);
 
 /* Two polyhedra about a tool. */
 
@@ -227,10 +220,10 @@ void tool_write_box(text *out, const fmpq *size, const fmpq *at);
 
 /** Convert one turn whose speed is free: only its end position is approximated. */
 graze_status convert_rotation(conversion *out, graze_context *context, const target *goal,
-                              const joint *turn);
+                              joint *turn);
 
 /** Convert joints that all move uniformly, cut into pieces until these are within the tolerance. */
 graze_status convert_joints(conversion *out, graze_context *context, const target *goal,
-                            const joint *joints, size_t count);
+                            joint *joints, size_t count);
 
 #endif

@@ -12,18 +12,16 @@
 #include "input/convert/convert.h"
 
 #include <flint/fmpq_poly.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "input/convert/angle.h"
 #include "input/motion/motion.h"
 
 typedef struct rounding_task {
     const graze_motion *motion;
-    slong bits;   /* the grid's step is 2^-bits */
-    fmpq_t worst; /* upper bound of the change of entries so far */
-    int turned;   /* an entry of a linear part is changed */
-    fmpq_poly_t from, to;
-    fmpq_t value, change, bound;
+    slong bits;  /* the grid's step is 2^-bits */
+    fmpq *worst; /* upper bound of the change of entries so far */
+    int turned;  /* an entry of a linear part is changed */
+    fmpq *value, *change, *bound;
 } rounding_task;
 
 static int has_polynomials(const motion_piece *piece) {
@@ -50,71 +48,59 @@ static void round_value(rounding_task *task) {
     fmpq_abs(task->change, task->change);
 }
 
-/* Round task->from, one entry of piece k, to task->to; the change is at most task->bound. */
-static void round_entry(rounding_task *task, size_t k) {
+/* Round `from`, one entry of piece k, to `to`; the change is at most task->bound. */
+static void round_entry(rounding_task *task, fmpq_poly_t to, const fmpq_poly_t from, size_t k) {
     const graze_motion *m = task->motion;
     int round_start = k == 0 || has_polynomials(m->piece + k - 1);
     int round_end = k + 1 == m->piece_count || has_polynomials(m->piece + k + 1);
     LOCAL(fmpq, slope);
     fmpq_zero(task->bound);
-    fmpq_poly_zero(task->to);
-    fmpq_poly_get_coeff_fmpq(task->value, task->from, 0);
+    fmpq_poly_get_coeff_fmpq(task->value, from, 0);
     if (round_start) {
         round_value(task);
         fmpq_set(task->bound, task->change);
     }
-    fmpq_poly_set_coeff_fmpq(task->to, 0, task->value);
+    fmpq_poly_set_coeff_fmpq(to, 0, task->value);
     fmpq_neg(slope, task->value);
-    fmpq_set_si(task->value, 1, 1);
-    fmpq_poly_evaluate_fmpq(task->value, task->from, task->value);
+    fmpq_one(task->value);
+    fmpq_poly_evaluate_fmpq(task->value, from, task->value);
     if (round_end) {
         round_value(task);
         if (fmpq_cmp(task->change, task->bound) > 0)
             fmpq_set(task->bound, task->change);
     }
     fmpq_add(slope, slope, task->value);
-    for (slong i = 2; i < fmpq_poly_length(task->from); i++) {
-        fmpq_poly_get_coeff_fmpq(task->value, task->from, i);
+    for (slong i = 2; i < fmpq_poly_length(from); i++) {
+        fmpq_poly_get_coeff_fmpq(task->value, from, i);
         round_value(task);
         fmpq_add(task->bound, task->bound, task->change);
-        fmpq_poly_set_coeff_fmpq(task->to, i, task->value);
+        fmpq_poly_set_coeff_fmpq(to, i, task->value);
         fmpq_sub(slope, slope, task->value);
     }
-    fmpq_poly_set_coeff_fmpq(task->to, 1, slope);
+    fmpq_poly_set_coeff_fmpq(to, 1, slope);
 }
 
-/* The rounded map of piece k, which is polynomial. Its entries get a common denominator. */
-static void round_map(rounding_task *task, point_map *out, size_t k) {
-    const point_map *map = &task->motion->piece[k].forward;
+/* Round the map of piece k, which is polynomial. Its entries get a common denominator. */
+static void round_map(rounding_task *task, point_map *map, size_t k) {
     int d = map->dimension, entries = d * (d + 1);
-    fmpq_poly_t made[POINT_MAP_ENTRIES];
+    LOCAL_VEC(fmpq_poly, made, entries);
+    LOCAL(fmpq_poly, from);
     LOCAL(fmpz, weight);
-    fmpz_set_ui(weight, 1);
-    LOCAL(fmpz, factor);
+    fmpz_one(weight);
     for (int e = 0; e < entries; e++) {
-        fmpq_poly_init(made[e]);
-        fmpz_poly_get_coeff_fmpz(factor, map->weight, 0);
-        fmpq_poly_set_fmpz_poly(task->from, map->entry + e);
-        fmpq_poly_scalar_div_fmpz(task->from, task->from, factor);
-        round_entry(task, k);
-        fmpq_poly_set(made[e], task->to);
-        fmpz_lcm(weight, weight, fmpq_poly_denref(made[e]));
+        fmpq_poly_set_fmpz_poly(from, map->entry + e);
+        fmpq_poly_scalar_div_fmpz(from, from, fmpz_poly_lead(map->weight));
+        round_entry(task, made + e, from, k);
+        fmpz_lcm(weight, weight, fmpq_poly_denref(made + e));
         if (fmpq_cmp(task->bound, task->worst) > 0)
             fmpq_set(task->worst, task->bound);
-        task->turned |= e % (d + 1) < d && !fmpq_poly_equal(task->from, task->to);
+        task->turned |= e % (d + 1) < d && !fmpq_poly_equal(from, made + e);
     }
     for (int e = 0; e < entries; e++) {
-        fmpq_poly_scalar_mul_fmpz(made[e], made[e], weight);
-        fmpq_poly_get_numerator(out->entry + e, made[e]);
-        fmpq_poly_clear(made[e]);
+        fmpq_poly_scalar_mul_fmpz(made + e, made + e, weight);
+        fmpq_poly_get_numerator(map->entry + e, made + e);
     }
-    fmpz_poly_set_fmpz(out->weight, weight);
-}
-
-static void copy_map(point_map *out, const point_map *map) {
-    for (int e = 0; e < map->dimension * (map->dimension + 1); e++)
-        fmpz_poly_set(out->entry + e, map->entry + e);
-    fmpz_poly_set(out->weight, map->weight);
+    fmpz_poly_set_fmpz(map->weight, weight);
 }
 
 /* The grid whose change of an entry is at most the tolerance: degree 2^-bits / 2 <= tolerance. */
@@ -145,60 +131,36 @@ static void report_dyadic(text *t, const rounding_task *task) {
     if (task->turned)
         text_put(t, "shape: entries of the linear part are rounded too, so positions of the solid "
                     "are congruent up to that change only\n");
-    for (size_t k = 0; k < m->piece_count; k++) {
-        const motion_piece *piece = m->piece + k;
-        if (has_polynomials(piece))
-            continue;
-        text_format(t, "lost: %zu pieces, the first from t = ", kept);
-        text_rational(t, piece->lo);
-        text_put(t, " to ");
-        text_rational(t, piece->hi);
-        text_put(t, ", are kept as they are, and the values of other pieces where they meet these: "
-                    "entries of kept pieces are quotients, which are dyadic at quarter turns at "
-                    "most\n");
-        break;
-    }
+    if (!kept)
+        return;
+    const motion_piece *piece = m->piece;
+    while (has_polynomials(piece))
+        piece++;
+    text_format(t, "lost: %zu pieces, the first from t = ", kept);
+    json_form(t,
+              "@ to @, are kept as they are, and the values of other pieces where they meet these: "
+              "entries of kept pieces are quotients, which are dyadic at quarter turns at most\n",
+              piece->lo, piece->hi);
 }
 
-graze_status convert_dyadic(conversion *out, graze_context *context, const graze_motion *motion,
-                            const fmpq_t tolerance) {
-    rounding_task task = {.motion = motion, .bits = find_bits(motion, tolerance)};
-    graze_motion made = {.dimension = motion->dimension, .piece_count = motion->piece_count};
-    made.piece = calloc(motion->piece_count, sizeof *made.piece);
-    if (!made.piece)
-        return context_fail(context, GRAZE_ESYSTEM, "out of memory");
-    fmpq_init(task.worst);
-    fmpq_poly_init(task.from);
-    fmpq_poly_init(task.to);
-    fmpq_init(task.value);
-    fmpq_init(task.change);
-    fmpq_init(task.bound);
+void convert_dyadic(conversion *out, const graze_motion *motion, const fmpq_t tolerance) {
+    LOCAL_VEC(fmpq, number, 4);
+    rounding_task task = {.motion = motion,
+                          .bits = find_bits(motion, tolerance),
+                          .worst = number,
+                          .value = number + 1,
+                          .change = number + 2,
+                          .bound = number + 3};
+    json_writer w = motion_begin(&out->motion, motion->dimension, "pieces", 0);
     for (size_t k = 0; k < motion->piece_count; k++) {
-        const motion_piece *piece = motion->piece + k;
-        point_map_init(&made.piece[k].forward, motion->dimension);
-        fmpq_init(made.piece[k].lo);
-        fmpq_init(made.piece[k].hi);
-        fmpq_set(made.piece[k].lo, piece->lo);
-        fmpq_set(made.piece[k].hi, piece->hi);
-        made.piece[k].row = piece->row;
-        if (has_polynomials(piece))
-            round_map(&task, &made.piece[k].forward, k);
-        else
-            copy_map(&made.piece[k].forward, &piece->forward);
+        motion_piece piece = motion->piece[k];
+        HELD(point_map, map, motion->dimension);
+        point_map_set(&map, &piece.forward);
+        if (has_polynomials(&piece))
+            round_map(&task, &map, k);
+        piece.forward = map;
+        motion_put_piece(&w, &piece);
     }
-    motion_write(&out->motion, &made);
+    motion_end(&w);
     report_dyadic(&out->report, &task);
-    for (size_t k = 0; k < motion->piece_count; k++) {
-        point_map_clear(&made.piece[k].forward);
-        fmpq_clear(made.piece[k].lo);
-        fmpq_clear(made.piece[k].hi);
-    }
-    free(made.piece);
-    fmpq_clear(task.worst);
-    fmpq_poly_clear(task.from);
-    fmpq_poly_clear(task.to);
-    fmpq_clear(task.value);
-    fmpq_clear(task.change);
-    fmpq_clear(task.bound);
-    return GRAZE_OK;
 }

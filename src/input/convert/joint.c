@@ -7,42 +7,29 @@
 #include "base/context/scope.h"
 #include "input/convert/angle.h"
 
+enum { JOINT_NUMBERS = 10 };
+
 void joint_init(joint *j) {
-    j->is_slide = j->centered = 0;
-    fmpq_init(j->degrees);
-    fmpq_init(j->advance);
-    fmpq_init(j->square);
-    fmpq_init(j->length);
-    for (int k = 0; k < 3; k++) {
-        fmpq_init(j->axis + k);
-        fmpq_init(j->center + k);
-    }
-    mpfr_init2(j->reach, ANGLE_BITS);
+    fmpq *n = _fmpq_vec_init(JOINT_NUMBERS);
+    *j = (joint){.degrees = n,
+                 .advance = n + 1,
+                 .square = n + 2,
+                 .length = n + 3,
+                 .axis = n + 4,
+                 .center = n + 7};
+    mpfr_inits2(ANGLE_BITS, j->reach, j->off, (mpfr_ptr)0);
     mpfr_set_zero(j->reach, 1);
 }
 
 void joint_clear(joint *j) {
-    fmpq_clear(j->degrees);
-    fmpq_clear(j->advance);
-    fmpq_clear(j->square);
-    fmpq_clear(j->length);
-    for (int k = 0; k < 3; k++) {
-        fmpq_clear(j->axis + k);
-        fmpq_clear(j->center + k);
-    }
-    mpfr_clear(j->reach);
+    _fmpq_vec_clear(j->degrees, JOINT_NUMBERS);
+    mpfr_clears(j->reach, j->off, (mpfr_ptr)0);
 }
 
 void divide_by(fmpq_t out, const fmpq_t value, ulong divisor) {
     LOCAL(fmpz, d);
     fmpz_set_ui(d, divisor);
     fmpq_div_fmpz(out, value, d);
-}
-
-static void dot(fmpq_t out, const fmpq *a, const fmpq *b) {
-    fmpq_zero(out);
-    for (int k = 0; k < 3; k++)
-        fmpq_addmul(out, a + k, b + k);
 }
 
 int rational_root(fmpq_t out, const fmpq_t square) {
@@ -55,7 +42,7 @@ int rational_root(fmpq_t out, const fmpq_t square) {
 
 /* The axis's length and, where the joint turns, how far it goes along the axis. */
 static graze_status measure_axis(graze_context *context, joint *j, size_t index) {
-    dot(j->square, j->axis, j->axis);
+    _fmpq_vec_dot(j->square, j->axis, j->axis, 3);
     if (fmpq_is_zero(j->square) && !j->is_slide)
         return context_fail(context, GRAZE_EUSE,
                             "joint %zu: the axis is zero; expected a direction", index);
@@ -70,15 +57,15 @@ static graze_status measure_axis(graze_context *context, joint *j, size_t index)
 static void set_reach(joint *j, mpfr_t far) {
     LOCAL_VEC(fmpq, along, 2);
     fmpq *apart = along + 1;
-    mpfr_t way, along_axis;
-    mpfr_inits2(ANGLE_BITS, way, along_axis, (mpfr_ptr)0);
+    LOCAL_MPFR(way, ANGLE_BITS);
+    LOCAL_MPFR(along_axis, ANGLE_BITS);
     if (j->is_slide) {
         root_above(way, j->square);
     } else {
-        dot(along, j->center, j->axis);
+        _fmpq_vec_dot(along, j->center, j->axis, 3);
         fmpq_mul(along, along, along);
         fmpq_div(along, along, j->square);
-        dot(apart, j->center, j->center);
+        _fmpq_vec_dot(apart, j->center, j->center, 3);
         fmpq_sub(apart, apart, along);
         root_above(j->reach, apart);
         mpfr_mul_2ui(way, j->reach, 1, MPFR_RNDU);
@@ -88,7 +75,6 @@ static void set_reach(joint *j, mpfr_t far) {
         mpfr_add(way, way, along_axis, MPFR_RNDU);
     }
     mpfr_add(far, far, way, MPFR_RNDU);
-    mpfr_clears(way, along_axis, (mpfr_ptr)0);
 }
 
 graze_status joints_measure(joint *joints, graze_context *context, const target *goal,
@@ -124,20 +110,17 @@ void put_rational_fact(text *t, const char *name, const fmpq_t bound) {
     put_fact(t, name, above, "");
 }
 
-graze_status joint_bits(slong *bits, graze_context *context, const joint *j, const target *goal,
-                        size_t count) {
-    mpq_t tolerance;
+graze_status joint_bits(joint *j, graze_context *context, const target *goal, size_t count) {
+    LOCAL(mpq, tolerance);
     LOCAL_MPFR(ratio, ANGLE_BITS);
-    mpq_init(tolerance);
     fmpq_get_mpq(tolerance, goal->tolerance);
     mpfr_set_ui(ratio, 1, MPFR_RNDU); /* at least 1: an advance is rounded on this grid too */
     mpfr_max(ratio, ratio, j->reach, MPFR_RNDU);
     mpfr_mul_ui(ratio, ratio, 32 * (unsigned long)count, MPFR_RNDU);
     mpfr_div_q(ratio, ratio, tolerance, MPFR_RNDU);
     /* 2^bits >= ratio, and the angle is off by less than 4 * 2^-bits. */
-    *bits = mpfr_get_exp(ratio) < 8 ? 8 : (slong)mpfr_get_exp(ratio);
-    mpq_clear(tolerance);
-    if (*bits <= ANGLE_FINEST)
+    j->bits = mpfr_get_exp(ratio) < 8 ? 8 : (slong)mpfr_get_exp(ratio);
+    if (j->bits <= ANGLE_FINEST)
         return GRAZE_OK;
     return context_fail(context, GRAZE_EUSE,
                         "the tolerance is too fine for this radius; expected 2^-%d of it or more",

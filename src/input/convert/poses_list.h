@@ -181,12 +181,10 @@ void pose_negate(pose *p);
 /* Joints that move uniformly. */
 
 /** Write the motion of a chain of `count` joints as `pieces` pieces on equal parts of [0, 1].
- * @param bits the bits of each joint's angles
  * @return GRAZE_ECANCELED
  */
 graze_status chain_pieces(json_writer *out, graze_context *context, const target *goal,
-                          const joint *joints, const slong *bits, size_t count,
-                          unsigned long pieces);
+                          const joint *joints, size_t count, unsigned long pieces);
 /** f for the functions of angle.h at the part k/n of a joint's turn. */
 void turn_fraction(fmpq_t out, const joint *j, unsigned long k, unsigned long n);
 /** ceil(|degrees| / 90) and at least 1, or 0 where that exceeds the limit `pieces`. */

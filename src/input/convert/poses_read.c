@@ -149,8 +149,8 @@ static void choose(reading *r) {
     const pose_choice *choice = r->choice;
     pose_list *list = r->list;
     const fmpq *time = list->item[list->count - 1].time;
-    if ((choice->has_from && fmpq_cmp(time, choice->from) < 0) ||
-        (choice->has_to && fmpq_cmp(time, choice->to) > 0)) {
+    if ((choice->from && fmpq_cmp(time, choice->from) < 0) ||
+        (choice->to && fmpq_cmp(time, choice->to) > 0)) {
         drop_pose(list);
         return;
     }

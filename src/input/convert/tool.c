@@ -5,45 +5,18 @@
 
 #include <flint/fmpq_vec.h>
 #include <math.h>
-#include <string.h>
 #include "base/context/scope.h"
 #include "input/convert/angle.h"
 
-enum { TAPER_BITS = 40 };
+enum { TAPER_BITS = 40, BODY_NUMBERS = 7 };
 
 void tool_init(tool *s) {
-    memset(s, 0, sizeof *s);
-    fmpq_init(s->flat);
-    fmpq_init(s->corner);
-    fmpq_init(s->height);
-    for (int k = 0; k < 2; k++) {
-        fmpq_init(s->low + k);
-        fmpq_init(s->high + k);
-    }
+    fmpq *n = _fmpq_vec_init(BODY_NUMBERS);
+    *s = (tool){n, n + 1, n + 2, n + 3, n + 5, 0};
 }
 
 void tool_clear(tool *s) {
-    fmpq_clear(s->flat);
-    fmpq_clear(s->corner);
-    fmpq_clear(s->height);
-    for (int k = 0; k < 2; k++) {
-        fmpq_clear(s->low + k);
-        fmpq_clear(s->high + k);
-    }
-}
-
-void tool_numbers_init(tool_numbers *n) {
-    fmpq_init(n->diameter);
-    fmpq_init(n->corner);
-    fmpq_init(n->taper);
-    fmpq_init(n->length);
-}
-
-void tool_numbers_clear(tool_numbers *n) {
-    fmpq_clear(n->diameter);
-    fmpq_clear(n->corner);
-    fmpq_clear(n->taper);
-    fmpq_clear(n->length);
+    _fmpq_vec_clear(s->flat, BODY_NUMBERS);
 }
 
 /* The point ((1 - t^2), -2 t) / (1 + t^2) of the circle. */
@@ -65,8 +38,8 @@ static void set_normal(fmpq *out, const fmpq_t t) {
  * way, a taper of 0 by none. The body of the larger taper contains the other: the radius flat +
  * corner / cos A + (z - corner) tan A grows with A above the arc. */
 static void bound_taper(tool *s, const fmpq_t degrees) {
-    mpfr_t half, pi;
-    mpfr_inits2(ANGLE_BITS, half, pi, (mpfr_ptr)0);
+    LOCAL_MPFR(half, ANGLE_BITS);
+    LOCAL_MPFR(pi, ANGLE_BITS);
     LOCAL(mpq, copy);
     LOCAL_VEC(fmpq, t, 2);
     fmpq *step = t + 1;
@@ -85,7 +58,6 @@ static void bound_taper(tool *s, const fmpq_t degrees) {
     fmpq_add(t, t, step);
     fmpq_add(t, t, step);
     set_normal(s->high, t);
-    mpfr_clears(half, pi, (mpfr_ptr)0);
 }
 
 /* Check that the bottom's radius is not negative, that the side begins below the top, and that the
@@ -102,33 +74,31 @@ static graze_status check_cutter(graze_context *context, const tool *s) {
     fmpq_add(rest, rest, s->flat);
     if (fmpq_sgn(s->flat) < 0)
         return context_fail(context, GRAZE_EUSE, "corner: expected at most half the diameter");
-    else if (fmpq_cmp(s->height, end) <= 0)
+    if (fmpq_cmp(s->height, end) <= 0)
         return context_fail(context, GRAZE_EUSE,
                             "length: expected more than the height at which the corner ends");
-    else if (fmpq_sgn(rest) <= 0)
+    if (fmpq_sgn(rest) <= 0)
         return context_fail(context, GRAZE_EUSE,
                             "taper: the sides meet below the length; expected a larger one");
     return GRAZE_OK;
 }
 
-graze_status tool_take(tool *s, graze_context *context, const tool_numbers *given, int ball) {
+graze_status tool_take(tool *s, graze_context *context, const fmpq *given, int ball) {
     LOCAL(fmpq, radius);
-    fmpq_div_2exp(radius, given->diameter, 1);
+    fmpq_div_2exp(radius, given + TOOL_DIAMETER, 1);
     s->ball = ball;
     if (ball) {
         fmpq_set(s->corner, radius);
-        fmpq_set(s->height, given->diameter);
+        fmpq_set(s->height, given + TOOL_DIAMETER);
         fmpq_one(s->low + 1);
         fmpq_one(s->high + 1);
-    } else {
-        fmpq_set(s->corner, given->corner);
-        fmpq_set(s->height, given->length);
-        fmpq_sub(s->flat, radius, given->corner);
-    }
-    if (ball)
         return GRAZE_OK;
-    if (fabs(fmpq_get_d(given->taper)) >= 90)
+    }
+    fmpq_set(s->corner, given + TOOL_CORNER);
+    fmpq_set(s->height, given + TOOL_LENGTH);
+    fmpq_sub(s->flat, radius, given + TOOL_CORNER);
+    if (fabs(fmpq_get_d(given + TOOL_TAPER)) >= 90)
         return context_fail(context, GRAZE_EUSE, "taper: expected degrees between -90 and 90");
-    bound_taper(s, given->taper);
+    bound_taper(s, given + TOOL_TAPER);
     return check_cutter(context, s);
 }

@@ -13,18 +13,14 @@
 
 #include <flint/fmpq_vec.h>
 #include "base/context/scope.h"
+#include "base/number/vector.h"
 #include "input/convert/angle.h"
 
-/* (b - a) x (c - b) */
+/* The sign of (b - a) x (c - b), which is (b - a) x (c - a). */
 static int turn_sign(const fmpq *a, const fmpq *b, const fmpq *c) {
-    LOCAL_VEC(fmpq, d, 4);
-    fmpq_sub(d, b, a);
-    fmpq_sub(d + 1, b + 1, a + 1);
-    fmpq_sub(d + 2, c, b);
-    fmpq_sub(d + 3, c + 1, b + 1);
-    fmpq_mul(d, d, d + 3);
-    fmpq_submul(d, d + 1, d + 2);
-    return fmpq_sgn(d);
+    LOCAL(fmpq, cross);
+    cross_rationals(cross, a, b, c, 0, 1);
+    return fmpq_sgn(cross);
 }
 
 /* 1 if the profile turns left at each inner point, r > 0 at inner points and r >= 0 at both ends,
@@ -46,7 +42,7 @@ static int profile_is_convex(const profile *p) {
  * >= |a
  * - b|. */
 static int polygon_holds(const tool_pair *p) {
-    LOCAL_VEC(fmpq, v, 3);
+    LOCAL_VEC(fmpq, v, 4);
     int good = 1;
     for (size_t k = 0; k < p->sides && good; k++) {
         const fmpq *a = p->corner + 2 * k, *b = p->corner + 2 * ((k + 1) % p->sides),
@@ -59,11 +55,9 @@ static int polygon_holds(const tool_pair *p) {
         good &= fmpq_sgn(v) > 0;
         fmpq_mul(v, v, p->stretch);
         fmpq_mul(v, v, v);
-        fmpq_sub(v + 1, a, b);
-        fmpq_mul(v + 1, v + 1, v + 1);
-        fmpq_sub(v + 2, a + 1, b + 1);
-        fmpq_addmul(v + 1, v + 2, v + 2);
-        good &= fmpq_cmp(v, v + 1) >= 0;
+        vector_sub(v + 1, a, b, 2);
+        _fmpq_vec_dot(v + 3, v + 1, v + 1, 2);
+        good &= fmpq_cmp(v, v + 3) >= 0;
     }
     return good;
 }
@@ -93,8 +87,7 @@ static int in_profile(const fmpq *at, const tool *s) {
 static int is_behind(const fmpq *n, const fmpq *a, const fmpq *v) {
     LOCAL_VEC(fmpq, d, 2);
     LOCAL(fmpq, product);
-    fmpq_sub(d, v, a);
-    fmpq_sub(d + 1, v + 1, a + 1);
+    vector_sub(d, v, a, 2);
     _fmpq_vec_dot(product, n, d, 2);
     return fmpq_sgn(product) <= 0;
 }
@@ -112,8 +105,7 @@ static int edge_holds(const fmpq *a, const fmpq *b, const tool *s, const fmpq *t
     fmpq_set(bottom, s->flat);
     int good = is_behind(n, a, bottom) && is_behind(n, a, top) && is_behind(n, a, centre);
     if (!fmpq_is_zero(s->corner)) {
-        fmpq_sub(v + 4, a, centre);
-        fmpq_sub(v + 5, a + 1, centre + 1);
+        vector_sub(v + 4, a, centre, 2);
         _fmpq_vec_dot(v + 6, n, v + 4, 2);
         fmpq_mul(v + 6, v + 6, v + 6);
         _fmpq_vec_dot(v + 7, n, n, 2);

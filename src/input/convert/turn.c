@@ -83,16 +83,13 @@ static void find_tangent(half_angle *out, mpfr_t error, const joint *j, const ta
                          const fmpq_t rest, const fmpq_t square) {
     LOCAL_VEC(fmpq, f, 2);
     fmpq *tolerance = f + 1;
-    LOCAL(mpq, bound);
     LOCAL_MPFR(room, ANGLE_BITS);
     divide_by(f, rest, 8);
-    fmpq_get_mpq(bound, goal->tolerance);
-    mpfr_set_q(room, bound, MPFR_RNDD);
+    rational_to_mpfr(room, goal->tolerance, MPFR_RNDD);
     mpfr_div(room, room, j->reach, MPFR_RNDD);
     if (mpfr_cmp_ui(room, 1) > 0 || mpfr_zero_p(j->reach))
         mpfr_set_ui(room, 1, MPFR_RNDN);
-    mpfr_get_q(bound, room);
-    fmpq_set_mpq(tolerance, bound);
+    mpfr_to_rational(tolerance, room);
     half_angle_convergent(out, f, square, tolerance);
     half_angle_error(error, out, f, square);
 }
@@ -120,28 +117,25 @@ static void report_turn(text *t, const target *goal, const joint *j, const half_
  * one piece for each 90 degrees begun. */
 static graze_status by_chain(conversion *out, graze_context *context, const target *goal,
                              const joint *turn) {
-    slong bits;
-    TRY(joint_bits(&bits, context, turn, goal, 1));
     LOCAL(fmpq, f);
     HELD(half_angle, end);
     LOCAL_MPFR(error, ANGLE_BITS);
     turn_fraction(f, turn, 1, 1);
-    half_angle_dyadic(&end, f, turn->square, bits);
+    half_angle_dyadic(&end, f, turn->square, turn->bits);
     half_angle_error(error, &end, f, turn->square);
     json_writer w = motion_begin(&out->motion, 3, "pieces", 1);
-    TRY(chain_pieces(&w, context, goal, turn, &bits, 1, quarters_above(context, turn)));
+    TRY(chain_pieces(&w, context, goal, turn, 1, quarters_above(context, turn)));
     motion_end(&w);
     report_turn(&out->report, goal, turn, &end, error);
     return GRAZE_OK;
 }
 
 graze_status convert_rotation(conversion *out, graze_context *context, const target *goal,
-                              const joint *turn) {
-    slong bits;
+                              joint *turn) {
     unsigned long quarters = quarters_above(context, turn);
     if (!quarters)
         return context_limit(context, GRAZE_LIMIT_PIECES, "a turn");
-    TRY(joint_bits(&bits, context, turn, goal, 1));
+    TRY(joint_bits(turn, context, goal, 1));
     int rational = !fmpq_is_zero(turn->length);
     if (!rational && quarters > 1)
         return by_chain(out, context, goal, turn);

@@ -10,7 +10,6 @@
 #include "input/convert/convert.h"
 
 #include <flint/fmpq_vec.h>
-#include <stdlib.h>
 #include "base/context/scope.h"
 #include "input/convert/angle.h"
 #include "input/convert/poses_list.h"
@@ -41,7 +40,7 @@ unsigned long quarters_above(const graze_context *context, const joint *j) {
 
 /* An upper bound, radians, of how far a joint's angle is from uniform in the first `count` of the
  * pieces: the larger error at the ends of a piece, and the sway between them. */
-static graze_status turn_error(mpfr_t out, graze_context *context, const joint *j, slong bits,
+static graze_status turn_error(mpfr_t out, graze_context *context, const joint *j,
                                unsigned long pieces, unsigned long count) {
     LOCAL_MPFR(ends, ANGLE_BITS);
     LOCAL_MPFR(end, ANGLE_BITS);
@@ -54,7 +53,7 @@ static graze_status turn_error(mpfr_t out, graze_context *context, const joint *
     for (unsigned long k = 0; k <= count; k++) {
         TRY(context_work(context, PIECE_WORK));
         turn_fraction(f, j, k, pieces);
-        half_angle_dyadic(&to, f, j->square, bits);
+        half_angle_dyadic(&to, f, j->square, j->bits);
         half_angle_error(end, &to, f, j->square);
         mpfr_max(ends, ends, end, MPFR_RNDU);
         if (k > 0) {
@@ -69,7 +68,7 @@ static graze_status turn_error(mpfr_t out, graze_context *context, const joint *
 }
 
 /* The advance as a multiple of the axis: exact where the length is rational, else dyadic. */
-static void advance_factor(fmpq_t out, const joint *j, slong bits) {
+static void advance_factor(fmpq_t out, const joint *j) {
     if (!fmpq_is_zero(j->length)) {
         fmpq_div(out, j->advance, j->length);
         return;
@@ -79,19 +78,19 @@ static void advance_factor(fmpq_t out, const joint *j, slong bits) {
     root_above(length, j->square);
     rational_to_mpfr(value, j->advance, MPFR_RNDN);
     mpfr_div(value, value, length, MPFR_RNDN);
-    round_to_grid(out, value, bits + mpfr_get_exp(length));
+    round_to_grid(out, value, j->bits + mpfr_get_exp(length));
 }
 
 /* An upper bound of |factor L - advance|: |x - a| = |x^2 - a^2| / (x + a) <= |x^2 - a^2| / a for x
  * >= 0 and a > 0. */
-static void advance_error(mpfr_t out, const joint *j, slong bits) {
+static void advance_error(mpfr_t out, const joint *j) {
     LOCAL_VEC(fmpq, made, 2);
     fmpq *asked = made + 1;
     LOCAL_MPFR(below, ANGLE_BITS);
     mpfr_set_zero(out, 1);
     fmpq_abs(asked, j->advance);
     if (!fmpq_is_zero(asked) && fmpq_is_zero(j->length)) {
-        advance_factor(made, j, bits);
+        advance_factor(made, j);
         rational_to_mpfr(below, asked, MPFR_RNDD);
         fmpq_mul(made, made, made);
         fmpq_mul(made, made, j->square);
@@ -140,31 +139,30 @@ static void put_slide(json_writer *w, const joint *j, int dimension, const fmpq_
     json_ends(w, "]}");
 }
 
-static void put_joint(json_writer *w, const target *goal, const joint *j, slong bits,
-                      unsigned long k, unsigned long pieces) {
+static void put_joint(json_writer *w, const target *goal, const joint *j, unsigned long k,
+                      unsigned long pieces) {
     HELD(half_angle, from);
     HELD(half_angle, to);
     LOCAL(fmpq, f);
     fmpq_one(f);
     if (!j->is_slide) {
         turn_fraction(f, j, k, pieces);
-        half_angle_dyadic(&from, f, j->square, bits);
+        half_angle_dyadic(&from, f, j->square, j->bits);
         turn_fraction(f, j, k + 1, pieces);
-        half_angle_dyadic(&to, f, j->square, bits);
+        half_angle_dyadic(&to, f, j->square, j->bits);
         json_line(w, 3);
         json_open(w, NULL, '{');
         put_turn(w, j, goal->dimension, &from, &to);
         json_close(w, '}');
-        advance_factor(f, j, bits);
+        advance_factor(f, j);
     }
     if (!fmpq_is_zero(f))
         put_slide(w, j, goal->dimension, f);
 }
 
 /* Piece k of a chain. */
-static void put_chain_piece(json_writer *w, const target *goal, const joint *joints,
-                            const slong *bits, size_t count, unsigned long k,
-                            unsigned long pieces) {
+static void put_chain_piece(json_writer *w, const target *goal, const joint *joints, size_t count,
+                            unsigned long k, unsigned long pieces) {
     json_line(w, 1);
     json_open(w, NULL, '{');
     json_open(w, "t", '[');
@@ -174,15 +172,14 @@ static void put_chain_piece(json_writer *w, const target *goal, const joint *joi
     json_open(w, "transform", '{');
     json_open(w, "compose", '[');
     for (size_t i = 0; i < count; i++)
-        put_joint(w, goal, joints + i, bits[i], k, pieces);
+        put_joint(w, goal, joints + i, k, pieces);
     json_ends(w, "]}}");
 }
 
 graze_status chain_pieces(json_writer *out, graze_context *context, const target *goal,
-                          const joint *joints, const slong *bits, size_t count,
-                          unsigned long pieces) {
+                          const joint *joints, size_t count, unsigned long pieces) {
     for (unsigned long k = 0; k < pieces; k++) {
-        put_chain_piece(out, goal, joints, bits, count, k, pieces);
+        put_chain_piece(out, goal, joints, count, k, pieces);
         TRY(context_work(context, PIECE_WORK * count));
     }
     return GRAZE_OK;
@@ -191,11 +188,11 @@ graze_status chain_pieces(json_writer *out, graze_context *context, const target
 /* Check that the work for the first piece, times the number of pieces, is within the limit `work`.
  * The first piece begins unturned and so has the shortest numbers. */
 static graze_status check_work(graze_context *context, const target *goal, const joint *joints,
-                               const slong *bits, size_t count, unsigned long pieces) {
+                               size_t count, unsigned long pieces) {
     graze_motion *motion = NULL;
     HELD(text, first);
     json_writer w = motion_begin(&first, goal->dimension, "pieces", 1);
-    put_chain_piece(&w, goal, joints, bits, count, 0, pieces);
+    put_chain_piece(&w, goal, joints, count, 0, pieces);
     motion_end(&w);
     if (first.failed)
         return context_fail(context, GRAZE_ESYSTEM, "out of memory");
@@ -207,20 +204,19 @@ static graze_status check_work(graze_context *context, const target *goal, const
     return GRAZE_OK;
 }
 
-/* The sum of all joints' errors of displacement, upwards, in the first `few` of the pieces; each
- * joint's error of the angle goes into `angles`. */
-static graze_status total_error(mpfr_t out, mpfr_t *angles, graze_context *context,
-                                const joint *joints, const slong *bits, size_t count,
+/* The sum of all joints' errors of displacement, upwards, in the first `few` of the pieces; sets
+ * `off` of each joint. */
+static graze_status total_error(mpfr_t out, graze_context *context, joint *joints, size_t count,
                                 unsigned long pieces, unsigned long few) {
     LOCAL_MPFR(part, ANGLE_BITS);
     mpfr_set_zero(out, 1);
-    for (size_t i = 0; i < count; i++) {
-        if (joints[i].is_slide)
+    for (joint *j = joints; j < joints + count; j++) {
+        if (j->is_slide)
             continue;
-        TRY(turn_error(angles[i], context, joints + i, bits[i], pieces, few));
-        mpfr_mul(part, angles[i], joints[i].reach, MPFR_RNDU);
+        TRY(turn_error(j->off, context, j, pieces, few));
+        mpfr_mul(part, j->off, j->reach, MPFR_RNDU);
         mpfr_add(out, out, part, MPFR_RNDU);
-        advance_error(part, joints + i, bits[i]);
+        advance_error(part, j);
         mpfr_add(out, out, part, MPFR_RNDU);
     }
     return GRAZE_OK;
@@ -228,10 +224,8 @@ static graze_status total_error(mpfr_t out, mpfr_t *angles, graze_context *conte
 
 /* Double the pieces until the error is small enough. The bound of the first piece alone, which is
  * at most that of all, and the limits come before all pieces are looked at. */
-static graze_status refine_pieces(unsigned long *pieces, mpfr_t error, mpfr_t *angles,
-                                  graze_context *context, const target *goal, const joint *joints,
-                                  const slong *bits, size_t count) {
-    *pieces = 1;
+static graze_status refine_pieces(unsigned long *pieces, mpfr_t error, graze_context *context,
+                                  const target *goal, joint *joints, size_t count) {
     for (size_t i = 0; i < count; i++) {
         unsigned long need = joints[i].is_slide ? 1 : quarters_above(context, joints + i);
         if (!need)
@@ -243,18 +237,18 @@ static graze_status refine_pieces(unsigned long *pieces, mpfr_t error, mpfr_t *a
             return context_limit(context, GRAZE_LIMIT_PIECES,
                                  "a motion as near to the uniform one as the tolerance asks");
         TRY(context_poll(context));
-        TRY(total_error(error, angles, context, joints, bits, count, *pieces, 1));
+        TRY(total_error(error, context, joints, count, *pieces, 1));
         if (bound_exceeds(error, goal->tolerance))
             continue;
-        TRY(check_work(context, goal, joints, bits, count, *pieces));
-        TRY(total_error(error, angles, context, joints, bits, count, *pieces, *pieces));
+        TRY(check_work(context, goal, joints, count, *pieces));
+        TRY(total_error(error, context, joints, count, *pieces, *pieces));
         if (!bound_exceeds(error, goal->tolerance))
             return GRAZE_OK;
     }
 }
 
-static void report_joints(text *t, const target *goal, const joint *joints, mpfr_t *angles,
-                          const mpfr_t error, size_t count, unsigned long pieces) {
+static void report_joints(text *t, const target *goal, const joint *joints, const mpfr_t error,
+                          size_t count, unsigned long pieces) {
     text_format(t, "pieces: %lu\n", pieces);
     for (size_t i = 0; i < count; i++) {
         if (joints[i].is_slide) {
@@ -264,7 +258,7 @@ static void report_joints(text *t, const target *goal, const joint *joints, mpfr
         text_format(t, "joint %zu: a turn by ", i);
         text_rational(t, joints[i].degrees);
         text_put(t, " degrees; at every time t its angle differs from the uniform one by");
-        put_fact(t, "", angles[i], "radians");
+        put_fact(t, "", joints[i].off, "radians");
     }
     text_put(t, "error: at every time t, a point within ");
     text_rational(t, goal->radius);
@@ -273,29 +267,15 @@ static void report_joints(text *t, const target *goal, const joint *joints, mpfr
 }
 
 graze_status convert_joints(conversion *out, graze_context *context, const target *goal,
-                            const joint *joints, size_t count) {
-    FREED(slong, bits, calloc(count, sizeof *bits));
-    mpfr_t *angles = calloc(count, sizeof *angles), error;
-    graze_status status = GRAZE_OK;
+                            joint *joints, size_t count) {
+    LOCAL_MPFR(error, ANGLE_BITS);
     unsigned long pieces = 1;
-    mpfr_init2(error, ANGLE_BITS);
-    if (!bits || !angles)
-        status = context_fail(context, GRAZE_ESYSTEM, "out of memory");
-    for (size_t i = 0; i < count && angles; i++)
-        mpfr_init2(angles[i], ANGLE_BITS);
-    for (size_t i = 0; i < count && !status; i++)
-        status = joint_bits(bits + i, context, joints + i, goal, count);
-    if (!status)
-        status = refine_pieces(&pieces, error, angles, context, goal, joints, bits, count);
-    if (!status) {
-        json_writer w = motion_begin(&out->motion, goal->dimension, "pieces", 1);
-        status = chain_pieces(&w, context, goal, joints, bits, count, pieces);
-        motion_end(&w);
-        report_joints(&out->report, goal, joints, angles, error, count, pieces);
-    }
-    for (size_t i = 0; i < count && angles; i++)
-        mpfr_clear(angles[i]);
-    mpfr_clear(error);
-    free(angles);
-    return status;
+    for (size_t i = 0; i < count; i++)
+        TRY(joint_bits(joints + i, context, goal, count));
+    TRY(refine_pieces(&pieces, error, context, goal, joints, count));
+    json_writer w = motion_begin(&out->motion, goal->dimension, "pieces", 1);
+    TRY(chain_pieces(&w, context, goal, joints, count, pieces));
+    motion_end(&w);
+    report_joints(&out->report, goal, joints, error, count, pieces);
+    return GRAZE_OK;
 }

@@ -31,7 +31,7 @@ void draft_clear(draft *d) {
     *d = (draft){.dimension = d->dimension};
 }
 
-static graze_status append_piece(draft_piece **out, graze_context *context, draft *d, int rigid) {
+graze_status draft_append(draft_piece **out, graze_context *context, draft *d, int rigid) {
     if (d->count >= context->limits[GRAZE_LIMIT_PIECES])
         return context_limit(context, GRAZE_LIMIT_PIECES, "pieces of a motion");
     TRY(context_poll(context));
@@ -51,14 +51,6 @@ static graze_status append_piece(draft_piece **out, graze_context *context, draf
     return GRAZE_OK;
 }
 
-graze_status draft_append(draft_piece **out, graze_context *context, draft *d) {
-    return append_piece(out, context, d, 0);
-}
-
-graze_status draft_append_rigid(draft_piece **out, graze_context *context, draft *d) {
-    return append_piece(out, context, d, 1);
-}
-
 graze_status draft_spread(draft *d, graze_context *context) {
     calculation c = {context, GRAZE_OK};
     for (size_t k = 0; k < d->count && c.status == GRAZE_OK; k++) {
@@ -75,16 +67,21 @@ graze_status draft_spread(draft *d, graze_context *context) {
     return c.status;
 }
 
+/* The share (t - lo) / (hi - lo) of a time in an interval. */
+static void interval_share(fmpq_t out, const fmpq_t t, const fmpq_t lo, const fmpq_t hi) {
+    LOCAL(fmpq, span);
+    fmpq_sub(span, hi, lo);
+    fmpq_sub(out, t, lo);
+    fmpq_div(out, out, span);
+}
+
 /* Set `out` to a piece's map over [lo, hi], with a parameter that runs from 0 to 1 there. */
 static void cut_map(calculation *c, affine *out, const draft_piece *piece, const fmpq_t lo,
                     const fmpq_t hi) {
-    LOCAL_VEC(fmpq, span, 3);
-    fmpq *low = span + 1, *high = span + 2;
-    fmpq_sub(span, piece->hi, piece->lo);
-    fmpq_sub(low, lo, piece->lo);
-    fmpq_div(low, low, span);
-    fmpq_sub(high, hi, piece->lo);
-    fmpq_div(high, high, span);
+    LOCAL_VEC(fmpq, low, 2);
+    fmpq *high = low + 1;
+    interval_share(low, lo, piece->lo, piece->hi);
+    interval_share(high, hi, piece->lo, piece->hi);
     if (fmpq_is_zero(low) && fmpq_is_one(high))
         affine_set(out, &piece->map);
     else
@@ -95,7 +92,7 @@ static void cut_map(calculation *c, affine *out, const draft_piece *piece, const
 static graze_status relative_piece(draft *out, graze_context *context, const draft_piece *moving,
                                    const draft_piece *frame, const fmpq_t lo, const fmpq_t hi) {
     draft_piece *piece;
-    TRY(draft_append(&piece, context, out));
+    TRY(draft_append(&piece, context, out, 0));
     calculation c = {context, GRAZE_OK};
     HELD(common_map, common);
     HELD(affine, part, out->dimension);
@@ -115,8 +112,9 @@ static graze_status relative_piece(draft *out, graze_context *context, const dra
 
 graze_status draft_relative(draft *out, graze_context *context, const draft *moving,
                             const draft *frame) {
+    const fmpq *a_lo = moving->piece[0].lo, *b_lo = frame->piece[0].lo;
     LOCAL(fmpq, lo);
-    fmpq_set(lo, moving->piece[0].lo);
+    fmpq_set(lo, fmpq_cmp(a_lo, b_lo) > 0 ? a_lo : b_lo);
     for (size_t m = 0, f = 0; m < moving->count && f < frame->count;) {
         const draft_piece *a = &moving->piece[m], *b = &frame->piece[f];
         int order = fmpq_cmp(a->hi, b->hi);
@@ -132,21 +130,17 @@ graze_status draft_relative(draft *out, graze_context *context, const draft *mov
 graze_status draft_follow(draft *out, graze_context *context, const draft *next, slong from,
                           affine *end) {
     calculation c = {context, GRAZE_OK};
-    const fmpq *first = next->piece[0].lo;
-    LOCAL_VEC(fmpq, span, 2);
-    fmpq *one = span + 1;
+    const fmpq *first = next->piece[0].lo, *last_hi = next->piece[next->count - 1].hi;
+    LOCAL(fmpq, one);
     HELD(affine, last, out->dimension);
     fmpq_one(one);
-    fmpq_sub(span, next->piece[next->count - 1].hi, first);
     for (size_t k = 0; k < next->count && c.status == GRAZE_OK; k++) {
         const draft_piece *piece = &next->piece[k];
         draft_piece *copy;
-        TRY(draft_append(&copy, context, out));
-        fmpq_sub(copy->lo, piece->lo, first);
-        fmpq_div(copy->lo, copy->lo, span);
+        TRY(draft_append(&copy, context, out, 0));
+        interval_share(copy->lo, piece->lo, first, last_hi);
         fmpq_add_si(copy->lo, copy->lo, from);
-        fmpq_sub(copy->hi, piece->hi, first);
-        fmpq_div(copy->hi, copy->hi, span);
+        interval_share(copy->hi, piece->hi, first, last_hi);
         fmpq_add_si(copy->hi, copy->hi, from);
         copy->row = piece->row;
         affine_multiply(&c, &copy->map, &piece->map, end);

@@ -29,19 +29,18 @@ typedef struct draft {
 void draft_init(draft *d, int dimension);
 void draft_clear(draft *d);
 /**
- * Append a piece, whose values the caller sets. The pointer is valid until the next piece is
- * appended.
+ * Append a piece, rigid or not, whose values the caller sets. The pointer is valid until the next
+ * piece is appended.
  * @return GRAZE_ELIMIT more than the limit `pieces`; GRAZE_ECANCELED; GRAZE_ESYSTEM
  */
-graze_status draft_append(draft_piece **out, graze_context *context, draft *d);
-/** draft_append for a rigid piece. */
-graze_status draft_append_rigid(draft_piece **out, graze_context *context, draft *d);
+graze_status draft_append(draft_piece **out, graze_context *context, draft *d, int rigid);
 /** Replace the frame of every rigid piece by its map; draft_relative and draft_follow take no rigid
  * pieces. */
 graze_status draft_spread(draft *d, graze_context *context);
 
-/** frame^-1 moving ([IS] eq. 7), cut at the breaks of both. Both motions are legal, have no rigid
- * piece, and have the same dimension and the same interval of time.
+/** frame^-1 moving ([IS] eq. 7) from the later start to the earlier end, cut at the breaks of both.
+ * Both motions are legal and have no rigid piece, and the same dimension; the first pieces of both
+ * have a time in common.
  * @param[out] out empty
  */
 graze_status draft_relative(draft *out, graze_context *context, const draft *moving,

@@ -20,6 +20,13 @@ void point_map_clear(point_map *map) {
         fmpz_poly_clear(&map->entry[k]);
 }
 
+void point_map_set(point_map *out, const point_map *map) {
+    out->dimension = map->dimension;
+    fmpz_poly_set(out->weight, map->weight);
+    for (int k = 0; k < POINT_MAP_ENTRIES; k++)
+        fmpz_poly_set(&out->entry[k], &map->entry[k]);
+}
+
 int affine_orientation(const fmpq *map, int d) {
     LOCAL(fmpq_mat, linear, d, d);
     LOCAL(fmpq, determinant);

@@ -55,6 +55,7 @@ const point_map *motion_placing(const motion_piece *piece, graze_operation opera
 
 void point_map_init(point_map *map, int dimension);
 void point_map_clear(point_map *map);
+void point_map_set(point_map *out, const point_map *map);
 
 /** Set `out` to the affine map that a point map is at u: d*(d+1) initialised rationals, row by row.
  */
@@ -167,6 +168,8 @@ json_writer motion_begin(text *out, int dimension, const char *list, int apart);
  * transform and in it the member `kind` by `bracket`. */
 void motion_begin_piece(json_writer *w, int indent, const fmpq_t from, const fmpq_t to,
                         unsigned long row, const char *kind, char bracket);
+/** Write a piece with a matrix. */
+void motion_put_piece(json_writer *w, const motion_piece *piece);
 /** End the list of pieces, and the file. */
 void motion_end(json_writer *w);
 

@@ -75,7 +75,7 @@ static graze_status blame(affine *map, graze_context *context, const json *trans
 static graze_status read_stretch(draft *out, graze_context *context, const json *transform,
                                  stretch *part) {
     draft_piece *piece;
-    graze_status status = draft_append(&piece, context, out);
+    graze_status status = draft_append(&piece, context, out, 0);
     if (status != GRAZE_OK)
         return json_at(context, status, transform);
     fmpq_set(piece->lo, part->lo);
@@ -256,7 +256,7 @@ static void set_lines(fmpz_poly_struct *out, fmpz_t denominator, const fmpq_t *f
 static graze_status append_between(draft *out, graze_context *context, const json *where,
                                    const keyframe *from, const keyframe *to) {
     draft_piece *piece;
-    graze_status status = draft_append_rigid(&piece, context, out);
+    graze_status status = draft_append(&piece, context, out, 1);
     if (status != GRAZE_OK)
         return json_at(context, status, where);
     fmpq_set(piece->lo, from->time);

@@ -106,7 +106,7 @@ void motion_end(json_writer *w) {
     text_put(w->out, "\n");
 }
 
-static void write_piece(json_writer *w, const motion_piece *piece) {
+void motion_put_piece(json_writer *w, const motion_piece *piece) {
     const point_map *m = &piece->forward;
     int d = m->dimension;
     LOCAL(fmpq_poly, weight);
@@ -127,6 +127,6 @@ static void write_piece(json_writer *w, const motion_piece *piece) {
 void motion_write(text *out, const graze_motion *motion) {
     json_writer w = motion_begin(out, motion->dimension, "pieces", 0);
     for (size_t k = 0; k < motion->piece_count; k++)
-        write_piece(&w, &motion->piece[k]);
+        motion_put_piece(&w, &motion->piece[k]);
     motion_end(&w);
 }

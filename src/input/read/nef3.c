@@ -12,12 +12,9 @@
  */
 #include "base/context/scope.h"
 #include "base/number/rounding.h"
+#include "base/number/vector.h"
 #include "input/read/nef3_text.h"
 #include "input/soup/soup.h"
-
-static graze_status illegal(const nef *n, const char *kind, size_t index, const char *what) {
-    return nef_fail(n, GRAZE_EILLEGAL, "%s %zu %s", kind, index, what);
-}
 
 static graze_status check_volume_marks(const nef *n) {
     size_t marked = 0;
@@ -37,13 +34,13 @@ static graze_status check_facets(const nef *n) {
         const nef_halffacet *item = n->halffacet + f;
         int here = n->volume[item->volume].mark;
         if (here == n->volume[n->halffacet[item->twin].volume].mark)
-            return illegal(n, "half-facet", f,
-                           here ? "lies inside marked volumes; expected a regular closed set, "
-                                  "without such a facet"
-                                : "is dangling: both its volumes are unmarked");
+            return nef_fail(n, GRAZE_EILLEGAL, "half-facet %zu %s", f,
+                            here ? "lies inside marked volumes; expected a regular closed set, "
+                                   "without such a facet"
+                                 : "is dangling: both its volumes are unmarked");
         if (!item->mark)
-            return illegal(n, "half-facet", f,
-                           "is not marked; expected a closed set, with its boundary");
+            return nef_fail(n, GRAZE_EILLEGAL, "half-facet %zu %s", f,
+                            "is not marked; expected a closed set, with its boundary");
     }
     return GRAZE_OK;
 }
@@ -57,12 +54,13 @@ static graze_status check_solid(const nef *n) {
     TRY(check_facets(n));
     for (size_t e = 0; e < n->count[NEF_HALFEDGE]; e++)
         if (n->halfedge[e].isolated || !n->halfedge[e].mark)
-            return illegal(n, "half-edge", e, n->halfedge[e].isolated ? thin : open);
+            return nef_fail(n, GRAZE_EILLEGAL, "half-edge %zu %s", e,
+                            n->halfedge[e].isolated ? thin : open);
     for (size_t v = 0; v < n->count[NEF_VERTEX]; v++) {
         const nef_vertex *item = n->vertex + v;
         int alone = item->part[0][0] == NEF_NONE && item->loop == NEF_NONE;
         if (alone || !item->mark)
-            return illegal(n, "vertex", v, alone ? thin : open);
+            return nef_fail(n, GRAZE_EILLEGAL, "vertex %zu %s", v, alone ? thin : open);
     }
     return GRAZE_OK;
 }
@@ -96,15 +94,9 @@ static int cycle_sign(const nef *n, size_t f, size_t entry) {
     const fmpq *origin = n->point + 3 * nef_corner(n, entry);
     for (size_t e = n->shalfedge[entry].next; e != entry; e = n->shalfedge[e].next) {
         const fmpq *next = n->point + 3 * nef_corner(n, n->shalfedge[e].next);
-        for (int k = 0; k < 3; k++) {
-            fmpq_sub(a + k, n->point + 3 * nef_corner(n, e) + k, origin + k);
-            fmpq_sub(b + k, next + k, origin + k);
-        }
-        for (int k = 0; k < 3; k++) {
-            int i = (k + 1) % 3, j = (k + 2) % 3;
-            fmpq_mul(cross + k, a + i, b + j);
-            fmpq_submul(cross + k, a + j, b + i);
-        }
+        vector_sub(a, n->point + 3 * nef_corner(n, e), origin, 3);
+        vector_sub(b, next, origin, 3);
+        vector_cross(cross, a, b);
         along_normal(term, n->plane + 4 * f, cross);
         fmpq_add(sum, sum, term);
     }

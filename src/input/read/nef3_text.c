@@ -5,8 +5,6 @@
  * n->status is a failure, so that an item is read by a plain sequence of calls.
  */
 #include <flint/fmpz_vec.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "base/context/scope.h"
@@ -14,19 +12,10 @@
 #include "input/read/nef3_text.h"
 #include "input/read/token_lines.h"
 
-enum { DETAIL_SIZE = 512, ITEM_BYTES_LEAST = 7 };
+enum { ITEM_BYTES_LEAST = 7 };
 
 static const char *const kind_name[NEF_KIND_COUNT] = {
     "vertices", "halfedges", "facets", "volumes", "shalfedges", "shalfloops", "sfaces"};
-
-graze_status nef_fail(const nef *n, graze_status status, const char *format, ...) {
-    char detail[DETAIL_SIZE];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(detail, sizeof detail, format, arguments);
-    va_end(arguments);
-    return context_fail_in(n->l.context, status, n->l.path, 0, "%s", detail);
-}
 
 /* The next token; an empty one on failure. */
 static token next(nef *n, const char *expected) {
@@ -115,6 +104,20 @@ static void homogeneous(nef *n, fmpq *point) {
         fmpq_set_fmpz_frac(point + k, h + k, h + 3);
 }
 
+/* Read an index and the mark behind it. */
+static size_t linked(nef *n, enum nef_kind kind, const char *mark) {
+    size_t index = reference(n, kind, 0);
+    nef_expect(n, mark);
+    return index;
+}
+
+/* Read a list and the comma behind it. */
+static nef_list listed(nef *n, enum nef_kind kind) {
+    nef_list list = indices(n, kind);
+    nef_expect(n, ",");
+    return list;
+}
+
 /* Check that an item begins with its index among the items of its kind, and a brace. */
 static void begin_item(nef *n, enum nef_kind kind, size_t index) {
     long long value = integer(n, "the number of an item");
@@ -145,27 +148,20 @@ static void read_nef_vertex(nef *n, size_t v) {
 
 static void read_halfedge(nef *n, size_t e) {
     nef_halfedge *item = n->halfedge + e;
-    item->twin = reference(n, NEF_HALFEDGE, 0);
-    nef_expect(n, ",");
-    item->source = reference(n, NEF_VERTEX, 0);
-    nef_expect(n, ",");
+    item->twin = linked(n, NEF_HALFEDGE, ",");
+    item->source = linked(n, NEF_VERTEX, ",");
     item->isolated = flag(n, "the sign of an isolated half-edge");
-    item->incident = reference(n, item->isolated ? NEF_SFACE : NEF_SHALFEDGE, 0);
-    nef_expect(n, "|");
+    item->incident = linked(n, item->isolated ? NEF_SFACE : NEF_SHALFEDGE, "|");
     integers(n, NULL);
     item->mark = end_item(n);
 }
 
 static void read_halffacet(nef *n, size_t f) {
     nef_halffacet *item = n->halffacet + f;
-    item->twin = reference(n, NEF_HALFFACET, 0);
-    nef_expect(n, ",");
-    item->cycle = indices(n, NEF_SHALFEDGE);
-    nef_expect(n, ",");
-    item->loop = indices(n, NEF_SHALFLOOP);
-    nef_expect(n, ",");
-    item->volume = reference(n, NEF_VOLUME, 0);
-    nef_expect(n, "|");
+    item->twin = linked(n, NEF_HALFFACET, ",");
+    item->cycle = listed(n, NEF_SHALFEDGE);
+    item->loop = listed(n, NEF_SHALFLOOP);
+    item->volume = linked(n, NEF_VOLUME, "|");
     integers(n, n->plane + 4 * f);
     item->mark = end_item(n);
 }
@@ -177,48 +173,33 @@ static void read_volume(nef *n, size_t c) {
 
 static void read_shalfedge(nef *n, size_t e) {
     nef_shalfedge *item = n->shalfedge + e;
-    item->twin = reference(n, NEF_SHALFEDGE, 0);
-    nef_expect(n, ",");
-    item->sprev = reference(n, NEF_SHALFEDGE, 0);
-    nef_expect(n, ",");
-    item->snext = reference(n, NEF_SHALFEDGE, 0);
-    nef_expect(n, ",");
-    item->source = reference(n, NEF_HALFEDGE, 0);
-    nef_expect(n, ",");
-    item->sface = reference(n, NEF_SFACE, 0);
-    nef_expect(n, ",");
-    item->prev = reference(n, NEF_SHALFEDGE, 0);
-    nef_expect(n, ",");
-    item->next = reference(n, NEF_SHALFEDGE, 0);
-    nef_expect(n, ",");
-    item->facet = reference(n, NEF_HALFFACET, 0);
-    nef_expect(n, "|");
+    item->twin = linked(n, NEF_SHALFEDGE, ",");
+    item->sprev = linked(n, NEF_SHALFEDGE, ",");
+    item->snext = linked(n, NEF_SHALFEDGE, ",");
+    item->source = linked(n, NEF_HALFEDGE, ",");
+    item->sface = linked(n, NEF_SFACE, ",");
+    item->prev = linked(n, NEF_SHALFEDGE, ",");
+    item->next = linked(n, NEF_SHALFEDGE, ",");
+    item->facet = linked(n, NEF_HALFFACET, "|");
     integers(n, NULL);
     item->mark = end_item(n);
 }
 
 static void read_shalfloop(nef *n, size_t l) {
     nef_shalfloop *item = n->shalfloop + l;
-    item->twin = reference(n, NEF_SHALFLOOP, 0);
-    nef_expect(n, ",");
-    item->sface = reference(n, NEF_SFACE, 0);
-    nef_expect(n, ",");
-    item->facet = reference(n, NEF_HALFFACET, 0);
-    nef_expect(n, "|");
+    item->twin = linked(n, NEF_SHALFLOOP, ",");
+    item->sface = linked(n, NEF_SFACE, ",");
+    item->facet = linked(n, NEF_HALFFACET, "|");
     integers(n, NULL);
     item->mark = end_item(n);
 }
 
 static void read_sface(nef *n, size_t f) {
     nef_sface *item = n->sface + f;
-    item->vertex = reference(n, NEF_VERTEX, 0);
-    nef_expect(n, ",");
-    item->arc = indices(n, NEF_SHALFEDGE);
-    nef_expect(n, ",");
-    item->point = indices(n, NEF_HALFEDGE);
-    nef_expect(n, ",");
-    item->loop = indices(n, NEF_SHALFLOOP);
-    nef_expect(n, ",");
+    item->vertex = linked(n, NEF_VERTEX, ",");
+    item->arc = listed(n, NEF_SHALFEDGE);
+    item->point = listed(n, NEF_HALFEDGE);
+    item->loop = listed(n, NEF_SHALFLOOP);
     item->volume = reference(n, NEF_VOLUME, 0);
     item->mark = end_item(n);
 }

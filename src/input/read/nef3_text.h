@@ -106,9 +106,9 @@ graze_status nef_parse(nef *out, graze_context *context, const char *path, const
                        size_t length);
 void nef_clear(nef *n);
 
-/** Fail with "path: " before the message. */
-graze_status nef_fail(const nef *n, graze_status status, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
+/** Fail with "path: " before the message, given as for printf. */
+#define nef_fail(n, status, ...)                                                                   \
+    context_fail_in((n)->l.context, status, (n)->l.path, 0, __VA_ARGS__)
 
 /* The links of a selective Nef complex. */
 

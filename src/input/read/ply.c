@@ -4,7 +4,6 @@
  * Other elements and properties are skipped. In a text file every entry has a line of its own.
  * Tokens of coordinates are exact, whatever their declared type is.
  */
-#include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
@@ -13,8 +12,6 @@
 #include "base/number/rounding.h"
 #include "input/read/token_lines.h"
 #include "input/soup/soup.h"
-
-enum { DETAIL_SIZE = 256 };
 
 typedef struct ply {
     soup *s;
@@ -49,15 +46,8 @@ static graze_status at_entry(const ply *p, graze_status status) {
     return context_in(context, status, p->l.path, 0);
 }
 
-__attribute__((format(printf, 2, 3))) static graze_status fail(const ply *p, const char *format,
-                                                               ...) {
-    char detail[DETAIL_SIZE];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(detail, sizeof detail, format, arguments);
-    va_end(arguments);
-    return at_entry(p, context_fail(p->l.context, GRAZE_EINPUT, "%s", detail));
-}
+/* Fail at the entry that is read, with a message as for printf. */
+#define fail(p, ...) at_entry(p, context_fail((p)->l.context, GRAZE_EINPUT, __VA_ARGS__))
 
 static graze_status next_token(ply *p, token *out) {
     return lines_token(&p->l, out) ? GRAZE_OK

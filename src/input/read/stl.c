@@ -8,6 +8,7 @@
 #include "base/context/scope.h"
 #include "base/context/slots.h"
 #include "base/number/rounding.h"
+#include "base/number/vector.h"
 #include "input/read/token_lines.h"
 #include "input/soup/soup.h"
 
@@ -34,9 +35,7 @@ static uint64_t stl_hash(const fmpq *point) {
 static size_t find_vertex(const merger *m, uint64_t hash) {
     size_t at = 0, vertex;
     while ((vertex = slots_next(&m->positions, hash, &at)) != SLOTS_NONE) {
-        const fmpq *there = m->s->coordinates + 3 * vertex;
-        if (fmpq_equal(there, m->point) && fmpq_equal(there + 1, m->point + 1) &&
-            fmpq_equal(there + 2, m->point + 2))
+        if (vector_compare(m->s->coordinates + 3 * vertex, m->point, 3) == 0)
             break;
     }
     return vertex;

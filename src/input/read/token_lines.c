@@ -1,15 +1,11 @@
 /* A text as lines of tokens (token_lines.h).
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
-#include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 #include <strings.h>
 #include "base/context/scope.h"
 #include "base/number/rational.h"
 #include "input/read/token_lines.h"
-
-enum { DETAIL_SIZE = 1024 };
 
 static void find_stops(lines *l) {
     memset(l->stops, 0, sizeof l->stops);
@@ -126,15 +122,6 @@ int lines_any(lines *l, token *out) {
         l->line++;
     }
     return 1;
-}
-
-graze_status lines_fail(const lines *l, graze_status status, const char *format, ...) {
-    char detail[DETAIL_SIZE];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(detail, sizeof detail, format, arguments);
-    va_end(arguments);
-    return context_fail_in(l->context, status, l->path, l->where, "%s", detail);
 }
 
 graze_status lines_at(const lines *l, graze_status status) {

@@ -49,9 +49,9 @@ int lines_next(lines *l);
 /** The next token on this line or a later one; 0 at the end of the text. */
 int lines_any(lines *l, token *out);
 
-/** Fail with "path:line: " of the last token before the message. */
-graze_status lines_fail(const lines *l, graze_status status, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
+/** Fail with "path:line: " of the last token before the message, given as for printf. */
+#define lines_fail(l, status, ...)                                                                 \
+    context_fail_in((l)->context, status, (l)->path, (l)->where, __VA_ARGS__)
 
 /** Put "path:line: " before the message of a failure on its way up; GRAZE_OK passes through. */
 graze_status lines_at(const lines *l, graze_status status);

@@ -7,6 +7,7 @@
  */
 #include "base/context/scope.h"
 #include "base/number/rational.h"
+#include "base/number/vector.h"
 #include "input/read/token_lines.h"
 #include "input/soup/soup.h"
 #include "input/validate/validate.h"
@@ -110,8 +111,7 @@ static graze_status close_ring(wkt *w, size_t first, size_t count) {
                           "polygon %zu, ring %zu has %zu positions; expected at least 4, the last "
                           "repeating the first",
                           w->polygon, w->ring, count);
-    const fmpq *start = w->s->coordinates + 2 * first;
-    if (!fmpq_equal(start, w->point) || !fmpq_equal(start + 1, w->point + 1))
+    if (vector_compare(w->s->coordinates + 2 * first, w->point, 2) != 0)
         return lines_fail(&w->l, GRAZE_EINPUT,
                           "polygon %zu, ring %zu is not closed; expected its first position, "
                           "exactly, as its last",
