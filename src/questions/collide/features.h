@@ -97,9 +97,8 @@ int simplex_corners(const placing *p, pair_side side, uint32_t simplex);
 void clearance_square(fmpz_poly_struct out[2], const clearance *near, const solid_pair *pair,
                       near_pair simplices);
 
-/** Set the bounds of the clearance during an interval of a piece, or at one of its times. */
-void clearance_enclose(control_maps *maps, const solid_pair *pair, size_t piece,
-                       const dyadic_interval *interval);
-void clearance_enclose_at(control_maps *maps, const solid_pair *pair, size_t piece, const fmpq_t u);
+/** Set the bounds of the clearance during an interval of the placing's piece, or at its rational
+ * time, whatever the interval. */
+void clearance_enclose(control_maps *maps, const placing *p, const dyadic_interval *interval);
 
 #endif
