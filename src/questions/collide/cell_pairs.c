@@ -31,12 +31,10 @@ static void hold_common(unsigned char held[SIDE_MASKS], placing *p, near_pair si
 
 /* Mark the masks of the means of all sets of pairs of points at the clearance. */
 static void hold_near(unsigned char held[SIDE_MASKS], placing *p, near_pair simplices) {
-    int d = p->pair->motion->dimension;
     ZEROED(feature_list, list);
-    feature_kind kind;
     unsigned zero[2];
-    for (int k = 0; feature_kind_next(&kind, k, d) && !feature_kind_pierces(kind, d); k++)
-        features_add(&list, p, simplices, kind, 1);
+    for (int k = features_first(p); k < features_end(p); k++)
+        features_add(&list, p, simplices, k, 1);
     for (size_t k = 0; k < list.count && !p->status; k++)
         if (features_sign(zero, p, &list.item[k]) == 0)
             close_masks(held, zero);

@@ -2,7 +2,6 @@
 #include <flint/fmpz_vec.h>
 #include <stdlib.h>
 #include "base/context/scope.h"
-#include "base/number/rounding.h"
 #include "questions/collide/placing.h"
 
 static int form_count(int d) {
@@ -81,18 +80,6 @@ int control_maps_set(control_maps *out, const map_forms *forms) {
             wide_get_fmpz(x, &forms->form[k].c, j);
             out->entry[j * n + k] = quotient(x, w);
         }
-    }
-    measure_maps(out);
-    return 1;
-}
-
-int control_maps_set_one(control_maps *out, const fmpq *map, int dimension) {
-    if (!make_map_room(out, 1, dimension))
-        return 0;
-    for (int k = 0; k < dimension * (dimension + 1); k++) {
-        double low, high;
-        rational_bounds(&low, &high, map + k);
-        out->entry[k] = isinf(high) ? high : low;
     }
     measure_maps(out);
     return 1;

@@ -13,16 +13,25 @@
  */
 enum { MOST_TRIED = 16, MOST_TRACED = 4 };
 
-/* Narrow [low, high] to the times between the last contact before a time and the first one after
- * it. */
-static graze_status narrow_interval(fmpq_t low, fmpq_t high, graze_context *context, touches *t,
-                                    algebraic *time) {
+/* Set [low, high] to the times between a vertex's last contact with the other boundary before a
+ * time, or 0, and its first contact after it, or 1. */
+static graze_status time_free(fmpq_t low, fmpq_t high, placing *p, pair_side side, uint32_t vertex,
+                              algebraic *time) {
+    const graze_solid *other = placing_solid(p, (pair_side)!side);
+    const trajectory *c = placing_vertex(p, side, vertex);
+    ZEROED(candidates, list);
     LOCAL_VEC(fmpq, from, 2);
     fmpq *to = from + 1;
-    for (size_t k = 0; k < t->time.count; k++) {
+    HELD(touches, found);
+    fmpq_zero(low);
+    fmpq_one(high);
+    TRY(p->status);
+    TRY(candidates_find(&list, p->context, other, c));
+    TRY(touches_find(&found, p->context, other, c, NULL, &list));
+    for (size_t k = 0; k < found.time.count; k++) {
         int order = 0;
-        TRY(algebraic_compare(&order, context, &t->time.item[k], time));
-        algebraic_bounds(from, to, &t->time.item[k]);
+        TRY(algebraic_compare(&order, p->context, &found.time.item[k], time));
+        algebraic_bounds(from, to, &found.time.item[k]);
         if (order < 0 && fmpq_cmp(to, low) > 0)
             fmpq_set(low, to);
         if (order > 0 && fmpq_cmp(from, high) < 0)
@@ -35,18 +44,9 @@ static graze_status narrow_interval(fmpq_t low, fmpq_t high, graze_context *cont
  * longer than `out`. */
 static graze_status trace_vertex(deep_interval *out, placing *whole, pair_side side,
                                  uint32_t vertex, algebraic *time) {
-    const graze_solid *other = placing_solid(whole, (pair_side)!side);
-    const trajectory *c = placing_vertex(whole, side, vertex);
-    ZEROED(candidates, list);
     LOCAL_VEC(fmpq, low, 3);
     fmpq *high = low + 1, *width = low + 2;
-    HELD(touches, found);
-    fmpq_set_si(high, 1, 1);
-    if (!c)
-        return whole->status;
-    TRY(candidates_find(&list, whole->context, other, c));
-    TRY(touches_find(&found, whole->context, other, c, NULL, &list));
-    TRY(narrow_interval(low, high, whole->context, &found, time));
+    TRY(time_free(low, high, whole, side, vertex, time));
     fmpq_sub(width, out->high, out->low);
     fmpq_add(width, width, low);
     if (fmpq_cmp(high, width) > 0) {
@@ -56,26 +56,13 @@ static graze_status trace_vertex(deep_interval *out, placing *whole, pair_side s
     return GRAZE_OK;
 }
 
-/* Set u, from 0 up, to a rational time before the placing's time and after the last contact of a
- * vertex's trajectory with the other boundary before that. */
+/* Set u to a rational time before the placing's time and after the last contact of a vertex's
+ * trajectory with the other boundary before that. */
 static graze_status time_before_root(fmpq_t u, placing *p, pair_side side, uint32_t vertex) {
-    const graze_solid *other = placing_solid(p, (pair_side)!side);
-    const trajectory *c = placing_vertex(p, side, vertex);
-    ZEROED(candidates, list);
-    HELD(touches, found);
-    LOCAL(fmpq, between);
-    TRY(p->status);
-    TRY(candidates_find(&list, p->context, other, c));
-    TRY(touches_find(&found, p->context, other, c, NULL, &list));
-    for (size_t k = 0; k < found.time.count; k++) {
-        int order = 0;
-        TRY(algebraic_compare(&order, p->context, &found.time.item[k], p->when));
-        if (order < 0)
-            TRY(algebraic_between(between, p->context, &found.time.item[k], p->when));
-        if (order < 0 && fmpq_cmp(between, u) > 0)
-            fmpq_set(u, between);
-    }
-    return GRAZE_OK;
+    LOCAL(fmpq, high);
+    HELD(algebraic, low);
+    TRY(time_free(low.value, high, p, side, vertex, p->when));
+    return algebraic_between(u, p->context, &low, p->when);
 }
 
 int placing_in_interior_then(placing *p, pair_side side, uint32_t vertex) {

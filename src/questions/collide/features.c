@@ -6,32 +6,22 @@
 #include "base/context/scope.h"
 #include "questions/collide/features.h"
 
-int feature_kind_next(feature_kind *out, int k, int dimension) {
-    static const feature_kind kinds[] = {{{1, 1}}, {{1, 2}}, {{2, 1}}, {{2, 2}},
-                                         {{1, 3}}, {{3, 1}}, {{2, 3}}, {{3, 2}}};
-    if (k >= (dimension == 3 ? 8 : 4))
-        return 0;
-    *out = kinds[k];
-    return 1;
+/* Numbers of corners of two faces, by their sum. */
+static const int kinds[][2] = {{1, 1}, {1, 2}, {2, 1}, {2, 2}, {1, 3}, {3, 1}, {2, 3}, {3, 2}};
+
+int features_first(const placing *p) {
+    return p->near ? 0 : p->pair->motion->dimension == 3 ? 3 : 1;
 }
 
-int feature_kind_pierces(feature_kind kind, int dimension) {
-    return kind.count[0] + kind.count[1] == dimension + 2;
+int features_end(const placing *p) {
+    return p->pair->motion->dimension == 3 ? 6 : 3;
 }
 
-/* Give the faces of a simplex with `count` corners. @return their number */
-static int faces_of_simplex(corner_run out[3], const placing *p, pair_side side, uint32_t simplex,
-                            int count, int all) {
-    int corners = simplex_corners(p, side, simplex), found = 0;
-    unsigned made =
-        all || corners < 3 || count != 2 ? 0 : placing_solid(p, side)->cut.item[simplex].diagonal;
-    if (count == corners)
-        out[found++] = (corner_run){simplex, 0, count};
-    for (int k = 0; k < corners && count < corners; k++)
-        if (!(made >> k & 1))
-            out[found++] = (corner_run){simplex, k, count};
-    return found;
-}
+/* A face of a simplex and the sorted numbers of its vertices. */
+typedef struct named_face {
+    corner_run run;
+    uint32_t key[3];
+} named_face;
 
 static int compare_numbers(const void *left, const void *right) {
     uint32_t a = *(const uint32_t *)left, b = *(const uint32_t *)right;
@@ -43,22 +33,40 @@ static uint32_t run_vertex(const placing *p, pair_side side, corner_run run, int
     return s->vertex[(run.first + k) % p->pair->motion->dimension];
 }
 
-static void name_face(uint32_t key[3], const placing *p, pair_side side, corner_run run) {
+static void add_face(named_face out[3], int *found, const placing *p, pair_side side,
+                     corner_run run) {
+    named_face *f = &out[(*found)++];
+    f->run = run;
     for (int k = 0; k < 3; k++)
-        key[k] = k < run.count ? run_vertex(p, side, run, k) : UINT32_MAX;
-    qsort(key, 3, sizeof *key, compare_numbers);
+        f->key[k] = k < run.count ? run_vertex(p, side, run, k) : UINT32_MAX;
+    qsort(f->key, (size_t)run.count, sizeof *f->key, compare_numbers);
 }
 
-void features_add(feature_list *out, placing *p, near_pair simplices, feature_kind kind, int all) {
-    corner_run moving[3], fixed[3];
-    int m = faces_of_simplex(moving, p, SIDE_MOVING, simplices.moving, kind.count[0], all);
-    int n = faces_of_simplex(fixed, p, SIDE_FIXED, simplices.fixed, kind.count[1], all);
+/* Give the faces of a simplex with `count` corners. @return their number */
+static int faces_of_simplex(named_face out[3], const placing *p, pair_side side, uint32_t simplex,
+                            int count, int all) {
+    int corners = simplex_corners(p, side, simplex), found = 0;
+    unsigned made = all || !p->near || corners < 3 || count != 2
+                        ? 0
+                        : placing_solid(p, side)->cut.item[simplex].diagonal;
+    if (count == corners)
+        add_face(out, &found, p, side, (corner_run){simplex, 0, count});
+    for (int k = 0; k < corners && count < corners; k++)
+        if (!(made >> k & 1))
+            add_face(out, &found, p, side, (corner_run){simplex, k, count});
+    return found;
+}
+
+void features_add(feature_list *out, placing *p, near_pair simplices, int kind, int all) {
+    named_face moving[3], fixed[3];
+    int m = faces_of_simplex(moving, p, SIDE_MOVING, simplices.moving, kinds[kind][0], all);
+    int n = faces_of_simplex(fixed, p, SIDE_FIXED, simplices.fixed, kinds[kind][1], all);
     for (int i = 0; i < m; i++)
         for (int j = 0; j < n && PLACING_ROOM(p, out, "pairs of features"); j++) {
             feature_pair *f = &out->item[out->count++];
-            *f = (feature_pair){.of = {moving[i], fixed[j]}};
-            name_face(f->key, p, SIDE_MOVING, moving[i]);
-            name_face(f->key + 3, p, SIDE_FIXED, fixed[j]);
+            *f = (feature_pair){.of = {moving[i].run, fixed[j].run}};
+            memcpy(f->key, moving[i].key, sizeof moving[i].key);
+            memcpy(f->key + 3, fixed[j].key, sizeof fixed[j].key);
         }
 }
 
@@ -70,7 +78,7 @@ static int compare_features(const void *left, const void *right) {
     return 0;
 }
 
-void features_gather(feature_list *out, placing *p, const near_list *near, feature_kind kind) {
+void features_gather(feature_list *out, placing *p, const near_list *near, int kind) {
     out->count = 0;
     for (size_t k = 0; k < near->count && !p->status; k++)
         features_add(out, p, near->item[k], kind, 0);
@@ -132,20 +140,14 @@ static void divide_out(fmpz_poly_t out, const fmpz_poly_t weight) {
     }
 }
 
-void stationary_init(stationary *s, placing *p, const feature_pair *features) {
+static void set_stationary(stationary *s, placing *p) {
     uint32_t base[2];
     HELD(moving_vector, offset);
     LOCAL(fmpz_poly, weight);
     LOCAL(fmpz_poly, least);
     LOCAL_VEC(fmpz_poly, near, 2);
-    s->features = features;
-    s->count = 0;
-    fmpz_poly_init(s->gram);
-    fmpz_poly_init(s->equation);
-    for (int k = 0; k < 3; k++)
-        moving_vector_init(&s->span[k]);
     for (int side = 0; side < 2; side++) {
-        corner_run run = features->of[side];
+        corner_run run = s->features->of[side];
         base[side] = run_vertex(p, (pair_side)side, run, 0);
         for (int k = 1; k < run.count; k++)
             edge_vector(&s->span[s->count++], p, (pair_side)side, run.simplex, run.first,
@@ -156,11 +158,59 @@ void stationary_init(stationary *s, placing *p, const feature_pair *features) {
     square(least, weight);
     fmpz_poly_mul(least, least, s->gram);
     clearance_square(near, p->near, p->pair,
-                     (near_pair){features->of[0].simplex, features->of[1].simplex});
+                     (near_pair){s->features->of[0].simplex, s->features->of[1].simplex});
     fmpz_poly_mul(s->equation, s->equation, &near[1]);
     fmpz_poly_mul(least, least, &near[0]);
     fmpz_poly_sub(s->equation, s->equation, least);
     divide_out(s->equation, p->map[SIDE_MOVING]->weight);
+}
+
+/* The side of the face of a vertex and a face. */
+static pair_side side_of_face(const feature_pair *features) {
+    return features->of[SIDE_MOVING].count == 1 ? SIDE_FIXED : SIDE_MOVING;
+}
+
+static int are_edges(const feature_pair *features) {
+    return features->of[SIDE_MOVING].count == features->of[SIDE_FIXED].count;
+}
+
+static uint32_t lone_vertex(const placing *p, const feature_pair *features) {
+    pair_side other = (pair_side)!side_of_face(features);
+    return run_vertex(p, other, features->of[other], 0);
+}
+
+/* Set the equation of features that span a plane together, without a clearance: it is linear in the
+ * distance. */
+static void set_incidence(stationary *s, placing *p) {
+    const corner_run *run = s->features->of;
+    uint32_t end[2][2];
+    pair_side face = side_of_face(s->features);
+    if (!are_edges(s->features)) {
+        placing_plane(s->equation, p, face, run[face].simplex, lone_vertex(p, s->features));
+        return;
+    }
+    for (int side = 0; side < 2; side++)
+        simplex_side(end[side], placing_solid(p, (pair_side)side), run[side].simplex,
+                     run[side].first);
+    placing_edges(s->equation, p, end[SIDE_MOVING], end[SIDE_FIXED]);
+}
+
+void stationary_init(stationary *s, placing *p, const feature_pair *features) {
+    s->features = features;
+    s->count = 0;
+    fmpz_poly_init(s->gram);
+    fmpz_poly_init(s->equation);
+    for (int k = 0; k < 3; k++)
+        moving_vector_init(&s->span[k]);
+    (p->near ? set_stationary : set_incidence)(s, p);
+}
+
+int stationary_turns(fmpz_poly_t out, placing *p, const stationary *s, int k) {
+    pair_side face = side_of_face(s->features);
+    if (p->near || are_edges(s->features) || k == p->pair->motion->dimension)
+        return 0;
+    placing_side(out, p, face, s->features->of[face].simplex, k, lone_vertex(p, s->features));
+    return 1;
 }
 
 void stationary_clear(stationary *s) {
@@ -227,7 +277,9 @@ static unsigned sides_around(int d, unsigned corners) {
     return sides;
 }
 
-int stationary_inside(unsigned zero[2], placing *p, const stationary *s) {
+/* Are there stationary points in both closed faces at the placing's time? The vectors must be
+ * independent then. */
+static int stationary_inside(unsigned zero[2], placing *p, const stationary *s) {
     int d = p->pair->motion->dimension;
     for (int side = 0; side < 2; side++) {
         corner_run run = s->features->of[side];
@@ -251,7 +303,8 @@ int features_sign(unsigned zero[2], placing *p, const feature_pair *features) {
     return stationary_inside(zero, p, &s) ? sign : 1;
 }
 
-int edge_ends_touch(placing *p, const feature_pair *edges) {
+/* Are two edges at the clearance, by one of their ends? */
+static int edge_ends_touch(placing *p, const feature_pair *edges) {
     int d = p->pair->motion->dimension, found = 0;
     unsigned zero[2];
     for (int i = 0; i < 3 && !found; i++)
@@ -265,16 +318,51 @@ int edge_ends_touch(placing *p, const feature_pair *edges) {
                 }
             found = features_sign(zero, p, &ends) == 0;
         }
+    return found;
+}
+
+/* Do two edges, whose lines are coplanar at the time, cross inside both? Only the signs of the
+ * edges' ends at the other triangle's plane are found. */
+static int edges_meet(placing *p, const feature_pair *edges) {
+    int plane[2][3] = {{0}, {0}};
+    const corner_run *run = edges->of;
+    for (int side = 0; side < 2; side++) {
+        int first = run[side].first, second = (first + 1) % 3;
+        for (int k = 0; k < 2; k++)
+            plane[side][k ? second : first] =
+                placing_plane_sign(p, (pair_side)!side, run[!side].simplex,
+                                   run_vertex(p, (pair_side)side, run[side], k));
+        if (side == SIDE_MOVING && plane[side][first] * plane[side][second] > 0)
+            return 0;
+    }
+    return edges_cross(p, (near_pair){run[0].simplex, run[1].simplex}, run[0].first, run[1].first,
+                       plane);
+}
+
+int stationary_touches(placing *p, const stationary *s) {
+    unsigned zero[2];
+    int found = 0;
+    if (p->near && s->count > 1 && placing_sign(p, s->gram) == 0) {
+        found = edge_ends_touch(p, s->features);
+    } else if (p->near) {
+        found = stationary_inside(zero, p, s);
+    } else if (are_edges(s->features)) {
+        found = edges_meet(p, s->features);
+    } else {
+        pair_side face = side_of_face(s->features);
+        found = placing_inside(zero, p, face, s->features->of[face].simplex,
+                               lone_vertex(p, s->features));
+    }
     return found && !p->status;
 }
 
 graze_state features_look(placing *p, const near_list *near) {
     int d = p->pair->motion->dimension, least = 1;
     ZEROED(feature_list, list);
-    feature_kind kind;
+    int end = features_end(p) + d - 1;
     unsigned zero[2];
-    for (int k = 0; feature_kind_next(&kind, k, d) && least >= 0; k++) {
-        features_gather(&list, p, near, kind);
+    for (int k = 0; k < end && least >= 0; k++) {
+        features_gather(&list, p, near, k);
         for (size_t i = 0; i < list.count && least >= 0 && !p->status; i++) {
             int sign = features_sign(zero, p, &list.item[i]);
             least = sign < least ? sign : least;

@@ -42,24 +42,22 @@ static inline void feature_list_clear(feature_list *list) {
     free(list->item);
 }
 
-/** Numbers of corners of two faces. Faces that span all of space together have no equation: they
- * may pierce one another. */
-typedef struct feature_kind {
-    int count[2];
-} feature_kind;
-
-/** Give kind k of a dimension, those with an equation first; 0 past the last one. */
-int feature_kind_next(feature_kind *out, int k, int dimension);
-int feature_kind_pierces(feature_kind kind, int dimension);
+/** Kinds of pairs of faces that have an equation are numbered from `first` to `end` - 1. Without a
+ * clearance they are a vertex and a simplex, or two edges of E^3. Kinds from `end` on, d - 1 of
+ * them, span all of space together and may pierce one another. */
+int features_first(const placing *p);
+int features_end(const placing *p);
 
 /** Append the pairs of faces of one kind of two simplices.
  * @param all 1: sides that were made by cutting facets too */
-void features_add(feature_list *out, placing *p, near_pair simplices, feature_kind kind, int all);
+void features_add(feature_list *out, placing *p, near_pair simplices, int kind, int all);
 
-/** Replace a list by all pairs of faces of one kind, each once, without sides made by cutting. */
-void features_gather(feature_list *out, placing *p, const near_list *near, feature_kind kind);
+/** Replace a list by all pairs of faces of one kind, each once; with a clearance, without sides
+ * made by cutting. */
+void features_gather(feature_list *out, placing *p, const near_list *near, int kind);
 
-/** The stationary points of the distance of the affine hulls of two faces. */
+/** The stationary points of the distance of the affine hulls of two faces; without a clearance, the
+ * equation alone. */
 typedef struct stationary {
     const feature_pair *features;
     int count;             /* of the vectors that span both faces, the moving one's first */
@@ -71,17 +69,17 @@ typedef struct stationary {
 void stationary_init(stationary *s, placing *p, const feature_pair *features);
 void stationary_clear(stationary *s);
 
-/** Are there stationary points in both closed faces at the placing's time? The vectors must be
- * independent then.
- * @param[out] zero the sides of both simplices that hold the points */
-int stationary_inside(unsigned zero[2], placing *p, const stationary *s);
+/** Set form k, from 0 on, that vanishes where a vertex may change its cell in the plane of a
+ * simplex in which it always lies; 0 if there is none. */
+int stationary_turns(fmpz_poly_t out, placing *p, const stationary *s, int k);
+
+/** At a root of the equation or of such a form, the placing's time: are points of both closed faces
+ * at the clearance? Where edges are parallel then, their ends tell (proofs/collision.md C132). */
+int stationary_touches(placing *p, const stationary *s);
 
 /** The sign of distance minus clearance at the placing's time if the stationary points are in both
  * closed faces, else 1. */
 int features_sign(unsigned zero[2], placing *p, const feature_pair *features);
-
-/** Are two edges at the clearance, by one of their ends, at the placing's time? */
-int edge_ends_touch(placing *p, const feature_pair *edges);
 
 /** The state at the placing's time without containment: I, B, or O (C131). */
 graze_state features_look(placing *p, const near_list *near);
@@ -99,9 +97,8 @@ int simplex_corners(const placing *p, pair_side side, uint32_t simplex);
 void clearance_square(fmpz_poly_struct out[2], const clearance *near, const solid_pair *pair,
                       near_pair simplices);
 
-/** Set the bounds of the clearance during an interval of a piece, or at one of its times. */
-void clearance_enclose(control_maps *maps, const solid_pair *pair, size_t piece,
-                       const dyadic_interval *interval);
-void clearance_enclose_at(control_maps *maps, const solid_pair *pair, size_t piece, const fmpq_t u);
+/** Set the bounds of the clearance during an interval of the placing's piece, or at its rational
+ * time, whatever the interval. */
+void clearance_enclose(control_maps *maps, const placing *p, const dyadic_interval *interval);
 
 #endif

@@ -95,33 +95,15 @@ static void take_square(double *least, double *most, const fmpz_poly_struct squa
             *most = INFINITY;
 }
 
-void clearance_enclose(control_maps *maps, const solid_pair *pair, size_t piece,
-                       const dyadic_interval *interval) {
+void clearance_enclose(control_maps *maps, const placing *p, const dyadic_interval *interval) {
     maps->least = maps->most = 0;
-    if (!pair->near)
+    if (!p->near)
         return;
     LOCAL_VEC(fmpz_poly, square, 4);
-    square_bounds(square, &pair->near[piece], pair);
+    square_bounds(square, p->near, p->pair);
     maps->least = INFINITY;
     take_square(&maps->least, NULL, square, interval);
     take_square(NULL, &maps->most, square + 2, interval);
-}
-
-void clearance_enclose_at(control_maps *maps, const solid_pair *pair, size_t piece,
-                          const fmpq_t u) {
-    maps->least = maps->most = 0;
-    if (!pair->near)
-        return;
-    LOCAL_VEC(fmpz_poly, square, 4);
-    LOCAL_VEC(fmpq, value, 4);
-    square_bounds(square, &pair->near[piece], pair);
-    for (int k = 0; k < 4; k++)
-        fmpz_poly_evaluate_fmpq(value + k, &square[k], u);
-    fmpq_div(value, value, value + 1);
-    fmpq_div(value + 2, value + 2, value + 3);
-    maps->least = INFINITY;
-    take_root(&maps->least, NULL, fmpq_numref(value), fmpq_denref(value));
-    take_root(NULL, &maps->most, fmpq_numref(value + 2), fmpq_denref(value + 2));
 }
 
 void clearance_init(clearance *near, const fmpq *distance) {

@@ -135,7 +135,7 @@ static graze_status search_stretch(searcher *s, stretch_forms *during, const nod
     ZEROED(control_maps, maps);
     if (!control_maps_set(&maps, &during->motion))
         return context_fail(s->walk->context, GRAZE_ESYSTEM, "out of memory for a motion");
-    clearance_enclose(&maps, s->walk->pair, s->piece, &during->interval);
+    clearance_enclose(&maps, &s->whole, &during->interval);
     int halve = during->level < MOST_HALVINGS;
     TRY(near_pairs_refine(&left, halve ? &coarse : NULL, s->walk->context, s->walk->pair, &maps, of,
                           !halve));

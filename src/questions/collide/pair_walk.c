@@ -49,51 +49,40 @@ static graze_status lack_memory(graze_context *context) {
     return context_fail(context, GRAZE_ESYSTEM, "out of memory for a time of a motion");
 }
 
-/* Find the pairs that may meet at the time, among those of `of` or, if that is NULL, among all.
- * @param made 0 if there was no memory for the maps */
-static graze_status take_near(scene_then *out, pair_walk *walk, int made, const node_list *of) {
+/* Find the pairs that may meet during an interval of a placing's piece, or at its rational time,
+ * among those of `of` or, if that is NULL, among all. */
+static graze_status find_near(scene_then *out, pair_walk *walk, const placing *p,
+                              const dyadic_interval *interval, const node_list *of) {
     node_pair roots = {0, 0};
     const node_list all = {1, 1, &roots, 0};
-    TRY(made ? GRAZE_OK : lack_memory(walk->context));
+    HELD(map_forms, forms, p->map[SIDE_MOVING], interval);
+    TRY(control_maps_set(&out->maps, &forms) ? GRAZE_OK : lack_memory(walk->context));
+    clearance_enclose(&out->maps, p, interval);
     TRY(near_pairs_refine(&out->leaves, NULL, walk->context, walk->pair, &out->maps, of ? of : &all,
                           1));
     return near_pairs_take(&out->near, walk->context, walk->pair, &out->leaves);
 }
 
-/* Set the maps and the pairs at a rational time. */
-static graze_status find_near_at(scene_then *out, pair_walk *walk, size_t piece, const fmpq_t u,
-                                 const node_list *of) {
-    int d = walk->pair->motion->dimension;
-    const motion_piece *m = &walk->pair->motion->piece[piece];
-    LOCAL_VEC(fmpq, map, d * (d + 1));
-    point_map_at(map, &m->forward, u);
-    int made = control_maps_set_one(&out->maps, map, d);
-    clearance_enclose_at(&out->maps, walk->pair, piece, u);
-    return take_near(out, walk, made, of);
-}
-
+/* Place both solids at a rational time, and find the pairs. */
 static graze_status place_both_at(scene_then *out, pair_walk *walk, size_t piece, const fmpq_t u,
                                   const node_list *of) {
-    graze_status status = find_near_at(out, walk, piece, u, of);
+    HELD(dyadic_interval, unit);
+    dyadic_interval_set_si(&unit, 0, 1);
     placing_init(&out->p, walk->context, walk->pair, piece, u);
     out->placed = 1;
-    return status;
+    return find_near(out, walk, &out->p, &unit, of);
 }
 
-/* Set the maps and the pairs at an irrational time, from the motion during the time's isolating
- * interval, which is narrowed first. */
-static graze_status find_near_root(scene_then *out, pair_walk *walk, size_t piece, algebraic *time,
-                                   const node_list *of) {
+/* Find the pairs at a time: if it is irrational, from the motion during its isolating interval,
+ * which is narrowed first. */
+static graze_status place_both_then(scene_then *out, pair_walk *walk, const placing *whole,
+                                    graze_time *time, const node_list *of) {
     ulong gain = FIRST_GAIN;
-    const motion_piece *m = &walk->pair->motion->piece[piece];
-    for (int step = 0; step < 2 * CHEAP_HALVINGS && !algebraic_is_rational(time); step++)
-        TRY(algebraic_narrow(walk->context, time, step, &gain));
-    if (algebraic_is_rational(time))
-        return find_near_at(out, walk, piece, time->value, of);
-    HELD(map_forms, forms, &m->forward, &time->where);
-    int made = control_maps_set(&out->maps, &forms);
-    clearance_enclose(&out->maps, walk->pair, piece, &time->where);
-    return take_near(out, walk, made, of);
+    for (int step = 0; step < 2 * CHEAP_HALVINGS && !algebraic_is_rational(&time->u); step++)
+        TRY(algebraic_narrow(walk->context, &time->u, step, &gain));
+    return algebraic_is_rational(&time->u)
+               ? place_both_at(out, walk, time->piece, time->u.value, of)
+               : find_near(out, walk, whole, &time->u.where, of);
 }
 
 static graze_status add_letter(pair_walk *walk, graze_state state) {
@@ -242,9 +231,7 @@ static graze_status walk_into(pair_walk *walk, placing *whole, graze_state left,
     ZEROED(scene_then, then);
     graze_time *time = walk->last;
     graze_state state = GRAZE_STATE_B;
-    TRY(algebraic_is_rational(&time->u)
-            ? place_both_at(&then, walk, time->piece, time->u.value, near)
-            : find_near_root(&then, walk, time->piece, &time->u, near));
+    TRY(place_both_then(&then, walk, whole, time, near));
     placing *p = then.placed ? &then.p : whole;
     placing_set_time(whole, &time->u);
     if (left != GRAZE_STATE_O && left != GRAZE_STATE_B)

@@ -197,8 +197,6 @@ void map_forms_split(map_forms *forms, map_forms *right);
 /** Set the maps. `out` is zeros before its first use; control_maps_clear frees it. @return 0 if
  * memory runs out */
 int control_maps_set(control_maps *out, const map_forms *forms);
-/** Set the one affine map of an instant, as control_maps_set does. */
-int control_maps_set_one(control_maps *out, const fmpq *map, int dimension);
 void control_maps_clear(control_maps *maps);
 
 /** A box around all images of a box during the interval; all of space if no maps are known. */
