@@ -125,8 +125,7 @@ typedef struct reader {
     graze_context *context;
     fields cut;
     graze_cell cell; /* cell of the row read last, if rows have cells */
-    char *rest;      /* further columns of the rows of a run, each with a NUL */
-    size_t rest_length, rest_capacity;
+    text rest;       /* further columns of the rows of a run, each with a NUL */
 } reader;
 
 void reader_clear(reader *r);

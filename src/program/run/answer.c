@@ -46,10 +46,10 @@ static size_t make_run_points(answerer *a, row_run *r, const block *b, size_t fi
     size_t n = 0, point_at[RUN_ROWS] = {0}, rest_at[RUN_ROWS] = {0};
     if (from->grid)
         grid_points(a->points, from->grid, from->part, b->before + first, r->taken);
-    a->reader.rest_length = 0;
+    text_clear(&a->reader.rest);
     for (; n < r->taken; n++) {
         point_at[n] = a->written.length;
-        rest_at[n] = a->reader.rest_length;
+        rest_at[n] = a->reader.rest.length;
         if (!from->grid &&
             columns_row(a->points + n * d, &r->fault, from->columns, &a->reader, b, first + n))
             break;
@@ -60,7 +60,7 @@ static size_t make_run_points(answerer *a, row_run *r, const block *b, size_t fi
     for (size_t k = 0; k < n; k++) {
         a->texts[k].point = a->written.length ? a->written.data + point_at[k] : NULL;
         a->texts[k].rest =
-            from->columns && from->columns->others ? a->reader.rest + rest_at[k] : NULL;
+            from->columns && from->columns->others ? a->reader.rest.data + rest_at[k] : NULL;
     }
     return n;
 }
