@@ -45,7 +45,8 @@ static size_t make_run_points(answerer *a, row_run *r, const block *b, size_t fi
         (size_t)(from->columns ? from->columns->numbers : graze_scene_dimension(a->task.scene));
     size_t n = 0, point_at[RUN_ROWS] = {0}, rest_at[RUN_ROWS] = {0};
     if (from->grid)
-        grid_points(a->points, from->grid, from->part, b->before + first, r->taken);
+        graze_grid_points(a->points, from->grid->points, shard_place(from->part, b->before + first),
+                          from->part.count, r->taken);
     text_clear(&a->reader.rest);
     for (; n < r->taken; n++) {
         point_at[n] = a->written.length;
@@ -87,8 +88,9 @@ static graze_status write_answers(answerer *a, row_run *r, size_t n) {
 static graze_status write_members(answerer *a, row_run *r, unsigned long first) {
     const row_source *from = &a->task.source;
     struct row_text *table = &r->out[RESULT_TABLE];
-    return grid_rows(&table->text, &table->length, &r->done, a->context, from->grid, from->part,
-                     first, r->taken, a->task.rows->format);
+    return graze_grid_rows(&table->text, &table->length, &r->done, a->context, from->grid->points,
+                           shard_place(from->part, first), from->part.count, r->taken,
+                           a->task.rows->format);
 }
 
 /* Set the fault of a row that has no answer. Only GRAZE_EINPUT is a fault of the file of points. */

@@ -148,8 +148,10 @@ static int make_free_head(char **head, const results *out, const row_source *sou
 /* Begin a binary table, whose columns have the names in the last line of the head. */
 static int begin_export(results *out, const row_source *source, const char *head) {
     typed_kind last[COLUMNS_MOST];
-    if (source->grid)
-        grid_shape(&out->typed, source->grid);
+    const grid *g = source->grid;
+    if (g)
+        typed_set_grid(&out->typed, g->dimension, g->size, (graze_rationals)g->low,
+                       (graze_rationals)g->high);
     return complain_of(typed_begin(&out->typed, graze_scene_dimension(out->l->scene),
                                    names_of(head), out->l->rows.columns == GRAZE_COLUMNS_PMC, last,
                                    columns_kinds(last, &out->l->rows)),
