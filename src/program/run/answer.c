@@ -1,4 +1,5 @@
-/* Answers runs of rows: reads their numbers, classifies them and writes them into one text.
+/* Hands rows out to threads or ranks, and answers runs of rows: reads their numbers, classifies
+ * them and writes them into one text. A contact point is a site of the scene, and a row.
  * SPDX-License-Identifier: GPL-3.0-or-later
  */
 #include "program/run/run.h"
@@ -10,6 +11,30 @@
 #include "program/io/io.h"
 #include "program/points/points.h"
 #include "program/run/results.h"
+
+void queue_add(queue *q, block *b) {
+    if (q->first)
+        q->last->after = b;
+    else
+        q->first = b;
+    q->last = b;
+    q->left += b->count;
+}
+
+size_t queue_take(queue *q, block **of, int workers, size_t most) {
+    block *b = *of = q->first;
+    size_t first = b->next, in_block = b->count - first;
+    size_t share = q->left / (4 * (size_t)workers);
+    share = share < 1 ? 1 : share < most ? share : most;
+    share = share < in_block ? share : in_block;
+    b->runs[first] = (row_run){.taken = share, .fault = {EXIT_SIGNAL, NULL}};
+    b->next += share;
+    b->busy++;
+    q->left -= share;
+    if (share == in_block)
+        q->first = b->after;
+    return first;
+}
 
 /* Name the place of a row for messages. */
 static void put_place(text *out, const row_source *from, const block *b, size_t row) {
@@ -66,15 +91,49 @@ static size_t make_run_points(answerer *a, row_run *r, const block *b, size_t fi
     return n;
 }
 
+static graze_status make_site(graze_site **out, const answerer *a, size_t row) {
+    const columns *c = a->task.source.columns;
+    graze_rationals number = (graze_rationals)a->points + row * (size_t)c->numbers;
+    if (c->sites.snap)
+        return (c->sites.in_world ? graze_site_snap_at : graze_site_snap)(
+            out, a->context, a->task.scene, number[0], number + 1, a->cell[row]);
+    return (c->sites.in_world ? graze_site_create_at : graze_site_create)(
+        out, a->context, a->task.scene, number[0], number + 1);
+}
+
+static graze_status add_site_row(text *out, const answerer *a, size_t row) {
+    OWNED(graze_site, site);
+    char *line = NULL;
+    TRY(make_site(&site, a, row));
+    TRY(graze_site_row(&line, a->context, site, a->task.rows->format, a->texts[row].rest));
+    text_put(out, line);
+    graze_free(line);
+    return GRAZE_OK;
+}
+
+/* Write the rows of the first n contact points as one text. */
+static graze_status write_sites(answerer *a, row_run *r, size_t n) {
+    struct row_text *table = &r->out[RESULT_TABLE];
+    graze_status status = GRAZE_OK;
+    HELD(text, all);
+    while (r->done < n && !status) {
+        status = add_site_row(&all, a, r->done);
+        r->done += !status;
+    }
+    table->length = all.length;
+    if (all.failed)
+        r->done = 0;
+    table->text = text_take(&all);
+    return table->text || status ? status : GRAZE_ESYSTEM;
+}
+
 /* Write the rows of the first n points, for a table, a certificate or both. */
 static graze_status write_answers(answerer *a, row_run *r, size_t n) {
     const answer_task *task = &a->task;
     struct row_text *table = task->no_table ? NULL : &r->out[RESULT_TABLE];
     struct row_text *certificate = &r->out[RESULT_CERTIFICATE];
-    if (task->source.columns && task->source.columns->sites.wanted) {
-        site_rows rows = {task->source.columns, a->points, a->cell, a->texts, n};
-        return site_answer(r, a->context, task->scene, &rows, task->rows->format);
-    }
+    if (task->source.columns && task->source.columns->sites.wanted)
+        return write_sites(a, r, n);
     if (!task->certifier)
         return graze_report_points(&table->text, &table->length, &r->done, &r->totals, a->context,
                                    task->scene, a->points, n, a->texts, task->rows);
