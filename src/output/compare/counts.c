@@ -55,18 +55,17 @@ static graze_status count_depth(ceiling *out, depths *d, graze_context *context,
         count_parts(d, falls ? high : low);
     return errors_add(&d->by[pmc], (value_error){*out, out->digits > 0, 0})
                ? GRAZE_OK
-               : context_fail(context, GRAZE_ESYSTEM, "out of memory");
+               : comparison_no_memory(context);
 }
 
 graze_status depth_take(ceiling *out, depths *d, const table *golden, const table_row *row,
                         int pmc) {
     graze_context *context = golden->in.context;
     LOCAL_VEC(fmpq, low, 2);
-    fmpq *high = low + 1;
     d->wrong++;
-    TRY(table_number(low, context, table_field(golden, row, COLUMN_SDF_LOW)));
-    TRY(table_number(high, context, table_field(golden, row, COLUMN_SDF_HIGH)));
-    return count_depth(out, d, context, pmc, low, high);
+    for (int k = 0; k < 2; k++)
+        TRY(table_number(low + k, context, table_field(golden, row, column_of("sdf") + (column)k)));
+    return count_depth(out, d, context, pmc, low, low + 1);
 }
 
 /* Take the size from the scene. GRAZE_ELIMIT, GRAZE_ECANCELED. */
@@ -142,7 +141,7 @@ char comparison_count(graze_comparison *c, const judgement *j, int answered) {
     c->wrong += what == 'w';
     c->undecided += what == 'u';
     c->agree += what == 'a';
-    for (int k = 0; answered && k < COLUMN_COUNT; k++)
+    for (int k = 0; answered && k < COLUMN_OPTIONS; k++)
         c->column_wrong[k] += (unsigned long)j->wrong[k];
     for (int k = 0; answered && k < CONVENTIONS; k++)
         c->wrong_as[k] += (unsigned long)j->wrong_as[k];

@@ -136,7 +136,7 @@ int comparison_begin(graze_comparison *c, const graze_context *context, const ch
 
 /** The judgement of a row. */
 typedef struct judgement {
-    int wrong[COLUMN_COUNT];
+    int wrong[COLUMN_OPTIONS];
     int any_wrong;
     int wrong_as[CONVENTIONS]; /* any_wrong under each convention for `on` */
     int undecided; /* the golden answer is `on`, and the point may be interior to the closed sweep;

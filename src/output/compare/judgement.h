@@ -11,9 +11,6 @@
 
 /* The answers of a row, and the judgement of the candidate's. */
 
-/** The columns that are judged, ended by COLUMN_COUNT, of tables of points and of contact points;
- * both have COLUMN_WORD. */
-extern const column judged_columns[];
 /** Names of the classes, in the order of the matrix. */
 extern const char *const class_words[5];
 

@@ -34,9 +34,9 @@ static void put_json_summary(json_writer *w, const graze_comparison *c) {
     json_count(w, "golden-rows-of-pmc-alone", c->of_pmc);
     json_count(w, "extra", c->extra);
     json_open(w, "wrong-by-column", '{');
-    for (const column *j = judged_columns; *j != COLUMN_COUNT; j++)
-        if (c->judged[*j])
-            json_count(w, column_name(*j), c->column_wrong[*j]);
+    for (column j = COLUMN_X; j < COLUMN_OPTIONS; j++)
+        if (c->judged[j])
+            json_count(w, column_name(j), c->column_wrong[j]);
     json_close(w, '}');
     json_open(w, "undecided-answers", '{');
     for (int k = 0; k < 3; k++)

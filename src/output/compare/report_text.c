@@ -78,9 +78,9 @@ static void put_summary(text *out, const graze_comparison *c) {
                     on_as[c->options.on_as], graze_rounding_name(c->rounding));
     put_matched(out, c);
     text_put(out, "judged:");
-    for (const column *j = judged_columns; *j != COLUMN_COUNT; j++)
-        if (c->judged[*j])
-            text_format(out, " %s", column_name(*j));
+    for (column j = COLUMN_X; j < COLUMN_OPTIONS; j++)
+        if (c->judged[j])
+            text_format(out, " %s", column_name(j));
     text_format(out, "%s\n\n",
                 c->options.has == GRAZE_HAS_SDF ? " (from the sign of sdf, negative inside)" : "");
     text_format(

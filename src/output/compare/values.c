@@ -31,7 +31,8 @@ graze_status values_choose(graze_comparison *c, const table *golden) {
     const graze_compare_options *o = &c->options;
     graze_context *context = golden->in.context;
     const char *operation = golden->notes[NOTE_OPERATION];
-    int has = golden->where[COLUMN_SDF_LOW] >= 0 && golden->where[COLUMN_SDF_HIGH] >= 0;
+    const long *bounds = golden->where + column_of("sdf");
+    int has = bounds[0] >= 0 && bounds[1] >= 0;
     int sdf = o->has == GRAZE_HAS_SDF;
     const char *asked = o->motion_error    ? "a motion error"
                         : o->sdf_tolerance ? "a tolerance of values"
@@ -47,7 +48,8 @@ graze_status values_choose(graze_comparison *c, const table *golden) {
                                "has the distances to an unsweep, which outside of it are lower "
                                "bounds; expected the table of a sweep for values outside");
     c->valued = has && sdf;
-    c->enclosed = has && (sdf || o->motion_error || golden->notes[NOTE_SDF]);
+    c->enclosed =
+        has && (sdf || o->motion_error || golden->sets & columns_known(columns_place("sdf")).bit);
     c->judged[COLUMN_SDF] = c->valued && o->sdf_tolerance;
     TRY(read_amount(c->depth.size, context, "diagonal", golden->notes[NOTE_DIAGONAL], 0));
     TRY(read_amount(c->tolerance, context, "sdf_tolerance", o->sdf_tolerance, 0));
@@ -73,8 +75,8 @@ static graze_status read_bound(fmpq_t out, const table *t, const table_row *row,
 }
 
 static graze_status read_enclosure(fmpq *out, const table *t, const table_row *row, int pmc) {
-    TRY(read_bound(out, t, row, COLUMN_SDF_LOW));
-    TRY(read_bound(out + 1, t, row, COLUMN_SDF_HIGH));
+    for (int k = 0; k < 2; k++)
+        TRY(read_bound(out + k, t, row, column_of("sdf") + (column)k));
     if (!has_sign(out, pmc))
         return context_fail_in(t->in.context, GRAZE_EINPUT, t->in.name, row->line,
                                "sdf_low and sdf_high do not go with `%s`; expected an enclosure "

@@ -46,14 +46,12 @@ static int is_further(const columns *c, size_t column) {
 
 /* How many columns at the end, at most `most`, are answers that the `#` lines mention. */
 static size_t count_last(const fields *first, unsigned sets, size_t most) {
-    field names[COLUMNS_MOST];
+    const column_label *names[COLUMNS_MOST];
     size_t count = 0;
     for (size_t k = columns_names(names, sets); k > 0 && count < most; k--) {
-        field name = names[k - 1];
-        int may_lack = strchr("?*!", name.start[name.length - 1]) != NULL;
-        name.length -= (size_t)may_lack;
-        int is_it = field_equal(field_content(first->item[first->count - 1 - count]), name);
-        if (!is_it && !may_lack)
+        int is_it =
+            field_is(field_content(first->item[first->count - 1 - count]), names[k - 1]->name);
+        if (!is_it && !names[k - 1]->mark)
             return 0;
         count += (size_t)is_it;
     }
