@@ -84,7 +84,7 @@ static int order_of_names(const void *a, const void *b) {
 /* Refuse two further columns with the same name; columns without a name are allowed. */
 static int check_different_names(fault *f, const columns *c, const fields *first,
                                  unsigned long number) {
-    field *names = malloc(first->count * sizeof *names);
+    FREED(field, names, malloc(first->count * sizeof *names));
     size_t count = 0, k = 1;
     if (!names)
         return fault_set(f, EXIT_IO, "out of memory");
@@ -94,13 +94,11 @@ static int check_different_names(fault *f, const columns *c, const fields *first
     qsort(names, count, sizeof *names, order_of_names);
     while (k < count && (!names[k].length || !field_equal(names[k - 1], names[k])))
         k++;
-    int status = k < count ? fault_set(f, EXIT_INPUT,
-                                       "%s:%lu: two columns have the name '%.*s'; expected "
-                                       "different names",
-                                       c->name, number, FIELD_SHOWN(names[k]))
-                           : EXIT_DONE;
-    free(names);
-    return status;
+    return k < count ? fault_set(f, EXIT_INPUT,
+                                 "%s:%lu: two columns have the name '%.*s'; expected different "
+                                 "names",
+                                 c->name, number, FIELD_SHOWN(names[k]))
+                     : EXIT_DONE;
 }
 
 /* Does a field from a file with another separator need quotes in a table with commas? */
@@ -200,20 +198,16 @@ static int fix(int *header, fault *f, columns *c, const fields *first, unsigned 
 
 int columns_fix(int *header, fault *f, columns *c, graze_context *context, field text,
                 unsigned long number, columns_head head) {
-    fields first = {NULL, 0, 0};
-    static const char npy[] = "\x93NUMPY";
-    if (text.length >= sizeof npy - 1 && memcmp(text.start, npy, sizeof npy - 1) == 0)
+    ZEROED(fields, first);
+    if (npy_is_begun(text.start, text.length))
         return fault_set(f, EXIT_INPUT,
                          "%s: is a .npy file, which is no text and is read by its name; expected "
                          "a plain file",
                          c->name);
     c->separator = field_separator(text);
-    graze_status cut = fields_read(&first, context, c->name, number, text, c->separator);
-    int status = fault_of(f, cut, context, EXIT_INPUT);
-    if (!status)
-        status = fix(header, f, c, &first, number, head);
-    fields_clear(&first);
-    return status;
+    TRY(fault_of(f, fields_read(&first, context, c->name, number, text, c->separator), context,
+                 EXIT_INPUT));
+    return fix(header, f, c, &first, number, head);
 }
 
 /* Append a name, to which `_in` is added until neither the table's own columns nor the others have

@@ -111,8 +111,6 @@ typedef struct results {
 } results;
 
 void results_init(results *out, const classify_options *o, const loaded *l);
-/** Is a file of this kind wanted? */
-int results_wants(const results *out, result_kind kind);
 /** The file whose rows count for the run: the table, or else the certificate. */
 result *results_main(results *out);
 
