@@ -141,24 +141,15 @@ graze_status key_make(table_row *row, const row_key *key, const table *t) {
     return GRAZE_OK;
 }
 
-/* The golden column of each grouping. */
-static const column by[GROUPING_COUNT] = {COLUMN_STRATUM, COLUMN_K,          COLUMN_SDF,
-                                          COLUMN_CLASS,   COLUMN_DEFINITION, COLUMN_CASE,
-                                          COLUMN_STATUS,  COLUMN_ROLE};
-
-column grouping_column(grouping g) {
-    return by[g];
-}
-
-const char *grouping_name(grouping g) {
-    return column_name(by[g]);
-}
-
-const char *grouping_title(grouping g) {
-    return g == BY_DISTANCE ? "k (distance 2^-k)"
-           : g == BY_SDF    ? "sdf (the power of ten below its size)"
-                            : grouping_name(g);
-}
+const struct grouped groupings[GROUPING_COUNT] = {
+    {COLUMN_STRATUM, "stratum"},
+    {COLUMN_K, "k (distance 2^-k)"},
+    {COLUMN_SDF, "sdf (the power of ten below its size)"},
+    {COLUMN_CLASS, "class"},
+    {COLUMN_DEFINITION, "definition"},
+    {COLUMN_CASE, "case"},
+    {COLUMN_STATUS, "status"},
+    {COLUMN_ROLE, "role"}};
 
 static graze_status check_golden(const table *t) {
     static const char *const pmc = "pmc";
@@ -257,5 +248,5 @@ int grouping_is_of(const graze_comparison *c, const table *golden, grouping g) {
     if (g == BY_SDF)
         return c->enclosed;
     int of_contacts = g == BY_STATUS || g == BY_ROLE, of_both = g == BY_STRATUM || g == BY_DISTANCE;
-    return golden->where[grouping_column(g)] >= 0 && (of_both || of_contacts == c->contacts);
+    return golden->where[groupings[g].of] >= 0 && (of_both || of_contacts == c->contacts);
 }

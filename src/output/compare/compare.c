@@ -122,7 +122,7 @@ static graze_status count_groups(graze_comparison *c, const run *r, const table_
         TRY(comparison_no_memory(r->context));
     for (int g = 0; g < GROUPING_COUNT; g++) {
         field name = g == BY_SDF ? (field){value->decade, strlen(value->decade)}
-                                 : table_field(&r->golden, row, grouping_column((grouping)g));
+                                 : table_field(&r->golden, row, groupings[g].of);
         if (c->grouped[g] && (name.length || g != BY_DISTANCE))
             TRY(tally_add(&c->tallies[g], r->context, name, what, error));
     }

@@ -223,8 +223,12 @@ graze_status match_finish(const match *m);
  * @return GRAZE_EINPUT the tables do not go together, or lack columns; GRAZE_ESYSTEM */
 graze_status comparison_choose(graze_comparison *c, const table *golden, const table *candidate);
 
-/** The golden column of a grouping. */
-column grouping_column(grouping g);
+/** The golden column of each grouping, whose name is the grouping's, and a longer name for the head
+ * of a table. BY_SDF stands for the candidate's column. */
+extern const struct grouped {
+    column of;
+    const char *title;
+} groupings[GROUPING_COUNT];
 /** Does the golden table have the column of a grouping, and do tables of its kind have the
  * grouping?
  */
